@@ -1,0 +1,89 @@
+//! Between the two ways in which tables give straight lengths: from corner to corner of the
+//! polygon, or from the end of one arc to the beginning of the next.
+
+use super::Step;
+use crate::units::{Angle, Length};
+
+/// The straight parts of a program do not fit between its arcs.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum TangentError {
+    /// The arcs at both ends of a segment need more than its length.
+    #[error(
+        "step {step}: its arcs take {needed:.3} of {length:.3}; use a smaller bend radius than {radius:.3} or a longer segment"
+    )]
+    Overlap {
+        /// Index of the step, from 0.
+        step: usize,
+        /// What the arcs take.
+        needed: Length,
+        /// What there is.
+        length: Length,
+        /// The centreline radius.
+        radius: Length,
+    },
+    /// A bend of 180° or more has no corner where its straight parts would meet.
+    #[error("step {step}: a bend of {bend:.3} has no corner; its straight parts are parallel")]
+    NoCorner {
+        /// Index of the step, from 0.
+        step: usize,
+        /// The bend.
+        bend: Angle,
+    },
+}
+
+/// How far the corner of a bend is from the ends of its arc: r·tan(|θ|/2), in mm.
+fn setback(step: usize, bend: Angle, radius: Length) -> Result<f64, TangentError> {
+    if bend.abs().deg() > 179.999 {
+        return Err(TangentError::NoCorner { step, bend });
+    }
+    Ok(radius.mm() * (bend.abs().rad() / 2.0).tan())
+}
+
+/// For each step what the arcs at its two ends take off its corner-to-corner length, in mm.
+fn taken(steps: &[Step], radius: Length) -> Result<Vec<f64>, TangentError> {
+    let mut before = 0.0;
+    let mut taken = Vec::with_capacity(steps.len());
+    for (k, step) in steps.iter().enumerate() {
+        let after = setback(k, step.bend, radius)?;
+        taken.push(before + after);
+        before = after;
+    }
+    Ok(taken)
+}
+
+/// Tangent-to-tangent lengths of a program whose feeds run from corner to corner.
+///
+/// # Errors
+/// [`TangentError`] when arcs of this centreline radius overlap or a bend has no corner.
+pub fn tangent_lengths(steps: &[Step], radius: Length) -> Result<Vec<Length>, TangentError> {
+    let lengths = steps.iter().zip(taken(steps, radius)?).enumerate();
+    lengths
+        .map(|(step, (s, taken))| {
+            let left = s.feed.mm() - taken;
+            // Rounding of a table may eat a length that is exactly zero.
+            if left < -1e-6 {
+                let needed = Length::computed(taken);
+                return Err(TangentError::Overlap {
+                    step,
+                    needed,
+                    length: s.feed,
+                    radius,
+                });
+            }
+            Ok(Length::computed(left.max(0.0)))
+        })
+        .collect()
+}
+
+/// Corner-to-corner lengths of a program whose feeds run from tangent to tangent.
+///
+/// # Errors
+/// [`TangentError::NoCorner`] for a bend of 180°.
+pub fn intersection_lengths(steps: &[Step], radius: Length) -> Result<Vec<Length>, TangentError> {
+    let taken = taken(steps, radius)?;
+    Ok(steps
+        .iter()
+        .zip(taken)
+        .map(|(s, taken)| Length::computed(s.feed.mm() + taken))
+        .collect())
+}

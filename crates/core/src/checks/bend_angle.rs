@@ -1,0 +1,86 @@
+//! Bends that the machine cannot make: every pair of edges that the route makes neighbours.
+
+use super::{Code, Diagnostic, Limit, Quantity, Severity, Wire, is_near};
+use crate::compensate::BendError;
+use crate::units::Angle;
+
+pub(super) fn check(wire: &Wire, found: &mut Vec<Diagnostic>) {
+    // The schedule knows to which side; before it, the wider side counts.
+    let nominal = wire.nominal.into_iter().flat_map(|program| &program.steps);
+    let bends: Vec<Angle> = match wire.scheduled {
+        Some(scheduled) => scheduled.steps.iter().map(|step| step.bend).collect(),
+        None => nominal.map(|step| step.bend).collect(),
+    };
+    for (step, &bend) in bends.iter().enumerate().filter(|(_, bend)| **bend != Angle::ZERO) {
+        let (least, largest) = (&wire.limits.least_bend, &wire.limits.largest_bend);
+        let negative = match wire.scheduled {
+            Some(_) => bend < Angle::ZERO,
+            None => least.value.abs() > largest.value,
+        };
+        let limit = if negative { least } else { largest };
+        // Straight back is a matter of its own.
+        if bend.abs() == Angle::HALF_TURN {
+            continue;
+        }
+        let room = (limit.value.abs() - bend.abs()).deg();
+        let (code, severity, verdict) = if room < -1e-9 {
+            (Code::BendTooSharp, Severity::Error, "more than the machine makes")
+        } else if is_near(room.max(0.0), limit.value.deg()) {
+            (
+                Code::BendNearLimit,
+                Severity::Warning,
+                "close to the most that the machine makes",
+            )
+        } else {
+            continue;
+        };
+        found.push(Diagnostic {
+            code,
+            severity,
+            place: wire.place_of_step(step),
+            measured: Some(Quantity::Angle(bend)),
+            limit: Some(Limit { value: Quantity::Angle(limit.value), source: limit.source.clone() }),
+            message: format!("the bend{} is {bend:.1}, {verdict} ({:.1})", at(wire, step), limit.value),
+            help: "open the angle between the two edges, or choose another start so that the route turns elsewhere"
+                .to_owned(),
+        });
+    }
+    unreachable(wire, found);
+}
+
+/// Bends within the machine's limits that its axis still cannot reach with this wire.
+fn unreachable(wire: &Wire, found: &mut Vec<Diagnostic>) {
+    for failed in wire.unbendable {
+        let (code, bend, limit) = match failed.error {
+            BendError::OutOfReach { bend, largest } => (Code::BendOutOfReach, bend, Some(largest)),
+            BendError::TooSmall { bend } => (Code::BendTooSmall, bend, None),
+            BendError::FoldBack { bend } => (Code::FoldBack, bend, None),
+        };
+        // Said by the check of fold backs, with a clearer reason.
+        if bend.abs() == Angle::HALF_TURN {
+            continue;
+        }
+        let source = "springback and setback of this wire on this machine".to_owned();
+        found.push(Diagnostic {
+            code,
+            severity: Severity::Error,
+            place: wire.place_of_step(failed.step),
+            measured: Some(Quantity::Angle(bend)),
+            limit: limit.map(|largest| Limit {
+                value: Quantity::Angle(largest),
+                source,
+            }),
+            message: format!("the bend{}: {}", at(wire, failed.step), failed.error),
+            help: match failed.error {
+                BendError::OutOfReach { largest, .. } => format!("keep the bend below {largest:.1}"),
+                BendError::FoldBack { .. } => "open the angle between the two edges".to_owned(),
+                BendError::TooSmall { .. } => "make the bend larger, or the edges straight".to_owned(),
+            },
+        });
+    }
+}
+
+fn at(wire: &Wire, step: usize) -> String {
+    wire.vertex_of_step(step)
+        .map_or_else(|| format!(" of step {step}"), |v| format!(" at vertex {v}"))
+}

@@ -1,0 +1,118 @@
+//! Feeds after compensation: too short to grip, arcs that overlap, longer than any stock.
+
+use super::{Code, Diagnostic, Limit, Quantity, Severity, Wire, is_near};
+use crate::compensate::with_bend_before;
+use crate::units::{Angle, Length};
+
+pub(super) fn check(wire: &Wire, found: &mut Vec<Diagnostic>) {
+    let Some(nominal) = wire.nominal else { return };
+    for (step, (before, designed)) in with_bend_before(&nominal.steps).enumerate() {
+        let folds = before == Angle::HALF_TURN || designed.bend == Angle::HALF_TURN;
+        let Some(model) = wire.compensation.feed.filter(|_| !folds) else {
+            judge(wire, step, designed.feed, designed.feed, found);
+            continue;
+        };
+        let straight = model.straight(designed.feed, before, designed.bend);
+        if straight < Length::ZERO {
+            let needed = designed.feed - straight;
+            found.push(Diagnostic {
+                code: Code::ArcsOverlap,
+                severity: Severity::Error,
+                place: wire.place_of_step(step),
+                measured: Some(Quantity::Length(designed.feed)),
+                limit: Some(Limit {
+                    value: Quantity::Length(needed),
+                    source: format!("bends of centreline radius {:.2}", model.bend_radius),
+                }),
+                message: format!(
+                    "the bends at both ends of {} take {needed:.1} of its {:.1}",
+                    edges(wire, step),
+                    designed.feed
+                ),
+                help: "make the edge longer or its bends gentler".to_owned(),
+            });
+            continue;
+        }
+        judge(
+            wire,
+            step,
+            designed.feed,
+            model.feed_for(designed.feed, before, designed.bend),
+            found,
+        );
+    }
+}
+
+fn judge(wire: &Wire, step: usize, designed: Length, feed: Length, found: &mut Vec<Diagnostic>) {
+    let least = &wire.limits.least_feed;
+    let room = (feed - least.value).mm();
+    let fed = format!(
+        "{} ({designed:.1} as designed) is fed {feed:.1}",
+        edges(wire, step)
+    );
+    let most = wire
+        .limits
+        .most_stock
+        .as_ref()
+        .map(|stock| (stock.value - wire.limits.tail.value, stock));
+    let (code, severity, limit, message, help) = if room < 0.0 {
+        let message = format!(
+            "{fed} after compensation; the machine cannot feed less than {:.1}",
+            least.value
+        );
+        let help = format!("make the edge at least {:.1} longer", Length::computed(-room));
+        (
+            Code::FeedTooShort,
+            Severity::Error,
+            (least.value, &least.source),
+            message,
+            help,
+        )
+    } else if let Some((longest, stock)) = most.filter(|(longest, _)| feed > *longest) {
+        let message = format!("{fed}; the stock without its tail is only {longest:.1}");
+        let help = "divide the edge among two wires".to_owned();
+        (
+            Code::FeedTooLong,
+            Severity::Error,
+            (longest, &stock.source),
+            message,
+            help,
+        )
+    } else if is_near(room, least.value.mm()) {
+        let message = format!(
+            "{fed} after compensation; the shortest feed is {:.1}",
+            least.value
+        );
+        let help = "leave it, or make the edge a little longer".to_owned();
+        (
+            Code::FeedNearLimit,
+            Severity::Warning,
+            (least.value, &least.source),
+            message,
+            help,
+        )
+    } else {
+        return;
+    };
+    found.push(Diagnostic {
+        code,
+        severity,
+        place: wire.place_of_step(step),
+        measured: Some(Quantity::Length(feed)),
+        limit: Some(Limit {
+            value: Quantity::Length(limit.0),
+            source: limit.1.clone(),
+        }),
+        message,
+        help,
+    });
+}
+
+fn edges(wire: &Wire, step: usize) -> String {
+    let edges: Vec<String> = wire.edges_of_step(step).iter().map(ToString::to_string).collect();
+    match edges.len() {
+        0 => format!("step {step}"),
+        1 => format!("edge {}", edges[0]),
+        _ => format!("the straight of edges {}", edges.join(", ")),
+    }
+}

@@ -1,0 +1,167 @@
+//! Checks: what cannot be made and why, each with its measured value, the limit, where the limit
+//! comes from and what to do.
+//!
+//! A check is one file. The checks of a design look at the wireframe alone; those of a wire look at
+//! whatever stages it has got through, so that a design that cannot be bent is still explained.
+
+mod bend_angle;
+mod coincident;
+mod diagnostic;
+mod edge_length;
+mod euler_path;
+mod feed_length;
+mod fold_back;
+mod parallel_edges;
+mod rotation;
+mod stock_length;
+mod wires;
+mod zero_length;
+
+pub use diagnostic::{Code, Diagnostic, Limit, Place, Quantity, Severity};
+
+use crate::bend::NominalProgram;
+use crate::compensate::{CompensatedProgram, Compensation, StepError};
+use crate::route::{Doubling, Route};
+use crate::schedule::{RotationOutOfRange, ScheduledProgram};
+use crate::units::{Angle, Length};
+use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
+
+/// A limit with where it comes from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sourced<T> {
+    /// The limit.
+    pub value: T,
+    /// Where it comes from, for a person to read.
+    pub source: String,
+}
+
+/// What a machine can do.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MachineLimits {
+    /// The bend farthest to the negative side; zero or less.
+    pub least_bend: Sourced<Angle>,
+    /// The bend farthest to the positive side; zero or more.
+    pub largest_bend: Sourced<Angle>,
+    /// The shortest designed edge between two bends.
+    pub least_edge: Sourced<Length>,
+    /// The shortest feed.
+    pub least_feed: Sourced<Length>,
+    /// The longest stock that it takes, if there is one.
+    pub most_stock: Option<Sourced<Length>>,
+    /// The end of the stock that cannot be fed.
+    pub tail: Sourced<Length>,
+    /// Where the limits of the head come from.
+    pub head_source: String,
+}
+
+/// A wireframe, before any machine is asked.
+#[derive(Debug, Clone, Copy)]
+pub struct Design<'a> {
+    /// The wireframe.
+    pub wireframe: &'a Wireframe,
+    /// Its components.
+    pub components: &'a [Component],
+    /// Vertices closer than this are taken to be meant as one.
+    pub weld_tolerance: Length,
+}
+
+/// One wire, with the stages that it has got through.
+#[derive(Debug, Clone, Copy)]
+pub struct Wire<'a> {
+    /// The wireframe.
+    pub wireframe: &'a Wireframe,
+    /// The component that this wire covers.
+    pub component: &'a Component,
+    /// Edges that are travelled twice.
+    pub doubled: &'a [EdgeId],
+    /// Whether it has to end where it starts.
+    pub closed: bool,
+    /// The cheapest doubling, where it has no route without one.
+    pub proposal: Option<&'a Doubling>,
+    /// Its route.
+    pub route: Option<&'a Route>,
+    /// Its nominal program.
+    pub nominal: Option<&'a NominalProgram>,
+    /// Its schedule.
+    pub scheduled: Option<&'a ScheduledProgram>,
+    /// Why it has none.
+    pub rotation: Option<&'a RotationOutOfRange>,
+    /// Its compensated program.
+    pub compensated: Option<&'a CompensatedProgram>,
+    /// Why it has none.
+    pub unbendable: &'a [StepError],
+    /// How it is compensated for.
+    pub compensation: &'a Compensation,
+    /// What the machine can do.
+    pub limits: &'a MachineLimits,
+}
+
+impl Wire<'_> {
+    /// The vertex at which a step bends, or at which the wire ends.
+    fn vertex_of_step(&self, step: usize) -> Option<VertexId> {
+        let last = self.nominal?.spans.get(step)?.end.checked_sub(1)?;
+        Some(self.route?.traversals.get(last)?.to)
+    }
+
+    /// The edges along which a step feeds.
+    fn edges_of_step(&self, step: usize) -> Vec<EdgeId> {
+        let span = self.nominal.and_then(|program| program.spans.get(step)).cloned();
+        let traversals = self
+            .route
+            .zip(span)
+            .and_then(|(route, span)| route.traversals.get(span));
+        traversals.into_iter().flatten().map(|t| t.edge).collect()
+    }
+
+    /// A step, the vertex at its bend and the edges of its feed.
+    fn place_of_step(&self, step: usize) -> Place {
+        Place {
+            vertices: self.vertex_of_step(step).into_iter().collect(),
+            edges: self.edges_of_step(step),
+            step: Some(step),
+        }
+    }
+}
+
+/// Everything worth saying about a design, in the order of the checks.
+#[must_use]
+pub fn check_design(design: &Design) -> Vec<Diagnostic> {
+    let checks = [
+        zero_length::check,
+        parallel_edges::check,
+        coincident::check,
+        wires::check,
+    ];
+    let mut found = Vec::new();
+    for check in checks {
+        check(design, &mut found);
+    }
+    found
+}
+
+/// Everything worth saying about a wire on a machine, in the order of the checks.
+#[must_use]
+pub fn check_wire(wire: &Wire) -> Vec<Diagnostic> {
+    let checks = [
+        euler_path::check,
+        edge_length::check,
+        bend_angle::check,
+        fold_back::check,
+        feed_length::check,
+        rotation::check,
+        stock_length::check,
+    ];
+    let mut found = Vec::new();
+    for check in checks {
+        check(wire, &mut found);
+    }
+    found
+}
+
+/// Whether a value is on the right side of a limit, but by less than a twentieth of it.
+fn is_near(distance: f64, limit: f64) -> bool {
+    distance >= 0.0 && distance < 0.05 * limit.abs()
+}
+
+#[cfg(test)]
+mod tests;

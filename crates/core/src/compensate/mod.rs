@@ -1,0 +1,214 @@
+//! Compensation: what a real machine has to be told so that the design comes out.
+//!
+//! Feeds shrink because bends are arcs, bends grow because the peg orbits off the wire's axis
+//! (setback) and because the wire springs back. Every model has its inverse, which tells what a
+//! command leaves; the simulation uses it.
+
+mod feed;
+mod setback;
+mod springback;
+
+use crate::bend::Step;
+use crate::schedule::ScheduledProgram;
+use crate::units::{Angle, Length};
+
+pub use feed::FeedModel;
+pub(crate) use feed::with_bend_before;
+pub use setback::{PegGeometry, PegGeometryError};
+pub use springback::{Springback, SpringbackCurve, SpringbackError, SpringbackPoint};
+
+/// From a bend that is to be left to the position of the bend axis, and back.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct BendModel {
+    /// What the wire takes back; none where the machine sees to it itself.
+    pub springback: Option<Springback>,
+    /// How the peg reaches the wire; none where the axis is the bend.
+    pub setback: Option<PegGeometry>,
+    /// How far the axis goes to either side of zero.
+    pub axis_limit: Option<Angle>,
+}
+
+/// A bend that a machine cannot make.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum BendError {
+    /// The axis or the peg cannot go that far.
+    #[error("a bend of {bend:.2} is out of reach: the largest that can be made to this side is {largest:.2}")]
+    OutOfReach {
+        /// The bend.
+        bend: Angle,
+        /// The largest one to the same side.
+        largest: Angle,
+    },
+    /// The axis would have to stop before the middle, on the side of the opposite bends.
+    #[error("a bend of {bend:.2} is too small: the peg would stop on the far side of the wire's axis")]
+    TooSmall {
+        /// The bend.
+        bend: Angle,
+    },
+    /// The wire folds back: its straight parts have no corner from which a feed could be reckoned.
+    #[error(
+        "a bend of {bend:.2} folds the wire back on itself: the feeds on both sides cannot be compensated"
+    )]
+    FoldBack {
+        /// The bend.
+        bend: Angle,
+    },
+}
+
+impl BendModel {
+    /// The position of the axis that leaves a bend: θ* = springback(θ), then the setback of θ*.
+    ///
+    /// # Errors
+    /// [`BendError`] when the machine cannot make it.
+    pub fn command(&self, bend: Angle) -> Result<Angle, BendError> {
+        if bend == Angle::ZERO {
+            return Ok(bend);
+        }
+        let out_of_reach = || BendError::OutOfReach {
+            bend,
+            largest: self.largest(bend),
+        };
+        let axis = self.axis(bend).ok_or_else(out_of_reach)?;
+        if axis <= Angle::ZERO {
+            return Err(BendError::TooSmall { bend });
+        }
+        Ok(Angle::computed(bend.signum() * axis.rad()))
+    }
+
+    /// Magnitude of the axis position; `None` out of reach.
+    fn axis(&self, bend: Angle) -> Option<Angle> {
+        let pressed = self
+            .springback
+            .as_ref()
+            .map_or(bend, |model| model.bend_to(bend))
+            .abs();
+        let axis = match &self.setback {
+            Some(peg) => peg.axis_for(pressed)?,
+            None => pressed,
+        };
+        self.axis_limit.is_none_or(|limit| axis <= limit).then_some(axis)
+    }
+
+    /// The bend that a command leaves: the inverse of [`BendModel::command`]. A command that only
+    /// bends the wire within its springback leaves none.
+    #[must_use]
+    pub fn result(&self, command: Angle) -> Angle {
+        let pressed = match &self.setback {
+            Some(peg) => peg.bend_at(command.abs()),
+            None => command.abs(),
+        };
+        let pressed = Angle::computed(command.signum() * pressed.rad());
+        self.springback
+            .as_ref()
+            .map_or(pressed, |model| model.left(pressed))
+    }
+
+    /// The largest bend that can be made to the side of `side`, as a magnitude up to 180°.
+    #[must_use]
+    pub fn largest(&self, side: Angle) -> Angle {
+        let sign = if side < Angle::ZERO { -1.0 } else { 1.0 };
+        let reachable = |size: f64| self.axis(Angle::computed(sign * size)).is_some();
+        if reachable(std::f64::consts::PI) {
+            return Angle::HALF_TURN;
+        }
+        let beyond = |size: f64| if reachable(size) { -1.0 } else { 1.0 };
+        Angle::computed((increasing_root(0.0, std::f64::consts::PI, beyond) - 1e-9).max(0.0))
+    }
+}
+
+/// How a machine and a material are compensated for.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Compensation {
+    /// For the wire that arcs take; none leaves feeds as designed.
+    pub feed: Option<FeedModel>,
+    /// For the bends.
+    pub bend: BendModel,
+}
+
+/// What a machine is told. It can only be had by compensating.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CompensatedProgram {
+    steps: Vec<Step>,
+}
+
+impl CompensatedProgram {
+    /// The steps, in the frame and signs of the canonical program.
+    #[must_use]
+    pub fn steps(&self) -> &[Step] {
+        &self.steps
+    }
+
+    /// All feeds together.
+    #[must_use]
+    pub fn feed_total(&self) -> Length {
+        self.steps.iter().map(|step| step.feed).sum()
+    }
+}
+
+/// A step that cannot be compensated.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[error("step {step}: {error}")]
+pub struct StepError {
+    /// Index of the step, from 0.
+    pub step: usize,
+    /// Why.
+    pub error: BendError,
+}
+
+/// A bend beyond this is a fold back: its corner is more than a thousand bend radii away.
+const FOLD_DEG: f64 = 179.9;
+
+/// Compensates a scheduled program. Whether the feeds are long enough is a check of its own.
+///
+/// # Errors
+/// Every step whose bend the machine cannot make.
+pub fn compensate(
+    program: &ScheduledProgram,
+    compensation: &Compensation,
+) -> Result<CompensatedProgram, Vec<StepError>> {
+    let mut errors = Vec::new();
+    let mut steps = Vec::with_capacity(program.steps.len());
+    for (index, (before, step)) in with_bend_before(&program.steps).enumerate() {
+        let feed = match &compensation.feed {
+            Some(model) => model.feed_for(step.feed, before, step.bend),
+            None => step.feed,
+        };
+        let command = if compensation.feed.is_some() && step.bend.abs().deg() > FOLD_DEG {
+            Err(BendError::FoldBack { bend: step.bend })
+        } else {
+            compensation.bend.command(step.bend)
+        };
+        match command {
+            Ok(bend) => steps.push(Step {
+                feed,
+                rotate: step.rotate,
+                bend,
+            }),
+            Err(error) => errors.push(StepError { step: index, error }),
+        }
+    }
+    if errors.is_empty() {
+        Ok(CompensatedProgram { steps })
+    } else {
+        Err(errors)
+    }
+}
+
+/// Where an increasing function crosses zero between two arguments; the nearer end where it does
+/// not. Bisection down to the spacing of the numbers.
+fn increasing_root(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
+    loop {
+        let middle = f64::midpoint(low, high);
+        if middle <= low || middle >= high {
+            return middle;
+        }
+        if f(middle) < 0.0 {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,178 @@
+//! The route: one walk along the wire that uses every edge of a component.
+//!
+//! An Euler path exists when no more than two vertices are odd. Where more are, some edges have to
+//! be travelled twice; which ones add the least length is [`doubling`]'s answer, and it is the
+//! caller's to accept. Which edge follows which is chosen so that the wire never folds straight
+//! back where another pairing exists, and then so that it bends as little as possible.
+
+mod doubling;
+mod matching;
+mod pairing;
+mod trails;
+
+use std::collections::BTreeMap;
+
+use crate::units::Angle;
+use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
+
+pub use doubling::{Doubling, doubling};
+
+/// One edge, travelled once.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Traversal {
+    /// Which.
+    pub edge: EdgeId,
+    /// From here.
+    pub from: VertexId,
+    /// To here.
+    pub to: VertexId,
+    /// Whether the edge was travelled before in this route.
+    pub again: bool,
+}
+
+/// A walk that uses every edge once, and every doubled edge once more.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Route {
+    /// The edges in the order in which the wire runs along them.
+    pub traversals: Vec<Traversal>,
+}
+
+impl Route {
+    /// The vertices in the order of the walk: one more than there are traversals.
+    #[must_use]
+    pub fn vertices(&self) -> Vec<VertexId> {
+        let first = self.traversals.first().map(|t| t.from);
+        first
+            .into_iter()
+            .chain(self.traversals.iter().map(|t| t.to))
+            .collect()
+    }
+
+    /// The same walk from its other end.
+    #[must_use]
+    pub fn reversed(&self) -> Self {
+        let mut seen = std::collections::BTreeSet::new();
+        let turned = self.traversals.iter().rev();
+        let traversals = turned
+            .map(|t| Traversal {
+                edge: t.edge,
+                from: t.to,
+                to: t.from,
+                again: !seen.insert(t.edge),
+            })
+            .collect();
+        Self { traversals }
+    }
+}
+
+/// What a route has to satisfy.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct RouteOptions {
+    /// Edges that are travelled once more than they are drawn; an edge may be listed repeatedly.
+    pub doubled: Vec<EdgeId>,
+    /// Where the wire starts; chosen when absent.
+    pub start: Option<VertexId>,
+    /// Whether the wire must end where it starts.
+    pub closed: bool,
+    /// The largest bend that the machine makes; larger ones are avoided where possible.
+    pub sharpest_bend: Option<Angle>,
+}
+
+/// Why there is no route.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum RouteError {
+    /// The component has no edges.
+    #[error("there is no edge to run along")]
+    NoEdges,
+    /// Too many odd vertices for an open, or any for a closed route.
+    #[error("{} vertices have an odd number of edges; {} allowed", odd.len(), if *closed { "none is" } else { "2 are" })]
+    Odd {
+        /// Which.
+        odd: Vec<VertexId>,
+        /// Whether a closed route was asked for.
+        closed: bool,
+    },
+    /// The wanted start is not one of the two odd vertices, where an open route has to start.
+    #[error("the wire cannot start at vertex {start}: it has to start at one of the odd vertices {} and {}", ends.0, ends.1)]
+    Start {
+        /// The wanted start.
+        start: VertexId,
+        /// The two vertices where it can.
+        ends: (VertexId, VertexId),
+    },
+    /// The wanted start has no edge of this component.
+    #[error("vertex {0} has no edge of this wire to start along")]
+    StartElsewhere(VertexId),
+    /// A doubled edge is not part of the component.
+    #[error("edge {0} is to be doubled but is not part of this wire")]
+    DoubledElsewhere(EdgeId),
+}
+
+/// A route through every edge of a component.
+///
+/// The result is the same on every run. An open route starts at `start` or, without one, at the odd
+/// vertex with the lower id; where every vertex is even the wire starts at `start` or so that its
+/// sharpest bend is the one that need not be made.
+///
+/// # Errors
+/// [`RouteError`] when there are too many odd vertices, or the start or a doubling does not fit.
+pub fn route(
+    wireframe: &Wireframe,
+    component: &Component,
+    options: &RouteOptions,
+) -> Result<Route, RouteError> {
+    if component.edges.is_empty() {
+        return Err(RouteError::NoEdges);
+    }
+    if let Some(&edge) = options
+        .doubled
+        .iter()
+        .find(|e| component.edges.binary_search(e).is_err())
+    {
+        return Err(RouteError::DoubledElsewhere(edge));
+    }
+    let odd = wireframe.odd_vertices(component, &options.doubled);
+    if odd.len() > 2 || (options.closed && !odd.is_empty()) {
+        return Err(RouteError::Odd {
+            odd,
+            closed: options.closed,
+        });
+    }
+    let ends = match (odd.as_slice(), options.start) {
+        (_, Some(start)) if component.vertices.binary_search(&start).is_err() => {
+            return Err(RouteError::StartElsewhere(start));
+        }
+        ([a, b], None) => Some((*a, *b)),
+        ([a, b], Some(start)) if start == *a => Some((*a, *b)),
+        ([a, b], Some(start)) if start == *b => Some((*b, *a)),
+        ([a, b], Some(start)) => {
+            return Err(RouteError::Start {
+                start,
+                ends: (*a, *b),
+            });
+        }
+        (_, Some(start)) => Some((start, start)),
+        (_, None) => None,
+    };
+    let copies = trails::copies(wireframe, component, &options.doubled);
+    let mut pairing = pairing::Pairing::new(wireframe, &copies, ends, options.sharpest_bend);
+    trails::join(&mut pairing);
+    let walk = trails::walk(&pairing, ends.map(|(start, _)| start));
+    let mut passes: BTreeMap<EdgeId, u32> = BTreeMap::new();
+    let traversals = walk
+        .into_iter()
+        .map(|(copy, forward)| {
+            let trails::Copy { edge, a, b } = copies[copy];
+            let (from, to) = if forward { (a, b) } else { (b, a) };
+            let pass = passes.entry(edge).or_default();
+            *pass += 1;
+            Traversal {
+                edge,
+                from,
+                to,
+                again: *pass > 1,
+            }
+        })
+        .collect();
+    Ok(Route { traversals })
+}

@@ -1,0 +1,107 @@
+//! Hierholzer's algorithm on a given pairing: follow it into closed trails, then join the trails
+//! where they meet, each time at the vertex where that costs least.
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+use petgraph::unionfind::UnionFind;
+
+use super::pairing::{End, Pairing};
+use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
+
+/// An edge as often as it is travelled.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Copy {
+    pub edge: EdgeId,
+    pub a: VertexId,
+    pub b: VertexId,
+}
+
+/// Every edge of a component once, and every doubled one once more for each time it is listed.
+pub(super) fn copies(wireframe: &Wireframe, component: &Component, doubled: &[EdgeId]) -> Vec<Copy> {
+    let ids = component.edges.iter().chain(doubled);
+    let copy = |&id: &EdgeId| {
+        wireframe.edge(id).map(|edge| Copy {
+            edge: id,
+            a: edge.a,
+            b: edge.b,
+        })
+    };
+    ids.filter_map(copy).collect()
+}
+
+/// Two pairs of one vertex and what they would become, with what that adds to the cost.
+type Swap = (i64, VertexId, [(End, End); 2], [(End, End); 2]);
+
+/// Joins all trails of a pairing into one. Each step takes the cheapest swap of two pairs that
+/// belong to different trails; a swap that folds the wire back is never the cheaper of the two that
+/// are possible.
+pub(super) fn join(pairing: &mut Pairing) {
+    let ends = 2 * pairing.copy_count() + if pairing.has_wire_ends() { 2 } else { 0 };
+    let mut trails = UnionFind::<usize>::new(ends);
+    for copy in 0..ends / 2 {
+        // The two ends of the wire are joined as by an edge: an open route is a closed one cut there.
+        trails.union(2 * copy, 2 * copy + 1);
+    }
+    for end in 0..ends {
+        trails.union(end, pairing.mate(end));
+    }
+    let mut swaps = BinaryHeap::new();
+    let vertices: Vec<VertexId> = pairing.vertices().map(|(vertex, _)| vertex).collect();
+    for vertex in vertices {
+        offer(pairing, vertex, &mut trails, &mut swaps);
+    }
+    while let Some(Reverse((_, vertex, old, new))) = swaps.pop() {
+        let current = old.iter().all(|pair| pairing.pairs(vertex).contains(pair));
+        if current && trails.union(old[0].0, old[1].0) {
+            pairing.replace(vertex, old, new);
+            offer(pairing, vertex, &mut trails, &mut swaps);
+        }
+    }
+}
+
+/// Puts every swap at a vertex that would join two trails into the queue.
+fn offer(
+    pairing: &Pairing,
+    vertex: VertexId,
+    trails: &mut UnionFind<usize>,
+    swaps: &mut BinaryHeap<Reverse<Swap>>,
+) {
+    let pairs = pairing.pairs(vertex);
+    for (k, &(a, b)) in pairs.iter().enumerate() {
+        for &(c, d) in &pairs[k + 1..] {
+            if trails.find_mut(a) == trails.find_mut(c) {
+                continue;
+            }
+            let now = pairing.cost(a, b) + pairing.cost(c, d);
+            for new in [[(a, c), (b, d)], [(a, d), (b, c)]] {
+                let [(p, q), (r, s)] = new;
+                let both_wire_ends = |x, y| pairing.is_wire_end(x) && pairing.is_wire_end(y);
+                if !both_wire_ends(p, q) && !both_wire_ends(r, s) {
+                    let added = pairing.cost(p, q) + pairing.cost(r, s) - now;
+                    swaps.push(Reverse((added, vertex, [(a, b), (c, d)], new)));
+                }
+            }
+        }
+    }
+}
+
+/// Follows a pairing that is one trail: each copy with whether it is travelled from its first
+/// vertex to its second. Without wire ends the loop is cut at its dearest transition.
+pub(super) fn walk(pairing: &Pairing, start: Option<VertexId>) -> Vec<(usize, bool)> {
+    let first_wire_end = 2 * pairing.copy_count();
+    let mut leaving = if start.is_some() {
+        pairing.mate(first_wire_end)
+    } else {
+        let transitions = pairing.vertices().flat_map(|(_, pairs)| pairs);
+        // The first of the dearest ones, so that the choice does not depend on the run.
+        let dearest = transitions.max_by_key(|&&(p, q)| (pairing.cost(p, q), Reverse((p, q))));
+        dearest.map_or(0, |&(p, q)| p.min(q))
+    };
+    let mut walk = Vec::with_capacity(pairing.copy_count());
+    while walk.len() < pairing.copy_count() && !pairing.is_wire_end(leaving) {
+        walk.push((leaving / 2, leaving % 2 == 0));
+        leaving = pairing.mate(leaving ^ 1);
+    }
+    walk
+}

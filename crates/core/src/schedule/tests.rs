@@ -1,0 +1,159 @@
+use super::*;
+use crate::bend::{Frame, replay};
+use crate::units::Length;
+use proptest::prelude::*;
+
+fn deg(value: f64) -> Angle {
+    Angle::from_deg(value).unwrap()
+}
+
+fn limits(least: f64, most: f64) -> HeadLimits {
+    HeadLimits {
+        least: deg(least),
+        most: deg(most),
+        seconds_per_degree: 1.0,
+    }
+}
+
+fn program(turns: &[(f64, f64)]) -> NominalProgram {
+    let feed = Length::from_mm(30.0).unwrap();
+    let mut steps: Vec<Step> = turns
+        .iter()
+        .map(|&(rotate, bend)| Step {
+            feed,
+            rotate: deg(rotate),
+            bend: deg(bend),
+        })
+        .collect();
+    if let Some(first) = steps.first_mut() {
+        first.rotate = Angle::ZERO;
+    }
+    steps.push(Step {
+        feed,
+        ..Step::default()
+    });
+    NominalProgram::from_steps(steps)
+}
+
+fn head_travel(scheduled: &ScheduledProgram) -> f64 {
+    scheduled.steps.iter().map(|step| step.rotate.abs().deg()).sum()
+}
+
+#[test]
+fn a_flat_zigzag_never_turns_the_head() {
+    let zigzag = program(&[(0.0, 90.0), (180.0, 90.0), (180.0, 60.0), (180.0, 90.0)]);
+    let scheduled = schedule(&zigzag, &limits(-360.0, 360.0), |_| Some(1.0)).unwrap();
+    assert!(head_travel(&scheduled) < 1e-12);
+    let bends: Vec<f64> = scheduled
+        .steps
+        .iter()
+        .map(|step| step.bend.deg().round())
+        .collect();
+    assert_eq!(bends, [90.0, -90.0, 60.0, -90.0, 0.0]);
+}
+
+#[test]
+fn a_machine_that_bends_to_one_side_turns_its_head_instead() {
+    let zigzag = program(&[(0.0, 90.0), (180.0, 90.0), (180.0, 60.0)]);
+    let one_sided = |bend: Angle| (bend > Angle::ZERO).then_some(1.0);
+    let scheduled = schedule(&zigzag, &limits(-360.0, 360.0), one_sided).unwrap();
+    assert!(scheduled.steps.iter().all(|step| step.bend >= Angle::ZERO));
+    assert!((head_travel(&scheduled) - 360.0).abs() < 1e-9);
+}
+
+#[test]
+fn a_head_that_cannot_turn_makes_flat_wires_only() {
+    let flat = program(&[(0.0, 90.0), (180.0, 90.0)]);
+    assert!(schedule(&flat, &limits(0.0, 0.0), |_| Some(1.0)).is_ok());
+    let twisted = program(&[(0.0, 90.0), (180.0, 90.0), (30.0, 90.0)]);
+    let error = schedule(&twisted, &limits(0.0, 0.0), |_| Some(1.0)).unwrap_err();
+    assert_eq!(error.step, 2);
+    assert!((error.wanted.deg() - 30.0).abs() < 1e-9);
+}
+
+#[test]
+fn turns_of_steps_without_a_bend_are_not_lost() {
+    let mut split = program(&[(0.0, 90.0), (25.0, 0.0), (15.0, 90.0)]);
+    split.steps[1].feed = Length::ZERO;
+    let scheduled = schedule(&split, &limits(-360.0, 360.0), |_| Some(1.0)).unwrap();
+    assert!((scheduled.steps[2].rotate.deg() - 40.0).abs() < 1e-9);
+    assert_eq!(scheduled.steps[1].rotate, Angle::ZERO);
+}
+
+/// The least time over every choice of sign and winding, tried one by one.
+fn least_by_trying(turns: &[(f64, f64)], least: f64, most: f64, flip_cost: f64) -> Option<f64> {
+    fn go(
+        turns: &[(f64, f64)],
+        k: usize,
+        stand: f64,
+        head: f64,
+        spent: f64,
+        (least, most, flip): (f64, f64, f64),
+    ) -> Option<f64> {
+        let Some(&(rotate, _)) = turns.get(k) else {
+            return Some(spent);
+        };
+        let stand = stand + rotate;
+        let mut best: Option<f64> = None;
+        for halves in -12..=12 {
+            let at = stand + 180.0 * f64::from(halves);
+            if at < least - 1e-9 || at > most + 1e-9 {
+                continue;
+            }
+            let made = if halves % 2 == 0 { 1.0 } else { 1.0 + flip };
+            let total = go(
+                turns,
+                k + 1,
+                stand,
+                at,
+                spent + (at - head).abs() + made,
+                (least, most, flip),
+            );
+            best = match (best, total) {
+                (Some(a), Some(b)) => Some(a.min(b)),
+                (a, b) => a.or(b),
+            };
+        }
+        best
+    }
+    let limits = (least, most, flip_cost);
+    let straight = go(turns, 1, 0.0, 0.0, 1.0, limits);
+    let flipped = go(turns, 1, 180.0, 0.0, 1.0 + flip_cost, limits);
+    match (straight, flipped) {
+        (Some(a), Some(b)) => Some(a.min(b)),
+        (a, b) => a.or(b),
+    }
+}
+
+proptest! {
+    #[test]
+    fn nothing_is_faster_and_the_shape_stays(
+        turns in prop::collection::vec((-179.0..180.0_f64, 5.0..170.0_f64), 1..6),
+        least in -400.0..0.0_f64, most in 0.0..400.0_f64, flip_cost in 0.0..90.0_f64,
+    ) {
+        let nominal = program(&turns);
+        let cost = |bend: Angle| Some(if bend > Angle::ZERO { 1.0 } else { 1.0 + flip_cost });
+        let found = schedule(&nominal, &limits(least, most), cost).ok();
+        let tried = least_by_trying(&turns, least, most, flip_cost);
+        prop_assert_eq!(found.is_some(), tried.is_some());
+        if let (Some(scheduled), Some(tried)) = (found, tried) {
+            let bends: f64 = scheduled.steps.iter().filter(|s| s.bend != Angle::ZERO).filter_map(|s| cost(s.bend)).sum();
+            prop_assert!((head_travel(&scheduled) + bends - tried).abs() < 1e-5);
+            let mut at = 0.0;
+            for (step, head) in scheduled.steps.iter().zip(&scheduled.head) {
+                at += step.rotate.deg();
+                prop_assert!((head.deg() - at).abs() < 1e-9);
+                prop_assert!(at >= least - 1e-6 && at <= most + 1e-6);
+            }
+            // Bent to the negative side first, the wire comes out turned by half a turn about its start.
+            let mut start = Frame::default();
+            if scheduled.steps[0].bend < Angle::ZERO {
+                start.rotate(Angle::HALF_TURN);
+            }
+            let (wanted, made) = (replay(Frame::default(), &nominal.steps), replay(start, &scheduled.steps));
+            for (a, b) in wanted.iter().zip(&made) {
+                prop_assert!((a - b).norm() < 1e-9);
+            }
+        }
+    }
+}

@@ -1,0 +1,270 @@
+//! The wire that a machine makes: what its commands leave, and how errors add up along it.
+//!
+//! Kinematic: the inverse models of [`crate::compensate`] turn commands into bends and lengths,
+//! and homogeneous transforms into positions. Errors follow Bend-Forming (Bhundiya and Cordero
+//! 2023, Eq. 1 and Appendix A): each feed, rotation, bend and strut curvature is off by a constant
+//! and a normally distributed part.
+
+use nalgebra::Point3;
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, Normal};
+
+use crate::bend::{Frame, Step};
+use crate::compensate::{CompensatedProgram, Compensation, with_bend_before};
+use crate::units::{Angle, Length};
+
+/// A constant error and the standard deviation of the random one, of a quantity in its own unit.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ErrorTerm {
+    /// Always added.
+    pub bias: f64,
+    /// Standard deviation; not negative.
+    pub sigma: f64,
+}
+
+/// How wrong each motion is.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ErrorModel {
+    /// Of each feed, in mm.
+    pub feed_mm: ErrorTerm,
+    /// Of each rotation, in degrees.
+    pub rotate_deg: ErrorTerm,
+    /// Of each bend, in degrees.
+    pub bend_deg: ErrorTerm,
+    /// Of each strut: its bow, the rise of its arc over the distance of its ends. The ends of a bowed
+    /// strut stay in line, as in the authors' model, but come closer together.
+    pub curvature: ErrorTerm,
+}
+
+/// Why errors cannot be drawn.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[error("the error of {of} is {bias} ± {sigma}: both must be finite and the deviation not negative")]
+pub struct BadErrorTerm {
+    /// Which motion.
+    pub of: &'static str,
+    /// Its constant part.
+    pub bias: f64,
+    /// Its deviation.
+    pub sigma: f64,
+}
+
+/// The steps that a compensated program leaves in the wire, corner to corner: the inverse of
+/// compensation.
+#[must_use]
+pub fn formed_steps(program: &CompensatedProgram, compensation: &Compensation) -> Vec<Step> {
+    let bent: Vec<Step> = program
+        .steps()
+        .iter()
+        .map(|step| Step {
+            bend: compensation.bend.result(step.bend),
+            ..*step
+        })
+        .collect();
+    corner_to_corner(&bent, compensation)
+}
+
+/// Turns fed lengths between formed bends into lengths from corner to corner.
+fn corner_to_corner(steps: &[Step], compensation: &Compensation) -> Vec<Step> {
+    let Some(model) = &compensation.feed else {
+        return steps.to_vec();
+    };
+    let with_before = with_bend_before(steps);
+    with_before
+        .map(|(before, step)| Step {
+            feed: model.segment_of(step.feed, before, step.bend),
+            ..*step
+        })
+        .collect()
+}
+
+/// One wire: the vertices that a program makes when its motions are off.
+///
+/// Vertices on a straight feed divide it as `fractions` says: for each step the parts of its feed at
+/// which a vertex of the route lies, ending with 1. The first vertex is that of `start`.
+fn imperfect(
+    start: Frame,
+    program: &CompensatedProgram,
+    compensation: &Compensation,
+    fractions: &[Vec<f64>],
+    draw: &mut impl FnMut(Term) -> f64,
+) -> Vec<Point3<f64>> {
+    let disturbed: Vec<Step> = program
+        .steps()
+        .iter()
+        .map(|step| {
+            let bent = compensation.bend.result(step.bend);
+            let is_bend = bent != Angle::ZERO;
+            let off = |by: f64| Angle::computed(by.to_radians());
+            Step {
+                feed: step.feed + Length::computed(draw(Term::Feed)),
+                rotate: if is_bend {
+                    step.rotate + off(draw(Term::Rotate))
+                } else {
+                    step.rotate
+                },
+                bend: if is_bend {
+                    bent + off(draw(Term::Bend))
+                } else {
+                    bent
+                },
+            }
+        })
+        .collect();
+    let mut frame = start;
+    let mut path = vec![frame.position];
+    for (step, fractions) in corner_to_corner(&disturbed, compensation).iter().zip(fractions) {
+        let from = frame.position;
+        let along = frame.t() * (step.feed.mm() * chord_over_arc(draw(Term::Curvature)));
+        for &fraction in fractions {
+            frame.position = from + along * fraction;
+            path.push(frame.position);
+        }
+        frame.rotate(step.rotate);
+        frame.bend(step.bend);
+    }
+    path
+}
+
+/// The distance of the ends of an arc over its length, for an arc that rises by `bow` times that
+/// distance.
+fn chord_over_arc(bow: f64) -> f64 {
+    let quarter = (2.0 * bow).atan();
+    if quarter.abs() < 1e-6 {
+        1.0
+    } else {
+        (2.0 * quarter).sin() / (2.0 * quarter)
+    }
+}
+
+#[derive(Clone, Copy)]
+enum Term {
+    Feed,
+    Rotate,
+    Bend,
+    Curvature,
+}
+
+/// How far one vertex of the route lies from where it should, over all runs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spread {
+    /// Mean distance.
+    pub mean: Length,
+    /// 95 % of the runs are within this distance.
+    pub radius_95: Length,
+}
+
+/// What an error model does to a wire.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ErrorReport {
+    /// For each vertex of the route, in its order: distance from the design, with the first vertex
+    /// and the first direction held in place.
+    pub deviations: Vec<Spread>,
+    /// For each group of passes through one node, in the order given: the largest distance between
+    /// any two of its passes.
+    pub gaps: Vec<Spread>,
+}
+
+/// What is simulated.
+#[derive(Debug, Clone, Copy)]
+pub struct Trial<'a> {
+    /// Frame in which the design starts.
+    pub start: Frame,
+    /// Positions of the route's vertices as designed, in mm.
+    pub design: &'a [Point3<f64>],
+    /// For each step the parts of its feed at which vertices lie, ending with 1.
+    pub fractions: &'a [Vec<f64>],
+    /// Groups of indices into `design` that are passes through one node.
+    pub passes: &'a [Vec<usize>],
+    /// The program that is run.
+    pub program: &'a CompensatedProgram,
+    /// The machine and the wire.
+    pub compensation: &'a Compensation,
+}
+
+/// The wire that a machine without errors makes: its vertices in mm, in the order of the route.
+#[must_use]
+pub fn perfect_wire(trial: &Trial) -> Vec<Point3<f64>> {
+    imperfect(
+        trial.start,
+        trial.program,
+        trial.compensation,
+        trial.fractions,
+        &mut |_| 0.0,
+    )
+}
+
+/// Bends the wire `runs` times with errors drawn from `seed`; the same seed gives the same report.
+///
+/// # Errors
+/// [`BadErrorTerm`] when an error is not finite or a deviation is negative.
+pub fn simulate(
+    trial: &Trial,
+    errors: &ErrorModel,
+    runs: u32,
+    seed: u64,
+    mut each_run: impl FnMut(&[Point3<f64>]),
+) -> Result<ErrorReport, BadErrorTerm> {
+    let normal = |of: &'static str, term: ErrorTerm| {
+        let bad = BadErrorTerm {
+            of,
+            bias: term.bias,
+            sigma: term.sigma,
+        };
+        if !term.bias.is_finite() || !term.sigma.is_finite() || term.sigma < 0.0 {
+            return Err(bad);
+        }
+        Normal::new(term.bias, term.sigma).map_err(|_| bad)
+    };
+    let feed = normal("the feed", errors.feed_mm)?;
+    let rotate = normal("the rotation", errors.rotate_deg)?;
+    let bend = normal("the bend", errors.bend_deg)?;
+    let curvature = normal("the curvature", errors.curvature)?;
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    let mut deviations = vec![Vec::with_capacity(runs as usize); trial.design.len()];
+    let mut gaps = vec![Vec::with_capacity(runs as usize); trial.passes.len()];
+    for _ in 0..runs {
+        let mut draw = |term| match term {
+            Term::Feed => feed.sample(&mut random),
+            Term::Rotate => rotate.sample(&mut random),
+            Term::Bend => bend.sample(&mut random),
+            Term::Curvature => curvature.sample(&mut random),
+        };
+        let made = imperfect(
+            trial.start,
+            trial.program,
+            trial.compensation,
+            trial.fractions,
+            &mut draw,
+        );
+        for ((design, made), distances) in trial.design.iter().zip(&made).zip(&mut deviations) {
+            distances.push((design - made).norm());
+        }
+        for (passes, distances) in trial.passes.iter().zip(&mut gaps) {
+            let between = passes.iter().flat_map(|&a| passes.iter().map(move |&b| (a, b)));
+            let widest = between
+                .map(|(a, b)| (made[a] - made[b]).norm())
+                .fold(0.0, f64::max);
+            distances.push(widest);
+        }
+        each_run(&made);
+    }
+    let spread = |mut distances: Vec<f64>| {
+        distances.sort_by(f64::total_cmp);
+        #[allow(clippy::cast_precision_loss)] // runs are far fewer than 2^52
+        let mean = distances.iter().sum::<f64>() / distances.len().max(1) as f64;
+        let within = (distances.len() * 95).div_ceil(100).saturating_sub(1);
+        let radius_95 = distances.get(within).copied().unwrap_or_default();
+        Spread {
+            mean: Length::computed(mean),
+            radius_95: Length::computed(radius_95),
+        }
+    };
+    Ok(ErrorReport {
+        deviations: deviations.into_iter().map(spread).collect(),
+        gaps: gaps.into_iter().map(spread).collect(),
+    })
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,85 @@
+//! The published machine and small wireframes, for the tests of this crate.
+
+use nalgebra::Point3;
+
+use crate::checks::{MachineLimits, Sourced};
+use crate::compensate::{BendModel, Compensation, FeedModel, PegGeometry, Springback};
+use crate::estimate::{TimeModel, WireModel};
+use crate::plan::Machine;
+use crate::schedule::HeadLimits;
+use crate::units::{Angle, Length};
+use crate::wireframe::{Vertex, VertexId, Wireframe};
+
+pub(crate) fn mm(value: f64) -> Length {
+    Length::from_mm(value).unwrap()
+}
+
+pub(crate) fn deg(value: f64) -> Angle {
+    Angle::from_deg(value).unwrap()
+}
+
+fn paper<T>(value: T) -> Sourced<T> {
+    Sourced {
+        value,
+        source: "the paper".to_owned(),
+    }
+}
+
+/// The $293 bender with its 3 mm aluminium, as published.
+pub(crate) fn published_machine() -> Machine {
+    Machine {
+        limits: MachineLimits {
+            least_bend: paper(deg(-155.0)),
+            largest_bend: paper(deg(155.0)),
+            least_edge: paper(mm(20.4)),
+            least_feed: paper(mm(25.0)),
+            most_stock: None,
+            tail: paper(mm(400.0)),
+            head_source: "the paper".to_owned(),
+        },
+        head: HeadLimits {
+            least: deg(-360.0),
+            most: deg(360.0),
+            seconds_per_degree: 1.0 / 131.3,
+        },
+        compensation: Compensation {
+            feed: Some(FeedModel::new(mm(1.5), mm(3.0), 0.3)),
+            bend: BendModel {
+                springback: Some(Springback::Constant(deg(10.23))),
+                setback: Some(PegGeometry::new(mm(20.4), mm(12.0), mm(3.0), mm(4.675)).unwrap()),
+                axis_limit: None,
+            },
+        },
+        time: TimeModel {
+            feed_mm_per_s: 110.2,
+            rotate_deg_per_s: 131.3,
+            bend_deg_per_s: 15.1,
+            fixed_per_bend_s: 5.0,
+        },
+        wire: WireModel {
+            diameter: mm(3.0),
+            density_kg_per_m3: 2700.0,
+            price_per_mm: Some(0.00199),
+        },
+        straight: deg(0.01676 / 2.0),
+    }
+}
+
+/// A wireframe of points and edges between them.
+pub(crate) fn wireframe(points: &[[f64; 3]], edges: &[(usize, usize)]) -> Wireframe {
+    let mut w = Wireframe::new();
+    let ids: Vec<VertexId> = points
+        .iter()
+        .map(|&p| w.add_vertex(Vertex::at(Point3::from(p))).unwrap())
+        .collect();
+    for &(a, b) in edges {
+        w.add_edge(ids[a], ids[b]).unwrap();
+    }
+    w
+}
+
+/// Points one after the other.
+pub(crate) fn chain(points: &[[f64; 3]]) -> Wireframe {
+    let edges: Vec<_> = (1..points.len()).map(|k| (k - 1, k)).collect();
+    wireframe(points, &edges)
+}

@@ -1,0 +1,110 @@
+//! Connected components: each one that has edges is a wire of its own.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::graph::{EdgeId, VertexId, Wireframe};
+
+/// Vertices that edges join, and those edges, both in order of id.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Component {
+    /// The vertices.
+    pub vertices: Vec<VertexId>,
+    /// The edges; none when the only vertex is isolated.
+    pub edges: Vec<EdgeId>,
+}
+
+impl Wireframe {
+    /// The connected components, ordered by their lowest vertex id. An isolated vertex is a
+    /// component without edges.
+    #[must_use]
+    pub fn components(&self) -> Vec<Component> {
+        let mut seen = BTreeSet::new();
+        let mut component_of = BTreeMap::new();
+        let mut components: Vec<Component> = Vec::new();
+        for (start, _) in self.vertices() {
+            if !seen.insert(start) {
+                continue;
+            }
+            let mut vertices = vec![start];
+            let mut next = 0;
+            while let Some(&vertex) = vertices.get(next) {
+                next += 1;
+                for edge in self.incident(vertex) {
+                    if let Some(other) = self.edge(edge).map(|edge| edge.other(vertex))
+                        && seen.insert(other)
+                    {
+                        vertices.push(other);
+                    }
+                }
+            }
+            vertices.sort_unstable();
+            component_of.extend(vertices.iter().map(|&vertex| (vertex, components.len())));
+            components.push(Component {
+                vertices,
+                edges: Vec::new(),
+            });
+        }
+        for (id, edge) in self.edges() {
+            if let Some(component) = component_of.get(&edge.a).and_then(|&k| components.get_mut(k)) {
+                component.edges.push(id);
+            }
+        }
+        components
+    }
+
+    /// The vertices of a component at which an odd number of edge ends meet, in order of id. The
+    /// edges in `doubled` count twice; a loop has both its ends at its vertex.
+    #[must_use]
+    pub fn odd_vertices(&self, component: &Component, doubled: &[EdgeId]) -> Vec<VertexId> {
+        let mut odd = BTreeSet::new();
+        for &id in component.edges.iter().chain(doubled) {
+            let Some(edge) = self.edge(id) else { continue };
+            for vertex in [edge.a, edge.b] {
+                if !odd.remove(&vertex) {
+                    odd.insert(vertex);
+                }
+            }
+        }
+        odd.into_iter().collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::wireframe::Vertex;
+    use nalgebra::Point3;
+
+    #[test]
+    fn two_wires_and_a_stray_vertex() {
+        let mut w = Wireframe::new();
+        let v: Vec<VertexId> = (0..5)
+            .map(|k| {
+                w.add_vertex(Vertex::at(Point3::new(f64::from(k), 0.0, 0.0)))
+                    .unwrap()
+            })
+            .collect();
+        let first = w.add_edge(v[0], v[3]).unwrap();
+        let second = w.add_edge(v[4], v[1]).unwrap();
+        let components = w.components();
+        assert_eq!(
+            components,
+            [
+                Component {
+                    vertices: vec![v[0], v[3]],
+                    edges: vec![first]
+                },
+                Component {
+                    vertices: vec![v[1], v[4]],
+                    edges: vec![second]
+                },
+                Component {
+                    vertices: vec![v[2]],
+                    edges: vec![]
+                },
+            ]
+        );
+        assert_eq!(w.odd_vertices(&components[0], &[]), [v[0], v[3]]);
+        assert_eq!(w.odd_vertices(&components[0], &[first]), []);
+    }
+}

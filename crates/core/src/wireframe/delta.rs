@@ -1,0 +1,251 @@
+//! The exact difference between two states of a wireframe: what undo, redo and a journal keep.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use nalgebra::Point3;
+
+use super::graph::{Edge, EdgeId, Vertex, VertexId, Wireframe, WireframeError, check_position};
+
+/// One thing before and after; `None` where it does not exist.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Change<T> {
+    /// As it was.
+    pub before: Option<T>,
+    /// As it becomes.
+    pub after: Option<T>,
+}
+
+/// The ids that the next vertex and the next edge will get.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct NextIds {
+    /// For the next vertex.
+    pub vertex: u32,
+    /// For the next edge.
+    pub edge: u32,
+}
+
+/// A difference: what changes, from what, to what.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Delta {
+    /// Vertices that are added, removed or changed.
+    pub vertices: BTreeMap<VertexId, Change<Vertex>>,
+    /// Edges that are added, removed or joined to other vertices.
+    pub edges: BTreeMap<EdgeId, Change<Edge>>,
+    /// The next ids before and after.
+    pub next: (NextIds, NextIds),
+}
+
+/// A difference was committed to a wireframe that it was not made for.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum StaleDelta {
+    /// A vertex is not as the difference found it.
+    #[error("vertex {0} is not as this change found it")]
+    Vertex(VertexId),
+    /// An edge is not as the difference found it, or would end at a vertex that is not there.
+    #[error("edge {0} is not as this change found it")]
+    Edge(EdgeId),
+    /// The ids to come differ.
+    #[error("vertices or edges were added since this change was made")]
+    Next,
+}
+
+impl Delta {
+    /// The difference that leads back.
+    #[must_use]
+    pub fn inverse(&self) -> Self {
+        fn swap<T: Copy>(change: &Change<T>) -> Change<T> {
+            Change {
+                before: change.after,
+                after: change.before,
+            }
+        }
+        Self {
+            vertices: self
+                .vertices
+                .iter()
+                .map(|(&id, change)| (id, swap(change)))
+                .collect(),
+            edges: self
+                .edges
+                .iter()
+                .map(|(&id, change)| (id, swap(change)))
+                .collect(),
+            next: (self.next.1, self.next.0),
+        }
+    }
+
+    /// Whether nothing changes.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.vertices.is_empty() && self.edges.is_empty()
+    }
+
+    pub(super) fn check_against(&self, wireframe: &Wireframe) -> Result<(), StaleDelta> {
+        if wireframe.next_ids() != self.next.0 {
+            return Err(StaleDelta::Next);
+        }
+        for (&id, change) in &self.vertices {
+            if wireframe.vertex(id) != change.before {
+                return Err(StaleDelta::Vertex(id));
+            }
+        }
+        for (&id, change) in &self.edges {
+            if wireframe.edge(id) != change.before {
+                return Err(StaleDelta::Edge(id));
+            }
+        }
+        let draft = Draft {
+            base: wireframe,
+            delta: self.clone(),
+        };
+        let ends_exist = |edge: Edge| draft.vertex(edge.a).is_some() && draft.vertex(edge.b).is_some();
+        for (&id, change) in &self.edges {
+            if change.after.is_some_and(|edge| !ends_exist(edge)) {
+                return Err(StaleDelta::Edge(id));
+            }
+        }
+        let removed = self.vertices.iter().filter(|(_, change)| change.after.is_none());
+        for edge in removed.flat_map(|(&id, _)| wireframe.incident(id)) {
+            if draft.edge(edge).is_some_and(|edge| !ends_exist(edge)) {
+                return Err(StaleDelta::Edge(edge));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A wireframe with a difference laid over it: what an edit reads and writes while it is resolved.
+pub(super) struct Draft<'a> {
+    base: &'a Wireframe,
+    delta: Delta,
+}
+
+impl<'a> Draft<'a> {
+    pub fn new(base: &'a Wireframe) -> Self {
+        let next = base.next_ids();
+        Self {
+            base,
+            delta: Delta {
+                vertices: BTreeMap::new(),
+                edges: BTreeMap::new(),
+                next: (next, next),
+            },
+        }
+    }
+
+    pub fn vertex(&self, id: VertexId) -> Option<Vertex> {
+        self.delta
+            .vertices
+            .get(&id)
+            .map_or_else(|| self.base.vertex(id), |change| change.after)
+    }
+
+    pub fn position(&self, id: VertexId) -> Result<Point3<f64>, WireframeError> {
+        self.vertex(id)
+            .map(|vertex| vertex.position)
+            .ok_or(WireframeError::NoVertex(id))
+    }
+
+    pub fn edge(&self, id: EdgeId) -> Option<Edge> {
+        self.delta
+            .edges
+            .get(&id)
+            .map_or_else(|| self.base.edge(id), |change| change.after)
+    }
+
+    /// All edges as they stand now, in order of id.
+    pub fn edges(&self) -> BTreeMap<EdgeId, Edge> {
+        let mut edges: BTreeMap<EdgeId, Edge> = self.base.edges().collect();
+        for (&id, change) in &self.delta.edges {
+            match change.after {
+                Some(edge) => edges.insert(id, edge),
+                None => edges.remove(&id),
+            };
+        }
+        edges
+    }
+
+    /// The edges at a vertex as they stand now, in order of id.
+    pub fn incident(&self, vertex: VertexId) -> BTreeSet<EdgeId> {
+        let touches = |edge: Edge| edge.a == vertex || edge.b == vertex;
+        let kept = self.base.incident(vertex).into_iter();
+        let changed = self.delta.edges.keys().copied();
+        kept.chain(changed)
+            .filter(|&id| self.edge(id).is_some_and(touches))
+            .collect()
+    }
+
+    /// Whether some edge other than `except` joins the same two vertices.
+    pub fn joined(&self, edge: Edge, except: Option<EdgeId>) -> bool {
+        self.incident(edge.a)
+            .into_iter()
+            .any(|id| Some(id) != except && self.edge(id).is_some_and(|other| other.ends() == edge.ends()))
+    }
+
+    pub fn set_vertex(&mut self, id: VertexId, vertex: Vertex) -> Result<(), WireframeError> {
+        check_position(vertex.position)?;
+        self.write_vertex(id, Some(vertex));
+        Ok(())
+    }
+
+    pub fn move_vertex(&mut self, id: VertexId, to: Point3<f64>) -> Result<(), WireframeError> {
+        let vertex = self.vertex(id).ok_or(WireframeError::NoVertex(id))?;
+        self.set_vertex(
+            id,
+            Vertex {
+                position: to,
+                ..vertex
+            },
+        )
+    }
+
+    pub fn add_vertex(&mut self, vertex: Vertex) -> Result<VertexId, WireframeError> {
+        let id = VertexId(self.delta.next.1.vertex);
+        self.delta.next.1.vertex = id.0.checked_add(1).ok_or(WireframeError::Full)?;
+        self.set_vertex(id, vertex)?;
+        Ok(id)
+    }
+
+    pub fn add_edge(&mut self, edge: Edge) -> Result<EdgeId, WireframeError> {
+        self.position(edge.a)?;
+        self.position(edge.b)?;
+        let id = EdgeId(self.delta.next.1.edge);
+        self.delta.next.1.edge = id.0.checked_add(1).ok_or(WireframeError::Full)?;
+        self.write_edge(id, Some(edge));
+        Ok(id)
+    }
+
+    pub fn set_edge(&mut self, id: EdgeId, edge: Edge) {
+        self.write_edge(id, Some(edge));
+    }
+
+    pub fn remove_edge(&mut self, id: EdgeId) {
+        self.write_edge(id, None);
+    }
+
+    /// Removes a vertex and the edges at it.
+    pub fn remove_vertex(&mut self, id: VertexId) {
+        for edge in self.incident(id) {
+            self.remove_edge(edge);
+        }
+        self.write_vertex(id, None);
+    }
+
+    fn write_vertex(&mut self, id: VertexId, after: Option<Vertex>) {
+        let before = self.base.vertex(id);
+        self.delta.vertices.insert(id, Change { before, after });
+    }
+
+    fn write_edge(&mut self, id: EdgeId, after: Option<Edge>) {
+        let before = self.base.edge(id);
+        self.delta.edges.insert(id, Change { before, after });
+    }
+
+    pub fn finish(mut self) -> Delta {
+        self.delta
+            .vertices
+            .retain(|_, change| change.before != change.after);
+        self.delta.edges.retain(|_, change| change.before != change.after);
+        self.delta
+    }
+}

@@ -1,0 +1,85 @@
+//! Edits that add images of what is there: mirror and array.
+
+use std::collections::BTreeMap;
+
+use nalgebra::{Affine3, Matrix3, Matrix4, Point3, Unit, Vector3};
+
+use super::super::Vertex;
+use super::super::delta::Draft;
+use super::super::graph::{Edge, VertexId, WireframeError};
+use super::{EditError, check_listed, placement};
+use crate::units::Length;
+
+/// The most vertices that one array may add.
+const LARGEST_ARRAY: u64 = 1_000_000;
+
+/// The reflection in a plane through `point`.
+pub(super) fn reflection(point: Point3<f64>, normal: Unit<Vector3<f64>>) -> Affine3<f64> {
+    let linear = Matrix3::identity() - 2.0 * normal.into_inner() * normal.transpose();
+    let offset = point.coords - linear * point.coords;
+    let mut matrix = Matrix4::identity();
+    matrix.fixed_view_mut::<3, 3>(0, 0).copy_from(&linear);
+    matrix.fixed_view_mut::<3, 1>(0, 3).copy_from(&offset);
+    Affine3::from_matrix_unchecked(matrix)
+}
+
+/// Adds the image of vertices and of the edges between them; returns the image of each vertex. An
+/// image within `weld` of one of the originals shares that vertex.
+pub(super) fn copy(
+    draft: &mut Draft,
+    vertices: &[VertexId],
+    image: &Affine3<f64>,
+    weld: Length,
+) -> Result<Vec<VertexId>, EditError> {
+    check_listed(draft, vertices)?;
+    placement::check_invertible(image)?;
+    let mut image_of = BTreeMap::new();
+    let mut images = Vec::with_capacity(vertices.len());
+    let originals: Vec<(VertexId, Point3<f64>)> = vertices
+        .iter()
+        .map(|&id| Ok((id, draft.position(id)?)))
+        .collect::<Result<_, WireframeError>>()?;
+    for &(id, position) in &originals {
+        let vertex = draft.vertex(id).ok_or(WireframeError::NoVertex(id))?;
+        let to = image * position;
+        let close = |&&(_, at): &&(VertexId, Point3<f64>)| (at - to).norm() <= weld.mm();
+        let copied = match originals.iter().find(close) {
+            Some(&(shared, _)) => shared,
+            None => draft.add_vertex(Vertex {
+                position: to,
+                ..vertex
+            })?,
+        };
+        image_of.insert(id, copied);
+        images.push(copied);
+    }
+    for edge in draft.edges().into_values() {
+        if let (Some(&a), Some(&b)) = (image_of.get(&edge.a), image_of.get(&edge.b)) {
+            let copied = Edge { a, b };
+            if a != b && !draft.joined(copied, None) {
+                draft.add_edge(copied)?;
+            }
+        }
+    }
+    Ok(images)
+}
+
+pub(super) fn array(
+    draft: &mut Draft,
+    vertices: &[VertexId],
+    step: &Affine3<f64>,
+    count: u32,
+    weld: Length,
+) -> Result<(), EditError> {
+    if u64::from(count) * vertices.len() as u64 > LARGEST_ARRAY {
+        return Err(EditError::ArrayCount(count));
+    }
+    let mut last = vertices.to_vec();
+    for _ in 0..count {
+        last = copy(draft, &last, step, weld)?;
+        // Vertices that were shared stand once in the next copy's list.
+        let mut seen = std::collections::BTreeSet::new();
+        last.retain(|&id| seen.insert(id));
+    }
+    Ok(())
+}

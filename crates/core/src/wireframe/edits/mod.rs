@@ -1,0 +1,244 @@
+//! Edits as values: what a person asks for, resolved against a wireframe into a [`Delta`].
+
+mod copies;
+mod placement;
+mod topology;
+
+use nalgebra::{Affine3, Point3, Unit, Vector3};
+
+use super::delta::{Delta, Draft};
+use super::graph::{EdgeId, VertexId, Wireframe, WireframeError};
+use crate::units::Length;
+
+/// Where the vertex goes that others are merged into.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum MergeAt {
+    /// Where the first of the list is.
+    First,
+    /// Where the last of the list is.
+    Last,
+    /// The mean of all of them.
+    Centre,
+}
+
+/// Whether a mirror moves what is there or adds its image.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MirrorMode {
+    /// The vertices themselves are moved.
+    InPlace,
+    /// Their image is added; vertices on the plane are shared by both halves.
+    Copy,
+}
+
+/// A change that a person asks for. Lengths in mm; vertices may be listed in any order, each once.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Edit {
+    /// Adds a vertex.
+    AddVertex {
+        /// Where.
+        position: Point3<f64>,
+    },
+    /// Joins two vertices by an edge.
+    Connect {
+        /// From.
+        a: VertexId,
+        /// To.
+        b: VertexId,
+    },
+    /// Deletes edges, and vertices with all edges at them.
+    Delete {
+        /// Vertices to delete.
+        vertices: Vec<VertexId>,
+        /// Edges to delete.
+        edges: Vec<EdgeId>,
+    },
+    /// Moves vertices.
+    Move {
+        /// Which.
+        vertices: Vec<VertexId>,
+        /// How far.
+        by: Vector3<f64>,
+    },
+    /// Puts a vertex at an exact position.
+    Place {
+        /// Which.
+        vertex: VertexId,
+        /// Where.
+        position: Point3<f64>,
+    },
+    /// Puts a vertex on an edge. The edge keeps its id up to there; the rest is a new edge.
+    SplitEdge {
+        /// Which.
+        edge: EdgeId,
+        /// Where: more than 0 (its first vertex), less than 1 (its second).
+        at: f64,
+    },
+    /// Makes one vertex of several: the first of the list survives. Edges that become points or
+    /// repeat another one go.
+    Merge {
+        /// Which.
+        vertices: Vec<VertexId>,
+        /// Where the survivor goes.
+        at: MergeAt,
+    },
+    /// Turns, scales, shears or moves vertices.
+    Transform {
+        /// Which.
+        vertices: Vec<VertexId>,
+        /// How; positions in mm.
+        transform: Affine3<f64>,
+    },
+    /// Mirrors vertices, and with [`MirrorMode::Copy`] the edges between them.
+    Mirror {
+        /// Which.
+        vertices: Vec<VertexId>,
+        /// A point of the plane.
+        point: Point3<f64>,
+        /// The normal of the plane.
+        normal: Unit<Vector3<f64>>,
+        /// Move or add.
+        mode: MirrorMode,
+        /// A copy that is this close to its original shares its vertex.
+        weld: Length,
+    },
+    /// Adds copies of vertices and of the edges between them.
+    Array {
+        /// Which.
+        vertices: Vec<VertexId>,
+        /// From each copy to the next.
+        step: Affine3<f64>,
+        /// How many copies are added.
+        count: u32,
+        /// A copied vertex that is this close to one of the copy before shares it.
+        weld: Length,
+    },
+    /// Fixes vertices as supports of the structure, or frees them.
+    SetSupport {
+        /// Which.
+        vertices: Vec<VertexId>,
+        /// Fixed or free.
+        support: bool,
+    },
+    /// Merges vertices that lie on each other.
+    Weld {
+        /// How close.
+        tolerance: Length,
+    },
+}
+
+/// Why an edit cannot be made. The wireframe is untouched.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum EditError {
+    /// A vertex, an edge end or a position is wrong.
+    #[error(transparent)]
+    Wireframe(#[from] WireframeError),
+    /// An edge is not there.
+    #[error("there is no edge {0}")]
+    NoEdge(EdgeId),
+    /// A vertex is listed twice.
+    #[error("vertex {0} is listed twice")]
+    Repeated(VertexId),
+    /// An edge from a vertex to itself.
+    #[error("vertex {0} cannot be connected to itself")]
+    Loop(VertexId),
+    /// The two vertices are joined already.
+    #[error("vertices {0} and {1} are connected already")]
+    Connected(VertexId, VertexId),
+    /// A split outside the edge.
+    #[error("an edge is split between its ends: {0} is not more than 0 and less than 1")]
+    SplitAt(f64),
+    /// Fewer than two vertices to merge.
+    #[error("merging takes at least 2 vertices, {0} given")]
+    MergeCount(usize),
+    /// A transform that flattens or is not finite.
+    #[error("the transform is not invertible: it would flatten the wireframe")]
+    Singular,
+    /// More copies than fit.
+    #[error("an array of {0} copies is too large: at most 1 000 000 vertices can be added at once")]
+    ArrayCount(u32),
+}
+
+impl Edit {
+    /// The exact difference that this edit makes to a wireframe.
+    ///
+    /// # Errors
+    /// [`EditError`] when it cannot be made; see the variants.
+    pub fn resolve(&self, wireframe: &Wireframe) -> Result<Delta, EditError> {
+        let mut draft = Draft::new(wireframe);
+        match self {
+            Self::AddVertex { position } => {
+                draft.add_vertex(super::Vertex::at(*position))?;
+            }
+            Self::Connect { a, b } => topology::connect(&mut draft, *a, *b)?,
+            Self::Delete { vertices, edges } => topology::delete(&mut draft, vertices, edges)?,
+            Self::Move { vertices, by } => placement::shift(&mut draft, vertices, by)?,
+            Self::Place { vertex, position } => draft.move_vertex(*vertex, *position)?,
+            Self::SplitEdge { edge, at } => topology::split(&mut draft, *edge, *at)?,
+            Self::Merge { vertices, at } => topology::merge(&mut draft, vertices, *at)?,
+            Self::Transform { vertices, transform } => placement::transform(&mut draft, vertices, transform)?,
+            Self::Mirror {
+                vertices,
+                point,
+                normal,
+                mode,
+                weld,
+            } => {
+                let image = copies::reflection(*point, *normal);
+                match mode {
+                    MirrorMode::InPlace => placement::transform(&mut draft, vertices, &image)?,
+                    MirrorMode::Copy => {
+                        copies::copy(&mut draft, vertices, &image, *weld)?;
+                    }
+                }
+            }
+            Self::Array {
+                vertices,
+                step,
+                count,
+                weld,
+            } => {
+                copies::array(&mut draft, vertices, step, *count, *weld)?;
+            }
+            Self::SetSupport { vertices, support } => placement::set_support(&mut draft, vertices, *support)?,
+            Self::Weld { tolerance } => return Ok(wireframe.weld(*tolerance).0),
+        }
+        Ok(draft.finish())
+    }
+}
+
+impl Wireframe {
+    /// Makes an edit and returns the difference, whose inverse undoes it.
+    ///
+    /// ```
+    /// use nalgebra::Point3;
+    /// use wirebend_core::wireframe::{Edit, Wireframe};
+    /// let mut wireframe = Wireframe::new();
+    /// let before = wireframe.clone();
+    /// let delta = wireframe.apply(&Edit::AddVertex { position: Point3::new(1.0, 2.0, 3.0) })?;
+    /// wireframe.commit(&delta.inverse())?;
+    /// assert_eq!(wireframe, before);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`EditError`] when it cannot be made; the wireframe is then untouched.
+    pub fn apply(&mut self, edit: &Edit) -> Result<Delta, EditError> {
+        let delta = edit.resolve(self)?;
+        // A difference that was made for this very state is never stale.
+        let committed = self.commit(&delta);
+        debug_assert_eq!(committed, Ok(()));
+        Ok(delta)
+    }
+}
+
+/// Each vertex must exist and be listed once.
+fn check_listed(draft: &Draft, vertices: &[VertexId]) -> Result<(), EditError> {
+    let mut seen = std::collections::BTreeSet::new();
+    for &vertex in vertices {
+        draft.position(vertex)?;
+        if !seen.insert(vertex) {
+            return Err(EditError::Repeated(vertex));
+        }
+    }
+    Ok(())
+}

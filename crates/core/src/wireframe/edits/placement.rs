@@ -1,0 +1,50 @@
+//! Edits that change where vertices are.
+
+use nalgebra::{Affine3, Vector3};
+
+use super::super::Vertex;
+use super::super::delta::Draft;
+use super::super::graph::{VertexId, WireframeError};
+use super::{EditError, check_listed};
+
+pub(super) fn shift(draft: &mut Draft, vertices: &[VertexId], by: &Vector3<f64>) -> Result<(), EditError> {
+    check_listed(draft, vertices)?;
+    for &id in vertices {
+        draft.move_vertex(id, draft.position(id)? + by)?;
+    }
+    Ok(())
+}
+
+pub(super) fn transform(
+    draft: &mut Draft,
+    vertices: &[VertexId],
+    transform: &Affine3<f64>,
+) -> Result<(), EditError> {
+    check_listed(draft, vertices)?;
+    check_invertible(transform)?;
+    for &id in vertices {
+        draft.move_vertex(id, transform * draft.position(id)?)?;
+    }
+    Ok(())
+}
+
+pub(super) fn set_support(draft: &mut Draft, vertices: &[VertexId], support: bool) -> Result<(), EditError> {
+    check_listed(draft, vertices)?;
+    for &id in vertices {
+        let vertex = draft.vertex(id).ok_or(WireframeError::NoVertex(id))?;
+        draft.set_vertex(id, Vertex { support, ..vertex })?;
+    }
+    Ok(())
+}
+
+/// A transform that is not finite or squeezes space flat cannot be undone by a person's eye.
+pub(super) fn check_invertible(transform: &Affine3<f64>) -> Result<(), EditError> {
+    let linear = transform.matrix().fixed_view::<3, 3>(0, 0).into_owned();
+    let size = linear.norm();
+    let finite = transform.matrix().iter().all(|c| c.is_finite());
+    if finite && linear.determinant().abs() > 1e-12 * size.powi(3) {
+        Ok(())
+    } else {
+        Err(EditError::Singular)
+    }
+}

@@ -1,0 +1,369 @@
+//! The graph itself: a multigraph with stable ids over petgraph's stable graph.
+
+use std::collections::BTreeMap;
+use std::fmt;
+
+use nalgebra::{Point3, Vector3};
+use petgraph::stable_graph::{EdgeIndex, NodeIndex, StableUnGraph};
+
+use super::delta::{Delta, NextIds, StaleDelta};
+use crate::units::Length;
+
+/// Largest coordinate that is accepted, in mm. A kilometre of wire is beyond every bender, and the
+/// square of this stays exact enough for every tolerance used here.
+const LARGEST_COORDINATE_MM: f64 = 1.0e6;
+
+/// Names a vertex for as long as its wireframe lives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct VertexId(pub u32);
+
+/// Names an edge for as long as its wireframe lives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct EdgeId(pub u32);
+
+impl fmt::Display for VertexId {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+impl fmt::Display for EdgeId {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+/// A point of the wireframe where struts meet.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Vertex {
+    /// Position in mm.
+    pub position: Point3<f64>,
+    /// Whether the design holds this point fixed (a support of the structure).
+    pub support: bool,
+}
+
+impl Vertex {
+    /// A free vertex at a position in mm.
+    #[must_use]
+    pub const fn at(position: Point3<f64>) -> Self {
+        Self {
+            position,
+            support: false,
+        }
+    }
+}
+
+/// A strut: two vertices, in the order in which it was drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Edge {
+    /// Where it starts.
+    pub a: VertexId,
+    /// Where it ends.
+    pub b: VertexId,
+}
+
+impl Edge {
+    /// The end that is not `vertex`; for a loop, or a vertex that it does not touch, its `a`.
+    #[must_use]
+    pub fn other(self, vertex: VertexId) -> VertexId {
+        if self.a == vertex { self.b } else { self.a }
+    }
+
+    /// The ends, lower id first: equal for edges that join the same two vertices.
+    #[must_use]
+    pub fn ends(self) -> (VertexId, VertexId) {
+        (self.a.min(self.b), self.a.max(self.b))
+    }
+}
+
+/// Why a vertex or an edge cannot be added.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum WireframeError {
+    /// A coordinate is NaN, infinite or beyond a kilometre.
+    #[error("({}, {}, {}) is not a position: each coordinate must be a number within ±1 000 000 mm", .0.x, .0.y, .0.z)]
+    Position(Point3<f64>),
+    /// An edge names a vertex that is not there.
+    #[error("there is no vertex {0}")]
+    NoVertex(VertexId),
+    /// An id is already taken.
+    #[error("vertex {0} exists already")]
+    VertexExists(VertexId),
+    /// An id is already taken.
+    #[error("edge {0} exists already")]
+    EdgeExists(EdgeId),
+    /// All 2^32 ids are used up.
+    #[error("there are no ids left for more vertices or edges")]
+    Full,
+}
+
+/// A graph of struts with stable ids. Loops and parallel edges can be represented, because files
+/// hold them and the checks have to name them.
+#[derive(Debug, Clone, Default)]
+pub struct Wireframe {
+    graph: StableUnGraph<(VertexId, Vertex), EdgeId>,
+    vertices: BTreeMap<VertexId, NodeIndex>,
+    edges: BTreeMap<EdgeId, EdgeIndex>,
+    next: NextIds,
+}
+
+impl PartialEq for Wireframe {
+    /// Same vertices, same edges, same ids, same ids to come.
+    fn eq(&self, other: &Self) -> bool {
+        self.next == other.next && self.vertices().eq(other.vertices()) && self.edges().eq(other.edges())
+    }
+}
+
+impl Wireframe {
+    /// An empty wireframe.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Adds a vertex under the next free id.
+    ///
+    /// # Errors
+    /// [`WireframeError::Position`] when a coordinate is not a number within a kilometre.
+    pub fn add_vertex(&mut self, vertex: Vertex) -> Result<VertexId, WireframeError> {
+        let id = VertexId(self.next.vertex);
+        self.insert_vertex(id, vertex)?;
+        Ok(id)
+    }
+
+    /// Adds an edge under the next free id.
+    ///
+    /// # Errors
+    /// [`WireframeError::NoVertex`] when an end is not there.
+    pub fn add_edge(&mut self, a: VertexId, b: VertexId) -> Result<EdgeId, WireframeError> {
+        let id = EdgeId(self.next.edge);
+        self.insert_edge(id, Edge { a, b })?;
+        Ok(id)
+    }
+
+    /// Adds a vertex under an id of the caller's, as a file that is read back does.
+    ///
+    /// # Errors
+    /// [`WireframeError`] when the position is not one or the id is taken.
+    pub fn insert_vertex(&mut self, id: VertexId, vertex: Vertex) -> Result<(), WireframeError> {
+        check_position(vertex.position)?;
+        if self.vertices.contains_key(&id) {
+            return Err(WireframeError::VertexExists(id));
+        }
+        let next = id.0.checked_add(1).ok_or(WireframeError::Full)?;
+        self.next.vertex = self.next.vertex.max(next);
+        self.vertices.insert(id, self.graph.add_node((id, vertex)));
+        Ok(())
+    }
+
+    /// Adds an edge under an id of the caller's, as a file that is read back does.
+    ///
+    /// # Errors
+    /// [`WireframeError`] when an end is missing or the id is taken.
+    pub fn insert_edge(&mut self, id: EdgeId, edge: Edge) -> Result<(), WireframeError> {
+        let a = *self
+            .vertices
+            .get(&edge.a)
+            .ok_or(WireframeError::NoVertex(edge.a))?;
+        let b = *self
+            .vertices
+            .get(&edge.b)
+            .ok_or(WireframeError::NoVertex(edge.b))?;
+        if self.edges.contains_key(&id) {
+            return Err(WireframeError::EdgeExists(id));
+        }
+        let next = id.0.checked_add(1).ok_or(WireframeError::Full)?;
+        self.next.edge = self.next.edge.max(next);
+        self.edges.insert(id, self.graph.add_edge(a, b, id));
+        Ok(())
+    }
+
+    /// The ids that the next vertex and the next edge will get.
+    #[must_use]
+    pub const fn next_ids(&self) -> NextIds {
+        self.next
+    }
+
+    /// Reserves ids: the next ones will be at least these, as a document that was saved says.
+    pub fn reserve_ids(&mut self, next: NextIds) {
+        self.next.vertex = self.next.vertex.max(next.vertex);
+        self.next.edge = self.next.edge.max(next.edge);
+    }
+
+    /// How many vertices there are.
+    #[must_use]
+    pub fn vertex_count(&self) -> usize {
+        self.vertices.len()
+    }
+
+    /// How many edges there are.
+    #[must_use]
+    pub fn edge_count(&self) -> usize {
+        self.edges.len()
+    }
+
+    /// A vertex by its id.
+    #[must_use]
+    pub fn vertex(&self, id: VertexId) -> Option<Vertex> {
+        self.graph
+            .node_weight(*self.vertices.get(&id)?)
+            .map(|&(_, vertex)| vertex)
+    }
+
+    /// An edge by its id.
+    #[must_use]
+    pub fn edge(&self, id: EdgeId) -> Option<Edge> {
+        let (a, b) = self.graph.edge_endpoints(*self.edges.get(&id)?)?;
+        Some(Edge {
+            a: self.graph.node_weight(a)?.0,
+            b: self.graph.node_weight(b)?.0,
+        })
+    }
+
+    /// All vertices in order of id.
+    pub fn vertices(&self) -> impl Iterator<Item = (VertexId, Vertex)> + '_ {
+        self.vertices
+            .iter()
+            .filter_map(|(&id, &index)| Some((id, self.graph.node_weight(index)?.1)))
+    }
+
+    /// All edges in order of id.
+    pub fn edges(&self) -> impl Iterator<Item = (EdgeId, Edge)> + '_ {
+        self.edges.keys().filter_map(|&id| Some((id, self.edge(id)?)))
+    }
+
+    /// The edges at a vertex in order of id, a loop once; empty for a vertex that is not there.
+    #[must_use]
+    pub fn incident(&self, id: VertexId) -> Vec<EdgeId> {
+        let Some(&index) = self.vertices.get(&id) else {
+            return Vec::new();
+        };
+        let mut edges: Vec<EdgeId> = self.graph.edges(index).map(|edge| *edge.weight()).collect();
+        edges.sort_unstable();
+        edges.dedup();
+        edges
+    }
+
+    /// From `from` to the other end of an edge, in mm; `None` when either is not there.
+    #[must_use]
+    pub fn direction(&self, edge: EdgeId, from: VertexId) -> Option<Vector3<f64>> {
+        let to = self.edge(edge)?.other(from);
+        Some(self.vertex(to)?.position - self.vertex(from)?.position)
+    }
+
+    /// The length of an edge; zero for one that is not there.
+    #[must_use]
+    pub fn edge_length(&self, id: EdgeId) -> Length {
+        let vector = self.edge(id).and_then(|edge| self.direction(id, edge.a));
+        Length::computed(vector.map_or(0.0, |v| v.norm()))
+    }
+
+    /// The length of all edges together.
+    #[must_use]
+    pub fn total_length(&self) -> Length {
+        self.edges.keys().map(|&id| self.edge_length(id)).sum()
+    }
+
+    /// Commits a difference. On success `self` is exactly what the difference says; on failure it is
+    /// untouched.
+    ///
+    /// # Errors
+    /// [`StaleDelta`] when the wireframe is not the one that the difference was made for.
+    pub fn commit(&mut self, delta: &Delta) -> Result<(), StaleDelta> {
+        delta.check_against(self)?;
+        for (&id, change) in &delta.edges {
+            if change.before.is_some()
+                && let Some(index) = self.edges.remove(&id)
+            {
+                self.graph.remove_edge(index);
+            }
+        }
+        for (&id, change) in &delta.vertices {
+            match (self.vertices.get(&id).copied(), change.after) {
+                (Some(index), Some(vertex)) => {
+                    if let Some(weight) = self.graph.node_weight_mut(index) {
+                        weight.1 = vertex;
+                    }
+                }
+                (Some(index), None) => {
+                    self.graph.remove_node(index);
+                    self.vertices.remove(&id);
+                }
+                (None, Some(vertex)) => {
+                    self.vertices.insert(id, self.graph.add_node((id, vertex)));
+                }
+                (None, None) => {}
+            }
+        }
+        for (&id, change) in &delta.edges {
+            if let Some(edge) = change.after
+                && let (Some(&a), Some(&b)) = (self.vertices.get(&edge.a), self.vertices.get(&edge.b))
+            {
+                self.edges.insert(id, self.graph.add_edge(a, b, id));
+            }
+        }
+        self.next = delta.next.1;
+        Ok(())
+    }
+}
+
+/// Refuses a coordinate that is NaN, infinite or beyond a kilometre.
+pub(super) fn check_position(position: Point3<f64>) -> Result<(), WireframeError> {
+    if position.coords.iter().all(|c| c.abs() <= LARGEST_COORDINATE_MM) {
+        Ok(())
+    } else {
+        Err(WireframeError::Position(position))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(x: f64) -> Vertex {
+        Vertex::at(Point3::new(x, 0.0, 0.0))
+    }
+
+    #[test]
+    fn what_cannot_be_a_wireframe_is_refused_by_name() {
+        let mut w = Wireframe::new();
+        let a = w.add_vertex(at(0.0)).unwrap();
+        assert!(matches!(
+            w.add_vertex(at(f64::NAN)),
+            Err(WireframeError::Position(_))
+        ));
+        assert!(matches!(
+            w.add_vertex(at(1.1e6)),
+            Err(WireframeError::Position(_))
+        ));
+        assert_eq!(
+            w.add_edge(a, VertexId(7)),
+            Err(WireframeError::NoVertex(VertexId(7)))
+        );
+        assert_eq!(w.insert_vertex(a, at(1.0)), Err(WireframeError::VertexExists(a)));
+        assert_eq!(
+            w.insert_vertex(VertexId(u32::MAX), at(1.0)),
+            Err(WireframeError::Full)
+        );
+        let b = w.add_vertex(at(1.0)).unwrap();
+        let e = w.add_edge(a, b).unwrap();
+        assert_eq!(
+            w.insert_edge(e, Edge { a, b }),
+            Err(WireframeError::EdgeExists(e))
+        );
+    }
+
+    #[test]
+    fn parallel_edges_and_loops_are_kept_apart() {
+        let mut w = Wireframe::new();
+        let (a, b) = (w.add_vertex(at(0.0)).unwrap(), w.add_vertex(at(3.0)).unwrap());
+        let edges = [
+            w.add_edge(a, b).unwrap(),
+            w.add_edge(b, a).unwrap(),
+            w.add_edge(a, a).unwrap(),
+        ];
+        assert_eq!(w.incident(a), edges);
+        assert_eq!(w.incident(b), edges[..2]);
+        assert!((w.total_length().mm() - 6.0).abs() < 1e-12);
+        assert_eq!(w.edge(edges[1]), Some(Edge { a: b, b: a }));
+    }
+}

@@ -1,0 +1,21 @@
+//! The wireframe: the graph of struts that a person draws and a wire has to cover.
+//!
+//! Positions are millimetres in a right-handed frame. Vertices and edges carry ids that are never
+//! used twice while a wireframe lives, so a diagnostic, a pin or an accepted doubling keeps
+//! pointing at the same thing through edits, undo, files and plans.
+//!
+//! Changes are values: an [`Edit`] is resolved against a wireframe into a [`Delta`], the exact
+//! difference, which can be committed, inverted and committed again.
+
+mod components;
+mod delta;
+mod edits;
+mod graph;
+mod weld;
+
+pub use components::Component;
+pub use delta::{Change, Delta, NextIds, StaleDelta};
+pub use edits::{Edit, EditError, MergeAt, MirrorMode};
+pub use graph::{Edge, EdgeId, Vertex, VertexId, Wireframe, WireframeError};
+pub use weld::WeldReport;
+pub(crate) use weld::clusters;
