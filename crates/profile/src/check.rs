@@ -1,0 +1,79 @@
+//! Examines one file without using it: `wirebend profile check`.
+
+use std::path::Path;
+
+use crate::layer::Layer;
+use crate::library::{Library, read_file};
+use crate::{Kind, ProfileError};
+
+/// What a sound file turned out to be.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Checked {
+    /// Kind.
+    pub kind: Kind,
+    /// Id.
+    pub id: String,
+    /// Whether it only serves to be inherited from.
+    pub is_abstract: bool,
+    /// Ids from the profile itself to its last ancestor.
+    pub chain: Vec<String>,
+}
+
+/// Examines the text of a profile; its parents are looked for among the shipped profiles.
+///
+/// # Errors
+/// All rules that the text breaks; what keeps it from being read hides the rest.
+pub fn check_text(file: &str, text: &str) -> Result<Checked, Vec<ProfileError>> {
+    let library = Library::shipped().map_err(|error| vec![error])?;
+    let layer = Layer::read(file, text.as_bytes(), false).map_err(|error| vec![error])?;
+    check(library, layer)
+}
+
+/// Examines a profile file; its parents are looked for among the shipped profiles and, when the
+/// file lies in `machines/`, `materials/` or `noise/`, in that profile folder.
+///
+/// # Errors
+/// All rules that the file breaks; what keeps it from being read hides the rest.
+pub fn check_file(path: &Path) -> Result<Checked, Vec<ProfileError>> {
+    let mut library = Library::shipped().map_err(|error| vec![error])?;
+    let layer = read_file(path).map_err(|error| vec![error])?;
+    let folder = path
+        .parent()
+        .filter(|parent| parent.ends_with(layer.kind.folder()));
+    if let Some(root) = folder.and_then(Path::parent) {
+        let root = if root.as_os_str().is_empty() {
+            Path::new(".")
+        } else {
+            root
+        };
+        // What is wrong with its neighbours is not asked here.
+        library.add_folder(root);
+    }
+    check(library, layer)
+}
+
+fn check(mut library: Library, layer: Layer) -> Result<Checked, Vec<ProfileError>> {
+    let known = library.layer(layer.kind, &layer.id);
+    if known.is_some_and(|known| known.shipped && !is_shipped_file(&layer, known)) {
+        let (place, kind, id) = (layer.place("id"), layer.kind, layer.id);
+        return Err(vec![ProfileError::ShadowsShipped { place, kind, id }]);
+    }
+    library.remove(layer.kind, &layer.id);
+    library.replace(layer.clone());
+    let errors = library.errors_of(&layer);
+    if !errors.is_empty() {
+        return Err(errors);
+    }
+    let chain = library.chain(&layer).map_err(|error| vec![error])?;
+    Ok(Checked {
+        kind: layer.kind,
+        is_abstract: layer.is_abstract,
+        chain: chain.iter().map(|layer| layer.id.clone()).collect(),
+        id: layer.id,
+    })
+}
+
+/// Whether a file is a shipped profile itself, as in a checkout of the program's sources.
+fn is_shipped_file(layer: &Layer, shipped: &Layer) -> bool {
+    layer.text == shipped.text || Path::new(&layer.file).ends_with(&shipped.file)
+}

@@ -1,0 +1,284 @@
+//! Why a profile was refused or not found, and what to do.
+
+use std::fmt;
+use std::io;
+
+use crate::Kind;
+
+/// A file and, where known, a line in it, counted from 1. Shown as `file:line`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// Name of the file as it was given; shipped ones begin with `machine-profiles/`.
+    pub file: String,
+    /// Line, from 1.
+    pub line: Option<usize>,
+}
+
+impl Place {
+    pub(crate) fn file(file: &str) -> Self {
+        Self {
+            file: file.into(),
+            line: None,
+        }
+    }
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.line {
+            Some(line) => write!(f, "{}:{line}", self.file),
+            None => f.write_str(&self.file),
+        }
+    }
+}
+
+/// Why a profile was refused or not found. The message says place, expectation and remedy.
+#[derive(Debug, thiserror::Error)]
+pub enum ProfileError {
+    /// A file or folder could not be read.
+    #[error("{file}: cannot be read ({source}); check that it exists and that you may read it")]
+    Unreadable {
+        /// The file or folder.
+        file: String,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// A file is too large to be a profile.
+    #[error("{file}: larger than {limit} bytes, which no profile is; check that it is the right file")]
+    TooLarge {
+        /// The file.
+        file: String,
+        /// Largest size that is read, bytes.
+        limit: usize,
+    },
+    /// A file is not text.
+    #[error("{file}: not UTF-8 text (byte {byte}); save it as UTF-8")]
+    NotText {
+        /// The file.
+        file: String,
+        /// Bytes before the first that is not text.
+        byte: usize,
+    },
+    /// A file is not JSON.
+    #[error("{place}: not JSON: {message} (column {column}); correct the text there")]
+    Syntax {
+        /// Where.
+        place: Place,
+        /// Column, from 1.
+        column: usize,
+        /// What the JSON reader expected.
+        message: String,
+    },
+    /// An unknown key, a wrong type, or one of the keys without which a file is no profile.
+    #[error("{place}: {message} (column {column}); {help}")]
+    Shape {
+        /// Where.
+        place: Place,
+        /// Column, from 1; 0 when only the file is known.
+        column: usize,
+        /// What was found and expected.
+        message: String,
+        /// What to do.
+        help: String,
+    },
+    /// The `kind` key is absent or not a known word.
+    #[error(
+        "{place}: {found}, expected \"kind\": \"machine\", \"material\" or \"noise\"; \
+         add the one that the file describes"
+    )]
+    UnknownKind {
+        /// Where.
+        place: Place,
+        /// What was found instead.
+        found: String,
+    },
+    /// A file lies in the folder of another kind.
+    #[error("{place}: a {found} profile in the folder {folder}/; move it to {}/", found.folder())]
+    WrongFolder {
+        /// Where.
+        place: Place,
+        /// Kind that the file says it is.
+        found: Kind,
+        /// Name of the folder in which it lies.
+        folder: String,
+    },
+    /// A file was written for a newer program.
+    #[error(
+        "{place}: schema_version {found}, this program reads up to {known}; \
+         update the program, or use a profile of an older version"
+    )]
+    NewerVersion {
+        /// Where.
+        place: Place,
+        /// Version of the file.
+        found: u64,
+        /// Newest version that this program reads.
+        known: u32,
+    },
+    /// An id is not a slug.
+    #[error(
+        "{place}: the id `{id}` must be of lower-case letters, digits and single hyphens; \
+         for instance `my-bender`"
+    )]
+    BadId {
+        /// Where.
+        place: Place,
+        /// The id.
+        id: String,
+    },
+    /// An id is not the file's name.
+    #[error("{place}: the id `{id}` differs from the file's name; rename the file to {id}.json")]
+    IdNotFileName {
+        /// Where.
+        place: Place,
+        /// The id.
+        id: String,
+    },
+    /// Two files of the person's folders have one id.
+    #[error("{place}: the id `{id}` is taken by {first}; give one of the two its own id")]
+    DuplicateId {
+        /// The file that was refused.
+        place: Place,
+        /// The id.
+        id: String,
+        /// The file that has the id.
+        first: String,
+    },
+    /// A person's file has the id of a shipped profile.
+    #[error(
+        "{place}: `{id}` is a {kind} that comes with the program; give yours its own id, \
+         and \"inherits\": \"{id}\" to change only what differs"
+    )]
+    ShadowsShipped {
+        /// The file that was refused.
+        place: Place,
+        /// Kind.
+        kind: Kind,
+        /// The id.
+        id: String,
+    },
+    /// The parent does not exist.
+    #[error(
+        "{place}: inherits from the unknown {kind} `{parent}` (one whose file was refused is unknown too); {help}"
+    )]
+    UnknownParent {
+        /// The `inherits` key.
+        place: Place,
+        /// Kind.
+        kind: Kind,
+        /// Id of the parent.
+        parent: String,
+        /// The nearest ids and the known ones.
+        help: String,
+    },
+    /// The parents of a profile run in a circle.
+    #[error("{place}: the parents run in a circle: {}; remove one \"inherits\"", chain.join(" -> "))]
+    Cycle {
+        /// The `inherits` key of the profile that cannot be used.
+        place: Place,
+        /// Ids from child to parent; the last one is there twice.
+        chain: Vec<String>,
+    },
+    /// A profile names another one that does not exist.
+    #[error("{place}: {key} names the unknown {kind} `{id}`; {help}")]
+    UnknownReference {
+        /// Where.
+        place: Place,
+        /// Dotted key.
+        key: String,
+        /// Kind of the profile that is named.
+        kind: Kind,
+        /// Id that is named.
+        id: String,
+        /// The nearest ids and the known ones.
+        help: String,
+    },
+    /// No profile has this id.
+    #[error("no {kind} has the id `{id}`; {help}")]
+    Unknown {
+        /// Kind.
+        kind: Kind,
+        /// Id that was asked for.
+        id: String,
+        /// The nearest ids and the known ones.
+        help: String,
+    },
+    /// The profile only serves to be inherited from.
+    #[error(
+        "{place}: the {kind} `{id}` is abstract and cannot be used itself; \
+         use a profile that inherits from it"
+    )]
+    Abstract {
+        /// The `abstract` key.
+        place: Place,
+        /// Kind.
+        kind: Kind,
+        /// Id that was asked for.
+        id: String,
+    },
+    /// A required value is set neither by the file nor by a parent.
+    #[error("{file}: {key} is not set, here or by a parent; add {how}")]
+    Missing {
+        /// The file.
+        file: String,
+        /// Dotted key.
+        key: String,
+        /// What to write.
+        how: String,
+    },
+    /// A value breaks a rule.
+    #[error("{place}: {key} is {found}, expected {expected}; correct the value")]
+    Rule {
+        /// Where it was set, possibly in a parent's file.
+        place: Place,
+        /// Dotted key.
+        key: String,
+        /// The value.
+        found: String,
+        /// What the rule asks for.
+        expected: String,
+    },
+}
+
+impl ProfileError {
+    /// A stable word for programs that show the error.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Unreadable { .. } => "profile-unreadable",
+            Self::TooLarge { .. } => "profile-too-large",
+            Self::NotText { .. } => "profile-not-text",
+            Self::Syntax { .. } => "profile-syntax",
+            Self::Shape { .. } => "profile-shape",
+            Self::UnknownKind { .. } => "profile-unknown-kind",
+            Self::WrongFolder { .. } => "profile-wrong-folder",
+            Self::NewerVersion { .. } => "profile-newer-version",
+            Self::BadId { .. } => "profile-bad-id",
+            Self::IdNotFileName { .. } => "profile-id-not-file-name",
+            Self::DuplicateId { .. } => "profile-duplicate-id",
+            Self::ShadowsShipped { .. } => "profile-shadows-shipped",
+            Self::UnknownParent { .. } => "profile-unknown-parent",
+            Self::Cycle { .. } => "profile-cycle",
+            Self::UnknownReference { .. } => "profile-unknown-reference",
+            Self::Unknown { .. } => "profile-unknown",
+            Self::Abstract { .. } => "profile-abstract",
+            Self::Missing { .. } => "profile-missing",
+            Self::Rule { .. } => "profile-rule",
+        }
+    }
+}
+
+/// "Did you mean" of the nearest known words, if any is near.
+pub(crate) fn nearest<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> Option<String> {
+    let mut scored: Vec<(f64, &str)> = known
+        .map(|other| (strsim::jaro_winkler(word, other), other))
+        .collect();
+    scored.retain(|(score, _)| *score > 0.75);
+    scored.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(b.1)));
+    let words: Vec<String> = scored
+        .iter()
+        .take(3)
+        .map(|(_, word)| format!("`{word}`"))
+        .collect();
+    (!words.is_empty()).then(|| format!("did you mean {}?", words.join(" or ")))
+}

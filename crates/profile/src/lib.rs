@@ -1,0 +1,55 @@
+//! Machine, material and noise profiles: what a bender can do and how a wire behaves, as data.
+//!
+//! One JSON file a profile. A file may inherit from one parent and then sets only what it changes;
+//! every measured or published figure says where it comes from. A file that is wrong is refused
+//! with its line, what was expected and what to do; nothing is guessed.
+//!
+//! Enter at [`Library`]: [`Library::shipped`] has the profiles inside the program,
+//! [`Library::add_folder`] adds a person's own, [`Library::machine`] and its siblings resolve one.
+//! The crate knows no stage of the pipeline: figures are plain `f64` with the unit in the key.
+//!
+//! ```
+//! let library = wirebend_profile::Library::shipped()?;
+//! let machine = library.machine("wirebend-kit")?;
+//! let figures = machine.figures()?;
+//! assert!((figures.limits.max_bend_deg - 155.0).abs() < 1e-9);
+//! # Ok::<(), wirebend_profile::ProfileError>(())
+//! ```
+
+mod check;
+mod error;
+mod figures;
+mod figures_machine;
+mod kind;
+mod layer;
+mod library;
+mod machine;
+mod machine_rules;
+mod material;
+mod material_rules;
+mod merge;
+mod noise;
+mod position;
+mod profile;
+mod resolve;
+mod schema;
+mod shipped;
+mod sourced;
+
+pub use check::{Checked, check_file, check_text};
+pub use error::{Place, ProfileError};
+pub use figures::{Complete, ErrorFigures, MaterialFigures, NoiseFigures};
+pub use figures_machine::{BendFigures, LimitFigures, MachineFigures};
+pub use kind::{Kind, MAX_FILE_BYTES, SCHEMA_VERSION};
+pub use library::{Added, Library, Listing};
+pub use machine::{
+    Bend, BendMethod, Compensation, Driver, Export, Feed, Limits, MachineProfile, MachineTag, Rotate, Signs,
+    Time, Wire,
+};
+pub use material::{LossPoint, MaterialProfile, MaterialTag, Springback};
+pub use merge::Origin;
+pub use noise::{AngleError, LengthError, NoiseProfile, NoiseTag, RatioError};
+pub use profile::{Profile, to_text};
+pub use resolve::Resolved;
+pub use schema::{schema, schema_files};
+pub use sourced::{Reference, Sign, Sourced};

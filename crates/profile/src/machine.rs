@@ -1,0 +1,225 @@
+//! The machine profile: what a bender can do, in its own figures.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
+
+use crate::profile::{is_default, layer};
+use crate::sourced::{Reference, Sign, Sourced};
+
+/// The `kind` of a machine profile.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum MachineTag {
+    /// The only word.
+    Machine,
+}
+
+/// A wire bender: driver, export formats, limits, axes, compensation and sign conventions.
+///
+/// Lengths in millimetres, angles in degrees, times in seconds. Signs are canonical (right-handed
+/// turtle) except where a machine's own axis is named.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MachineProfile {
+    /// Address or path of the JSON Schema, for editors. Not read by the program.
+    #[serde(rename = "$schema", default, skip_serializing_if = "Option::is_none")]
+    pub schema: Option<String>,
+    /// Version of this format.
+    #[schemars(range(min = 1, max = 1))]
+    pub schema_version: u32,
+    /// Says that this is a machine profile.
+    pub kind: MachineTag,
+    /// Slug of lower-case letters, digits and hyphens; equals the file's name without `.json`.
+    #[schemars(regex(pattern = r"^[a-z0-9]+(-[a-z0-9]+)*$"))]
+    pub id: String,
+    /// Id of the machine profile that gives every value not set here.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub inherits: Option<String>,
+    /// True for a base that only serves to be inherited from and may leave values open.
+    #[serde(rename = "abstract", default, skip_serializing_if = "is_default")]
+    pub is_abstract: bool,
+    /// Name for people.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// A few sentences: what machine this is, what was and was not verified.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub description: Option<String>,
+    /// Which driver speaks to the machine.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub driver: Driver,
+    /// Which files can be written for it.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub export: Export,
+    /// Id of the material that a new document starts with.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub default_material: Option<String>,
+    /// Wire that fits.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub wire: Wire,
+    /// What may be asked of the machine.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub limits: Limits,
+    /// Feed axis.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub feed: Feed,
+    /// Rotate axis.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub rotate: Rotate,
+    /// Bend axis and the geometry of its pin and peg.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub bend: Bend,
+    /// What is compensated for this machine unless a person asks otherwise.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub compensation: Compensation,
+    /// The machine's conventions against the canonical ones.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub signs: Signs,
+    /// Time model beyond the rates of the axes.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub time: Time,
+    /// Id of the noise profile that simulations of this machine use.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub error: Option<String>,
+    /// Publications that the `source` texts name.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sources: Option<Vec<Reference>>,
+}
+
+layer! {
+    /// Which driver speaks to the machine.
+    pub struct Driver {
+        /// Id of the driver.
+        pub id: String,
+        /// The driver's own settings; their schema is the driver's. Dropped by a child that names
+        /// another driver.
+        pub settings: Map<String, Value>,
+    }
+}
+
+layer! {
+    /// Which files can be written for the machine.
+    pub struct Export {
+        /// Ids of built-in formats; the first is the default.
+        pub formats: Vec<String>,
+        /// Id of a format that the driver writes itself.
+        pub native: String,
+    }
+}
+
+layer! {
+    /// Wire that fits the machine.
+    pub struct Wire {
+        /// Thinnest wire, millimetres.
+        pub min_diameter_mm: Sourced<f64>,
+        /// Thickest wire, millimetres.
+        pub max_diameter_mm: Sourced<f64>,
+    }
+}
+
+layer! {
+    /// What may be asked of the machine. Angles are canonical.
+    pub struct Limits {
+        /// Most negative formed angle, degrees, 0 or below.
+        pub min_bend_deg: Sourced<f64>,
+        /// Most positive formed angle, degrees, 0 or above.
+        pub max_bend_deg: Sourced<f64>,
+        /// Shortest designed edge, vertex to vertex, millimetres.
+        pub min_edge_mm: Sourced<f64>,
+        /// Shortest feed that can be commanded, after compensation, millimetres.
+        pub min_feed_mm: Sourced<f64>,
+        /// Longest stock that the machine takes, millimetres; absent: no limit (a spool).
+        pub max_stock_mm: Sourced<f64>,
+        /// End of the stock that cannot be fed, millimetres.
+        pub tail_mm: Sourced<f64>,
+        /// Lowest absolute head angle, degrees, 0 or below.
+        pub min_rotation_deg: Sourced<f64>,
+        /// Highest absolute head angle, degrees, 0 or above.
+        pub max_rotation_deg: Sourced<f64>,
+    }
+}
+
+layer! {
+    /// Feed axis.
+    pub struct Feed {
+        /// Speed, millimetres a second.
+        pub rate_mm_per_s: Sourced<f64>,
+        /// Smallest step that can be commanded, millimetres.
+        pub resolution_mm: Sourced<f64>,
+    }
+}
+
+layer! {
+    /// Rotate axis.
+    pub struct Rotate {
+        /// Speed, degrees a second.
+        pub rate_deg_per_s: Sourced<f64>,
+        /// Smallest step that can be commanded, degrees.
+        pub resolution_deg: Sourced<f64>,
+    }
+}
+
+/// How the bend axis makes an angle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum BendMethod {
+    /// A peg orbits off the pin's centre; the axis angle follows from the setback equation.
+    Peg,
+    /// The machine's axis angle is the bend angle.
+    Direct,
+}
+
+layer! {
+    /// Bend axis and its geometry. The centreline radius of a bend is pin radius plus wire radius.
+    pub struct Bend {
+        /// How the axis makes an angle.
+        pub method: BendMethod,
+        /// Speed, degrees a second.
+        pub rate_deg_per_s: Sourced<f64>,
+        /// Smallest step that can be commanded, degrees.
+        pub resolution_deg: Sourced<f64>,
+        /// Radius of the pin that the wire wraps, millimetres.
+        pub pin_radius_mm: Sourced<f64>,
+        /// Peg: radius of the rod that pushes the wire, millimetres.
+        pub rod_radius_mm: Sourced<f64>,
+        /// Peg: radius R of the peg's orbit, millimetres.
+        pub orbit_radius_mm: Sourced<f64>,
+        /// Peg: offset s of the orbit's centre from the start of the bend along the wire,
+        /// millimetres.
+        pub orbit_offset_mm: Sourced<f64>,
+        /// Largest commanded axis angle either way, degrees.
+        pub axis_limit_deg: Sourced<f64>,
+    }
+}
+
+layer! {
+    /// What is compensated for the machine by default.
+    pub struct Compensation {
+        /// Bend deduction of the feeds.
+        pub feed: bool,
+        /// Setback of the peg.
+        pub setback: bool,
+        /// Springback of the wire; false where the machine does it itself.
+        pub springback: bool,
+    }
+}
+
+layer! {
+    /// Machine value = sign times canonical value.
+    pub struct Signs {
+        /// Of the bend axis.
+        pub bend: Sign,
+        /// Of the rotate axis.
+        pub rotate: Sign,
+        /// How the machine's own frame lies and how the signs were found.
+        pub note: String,
+    }
+}
+
+layer! {
+    /// Time model beyond the rates of the axes.
+    pub struct Time {
+        /// Time of a bend that is not the stroke: pin, settling; seconds.
+        pub fixed_per_bend_s: Sourced<f64>,
+    }
+}

@@ -1,0 +1,95 @@
+//! Figures that say where they come from, and other small values of profiles.
+
+use std::borrow::Cow;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::{Deserialize, Serialize};
+
+/// A figure with its source. Replaced whole by a child profile, so that a new value never keeps
+/// an old source.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "Sourced_{T}")]
+pub struct Sourced<T> {
+    /// The figure, in the unit that the key's suffix names.
+    pub value: T,
+    /// Where the figure comes from: a paper, a data sheet, a measurement, or why it is an estimate.
+    #[schemars(length(min = 1))]
+    pub source: String,
+    /// True when somebody measured it on the real machine or wire; false for a stated, derived or
+    /// estimated figure.
+    pub measured: bool,
+}
+
+/// A publication that the `source` texts of a profile refer to.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Reference {
+    /// The short name that `source` texts use.
+    #[schemars(length(min = 1))]
+    pub key: String,
+    /// Authors, title, venue, year.
+    #[schemars(length(min = 1))]
+    pub citation: String,
+    /// DOI without a resolver's address.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub doi: Option<String>,
+    /// Address of a page.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub url: Option<String>,
+}
+
+/// Direction of a machine's axis against the canonical, right-handed one. JSON: `1` or `-1`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(try_from = "i64", into = "i64")]
+pub enum Sign {
+    /// The machine's value is the canonical one.
+    Same,
+    /// The machine's value is the canonical one negated.
+    Opposite,
+}
+
+impl Sign {
+    /// `1.0` or `-1.0`: the machine's value is this times the canonical value.
+    #[must_use]
+    pub fn factor(self) -> f64 {
+        match self {
+            Self::Same => 1.0,
+            Self::Opposite => -1.0,
+        }
+    }
+}
+
+impl TryFrom<i64> for Sign {
+    type Error = String;
+
+    fn try_from(value: i64) -> Result<Self, String> {
+        match value {
+            1 => Ok(Self::Same),
+            -1 => Ok(Self::Opposite),
+            other => Err(format!("a sign is 1 or -1, not {other}")),
+        }
+    }
+}
+
+impl From<Sign> for i64 {
+    fn from(sign: Sign) -> Self {
+        match sign {
+            Sign::Same => 1,
+            Sign::Opposite => -1,
+        }
+    }
+}
+
+impl JsonSchema for Sign {
+    fn schema_name() -> Cow<'static, str> {
+        "Sign".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "description": "1: the machine's value is the canonical one; -1: negated.",
+            "enum": [1, -1]
+        })
+    }
+}
