@@ -27,11 +27,7 @@ impl TimeModel {
     #[must_use]
     pub fn seconds(&self, program: &CompensatedProgram) -> f64 {
         let step_seconds = |step: &crate::bend::Step| {
-            let bend = if step.bend == Angle::ZERO {
-                0.0
-            } else {
-                self.bend_seconds(step.bend)
-            };
+            let bend = if step.bend == Angle::ZERO { 0.0 } else { self.bend_seconds(step.bend) };
             step.feed.abs().mm() / self.feed_mm_per_s + step.rotate.abs().deg() / self.rotate_deg_per_s + bend
         };
         program.steps().iter().map(step_seconds).sum()

@@ -24,6 +24,8 @@ pub struct Machine {
     pub time: TimeModel,
     /// The wire.
     pub wire: WireModel,
+    /// Centreline radius of its bends.
+    pub bend_radius: Length,
     /// A change of direction up to this is not bent: half of what the bend axis resolves.
     pub straight: Angle,
 }
@@ -115,10 +117,7 @@ impl WirePlan {
     pub fn fractions(&self) -> Vec<Vec<f64>> {
         let spans = self.nominal.iter().flat_map(|program| &program.spans);
         let parts = |span: &std::ops::Range<usize>| {
-            let lengths: Vec<f64> = span
-                .clone()
-                .map(|k| (self.path[k + 1] - self.path[k]).norm())
-                .collect();
+            let lengths: Vec<f64> = span.clone().map(|k| (self.path[k + 1] - self.path[k]).norm()).collect();
             let total: f64 = lengths.iter().sum();
             let mut along = 0.0;
             let part = |length: &f64| {
@@ -135,11 +134,7 @@ impl WirePlan {
     #[must_use]
     pub fn scheduled_start(&self) -> Frame {
         let mut frame = self.start;
-        let first_bend = self
-            .scheduled
-            .iter()
-            .flat_map(|s| &s.steps)
-            .find(|step| step.bend != Angle::ZERO);
+        let first_bend = self.scheduled.iter().flat_map(|s| &s.steps).find(|step| step.bend != Angle::ZERO);
         if first_bend.is_some_and(|step| step.bend < Angle::ZERO) {
             frame.rotate(Angle::HALF_TURN);
         }
@@ -157,9 +152,17 @@ pub fn plan_wire(
     mut done: impl FnMut(Stage),
 ) -> WirePlan {
     let mut refusals = Vec::new();
-    let proposal = doubling(wireframe, component, options.start, options.closed)
-        .map_err(|error| refusals.push(refusal(&error)))
-        .unwrap_or_default();
+    let proposal = match doubling(wireframe, component, options.start, options.closed) {
+        Ok(proposal) => proposal,
+        // Nobody has asked for it: the check of odd vertices says enough.
+        Err(RouteError::TooManyOdd { .. }) if options.doubling != DoublingChoice::Cheapest => {
+            Doubling::default()
+        }
+        Err(error) => {
+            refusals.push(refusal(&error));
+            Doubling::default()
+        }
+    };
     let doubled = match &options.doubling {
         DoublingChoice::Accepted(edges) => edges.clone(),
         DoublingChoice::Cheapest => proposal.edges.clone(),
@@ -203,11 +206,11 @@ pub fn plan_wire(
         compensated: plan.compensated.as_ref(),
         unbendable: &failures.unbendable,
         compensation: &machine.compensation,
+        diameter: machine.wire.diameter,
         limits: &machine.limits,
     });
     plan.diagnostics.extend(refusals);
-    plan.diagnostics
-        .extend(failures.path.map(|error| path_failure(&plan, &error)));
+    plan.diagnostics.extend(failures.path.map(|error| path_failure(&plan, &error)));
     plan.diagnostics.sort_by_key(|diagnostic| diagnostic.severity);
     done(Stage::Check);
     plan
@@ -291,7 +294,7 @@ fn refusal(error: &RouteError) -> Diagnostic {
         RouteError::Start { start, .. } | RouteError::StartElsewhere(start) => Place::at_vertices([*start]),
         RouteError::DoubledElsewhere(edge) => Place::at_edges([*edge]),
         RouteError::Odd { odd, .. } => Place::at_vertices(odd.iter().copied()),
-        RouteError::NoEdges => Place::default(),
+        RouteError::NoEdges | RouteError::TooManyOdd { .. } => Place::default(),
     };
     Diagnostic {
         code: Code::RouteRefused,
@@ -300,7 +303,12 @@ fn refusal(error: &RouteError) -> Diagnostic {
         measured: None,
         limit: None,
         message: error.to_string(),
-        help: "choose another start, or let the planner choose".to_owned(),
+        help: match error {
+            RouteError::TooManyOdd { .. } => "divide the design into several wires",
+            RouteError::NoEdges => "draw edges",
+            _ => "choose another start, or let the planner choose",
+        }
+        .to_owned(),
     }
 }
 

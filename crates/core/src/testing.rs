@@ -19,10 +19,7 @@ pub(crate) fn deg(value: f64) -> Angle {
 }
 
 fn paper<T>(value: T) -> Sourced<T> {
-    Sourced {
-        value,
-        source: "the paper".to_owned(),
-    }
+    Sourced { value, source: "the paper".to_owned() }
 }
 
 /// The $293 bender with its 3 mm aluminium, as published.
@@ -35,13 +32,11 @@ pub(crate) fn published_machine() -> Machine {
             least_feed: paper(mm(25.0)),
             most_stock: None,
             tail: paper(mm(400.0)),
+            least_diameter: paper(mm(2.8)),
+            most_diameter: paper(mm(3.2)),
             head_source: "the paper".to_owned(),
         },
-        head: HeadLimits {
-            least: deg(-360.0),
-            most: deg(360.0),
-            seconds_per_degree: 1.0 / 131.3,
-        },
+        head: HeadLimits { least: deg(-360.0), most: deg(360.0), seconds_per_degree: 1.0 / 131.3 },
         compensation: Compensation {
             feed: Some(FeedModel::new(mm(1.5), mm(3.0), 0.3)),
             bend: BendModel {
@@ -56,11 +51,8 @@ pub(crate) fn published_machine() -> Machine {
             bend_deg_per_s: 15.1,
             fixed_per_bend_s: 5.0,
         },
-        wire: WireModel {
-            diameter: mm(3.0),
-            density_kg_per_m3: 2700.0,
-            price_per_mm: Some(0.00199),
-        },
+        wire: WireModel { diameter: mm(3.0), density_kg_per_m3: 2700.0, price_per_mm: Some(0.00199) },
+        bend_radius: mm(3.0),
         straight: deg(0.01676 / 2.0),
     }
 }
@@ -68,10 +60,8 @@ pub(crate) fn published_machine() -> Machine {
 /// A wireframe of points and edges between them.
 pub(crate) fn wireframe(points: &[[f64; 3]], edges: &[(usize, usize)]) -> Wireframe {
     let mut w = Wireframe::new();
-    let ids: Vec<VertexId> = points
-        .iter()
-        .map(|&p| w.add_vertex(Vertex::at(Point3::from(p))).unwrap())
-        .collect();
+    let ids: Vec<VertexId> =
+        points.iter().map(|&p| w.add_vertex(Vertex::at(Point3::from(p))).unwrap()).collect();
     for &(a, b) in edges {
         w.add_edge(ids[a], ids[b]).unwrap();
     }

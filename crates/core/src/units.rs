@@ -136,24 +136,13 @@ impl Length {
     /// # Errors
     /// [`NotFinite`] for NaN and infinities.
     pub const fn from_mm(mm: f64) -> Result<Self, NotFinite> {
-        if mm.is_finite() {
-            Ok(Self(mm))
-        } else {
-            Err(NotFinite {
-                value: mm,
-                unit: "millimetres",
-            })
-        }
+        if mm.is_finite() { Ok(Self(mm)) } else { Err(NotFinite { value: mm, unit: "millimetres" }) }
     }
 
     /// A length from a number that arithmetic on finite numbers gave (overflow saturates, and NaN,
     /// which such arithmetic cannot give, becomes zero).
     pub(crate) const fn computed(mm: f64) -> Self {
-        if mm.is_nan() {
-            Self(0.0)
-        } else {
-            Self(saturate(mm))
-        }
+        if mm.is_nan() { Self(0.0) } else { Self(saturate(mm)) }
     }
 
     /// Millimetres.
@@ -196,10 +185,7 @@ impl Angle {
         if deg.is_finite() {
             Ok(Self(deg.to_radians()))
         } else {
-            Err(NotFinite {
-                value: deg,
-                unit: "degrees",
-            })
+            Err(NotFinite { value: deg, unit: "degrees" })
         }
     }
 
@@ -208,23 +194,12 @@ impl Angle {
     /// # Errors
     /// [`NotFinite`] for NaN and infinities.
     pub const fn from_rad(rad: f64) -> Result<Self, NotFinite> {
-        if rad.is_finite() {
-            Ok(Self(rad))
-        } else {
-            Err(NotFinite {
-                value: rad,
-                unit: "radians",
-            })
-        }
+        if rad.is_finite() { Ok(Self(rad)) } else { Err(NotFinite { value: rad, unit: "radians" }) }
     }
 
     /// An angle from a number that arithmetic on finite numbers gave (see [`Length::computed`]).
     pub(crate) const fn computed(rad: f64) -> Self {
-        if rad.is_nan() {
-            Self(0.0)
-        } else {
-            Self(saturate(rad))
-        }
+        if rad.is_nan() { Self(0.0) } else { Self(saturate(rad)) }
     }
 
     /// Radians.

@@ -37,74 +37,34 @@ fn move_along_z(by: f64) -> Affine3<f64> {
 #[test]
 fn ids_are_never_used_twice() {
     let mut w = square();
-    let gone = Edit::Delete {
-        vertices: vec![VertexId(3)],
-        edges: vec![],
-    };
+    let gone = Edit::Delete { vertices: vec![VertexId(3)], edges: vec![] };
     w.apply(&gone).unwrap();
     assert_eq!((w.vertex_count(), w.edge_count()), (3, 2));
-    w.apply(&Edit::AddVertex {
-        position: Point3::new(5., 5., 5.),
-    })
-    .unwrap();
-    w.apply(&Edit::Connect {
-        a: VertexId(2),
-        b: VertexId(4),
-    })
-    .unwrap();
-    assert_eq!(
-        w.edge(EdgeId(4)),
-        Some(Edge {
-            a: VertexId(2),
-            b: VertexId(4)
-        })
-    );
+    w.apply(&Edit::AddVertex { position: Point3::new(5., 5., 5.) }).unwrap();
+    w.apply(&Edit::Connect { a: VertexId(2), b: VertexId(4) }).unwrap();
+    assert_eq!(w.edge(EdgeId(4)), Some(Edge { a: VertexId(2), b: VertexId(4) }));
     assert_eq!(w.vertex(VertexId(3)), None);
 }
 
 #[test]
 fn splitting_keeps_the_id_of_the_first_part() {
     let mut w = square();
-    w.apply(&Edit::SplitEdge {
-        edge: EdgeId(1),
-        at: 0.25,
-    })
-    .unwrap();
+    w.apply(&Edit::SplitEdge { edge: EdgeId(1), at: 0.25 }).unwrap();
     assert_eq!(w.vertex(VertexId(4)).unwrap().position, Point3::new(10., 2.5, 0.));
-    assert_eq!(
-        w.edge(EdgeId(1)),
-        Some(Edge {
-            a: VertexId(1),
-            b: VertexId(4)
-        })
-    );
-    assert_eq!(
-        w.edge(EdgeId(4)),
-        Some(Edge {
-            a: VertexId(4),
-            b: VertexId(2)
-        })
-    );
+    assert_eq!(w.edge(EdgeId(1)), Some(Edge { a: VertexId(1), b: VertexId(4) }));
+    assert_eq!(w.edge(EdgeId(4)), Some(Edge { a: VertexId(4), b: VertexId(2) }));
 }
 
 #[test]
 fn merging_drops_what_collapses_and_what_repeats() {
     let mut w = square();
     // Opposite corners become one: two pairs of edges fall onto each other.
-    w.apply(&Edit::Merge {
-        vertices: vec![VertexId(2), VertexId(0)],
-        at: MergeAt::Centre,
-    })
-    .unwrap();
+    w.apply(&Edit::Merge { vertices: vec![VertexId(2), VertexId(0)], at: MergeAt::Centre }).unwrap();
     assert_eq!(w.vertex(VertexId(2)).unwrap().position, Point3::new(5., 5., 0.));
     assert_eq!((w.vertex_count(), w.edge_count()), (3, 2));
     // Neighbours become one: the edge between them is gone.
     let mut w = square();
-    w.apply(&Edit::Merge {
-        vertices: vec![VertexId(0), VertexId(1)],
-        at: MergeAt::Last,
-    })
-    .unwrap();
+    w.apply(&Edit::Merge { vertices: vec![VertexId(0), VertexId(1)], at: MergeAt::Last }).unwrap();
     assert_eq!((w.vertex_count(), w.edge_count()), (3, 3));
     assert_eq!(w.vertex(VertexId(0)).unwrap().position, Point3::new(10., 0., 0.));
 }
@@ -113,19 +73,10 @@ fn merging_drops_what_collapses_and_what_repeats() {
 fn a_mirror_copy_shares_what_lies_on_the_plane() {
     let mut w = square();
     let plane = (Point3::new(10., 3., 3.), Unit::new_normalize(Vector3::x()));
-    let mirror = |mode, vertices| Edit::Mirror {
-        vertices,
-        point: plane.0,
-        normal: plane.1,
-        mode,
-        weld: mm(1e-3),
-    };
+    let mirror =
+        |mode, vertices| Edit::Mirror { vertices, point: plane.0, normal: plane.1, mode, weld: mm(1e-3) };
     w.apply(&mirror(MirrorMode::Copy, all(&w))).unwrap();
-    assert_eq!(
-        (w.vertex_count(), w.edge_count()),
-        (6, 7),
-        "two squares with a common side"
-    );
+    assert_eq!((w.vertex_count(), w.edge_count()), (6, 7), "two squares with a common side");
     assert_eq!(w.vertex(VertexId(4)).unwrap().position, Point3::new(20., 0., 0.));
     let mut w = square();
     w.apply(&mirror(MirrorMode::InPlace, vec![VertexId(0)])).unwrap();
@@ -137,18 +88,8 @@ fn a_mirror_copy_shares_what_lies_on_the_plane() {
 fn an_array_of_touching_copies_shares_their_common_vertices() {
     let mut w = square();
     let step = Affine3::from_matrix_unchecked(Matrix4::new_translation(&Vector3::new(10., 0., 0.)));
-    w.apply(&Edit::Array {
-        vertices: all(&w),
-        step,
-        count: 3,
-        weld: mm(1e-3),
-    })
-    .unwrap();
-    assert_eq!(
-        (w.vertex_count(), w.edge_count()),
-        (10, 13),
-        "a ladder of four cells"
-    );
+    w.apply(&Edit::Array { vertices: all(&w), step, count: 3, weld: mm(1e-3) }).unwrap();
+    assert_eq!((w.vertex_count(), w.edge_count()), (10, 13), "a ladder of four cells");
 }
 
 #[test]
@@ -156,89 +97,18 @@ fn a_bad_edit_says_what_is_wrong_and_changes_nothing() {
     let flat =
         Affine3::from_matrix_unchecked(Matrix4::from_diagonal(&nalgebra::Vector4::new(1., 1., 0., 1.)));
     let cases = [
-        (
-            Edit::AddVertex {
-                position: Point3::new(f64::NAN, 0., 0.),
-            },
-            "position",
-        ),
-        (
-            Edit::Connect {
-                a: VertexId(0),
-                b: VertexId(9),
-            },
-            "no vertex 9",
-        ),
-        (
-            Edit::Connect {
-                a: VertexId(0),
-                b: VertexId(0),
-            },
-            "to itself",
-        ),
-        (
-            Edit::Connect {
-                a: VertexId(1),
-                b: VertexId(0),
-            },
-            "connected already",
-        ),
-        (
-            Edit::Delete {
-                vertices: vec![],
-                edges: vec![EdgeId(9)],
-            },
-            "no edge 9",
-        ),
-        (
-            Edit::Move {
-                vertices: vec![VertexId(0), VertexId(0)],
-                by: Vector3::x(),
-            },
-            "twice",
-        ),
-        (
-            Edit::Move {
-                vertices: vec![VertexId(0)],
-                by: Vector3::x() * 1e7,
-            },
-            "position",
-        ),
-        (
-            Edit::SplitEdge {
-                edge: EdgeId(0),
-                at: 1.0,
-            },
-            "between its ends",
-        ),
-        (
-            Edit::SplitEdge {
-                edge: EdgeId(0),
-                at: f64::NAN,
-            },
-            "between its ends",
-        ),
-        (
-            Edit::Merge {
-                vertices: vec![VertexId(1)],
-                at: MergeAt::First,
-            },
-            "at least 2",
-        ),
-        (
-            Edit::Merge {
-                vertices: vec![],
-                at: MergeAt::First,
-            },
-            "at least 2",
-        ),
-        (
-            Edit::Transform {
-                vertices: vec![VertexId(1)],
-                transform: flat,
-            },
-            "flatten",
-        ),
+        (Edit::AddVertex { position: Point3::new(f64::NAN, 0., 0.) }, "position"),
+        (Edit::Connect { a: VertexId(0), b: VertexId(9) }, "no vertex 9"),
+        (Edit::Connect { a: VertexId(0), b: VertexId(0) }, "to itself"),
+        (Edit::Connect { a: VertexId(1), b: VertexId(0) }, "connected already"),
+        (Edit::Delete { vertices: vec![], edges: vec![EdgeId(9)] }, "no edge 9"),
+        (Edit::Move { vertices: vec![VertexId(0), VertexId(0)], by: Vector3::x() }, "twice"),
+        (Edit::Move { vertices: vec![VertexId(0)], by: Vector3::x() * 1e7 }, "position"),
+        (Edit::SplitEdge { edge: EdgeId(0), at: 1.0 }, "between its ends"),
+        (Edit::SplitEdge { edge: EdgeId(0), at: f64::NAN }, "between its ends"),
+        (Edit::Merge { vertices: vec![VertexId(1)], at: MergeAt::First }, "at least 2"),
+        (Edit::Merge { vertices: vec![], at: MergeAt::First }, "at least 2"),
+        (Edit::Transform { vertices: vec![VertexId(1)], transform: flat }, "flatten"),
         (
             Edit::Array {
                 vertices: vec![VertexId(1)],
@@ -255,45 +125,21 @@ fn a_bad_edit_says_what_is_wrong_and_changes_nothing() {
         assert!(error.to_string().contains(expected), "{error}");
         assert_eq!(w, square());
     }
-    let error = square().apply(&Edit::Place {
-        vertex: VertexId(8),
-        position: Point3::origin(),
-    });
-    assert_eq!(
-        error,
-        Err(EditError::Wireframe(WireframeError::NoVertex(VertexId(8))))
-    );
+    let error = square().apply(&Edit::Place { vertex: VertexId(8), position: Point3::origin() });
+    assert_eq!(error, Err(EditError::Wireframe(WireframeError::NoVertex(VertexId(8)))));
 }
 
 #[test]
 fn a_stale_difference_is_refused() {
     let mut w = square();
-    let moved = w
-        .apply(&Edit::Move {
-            vertices: vec![VertexId(0)],
-            by: Vector3::x(),
-        })
-        .unwrap();
+    let moved = w.apply(&Edit::Move { vertices: vec![VertexId(0)], by: Vector3::x() }).unwrap();
     assert_eq!(w.commit(&moved), Err(StaleDelta::Vertex(VertexId(0))));
-    let cut = w
-        .apply(&Edit::Delete {
-            vertices: vec![],
-            edges: vec![EdgeId(0)],
-        })
-        .unwrap();
+    let cut = w.apply(&Edit::Delete { vertices: vec![], edges: vec![EdgeId(0)] }).unwrap();
     assert_eq!(w.commit(&cut), Err(StaleDelta::Edge(EdgeId(0))));
-    let added = w
-        .apply(&Edit::AddVertex {
-            position: Point3::origin(),
-        })
-        .unwrap();
+    let added = w.apply(&Edit::AddVertex { position: Point3::origin() }).unwrap();
     assert_eq!(w.commit(&added), Err(StaleDelta::Next));
     // Undone out of order, the edge would be left without its vertex.
-    w.apply(&Edit::Connect {
-        a: VertexId(4),
-        b: VertexId(2),
-    })
-    .unwrap();
+    w.apply(&Edit::Connect { a: VertexId(4), b: VertexId(2) }).unwrap();
     let undo = added.inverse();
     let mut forged = undo.clone();
     forged.next = (w.next_ids(), undo.next.1);
@@ -310,27 +156,17 @@ fn any_edit() -> impl Strategy<Value = Edit> {
         (v(), v()).prop_map(|(a, b)| Edit::Connect { a, b }),
         (some(), prop::collection::vec((0..12_u32).prop_map(EdgeId), 0..3))
             .prop_map(|(vertices, edges)| Edit::Delete { vertices, edges }),
-        (some(), point()).prop_map(|(vertices, by)| Edit::Move {
-            vertices,
-            by: by.coords
-        }),
+        (some(), point()).prop_map(|(vertices, by)| Edit::Move { vertices, by: by.coords }),
         (v(), point()).prop_map(|(vertex, position)| Edit::Place { vertex, position }),
         ((0..12_u32).prop_map(EdgeId), 0.0..1.0_f64).prop_map(|(edge, at)| Edit::SplitEdge { edge, at }),
-        (
-            some(),
-            prop_oneof![Just(MergeAt::First), Just(MergeAt::Last), Just(MergeAt::Centre)]
-        )
+        (some(), prop_oneof![Just(MergeAt::First), Just(MergeAt::Last), Just(MergeAt::Centre)])
             .prop_map(|(vertices, at)| Edit::Merge { vertices, at }),
         (some(), point(), any::<bool>(), weld).prop_map(|(vertices, point, copy, weld)| {
             Edit::Mirror {
                 vertices,
                 point,
                 normal: Unit::new_normalize(Vector3::new(1., 2., 3.)),
-                mode: if copy {
-                    MirrorMode::Copy
-                } else {
-                    MirrorMode::InPlace
-                },
+                mode: if copy { MirrorMode::Copy } else { MirrorMode::InPlace },
                 weld,
             }
         }),

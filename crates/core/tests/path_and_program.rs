@@ -28,11 +28,7 @@ fn program(path: &[Point3<f64>]) -> NominalProgram {
 
 fn rounded(program: &NominalProgram) -> Vec<(f64, f64, f64)> {
     let round = |value: f64| (value * 1e6).round() / 1e6 + 0.0;
-    program
-        .steps
-        .iter()
-        .map(|s| (round(s.feed.mm()), round(s.rotate.deg()), round(s.bend.deg())))
-        .collect()
+    program.steps.iter().map(|s| (round(s.feed.mm()), round(s.rotate.deg()), round(s.bend.deg()))).collect()
 }
 
 #[test]
@@ -52,13 +48,7 @@ fn a_collinear_vertex_is_a_feed_continued_and_the_plane_is_carried_on() {
 
 #[test]
 fn a_fold_back_keeps_the_plane() {
-    let path = points(&[
-        [0., 0., 0.],
-        [10., 0., 0.],
-        [10., 10., 0.],
-        [10., 0., 0.],
-        [10., 0., 5.],
-    ]);
+    let path = points(&[[0., 0., 0.], [10., 0., 0.], [10., 10., 0.], [10., 0., 0.], [10., 0., 5.]]);
     let made = program(&path);
     assert_eq!(rounded(&made)[..2], [(10., 0., 90.), (10., 0., 180.)]);
     // After the fold the wire runs along -y, its normal is -n: the plane of the next bend is -z.
@@ -69,10 +59,7 @@ fn a_fold_back_keeps_the_plane() {
 
 #[test]
 fn paths_without_a_direction_are_refused() {
-    assert_eq!(
-        program_of_path(&points(&[[0.; 3]]), deg(0.0)),
-        Err(PathError::TooShort(1))
-    );
+    assert_eq!(program_of_path(&points(&[[0.; 3]]), deg(0.0)), Err(PathError::TooShort(1)));
     let still = points(&[[0., 0., 0.], [1., 0., 0.], [1., 0., 0.]]);
     assert_eq!(program_of_path(&still, deg(0.0)), Err(PathError::NoDirection(1)));
 }
@@ -96,55 +83,21 @@ fn the_published_tube_sample_comes_out_as_its_table_says() {
     ]);
     let made = program(&path);
     let straight = tangent_lengths(&made.steps, mm(560.0)).unwrap();
-    let table = [
-        (935.39, 0.0, 90.0),
-        (8980.0, 180.0, 90.0),
-        (1374.0, 90.37, 90.0),
-        (5158.41, 0.0, 0.0),
-    ];
+    let table = [(935.39, 0.0, 90.0), (8980.0, 180.0, 90.0), (1374.0, 90.37, 90.0), (5158.41, 0.0, 0.0)];
     for ((step, straight), (length, turn, bend)) in made.steps.iter().zip(&straight).zip(table) {
-        assert!(
-            (straight.mm() - length).abs() < 0.011,
-            "{straight:.3} for {length}"
-        );
-        assert!(
-            (step.rotate.deg().abs() - turn).abs() < 0.01,
-            "{:.3} for {turn}",
-            step.rotate
-        );
-        assert!(
-            (step.bend.deg() - bend).abs() < 0.01,
-            "{:.3} for {bend}",
-            step.bend
-        );
+        assert!((straight.mm() - length).abs() < 0.011, "{straight:.3} for {length}");
+        assert!((step.rotate.deg().abs() - turn).abs() < 0.01, "{:.3} for {turn}", step.rotate);
+        assert!((step.bend.deg() - bend).abs() < 0.01, "{:.3} for {bend}", step.bend);
     }
-    assert!(
-        made.steps[2].rotate > Angle::ZERO,
-        "the last plane is turned right-handed about the travel"
-    );
+    assert!(made.steps[2].rotate > Angle::ZERO, "the last plane is turned right-handed about the travel");
 }
 
 #[test]
 fn arcs_that_overlap_are_refused_by_step() {
-    let made = program(&points(&[
-        [0., 0., 0.],
-        [10., 0., 0.],
-        [10., 4., 0.],
-        [20., 4., 0.],
-    ]));
-    assert!(matches!(
-        tangent_lengths(&made.steps, mm(3.0)),
-        Err(TangentError::Overlap { step: 1, .. })
-    ));
-    let folded = [Step {
-        feed: mm(5.0),
-        bend: deg(180.0),
-        ..Step::default()
-    }];
-    assert!(matches!(
-        intersection_lengths(&folded, mm(3.0)),
-        Err(TangentError::NoCorner { step: 0, .. })
-    ));
+    let made = program(&points(&[[0., 0., 0.], [10., 0., 0.], [10., 4., 0.], [20., 4., 0.]]));
+    assert!(matches!(tangent_lengths(&made.steps, mm(3.0)), Err(TangentError::Overlap { step: 1, .. })));
+    let folded = [Step { feed: mm(5.0), bend: deg(180.0), ..Step::default() }];
+    assert!(matches!(intersection_lengths(&folded, mm(3.0)), Err(TangentError::NoCorner { step: 0, .. })));
 }
 
 fn any_path() -> impl Strategy<Value = Vec<Point3<f64>>> {
@@ -167,9 +120,7 @@ fn any_grid_path() -> impl Strategy<Value = Vec<Point3<f64>>> {
 
 /// The vertices of `path` at which a program bends or ends.
 fn corners(path: &[Point3<f64>], program: &NominalProgram) -> Vec<Point3<f64>> {
-    std::iter::once(path[0])
-        .chain(program.spans.iter().map(|span| path[span.end]))
-        .collect()
+    std::iter::once(path[0]).chain(program.spans.iter().map(|span| path[span.end])).collect()
 }
 
 proptest! {

@@ -12,10 +12,8 @@ use wirebend_core::wireframe::{Component, EdgeId, Vertex, VertexId, Wireframe};
 
 fn wireframe(points: &[[f64; 3]], edges: &[(usize, usize)]) -> Wireframe {
     let mut w = Wireframe::new();
-    let ids: Vec<VertexId> = points
-        .iter()
-        .map(|&p| w.add_vertex(Vertex::at(Point3::from(p))).unwrap())
-        .collect();
+    let ids: Vec<VertexId> =
+        points.iter().map(|&p| w.add_vertex(Vertex::at(Point3::from(p))).unwrap()).collect();
     for &(a, b) in edges {
         w.add_edge(ids[a], ids[b]).unwrap();
     }
@@ -25,10 +23,8 @@ fn wireframe(points: &[[f64; 3]], edges: &[(usize, usize)]) -> Wireframe {
 fn cube() -> Wireframe {
     let corner = |k: usize| [k & 1, k >> 1 & 1, k >> 2 & 1].map(|bit| if bit == 1 { 30.0 } else { 0.0 });
     let points: Vec<_> = (0..8).map(corner).collect();
-    let edges: Vec<_> = (0..8_usize)
-        .flat_map(|a| [1, 2, 4].map(|bit| (a, a | bit)))
-        .filter(|(a, b)| a != b)
-        .collect();
+    let edges: Vec<_> =
+        (0..8_usize).flat_map(|a| [1, 2, 4].map(|bit| (a, a | bit))).filter(|(a, b)| a != b).collect();
     wireframe(&points, &edges)
 }
 
@@ -51,11 +47,7 @@ fn assert_covers(w: &Wireframe, component: &Component, found: &Route, doubled: &
 }
 
 fn fold_backs(found: &Route) -> usize {
-    found
-        .traversals
-        .windows(2)
-        .filter(|pair| pair[0].edge == pair[1].edge)
-        .count()
+    found.traversals.windows(2).filter(|pair| pair[0].edge == pair[1].edge).count()
 }
 
 #[test]
@@ -64,29 +56,18 @@ fn a_cube_needs_three_doubled_edges_and_no_fold_back() {
     let component = w.components().remove(0);
     let odd = w.odd_vertices(&component, &[]);
     let none = RouteOptions::default();
-    assert_eq!(
-        route(&w, &component, &none),
-        Err(RouteError::Odd { odd, closed: false })
-    );
+    assert_eq!(route(&w, &component, &none), Err(RouteError::Odd { odd, closed: false }));
     let open = doubling(&w, &component, None, false).unwrap();
     assert_eq!((open.edges.len(), open.added.mm()), (3, 90.0));
     let closed = doubling(&w, &component, None, true).unwrap();
     assert_eq!((closed.edges.len(), closed.added.mm()), (4, 120.0));
     for (doubled, closed) in [(open.edges, false), (closed.edges, true)] {
-        let options = RouteOptions {
-            doubled: doubled.clone(),
-            closed,
-            ..RouteOptions::default()
-        };
+        let options = RouteOptions { doubled: doubled.clone(), closed, ..RouteOptions::default() };
         let found = route(&w, &component, &options).unwrap();
         assert_covers(&w, &component, &found, &doubled);
         assert_eq!(fold_backs(&found), 0);
         assert_eq!(found.vertices().first() == found.vertices().last(), closed);
-        assert_eq!(
-            route(&w, &component, &options).unwrap(),
-            found,
-            "the same on every run"
-        );
+        assert_eq!(route(&w, &component, &options).unwrap(), found, "the same on every run");
     }
 }
 
@@ -96,11 +77,7 @@ fn a_person_chooses_where_the_wire_starts() {
     let component = w.components().remove(0);
     for start in component.vertices.clone() {
         let doubled = doubling(&w, &component, Some(start), false).unwrap().edges;
-        let options = RouteOptions {
-            doubled,
-            start: Some(start),
-            ..RouteOptions::default()
-        };
+        let options = RouteOptions { doubled, start: Some(start), ..RouteOptions::default() };
         let found = route(&w, &component, &options).unwrap();
         assert_eq!(found.vertices()[0], start);
         assert_eq!(found.reversed().vertices().last(), Some(&start));
@@ -115,55 +92,27 @@ fn starts_and_doublings_that_do_not_fit_are_refused_by_name() {
         &[(0, 1), (1, 2), (3, 4)],
     );
     let component = w.components().remove(0);
-    let start = |v| RouteOptions {
-        start: Some(VertexId(v)),
-        ..RouteOptions::default()
-    };
+    let start = |v| RouteOptions { start: Some(VertexId(v)), ..RouteOptions::default() };
     assert_eq!(
         route(&w, &component, &start(1)),
-        Err(RouteError::Start {
-            start: VertexId(1),
-            ends: (VertexId(0), VertexId(2))
-        })
+        Err(RouteError::Start { start: VertexId(1), ends: (VertexId(0), VertexId(2)) })
     );
-    assert_eq!(
-        route(&w, &component, &start(3)),
-        Err(RouteError::StartElsewhere(VertexId(3)))
-    );
-    let other = RouteOptions {
-        doubled: vec![EdgeId(2)],
-        ..RouteOptions::default()
-    };
-    assert_eq!(
-        route(&w, &component, &other),
-        Err(RouteError::DoubledElsewhere(EdgeId(2)))
-    );
-    assert_eq!(
-        route(&w, &Component::default(), &RouteOptions::default()),
-        Err(RouteError::NoEdges)
-    );
+    assert_eq!(route(&w, &component, &start(3)), Err(RouteError::StartElsewhere(VertexId(3))));
+    let other = RouteOptions { doubled: vec![EdgeId(2)], ..RouteOptions::default() };
+    assert_eq!(route(&w, &component, &other), Err(RouteError::DoubledElsewhere(EdgeId(2))));
+    assert_eq!(route(&w, &Component::default(), &RouteOptions::default()), Err(RouteError::NoEdges));
 }
 
 #[test]
 fn a_dead_end_is_the_only_place_where_the_wire_folds_back() {
     // A square with a tail at two of its corners: closed, both tails are gone along twice.
-    let square = [
-        [0., 0., 0.],
-        [30., 0., 0.],
-        [30., 30., 0.],
-        [0., 30., 0.],
-        [-30., -30., 0.],
-        [60., 60., 0.],
-    ];
+    let square =
+        [[0., 0., 0.], [30., 0., 0.], [30., 30., 0.], [0., 30., 0.], [-30., -30., 0.], [60., 60., 0.]];
     let w = wireframe(&square, &[(0, 1), (1, 2), (2, 3), (3, 0), (0, 4), (2, 5)]);
     let component = w.components().remove(0);
     let doubled = doubling(&w, &component, None, true).unwrap().edges;
     assert_eq!(doubled, [EdgeId(4), EdgeId(5)]);
-    let options = RouteOptions {
-        doubled,
-        closed: true,
-        ..RouteOptions::default()
-    };
+    let options = RouteOptions { doubled, closed: true, ..RouteOptions::default() };
     let found = route(&w, &component, &options).unwrap();
     // One of the two is where the wire begins and ends.
     assert_eq!(fold_backs(&found), 1);
@@ -172,33 +121,17 @@ fn a_dead_end_is_the_only_place_where_the_wire_folds_back() {
 #[test]
 fn sharp_bends_are_avoided_where_the_edges_can_be_paired_otherwise() {
     // Two long thin loops through one vertex: crossing over bends by 20°, turning round by 160°.
-    let far = |deg: f64| {
-        [
-            100.0 * deg.to_radians().cos(),
-            100.0 * deg.to_radians().sin(),
-            0.0,
-        ]
-    };
+    let far = |deg: f64| [100.0 * deg.to_radians().cos(), 100.0 * deg.to_radians().sin(), 0.0];
     let w = wireframe(
         &[[0.; 3], far(-10.0), far(10.0), far(170.0), far(190.0)],
         &[(0, 1), (1, 2), (2, 0), (0, 3), (3, 4), (4, 0)],
     );
     let component = w.components().remove(0);
     let limit = Some(Angle::from_deg(155.0).unwrap());
-    let found = route(
-        &w,
-        &component,
-        &RouteOptions {
-            sharpest_bend: limit,
-            ..RouteOptions::default()
-        },
-    )
-    .unwrap();
+    let found =
+        route(&w, &component, &RouteOptions { sharpest_bend: limit, ..RouteOptions::default() }).unwrap();
     for pair in found.traversals.windows(2) {
-        let (one, next) = (
-            w.direction(pair[0].edge, pair[0].from),
-            w.direction(pair[1].edge, pair[1].from),
-        );
+        let (one, next) = (w.direction(pair[0].edge, pair[0].from), w.direction(pair[1].edge, pair[1].from));
         assert!(one.unwrap().angle(&next.unwrap()).to_degrees() < 155.0);
     }
 }
@@ -210,12 +143,7 @@ fn any_wireframe(most_edges: usize) -> impl Strategy<Value = Wireframe> {
     (points, extra, prop::collection::vec(0..100_usize, 8)).prop_map(|(points, extra, tree)| {
         let n = points.len();
         let mut edges: Vec<_> = (1..n).map(|k| (tree[k - 1] % k, k)).collect();
-        edges.extend(
-            extra
-                .into_iter()
-                .map(|(a, b)| (a % n, b % n))
-                .filter(|(a, b)| a != b),
-        );
+        edges.extend(extra.into_iter().map(|(a, b)| (a % n, b % n)).filter(|(a, b)| a != b));
         wireframe(&points, &edges)
     })
 }
@@ -224,10 +152,8 @@ fn any_wireframe(most_edges: usize) -> impl Strategy<Value = Wireframe> {
 fn least_by_trying(w: &Wireframe, component: &Component, allowed: usize, start: Option<VertexId>) -> f64 {
     let mut least = f64::INFINITY;
     for subset in 0..1_u32 << component.edges.len() {
-        let chosen: Vec<EdgeId> = (0..component.edges.len())
-            .filter(|k| subset >> k & 1 == 1)
-            .map(|k| component.edges[k])
-            .collect();
+        let chosen: Vec<EdgeId> =
+            (0..component.edges.len()).filter(|k| subset >> k & 1 == 1).map(|k| component.edges[k]).collect();
         let odd = w.odd_vertices(component, &chosen);
         let starts = start.is_none_or(|start| odd.is_empty() || odd.contains(&start));
         if odd.len() <= allowed && starts {

@@ -37,15 +37,9 @@ pub fn check_text(file: &str, text: &str) -> Result<Checked, Vec<ProfileError>> 
 pub fn check_file(path: &Path) -> Result<Checked, Vec<ProfileError>> {
     let mut library = Library::shipped().map_err(|error| vec![error])?;
     let layer = read_file(path).map_err(|error| vec![error])?;
-    let folder = path
-        .parent()
-        .filter(|parent| parent.ends_with(layer.kind.folder()));
+    let folder = path.parent().filter(|parent| parent.ends_with(layer.kind.folder()));
     if let Some(root) = folder.and_then(Path::parent) {
-        let root = if root.as_os_str().is_empty() {
-            Path::new(".")
-        } else {
-            root
-        };
+        let root = if root.as_os_str().is_empty() { Path::new(".") } else { root };
         // What is wrong with its neighbours is not asked here.
         library.add_folder(root);
     }

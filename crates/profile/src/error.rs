@@ -16,10 +16,7 @@ pub struct Place {
 
 impl Place {
     pub(crate) fn file(file: &str) -> Self {
-        Self {
-            file: file.into(),
-            line: None,
-        }
+        Self { file: file.into(), line: None }
     }
 }
 
@@ -270,15 +267,10 @@ impl ProfileError {
 
 /// "Did you mean" of the nearest known words, if any is near.
 pub(crate) fn nearest<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> Option<String> {
-    let mut scored: Vec<(f64, &str)> = known
-        .map(|other| (strsim::jaro_winkler(word, other), other))
-        .collect();
+    let mut scored: Vec<(f64, &str)> =
+        known.map(|other| (strsim::jaro_winkler(word, other), other)).collect();
     scored.retain(|(score, _)| *score > 0.75);
     scored.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(b.1)));
-    let words: Vec<String> = scored
-        .iter()
-        .take(3)
-        .map(|(_, word)| format!("`{word}`"))
-        .collect();
+    let words: Vec<String> = scored.iter().take(3).map(|(_, word)| format!("`{word}`")).collect();
     (!words.is_empty()).then(|| format!("did you mean {}?", words.join(" or ")))
 }

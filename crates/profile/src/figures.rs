@@ -24,17 +24,9 @@ impl<T: Complete> Resolved<T> {
     /// required value open.
     pub fn figures(&self) -> Result<T::Figures, ProfileError> {
         self.profile.complete().ok_or_else(|| {
-            let open = self
-                .profile
-                .required()
-                .into_iter()
-                .find(|(key, _)| self.origin(key).is_none());
+            let open = self.profile.required().into_iter().find(|(key, _)| self.origin(key).is_none());
             let (key, how) = open.unwrap_or(("a required value", "see the JSON Schema"));
-            ProfileError::Missing {
-                file: self.profile.id().into(),
-                key: key.into(),
-                how: example(key, how),
-            }
+            ProfileError::Missing { file: self.profile.id().into(), key: key.into(), how: example(key, how) }
         })
     }
 }
@@ -106,12 +98,7 @@ impl Complete for NoiseProfile {
     type Figures = NoiseFigures;
 
     fn complete(&self) -> Option<NoiseFigures> {
-        let error = |bias, sigma| {
-            Some(ErrorFigures {
-                bias: v(bias)?,
-                sigma: v(sigma)?,
-            })
-        };
+        let error = |bias, sigma| Some(ErrorFigures { bias: v(bias)?, sigma: v(sigma)? });
         Some(NoiseFigures {
             feed_mm: error(&self.feed.bias_mm, &self.feed.sigma_mm)?,
             bend_deg: error(&self.bend.bias_deg, &self.bend.sigma_deg)?,
@@ -122,10 +109,7 @@ impl Complete for NoiseProfile {
 }
 
 /// The plain value of a figure that is set.
-#[expect(
-    clippy::ref_option,
-    reason = "profiles hold optional figures; a field is passed as it is"
-)]
+#[expect(clippy::ref_option, reason = "profiles hold optional figures; a field is passed as it is")]
 pub(crate) fn v(figure: &Option<Sourced<f64>>) -> Option<f64> {
     figure.as_ref().map(|figure| figure.value)
 }

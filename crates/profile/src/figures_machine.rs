@@ -91,11 +91,7 @@ impl Complete for MachineProfile {
     type Figures = MachineFigures;
 
     fn complete(&self) -> Option<MachineFigures> {
-        let Compensation {
-            feed,
-            setback,
-            springback,
-        } = &self.compensation;
+        let Compensation { feed, setback, springback } = &self.compensation;
         Some(MachineFigures {
             min_diameter_mm: v(&self.wire.min_diameter_mm)?,
             max_diameter_mm: v(&self.wire.max_diameter_mm)?,
@@ -142,9 +138,7 @@ impl MachineProfile {
                 orbit_offset_mm: v(&bend.orbit_offset_mm)?,
                 axis_limit_deg: v(&bend.axis_limit_deg)?,
             },
-            BendMethod::Direct => BendFigures::Direct {
-                axis_limit_deg: v(&bend.axis_limit_deg),
-            },
+            BendMethod::Direct => BendFigures::Direct { axis_limit_deg: v(&bend.axis_limit_deg) },
         })
     }
 }

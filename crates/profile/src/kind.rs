@@ -62,10 +62,7 @@ impl fmt::Display for Kind {
 /// Whether `id` is a slug: lower-case letters, digits and single inner hyphens.
 pub(crate) fn is_slug(id: &str) -> bool {
     id.split('-').all(|part| {
-        !part.is_empty()
-            && part
-                .bytes()
-                .all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit())
+        !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit())
     })
 }
 

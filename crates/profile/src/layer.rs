@@ -32,26 +32,15 @@ impl Layer {
     /// The first thing that makes the file no profile, with its line.
     pub(crate) fn read(file: &str, bytes: &[u8], shipped: bool) -> Result<Self, ProfileError> {
         if bytes.len() > MAX_FILE_BYTES {
-            return Err(ProfileError::TooLarge {
-                file: file.into(),
-                limit: MAX_FILE_BYTES,
-            });
+            return Err(ProfileError::TooLarge { file: file.into(), limit: MAX_FILE_BYTES });
         }
-        let text = std::str::from_utf8(bytes).map_err(|error| ProfileError::NotText {
-            file: file.into(),
-            byte: error.valid_up_to(),
-        })?;
+        let text = std::str::from_utf8(bytes)
+            .map_err(|error| ProfileError::NotText { file: file.into(), byte: error.valid_up_to() })?;
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let value: Value = serde_json::from_str(text).map_err(|error| json_error(file, &error))?;
         let Value::Object(values) = value else {
-            let place = Place {
-                file: file.into(),
-                line: Some(1),
-            };
-            return Err(ProfileError::UnknownKind {
-                place,
-                found: "not a JSON object".into(),
-            });
+            let place = Place { file: file.into(), line: Some(1) };
+            return Err(ProfileError::UnknownKind { place, found: "not a JSON object".into() });
         };
         let kind = kind_of(file, text, &values)?;
         check_version(file, text, &values)?;
@@ -98,10 +87,7 @@ impl Layer {
     /// The file and the line of a dotted key, or of the nearest group that the file has.
     pub(crate) fn place(&self, key: &str) -> Place {
         let path: Vec<&str> = key.split('.').collect();
-        Place {
-            file: self.file.clone(),
-            line: line_of(&self.text, &path),
-        }
+        Place { file: self.file.clone(), line: line_of(&self.text, &path) }
     }
 }
 
@@ -114,10 +100,7 @@ fn kind_of(file: &str, text: &str, values: &Map<String, Value>) -> Result<Kind, 
         },
         Some(_) => "a \"kind\" that is not text".to_owned(),
     };
-    let place = Place {
-        file: file.into(),
-        line: line_of(text, &["kind"]).or(Some(1)),
-    };
+    let place = Place { file: file.into(), line: line_of(text, &["kind"]).or(Some(1)) };
     Err(ProfileError::UnknownKind { place, found })
 }
 
@@ -126,16 +109,9 @@ fn check_version(file: &str, text: &str, values: &Map<String, Value>) -> Result<
     let Some(found) = values.get("schema_version").and_then(Value::as_u64) else {
         return Ok(());
     };
-    let place = Place {
-        file: file.into(),
-        line: line_of(text, &["schema_version"]),
-    };
+    let place = Place { file: file.into(), line: line_of(text, &["schema_version"]) };
     if found > u64::from(SCHEMA_VERSION) {
-        return Err(ProfileError::NewerVersion {
-            place,
-            found,
-            known: SCHEMA_VERSION,
-        });
+        return Err(ProfileError::NewerVersion { place, found, known: SCHEMA_VERSION });
     }
     if found == 0 {
         return Err(ProfileError::Rule {
@@ -150,28 +126,16 @@ fn check_version(file: &str, text: &str, values: &Map<String, Value>) -> Result<
 
 fn json_error(file: &str, error: &serde_json::Error) -> ProfileError {
     let line = (error.line() > 0).then_some(error.line());
-    let place = Place {
-        file: file.into(),
-        line,
-    };
+    let place = Place { file: file.into(), line };
     let text = error.to_string();
     let message = text.split(" at line ").next().unwrap_or(&text).to_owned();
     let column = error.column();
     if error.classify() != Category::Data {
-        return ProfileError::Syntax {
-            place,
-            column,
-            message,
-        };
+        return ProfileError::Syntax { place, column, message };
     }
     let message = message.replace("struct Sourced", "a figure with its source");
     let help = key_hint(&message);
-    ProfileError::Shape {
-        place,
-        column,
-        message,
-        help,
-    }
+    ProfileError::Shape { place, column, message, help }
 }
 
 /// Advice for serde's message: the nearest of the keys that it lists in backticks.

@@ -112,11 +112,7 @@ impl Library {
             return Err(if taken.shipped {
                 ProfileError::ShadowsShipped { place, kind, id }
             } else {
-                ProfileError::DuplicateId {
-                    place,
-                    id,
-                    first: taken.file.clone(),
-                }
+                ProfileError::DuplicateId { place, id, first: taken.file.clone() }
             });
         }
         self.replace(layer);
@@ -177,22 +173,14 @@ impl Library {
     }
 
     fn get<T: Profile>(&self, id: &str) -> Result<Resolved<T>, ProfileError> {
-        let unknown = || ProfileError::Unknown {
-            kind: T::KIND,
-            id: id.into(),
-            help: self.known(T::KIND, id, ""),
-        };
+        let unknown =
+            || ProfileError::Unknown { kind: T::KIND, id: id.into(), help: self.known(T::KIND, id, "") };
         let layer = self.layer(T::KIND, id).ok_or_else(unknown)?;
         if layer.is_abstract {
             let place = layer.place("abstract");
-            return Err(ProfileError::Abstract {
-                place,
-                kind: T::KIND,
-                id: id.into(),
-            });
+            return Err(ProfileError::Abstract { place, kind: T::KIND, id: id.into() });
         }
-        self.resolve(layer)
-            .map_err(|errors| errors.into_iter().next().unwrap_or_else(unknown))
+        self.resolve(layer).map_err(|errors| errors.into_iter().next().unwrap_or_else(unknown))
     }
 
     /// All machines, abstract ones too, by id.
@@ -239,17 +227,10 @@ impl Library {
 
     /// Advice after an id that is not known, in a profile whose own id is `besides`.
     pub(crate) fn known(&self, kind: Kind, id: &str, besides: &str) -> String {
-        let ids = self
-            .of_kind(kind)
-            .map(|layer| layer.id.as_str())
-            .filter(|known| *known != besides);
+        let ids = self.of_kind(kind).map(|layer| layer.id.as_str()).filter(|known| *known != besides);
         let ids: Vec<&str> = ids.collect();
         let near = nearest(id, ids.iter().copied());
-        let known = if ids.is_empty() {
-            "none".into()
-        } else {
-            ids.join(", ")
-        };
+        let known = if ids.is_empty() { "none".into() } else { ids.join(", ") };
         match near {
             Some(near) => format!("{near} Known: {known}"),
             None => format!("known: {known}"),
@@ -260,17 +241,11 @@ impl Library {
 /// Reads one file, never more of it than the largest profile.
 pub(crate) fn read_file(path: &Path) -> Result<Layer, ProfileError> {
     let file = path.display().to_string();
-    let unreadable = |source| ProfileError::Unreadable {
-        file: file.clone(),
-        source,
-    };
+    let unreadable = |source| ProfileError::Unreadable { file: file.clone(), source };
     let limit = u64::try_from(MAX_FILE_BYTES).unwrap_or(u64::MAX);
     let mut bytes = Vec::new();
     let reader = fs::File::open(path).map_err(unreadable)?;
-    reader
-        .take(limit.saturating_add(1))
-        .read_to_end(&mut bytes)
-        .map_err(unreadable)?;
+    reader.take(limit.saturating_add(1)).read_to_end(&mut bytes).map_err(unreadable)?;
     Layer::read(&file, &bytes, false)
 }
 

@@ -67,10 +67,7 @@ impl Profile for MachineProfile {
     }
 
     fn references(&self) -> Vec<(&'static str, Kind, &str)> {
-        let material = self
-            .default_material
-            .iter()
-            .map(|id| ("default_material", Kind::Material, &**id));
+        let material = self.default_material.iter().map(|id| ("default_material", Kind::Material, &**id));
         let noise = self.error.iter().map(|id| ("error", Kind::Noise, &**id));
         material.chain(noise).collect()
     }
@@ -80,24 +77,9 @@ impl MachineProfile {
     fn range_faults(&self, faults: &mut Vec<Fault>) {
         let (wire, limits) = (&self.wire, &self.limits);
         let pairs = [
-            (
-                "wire.max_diameter_mm",
-                &wire.min_diameter_mm,
-                &wire.max_diameter_mm,
-                true,
-            ),
-            (
-                "limits.max_bend_deg",
-                &limits.min_bend_deg,
-                &limits.max_bend_deg,
-                false,
-            ),
-            (
-                "limits.max_rotation_deg",
-                &limits.min_rotation_deg,
-                &limits.max_rotation_deg,
-                false,
-            ),
+            ("wire.max_diameter_mm", &wire.min_diameter_mm, &wire.max_diameter_mm, true),
+            ("limits.max_bend_deg", &limits.min_bend_deg, &limits.max_bend_deg, false),
+            ("limits.max_rotation_deg", &limits.min_rotation_deg, &limits.max_rotation_deg, false),
         ];
         for (key, low, high, may_be_equal) in pairs {
             let (Some(low), Some(high)) = (low, high) else {
@@ -112,20 +94,8 @@ impl MachineProfile {
         }
         within(faults, "limits.min_bend_deg", &limits.min_bend_deg, -180.0, 0.0);
         within(faults, "limits.max_bend_deg", &limits.max_bend_deg, 0.0, 180.0);
-        within(
-            faults,
-            "limits.min_rotation_deg",
-            &limits.min_rotation_deg,
-            f64::MIN,
-            0.0,
-        );
-        within(
-            faults,
-            "limits.max_rotation_deg",
-            &limits.max_rotation_deg,
-            0.0,
-            f64::MAX,
-        );
+        within(faults, "limits.min_rotation_deg", &limits.min_rotation_deg, f64::MIN, 0.0);
+        within(faults, "limits.max_rotation_deg", &limits.max_rotation_deg, 0.0, f64::MAX);
     }
 
     fn sign_faults(&self, faults: &mut Vec<Fault>) {
@@ -171,11 +141,7 @@ impl MachineProfile {
             return;
         };
         if formats.is_empty() {
-            faults.push(Fault::new(
-                "export.formats",
-                "an empty list",
-                "at least one format id",
-            ));
+            faults.push(Fault::new("export.formats", "an empty list", "at least one format id"));
         }
         for (i, id) in formats.iter().enumerate() {
             if !is_slug(id) {

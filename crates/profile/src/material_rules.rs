@@ -11,10 +11,7 @@ const REQUIRED: &[(&str, &str)] = &[
     ("temper", "the temper or condition"),
     ("diameter_mm", FIGURE),
     ("k_factor", FIGURE),
-    (
-        "springback",
-        "{\"model\": \"constant\", ...} or {\"model\": \"table\", ...}",
-    ),
+    ("springback", "{\"model\": \"constant\", ...} or {\"model\": \"table\", ...}"),
     ("youngs_modulus_gpa", FIGURE),
     ("yield_strength_mpa", FIGURE),
     ("ultimate_strength_mpa", FIGURE),
@@ -60,12 +57,7 @@ impl Profile for MaterialProfile {
                 let key = "springback.angle_deg";
                 within(&mut faults, key, &Some(angle_deg.clone()), 0.0, 180.0);
             }
-            Some(Springback::Table {
-                positive,
-                negative,
-                source,
-                ..
-            }) => {
+            Some(Springback::Table { positive, negative, source, .. }) => {
                 table_faults(&mut faults, "springback.positive", positive);
                 if let Some(negative) = negative {
                     table_faults(&mut faults, "springback.negative", negative);
@@ -86,11 +78,7 @@ impl Profile for MaterialProfile {
 fn table_faults(faults: &mut Vec<Fault>, key: &str, points: &[LossPoint]) {
     if points.len() < 2 {
         let found = format!("{} pairs", points.len());
-        faults.push(Fault::new(
-            key,
-            found,
-            "two pairs or more (else use the constant model)",
-        ));
+        faults.push(Fault::new(key, found, "two pairs or more (else use the constant model)"));
     }
     for point in points {
         if !(0.0..=180.0).contains(&point.angle_deg) {

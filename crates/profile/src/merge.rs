@@ -34,15 +34,8 @@ pub(crate) fn merge(chain: &[&Layer], whole: &[&str]) -> Merged {
         merged.values.retain(|key, _| !OWN.contains(&key.as_str()));
         merged.provenance.retain(|key, _| !OWN.contains(&key.as_str()));
         merged.drop_settings_of_another_driver(&layer.values);
-        let origin = Origin {
-            id: layer.id.clone(),
-            file: layer.file.clone(),
-        };
-        let mut onto = Onto {
-            provenance: &mut merged.provenance,
-            origin,
-            whole,
-        };
+        let origin = Origin { id: layer.id.clone(), file: layer.file.clone() };
+        let mut onto = Onto { provenance: &mut merged.provenance, origin, whole };
         onto.put_all(&mut merged.values, &layer.values, "");
     }
     merged
@@ -71,11 +64,7 @@ struct Onto<'a> {
 impl Onto<'_> {
     fn put_all(&mut self, onto: &mut Map<String, Value>, child: &Map<String, Value>, path: &str) {
         for (key, value) in child {
-            let path = if path.is_empty() {
-                key.clone()
-            } else {
-                format!("{path}.{key}")
-            };
+            let path = if path.is_empty() { key.clone() } else { format!("{path}.{key}") };
             self.put(onto, key, value, &path);
         }
     }

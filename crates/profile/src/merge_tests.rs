@@ -5,9 +5,7 @@ use super::*;
 use crate::Kind;
 
 fn layer(id: &str, values: Value) -> Layer {
-    let Value::Object(values) = values else {
-        panic!("an object")
-    };
+    let Value::Object(values) = values else { panic!("an object") };
     Layer {
         kind: Kind::Machine,
         id: id.into(),
@@ -35,10 +33,7 @@ fn a_new_value_never_keeps_the_old_source() {
 
 #[test]
 fn lists_and_whole_objects_are_replaced() {
-    let parent = layer(
-        "parent",
-        json!({"list": [1, 2, 3], "whole": {"a": 1}, "open": {"a": 1}}),
-    );
+    let parent = layer("parent", json!({"list": [1, 2, 3], "whole": {"a": 1}, "open": {"a": 1}}));
     let child = layer("child", json!({"list": [4], "whole": {"b": 2}, "open": {"b": 2}}));
     let merged = merge(&[&child, &parent], &["whole"]);
     let expected = json!({"list": [4], "whole": {"b": 2}, "open": {"a": 1, "b": 2}});
@@ -50,10 +45,7 @@ fn lists_and_whole_objects_are_replaced() {
 
 #[test]
 fn what_speaks_of_one_file_is_not_inherited() {
-    let parent = layer(
-        "parent",
-        json!({"abstract": true, "inherits": "x", "$schema": "s"}),
-    );
+    let parent = layer("parent", json!({"abstract": true, "inherits": "x", "$schema": "s"}));
     let child = layer("child", json!({"id": "child"}));
     let merged = merge(&[&child, &parent], &[]);
     assert_eq!(Value::Object(merged.values), json!({"id": "child"}));
@@ -67,12 +59,7 @@ fn layers() -> impl Strategy<Value = Value> {
             let figures = figures.into_iter().map(|(key, value)| (key, figure(value, "s")));
             Value::Object(figures.collect::<Map<_, _>>())
         };
-        Value::Object(
-            groups
-                .into_iter()
-                .map(|(key, value)| (key, group(value)))
-                .collect(),
-        )
+        Value::Object(groups.into_iter().map(|(key, value)| (key, group(value))).collect())
     })
 }
 

@@ -114,20 +114,8 @@ impl Profile for NoiseProfile {
         let mut faults = Vec::new();
         within(&mut faults, "feed.sigma_mm", &self.feed.sigma_mm, 0.0, f64::MAX);
         within(&mut faults, "bend.sigma_deg", &self.bend.sigma_deg, 0.0, f64::MAX);
-        within(
-            &mut faults,
-            "rotate.sigma_deg",
-            &self.rotate.sigma_deg,
-            0.0,
-            f64::MAX,
-        );
-        within(
-            &mut faults,
-            "curvature.sigma",
-            &self.curvature.sigma,
-            0.0,
-            f64::MAX,
-        );
+        within(&mut faults, "rotate.sigma_deg", &self.rotate.sigma_deg, 0.0, f64::MAX);
+        within(&mut faults, "curvature.sigma", &self.curvature.sigma, 0.0, f64::MAX);
         faults
     }
 }

@@ -3,11 +3,7 @@
 /// Line, from 1, of the deepest key of `path` that the text has. `None` when it has not even the
 /// first, or for an empty path. The text must be JSON; on anything else the answer is only a guess.
 pub(crate) fn line_of(text: &str, path: &[&str]) -> Option<usize> {
-    let mut scan = Scan {
-        bytes: text.as_bytes(),
-        at: 0,
-        line: 1,
-    };
+    let mut scan = Scan { bytes: text.as_bytes(), at: 0, line: 1 };
     let mut deepest = None;
     for wanted in path {
         match scan.enter(wanted) {

@@ -90,25 +90,14 @@ pub struct Fault {
 }
 
 impl Fault {
-    #[expect(
-        clippy::needless_pass_by_value,
-        reason = "a rule passes its number or text as it is"
-    )]
+    #[expect(clippy::needless_pass_by_value, reason = "a rule passes its number or text as it is")]
     pub(crate) fn new(key: &str, found: impl ToString, expected: impl Into<String>) -> Self {
         let (found, expected) = (found.to_string(), expected.into());
-        Self {
-            key: key.into(),
-            found,
-            expected,
-            against: None,
-        }
+        Self { key: key.into(), found, expected, against: None }
     }
 
     pub(crate) fn against(self, key: &str) -> Self {
-        Self {
-            against: Some(key.into()),
-            ..self
-        }
+        Self { against: Some(key.into()), ..self }
     }
 }
 

@@ -50,20 +50,15 @@ impl Library {
             if chain.iter().any(|seen| &seen.id == parent) {
                 let ids = chain.iter().map(|seen| seen.id.clone());
                 let chain = ids.chain([parent.clone()]).collect();
-                return Err(ProfileError::Cycle {
-                    place: first.place("inherits"),
-                    chain,
-                });
+                return Err(ProfileError::Cycle { place: first.place("inherits"), chain });
             }
             let place = layer.place("inherits");
-            layer = self
-                .layer(first.kind, parent)
-                .ok_or_else(|| ProfileError::UnknownParent {
-                    place,
-                    kind: first.kind,
-                    parent: parent.clone(),
-                    help: self.known(first.kind, parent, &layer.id),
-                })?;
+            layer = self.layer(first.kind, parent).ok_or_else(|| ProfileError::UnknownParent {
+                place,
+                kind: first.kind,
+                parent: parent.clone(),
+                help: self.known(first.kind, parent, &layer.id),
+            })?;
             chain.push(layer);
         }
         Ok(chain)
@@ -81,21 +76,12 @@ impl Library {
                 help: "the file and its parents do not fit together".into(),
             }]
         })?;
-        let errors = Whole {
-            library: self,
-            chain: &chain,
-            merged: &merged,
-        }
-        .errors(&profile);
+        let errors = Whole { library: self, chain: &chain, merged: &merged }.errors(&profile);
         if !errors.is_empty() {
             return Err(errors);
         }
         let chain = chain.iter().map(|layer| layer.id.clone()).collect();
-        Ok(Resolved {
-            profile,
-            provenance: merged.provenance,
-            chain,
-        })
+        Ok(Resolved { profile, provenance: merged.provenance, chain })
     }
 
     /// Applies every rule to one profile of any kind.
@@ -125,12 +111,7 @@ impl Whole<'_> {
         for fault in profile.faults() {
             let place = self.place(self.nearer(&fault));
             let (key, found, expected) = (fault.key, fault.found, fault.expected);
-            errors.push(ProfileError::Rule {
-                place,
-                key,
-                found,
-                expected,
-            });
+            errors.push(ProfileError::Rule { place, key, found, expected });
         }
         for (key, value) in self
             .merged
@@ -154,13 +135,7 @@ impl Whole<'_> {
                 let help = self.library.known(kind, id, "");
                 let (key, id) = (key.to_owned(), id.to_owned());
                 let place = self.place(&key);
-                errors.push(ProfileError::UnknownReference {
-                    place,
-                    key,
-                    kind,
-                    id,
-                    help,
-                });
+                errors.push(ProfileError::UnknownReference { place, key, kind, id, help });
             }
         }
         errors
@@ -175,11 +150,7 @@ impl Whole<'_> {
             let blank = value.is_none_or(|value| value.is_null() || value.as_str().is_some_and(is_blank));
             if blank {
                 let (key, how) = (key.to_owned(), example(key, how));
-                errors.push(ProfileError::Missing {
-                    file: file.clone(),
-                    key,
-                    how,
-                });
+                errors.push(ProfileError::Missing { file: file.clone(), key, how });
             }
         }
     }
@@ -189,9 +160,7 @@ impl Whole<'_> {
     fn nearer<'f>(&self, fault: &'f Fault) -> &'f str {
         let depth = |key: &str| {
             let set_by = origin(&self.merged.provenance, key);
-            self.chain
-                .iter()
-                .position(|layer| set_by.is_some_and(|by| by.id == layer.id))
+            self.chain.iter().position(|layer| set_by.is_some_and(|by| by.id == layer.id))
         };
         match &fault.against {
             Some(other) if depth(other) < depth(&fault.key) => other,
@@ -202,10 +171,7 @@ impl Whole<'_> {
     /// The line that set a value, in whichever file of the chain did.
     fn place(&self, key: &str) -> Place {
         let set_by = origin(&self.merged.provenance, key);
-        let layer = self
-            .chain
-            .iter()
-            .find(|layer| set_by.is_some_and(|by| by.id == layer.id));
+        let layer = self.chain.iter().find(|layer| set_by.is_some_and(|by| by.id == layer.id));
         match layer.or(self.chain.first()) {
             Some(layer) => layer.place(key),
             None => Place::file(""),

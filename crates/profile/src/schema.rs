@@ -28,10 +28,7 @@ pub fn schema(kind: Kind) -> Value {
 #[must_use]
 pub fn schema_files() -> Vec<(String, String)> {
     let text = |kind| format!("{:#}\n", sorted(schema(kind)));
-    Kind::ALL
-        .into_iter()
-        .map(|kind| (format!("schema/{kind}.schema.json"), text(kind)))
-        .collect()
+    Kind::ALL.into_iter().map(|kind| (format!("schema/{kind}.schema.json"), text(kind))).collect()
 }
 
 fn sorted(value: Value) -> Value {

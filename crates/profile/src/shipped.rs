@@ -15,11 +15,7 @@ pub(crate) fn files() -> impl Iterator<Item = (String, &'static [u8])> {
         .into_iter()
         .filter_map(|kind| FOLDER.get_dir(kind.folder()))
         .flat_map(Dir::files)
-        .filter(|file| {
-            file.path()
-                .extension()
-                .is_some_and(|extension| extension == "json")
-        })
+        .filter(|file| file.path().extension().is_some_and(|extension| extension == "json"))
         .map(|file| {
             // Windows embeds backslashes; messages and provenance are the same everywhere.
             let path = file.path().display().to_string().replace('\\', "/");

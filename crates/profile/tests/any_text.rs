@@ -12,15 +12,8 @@ fn profile_like() -> impl Strategy<Value = Value> {
         any::<f64>().prop_map(|number| json!(number)),
         ".{0,8}".prop_map(Value::String),
         any::<f64>().prop_map(|value| json!({"value": value, "source": "s", "measured": true})),
-        prop::sample::select(vec![
-            "wirebend-kit",
-            "mine",
-            "machine",
-            "table",
-            "constant",
-            "peg"
-        ])
-        .prop_map(|word| json!(word)),
+        prop::sample::select(vec!["wirebend-kit", "mine", "machine", "table", "constant", "peg"])
+            .prop_map(|word| json!(word)),
     ];
     let words = vec![
         "limits",

@@ -64,9 +64,7 @@ fn a_person_can_see_which_file_set_a_value() {
 
 #[test]
 fn one_bad_file_costs_only_itself_and_what_relies_on_it() {
-    let orphan = CHILD
-        .replace("\"my-kit\"", "\"orphan\"")
-        .replace("wirebend-kit", "broken");
+    let orphan = CHILD.replace("\"my-kit\"", "\"orphan\"").replace("wirebend-kit", "broken");
     let root = folder(&[
         ("machines/broken.json", "{"),
         ("machines/my-kit.json", CHILD),
@@ -78,11 +76,7 @@ fn one_bad_file_costs_only_itself_and_what_relies_on_it() {
     let codes: Vec<&str> = added.refused.iter().map(ProfileError::code).collect();
     assert_eq!(codes, ["profile-syntax", "profile-unknown-parent"]);
     assert_eq!(added.loaded, [(Kind::Machine, "my-kit".into())]);
-    let ignored: Vec<_> = added
-        .ignored
-        .iter()
-        .map(|path| path.file_name().unwrap())
-        .collect();
+    let ignored: Vec<_> = added.ignored.iter().map(|path| path.file_name().unwrap()).collect();
     assert_eq!(ignored, ["stray.json", "notes.txt"]);
     library.machine("wirebend-kit").unwrap();
     library.machine("my-kit").unwrap();
@@ -110,10 +104,7 @@ fn a_child_of_a_refused_parent_is_refused_even_if_it_would_mend_it() {
     let root = folder(&[("noise/parent.json", &parent), ("noise/child.json", child)]);
     let (library, added) = with(root.path());
     assert!(added.refused.is_empty(), "{:?}", added.refused);
-    assert_eq!(
-        library.noise("child").unwrap().profile.name.as_deref(),
-        Some("open")
-    );
+    assert_eq!(library.noise("child").unwrap().profile.name.as_deref(), Some("open"));
 }
 
 #[test]
@@ -128,10 +119,7 @@ fn another_driver_does_not_get_the_settings_of_the_parents() {
     };
     let root = folder(&[
         ("machines/my-kit.json", &base),
-        (
-            "machines/same.json",
-            &child("same", r#"{"settings": {"deep": {"b": 3}}}"#),
-        ),
+        ("machines/same.json", &child("same", r#"{"settings": {"deep": {"b": 3}}}"#)),
         ("machines/other.json", &child("other", r#"{"id": "grbl"}"#)),
     ]);
     let (library, added) = with(root.path());
@@ -156,15 +144,7 @@ fn null_takes_an_optional_value_away() {
     let root = folder(&[("machines/my-kit.json", &base), ("machines/spool.json", child)]);
     let (library, added) = with(root.path());
     assert!(added.refused.is_empty(), "{:?}", added.refused);
-    let limit = |id: &str| {
-        library
-            .machine(id)
-            .unwrap()
-            .figures()
-            .unwrap()
-            .limits
-            .max_stock_mm
-    };
+    let limit = |id: &str| library.machine(id).unwrap().figures().unwrap().limits.max_stock_mm;
     assert_eq!(limit("my-kit"), Some(900.0));
     assert_eq!(limit("spool"), None);
 }

@@ -16,10 +16,7 @@ pub struct Frame {
 impl Default for Frame {
     /// At the origin with t = x, n = y, b = z.
     fn default() -> Self {
-        Self {
-            position: Point3::origin(),
-            axes: Matrix3::identity(),
-        }
+        Self { position: Point3::origin(), axes: Matrix3::identity() }
     }
 }
 
@@ -35,10 +32,7 @@ impl Frame {
         let least = t.iamin();
         let n = across(towards.try_normalize(0.0).unwrap_or(towards))
             .or_else(|| across(Vector3::ith(least, 1.0)))?;
-        Some(Self {
-            position,
-            axes: Matrix3::from_columns(&[t, n, t.cross(&n)]),
-        })
+        Some(Self { position, axes: Matrix3::from_columns(&[t, n, t.cross(&n)]) })
     }
 
     /// The unit tangent.
@@ -96,10 +90,7 @@ mod tests {
         let quarter = Angle::from_deg(90.0).unwrap();
         let mut frame = Frame::default();
         frame.rotate(quarter);
-        assert!(
-            (frame.n() - Vector3::z()).norm() < 1e-15,
-            "about t = x, y goes to z"
-        );
+        assert!((frame.n() - Vector3::z()).norm() < 1e-15, "about t = x, y goes to z");
         let mut frame = Frame::default();
         frame.bend(quarter);
         assert!((frame.t() - Vector3::y()).norm() < 1e-15, "t goes to n");

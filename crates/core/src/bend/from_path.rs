@@ -33,17 +33,11 @@ pub fn program_of_path(path: &[Point3<f64>], straight: Angle) -> Result<(Frame, 
     }
     let mut directions = Vec::with_capacity(path.len() - 1);
     for (k, pair) in path.windows(2).enumerate() {
-        directions.push(
-            (pair[1] - pair[0])
-                .try_normalize(0.0)
-                .ok_or(PathError::NoDirection(k))?,
-        );
+        directions.push((pair[1] - pair[0]).try_normalize(0.0).ok_or(PathError::NoDirection(k))?);
     }
     // n of the first frame looks to the side of the first real bend, which then needs no rotation.
     let first = directions[0];
-    let side = directions
-        .iter()
-        .find(|d| first.cross(d).norm() > straight.rad().sin().abs().max(1e-12));
+    let side = directions.iter().find(|d| first.cross(d).norm() > straight.rad().sin().abs().max(1e-12));
     let start =
         Frame::looking(path[0], first, side.copied().unwrap_or_default()).ok_or(PathError::NoDirection(0))?;
 
@@ -79,10 +73,7 @@ pub fn program_of_path(path: &[Point3<f64>], straight: Angle) -> Result<(Frame, 
         from = k + 1;
         feed = Length::ZERO;
     }
-    program.steps.push(Step {
-        feed,
-        ..Step::default()
-    });
+    program.steps.push(Step { feed, ..Step::default() });
     program.spans.push(from..directions.len());
     Ok((start, program))
 }

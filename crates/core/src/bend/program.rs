@@ -86,10 +86,6 @@ impl Convention {
     /// A step of ours as the machine counts it; and back.
     #[must_use]
     pub fn apply(self, step: Step) -> Step {
-        Step {
-            feed: step.feed,
-            rotate: self.rotate.apply(step.rotate),
-            bend: self.bend.apply(step.bend),
-        }
+        Step { feed: step.feed, rotate: self.rotate.apply(step.rotate), bend: self.bend.apply(step.bend) }
     }
 }

@@ -32,7 +32,7 @@ pub enum TangentError {
 }
 
 /// How far the corner of a bend is from the ends of its arc: r·tan(|θ|/2), in mm.
-fn setback(step: usize, bend: Angle, radius: Length) -> Result<f64, TangentError> {
+fn corner(step: usize, bend: Angle, radius: Length) -> Result<f64, TangentError> {
     if bend.abs().deg() > 179.999 {
         return Err(TangentError::NoCorner { step, bend });
     }
@@ -44,7 +44,7 @@ fn taken(steps: &[Step], radius: Length) -> Result<Vec<f64>, TangentError> {
     let mut before = 0.0;
     let mut taken = Vec::with_capacity(steps.len());
     for (k, step) in steps.iter().enumerate() {
-        let after = setback(k, step.bend, radius)?;
+        let after = corner(k, step.bend, radius)?;
         taken.push(before + after);
         before = after;
     }
@@ -63,12 +63,7 @@ pub fn tangent_lengths(steps: &[Step], radius: Length) -> Result<Vec<Length>, Ta
             // Rounding of a table may eat a length that is exactly zero.
             if left < -1e-6 {
                 let needed = Length::computed(taken);
-                return Err(TangentError::Overlap {
-                    step,
-                    needed,
-                    length: s.feed,
-                    radius,
-                });
+                return Err(TangentError::Overlap { step, needed, length: s.feed, radius });
             }
             Ok(Length::computed(left.max(0.0)))
         })
@@ -81,9 +76,5 @@ pub fn tangent_lengths(steps: &[Step], radius: Length) -> Result<Vec<Length>, Ta
 /// [`TangentError::NoCorner`] for a bend of 180°.
 pub fn intersection_lengths(steps: &[Step], radius: Length) -> Result<Vec<Length>, TangentError> {
     let taken = taken(steps, radius)?;
-    Ok(steps
-        .iter()
-        .zip(taken)
-        .map(|(s, taken)| Length::computed(s.feed.mm() + taken))
-        .collect())
+    Ok(steps.iter().zip(taken).map(|(s, taken)| Length::computed(s.feed.mm() + taken)).collect())
 }

@@ -26,11 +26,7 @@ pub(super) fn check(wire: &Wire, found: &mut Vec<Diagnostic>) {
         let (code, severity, verdict) = if room < -1e-9 {
             (Code::BendTooSharp, Severity::Error, "more than the machine makes")
         } else if is_near(room.max(0.0), limit.value.deg()) {
-            (
-                Code::BendNearLimit,
-                Severity::Warning,
-                "close to the most that the machine makes",
-            )
+            (Code::BendNearLimit, Severity::Warning, "close to the most that the machine makes")
         } else {
             continue;
         };
@@ -41,8 +37,7 @@ pub(super) fn check(wire: &Wire, found: &mut Vec<Diagnostic>) {
             measured: Some(Quantity::Angle(bend)),
             limit: Some(Limit { value: Quantity::Angle(limit.value), source: limit.source.clone() }),
             message: format!("the bend{} is {bend:.1}, {verdict} ({:.1})", at(wire, step), limit.value),
-            help: "open the angle between the two edges, or choose another start so that the route turns elsewhere"
-                .to_owned(),
+            help: "open the angle between the two edges, or start the wire at this vertex".to_owned(),
         });
     }
     unreachable(wire, found);
@@ -56,8 +51,9 @@ fn unreachable(wire: &Wire, found: &mut Vec<Diagnostic>) {
             BendError::TooSmall { bend } => (Code::BendTooSmall, bend, None),
             BendError::FoldBack { bend } => (Code::FoldBack, bend, None),
         };
-        // Said by the check of fold backs, with a clearer reason.
-        if bend.abs() == Angle::HALF_TURN {
+        // Said before, with a clearer reason: by the check of fold backs, or as beyond the limit.
+        let (least, largest) = (wire.limits.least_bend.value, wire.limits.largest_bend.value);
+        if bend.abs() == Angle::HALF_TURN || bend < least || bend > largest {
             continue;
         }
         let source = "springback and setback of this wire on this machine".to_owned();
@@ -66,10 +62,7 @@ fn unreachable(wire: &Wire, found: &mut Vec<Diagnostic>) {
             severity: Severity::Error,
             place: wire.place_of_step(failed.step),
             measured: Some(Quantity::Angle(bend)),
-            limit: limit.map(|largest| Limit {
-                value: Quantity::Angle(largest),
-                source,
-            }),
+            limit: limit.map(|largest| Limit { value: Quantity::Angle(largest), source }),
             message: format!("the bend{}: {}", at(wire, failed.step), failed.error),
             help: match failed.error {
                 BendError::OutOfReach { largest, .. } => format!("keep the bend below {largest:.1}"),
@@ -81,6 +74,5 @@ fn unreachable(wire: &Wire, found: &mut Vec<Diagnostic>) {
 }
 
 fn at(wire: &Wire, step: usize) -> String {
-    wire.vertex_of_step(step)
-        .map_or_else(|| format!(" of step {step}"), |v| format!(" at vertex {v}"))
+    wire.vertex_of_step(step).map_or_else(|| format!(" of step {step}"), |v| format!(" at vertex {v}"))
 }

@@ -7,15 +7,9 @@ use crate::units::Length;
 use crate::wireframe::{VertexId, clusters};
 
 pub(super) fn check(design: &Design, found: &mut Vec<Diagnostic>) {
-    let (ids, positions): (Vec<VertexId>, Vec<Point3<f64>>) = design
-        .wireframe
-        .vertices()
-        .map(|(id, vertex)| (id, vertex.position))
-        .unzip();
-    for (k, first) in clusters(&positions, design.weld_tolerance.mm())
-        .into_iter()
-        .enumerate()
-    {
+    let (ids, positions): (Vec<VertexId>, Vec<Point3<f64>>) =
+        design.wireframe.vertices().map(|(id, vertex)| (id, vertex.position)).unzip();
+    for (k, first) in clusters(&positions, design.weld_tolerance.mm()).into_iter().enumerate() {
         if first == k {
             continue;
         }
@@ -29,10 +23,7 @@ pub(super) fn check(design: &Design, found: &mut Vec<Diagnostic>) {
                 value: Quantity::Length(design.weld_tolerance),
                 source: "the weld tolerance".to_owned(),
             }),
-            message: format!(
-                "vertices {} and {} are {apart:.4} apart but not joined",
-                ids[first], ids[k]
-            ),
+            message: format!("vertices {} and {} are {apart:.4} apart but not joined", ids[first], ids[k]),
             help: "merge them, or weld the wireframe with a larger tolerance".to_owned(),
         });
     }

@@ -80,6 +80,8 @@ codes! {
     RotationOutOfRange = "rotation_out_of_range",
     /// The wire takes more stock than the machine holds.
     StockTooLong = "stock_too_long",
+    /// The wire is too thick or too thin for the machine.
+    WireDoesNotFit = "wire_does_not_fit",
 }
 
 impl fmt::Display for Code {
@@ -133,19 +135,13 @@ impl Place {
     /// At some vertices.
     #[must_use]
     pub fn at_vertices(vertices: impl IntoIterator<Item = VertexId>) -> Self {
-        Self {
-            vertices: vertices.into_iter().collect(),
-            ..Self::default()
-        }
+        Self { vertices: vertices.into_iter().collect(), ..Self::default() }
     }
 
     /// At some edges.
     #[must_use]
     pub fn at_edges(edges: impl IntoIterator<Item = EdgeId>) -> Self {
-        Self {
-            edges: edges.into_iter().collect(),
-            ..Self::default()
-        }
+        Self { edges: edges.into_iter().collect(), ..Self::default() }
     }
 }
 

@@ -12,12 +12,7 @@ pub(super) fn check(wire: &Wire, found: &mut Vec<Diagnostic>) {
         }
     } else {
         for &edge in &wire.component.edges {
-            judge(
-                wire,
-                Place::at_edges([edge]),
-                wire.wireframe.edge_length(edge),
-                found,
-            );
+            judge(wire, Place::at_edges([edge]), wire.wireframe.edge_length(edge), found);
         }
     }
 }
@@ -38,20 +33,18 @@ fn judge(wire: &Wire, place: Place, length: Length, found: &mut Vec<Diagnostic>)
         code,
         severity,
         measured: Some(Quantity::Length(length)),
-        limit: Some(Limit {
-            value: Quantity::Length(limit.value),
-            source: limit.source.clone(),
-        }),
+        limit: Some(Limit { value: Quantity::Length(limit.value), source: limit.source.clone() }),
         message: format!(
             "{name} {} {} {length:.1} long; the shortest that the machine makes is {:.1}",
             edges.join(", "),
             if edges.len() > 1 { "are" } else { "is" },
             limit.value
         ),
-        help: format!(
-            "make it at least {:.1} longer, or scale the design up",
-            Length::computed((-room).max(0.0))
-        ),
+        help: if room < 0.0 {
+            format!("make it at least {:.1} longer, or scale the design up", Length::computed(-room))
+        } else {
+            "leave it, or make it a little longer".to_owned()
+        },
         place,
     });
 }

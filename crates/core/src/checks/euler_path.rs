@@ -10,8 +10,11 @@ pub(super) fn check(wire: &Wire, found: &mut Vec<Diagnostic>) {
     }
     let help = match wire.proposal {
         Some(doubling) => format!(
-            "travel {} edges twice: that adds {:.1} ({:.1} % of the design), and no other choice adds less",
-            doubling.edges.len(),
+            "travel {} twice: that adds {:.1} ({:.1} % of the design), and no other choice adds less",
+            match doubling.edges.len() {
+                1 => "1 edge".to_owned(),
+                count => format!("{count} edges"),
+            },
             doubling.added,
             100.0 * doubling.added.mm() / length(wire).max(f64::MIN_POSITIVE),
         ),
@@ -24,7 +27,7 @@ pub(super) fn check(wire: &Wire, found: &mut Vec<Diagnostic>) {
         measured: Some(Quantity::Count(odd.len())),
         limit: Some(Limit {
             value: Quantity::Count(allowed),
-            source: "a wire has two ends (Euler)".to_owned(),
+            source: "Euler: only the two ends of a wire may be odd".to_owned(),
         }),
         message: format!(
             "{} vertices are odd: no {} runs through every edge once",
@@ -36,9 +39,5 @@ pub(super) fn check(wire: &Wire, found: &mut Vec<Diagnostic>) {
 }
 
 fn length(wire: &Wire) -> f64 {
-    wire.component
-        .edges
-        .iter()
-        .map(|&edge| wire.wireframe.edge_length(edge).mm())
-        .sum()
+    wire.component.edges.iter().map(|&edge| wire.wireframe.edge_length(edge).mm()).sum()
 }

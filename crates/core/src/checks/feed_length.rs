@@ -33,64 +33,28 @@ pub(super) fn check(wire: &Wire, found: &mut Vec<Diagnostic>) {
             });
             continue;
         }
-        judge(
-            wire,
-            step,
-            designed.feed,
-            model.feed_for(designed.feed, before, designed.bend),
-            found,
-        );
+        judge(wire, step, designed.feed, model.feed_for(designed.feed, before, designed.bend), found);
     }
 }
 
 fn judge(wire: &Wire, step: usize, designed: Length, feed: Length, found: &mut Vec<Diagnostic>) {
     let least = &wire.limits.least_feed;
     let room = (feed - least.value).mm();
-    let fed = format!(
-        "{} ({designed:.1} as designed) is fed {feed:.1}",
-        edges(wire, step)
-    );
-    let most = wire
-        .limits
-        .most_stock
-        .as_ref()
-        .map(|stock| (stock.value - wire.limits.tail.value, stock));
+    let fed = format!("{} ({designed:.1} as designed) is fed {feed:.1}", edges(wire, step));
+    let most = wire.limits.most_stock.as_ref().map(|stock| (stock.value - wire.limits.tail.value, stock));
     let (code, severity, limit, message, help) = if room < 0.0 {
-        let message = format!(
-            "{fed} after compensation; the machine cannot feed less than {:.1}",
-            least.value
-        );
+        let message =
+            format!("{fed} after compensation; the machine cannot feed less than {:.1}", least.value);
         let help = format!("make the edge at least {:.1} longer", Length::computed(-room));
-        (
-            Code::FeedTooShort,
-            Severity::Error,
-            (least.value, &least.source),
-            message,
-            help,
-        )
+        (Code::FeedTooShort, Severity::Error, (least.value, &least.source), message, help)
     } else if let Some((longest, stock)) = most.filter(|(longest, _)| feed > *longest) {
         let message = format!("{fed}; the stock without its tail is only {longest:.1}");
         let help = "divide the edge among two wires".to_owned();
-        (
-            Code::FeedTooLong,
-            Severity::Error,
-            (longest, &stock.source),
-            message,
-            help,
-        )
+        (Code::FeedTooLong, Severity::Error, (longest, &stock.source), message, help)
     } else if is_near(room, least.value.mm()) {
-        let message = format!(
-            "{fed} after compensation; the shortest feed is {:.1}",
-            least.value
-        );
+        let message = format!("{fed} after compensation; the shortest feed is {:.1}", least.value);
         let help = "leave it, or make the edge a little longer".to_owned();
-        (
-            Code::FeedNearLimit,
-            Severity::Warning,
-            (least.value, &least.source),
-            message,
-            help,
-        )
+        (Code::FeedNearLimit, Severity::Warning, (least.value, &least.source), message, help)
     } else {
         return;
     };
@@ -99,10 +63,7 @@ fn judge(wire: &Wire, step: usize, designed: Length, feed: Length, found: &mut V
         severity,
         place: wire.place_of_step(step),
         measured: Some(Quantity::Length(feed)),
-        limit: Some(Limit {
-            value: Quantity::Length(limit.0),
-            source: limit.1.clone(),
-        }),
+        limit: Some(Limit { value: Quantity::Length(limit.0), source: limit.1.clone() }),
         message,
         help,
     });

@@ -14,22 +14,13 @@ pub(super) fn check(wire: &Wire, found: &mut Vec<Diagnostic>) {
     {
         let limit = &wire.limits.largest_bend;
         let possible = limit.value.abs() >= Angle::HALF_TURN && wire.compensation.feed.is_none();
-        let at = wire
-            .vertex_of_step(step)
-            .map_or_else(String::new, |v| format!(" at vertex {v}"));
+        let at = wire.vertex_of_step(step).map_or_else(String::new, |v| format!(" at vertex {v}"));
         found.push(Diagnostic {
             code: Code::FoldBack,
-            severity: if possible {
-                Severity::Warning
-            } else {
-                Severity::Error
-            },
+            severity: if possible { Severity::Warning } else { Severity::Error },
             place: wire.place_of_step(step),
             measured: Some(Quantity::Angle(Angle::HALF_TURN)),
-            limit: Some(Limit {
-                value: Quantity::Angle(limit.value),
-                source: limit.source.clone(),
-            }),
+            limit: Some(Limit { value: Quantity::Angle(limit.value), source: limit.source.clone() }),
             message: format!("the wire folds straight back on itself{at}"),
             help: "start or end the wire there, or connect the vertex to another one".to_owned(),
         });

@@ -14,6 +14,7 @@ mod fold_back;
 mod parallel_edges;
 mod rotation;
 mod stock_length;
+mod wire_diameter;
 mod wires;
 mod zero_length;
 
@@ -50,6 +51,10 @@ pub struct MachineLimits {
     pub most_stock: Option<Sourced<Length>>,
     /// The end of the stock that cannot be fed.
     pub tail: Sourced<Length>,
+    /// The thinnest wire.
+    pub least_diameter: Sourced<Length>,
+    /// The thickest wire.
+    pub most_diameter: Sourced<Length>,
     /// Where the limits of the head come from.
     pub head_source: String,
 }
@@ -92,6 +97,8 @@ pub struct Wire<'a> {
     pub unbendable: &'a [StepError],
     /// How it is compensated for.
     pub compensation: &'a Compensation,
+    /// How thick it is.
+    pub diameter: Length,
     /// What the machine can do.
     pub limits: &'a MachineLimits,
 }
@@ -106,10 +113,7 @@ impl Wire<'_> {
     /// The edges along which a step feeds.
     fn edges_of_step(&self, step: usize) -> Vec<EdgeId> {
         let span = self.nominal.and_then(|program| program.spans.get(step)).cloned();
-        let traversals = self
-            .route
-            .zip(span)
-            .and_then(|(route, span)| route.traversals.get(span));
+        let traversals = self.route.zip(span).and_then(|(route, span)| route.traversals.get(span));
         traversals.into_iter().flatten().map(|t| t.edge).collect()
     }
 
@@ -126,12 +130,7 @@ impl Wire<'_> {
 /// Everything worth saying about a design, in the order of the checks.
 #[must_use]
 pub fn check_design(design: &Design) -> Vec<Diagnostic> {
-    let checks = [
-        zero_length::check,
-        parallel_edges::check,
-        coincident::check,
-        wires::check,
-    ];
+    let checks = [zero_length::check, parallel_edges::check, coincident::check, wires::check];
     let mut found = Vec::new();
     for check in checks {
         check(design, &mut found);
@@ -150,6 +149,7 @@ pub fn check_wire(wire: &Wire) -> Vec<Diagnostic> {
         feed_length::check,
         rotation::check,
         stock_length::check,
+        wire_diameter::check,
     ];
     let mut found = Vec::new();
     for check in checks {

@@ -14,10 +14,7 @@ pub(super) fn check(design: &Design, found: &mut Vec<Diagnostic>) {
                 place: Place::at_edges([id, earlier]),
                 measured: None,
                 limit: None,
-                message: format!(
-                    "edges {earlier} and {id} both join vertices {} and {}",
-                    edge.a, edge.b
-                ),
+                message: format!("edges {earlier} and {id} both join vertices {} and {}", edge.a, edge.b),
                 help: "delete one of them; an edge that has to be travelled twice is doubled by the route"
                     .to_owned(),
             });

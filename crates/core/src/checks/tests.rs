@@ -4,11 +4,7 @@ use crate::testing::{chain, deg, mm, published_machine, wireframe};
 
 fn design(w: &Wireframe) -> Vec<Diagnostic> {
     let components = w.components();
-    check_design(&Design {
-        wireframe: w,
-        components: &components,
-        weld_tolerance: mm(1e-3),
-    })
+    check_design(&Design { wireframe: w, components: &components, weld_tolerance: mm(1e-3) })
 }
 
 fn on(machine: &Machine, w: &Wireframe, options: &PlanOptions) -> Vec<Diagnostic> {
@@ -58,51 +54,26 @@ fn flaws_of_the_drawing_are_named() {
     let found = design(&w);
     let zero = only(&found, Code::ZeroLengthEdge);
     assert_eq!((zero.place.edges[0], zero.is_error()), (EdgeId(2), true));
-    assert_eq!(
-        only(&found, Code::ParallelEdges).place.edges,
-        [EdgeId(3), EdgeId(0)]
-    );
-    assert_eq!(
-        only(&found, Code::CoincidentVertices).place.vertices,
-        [VertexId(3), VertexId(2)]
-    );
+    assert_eq!(only(&found, Code::ParallelEdges).place.edges, [EdgeId(3), EdgeId(0)]);
+    assert_eq!(only(&found, Code::CoincidentVertices).place.vertices, [VertexId(3), VertexId(2)]);
     assert_eq!(only(&found, Code::IsolatedVertex).place.vertices, [VertexId(6)]);
-    assert_eq!(
-        only(&found, Code::SeveralWires).measured,
-        Some(Quantity::Count(2))
-    );
-    assert_eq!(
-        only(&design(&Wireframe::new()), Code::NoEdges).severity,
-        Severity::Error
-    );
+    assert_eq!(only(&found, Code::SeveralWires).measured, Some(Quantity::Count(2)));
+    assert_eq!(only(&design(&Wireframe::new()), Code::NoEdges).severity, Severity::Error);
     // The wire itself cannot be planned through an edge without length, and says which.
     let plan = checked(&w);
-    assert!(
-        plan.iter()
-            .any(|d| d.code == Code::ZeroLengthEdge && d.place.edges == [EdgeId(2)])
-    );
+    assert!(plan.iter().any(|d| d.code == Code::ZeroLengthEdge && d.place.edges == [EdgeId(2)]));
 }
 
 #[test]
 fn odd_vertices_come_with_the_cheapest_way_out() {
-    let star = wireframe(
-        &[[0.; 3], [40., 0., 0.], [0., 50., 0.], [0., 0., 60.]],
-        &[(0, 1), (0, 2), (0, 3)],
-    );
+    let star = wireframe(&[[0.; 3], [40., 0., 0.], [0., 50., 0.], [0., 0., 60.]], &[(0, 1), (0, 2), (0, 3)]);
     let found = checked(&star);
     let odd = only(&found, Code::NoEulerPath);
     assert_eq!(odd.place.vertices.len(), 4);
     assert_eq!(odd.limit.as_ref().unwrap().value, Quantity::Count(2));
-    assert!(
-        odd.help.contains("1 edges") && odd.help.contains("40.0 mm"),
-        "{}",
-        odd.help
-    );
+    assert!(odd.help.contains("1 edge twice") && odd.help.contains("40.0 mm"), "{}", odd.help);
     // Accepted, the shortest strut is travelled twice: a fold back at its end that cannot be made.
-    let accepted = PlanOptions {
-        doubling: DoublingChoice::Cheapest,
-        ..PlanOptions::default()
-    };
+    let accepted = PlanOptions { doubling: DoublingChoice::Cheapest, ..PlanOptions::default() };
     let found = on(&published_machine(), &star, &accepted);
     assert_eq!(only(&found, Code::FoldBack).place.vertices, [VertexId(1)]);
     assert!(only(&found, Code::FoldBack).is_error());
@@ -112,90 +83,40 @@ fn odd_vertices_come_with_the_cheapest_way_out() {
 #[test]
 fn short_edges_are_judged_as_designed_and_as_fed() {
     // Between two right angles the middle edge gives up 2.230 mm: 27 mm are fed as 24.77.
-    let found = checked(&chain(&[
-        [0., 0., 0.],
-        [40., 0., 0.],
-        [40., 27., 0.],
-        [0., 27., 0.],
-    ]));
+    let found = checked(&chain(&[[0., 0., 0.], [40., 0., 0.], [40., 27., 0.], [0., 27., 0.]]));
     let short = only(&found, Code::FeedTooShort);
-    assert_eq!(
-        (short.place.step, &short.place.edges[..]),
-        (Some(1), &[EdgeId(1)][..])
-    );
+    assert_eq!((short.place.step, &short.place.edges[..]), (Some(1), &[EdgeId(1)][..]));
     assert!((measured_mm(short) - 24.770).abs() < 1e-3);
     assert!(found.iter().all(|d| d.code != Code::EdgeTooShort));
-    let found = checked(&chain(&[
-        [0., 0., 0.],
-        [40., 0., 0.],
-        [40., 15., 0.],
-        [0., 15., 0.],
-    ]));
+    let found = checked(&chain(&[[0., 0., 0.], [40., 0., 0.], [40., 15., 0.], [0., 15., 0.]]));
     assert!((measured_mm(only(&found, Code::EdgeTooShort)) - 15.0).abs() < 1e-9);
-    let found = checked(&chain(&[
-        [0., 0., 0.],
-        [40., 0., 0.],
-        [40., 5., 0.],
-        [0., 5., 0.],
-    ]));
+    let found = checked(&chain(&[[0., 0., 0.], [40., 0., 0.], [40., 5., 0.], [0., 5., 0.]]));
     assert!((measured_mm(only(&found, Code::ArcsOverlap)) - 5.0).abs() < 1e-9);
     // On a straight line short edges are one feed.
-    let found = checked(&chain(&[
-        [0., 0., 0.],
-        [10., 0., 0.],
-        [20., 0., 0.],
-        [40., 0., 0.],
-        [40., 40., 0.],
-    ]));
+    let found = checked(&chain(&[[0., 0., 0.], [10., 0., 0.], [20., 0., 0.], [40., 0., 0.], [40., 40., 0.]]));
     assert_eq!(found, []);
     // Without a route each edge is judged on its own.
-    let star = wireframe(
-        &[[0.; 3], [19., 0., 0.], [0., 50., 0.], [0., 0., 60.]],
-        &[(0, 1), (0, 2), (0, 3)],
-    );
+    let star = wireframe(&[[0.; 3], [19., 0., 0.], [0., 50., 0.], [0., 0., 60.]], &[(0, 1), (0, 2), (0, 3)]);
     assert_eq!(only(&checked(&star), Code::EdgeTooShort).place.edges, [EdgeId(0)]);
 }
 
 #[test]
 fn values_close_to_a_limit_are_warned_of() {
-    let found = checked(&chain(&[
-        [0., 0., 0.],
-        [40., 0., 0.],
-        [40., 28.3, 0.],
-        [0., 28.3, 0.],
-    ]));
+    let found = checked(&chain(&[[0., 0., 0.], [40., 0., 0.], [40., 28.3, 0.], [0., 28.3, 0.]]));
     assert_eq!(only(&found, Code::FeedNearLimit).severity, Severity::Warning);
     let turn = f64::to_radians(180.0 - 150.0);
-    let sharp = chain(&[
-        [0., 0., 0.],
-        [80., 0., 0.],
-        [80. - 80. * turn.cos(), 80. * turn.sin(), 0.],
-    ]);
-    assert_eq!(
-        only(&checked(&sharp), Code::BendNearLimit).place.vertices,
-        [VertexId(1)]
-    );
+    let sharp = chain(&[[0., 0., 0.], [80., 0., 0.], [80. - 80. * turn.cos(), 80. * turn.sin(), 0.]]);
+    assert_eq!(only(&checked(&sharp), Code::BendNearLimit).place.vertices, [VertexId(1)]);
 }
 
 #[test]
 fn bends_that_cannot_be_made_name_the_vertex_and_the_limit() {
     let turn = f64::to_radians(180.0 - 160.0);
-    let sharp = chain(&[
-        [0., 0., 0.],
-        [80., 0., 0.],
-        [80. - 80. * turn.cos(), 80. * turn.sin(), 0.],
-    ]);
+    let sharp = chain(&[[0., 0., 0.], [80., 0., 0.], [80. - 80. * turn.cos(), 80. * turn.sin(), 0.]]);
     let found = checked(&sharp);
     let bend = only(&found, Code::BendTooSharp);
-    assert_eq!(
-        (bend.place.step, &bend.place.vertices[..]),
-        (Some(0), &[VertexId(1)][..])
-    );
-    assert!(
-        bend.message.contains("160.0°") && bend.message.contains("155.0°"),
-        "{}",
-        bend.message
-    );
+    assert_eq!((bend.place.step, &bend.place.vertices[..]), (Some(0), &[VertexId(1)][..]));
+    assert!(bend.message.contains("160.0°") && bend.message.contains("155.0°"), "{}", bend.message);
     assert_eq!(bend.limit.as_ref().unwrap().source, "the paper");
     // Within the limits, but the axis stops before springback is made up for.
     let mut short_axis = published_machine();
@@ -207,12 +128,7 @@ fn bends_that_cannot_be_made_name_the_vertex_and_the_limit() {
     let mut stiff = published_machine();
     stiff.compensation.bend.springback = None;
     let slight = chain(&[[0., 0., 0.], [80., 0., 0.], [160., 2., 0.]]);
-    assert_eq!(
-        only(&on(&stiff, &slight, &PlanOptions::default()), Code::BendTooSmall)
-            .place
-            .step,
-        Some(0)
-    );
+    assert_eq!(only(&on(&stiff, &slight, &PlanOptions::default()), Code::BendTooSmall).place.step, Some(0));
     // Not quite straight back, but its corner is far outside of the edges.
     let mut any_bend = published_machine();
     any_bend.limits.largest_bend.value = deg(180.0);
@@ -230,19 +146,13 @@ fn a_head_that_cannot_turn_far_enough_is_named_with_the_step() {
     let twisted = chain(&[[0., 0., 0.], [40., 0., 0.], [40., 40., 0.], [40., 40., 40.]]);
     let found = on(&stiff, &twisted, &PlanOptions::default());
     let rotation = only(&found, Code::RotationOutOfRange);
-    assert_eq!(
-        (rotation.place.step, &rotation.place.vertices[..]),
-        (Some(1), &[VertexId(2)][..])
-    );
+    assert_eq!((rotation.place.step, &rotation.place.vertices[..]), (Some(1), &[VertexId(2)][..]));
 }
 
 #[test]
 fn stock_includes_the_tail_that_cannot_be_fed() {
     let mut short = published_machine();
-    short.limits.most_stock = Some(Sourced {
-        value: mm(520.0),
-        source: "the shelf".to_owned(),
-    });
+    short.limits.most_stock = Some(Sourced { value: mm(520.0), source: "the shelf".to_owned() });
     let fits = chain(&[[0., 0., 0.], [60., 0., 0.], [60., 60., 0.]]);
     assert_eq!(on(&short, &fits, &PlanOptions::default()), []);
     let long = chain(&[[0., 0., 0.], [60., 0., 0.], [60., 70., 0.]]);
@@ -250,21 +160,24 @@ fn stock_includes_the_tail_that_cannot_be_fed() {
     // 130 mm less what one right angle saves: 6 - 2.4·π/2.
     assert!((measured_mm(only(&found, Code::StockTooLong)) - 527.770).abs() < 1e-3);
     let single = chain(&[[0., 0., 0.], [130., 0., 0.], [130., 30., 0.]]);
-    assert_eq!(
-        only(&on(&short, &single, &PlanOptions::default()), Code::FeedTooLong)
-            .place
-            .step,
-        Some(0)
-    );
+    assert_eq!(only(&on(&short, &single, &PlanOptions::default()), Code::FeedTooLong).place.step, Some(0));
+}
+
+#[test]
+fn wire_that_does_not_fit_the_machine_is_refused() {
+    let u = chain(&[[0., 0., 0.], [35., 0., 0.], [35., 35., 0.]]);
+    for diameter in [0.9, 4.0] {
+        let mut machine = published_machine();
+        machine.wire.diameter = mm(diameter);
+        let found = on(&machine, &u, &PlanOptions::default());
+        assert!((measured_mm(only(&found, Code::WireDoesNotFit)) - diameter).abs() < 1e-12);
+    }
 }
 
 #[test]
 fn a_start_that_does_not_fit_is_refused() {
     let u = chain(&[[0., 0., 0.], [35., 0., 0.], [35., 35., 0.]]);
-    let from_the_middle = PlanOptions {
-        start: Some(VertexId(1)),
-        ..PlanOptions::default()
-    };
+    let from_the_middle = PlanOptions { start: Some(VertexId(1)), ..PlanOptions::default() };
     let found = on(&published_machine(), &u, &from_the_middle);
     assert_eq!(only(&found, Code::RouteRefused).place.vertices, [VertexId(1)]);
 }
@@ -276,10 +189,7 @@ fn every_diagnostic_says_what_to_do() {
         &[(0, 1), (0, 2), (0, 3)],
     );
     for diagnostic in design(&w).into_iter().chain(checked(&w)) {
-        assert!(
-            !diagnostic.help.is_empty() && !diagnostic.message.ends_with('.'),
-            "{diagnostic:?}"
-        );
+        assert!(!diagnostic.help.is_empty() && !diagnostic.message.ends_with('.'), "{diagnostic:?}");
     }
     let mut names: Vec<_> = Code::ALL.iter().map(|code| code.as_str()).collect();
     names.sort_unstable();

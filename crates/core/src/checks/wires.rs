@@ -3,11 +3,7 @@
 use super::{Code, Design, Diagnostic, Place, Quantity, Severity};
 
 pub(super) fn check(design: &Design, found: &mut Vec<Diagnostic>) {
-    let wires: Vec<_> = design
-        .components
-        .iter()
-        .filter(|component| !component.edges.is_empty())
-        .collect();
+    let wires: Vec<_> = design.components.iter().filter(|component| !component.edges.is_empty()).collect();
     if wires.is_empty() {
         found.push(Diagnostic {
             code: Code::NoEdges,
@@ -24,9 +20,7 @@ pub(super) fn check(design: &Design, found: &mut Vec<Diagnostic>) {
             code: Code::SeveralWires,
             severity: Severity::Info,
             place: Place::at_vertices(
-                wires
-                    .iter()
-                    .filter_map(|component| component.vertices.first().copied()),
+                wires.iter().filter_map(|component| component.vertices.first().copied()),
             ),
             measured: Some(Quantity::Count(wires.len())),
             limit: None,
@@ -34,21 +28,14 @@ pub(super) fn check(design: &Design, found: &mut Vec<Diagnostic>) {
             help: "connect the parts to bend them from one wire, or bend one wire for each".to_owned(),
         });
     }
-    for component in design
-        .components
-        .iter()
-        .filter(|component| component.edges.is_empty())
-    {
+    for component in design.components.iter().filter(|component| component.edges.is_empty()) {
         found.push(Diagnostic {
             code: Code::IsolatedVertex,
             severity: Severity::Warning,
             place: Place::at_vertices(component.vertices.iter().copied()),
             measured: None,
             limit: None,
-            message: format!(
-                "vertex {} has no edge and will not be made",
-                component.vertices[0]
-            ),
+            message: format!("vertex {} has no edge and will not be made", component.vertices[0]),
             help: "connect it or delete it".to_owned(),
         });
     }

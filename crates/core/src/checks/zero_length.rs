@@ -12,17 +12,10 @@ pub(super) fn check(design: &Design, found: &mut Vec<Diagnostic>) {
         found.push(Diagnostic {
             code: Code::ZeroLengthEdge,
             severity: Severity::Error,
-            place: Place {
-                vertices: vec![edge.a, edge.b],
-                edges: vec![id],
-                step: None,
-            },
+            place: Place { vertices: vec![edge.a, edge.b], edges: vec![id], step: None },
             measured: Some(Quantity::Length(length)),
             limit: None,
-            message: format!(
-                "edge {id} from vertex {} to vertex {} has no length",
-                edge.a, edge.b
-            ),
+            message: format!("edge {id} from vertex {} to vertex {} has no length", edge.a, edge.b),
             help: "delete the edge, or merge its two vertices".to_owned(),
         });
     }

@@ -64,10 +64,7 @@ impl BendModel {
         if bend == Angle::ZERO {
             return Ok(bend);
         }
-        let out_of_reach = || BendError::OutOfReach {
-            bend,
-            largest: self.largest(bend),
-        };
+        let out_of_reach = || BendError::OutOfReach { bend, largest: self.largest(bend) };
         let axis = self.axis(bend).ok_or_else(out_of_reach)?;
         if axis <= Angle::ZERO {
             return Err(BendError::TooSmall { bend });
@@ -77,11 +74,7 @@ impl BendModel {
 
     /// Magnitude of the axis position; `None` out of reach.
     fn axis(&self, bend: Angle) -> Option<Angle> {
-        let pressed = self
-            .springback
-            .as_ref()
-            .map_or(bend, |model| model.bend_to(bend))
-            .abs();
+        let pressed = self.springback.as_ref().map_or(bend, |model| model.bend_to(bend)).abs();
         let axis = match &self.setback {
             Some(peg) => peg.axis_for(pressed)?,
             None => pressed,
@@ -98,9 +91,7 @@ impl BendModel {
             None => command.abs(),
         };
         let pressed = Angle::computed(command.signum() * pressed.rad());
-        self.springback
-            .as_ref()
-            .map_or(pressed, |model| model.left(pressed))
+        self.springback.as_ref().map_or(pressed, |model| model.left(pressed))
     }
 
     /// The largest bend that can be made to the side of `side`, as a magnitude up to 180°.
@@ -132,6 +123,12 @@ pub struct CompensatedProgram {
 }
 
 impl CompensatedProgram {
+    /// A program that was compensated before and has been kept in a job whose hash still fits.
+    #[must_use]
+    pub fn kept(steps: Vec<Step>) -> Self {
+        Self { steps }
+    }
+
     /// The steps, in the frame and signs of the canonical program.
     #[must_use]
     pub fn steps(&self) -> &[Step] {
@@ -179,19 +176,11 @@ pub fn compensate(
             compensation.bend.command(step.bend)
         };
         match command {
-            Ok(bend) => steps.push(Step {
-                feed,
-                rotate: step.rotate,
-                bend,
-            }),
+            Ok(bend) => steps.push(Step { feed, rotate: step.rotate, bend }),
             Err(error) => errors.push(StepError { step: index, error }),
         }
     }
-    if errors.is_empty() {
-        Ok(CompensatedProgram { steps })
-    } else {
-        Err(errors)
-    }
+    if errors.is_empty() { Ok(CompensatedProgram { steps }) } else { Err(errors) }
 }
 
 /// Where an increasing function crosses zero between two arguments; the nearer end where it does

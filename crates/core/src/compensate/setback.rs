@@ -54,11 +54,7 @@ impl PegGeometry {
         pin: Length,
         peg: Length,
     ) -> Result<Self, PegGeometryError> {
-        for (name, value) in [
-            ("orbit radius", orbit_radius),
-            ("pin radius", pin),
-            ("peg radius", peg),
-        ] {
+        for (name, value) in [("orbit radius", orbit_radius), ("pin radius", pin), ("peg radius", peg)] {
             if value <= Length::ZERO {
                 return Err(PegGeometryError::NotPositive { name, value });
             }

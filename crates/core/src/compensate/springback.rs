@@ -63,18 +63,12 @@ impl SpringbackCurve {
                 return Err(SpringbackError::Range(k));
             }
             let knot = [point.formed.rad(), (point.formed + point.loss).rad(), 1.0];
-            if knots
-                .last()
-                .is_some_and(|last| knot[0] <= last[0] || knot[1] <= last[1])
-            {
+            if knots.last().is_some_and(|last| knot[0] <= last[0] || knot[1] <= last[1]) {
                 return Err(SpringbackError::NotIncreasing(k));
             }
             knots.push(knot);
         }
-        let secants: Vec<f64> = knots
-            .windows(2)
-            .map(|w| (w[1][1] - w[0][1]) / (w[1][0] - w[0][0]))
-            .collect();
+        let secants: Vec<f64> = knots.windows(2).map(|w| (w[1][1] - w[0][1]) / (w[1][0] - w[0][0])).collect();
         for k in 1..knots.len().saturating_sub(1) {
             // The harmonic mean lies within the region that keeps the cubic monotone.
             knots[k][2] = 2.0 * secants[k - 1] * secants[k] / (secants[k - 1] + secants[k]);
@@ -127,9 +121,7 @@ impl Springback {
         }
         let magnitude = match self {
             Self::Constant(loss) => formed.abs().rad() + loss.rad(),
-            Self::Table { .. } => self
-                .curve(formed)
-                .map_or(0.0, |curve| curve.bend_to(formed.abs().rad())),
+            Self::Table { .. } => self.curve(formed).map_or(0.0, |curve| curve.bend_to(formed.abs().rad())),
         };
         Angle::computed(formed.signum() * magnitude)
     }

@@ -24,13 +24,8 @@ fn published() -> BendModel {
 
 fn table() -> Springback {
     let points = |pairs: &[(f64, f64)]| {
-        let points: Vec<_> = pairs
-            .iter()
-            .map(|&(f, l)| SpringbackPoint {
-                formed: deg(f),
-                loss: deg(l),
-            })
-            .collect();
+        let points: Vec<_> =
+            pairs.iter().map(|&(f, l)| SpringbackPoint { formed: deg(f), loss: deg(l) }).collect();
         SpringbackCurve::new(&points).unwrap()
     };
     // Measured on 1/8 inch aluminium: 4.9° lost at 10° and 8.6° at 130°.
@@ -43,24 +38,13 @@ fn table() -> Springback {
 #[test]
 fn setback_is_the_published_derivation() {
     // Worked out with the law of sines outside of this program.
-    for (bend, axis) in [
-        (30.0, 32.594),
-        (60.0, 71.931),
-        (90.0, 102.240),
-        (120.0, 123.421),
-        (150.0, 137.909),
-    ] {
+    for (bend, axis) in [(30.0, 32.594), (60.0, 71.931), (90.0, 102.240), (120.0, 123.421), (150.0, 137.909)]
+    {
         let found = published_peg().axis_for(deg(bend)).unwrap().deg();
-        assert!(
-            (found - axis).abs() < 1e-3,
-            "a bend of {bend}° goes to {found}°, not {axis}°"
-        );
+        assert!((found - axis).abs() < 1e-3, "a bend of {bend}° goes to {found}°, not {axis}°");
     }
     let touching = published_peg().axis_for(Angle::ZERO).unwrap().deg();
-    assert!(
-        (touching + 13.25).abs() < 5e-3,
-        "the peg touches straight wire at {touching}°, not -13.25°"
-    );
+    assert!((touching + 13.25).abs() < 5e-3, "the peg touches straight wire at {touching}°, not -13.25°");
 }
 
 /// The axis position found by moving the peg itself: its centre E = `T + u·l + n·r_e` touches the
@@ -92,10 +76,7 @@ fn brute_force_axis(bend: f64) -> f64 {
 #[test]
 fn the_range_of_the_published_bender_is_within_reach() {
     let peg = published_peg();
-    assert!(
-        peg.reach().deg() > 165.23,
-        "155° and 10.23° of springback have to be pressed"
-    );
+    assert!(peg.reach().deg() > 165.23, "155° and 10.23° of springback have to be pressed");
     let model = published();
     for bend in [155.0, -155.0] {
         let axis = model.command(deg(bend)).unwrap();
@@ -105,10 +86,7 @@ fn the_range_of_the_published_bender_is_within_reach() {
 
 #[test]
 fn unreachable_bends_say_what_can_be_made() {
-    let limited = BendModel {
-        axis_limit: Some(deg(100.0)),
-        ..published()
-    };
+    let limited = BendModel { axis_limit: Some(deg(100.0)), ..published() };
     let Err(BendError::OutOfReach { bend, largest }) = limited.command(deg(120.0)) else {
         panic!("120° needs the axis beyond 100°")
     };
@@ -117,42 +95,23 @@ fn unreachable_bends_say_what_can_be_made() {
     assert!(limited.command(largest + deg(1e-3)).is_err());
     assert_eq!(limited.largest(deg(-1.0)), largest, "both sides are alike");
     // Without springback a bend of 1° is pressed before the peg's centre reaches the wire's axis.
-    let bare = BendModel {
-        springback: None,
-        ..published()
-    };
-    assert_eq!(
-        bare.command(deg(1.0)),
-        Err(BendError::TooSmall { bend: deg(1.0) })
-    );
+    let bare = BendModel { springback: None, ..published() };
+    assert_eq!(bare.command(deg(1.0)), Err(BendError::TooSmall { bend: deg(1.0) }));
 }
 
 #[test]
 fn a_command_within_the_springback_leaves_no_bend() {
-    let model = BendModel {
-        setback: None,
-        ..published()
-    };
+    let model = BendModel { setback: None, ..published() };
     assert_eq!(model.result(deg(10.0)), Angle::ZERO);
     assert_eq!(model.result(deg(-10.0)), Angle::ZERO);
     assert!((model.result(deg(-11.23)).deg() + 1.0).abs() < 1e-9);
-    assert_eq!(
-        published_peg().bend_at(deg(-13.3)),
-        Angle::ZERO,
-        "the peg does not touch yet"
-    );
+    assert_eq!(published_peg().bend_at(deg(-13.3)), Angle::ZERO, "the peg does not touch yet");
 }
 
 #[test]
 fn the_table_goes_through_what_was_measured_and_its_sides_differ() {
     let table = table();
-    for (formed, bent) in [
-        (10.0, 14.9),
-        (130.0, 138.6),
-        (-15.0, -18.0),
-        (-60.0, -66.0),
-        (-120.0, -129.5),
-    ] {
+    for (formed, bent) in [(10.0, 14.9), (130.0, 138.6), (-15.0, -18.0), (-60.0, -66.0), (-120.0, -129.5)] {
         assert!((table.bend_to(deg(formed)).deg() - bent).abs() < 1e-9, "{formed}");
     }
     // Outside of what was measured the loss stays that of the nearest pair.
@@ -163,30 +122,15 @@ fn the_table_goes_through_what_was_measured_and_its_sides_differ() {
 
 #[test]
 fn wrong_tables_and_dimensions_are_refused() {
-    let point = |formed, loss| SpringbackPoint {
-        formed: deg(formed),
-        loss: deg(loss),
-    };
+    let point = |formed, loss| SpringbackPoint { formed: deg(formed), loss: deg(loss) };
     assert_eq!(SpringbackCurve::new(&[]), Err(SpringbackError::Empty));
-    assert_eq!(
-        SpringbackCurve::new(&[point(-0.5, 1.0)]),
-        Err(SpringbackError::Range(0))
-    );
-    assert_eq!(
-        SpringbackCurve::new(&[point(5.0, -1.0)]),
-        Err(SpringbackError::Range(0))
-    );
+    assert_eq!(SpringbackCurve::new(&[point(-0.5, 1.0)]), Err(SpringbackError::Range(0)));
+    assert_eq!(SpringbackCurve::new(&[point(5.0, -1.0)]), Err(SpringbackError::Range(0)));
     let falling = [point(10.0, 9.0), point(12.0, 6.0)];
-    assert_eq!(
-        SpringbackCurve::new(&falling),
-        Err(SpringbackError::NotIncreasing(1))
-    );
+    assert_eq!(SpringbackCurve::new(&falling), Err(SpringbackError::NotIncreasing(1)));
     assert!(matches!(
         PegGeometry::new(mm(20.0), mm(12.0), mm(0.0), mm(4.0)),
-        Err(PegGeometryError::NotPositive {
-            name: "pin radius",
-            ..
-        })
+        Err(PegGeometryError::NotPositive { name: "pin radius", .. })
     ));
     assert!(matches!(
         PegGeometry::new(mm(4.0), mm(12.0), mm(3.0), mm(4.0)),

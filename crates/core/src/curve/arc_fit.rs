@@ -44,26 +44,16 @@ pub fn fit_arcs(points: &[Point3<f64>], tolerance: Length) -> Vec<Piece> {
     let mut pieces = Vec::new();
     let mut from = 0;
     while from + 1 < points.len() {
-        let line_to = longest(points.len(), from + 1, |to| {
-            is_line(&points[from..=to], tolerance.mm())
-        });
-        let arc_to = longest(points.len(), from + 3, |to| {
-            circle(&points[from..=to], tolerance.mm()).is_some()
-        });
+        let line_to = longest(points.len(), from + 1, |to| is_line(&points[from..=to], tolerance.mm()));
+        let arc_to =
+            longest(points.len(), from + 3, |to| circle(&points[from..=to], tolerance.mm()).is_some());
         let arc = if arc_to > line_to && arc_to < points.len() {
             circle(&points[from..=arc_to], tolerance.mm())
         } else {
             None
         };
         if let Some((centre, axis, radius, sweep)) = arc {
-            pieces.push(Piece::Arc {
-                from,
-                to: arc_to,
-                centre,
-                axis,
-                radius,
-                sweep,
-            });
+            pieces.push(Piece::Arc { from, to: arc_to, centre, axis, radius, sweep });
             from = arc_to;
         } else {
             pieces.push(Piece::Line { from, to: line_to });
@@ -149,14 +139,7 @@ mod tests {
         let pieces = fit_arcs(&hook(), mm(0.05));
         let [
             Piece::Line { from: 0, to: 2 },
-            Piece::Arc {
-                from: 2,
-                to: 38,
-                radius,
-                sweep,
-                axis,
-                ..
-            },
+            Piece::Arc { from: 2, to: 38, radius, sweep, axis, .. },
             Piece::Line { from: 38, to: 39 },
         ] = pieces.as_slice()
         else {
@@ -192,10 +175,7 @@ mod tests {
             };
             assert_eq!(from, at);
             at = to;
-            if let Piece::Arc {
-                centre, axis, radius, ..
-            } = piece
-            {
+            if let Piece::Arc { centre, axis, radius, .. } = piece {
                 for point in &helix[from..=to] {
                     let out = point - centre;
                     let above = out.dot(axis);

@@ -12,10 +12,6 @@ use nalgebra::{Point3, Vector3};
 fn distance_to_segment(point: &Point3<f64>, a: &Point3<f64>, b: &Point3<f64>) -> f64 {
     let along: Vector3<f64> = b - a;
     let length2 = along.norm_squared();
-    let at = if length2 > 0.0 {
-        ((point - a).dot(&along) / length2).clamp(0.0, 1.0)
-    } else {
-        0.0
-    };
+    let at = if length2 > 0.0 { ((point - a).dot(&along) / length2).clamp(0.0, 1.0) } else { 0.0 };
     (point - (a + along * at)).norm()
 }

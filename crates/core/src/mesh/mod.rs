@@ -48,18 +48,12 @@ impl Stencil {
     /// # Errors
     /// [`StencilError`] names the first vertex or face that is wrong.
     pub fn new(vertices: Vec<Point3<f64>>, faces: Vec<Vec<u32>>) -> Result<Self, StencilError> {
-        if let Some(vertex) = vertices
-            .iter()
-            .position(|p| !p.coords.iter().all(|c| c.is_finite()))
-        {
+        if let Some(vertex) = vertices.iter().position(|p| !p.coords.iter().all(|c| c.is_finite())) {
             return Err(StencilError::NotFinite { vertex });
         }
         for (face, corners) in faces.iter().enumerate() {
             if corners.len() < 3 {
-                return Err(StencilError::TooFewVertices {
-                    face,
-                    count: corners.len(),
-                });
+                return Err(StencilError::TooFewVertices { face, count: corners.len() });
             }
             if let Some(&vertex) = corners.iter().find(|&&v| v as usize >= vertices.len()) {
                 let last = i64::try_from(vertices.len()).unwrap_or(i64::MAX) - 1;
@@ -102,9 +96,7 @@ mod tests {
     use super::*;
 
     fn square() -> Vec<Point3<f64>> {
-        [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
-            .map(|(x, y)| Point3::new(x, y, 0.0))
-            .to_vec()
+        [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| Point3::new(x, y, 0.0)).to_vec()
     }
 
     #[test]
@@ -123,11 +115,7 @@ mod tests {
     fn bad_meshes_are_refused_by_name() {
         assert_eq!(
             Stencil::new(square(), vec![vec![0, 1, 4]]),
-            Err(StencilError::NoSuchVertex {
-                face: 0,
-                vertex: 4,
-                last: 3
-            })
+            Err(StencilError::NoSuchVertex { face: 0, vertex: 4, last: 3 })
         );
         assert_eq!(
             Stencil::new(square(), vec![vec![0, 1]]),
@@ -135,9 +123,6 @@ mod tests {
         );
         let mut nan = square();
         nan[2].x = f64::NAN;
-        assert_eq!(
-            Stencil::new(nan, vec![]),
-            Err(StencilError::NotFinite { vertex: 2 })
-        );
+        assert_eq!(Stencil::new(nan, vec![]), Err(StencilError::NotFinite { vertex: 2 }));
     }
 }

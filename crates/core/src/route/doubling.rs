@@ -1,14 +1,17 @@
 //! Which edges to travel twice: the exact minimum-weight T-join of the odd vertices.
 
-use std::collections::{BTreeMap, BinaryHeap};
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
 
 use super::RouteError;
 use super::matching::least_cost_pairs;
+use super::network::Network;
 use crate::units::Length;
 use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
 
-/// Costs of the matching are whole nanometres.
-const COST_PER_MM: f64 = 1.0e6;
+/// The most odd vertices that are matched exactly: memory grows with their square and time with their
+/// cube.
+const MOST_ODD: usize = 1500;
 
 /// The cheapest set of edges to travel twice.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -25,7 +28,7 @@ pub struct Doubling {
 /// the best other. For a closed one none does.
 ///
 /// # Errors
-/// [`RouteError::NoEdges`] or [`RouteError::StartElsewhere`].
+/// [`RouteError::NoEdges`], [`RouteError::StartElsewhere`] or [`RouteError::TooManyOdd`].
 pub fn doubling(
     wireframe: &Wireframe,
     component: &Component,
@@ -35,10 +38,12 @@ pub fn doubling(
     if component.edges.is_empty() {
         return Err(RouteError::NoEdges);
     }
-    if let Some(start) = start.filter(|start| component.vertices.binary_search(start).is_err()) {
-        return Err(RouteError::StartElsewhere(start));
-    }
-    let mut terminals = wireframe.odd_vertices(component, &[]);
+    let network = Network::new(wireframe, component);
+    let start = match start {
+        Some(start) => Some(network.index(start).ok_or(RouteError::StartElsewhere(start))?),
+        None => None,
+    };
+    let mut terminals = network.odd(&[]);
     if terminals.is_empty() {
         return Ok(Doubling::default());
     }
@@ -52,78 +57,91 @@ pub fn doubling(
         }
         free = 1;
     }
-    let trees: Vec<Tree> = terminals.iter().map(|&v| Tree::grow(wireframe, v)).collect();
-    let mut pairs = Vec::new();
-    for (k, tree) in trees.iter().enumerate() {
-        for (j, other) in terminals.iter().enumerate().skip(k + 1) {
-            if let Some(&(distance, _)) = tree.reached.get(other) {
-                #[allow(clippy::cast_possible_truncation)] // lengths are far below 2^63 nm
-                pairs.push((k, j, (distance * COST_PER_MM).round() as i64));
-            }
-        }
-        pairs.extend((0..free).map(|stand_in| (k, terminals.len() + stand_in, 0)));
+    if terminals.len() > MOST_ODD {
+        return Err(RouteError::TooManyOdd { odd: terminals.len(), most: MOST_ODD });
     }
-    // Where two paths of a matching share an edge, the edge is needed neither time.
-    let mut edges = std::collections::BTreeSet::new();
-    for (k, j) in least_cost_pairs(terminals.len() + free, &pairs) {
-        if j < terminals.len() {
-            for edge in trees[k].path_to(wireframe, terminals[j]) {
-                if !edges.remove(&edge) {
-                    edges.insert(edge);
-                }
-            }
+    let count = terminals.len();
+    let mut search = Search::new(&network);
+    let mut distances = vec![0; count * count];
+    for (k, &root) in terminals.iter().enumerate() {
+        search.run(&network, root, &terminals[k + 1..]);
+        for (j, &other) in terminals.iter().enumerate().skip(k + 1) {
+            distances[k * count + j] = search.distance[other];
         }
     }
+    let pairs = least_cost_pairs(count + free, |k, j| match (k < count, j < count) {
+        (true, true) => Some(distances[k * count + j]),
+        (true, false) => Some(0),
+        _ => None,
+    });
+    // Where two paths of the matching share an edge, the edge is needed neither time.
+    let mut needed = vec![false; network.links.len()];
+    for (k, j) in pairs.into_iter().filter(|&(_, j)| j < count) {
+        search.run(&network, terminals[k], &[terminals[j]]);
+        let mut at = terminals[j];
+        while let Some(link) = search.via[at] {
+            needed[link] ^= true;
+            at = network.links[link].other(at);
+        }
+    }
+    let edges: Vec<EdgeId> = (0..needed.len()).filter(|&k| needed[k]).map(|k| network.links[k].id).collect();
     let added = edges.iter().map(|&edge| wireframe.edge_length(edge)).sum();
-    Ok(Doubling {
-        edges: edges.into_iter().collect(),
-        added,
-    })
+    Ok(Doubling { edges, added })
 }
 
-/// Shortest paths from one vertex, by Dijkstra's algorithm; ties go to the lower ids.
-struct Tree {
-    /// Distance in mm and the edge that leads there; none at the root.
-    reached: BTreeMap<VertexId, (f64, Option<EdgeId>)>,
+/// Shortest paths from one vertex, by Dijkstra's algorithm; ties go to the lower index.
+struct Search {
+    /// In nm, of the vertices that were reached.
+    distance: Vec<i64>,
+    /// The link that leads to a vertex; none at the root.
+    via: Vec<Option<usize>>,
+    settled: Vec<bool>,
+    wanted: Vec<bool>,
+    queue: BinaryHeap<Reverse<(i64, usize)>>,
 }
 
-impl Tree {
-    fn grow(wireframe: &Wireframe, root: VertexId) -> Self {
-        let mut reached = BTreeMap::new();
-        let mut queue = BinaryHeap::from([(std::cmp::Reverse(Length::ZERO), std::cmp::Reverse(root), None)]);
-        while let Some((std::cmp::Reverse(distance), std::cmp::Reverse(vertex), via)) = queue.pop() {
-            if reached.contains_key(&vertex) {
+impl Search {
+    fn new(network: &Network) -> Self {
+        let count = network.vertices.len();
+        Self {
+            distance: vec![i64::MAX; count],
+            via: vec![None; count],
+            settled: vec![false; count],
+            wanted: vec![false; count],
+            queue: BinaryHeap::with_capacity(count),
+        }
+    }
+
+    /// Searches until all of `targets` are settled.
+    fn run(&mut self, network: &Network, root: usize, targets: &[usize]) {
+        self.distance.fill(i64::MAX);
+        self.via.fill(None);
+        self.settled.fill(false);
+        self.queue.clear();
+        self.distance[root] = 0;
+        self.queue.push(Reverse((0, root)));
+        self.wanted.fill(false);
+        for &target in targets {
+            self.wanted[target] = true;
+        }
+        let mut left = targets.len();
+        while let Some(Reverse((distance, vertex))) = self.queue.pop() {
+            if std::mem::replace(&mut self.settled[vertex], true) {
                 continue;
             }
-            reached.insert(vertex, (distance.mm(), via.map(|std::cmp::Reverse(edge)| edge)));
-            for edge in wireframe.incident(vertex) {
-                let Some(other) = wireframe.edge(edge).map(|e| e.other(vertex)) else {
-                    continue;
-                };
-                if !reached.contains_key(&other) {
-                    let further = distance + wireframe.edge_length(edge);
-                    let reverse = std::cmp::Reverse(edge);
-                    queue.push((
-                        std::cmp::Reverse(further),
-                        std::cmp::Reverse(other),
-                        Some(reverse),
-                    ));
+            left -= usize::from(self.wanted[vertex]);
+            if left == 0 {
+                return;
+            }
+            for &link in network.at(vertex) {
+                let other = network.links[link].other(vertex);
+                let further = distance + network.links[link].length_nm;
+                if further < self.distance[other] {
+                    self.distance[other] = further;
+                    self.via[other] = Some(link);
+                    self.queue.push(Reverse((further, other)));
                 }
             }
         }
-        Self { reached }
-    }
-
-    fn path_to(&self, wireframe: &Wireframe, target: VertexId) -> Vec<EdgeId> {
-        let mut path = Vec::new();
-        let mut at = target;
-        while let Some(&(_, Some(edge))) = self.reached.get(&at) {
-            path.push(edge);
-            let Some(from) = wireframe.edge(edge).map(|e| e.other(at)) else {
-                break;
-            };
-            at = from;
-        }
-        path
     }
 }

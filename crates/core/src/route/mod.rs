@@ -7,10 +7,12 @@
 
 mod doubling;
 mod matching;
+mod network;
 mod pairing;
 mod trails;
 
-use std::collections::BTreeMap;
+use network::Network;
+use pairing::Pairing;
 
 use crate::units::Angle;
 use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
@@ -42,10 +44,7 @@ impl Route {
     #[must_use]
     pub fn vertices(&self) -> Vec<VertexId> {
         let first = self.traversals.first().map(|t| t.from);
-        first
-            .into_iter()
-            .chain(self.traversals.iter().map(|t| t.to))
-            .collect()
+        first.into_iter().chain(self.traversals.iter().map(|t| t.to)).collect()
     }
 
     /// The same walk from its other end.
@@ -54,12 +53,7 @@ impl Route {
         let mut seen = std::collections::BTreeSet::new();
         let turned = self.traversals.iter().rev();
         let traversals = turned
-            .map(|t| Traversal {
-                edge: t.edge,
-                from: t.to,
-                to: t.from,
-                again: !seen.insert(t.edge),
-            })
+            .map(|t| Traversal { edge: t.edge, from: t.to, to: t.from, again: !seen.insert(t.edge) })
             .collect();
         Self { traversals }
     }
@@ -106,6 +100,14 @@ pub enum RouteError {
     /// A doubled edge is not part of the component.
     #[error("edge {0} is to be doubled but is not part of this wire")]
     DoubledElsewhere(EdgeId),
+    /// More odd vertices than can be matched exactly.
+    #[error("{odd} vertices are odd: the cheapest doubling can be found for up to {most}")]
+    TooManyOdd {
+        /// How many there are.
+        odd: usize,
+        /// How many there may be.
+        most: usize,
+    },
 }
 
 /// A route through every edge of a component.
@@ -124,53 +126,45 @@ pub fn route(
     if component.edges.is_empty() {
         return Err(RouteError::NoEdges);
     }
-    if let Some(&edge) = options
-        .doubled
-        .iter()
-        .find(|e| component.edges.binary_search(e).is_err())
-    {
-        return Err(RouteError::DoubledElsewhere(edge));
-    }
-    let odd = wireframe.odd_vertices(component, &options.doubled);
-    if odd.len() > 2 || (options.closed && !odd.is_empty()) {
-        return Err(RouteError::Odd {
-            odd,
-            closed: options.closed,
-        });
-    }
-    let ends = match (odd.as_slice(), options.start) {
-        (_, Some(start)) if component.vertices.binary_search(&start).is_err() => {
-            return Err(RouteError::StartElsewhere(start));
-        }
-        ([a, b], None) => Some((*a, *b)),
-        ([a, b], Some(start)) if start == *a => Some((*a, *b)),
-        ([a, b], Some(start)) if start == *b => Some((*b, *a)),
-        ([a, b], Some(start)) => {
-            return Err(RouteError::Start {
-                start,
-                ends: (*a, *b),
-            });
-        }
-        (_, Some(start)) => Some((start, start)),
-        (_, None) => None,
+    let network = Network::new(wireframe, component);
+    let position = |edge: &EdgeId| {
+        let found = network.links.binary_search_by_key(edge, |link| link.id);
+        found.map_err(|_| RouteError::DoubledElsewhere(*edge))
     };
-    let copies = trails::copies(wireframe, component, &options.doubled);
-    let mut pairing = pairing::Pairing::new(wireframe, &copies, ends, options.sharpest_bend);
+    let doubled: Vec<usize> = options.doubled.iter().map(position).collect::<Result<_, _>>()?;
+    let start = match options.start {
+        Some(start) => Some(network.index(start).ok_or(RouteError::StartElsewhere(start))?),
+        None => None,
+    };
+    let odd = network.odd(&doubled);
+    if odd.len() > 2 || (options.closed && !odd.is_empty()) {
+        let odd = odd.into_iter().map(|vertex| network.vertices[vertex]).collect();
+        return Err(RouteError::Odd { odd, closed: options.closed });
+    }
+    let ends = match (odd.as_slice(), start) {
+        (&[a, b], None) => Some((a, b)),
+        (&[a, b], Some(start)) if start == a => Some((a, b)),
+        (&[a, b], Some(start)) if start == b => Some((b, a)),
+        (&[a, b], Some(start)) => {
+            let id = |vertex: usize| network.vertices[vertex];
+            return Err(RouteError::Start { start: id(start), ends: (id(a), id(b)) });
+        }
+        (_, start) => start.map(|start| (start, start)),
+    };
+    let copies: Vec<usize> = (0..network.links.len()).chain(doubled).collect();
+    let mut pairing = Pairing::new(&network, &copies, ends, options.sharpest_bend);
     trails::join(&mut pairing);
-    let walk = trails::walk(&pairing, ends.map(|(start, _)| start));
-    let mut passes: BTreeMap<EdgeId, u32> = BTreeMap::new();
-    let traversals = walk
+    let mut travelled = vec![false; network.links.len()];
+    let traversals = trails::walk(&pairing)
         .into_iter()
         .map(|(copy, forward)| {
-            let trails::Copy { edge, a, b } = copies[copy];
-            let (from, to) = if forward { (a, b) } else { (b, a) };
-            let pass = passes.entry(edge).or_default();
-            *pass += 1;
+            let link = &network.links[copies[copy]];
+            let (from, to) = if forward { (link.a, link.b) } else { (link.b, link.a) };
             Traversal {
-                edge,
-                from,
-                to,
-                again: *pass > 1,
+                edge: link.id,
+                from: network.vertices[from],
+                to: network.vertices[to],
+                again: std::mem::replace(&mut travelled[copies[copy]], true),
             }
         })
         .collect();

@@ -1,13 +1,10 @@
 //! Which edge end is followed by which at every vertex.
 
-use std::collections::BTreeMap;
-
 use nalgebra::Vector3;
 
 use super::matching::least_cost_pairs;
-use super::trails::Copy;
+use super::network::Network;
 use crate::units::Angle;
-use crate::wireframe::{EdgeId, VertexId, Wireframe};
 
 /// An end of a copy of an edge: twice the copy's index, plus one at its second vertex. The two
 /// highest ones are the ends of the wire itself, where there are any.
@@ -21,91 +18,75 @@ const PER_SQUARE_DEGREE: f64 = 1000.0;
 
 /// For every vertex a perfect matching of the edge ends that meet there.
 pub(super) struct Pairing<'a> {
-    copies: &'a [Copy],
-    /// Unit vector out of the vertex for every end; none at the ends of the wire.
-    directions: Vec<Option<Vector3<f64>>>,
+    network: &'a Network,
+    /// The link of each copy: every link once, and each doubled one once more.
+    copies: &'a [usize],
     sharpest: f64,
+    has_wire_ends: bool,
     /// Who follows whom.
     mate: Vec<End>,
     /// The pairs at each vertex.
-    at: BTreeMap<VertexId, Vec<(End, End)>>,
+    at: Vec<Vec<(End, End)>>,
 }
 
 impl<'a> Pairing<'a> {
     /// The cheapest pairing at each vertex, on its own. `ends` are the vertices where the wire starts
     /// and ends; without them it is a closed loop.
     pub fn new(
-        wireframe: &Wireframe,
-        copies: &'a [Copy],
-        ends: Option<(VertexId, VertexId)>,
+        network: &'a Network,
+        copies: &'a [usize],
+        ends: Option<(usize, usize)>,
         sharpest: Option<Angle>,
     ) -> Self {
-        let mut meeting: BTreeMap<VertexId, Vec<End>> = BTreeMap::new();
-        let mut directions = Vec::with_capacity(2 * copies.len() + 2);
-        for (k, copy) in copies.iter().enumerate() {
-            meeting.entry(copy.a).or_default().push(2 * k);
-            meeting.entry(copy.b).or_default().push(2 * k + 1);
-            for from in [copy.a, copy.b] {
-                let out = wireframe
-                    .direction(copy.edge, from)
-                    .and_then(|v| v.try_normalize(0.0));
-                directions.push(Some(out.unwrap_or_default()));
-            }
+        let mut meeting: Vec<Vec<End>> = vec![Vec::new(); network.vertices.len()];
+        for (copy, &link) in copies.iter().enumerate() {
+            meeting[network.links[link].a].push(2 * copy);
+            meeting[network.links[link].b].push(2 * copy + 1);
         }
         if let Some((start, end)) = ends {
-            for vertex in [start, end] {
-                meeting.entry(vertex).or_default().push(directions.len());
-                directions.push(None);
-            }
+            meeting[start].push(2 * copies.len());
+            meeting[end].push(2 * copies.len() + 1);
         }
-        let sharpest = sharpest.map_or(180.0, Angle::deg);
-        let mate = vec![usize::MAX; directions.len()];
         let mut pairing = Self {
+            network,
             copies,
-            directions,
-            sharpest,
-            mate,
-            at: BTreeMap::new(),
+            sharpest: sharpest.map_or(180.0, Angle::deg),
+            has_wire_ends: ends.is_some(),
+            mate: vec![usize::MAX; 2 * copies.len() + if ends.is_some() { 2 } else { 0 }],
+            at: Vec::with_capacity(meeting.len()),
         };
-        for (vertex, ends) in meeting {
-            let mut pairs = Vec::new();
-            for (k, &p) in ends.iter().enumerate() {
-                for (j, &q) in ends.iter().enumerate().skip(k + 1) {
-                    // The two ends of the wire follow nothing, least of all each other.
-                    if pairing.directions[p].is_some() || pairing.directions[q].is_some() {
-                        pairs.push((k, j, pairing.cost(p, q)));
-                    }
-                }
-            }
-            let matched = least_cost_pairs(ends.len(), &pairs);
+        for ends in meeting {
+            // The two ends of the wire follow nothing, least of all each other.
+            let matched = least_cost_pairs(ends.len(), |k, j| {
+                let both = pairing.is_wire_end(ends[k]) && pairing.is_wire_end(ends[j]);
+                (!both).then(|| pairing.cost(ends[k], ends[j]))
+            });
             let matched: Vec<(End, End)> = matched.into_iter().map(|(k, j)| (ends[k], ends[j])).collect();
             for &(p, q) in &matched {
                 pairing.set(p, q);
             }
-            pairing.at.insert(vertex, matched);
+            pairing.at.push(matched);
         }
         pairing
     }
 
+    /// Unit vector out of the vertex along an end.
+    fn out(&self, end: End) -> Vector3<f64> {
+        let direction = self.network.links[self.copies[end / 2]].direction;
+        if end.is_multiple_of(2) { direction } else { -direction }
+    }
+
     /// What it costs that one end follows the other.
     pub fn cost(&self, p: End, q: End) -> i64 {
-        let (Some(out), Some(on)) = (self.directions[p], self.directions[q]) else {
+        if self.is_wire_end(p) || self.is_wire_end(q) {
             return 0;
-        };
-        let bend = (-out).angle(&on).to_degrees();
+        }
+        let bend = (-self.out(p).dot(&self.out(q))).clamp(-1.0, 1.0).acos().to_degrees();
         #[allow(clippy::cast_possible_truncation)] // at most 180² · 1000
         let sharpness = (bend * bend * PER_SQUARE_DEGREE).round() as i64;
         let beyond = if bend > self.sharpest { BEYOND_LIMIT } else { 0 };
-        let fold = if self.edge(p) == self.edge(q) {
-            FOLD_BACK
-        } else {
-            0
-        };
+        let fold = if self.copies[p / 2] == self.copies[q / 2] { FOLD_BACK } else { 0 };
         fold + beyond + sharpness
-    }
-
-    fn edge(&self, end: End) -> Option<EdgeId> {
-        self.copies.get(end / 2).map(|copy| copy.edge)
     }
 
     fn set(&mut self, p: End, q: End) {
@@ -123,26 +104,25 @@ impl<'a> Pairing<'a> {
         self.copies.len()
     }
 
-    /// Every vertex with the pairs there.
-    pub fn vertices(&self) -> impl Iterator<Item = (VertexId, &[(End, End)])> {
-        self.at.iter().map(|(&vertex, pairs)| (vertex, pairs.as_slice()))
+    /// How many ends there are, those of the wire included.
+    pub fn end_count(&self) -> usize {
+        self.mate.len()
     }
 
-    /// The pairs at a vertex.
-    pub fn pairs(&self, vertex: VertexId) -> &[(End, End)] {
-        self.at.get(&vertex).map_or(&[], Vec::as_slice)
+    /// The pairs at every vertex.
+    pub fn vertices(&self) -> &[Vec<(End, End)>] {
+        &self.at
     }
 
     /// Replaces two pairs of a vertex by two others of the same four ends.
-    pub fn replace(&mut self, vertex: VertexId, old: [(End, End); 2], new: [(End, End); 2]) {
+    pub fn replace(&mut self, vertex: usize, old: [(End, End); 2], new: [(End, End); 2]) {
         for (p, q) in new {
             self.set(p, q);
         }
-        if let Some(pairs) = self.at.get_mut(&vertex) {
-            pairs.retain(|pair| !old.contains(pair));
-            pairs.extend(new);
-            pairs.sort_unstable();
-        }
+        let pairs = &mut self.at[vertex];
+        pairs.retain(|pair| !old.contains(pair));
+        pairs.extend(new);
+        pairs.sort_unstable();
     }
 
     /// Whether an end is one where the wire starts or ends.
@@ -152,6 +132,6 @@ impl<'a> Pairing<'a> {
 
     /// Whether the wire has ends at all.
     pub fn has_wire_ends(&self) -> bool {
-        self.directions.len() > 2 * self.copies.len()
+        self.has_wire_ends
     }
 }

@@ -7,52 +7,28 @@ use std::collections::BinaryHeap;
 use petgraph::unionfind::UnionFind;
 
 use super::pairing::{End, Pairing};
-use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
-
-/// An edge as often as it is travelled.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Copy {
-    pub edge: EdgeId,
-    pub a: VertexId,
-    pub b: VertexId,
-}
-
-/// Every edge of a component once, and every doubled one once more for each time it is listed.
-pub(super) fn copies(wireframe: &Wireframe, component: &Component, doubled: &[EdgeId]) -> Vec<Copy> {
-    let ids = component.edges.iter().chain(doubled);
-    let copy = |&id: &EdgeId| {
-        wireframe.edge(id).map(|edge| Copy {
-            edge: id,
-            a: edge.a,
-            b: edge.b,
-        })
-    };
-    ids.filter_map(copy).collect()
-}
 
 /// Two pairs of one vertex and what they would become, with what that adds to the cost.
-type Swap = (i64, VertexId, [(End, End); 2], [(End, End); 2]);
+type Swap = (i64, usize, [(End, End); 2], [(End, End); 2]);
 
 /// Joins all trails of a pairing into one. Each step takes the cheapest swap of two pairs that
 /// belong to different trails; a swap that folds the wire back is never the cheaper of the two that
 /// are possible.
 pub(super) fn join(pairing: &mut Pairing) {
-    let ends = 2 * pairing.copy_count() + if pairing.has_wire_ends() { 2 } else { 0 };
-    let mut trails = UnionFind::<usize>::new(ends);
-    for copy in 0..ends / 2 {
+    let mut trails = UnionFind::<usize>::new(pairing.end_count());
+    for copy in 0..pairing.end_count() / 2 {
         // The two ends of the wire are joined as by an edge: an open route is a closed one cut there.
         trails.union(2 * copy, 2 * copy + 1);
     }
-    for end in 0..ends {
+    for end in 0..pairing.end_count() {
         trails.union(end, pairing.mate(end));
     }
     let mut swaps = BinaryHeap::new();
-    let vertices: Vec<VertexId> = pairing.vertices().map(|(vertex, _)| vertex).collect();
-    for vertex in vertices {
+    for vertex in 0..pairing.vertices().len() {
         offer(pairing, vertex, &mut trails, &mut swaps);
     }
     while let Some(Reverse((_, vertex, old, new))) = swaps.pop() {
-        let current = old.iter().all(|pair| pairing.pairs(vertex).contains(pair));
+        let current = old.iter().all(|pair| pairing.vertices()[vertex].contains(pair));
         if current && trails.union(old[0].0, old[1].0) {
             pairing.replace(vertex, old, new);
             offer(pairing, vertex, &mut trails, &mut swaps);
@@ -63,11 +39,11 @@ pub(super) fn join(pairing: &mut Pairing) {
 /// Puts every swap at a vertex that would join two trails into the queue.
 fn offer(
     pairing: &Pairing,
-    vertex: VertexId,
+    vertex: usize,
     trails: &mut UnionFind<usize>,
     swaps: &mut BinaryHeap<Reverse<Swap>>,
 ) {
-    let pairs = pairing.pairs(vertex);
+    let pairs = &pairing.vertices()[vertex];
     for (k, &(a, b)) in pairs.iter().enumerate() {
         for &(c, d) in &pairs[k + 1..] {
             if trails.find_mut(a) == trails.find_mut(c) {
@@ -88,19 +64,18 @@ fn offer(
 
 /// Follows a pairing that is one trail: each copy with whether it is travelled from its first
 /// vertex to its second. Without wire ends the loop is cut at its dearest transition.
-pub(super) fn walk(pairing: &Pairing, start: Option<VertexId>) -> Vec<(usize, bool)> {
-    let first_wire_end = 2 * pairing.copy_count();
-    let mut leaving = if start.is_some() {
-        pairing.mate(first_wire_end)
+pub(super) fn walk(pairing: &Pairing) -> Vec<(usize, bool)> {
+    let mut leaving = if pairing.has_wire_ends() {
+        pairing.mate(2 * pairing.copy_count())
     } else {
-        let transitions = pairing.vertices().flat_map(|(_, pairs)| pairs);
+        let transitions = pairing.vertices().iter().flatten();
         // The first of the dearest ones, so that the choice does not depend on the run.
         let dearest = transitions.max_by_key(|&&(p, q)| (pairing.cost(p, q), Reverse((p, q))));
         dearest.map_or(0, |&(p, q)| p.min(q))
     };
     let mut walk = Vec::with_capacity(pairing.copy_count());
     while walk.len() < pairing.copy_count() && !pairing.is_wire_end(leaving) {
-        walk.push((leaving / 2, leaving % 2 == 0));
+        walk.push((leaving / 2, leaving.is_multiple_of(2)));
         leaving = pairing.mate(leaving ^ 1);
     }
     walk

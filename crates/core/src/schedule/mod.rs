@@ -69,9 +69,8 @@ pub fn schedule(
     limits: &HeadLimits,
     bend_seconds: impl Fn(Angle) -> Option<f64>,
 ) -> Result<ScheduledProgram, RotationOutOfRange> {
-    let bends: Vec<usize> = (0..program.steps.len())
-        .filter(|&k| program.steps[k].bend != Angle::ZERO)
-        .collect();
+    let bends: Vec<usize> =
+        (0..program.steps.len()).filter(|&k| program.steps[k].bend != Angle::ZERO).collect();
     if bends.is_empty() {
         return Ok(unturned(program));
     }
@@ -96,10 +95,7 @@ pub fn schedule(
 }
 
 fn unturned(program: &NominalProgram) -> ScheduledProgram {
-    ScheduledProgram {
-        steps: program.steps.clone(),
-        head: vec![Angle::ZERO; program.steps.len()],
-    }
+    ScheduledProgram { steps: program.steps.clone(), head: vec![Angle::ZERO; program.steps.len()] }
 }
 
 fn fastest(
@@ -123,16 +119,9 @@ fn fastest(
     }]);
     // Where the head stands for a bend that is not flipped, up to whole turns. Rotations of steps
     // that bend nothing count towards the next bend.
-    let mut stand = if first_flipped {
-        Angle::HALF_TURN
-    } else {
-        Angle::ZERO
-    };
+    let mut stand = if first_flipped { Angle::HALF_TURN } else { Angle::ZERO };
     for pair in bends.windows(2) {
-        let turned: Angle = program.steps[pair[0] + 1..=pair[1]]
-            .iter()
-            .map(|step| step.rotate)
-            .sum();
+        let turned: Angle = program.steps[pair[0] + 1..=pair[1]].iter().map(|step| step.rotate).sum();
         stand = (stand + turned).wrapped();
         let mut layer = Vec::new();
         for (head, flipped) in stands(stand, limits) {
@@ -142,24 +131,14 @@ fn fastest(
             };
             let before = layers[layers.len() - 1].iter().enumerate();
             if let Some((from, way)) = before.min_by_key(|&(k, way)| (reach(way), k)) {
-                layer.push(Way {
-                    head,
-                    flipped,
-                    spent: reach(way),
-                    from,
-                });
+                layer.push(Way { head, flipped, spent: reach(way), from });
             }
         }
         if layer.is_empty() {
             let (least, most) = (limits.least, limits.most);
             let other = (stand + Angle::HALF_TURN).wrapped();
             let wanted = if other.abs() < stand.abs() { other } else { stand };
-            return Err(RotationOutOfRange {
-                step: pair[1],
-                wanted,
-                least,
-                most,
-            });
+            return Err(RotationOutOfRange { step: pair[1], wanted, least, most });
         }
         layers.push(layer);
     }
@@ -196,10 +175,7 @@ fn build(program: &NominalProgram, bends: &[usize], ways: &[Way]) -> ScheduledPr
     let mut scheduled = ScheduledProgram::default();
     let mut head = Angle::ZERO;
     for (k, step) in program.steps.iter().enumerate() {
-        let mut made = Step {
-            feed: step.feed,
-            ..Step::default()
-        };
+        let mut made = Step { feed: step.feed, ..Step::default() };
         if let Ok(at) = bends.binary_search(&k) {
             made.rotate = ways[at].head - head;
             made.bend = if ways[at].flipped { -step.bend } else { step.bend };

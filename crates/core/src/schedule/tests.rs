@@ -8,30 +8,17 @@ fn deg(value: f64) -> Angle {
 }
 
 fn limits(least: f64, most: f64) -> HeadLimits {
-    HeadLimits {
-        least: deg(least),
-        most: deg(most),
-        seconds_per_degree: 1.0,
-    }
+    HeadLimits { least: deg(least), most: deg(most), seconds_per_degree: 1.0 }
 }
 
 fn program(turns: &[(f64, f64)]) -> NominalProgram {
     let feed = Length::from_mm(30.0).unwrap();
-    let mut steps: Vec<Step> = turns
-        .iter()
-        .map(|&(rotate, bend)| Step {
-            feed,
-            rotate: deg(rotate),
-            bend: deg(bend),
-        })
-        .collect();
+    let mut steps: Vec<Step> =
+        turns.iter().map(|&(rotate, bend)| Step { feed, rotate: deg(rotate), bend: deg(bend) }).collect();
     if let Some(first) = steps.first_mut() {
         first.rotate = Angle::ZERO;
     }
-    steps.push(Step {
-        feed,
-        ..Step::default()
-    });
+    steps.push(Step { feed, ..Step::default() });
     NominalProgram::from_steps(steps)
 }
 
@@ -44,11 +31,7 @@ fn a_flat_zigzag_never_turns_the_head() {
     let zigzag = program(&[(0.0, 90.0), (180.0, 90.0), (180.0, 60.0), (180.0, 90.0)]);
     let scheduled = schedule(&zigzag, &limits(-360.0, 360.0), |_| Some(1.0)).unwrap();
     assert!(head_travel(&scheduled) < 1e-12);
-    let bends: Vec<f64> = scheduled
-        .steps
-        .iter()
-        .map(|step| step.bend.deg().round())
-        .collect();
+    let bends: Vec<f64> = scheduled.steps.iter().map(|step| step.bend.deg().round()).collect();
     assert_eq!(bends, [90.0, -90.0, 60.0, -90.0, 0.0]);
 }
 
@@ -101,14 +84,7 @@ fn least_by_trying(turns: &[(f64, f64)], least: f64, most: f64, flip_cost: f64) 
                 continue;
             }
             let made = if halves % 2 == 0 { 1.0 } else { 1.0 + flip };
-            let total = go(
-                turns,
-                k + 1,
-                stand,
-                at,
-                spent + (at - head).abs() + made,
-                (least, most, flip),
-            );
+            let total = go(turns, k + 1, stand, at, spent + (at - head).abs() + made, (least, most, flip));
             best = match (best, total) {
                 (Some(a), Some(b)) => Some(a.min(b)),
                 (a, b) => a.or(b),

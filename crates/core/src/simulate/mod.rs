@@ -56,10 +56,7 @@ pub fn formed_steps(program: &CompensatedProgram, compensation: &Compensation) -
     let bent: Vec<Step> = program
         .steps()
         .iter()
-        .map(|step| Step {
-            bend: compensation.bend.result(step.bend),
-            ..*step
-        })
+        .map(|step| Step { bend: compensation.bend.result(step.bend), ..*step })
         .collect();
     corner_to_corner(&bent, compensation)
 }
@@ -71,10 +68,7 @@ fn corner_to_corner(steps: &[Step], compensation: &Compensation) -> Vec<Step> {
     };
     let with_before = with_bend_before(steps);
     with_before
-        .map(|(before, step)| Step {
-            feed: model.segment_of(step.feed, before, step.bend),
-            ..*step
-        })
+        .map(|(before, step)| Step { feed: model.segment_of(step.feed, before, step.bend), ..*step })
         .collect()
 }
 
@@ -98,16 +92,8 @@ fn imperfect(
             let off = |by: f64| Angle::computed(by.to_radians());
             Step {
                 feed: step.feed + Length::computed(draw(Term::Feed)),
-                rotate: if is_bend {
-                    step.rotate + off(draw(Term::Rotate))
-                } else {
-                    step.rotate
-                },
-                bend: if is_bend {
-                    bent + off(draw(Term::Bend))
-                } else {
-                    bent
-                },
+                rotate: if is_bend { step.rotate + off(draw(Term::Rotate)) } else { step.rotate },
+                bend: if is_bend { bent + off(draw(Term::Bend)) } else { bent },
             }
         })
         .collect();
@@ -130,11 +116,7 @@ fn imperfect(
 /// distance.
 fn chord_over_arc(bow: f64) -> f64 {
     let quarter = (2.0 * bow).atan();
-    if quarter.abs() < 1e-6 {
-        1.0
-    } else {
-        (2.0 * quarter).sin() / (2.0 * quarter)
-    }
+    if quarter.abs() < 1e-6 { 1.0 } else { (2.0 * quarter).sin() / (2.0 * quarter) }
 }
 
 #[derive(Clone, Copy)]
@@ -185,13 +167,7 @@ pub struct Trial<'a> {
 /// The wire that a machine without errors makes: its vertices in mm, in the order of the route.
 #[must_use]
 pub fn perfect_wire(trial: &Trial) -> Vec<Point3<f64>> {
-    imperfect(
-        trial.start,
-        trial.program,
-        trial.compensation,
-        trial.fractions,
-        &mut |_| 0.0,
-    )
+    imperfect(trial.start, trial.program, trial.compensation, trial.fractions, &mut |_| 0.0)
 }
 
 /// Bends the wire `runs` times with errors drawn from `seed`; the same seed gives the same report.
@@ -206,11 +182,7 @@ pub fn simulate(
     mut each_run: impl FnMut(&[Point3<f64>]),
 ) -> Result<ErrorReport, BadErrorTerm> {
     let normal = |of: &'static str, term: ErrorTerm| {
-        let bad = BadErrorTerm {
-            of,
-            bias: term.bias,
-            sigma: term.sigma,
-        };
+        let bad = BadErrorTerm { of, bias: term.bias, sigma: term.sigma };
         if !term.bias.is_finite() || !term.sigma.is_finite() || term.sigma < 0.0 {
             return Err(bad);
         }
@@ -230,21 +202,13 @@ pub fn simulate(
             Term::Bend => bend.sample(&mut random),
             Term::Curvature => curvature.sample(&mut random),
         };
-        let made = imperfect(
-            trial.start,
-            trial.program,
-            trial.compensation,
-            trial.fractions,
-            &mut draw,
-        );
+        let made = imperfect(trial.start, trial.program, trial.compensation, trial.fractions, &mut draw);
         for ((design, made), distances) in trial.design.iter().zip(&made).zip(&mut deviations) {
             distances.push((design - made).norm());
         }
         for (passes, distances) in trial.passes.iter().zip(&mut gaps) {
             let between = passes.iter().flat_map(|&a| passes.iter().map(move |&b| (a, b)));
-            let widest = between
-                .map(|(a, b)| (made[a] - made[b]).norm())
-                .fold(0.0, f64::max);
+            let widest = between.map(|(a, b)| (made[a] - made[b]).norm()).fold(0.0, f64::max);
             distances.push(widest);
         }
         each_run(&made);
@@ -255,10 +219,7 @@ pub fn simulate(
         let mean = distances.iter().sum::<f64>() / distances.len().max(1) as f64;
         let within = (distances.len() * 95).div_ceil(100).saturating_sub(1);
         let radius_95 = distances.get(within).copied().unwrap_or_default();
-        Spread {
-            mean: Length::computed(mean),
-            radius_95: Length::computed(radius_95),
-        }
+        Spread { mean: Length::computed(mean), radius_95: Length::computed(radius_95) }
     };
     Ok(ErrorReport {
         deviations: deviations.into_iter().map(spread).collect(),

@@ -39,10 +39,7 @@ impl Wireframe {
             }
             vertices.sort_unstable();
             component_of.extend(vertices.iter().map(|&vertex| (vertex, components.len())));
-            components.push(Component {
-                vertices,
-                edges: Vec::new(),
-            });
+            components.push(Component { vertices, edges: Vec::new() });
         }
         for (id, edge) in self.edges() {
             if let Some(component) = component_of.get(&edge.a).and_then(|&k| components.get_mut(k)) {
@@ -78,30 +75,17 @@ mod tests {
     #[test]
     fn two_wires_and_a_stray_vertex() {
         let mut w = Wireframe::new();
-        let v: Vec<VertexId> = (0..5)
-            .map(|k| {
-                w.add_vertex(Vertex::at(Point3::new(f64::from(k), 0.0, 0.0)))
-                    .unwrap()
-            })
-            .collect();
+        let v: Vec<VertexId> =
+            (0..5).map(|k| w.add_vertex(Vertex::at(Point3::new(f64::from(k), 0.0, 0.0))).unwrap()).collect();
         let first = w.add_edge(v[0], v[3]).unwrap();
         let second = w.add_edge(v[4], v[1]).unwrap();
         let components = w.components();
         assert_eq!(
             components,
             [
-                Component {
-                    vertices: vec![v[0], v[3]],
-                    edges: vec![first]
-                },
-                Component {
-                    vertices: vec![v[1], v[4]],
-                    edges: vec![second]
-                },
-                Component {
-                    vertices: vec![v[2]],
-                    edges: vec![]
-                },
+                Component { vertices: vec![v[0], v[3]], edges: vec![first] },
+                Component { vertices: vec![v[1], v[4]], edges: vec![second] },
+                Component { vertices: vec![v[2]], edges: vec![] },
             ]
         );
         assert_eq!(w.odd_vertices(&components[0], &[]), [v[0], v[3]]);

@@ -54,22 +54,11 @@ impl Delta {
     #[must_use]
     pub fn inverse(&self) -> Self {
         fn swap<T: Copy>(change: &Change<T>) -> Change<T> {
-            Change {
-                before: change.after,
-                after: change.before,
-            }
+            Change { before: change.after, after: change.before }
         }
         Self {
-            vertices: self
-                .vertices
-                .iter()
-                .map(|(&id, change)| (id, swap(change)))
-                .collect(),
-            edges: self
-                .edges
-                .iter()
-                .map(|(&id, change)| (id, swap(change)))
-                .collect(),
+            vertices: self.vertices.iter().map(|(&id, change)| (id, swap(change))).collect(),
+            edges: self.edges.iter().map(|(&id, change)| (id, swap(change))).collect(),
             next: (self.next.1, self.next.0),
         }
     }
@@ -94,10 +83,7 @@ impl Delta {
                 return Err(StaleDelta::Edge(id));
             }
         }
-        let draft = Draft {
-            base: wireframe,
-            delta: self.clone(),
-        };
+        let draft = Draft { base: wireframe, delta: self.clone() };
         let ends_exist = |edge: Edge| draft.vertex(edge.a).is_some() && draft.vertex(edge.b).is_some();
         for (&id, change) in &self.edges {
             if change.after.is_some_and(|edge| !ends_exist(edge)) {
@@ -123,34 +109,19 @@ pub(super) struct Draft<'a> {
 impl<'a> Draft<'a> {
     pub fn new(base: &'a Wireframe) -> Self {
         let next = base.next_ids();
-        Self {
-            base,
-            delta: Delta {
-                vertices: BTreeMap::new(),
-                edges: BTreeMap::new(),
-                next: (next, next),
-            },
-        }
+        Self { base, delta: Delta { vertices: BTreeMap::new(), edges: BTreeMap::new(), next: (next, next) } }
     }
 
     pub fn vertex(&self, id: VertexId) -> Option<Vertex> {
-        self.delta
-            .vertices
-            .get(&id)
-            .map_or_else(|| self.base.vertex(id), |change| change.after)
+        self.delta.vertices.get(&id).map_or_else(|| self.base.vertex(id), |change| change.after)
     }
 
     pub fn position(&self, id: VertexId) -> Result<Point3<f64>, WireframeError> {
-        self.vertex(id)
-            .map(|vertex| vertex.position)
-            .ok_or(WireframeError::NoVertex(id))
+        self.vertex(id).map(|vertex| vertex.position).ok_or(WireframeError::NoVertex(id))
     }
 
     pub fn edge(&self, id: EdgeId) -> Option<Edge> {
-        self.delta
-            .edges
-            .get(&id)
-            .map_or_else(|| self.base.edge(id), |change| change.after)
+        self.delta.edges.get(&id).map_or_else(|| self.base.edge(id), |change| change.after)
     }
 
     /// All edges as they stand now, in order of id.
@@ -170,9 +141,7 @@ impl<'a> Draft<'a> {
         let touches = |edge: Edge| edge.a == vertex || edge.b == vertex;
         let kept = self.base.incident(vertex).into_iter();
         let changed = self.delta.edges.keys().copied();
-        kept.chain(changed)
-            .filter(|&id| self.edge(id).is_some_and(touches))
-            .collect()
+        kept.chain(changed).filter(|&id| self.edge(id).is_some_and(touches)).collect()
     }
 
     /// Whether some edge other than `except` joins the same two vertices.
@@ -190,13 +159,7 @@ impl<'a> Draft<'a> {
 
     pub fn move_vertex(&mut self, id: VertexId, to: Point3<f64>) -> Result<(), WireframeError> {
         let vertex = self.vertex(id).ok_or(WireframeError::NoVertex(id))?;
-        self.set_vertex(
-            id,
-            Vertex {
-                position: to,
-                ..vertex
-            },
-        )
+        self.set_vertex(id, Vertex { position: to, ..vertex })
     }
 
     pub fn add_vertex(&mut self, vertex: Vertex) -> Result<VertexId, WireframeError> {
@@ -242,9 +205,7 @@ impl<'a> Draft<'a> {
     }
 
     pub fn finish(mut self) -> Delta {
-        self.delta
-            .vertices
-            .retain(|_, change| change.before != change.after);
+        self.delta.vertices.retain(|_, change| change.before != change.after);
         self.delta.edges.retain(|_, change| change.before != change.after);
         self.delta
     }

@@ -46,10 +46,7 @@ impl Vertex {
     /// A free vertex at a position in mm.
     #[must_use]
     pub const fn at(position: Point3<f64>) -> Self {
-        Self {
-            position,
-            support: false,
-        }
+        Self { position, support: false }
     }
 }
 
@@ -160,14 +157,8 @@ impl Wireframe {
     /// # Errors
     /// [`WireframeError`] when an end is missing or the id is taken.
     pub fn insert_edge(&mut self, id: EdgeId, edge: Edge) -> Result<(), WireframeError> {
-        let a = *self
-            .vertices
-            .get(&edge.a)
-            .ok_or(WireframeError::NoVertex(edge.a))?;
-        let b = *self
-            .vertices
-            .get(&edge.b)
-            .ok_or(WireframeError::NoVertex(edge.b))?;
+        let a = *self.vertices.get(&edge.a).ok_or(WireframeError::NoVertex(edge.a))?;
+        let b = *self.vertices.get(&edge.b).ok_or(WireframeError::NoVertex(edge.b))?;
         if self.edges.contains_key(&id) {
             return Err(WireframeError::EdgeExists(id));
         }
@@ -204,26 +195,19 @@ impl Wireframe {
     /// A vertex by its id.
     #[must_use]
     pub fn vertex(&self, id: VertexId) -> Option<Vertex> {
-        self.graph
-            .node_weight(*self.vertices.get(&id)?)
-            .map(|&(_, vertex)| vertex)
+        self.graph.node_weight(*self.vertices.get(&id)?).map(|&(_, vertex)| vertex)
     }
 
     /// An edge by its id.
     #[must_use]
     pub fn edge(&self, id: EdgeId) -> Option<Edge> {
         let (a, b) = self.graph.edge_endpoints(*self.edges.get(&id)?)?;
-        Some(Edge {
-            a: self.graph.node_weight(a)?.0,
-            b: self.graph.node_weight(b)?.0,
-        })
+        Some(Edge { a: self.graph.node_weight(a)?.0, b: self.graph.node_weight(b)?.0 })
     }
 
     /// All vertices in order of id.
     pub fn vertices(&self) -> impl Iterator<Item = (VertexId, Vertex)> + '_ {
-        self.vertices
-            .iter()
-            .filter_map(|(&id, &index)| Some((id, self.graph.node_weight(index)?.1)))
+        self.vertices.iter().filter_map(|(&id, &index)| Some((id, self.graph.node_weight(index)?.1)))
     }
 
     /// All edges in order of id.
@@ -327,40 +311,21 @@ mod tests {
     fn what_cannot_be_a_wireframe_is_refused_by_name() {
         let mut w = Wireframe::new();
         let a = w.add_vertex(at(0.0)).unwrap();
-        assert!(matches!(
-            w.add_vertex(at(f64::NAN)),
-            Err(WireframeError::Position(_))
-        ));
-        assert!(matches!(
-            w.add_vertex(at(1.1e6)),
-            Err(WireframeError::Position(_))
-        ));
-        assert_eq!(
-            w.add_edge(a, VertexId(7)),
-            Err(WireframeError::NoVertex(VertexId(7)))
-        );
+        assert!(matches!(w.add_vertex(at(f64::NAN)), Err(WireframeError::Position(_))));
+        assert!(matches!(w.add_vertex(at(1.1e6)), Err(WireframeError::Position(_))));
+        assert_eq!(w.add_edge(a, VertexId(7)), Err(WireframeError::NoVertex(VertexId(7))));
         assert_eq!(w.insert_vertex(a, at(1.0)), Err(WireframeError::VertexExists(a)));
-        assert_eq!(
-            w.insert_vertex(VertexId(u32::MAX), at(1.0)),
-            Err(WireframeError::Full)
-        );
+        assert_eq!(w.insert_vertex(VertexId(u32::MAX), at(1.0)), Err(WireframeError::Full));
         let b = w.add_vertex(at(1.0)).unwrap();
         let e = w.add_edge(a, b).unwrap();
-        assert_eq!(
-            w.insert_edge(e, Edge { a, b }),
-            Err(WireframeError::EdgeExists(e))
-        );
+        assert_eq!(w.insert_edge(e, Edge { a, b }), Err(WireframeError::EdgeExists(e)));
     }
 
     #[test]
     fn parallel_edges_and_loops_are_kept_apart() {
         let mut w = Wireframe::new();
         let (a, b) = (w.add_vertex(at(0.0)).unwrap(), w.add_vertex(at(3.0)).unwrap());
-        let edges = [
-            w.add_edge(a, b).unwrap(),
-            w.add_edge(b, a).unwrap(),
-            w.add_edge(a, a).unwrap(),
-        ];
+        let edges = [w.add_edge(a, b).unwrap(), w.add_edge(b, a).unwrap(), w.add_edge(a, a).unwrap()];
         assert_eq!(w.incident(a), edges);
         assert_eq!(w.incident(b), edges[..2]);
         assert!((w.total_length().mm() - 6.0).abs() < 1e-12);

@@ -59,22 +59,13 @@ impl Wireframe {
                 && !kept.support
             {
                 // The position is that of an existing vertex, which is one by construction.
-                let _ = draft.set_vertex(
-                    ids[root],
-                    super::graph::Vertex {
-                        support: true,
-                        ..kept
-                    },
-                );
+                let _ = draft.set_vertex(ids[root], super::graph::Vertex { support: true, ..kept });
             }
         }
         let mut seen = BTreeSet::new();
         let target = |id: VertexId| into.get(&id).copied().unwrap_or(id);
         for (id, edge) in self.edges() {
-            let welded = Edge {
-                a: target(edge.a),
-                b: target(edge.b),
-            };
+            let welded = Edge { a: target(edge.a), b: target(edge.b) };
             if welded.a == welded.b {
                 report.collapsed_edges += 1;
                 draft.remove_edge(id);
@@ -112,9 +103,7 @@ pub(crate) fn clusters(positions: &[Point3<f64>], tolerance: f64) -> Vec<usize> 
         cells.entry([x, y, z]).or_default().push(k);
     }
     let mut lowest: HashMap<usize, usize> = HashMap::new();
-    (0..positions.len())
-        .map(|k| *lowest.entry(sets.find(k)).or_insert(k))
-        .collect()
+    (0..positions.len()).map(|k| *lowest.entry(sets.find(k)).or_insert(k)).collect()
 }
 
 #[cfg(test)]
@@ -124,10 +113,8 @@ mod tests {
 
     fn wireframe(points: &[[f64; 3]], edges: &[(usize, usize)]) -> Wireframe {
         let mut w = Wireframe::new();
-        let ids: Vec<VertexId> = points
-            .iter()
-            .map(|&p| w.add_vertex(Vertex::at(Point3::from(p))).unwrap())
-            .collect();
+        let ids: Vec<VertexId> =
+            points.iter().map(|&p| w.add_vertex(Vertex::at(Point3::from(p))).unwrap()).collect();
         for &(a, b) in edges {
             w.add_edge(ids[a], ids[b]).unwrap();
         }
@@ -152,35 +139,19 @@ mod tests {
         let (delta, report) = w.weld(Length::from_mm(1e-3).unwrap());
         w.commit(&delta).unwrap();
         assert_eq!((w.vertex_count(), w.edge_count()), (4, 4));
-        assert_eq!(
-            (
-                report.merged_vertices,
-                report.collapsed_edges,
-                report.duplicate_edges
-            ),
-            (4, 1, 1)
-        );
+        assert_eq!((report.merged_vertices, report.collapsed_edges, report.duplicate_edges), (4, 1, 1));
         assert!((report.largest_move.mm() - 4e-4).abs() < 1e-12);
         assert!(w.odd_vertices(&w.components()[0], &[]).is_empty());
     }
 
     #[test]
     fn a_chain_of_close_vertices_reports_how_far_it_moved() {
-        let mut w = wireframe(
-            &[[0., 0., 0.], [0.9, 0., 0.], [1.8, 0., 0.], [9., 0., 0.]],
-            &[(2, 3)],
-        );
+        let mut w = wireframe(&[[0., 0., 0.], [0.9, 0., 0.], [1.8, 0., 0.], [9., 0., 0.]], &[(2, 3)]);
         let (delta, report) = w.weld(Length::from_mm(1.0).unwrap());
         w.commit(&delta).unwrap();
         assert_eq!(w.vertex_count(), 2);
         assert!((report.largest_move.mm() - 1.8).abs() < 1e-12);
-        assert_eq!(
-            w.edges().next().map(|(_, edge)| edge),
-            Some(Edge {
-                a: VertexId(0),
-                b: VertexId(3)
-            })
-        );
+        assert_eq!(w.edges().next().map(|(_, edge)| edge), Some(Edge { a: VertexId(0), b: VertexId(3) }));
     }
 
     #[test]

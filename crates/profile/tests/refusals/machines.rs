@@ -83,11 +83,7 @@ fn a_machine_that_contradicts_itself_is_refused() {
         ("limits.max_stock_mm", 0.0, "expected a value above 0"),
         ("limits.tail_mm", -1.0, "expected 0 or more"),
         ("wire.min_diameter_mm", 0.0, "expected a value above 0"),
-        (
-            "wire.max_diameter_mm",
-            1.0,
-            "expected at least the lower bound, 2.8",
-        ),
+        ("wire.max_diameter_mm", 1.0, "expected at least the lower bound, 2.8"),
         ("feed.rate_mm_per_s", 0.0, "expected a value above 0"),
         ("feed.resolution_mm", 0.0, "expected a value above 0"),
         ("rotate.rate_deg_per_s", -1.0, "expected a value above 0"),
@@ -106,10 +102,7 @@ fn a_machine_that_contradicts_itself_is_refused() {
         let lines = format!("\"{group}\": {{\n\"{leaf}\": {}}}", figure(value));
         let errors = check_text("mine.json", &child(&lines)).unwrap_err();
         let message = format!("mine.json:7: {key} is {value}, {expected}; correct the value");
-        assert!(
-            errors.iter().any(|error| error.to_string() == message),
-            "{key}: {errors:?}"
-        );
+        assert!(errors.iter().any(|error| error.to_string() == message), "{key}: {errors:?}");
     }
 }
 
@@ -118,9 +111,7 @@ fn equal_bounds_are_a_range_of_wires_but_not_of_angles() {
     let same = |key: &str, low: f64, high: f64| {
         let (group, leaf) = key.split_once('.').unwrap();
         let (low, high) = (figure(low), figure(high));
-        child(&format!(
-            "\"{group}\": {{\"min_{leaf}\": {low}, \"max_{leaf}\": {high}}}"
-        ))
+        child(&format!("\"{group}\": {{\"min_{leaf}\": {low}, \"max_{leaf}\": {high}}}"))
     };
     check_text("mine.json", &same("wire.diameter_mm", 3.0, 3.0)).unwrap();
     check_text("mine.json", &same("limits.bend_deg", 0.0, 0.0)).unwrap_err();
@@ -154,11 +145,7 @@ fn names_of_drivers_and_formats_are_ids() {
 #[test]
 fn figures_of_an_open_profile_name_what_is_missing() {
     let profile: MachineProfile = serde_json::from_str(&child("")).unwrap();
-    let open = Resolved {
-        profile,
-        provenance: [].into(),
-        chain: vec![],
-    };
+    let open = Resolved { profile, provenance: [].into(), chain: vec![] };
     let error = open.figures().unwrap_err();
     expect![[r#"
         profile-missing: mine: name is not set, here or by a parent; add "name": a name for people

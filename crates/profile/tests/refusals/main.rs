@@ -1,8 +1,5 @@
 //! What is refused, and what a person then reads: file, line, expectation, remedy.
-#![allow(
-    clippy::needless_pass_by_value,
-    reason = "an `expect![]` is handed over where it stands"
-)]
+#![allow(clippy::needless_pass_by_value, reason = "an `expect![]` is handed over where it stands")]
 #![allow(clippy::unwrap_used, reason = "a helper of tests may fail the test")]
 #![allow(clippy::needless_raw_string_hashes, reason = "expect-test writes them so")]
 
@@ -53,9 +50,5 @@ pub(crate) fn refuse_folder(files: &[(&str, &[u8])], expected: Expect) {
     }
     let added = Library::shipped().unwrap().add_folder(root.path());
     let name = root.path().display().to_string();
-    expected.assert_eq(
-        &messages(&added.refused)
-            .replace(&name, "PROFILES")
-            .replace('\\', "/"),
-    );
+    expected.assert_eq(&messages(&added.refused).replace(&name, "PROFILES").replace('\\', "/"));
 }

@@ -176,11 +176,7 @@ fn a_folder_or_file_that_is_not_there_is_said_to_be() {
     let nowhere = Path::new("/no/such/folder");
     let added = Library::shipped().unwrap().add_folder(nowhere);
     assert_eq!(added.refused[0].code(), "profile-unreadable");
-    assert!(
-        added.refused[0]
-            .to_string()
-            .starts_with("/no/such/folder: cannot be read")
-    );
+    assert!(added.refused[0].to_string().starts_with("/no/such/folder: cannot be read"));
     let errors = check_file(&nowhere.join("mine.json")).unwrap_err();
     assert_eq!(errors[0].code(), "profile-unreadable");
 }

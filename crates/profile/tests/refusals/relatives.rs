@@ -20,9 +20,7 @@ fn an_unknown_parent_is_answered_with_the_nearest_ids() {
 #[test]
 fn a_ring_of_parents_is_shown_whole() {
     let of = |id: &str, parent: &str| {
-        child("")
-            .replace("\"mine\"", &format!("\"{id}\""))
-            .replace("wirebend-kit", parent)
+        child("").replace("\"mine\"", &format!("\"{id}\"")).replace("wirebend-kit", parent)
     };
     refuse(
         "mine.json",
@@ -64,12 +62,9 @@ fn other_profiles_that_are_named_must_exist() {
 #[test]
 fn a_contradiction_with_a_parent_is_shown_in_the_child() {
     let of = |id: &str, parent: &str, key: &str| {
-        child(&format!(
-            "\"abstract\": true,\n\"limits\": {{\"{key}\": {}}}",
-            figure(0.0)
-        ))
-        .replace("\"mine\"", &format!("\"{id}\""))
-        .replace("wirebend-kit", parent)
+        child(&format!("\"abstract\": true,\n\"limits\": {{\"{key}\": {}}}", figure(0.0)))
+            .replace("\"mine\"", &format!("\"{id}\""))
+            .replace("wirebend-kit", parent)
     };
     let low = of("low", "wirebend-kit", "min_bend_deg");
     let high = of("high", "wirebend-kit", "max_bend_deg");
@@ -154,9 +149,7 @@ fn a_child_is_checked_among_its_neighbours() {
     let machines = root.path().join(Kind::Machine.folder());
     std::fs::create_dir(&machines).unwrap();
     std::fs::write(machines.join("mine.json"), child("")).unwrap();
-    let text = child("")
-        .replace("wirebend-kit", "mine")
-        .replacen("\"mine\"", "\"second\"", 1);
+    let text = child("").replace("wirebend-kit", "mine").replacen("\"mine\"", "\"second\"", 1);
     std::fs::write(machines.join("second.json"), text).unwrap();
     let checked = check_file(&machines.join("second.json")).unwrap();
     assert_eq!(checked.chain, ["second", "mine", "wirebend-kit"]);

@@ -19,36 +19,18 @@ fn material(changes: &[(&str, Value)]) -> String {
 #[test]
 fn a_springback_table_can_be_read_both_ways() {
     let table = |pairs: &[(f64, f64)]| {
-        let points: Vec<Value> = pairs
-            .iter()
-            .map(|(a, l)| json!({"angle_deg": a, "loss_deg": l}))
-            .collect();
+        let points: Vec<Value> = pairs.iter().map(|(a, l)| json!({"angle_deg": a, "loss_deg": l})).collect();
         let table = json!({"model": "table", "positive": points, "source": "s", "measured": true});
         material(&[("springback", table)])
     };
     check_text("mine.json", &table(&[(0.0, 5.0), (90.0, 4.0), (180.0, 4.0)])).unwrap();
     let cases: [(&[(f64, f64)], &str); 6] = [
         (&[(10.0, 5.0)], "is 1 pairs, expected two pairs or more"),
-        (
-            &[(10.0, 5.0), (10.0, 6.0)],
-            "is 10, expected angle_deg above the pair before, 10",
-        ),
-        (
-            &[(10.0, 50.0), (20.0, 40.0)],
-            "is 60, expected angle_deg + loss_deg above",
-        ),
-        (
-            &[(10.0, -1.0), (20.0, 1.0)],
-            "is -1, expected loss_deg of 0 or more",
-        ),
-        (
-            &[(-10.0, 1.0), (20.0, 1.0)],
-            "is -10, expected angle_deg between 0 and 180",
-        ),
-        (
-            &[(10.0, 1.0), (200.0, 1.0)],
-            "is 200, expected angle_deg between 0 and 180",
-        ),
+        (&[(10.0, 5.0), (10.0, 6.0)], "is 10, expected angle_deg above the pair before, 10"),
+        (&[(10.0, 50.0), (20.0, 40.0)], "is 60, expected angle_deg + loss_deg above"),
+        (&[(10.0, -1.0), (20.0, 1.0)], "is -1, expected loss_deg of 0 or more"),
+        (&[(-10.0, 1.0), (20.0, 1.0)], "is -10, expected angle_deg between 0 and 180"),
+        (&[(10.0, 1.0), (200.0, 1.0)], "is 200, expected angle_deg between 0 and 180"),
     ];
     for (pairs, expected) in cases {
         let text = messages(&check_text("mine.json", &table(pairs)).unwrap_err());

@@ -35,20 +35,15 @@ pub(super) fn copy(
     placement::check_invertible(image)?;
     let mut image_of = BTreeMap::new();
     let mut images = Vec::with_capacity(vertices.len());
-    let originals: Vec<(VertexId, Point3<f64>)> = vertices
-        .iter()
-        .map(|&id| Ok((id, draft.position(id)?)))
-        .collect::<Result<_, WireframeError>>()?;
+    let originals: Vec<(VertexId, Point3<f64>)> =
+        vertices.iter().map(|&id| Ok((id, draft.position(id)?))).collect::<Result<_, WireframeError>>()?;
     for &(id, position) in &originals {
         let vertex = draft.vertex(id).ok_or(WireframeError::NoVertex(id))?;
         let to = image * position;
         let close = |&&(_, at): &&(VertexId, Point3<f64>)| (at - to).norm() <= weld.mm();
         let copied = match originals.iter().find(close) {
             Some(&(shared, _)) => shared,
-            None => draft.add_vertex(Vertex {
-                position: to,
-                ..vertex
-            })?,
+            None => draft.add_vertex(Vertex { position: to, ..vertex })?,
         };
         image_of.insert(id, copied);
         images.push(copied);

@@ -176,13 +176,7 @@ impl Edit {
             Self::SplitEdge { edge, at } => topology::split(&mut draft, *edge, *at)?,
             Self::Merge { vertices, at } => topology::merge(&mut draft, vertices, *at)?,
             Self::Transform { vertices, transform } => placement::transform(&mut draft, vertices, transform)?,
-            Self::Mirror {
-                vertices,
-                point,
-                normal,
-                mode,
-                weld,
-            } => {
+            Self::Mirror { vertices, point, normal, mode, weld } => {
                 let image = copies::reflection(*point, *normal);
                 match mode {
                     MirrorMode::InPlace => placement::transform(&mut draft, vertices, &image)?,
@@ -191,12 +185,7 @@ impl Edit {
                     }
                 }
             }
-            Self::Array {
-                vertices,
-                step,
-                count,
-                weld,
-            } => {
+            Self::Array { vertices, step, count, weld } => {
                 copies::array(&mut draft, vertices, step, *count, *weld)?;
             }
             Self::SetSupport { vertices, support } => placement::set_support(&mut draft, vertices, *support)?,

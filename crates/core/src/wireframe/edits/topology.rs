@@ -60,18 +60,13 @@ pub(super) fn merge(draft: &mut Draft, vertices: &[VertexId], at: MergeAt) -> Re
         MergeAt::Last => draft.position(*last)?,
         MergeAt::Centre => centre(draft, vertices)?,
     };
-    let support = vertices
-        .iter()
-        .any(|&id| draft.vertex(id).is_some_and(|vertex| vertex.support));
+    let support = vertices.iter().any(|&id| draft.vertex(id).is_some_and(|vertex| vertex.support));
     draft.set_vertex(*survivor, Vertex { position, support })?;
     for &old in gone {
         for id in draft.incident(old) {
             let Some(edge) = draft.edge(id) else { continue };
             let onto = |v: VertexId| if v == old { *survivor } else { v };
-            let moved = Edge {
-                a: onto(edge.a),
-                b: onto(edge.b),
-            };
+            let moved = Edge { a: onto(edge.a), b: onto(edge.b) };
             if moved.a == moved.b || draft.joined(moved, Some(id)) {
                 draft.remove_edge(id);
             } else {

@@ -1,0 +1,94 @@
+//! A component laid out for walking: vertices and edges by position in a list, in order of id.
+
+use nalgebra::{Point3, Vector3};
+
+use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
+
+/// Lengths are compared in whole nanometres, so that sums do not depend on their order.
+const NM_PER_MM: f64 = 1.0e6;
+
+/// An edge between two positions in the list of vertices.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Link {
+    pub id: EdgeId,
+    pub a: usize,
+    pub b: usize,
+    pub length_nm: i64,
+    /// Unit vector from `a` to `b`; zero for an edge without length.
+    pub direction: Vector3<f64>,
+}
+
+impl Link {
+    /// The end that is not `vertex`.
+    pub fn other(&self, vertex: usize) -> usize {
+        self.a ^ self.b ^ vertex
+    }
+}
+
+/// A component as lists.
+#[derive(Debug, Clone)]
+pub(super) struct Network {
+    pub vertices: Vec<VertexId>,
+    pub links: Vec<Link>,
+    /// Where the links of each vertex begin in `incident`; one more entry than vertices.
+    starts: Vec<usize>,
+    incident: Vec<usize>,
+}
+
+impl Network {
+    pub fn new(wireframe: &Wireframe, component: &Component) -> Self {
+        let position = |&id: &VertexId| wireframe.vertex(id).map(|vertex| (id, vertex.position));
+        let (vertices, positions): (Vec<VertexId>, Vec<Point3<f64>>) =
+            component.vertices.iter().filter_map(position).unzip();
+        let mut links = Vec::with_capacity(component.edges.len());
+        for &id in &component.edges {
+            let Some(edge) = wireframe.edge(id) else { continue };
+            let (Ok(a), Ok(b)) = (vertices.binary_search(&edge.a), vertices.binary_search(&edge.b)) else {
+                continue;
+            };
+            let vector = positions[b] - positions[a];
+            let length = vector.norm();
+            let direction = if length > 0.0 { vector / length } else { Vector3::zeros() };
+            #[allow(clippy::cast_possible_truncation)] // a coordinate is at most 1e6 mm
+            let length_nm = (length * NM_PER_MM).round() as i64;
+            links.push(Link { id, a, b, length_nm, direction });
+        }
+        let mut starts = vec![0; vertices.len() + 1];
+        for link in &links {
+            starts[link.a + 1] += 1;
+            starts[link.b + 1] += 1;
+        }
+        for k in 0..vertices.len() {
+            starts[k + 1] += starts[k];
+        }
+        let mut next = starts.clone();
+        let mut incident = vec![0; 2 * links.len()];
+        for (k, link) in links.iter().enumerate() {
+            for vertex in [link.a, link.b] {
+                incident[next[vertex]] = k;
+                next[vertex] += 1;
+            }
+        }
+        Self { vertices, links, starts, incident }
+    }
+
+    /// The links at a vertex, in order of id; a loop twice.
+    pub fn at(&self, vertex: usize) -> &[usize] {
+        &self.incident[self.starts[vertex]..self.starts[vertex + 1]]
+    }
+
+    /// The position of a vertex in the list.
+    pub fn index(&self, vertex: VertexId) -> Option<usize> {
+        self.vertices.binary_search(&vertex).ok()
+    }
+
+    /// The vertices with an odd number of ends, when the listed links count once more.
+    pub fn odd(&self, doubled: &[usize]) -> Vec<usize> {
+        let mut odd = vec![false; self.vertices.len()];
+        for link in self.links.iter().chain(doubled.iter().map(|&k| &self.links[k])) {
+            odd[link.a] ^= true;
+            odd[link.b] ^= true;
+        }
+        (0..odd.len()).filter(|&vertex| odd[vertex]).collect()
+    }
+}
