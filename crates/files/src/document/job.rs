@@ -1,0 +1,188 @@
+//! `.wbjob`: what is sent to a machine. It is hashed when it is made and never changes.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use wirebend_core::bend::Step;
+use wirebend_core::units::{Angle, Length, NotFinite};
+
+use super::error::DocumentError;
+use super::hash::canonical_sha256;
+use super::layout;
+use super::snapshot::ProfileSnapshot;
+use super::version::History;
+
+const HISTORY: History = History { format: "wbjob", migrations: &[] };
+
+/// A job as it was sealed: its contents and the hash that proves them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Job {
+    contents: JobContents,
+    hash: String,
+}
+
+/// What a job is made of.
+#[derive(Debug, Clone, PartialEq)]
+pub struct JobContents {
+    /// The hash of the design that it was planned from.
+    pub design_hash: String,
+    /// The machine that it was planned for.
+    pub machine: ProfileSnapshot,
+    /// The wire that it was planned for.
+    pub material: ProfileSnapshot,
+    /// The wires, in the order in which they are made.
+    pub wires: Vec<JobWire>,
+}
+
+/// One wire, in every stage of its planning.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct JobWire {
+    /// The vertices of the design that it runs through, by id, in order.
+    pub vertices: Vec<u32>,
+    /// The points that it runs through, in mm.
+    pub path_mm: Vec<[f64; 3]>,
+    /// The program of the design.
+    pub nominal: Vec<JobStep>,
+    /// Of each nominal step the segments of the path that its feed runs along: first, and one past
+    /// the last.
+    pub spans: Vec<[usize; 2]>,
+    /// The program with the signs and head turns that were chosen.
+    pub scheduled: Vec<JobStep>,
+    /// The program that the machine is told.
+    pub compensated: Vec<JobStep>,
+    /// The wire that has to be put in, with what cannot be fed.
+    pub stock_mm: f64,
+    /// How long it takes, estimated.
+    pub time_s: f64,
+}
+
+/// Feed, then rotate, then bend; signs as in the canonical program.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct JobStep {
+    /// How far the wire is fed.
+    pub feed_mm: f64,
+    /// How far it is turned about itself.
+    pub rotate_deg: f64,
+    /// How far it is bent.
+    pub bend_deg: f64,
+}
+
+impl From<Step> for JobStep {
+    fn from(step: Step) -> Self {
+        Self { feed_mm: step.feed.mm(), rotate_deg: step.rotate.deg(), bend_deg: step.bend.deg() }
+    }
+}
+
+impl TryFrom<JobStep> for Step {
+    type Error = NotFinite;
+
+    fn try_from(step: JobStep) -> Result<Self, NotFinite> {
+        Ok(Self {
+            feed: Length::from_mm(step.feed_mm)?,
+            rotate: Angle::from_deg(step.rotate_deg)?,
+            bend: Angle::from_deg(step.bend_deg)?,
+        })
+    }
+}
+
+/// A sealed WireBend job.
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "WireBend job")]
+pub(crate) struct JobFile {
+    /// Which kind of file this is.
+    #[schemars(extend("const" = "wbjob"))]
+    format: String,
+    /// The version of this format.
+    #[schemars(extend("const" = 1))]
+    version: u64,
+    /// SHA-256 over the canonical form (RFC 8785) of this file without this key.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "String", regex(pattern = "^[0-9a-f]{64}$"))]
+    hash: Option<String>,
+    /// The hash of the design that the job was planned from.
+    #[schemars(regex(pattern = "^[0-9a-f]{64}$"))]
+    design_hash: String,
+    /// The machine.
+    machine: ProfileSnapshot,
+    /// The material.
+    material: ProfileSnapshot,
+    /// The wires.
+    wires: Vec<JobWire>,
+}
+
+impl Job {
+    /// Seals contents into a job.
+    ///
+    /// # Errors
+    /// [`DocumentError::NotFinite`] for a number that is NaN or infinite.
+    pub fn seal(contents: JobContents) -> Result<Self, DocumentError> {
+        contents.check_finite()?;
+        let hash = canonical_sha256(&JobFile::of(&contents, None))?;
+        Ok(Self { contents, hash })
+    }
+
+    /// Opens the bytes of a `.wbjob` file.
+    ///
+    /// # Errors
+    /// [`DocumentError::Changed`] when the hash does not fit; else as for every document.
+    pub fn open(bytes: &[u8], file: &str) -> Result<Self, DocumentError> {
+        let mut content: JobFile = HISTORY.open(bytes, file)?;
+        let hash = content.hash.take().unwrap_or_default();
+        if canonical_sha256(&content)? != hash {
+            return Err(DocumentError::Changed { file: file.to_owned() });
+        }
+        let JobFile { design_hash, machine, material, wires, .. } = content;
+        let contents = JobContents { design_hash, machine, material, wires };
+        contents.check_finite()?;
+        Ok(Self { contents, hash })
+    }
+
+    /// The bytes of the `.wbjob` file; the same job gives the same bytes.
+    ///
+    /// # Errors
+    /// [`DocumentError::Write`].
+    pub fn to_bytes(&self) -> Result<Vec<u8>, DocumentError> {
+        layout::to_bytes(&JobFile::of(&self.contents, Some(self.hash.clone())))
+    }
+
+    /// What it is made of.
+    #[must_use]
+    pub const fn contents(&self) -> &JobContents {
+        &self.contents
+    }
+
+    /// The hash over all of it, in hexadecimal.
+    #[must_use]
+    pub fn hash(&self) -> &str {
+        &self.hash
+    }
+}
+
+impl JobFile {
+    fn of(contents: &JobContents, hash: Option<String>) -> Self {
+        let JobContents { design_hash, machine, material, wires } = contents.clone();
+        let (format, version) = (HISTORY.format.to_owned(), HISTORY.current());
+        Self { format, version, hash, design_hash, machine, material, wires }
+    }
+}
+
+impl JobContents {
+    fn check_finite(&self) -> Result<(), DocumentError> {
+        let refuse = |key, value: f64| {
+            if value.is_finite() { Ok(()) } else { Err(DocumentError::NotFinite { key, value }) }
+        };
+        for wire in &self.wires {
+            refuse("stock_mm", wire.stock_mm)?;
+            refuse("time_s", wire.time_s)?;
+            wire.path_mm.iter().flatten().try_for_each(|&c| refuse("path_mm", c))?;
+            for step in wire.nominal.iter().chain(&wire.scheduled).chain(&wire.compensated) {
+                refuse("feed_mm", step.feed_mm)?;
+                refuse("rotate_deg", step.rotate_deg)?;
+                refuse("bend_deg", step.bend_deg)?;
+            }
+        }
+        Ok(())
+    }
+}

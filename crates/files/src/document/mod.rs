@@ -1,0 +1,27 @@
+//! The project documents: `.wirebend`, which is edited, and `.wbjob`, which never changes.
+//!
+//! Both are JSON with a format, a version and no unknown keys; each value type here is also the
+//! source of a JSON Schema under `schema/`.
+
+mod error;
+mod hash;
+mod ids;
+mod job;
+mod layout;
+mod project;
+mod save;
+mod schema;
+mod snapshot;
+mod stencil;
+mod version;
+
+pub use error::DocumentError;
+pub use hash::sha256_hex;
+pub use ids::{Pin, PinTarget};
+pub use job::{Job, JobContents, JobStep, JobWire};
+pub use project::{Document, SourceFile};
+pub use save::save_atomically;
+pub use schema::schemas;
+pub use snapshot::ProfileSnapshot;
+pub use stencil::StencilSource;
+pub(crate) use version::without_place;

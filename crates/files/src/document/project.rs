@@ -1,0 +1,280 @@
+//! `.wirebend`: the design that a person works on.
+
+use nalgebra::Point3;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use wirebend_core::mesh::Stencil;
+use wirebend_core::wireframe::{Edge, EdgeId, NextIds, Vertex, VertexId, Wireframe};
+
+use super::error::DocumentError;
+use super::hash::canonical_sha256;
+use super::ids::{Pin, PinFile, PinTarget};
+use super::layout;
+use super::snapshot::ProfileSnapshot;
+use super::stencil::{StencilFile, StencilSource};
+use super::version::History;
+use crate::read::LengthUnit;
+
+const HISTORY: History = History { format: "wirebend", migrations: &[] };
+
+/// A project: the wireframe and all that belongs to it. Positions are millimetres.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Document {
+    /// The struts, with ids that stay.
+    pub wireframe: Wireframe,
+    /// The surface that is traced.
+    pub stencil: Option<StencilSource>,
+    /// The machine that it is made on.
+    pub machine: Option<ProfileSnapshot>,
+    /// The wire that it is made of.
+    pub material: Option<ProfileSnapshot>,
+    /// Edges that the person allowed to be laid twice.
+    pub doublings: Vec<EdgeId>,
+    /// Where the wire has to start.
+    pub start: Option<VertexId>,
+    /// Remarks pinned to vertices and edges.
+    pub pins: Vec<Pin>,
+    /// Remarks on the whole.
+    pub notes: String,
+    /// The unit that lengths are shown in; the file itself is in millimetres.
+    pub units: LengthUnit,
+    /// The file that the wireframe was imported from.
+    pub source: Option<SourceFile>,
+}
+
+/// The file that a wireframe was imported from.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SourceFile {
+    /// Its name.
+    pub file: String,
+    /// Its SHA-256 in hexadecimal.
+    #[schemars(regex(pattern = "^[0-9a-f]{64}$"))]
+    pub sha256: String,
+}
+
+/// A WireBend project.
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "WireBend project")]
+pub(crate) struct ProjectFile {
+    /// Which kind of file this is.
+    #[schemars(extend("const" = "wirebend"))]
+    format: String,
+    /// The version of this format.
+    #[schemars(extend("const" = 1))]
+    version: u64,
+    /// The wireframe.
+    wireframe: WireframeFile,
+    /// The surface that is traced.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    stencil: Option<StencilFile>,
+    /// The machine.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    machine: Option<ProfileSnapshot>,
+    /// The material.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    material: Option<ProfileSnapshot>,
+    /// Edges that may be laid twice, by id.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    doublings: Vec<u32>,
+    /// The vertex that the wire starts at, by id.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    start: Option<u32>,
+    /// Remarks on vertices and edges.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pins: Vec<PinFile>,
+    /// Remarks on the whole.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    notes: String,
+    /// The unit that lengths are shown in.
+    #[serde(default)]
+    units: LengthUnit,
+    /// The file that the wireframe was imported from.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    source: Option<SourceFile>,
+}
+
+/// Vertices and edges with ids that are never used again.
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "Wireframe")]
+struct WireframeFile {
+    /// The id that the next vertex will get.
+    next_vertex: u32,
+    /// The id that the next edge will get.
+    next_edge: u32,
+    /// The vertices.
+    vertices: Vec<VertexFile>,
+    /// The edges.
+    edges: Vec<EdgeFile>,
+}
+
+/// A point where struts meet.
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "Vertex")]
+struct VertexFile {
+    /// Its id.
+    id: u32,
+    /// x, y and z in mm, right-handed.
+    at_mm: [f64; 3],
+    /// Whether the design holds it fixed.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    support: bool,
+}
+
+/// A strut.
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "Edge")]
+struct EdgeFile {
+    /// Its id.
+    id: u32,
+    /// The vertex where it starts, by id.
+    a: u32,
+    /// The vertex where it ends, by id.
+    b: u32,
+}
+
+/// What makes a design the same design: see [`Document::design_hash`].
+#[derive(Serialize)]
+struct DesignPart<'a> {
+    vertices: &'a [VertexFile],
+    edges: &'a [EdgeFile],
+    doublings: &'a [u32],
+    start: Option<u32>,
+}
+
+impl Document {
+    /// A project around a wireframe, with nothing else yet.
+    #[must_use]
+    pub fn new(wireframe: Wireframe) -> Self {
+        Self { wireframe, ..Self::default() }
+    }
+
+    /// Opens the bytes of a `.wirebend` file; older versions are migrated.
+    ///
+    /// # Errors
+    /// [`DocumentError`] for anything that is not such a document in one piece.
+    pub fn open(bytes: &[u8], file: &str) -> Result<Self, DocumentError> {
+        let content: ProjectFile = HISTORY.open(bytes, file)?;
+        let document = Self {
+            wireframe: content.wireframe.build(file)?,
+            stencil: content.stencil.map(|stencil| stencil.unpack(file)).transpose()?,
+            machine: content.machine,
+            material: content.material,
+            doublings: content.doublings.into_iter().map(EdgeId).collect(),
+            start: content.start.map(VertexId),
+            pins: content.pins.into_iter().map(Pin::from).collect(),
+            notes: content.notes,
+            units: content.units,
+            source: content.source,
+        };
+        document.check_references(file)?;
+        Ok(document)
+    }
+
+    /// The bytes of the `.wirebend` file: the same document gives the same bytes, and opening them
+    /// gives the same document, bit for bit.
+    ///
+    /// # Errors
+    /// [`DocumentError::Write`].
+    pub fn to_bytes(&self) -> Result<Vec<u8>, DocumentError> {
+        layout::to_bytes(&self.file()?)
+    }
+
+    /// The stencil, if it is in the document itself.
+    #[must_use]
+    pub fn embedded_stencil(&self) -> Option<&Stencil> {
+        match &self.stencil {
+            Some(StencilSource::Embedded(stencil)) => Some(stencil),
+            _ => None,
+        }
+    }
+
+    /// The SHA-256 of the canonical form of what the wire is planned from: vertices, edges,
+    /// doublings and start. Remarks, stencil, machine and material do not change it.
+    ///
+    /// # Errors
+    /// [`DocumentError::Write`].
+    pub fn design_hash(&self) -> Result<String, DocumentError> {
+        let wireframe = WireframeFile::of(&self.wireframe);
+        let mut doublings: Vec<u32> = self.doublings.iter().map(|id| id.0).collect();
+        doublings.sort_unstable();
+        canonical_sha256(&DesignPart {
+            vertices: &wireframe.vertices,
+            edges: &wireframe.edges,
+            doublings: &doublings,
+            start: self.start.map(|id| id.0),
+        })
+    }
+
+    fn file(&self) -> Result<ProjectFile, DocumentError> {
+        Ok(ProjectFile {
+            format: HISTORY.format.to_owned(),
+            version: HISTORY.current(),
+            wireframe: WireframeFile::of(&self.wireframe),
+            stencil: self.stencil.as_ref().map(StencilFile::pack).transpose()?,
+            machine: self.machine.clone(),
+            material: self.material.clone(),
+            doublings: self.doublings.iter().map(|id| id.0).collect(),
+            start: self.start.map(|id| id.0),
+            pins: self.pins.iter().map(PinFile::from).collect(),
+            notes: self.notes.clone(),
+            units: self.units,
+            source: self.source.clone(),
+        })
+    }
+
+    /// Whether all that points at a vertex or an edge finds it.
+    fn check_references(&self, file: &str) -> Result<(), DocumentError> {
+        let dangling = |key, target| Err(DocumentError::Dangling { file: file.to_owned(), key, target });
+        if let Some(id) = self.doublings.iter().find(|id| self.wireframe.edge(**id).is_none()) {
+            return dangling("doublings", format!("edge {id}"));
+        }
+        if let Some(id) = self.start.filter(|id| self.wireframe.vertex(*id).is_none()) {
+            return dangling("start", format!("vertex {id}"));
+        }
+        for pin in &self.pins {
+            match pin.on {
+                PinTarget::Vertex(id) if self.wireframe.vertex(id).is_none() => {
+                    return dangling("pins", format!("vertex {id}"));
+                }
+                PinTarget::Edge(id) if self.wireframe.edge(id).is_none() => {
+                    return dangling("pins", format!("edge {id}"));
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+}
+
+impl WireframeFile {
+    fn of(wireframe: &Wireframe) -> Self {
+        let NextIds { vertex, edge } = wireframe.next_ids();
+        let vertices = wireframe.vertices().map(|(id, vertex)| VertexFile {
+            id: id.0,
+            at_mm: vertex.position.coords.into(),
+            support: vertex.support,
+        });
+        let edges = wireframe.edges().map(|(id, edge)| EdgeFile { id: id.0, a: edge.a.0, b: edge.b.0 });
+        Self { next_vertex: vertex, next_edge: edge, vertices: vertices.collect(), edges: edges.collect() }
+    }
+
+    fn build(self, file: &str) -> Result<Wireframe, DocumentError> {
+        let refuse = |error| DocumentError::Wireframe { file: file.to_owned(), error };
+        let mut wireframe = Wireframe::new();
+        for VertexFile { id, at_mm, support } in self.vertices {
+            let vertex = Vertex { position: Point3::from(at_mm), support };
+            wireframe.insert_vertex(VertexId(id), vertex).map_err(refuse)?;
+        }
+        for EdgeFile { id, a, b } in self.edges {
+            let edge = Edge { a: VertexId(a), b: VertexId(b) };
+            wireframe.insert_edge(EdgeId(id), edge).map_err(refuse)?;
+        }
+        wireframe.reserve_ids(NextIds { vertex: self.next_vertex, edge: self.next_edge });
+        Ok(wireframe)
+    }
+}

@@ -1,0 +1,154 @@
+//! What the readers of points, lines and faces have in common: from lists to an [`Imported`].
+
+use std::collections::HashSet;
+
+use nalgebra::Point3;
+use wirebend_core::mesh::Stencil;
+use wirebend_core::wireframe::{Edge, EdgeId, Vertex, VertexId, Wireframe};
+
+use super::Imported;
+use super::error::{Place, ReadError};
+use super::format::Format;
+use super::note::{NoteKind, Notes};
+use super::options::{LengthUnit, ReadOptions};
+use super::text::Source;
+use super::weld::Welder;
+
+/// Points, edges and faces in the numbers and the order of a file; indices are in range.
+#[derive(Debug, Default)]
+pub(crate) struct Drawing {
+    pub(crate) points: Vec<Point3<f64>>,
+    /// The line of each point, from 1; empty where the file has no lines.
+    pub(crate) point_lines: Vec<usize>,
+    pub(crate) supports: Vec<u32>,
+    pub(crate) edges: Vec<(u32, u32)>,
+    pub(crate) faces: Vec<Vec<u32>>,
+    /// The unit that the file names.
+    pub(crate) units: Option<LengthUnit>,
+    pub(crate) notes: Notes,
+}
+
+impl Drawing {
+    /// Scales, builds the wireframe and the stencil, and welds. Vertex k of the file is
+    /// `VertexId(k)`; what neither edges nor faces use is dropped and counted.
+    ///
+    /// # Errors
+    /// [`ReadError::Wireframe`] for a position beyond a kilometre.
+    pub(crate) fn finish(
+        mut self,
+        format: Format,
+        source: Source<'_>,
+        options: &ReadOptions,
+    ) -> Result<Imported, ReadError> {
+        let unit = options.units.or(self.units);
+        match (options.units, self.units) {
+            (None, None) => self.notes.add(NoteKind::UnitsAssumed, 1),
+            (Some(ours), Some(theirs)) if ours != theirs => self.notes.add(NoteKind::UnitsOverridden, 1),
+            _ => {}
+        }
+        let factor = unit.unwrap_or_default().mm() * options.scale;
+        for point in &mut self.points {
+            point.coords *= factor;
+        }
+        let mut used = self.in_edges();
+        for &k in self.faces.iter().flatten() {
+            used[k as usize] = true;
+        }
+        self.notes.add(NoteKind::VerticesUnused, used.iter().filter(|used| !**used).count());
+
+        let stencil = self.stencil(&used, source)?;
+        if let Some(stencil) = &stencil {
+            if options.face_edges {
+                self.edges.extend(stencil.face_edges());
+            } else {
+                if !self.edges.is_empty() {
+                    self.notes.add(NoteKind::FacesToStencil, stencil.faces().len());
+                }
+                used = self.in_edges();
+            }
+        }
+        if stencil.is_none() && self.edges.is_empty() {
+            return Err(source.empty("edges and no faces"));
+        }
+        let wireframe = self.wireframe(&used, source, options)?;
+        Ok(Imported {
+            format,
+            wireframe,
+            stencil,
+            program: None,
+            document: None,
+            notes: self.notes.into_vec(),
+        })
+    }
+
+    /// Of each point whether an edge ends at it.
+    fn in_edges(&self) -> Vec<bool> {
+        let mut used = vec![false; self.points.len()];
+        for &(a, b) in &self.edges {
+            used[a as usize] = true;
+            used[b as usize] = true;
+        }
+        used
+    }
+
+    /// The faces with all points, so that indices stay those of the file; a point that nothing
+    /// uses is put on one that is, where it cannot stretch the view.
+    fn stencil(&mut self, used: &[bool], source: Source<'_>) -> Result<Option<Stencil>, ReadError> {
+        let Some(&anchor) = self.faces.first().and_then(|face| face.first()) else {
+            return Ok(None);
+        };
+        let mut points = self.points.clone();
+        let anchor = points[anchor as usize];
+        for (point, used) in points.iter_mut().zip(used) {
+            if !used {
+                *point = anchor;
+            }
+        }
+        let stencil = Stencil::new(points, std::mem::take(&mut self.faces));
+        stencil.map(Some).map_err(|error| ReadError::Stencil { file: source.name.to_owned(), error })
+    }
+
+    /// Vertex k and edge k of the file keep k as their id; what is merged goes into the lowest.
+    fn wireframe(
+        &mut self,
+        used: &[bool],
+        source: Source<'_>,
+        options: &ReadOptions,
+    ) -> Result<Wireframe, ReadError> {
+        let refuse = |place, error| ReadError::Wireframe { file: source.name.to_owned(), place, error };
+        let mut welder = Welder::new(options.weld);
+        let mut supports = vec![false; self.points.len()];
+        for &k in &self.supports {
+            supports[k as usize] = true;
+        }
+        let mut welded: Vec<u32> = (0..).take(self.points.len()).collect();
+        for (k, &position) in self.points.iter().enumerate().filter(|&(k, _)| used[k]) {
+            welded[k] = welder.put(welded[k], position);
+            // A support stays one when it is welded to a free vertex.
+            supports[welded[k] as usize] |= supports[k];
+        }
+        let mut wireframe = Wireframe::new();
+        for (k, &position) in self.points.iter().enumerate().filter(|&(k, _)| used[k]) {
+            if welded[k] as usize != k {
+                self.notes.add(NoteKind::VerticesMerged, 1);
+                continue;
+            }
+            let place = self.point_lines.get(k).map_or(Place::Item("vertex", k), |&line| Place::Line(line));
+            let vertex = Vertex { position, support: supports[k] };
+            wireframe.insert_vertex(VertexId(welded[k]), vertex).map_err(|error| refuse(place, error))?;
+        }
+        let mut joined = HashSet::new();
+        for (id, &(a, b)) in (0..).zip(&self.edges) {
+            let edge = Edge { a: VertexId(welded[a as usize]), b: VertexId(welded[b as usize]) };
+            if edge.a == edge.b {
+                self.notes.add(NoteKind::EdgesCollapsed, 1);
+            } else if !joined.insert(edge.ends()) {
+                self.notes.add(NoteKind::EdgesMerged, 1);
+            } else {
+                let place = Place::Item("edge", id as usize);
+                wireframe.insert_edge(EdgeId(id), edge).map_err(|error| refuse(place, error))?;
+            }
+        }
+        Ok(wireframe)
+    }
+}

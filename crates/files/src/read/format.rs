@@ -1,0 +1,191 @@
+//! The formats that can be read, and how a file's format is told.
+
+use std::fmt;
+use std::str::FromStr;
+
+use super::error::ReadError;
+use super::table::Table;
+use super::text::{decode, lines};
+
+/// A format that can be read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Format {
+    /// Wavefront OBJ: `l` lines are a wireframe, faces a stencil.
+    Obj,
+    /// STL, ASCII or binary: a stencil.
+    Stl,
+    /// PLY, ASCII or binary: faces are a stencil, edges a wireframe.
+    Ply,
+    /// A table of points: one polyline.
+    Xyz,
+    /// Assembly-instances JSON: a frame with supports.
+    Assembly,
+    /// `FrameFab` PWF: a frame with pillars.
+    Pwf,
+    /// WireBend-kit text: a program.
+    Kit,
+    /// Pensa D.I.Wire script: a program.
+    Pensa,
+    /// LRA/YBC table: a program.
+    Lra,
+    /// The project document `.wirebend`.
+    Wirebend,
+}
+
+impl Format {
+    /// Every format.
+    pub const ALL: [Self; 10] = [
+        Self::Obj,
+        Self::Stl,
+        Self::Ply,
+        Self::Xyz,
+        Self::Assembly,
+        Self::Pwf,
+        Self::Kit,
+        Self::Pensa,
+        Self::Lra,
+        Self::Wirebend,
+    ];
+
+    /// The name by which it is chosen.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Obj => "obj",
+            Self::Stl => "stl",
+            Self::Ply => "ply",
+            Self::Xyz => "xyz",
+            Self::Assembly => "assembly",
+            Self::Pwf => "pwf",
+            Self::Kit => "wirebend-kit",
+            Self::Pensa => "pensa",
+            Self::Lra => "lra",
+            Self::Wirebend => "wirebend",
+        }
+    }
+
+    /// What it is, in a few words.
+    #[must_use]
+    pub const fn title(self) -> &'static str {
+        match self {
+            Self::Obj => "Wavefront OBJ",
+            Self::Stl => "STL mesh",
+            Self::Ply => "PLY mesh",
+            Self::Xyz => "XYZ point table",
+            Self::Assembly => "assembly-instances JSON",
+            Self::Pwf => "FrameFab PWF",
+            Self::Kit => "WireBend-kit program",
+            Self::Pensa => "Pensa D.I.Wire script",
+            Self::Lra => "LRA/YBC table",
+            Self::Wirebend => "WireBend project",
+        }
+    }
+
+    /// File name extensions, the usual one first. Some belong to several formats.
+    #[must_use]
+    pub const fn extensions(self) -> &'static [&'static str] {
+        match self {
+            Self::Obj => &["obj"],
+            Self::Stl => &["stl"],
+            Self::Ply => &["ply"],
+            Self::Xyz => &["xyz", "csv", "tsv", "txt"],
+            Self::Assembly => &["json"],
+            Self::Pwf => &["pwf"],
+            Self::Kit => &["txt"],
+            Self::Pensa => &["txt", "dsw", "diw"],
+            Self::Lra => &["lra", "ybc", "csv", "tsv", "txt"],
+            Self::Wirebend => &["wirebend"],
+        }
+    }
+}
+
+impl fmt::Display for Format {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// A word that names no format.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("\"{0}\" is no format that can be read; they are {known}", known = known())]
+pub struct UnknownName(String);
+
+impl FromStr for Format {
+    type Err = UnknownName;
+
+    fn from_str(word: &str) -> Result<Self, UnknownName> {
+        let found = Self::ALL.into_iter().find(|format| word.eq_ignore_ascii_case(format.name()));
+        found.ok_or_else(|| UnknownName(word.to_owned()))
+    }
+}
+
+/// The names of all formats, for messages.
+pub(super) fn known() -> String {
+    Format::ALL.map(Format::name).join(", ")
+}
+
+/// How much of a text is looked at.
+const SNIFFED: usize = 1 << 20;
+
+/// The format of a file: from its extension where only one format has it, else from its content.
+///
+/// # Errors
+/// [`ReadError::UnknownFormat`] lists the formats.
+pub fn detect(name: &str, bytes: &[u8]) -> Result<Format, ReadError> {
+    let extension = name.rsplit_once('.').map(|(_, extension)| extension.to_ascii_lowercase());
+    let by_name: Vec<Format> = Format::ALL
+        .into_iter()
+        .filter(|format| extension.as_deref().is_some_and(|ext| format.extensions().contains(&ext)))
+        .collect();
+    let by_content = sniff(bytes);
+    match (by_name.as_slice(), by_content) {
+        // JSON says itself which it is.
+        ([Format::Assembly], Some(Format::Wirebend)) => Ok(Format::Wirebend),
+        (&[only], _) => Ok(only),
+        (_, Some(format)) => Ok(format),
+        // A table without any number still gets the error of its reader, with a line.
+        ([Format::Xyz, ..], None) if extension.as_deref() != Some("txt") => Ok(Format::Xyz),
+        _ => Err(ReadError::UnknownFormat { file: name.to_owned() }),
+    }
+}
+
+/// The format that the content looks like.
+fn sniff(bytes: &[u8]) -> Option<Format> {
+    if bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r") {
+        return Some(Format::Ply);
+    }
+    if super::stl::is_binary(bytes) {
+        return Some(Format::Stl);
+    }
+    let text = decode(&bytes[..bytes.len().min(SNIFFED)]);
+    if text.contains('\0') {
+        return None;
+    }
+    if text.trim_start().starts_with('{') {
+        // A job is no wireframe, which the reader of documents says best.
+        if text.contains("\"wirebend\"") || text.contains("\"wbjob\"") {
+            return Some(Format::Wirebend);
+        }
+        return text.contains("\"node_list\"").then_some(Format::Assembly);
+    }
+    let mut points = 0;
+    for (_, line) in lines(&text).filter(|(_, line)| !line.trim().is_empty()) {
+        let mut words = line.split_whitespace();
+        let first = words.next().unwrap_or_default();
+        let number = words.next().is_some_and(|word| word.parse::<f64>().is_ok());
+        match (first, number) {
+            ("solid" | "facet", _) => return Some(Format::Stl),
+            ("v", true) => points += 1,
+            ("p" | "c" | "g", true) if points > 0 => return Some(Format::Pwf),
+            ("vn" | "vt" | "f" | "l", true) if points > 0 => return Some(Format::Obj),
+            ("F" | "R" | "B" | "f" | "r" | "b", true) if points == 0 => return Some(Format::Kit),
+            _ if number && super::pensa::is_command(first) => return Some(Format::Pensa),
+            _ => {}
+        }
+    }
+    if points > 0 {
+        return Some(Format::Obj);
+    }
+    let table = Table::parse(&text);
+    table.is_numeric().then(|| if super::lra::looks_like(&table) { Format::Lra } else { Format::Xyz })
+}

@@ -1,0 +1,37 @@
+//! WireBend-kit text: `F 30.000`, `R -90.000` or `B 45.000` a line, mm and degrees.
+//!
+//! `#` and `;` start a comment. Source: Faruqi et al., SCF '25, doi 10.1145/3745778.3766662.
+
+use super::Imported;
+use super::error::{Place, ReadError};
+use super::format::Format;
+use super::note::{NoteKind, Notes};
+use super::options::ReadOptions;
+use super::program::{Commands, angle_of, feed_of, finish};
+use super::text::{Source, decode, lines};
+
+/// Reads a program; `options.convention` says how its machine counts the axes.
+pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> Result<Imported, ReadError> {
+    let factor = options.units.unwrap_or_default().mm() * options.scale;
+    let mut commands = Commands::default();
+    let mut notes = Notes::default();
+    for (line, text) in lines(&decode(bytes)) {
+        let (command, comment) = text.split_at(text.find(['#', ';']).unwrap_or(text.len()));
+        notes.add(NoteKind::CommentsIgnored, usize::from(!comment.is_empty()));
+        let words: Vec<&str> = command.split_whitespace().collect();
+        source.room(Place::Line(line), commands.len(), "steps")?;
+        match *words.as_slice() {
+            [] => {}
+            ["F" | "f", value] => commands.feed(line, feed_of(source, line, value, factor)?),
+            ["R" | "r", value] => commands.rotate(line, angle_of(source, line, value)?),
+            ["B" | "b", value] => commands.bend(line, angle_of(source, line, value)?),
+            _ => {
+                let help = "a line holds one command and its number; correct the line";
+                return Err(source.syntax(Place::Line(line), command, "F, R or B and one number", help));
+            }
+        }
+    }
+    let (steps, lines) = commands.finish(&mut notes);
+    let steps = steps.into_iter().map(|step| options.convention.apply(step)).collect();
+    finish(Format::Kit, source, options, (steps, &lines), notes)
+}

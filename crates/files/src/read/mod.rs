@@ -1,0 +1,121 @@
+//! Readers: bytes in, wireframe, stencil or program out.
+//!
+//! One file a format. No reader opens a file, panics on any bytes or believes a count that a file
+//! announces. Errors name the file, the line, what was found and what to do.
+
+mod assembly;
+mod drawing;
+mod error;
+mod format;
+mod kit;
+mod lra;
+mod note;
+mod obj;
+mod options;
+mod pensa;
+mod ply;
+mod program;
+mod pwf;
+mod stl;
+mod table;
+mod text;
+mod weld;
+mod xyz;
+
+use std::io::Read;
+use std::path::Path;
+
+use wirebend_core::mesh::Stencil;
+use wirebend_core::wireframe::Wireframe;
+
+pub use error::{Place, ReadError};
+pub use format::{Format, UnknownName, detect};
+pub use note::{Note, NoteKind};
+pub use options::{LengthUnit, ReadOptions};
+pub use program::{ImportedProgram, wireframe_of_path};
+
+use crate::document::Document;
+pub(crate) use text::LIMIT;
+use text::Source;
+
+/// What a file held. Positions are millimetres in the frame of the file.
+#[derive(Debug, Clone)]
+pub struct Imported {
+    /// What it was read as.
+    pub format: Format,
+    /// The struts. Vertex k of the file is `VertexId(k)`; empty for a file of faces only.
+    pub wireframe: Wireframe,
+    /// The surface, if the file has faces.
+    pub stencil: Option<Stencil>,
+    /// The program, if the file is one.
+    pub program: Option<ImportedProgram>,
+    /// The rest of a project document, if the file is one.
+    pub document: Option<Box<Document>>,
+    /// What was merged, ignored or assumed.
+    pub notes: Vec<Note>,
+}
+
+/// Reads a file's bytes; `name` is for errors and, without `format`, for [`detect`].
+///
+/// # Errors
+/// [`ReadError`] says where and why.
+pub fn read(
+    bytes: &[u8],
+    name: &str,
+    format: Option<Format>,
+    options: &ReadOptions,
+) -> Result<Imported, ReadError> {
+    if !(options.scale > 0.0 && options.scale.is_finite()) {
+        return Err(ReadError::Scale { scale: options.scale });
+    }
+    let source = Source { name };
+    match format.map_or_else(|| detect(name, bytes), Ok)? {
+        Format::Obj => obj::read(bytes, source, options),
+        Format::Stl => stl::read(bytes, source, options),
+        Format::Ply => ply::read(bytes, source, options),
+        Format::Xyz => xyz::read(bytes, source, options),
+        Format::Assembly => assembly::read(bytes, source, options),
+        Format::Pwf => pwf::read(bytes, source, options),
+        Format::Kit => kit::read(bytes, source, options),
+        Format::Pensa => pensa::read(bytes, source, options),
+        Format::Lra => lra::read(bytes, source, options),
+        Format::Wirebend => {
+            let document = Document::open(bytes, name)?;
+            let stencil = document.embedded_stencil().cloned();
+            let wireframe = document.wireframe.clone();
+            Ok(Imported {
+                format: Format::Wirebend,
+                wireframe,
+                stencil,
+                program: None,
+                document: Some(Box::new(document)),
+                notes: Vec::new(),
+            })
+        }
+    }
+}
+
+/// The bytes of a file, up to 64 MiB; up to 512 MiB for the mesh formats STL and PLY.
+///
+/// # Errors
+/// [`ReadError::Io`] and [`ReadError::TooLarge`].
+pub fn read_file(path: &Path) -> Result<Vec<u8>, ReadError> {
+    const MIB: u64 = 1 << 20;
+    let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+    let mesh = ["stl", "ply"].iter().any(|mesh| extension.eq_ignore_ascii_case(mesh));
+    let limit = if mesh { 512 * MIB } else { 64 * MIB };
+    let name = path.display().to_string();
+    let io = |error| ReadError::Io { file: name.clone(), error };
+    let file = std::fs::File::open(path).map_err(io)?;
+    let bytes = file.metadata().map_err(io)?.len();
+    if bytes > limit {
+        return Err(ReadError::TooLarge { file: name, bytes, limit });
+    }
+    let mut content = Vec::new();
+    // A file may grow while it is read, and a pipe has no size.
+    file.take(limit + 1).read_to_end(&mut content).map_err(io)?;
+    if content.len() as u64 > limit {
+        return Err(ReadError::TooLarge { file: name, bytes: content.len() as u64, limit });
+    }
+    Ok(content)
+}

@@ -1,0 +1,183 @@
+//! What a reader merged, ignored or assumed. Nothing is dropped in silence.
+
+use std::fmt;
+
+/// What happened.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum NoteKind {
+    /// Nothing says what the numbers measure.
+    UnitsAssumed,
+    /// The caller's unit was used and not the file's.
+    UnitsOverridden,
+    /// Vertices that lay on another one.
+    VerticesMerged,
+    /// Edges between the same two vertices as another one.
+    EdgesMerged,
+    /// Edges without length.
+    EdgesCollapsed,
+    /// Vertices that no edge or face uses.
+    VerticesUnused,
+    /// Normals.
+    NormalsIgnored,
+    /// Texture coordinates.
+    TextureIgnored,
+    /// Colours and other values of a vertex, a face or a triangle.
+    AttributesIgnored,
+    /// Names of objects, groups and materials.
+    NamesIgnored,
+    /// Bytes behind the last entry that a file announces.
+    TrailingIgnored,
+    /// Points that belong to no line or face.
+    PointsIgnored,
+    /// Lines or entries of a kind that is not read.
+    StatementsIgnored,
+    /// Comments.
+    CommentsIgnored,
+    /// Pin commands of a script.
+    PinsIgnored,
+    /// Layer numbers of a frame.
+    LayersIgnored,
+    /// Marks of ceiling struts.
+    CeilingIgnored,
+    /// Loads, sections and materials of a frame.
+    MaterialIgnored,
+    /// Faces that only became a stencil while the file also has lines.
+    FacesToStencil,
+    /// A header line of a table.
+    HeaderSkipped,
+    /// Columns of a table that are not read.
+    ColumnsIgnored,
+    /// The last point repeats the first: the polyline is closed.
+    PolylineClosed,
+    /// A bend radius of zero.
+    RadiusAssumed,
+    /// A program that ends on a bend, which no feed follows.
+    EndsOnBend,
+    /// Bends of a table that are negative although its angles should have no sign.
+    NegativeAngles,
+    /// Rotations that no bend follows.
+    RotationsUnused,
+}
+
+/// One thing that a reader did, and how many times.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Note {
+    /// What.
+    pub kind: NoteKind,
+    /// How many times; 1 for what can happen once only.
+    pub count: usize,
+}
+
+impl NoteKind {
+    /// A name that does not change with the wording.
+    #[must_use]
+    pub const fn code(self) -> &'static str {
+        match self {
+            Self::UnitsAssumed => "units-assumed",
+            Self::UnitsOverridden => "units-overridden",
+            Self::VerticesMerged => "vertices-merged",
+            Self::EdgesMerged => "edges-merged",
+            Self::EdgesCollapsed => "edges-collapsed",
+            Self::VerticesUnused => "vertices-unused",
+            Self::NormalsIgnored => "normals-ignored",
+            Self::TextureIgnored => "texture-ignored",
+            Self::AttributesIgnored => "attributes-ignored",
+            Self::NamesIgnored => "names-ignored",
+            Self::TrailingIgnored => "trailing-ignored",
+            Self::PointsIgnored => "points-ignored",
+            Self::StatementsIgnored => "statements-ignored",
+            Self::CommentsIgnored => "comments-ignored",
+            Self::PinsIgnored => "pins-ignored",
+            Self::LayersIgnored => "layers-ignored",
+            Self::CeilingIgnored => "ceiling-ignored",
+            Self::MaterialIgnored => "material-ignored",
+            Self::FacesToStencil => "faces-to-stencil",
+            Self::HeaderSkipped => "header-skipped",
+            Self::ColumnsIgnored => "columns-ignored",
+            Self::PolylineClosed => "polyline-closed",
+            Self::RadiusAssumed => "radius-assumed",
+            Self::EndsOnBend => "ends-on-bend",
+            Self::NegativeAngles => "negative-angles",
+            Self::RotationsUnused => "rotations-unused",
+        }
+    }
+
+    /// Singular and plural of what is counted, or the whole sentence where nothing is.
+    const fn words(self) -> (&'static str, &'static str) {
+        match self {
+            Self::UnitsAssumed => ("units not given: taken as mm", ""),
+            Self::UnitsOverridden => ("the file names another unit; yours was used", ""),
+            Self::VerticesMerged => ("vertex merged into another", "vertices merged into others"),
+            Self::EdgesMerged => ("duplicate edge merged", "duplicate edges merged"),
+            Self::EdgesCollapsed => ("edge without length dropped", "edges without length dropped"),
+            Self::VerticesUnused => ("unused vertex dropped", "unused vertices dropped"),
+            Self::NormalsIgnored => ("normal ignored", "normals ignored"),
+            Self::TextureIgnored => ("texture coordinate ignored", "texture coordinates ignored"),
+            Self::AttributesIgnored => {
+                ("colour or other attribute ignored", "colours or other attributes ignored")
+            }
+            Self::NamesIgnored => {
+                ("object, group or material name ignored", "object, group or material names ignored")
+            }
+            Self::TrailingIgnored => ("byte behind the end ignored", "bytes behind the end ignored"),
+            Self::PointsIgnored => ("loose point ignored", "loose points ignored"),
+            Self::StatementsIgnored => ("unknown statement ignored", "unknown statements ignored"),
+            Self::CommentsIgnored => ("comment ignored", "comments ignored"),
+            Self::PinsIgnored => ("pin command ignored", "pin commands ignored"),
+            Self::LayersIgnored => ("layer number ignored", "layer numbers ignored"),
+            Self::CeilingIgnored => ("ceiling mark ignored", "ceiling marks ignored"),
+            Self::MaterialIgnored => {
+                ("material or section of the frame ignored", "materials or sections of the frame ignored")
+            }
+            Self::FacesToStencil => {
+                ("face kept as stencil, not as edges", "faces kept as stencil, not as edges")
+            }
+            Self::HeaderSkipped => ("the first row is a header", ""),
+            Self::ColumnsIgnored => ("column ignored", "columns ignored"),
+            Self::PolylineClosed => ("the last point repeats the first: the polyline is closed", ""),
+            Self::RadiusAssumed => (
+                "no bend radius given: lengths are taken from corner to corner; give a centreline radius",
+                "",
+            ),
+            Self::EndsOnBend => ("the program ends on a bend that no feed follows; it is kept", ""),
+            Self::NegativeAngles => (
+                "bend with a minus sign, taken as a bend to the other side",
+                "bends with a minus sign, taken as bends to the other side",
+            ),
+            Self::RotationsUnused => {
+                ("rotation at the end without effect ignored", "rotations at the end without effect ignored")
+            }
+        }
+    }
+}
+
+impl fmt::Display for Note {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match (self.kind.words(), self.count) {
+            ((sentence, ""), _) => f.write_str(sentence),
+            ((one, _), 1) => write!(f, "1 {one}"),
+            ((_, many), count) => write!(f, "{count} {many}"),
+        }
+    }
+}
+
+/// Collects notes; each kind once, in the order in which they first came up.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Notes(Vec<Note>);
+
+impl Notes {
+    /// Counts; zero is no note.
+    pub(crate) fn add(&mut self, kind: NoteKind, count: usize) {
+        if count == 0 {
+            return;
+        }
+        match self.0.iter_mut().find(|note| note.kind == kind) {
+            Some(note) => note.count += count,
+            None => self.0.push(Note { kind, count }),
+        }
+    }
+
+    pub(crate) fn into_vec(self) -> Vec<Note> {
+        self.0
+    }
+}

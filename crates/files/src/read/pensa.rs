@@ -1,0 +1,69 @@
+//! Pensa D.I.Wire script: `FEED`, `ROTATE`, `BEND` or `PINZ` and a number a line, in any case.
+//!
+//! mm and degrees; text in parentheses is a comment. The machine feeds along +y, +BEND turns the
+//! formed wire about -z and +ROTATE about +y. Seen from the wire, which travels along -y, these are
+//! our own signs: the default convention fits.
+
+use super::Imported;
+use super::error::{Place, ReadError};
+use super::format::Format;
+use super::note::{NoteKind, Notes};
+use super::options::ReadOptions;
+use super::program::{Commands, angle_of, feed_of, finish};
+use super::text::{Source, decode, lines};
+
+/// Whether a word is a command of the script.
+pub(super) fn is_command(word: &str) -> bool {
+    ["FEED", "ROTATE", "BEND", "PINZ"].iter().any(|command| word.eq_ignore_ascii_case(command))
+}
+
+/// Reads a script; pin commands are counted and ignored.
+pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> Result<Imported, ReadError> {
+    let factor = options.units.unwrap_or_default().mm() * options.scale;
+    let mut commands = Commands::default();
+    let mut notes = Notes::default();
+    for (line, text) in lines(&decode(bytes)) {
+        let (code, comments) = without_comments(source, line, text)?;
+        notes.add(NoteKind::CommentsIgnored, comments);
+        let words: Vec<&str> = code.split_whitespace().collect();
+        source.room(Place::Line(line), commands.len(), "steps")?;
+        let command = words.first().map(|word| word.to_ascii_uppercase()).unwrap_or_default();
+        match (command.as_str(), words.as_slice()) {
+            (_, []) => {}
+            ("FEED", [_, value]) => commands.feed(line, feed_of(source, line, value, factor)?),
+            ("ROTATE", [_, value]) => commands.rotate(line, angle_of(source, line, value)?),
+            ("BEND", [_, value]) => commands.bend(line, angle_of(source, line, value)?),
+            ("PINZ", [_, value]) => {
+                source.number(line, value)?;
+                notes.add(NoteKind::PinsIgnored, 1);
+            }
+            _ => {
+                let help = "a script holds commands, not instructions to a person; write each as a command";
+                let expected = "FEED, ROTATE, BEND or PINZ and one number";
+                return Err(source.syntax(Place::Line(line), &code, expected, help));
+            }
+        }
+    }
+    let (steps, lines) = commands.finish(&mut notes);
+    let steps = steps.into_iter().map(|step| options.convention.apply(step)).collect();
+    finish(Format::Pensa, source, options, (steps, &lines), notes)
+}
+
+/// A line without what is in parentheses, and how many of those there were.
+fn without_comments(source: Source<'_>, line: usize, text: &str) -> Result<(String, usize), ReadError> {
+    let mut code = String::new();
+    let mut rest = text;
+    let mut comments = 0;
+    while let Some((before, after)) = rest.split_once('(') {
+        let Some((_, behind)) = after.split_once(')') else {
+            let help = "close the comment on its line";
+            return Err(source.syntax(Place::Line(line), text, "a comment that ends with )", help));
+        };
+        code.push_str(before);
+        code.push(' ');
+        rest = behind;
+        comments += 1;
+    }
+    code.push_str(rest);
+    Ok((code, comments))
+}

@@ -1,0 +1,180 @@
+//! Programs of other tools: from commands to steps, and from steps to the wireframe they make.
+
+use std::collections::BTreeSet;
+
+use nalgebra::Point3;
+use wirebend_core::bend::{Frame, NominalProgram, Step, replay};
+use wirebend_core::units::{Angle, Length};
+use wirebend_core::wireframe::{Vertex, VertexId, Wireframe, WireframeError};
+
+use super::Imported;
+use super::error::{Place, ReadError};
+use super::format::Format;
+use super::note::{NoteKind, Notes};
+use super::options::ReadOptions;
+use super::text::Source;
+use super::weld::Welder;
+
+/// A program as its file wrote it, and the path that it makes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ImportedProgram {
+    /// The steps, with feeds from corner to corner, in our signs. A feed of 0 stands between two
+    /// bends that follow one another.
+    pub program: NominalProgram,
+    /// Where the wire goes, in mm: the start, then the end of each feed. Starts at the origin
+    /// along x; the first bend without a rotation before it turns towards y.
+    pub path: Vec<Point3<f64>>,
+    /// The path as vertices of the wireframe, without repeats in a row.
+    pub traversal: Vec<VertexId>,
+}
+
+/// The wireframe that a path (mm) makes, and the path as its vertices.
+///
+/// A point within `weld` of a vertex that is there already is that vertex, so a path that comes
+/// back to a node gives one vertex, and two passes along a strut one edge. Vertices are in the order
+/// of their first visit, from 0.
+///
+/// # Errors
+/// The index of the first point that is NaN, infinite or beyond a kilometre.
+pub fn wireframe_of_path(
+    path: &[Point3<f64>],
+    weld: Length,
+) -> Result<(Wireframe, Vec<VertexId>), (usize, WireframeError)> {
+    let mut welder = Welder::new(weld);
+    let mut wireframe = Wireframe::new();
+    let mut traversal: Vec<VertexId> = Vec::new();
+    let mut joined = BTreeSet::new();
+    for (k, point) in path.iter().enumerate() {
+        let next = u32::try_from(wireframe.vertex_count()).unwrap_or(u32::MAX);
+        let id = VertexId(welder.put(next, *point));
+        if id.0 == next {
+            wireframe.add_vertex(Vertex::at(*point)).map_err(|error| (k, error))?;
+        }
+        let before = traversal.last().copied();
+        if before == Some(id) {
+            continue;
+        }
+        if let Some(before) = before
+            && joined.insert((before.min(id), before.max(id)))
+        {
+            wireframe.add_edge(before, id).map_err(|error| (k, error))?;
+        }
+        traversal.push(id);
+    }
+    Ok((wireframe, traversal))
+}
+
+/// Puts single commands together into steps, whatever their order.
+///
+/// Rotations add up until a bend uses them; a rotation and a feed may change places, since both
+/// are along the tangent. A bend ends a step, so two bends in a row give a step with a feed of 0.
+#[derive(Debug, Default)]
+pub(crate) struct Commands {
+    steps: Vec<Step>,
+    lines: Vec<usize>,
+    step: Step,
+    /// Whether `step` holds a feed already.
+    fed: bool,
+}
+
+impl Commands {
+    fn close(&mut self) {
+        self.steps.push(std::mem::take(&mut self.step));
+        self.fed = false;
+    }
+
+    fn note_line(&mut self, line: usize) {
+        if self.lines.len() == self.steps.len() {
+            self.lines.push(line);
+        }
+    }
+
+    pub(crate) fn feed(&mut self, line: usize, feed: Length) {
+        if self.fed {
+            self.close();
+        }
+        self.note_line(line);
+        self.step.feed = feed;
+        self.fed = true;
+    }
+
+    pub(crate) fn rotate(&mut self, line: usize, angle: Angle) {
+        self.note_line(line);
+        self.step.rotate += angle;
+    }
+
+    pub(crate) fn bend(&mut self, line: usize, angle: Angle) {
+        self.note_line(line);
+        self.step.bend = angle;
+        self.close();
+    }
+
+    pub(crate) fn len(&self) -> usize {
+        self.steps.len()
+    }
+
+    /// The steps and the line of each. A rotation that no bend follows is dropped and counted.
+    pub(crate) fn finish(mut self, notes: &mut Notes) -> (Vec<Step>, Vec<usize>) {
+        if self.step.rotate != Angle::ZERO {
+            notes.add(NoteKind::RotationsUnused, 1);
+            self.step.rotate = Angle::ZERO;
+        }
+        if self.fed {
+            self.close();
+        }
+        (self.steps, self.lines)
+    }
+}
+
+/// A feed of 0 or more, in mm after `factor`.
+pub(crate) fn feed_of(source: Source<'_>, line: usize, word: &str, factor: f64) -> Result<Length, ReadError> {
+    let value = source.number(line, word)?;
+    let refuse = || {
+        let help = "a wire is only fed forward; correct the line";
+        source.syntax(Place::Line(line), word, "a feed of 0 or more", help)
+    };
+    if value < 0.0 {
+        return Err(refuse());
+    }
+    Length::from_mm(value * factor).map_err(|_| refuse())
+}
+
+/// An angle, from degrees.
+pub(crate) fn angle_of(source: Source<'_>, line: usize, word: &str) -> Result<Angle, ReadError> {
+    let value = source.number(line, word)?;
+    Ok(Angle::from_deg(value).unwrap_or_default())
+}
+
+/// Replays steps and makes the wireframe; `lines` are those of the steps.
+pub(crate) fn finish(
+    format: Format,
+    source: Source<'_>,
+    options: &ReadOptions,
+    (steps, lines): (Vec<Step>, &[usize]),
+    mut notes: Notes,
+) -> Result<Imported, ReadError> {
+    if steps.iter().all(|step| step.feed == Length::ZERO) {
+        return Err(source.empty("feed of more than 0"));
+    }
+    if steps.last().is_some_and(|step| step.bend != Angle::ZERO) {
+        notes.add(NoteKind::EndsOnBend, 1);
+    }
+    let path = replay(Frame::default(), &steps);
+    let (wireframe, traversal) = wireframe_of_path(&path, options.weld).map_err(|(point, error)| {
+        let line = lines.get(point.saturating_sub(1)).copied();
+        let place = line.map_or(Place::Item("point", point), Place::Line);
+        ReadError::Wireframe { file: source.name.to_owned(), place, error }
+    })?;
+    notes.add(NoteKind::VerticesMerged, path.len().saturating_sub(wireframe.vertex_count()));
+    let merged = (traversal.len().saturating_sub(1)).saturating_sub(wireframe.edge_count());
+    notes.add(NoteKind::EdgesMerged, merged);
+    let program = ImportedProgram { program: NominalProgram::from_steps(steps), path, traversal };
+    Ok(Imported {
+        format,
+        wireframe,
+        stencil: None,
+        program: Some(program),
+        document: None,
+        notes: notes.into_vec(),
+    })
+}

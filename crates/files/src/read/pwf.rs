@@ -1,0 +1,78 @@
+//! `FrameFab` PWF, as its authors' `WireFrame::LoadFromPWF` reads it (repository yijiangh/choreo).
+//!
+//! `v x y z` is a vertex; `l a b …` struts; `p base foot` a pillar, a strut from a vertex of the
+//! design to a foot that stands on the ground; `c a b` marks a strut as ceiling; `g a b layer` gives
+//! it a layer. `c` and `g` add the strut if it is not there. Indices count from 1.
+
+use std::collections::BTreeSet;
+
+use nalgebra::Point3;
+
+use super::Imported;
+use super::drawing::Drawing;
+use super::error::{Place, ReadError};
+use super::format::Format;
+use super::note::NoteKind;
+use super::options::ReadOptions;
+use super::text::{Source, decode, lines};
+
+/// Reads a frame. The feet of the pillars become supports.
+pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> Result<Imported, ReadError> {
+    let text = decode(bytes);
+    let mut drawing = Drawing::default();
+    for (line, text) in lines(&text) {
+        let words: Vec<&str> = text.split_whitespace().collect();
+        if let ["v", coordinates @ ..] = words.as_slice() {
+            source.room(Place::Line(line), drawing.points.len(), "vertices")?;
+            let [x, y, z] = coordinates else {
+                let help = "a vertex is v x y z; correct the line";
+                return Err(source.syntax(Place::Line(line), text, "three numbers after v", help));
+            };
+            let point = [source.number(line, x)?, source.number(line, y)?, source.number(line, z)?];
+            drawing.points.push(Point3::from(point));
+            drawing.point_lines.push(line);
+        }
+    }
+    // Struts may come before their vertices, and marks before their struts.
+    let mut marked = Vec::new();
+    for (line, text) in lines(&text) {
+        let words: Vec<&str> = text.split_whitespace().collect();
+        let Some((&kind, rest)) = words.split_first() else {
+            continue;
+        };
+        source.room(Place::Line(line), drawing.edges.len(), "edges")?;
+        let have = drawing.points.len();
+        let index = |word: &str| source.index(line, word, "vertex", have, false);
+        match (kind, rest) {
+            ("v", _) => {}
+            ("l", [_, _, ..]) => {
+                for pair in rest.windows(2) {
+                    drawing.edges.push((index(pair[0])?, index(pair[1])?));
+                }
+            }
+            ("p", [base, foot]) => {
+                let foot = index(foot)?;
+                drawing.edges.push((index(base)?, foot));
+                drawing.supports.push(foot);
+            }
+            ("c", [a, b]) => {
+                drawing.notes.add(NoteKind::CeilingIgnored, 1);
+                marked.push((index(a)?, index(b)?));
+            }
+            ("g", [a, b, layer]) => {
+                source.whole(line, layer)?;
+                drawing.notes.add(NoteKind::LayersIgnored, 1);
+                marked.push((index(a)?, index(b)?));
+            }
+            (comment, _) if comment.starts_with('#') => drawing.notes.add(NoteKind::CommentsIgnored, 1),
+            _ => {
+                let help = "a line is v x y z, l a b, p base foot, c a b or g a b layer; correct the line";
+                return Err(source.syntax(Place::Line(line), text, "a PWF line", help));
+            }
+        }
+    }
+    let ends = |&(a, b): &(u32, u32)| (a.min(b), a.max(b));
+    let mut known: BTreeSet<(u32, u32)> = drawing.edges.iter().map(ends).collect();
+    drawing.edges.extend(marked.into_iter().filter(|edge| known.insert(ends(edge))));
+    drawing.finish(Format::Pwf, source, options)
+}

@@ -1,0 +1,151 @@
+//! Tables of numbers as spreadsheets and bending machines write them.
+
+use super::error::{Place, ReadError};
+use super::options::LengthUnit;
+use super::text::{Source, lines};
+
+/// Rows of cells. Separators are `;`, tab, `,` or blanks, in this order of preference; the decimal
+/// mark may be a comma where the separator is `;` or tab. Lines that start with `#` are comments.
+#[derive(Debug)]
+pub(crate) struct Table<'a> {
+    /// The first row, if it has words.
+    pub(crate) header: Option<Vec<Column>>,
+    /// The other rows with their line; empty cells at the end are cut off, blank lines left out.
+    pub(crate) rows: Vec<(usize, Vec<&'a str>)>,
+    pub(crate) comments: usize,
+    decimal_comma: bool,
+}
+
+/// A header cell such as `X`, `length_mm` or `Angle [deg]`.
+#[derive(Debug, PartialEq, Eq)]
+pub(crate) struct Column {
+    /// Its first word in lower case.
+    pub(crate) name: String,
+    /// The unit of length that it names.
+    pub(crate) unit: Option<LengthUnit>,
+}
+
+impl<'a> Table<'a> {
+    /// A table from any text; one without numbers is a table too, and its reader says so.
+    pub(crate) fn parse(text: &'a str) -> Self {
+        let mut comments = 0;
+        let mut content = Vec::new();
+        for (number, line) in lines(text).filter(|(_, line)| !line.trim().is_empty()) {
+            if line.trim_start().starts_with('#') {
+                comments += 1;
+            } else {
+                content.push((number, line));
+            }
+        }
+        let separator =
+            [';', '\t', ','].into_iter().find(|&mark| content.iter().any(|(_, line)| line.contains(mark)));
+        let mut rows: Vec<(usize, Vec<&str>)> =
+            content.into_iter().map(|(number, line)| (number, cells(line, separator))).collect();
+        let is_header = rows.first().is_some_and(|(_, row)| {
+            row.iter().any(|cell| cell.starts_with(|c: char| c.is_alphabetic()) && !number_like(cell))
+        });
+        let header = is_header.then(|| rows.remove(0).1.into_iter().map(Column::parse).collect());
+        Self { header, rows, comments, decimal_comma: matches!(separator, Some(';' | '\t')) }
+    }
+
+    /// Whether the first rows hold numbers and nothing else.
+    pub(crate) fn is_numeric(&self) -> bool {
+        let cells = || self.rows.iter().take(50).flat_map(|(_, row)| row);
+        cells().any(|cell| number_like(cell)) && cells().all(|cell| number_like(cell) || is_blank(cell))
+    }
+
+    /// The column with one of these names.
+    pub(crate) fn column(&self, names: &[&str]) -> Option<usize> {
+        self.header.as_ref()?.iter().position(|column| names.contains(&column.name.as_str()))
+    }
+
+    /// A cell as a number; `None` where it is missing, empty or a dash.
+    pub(crate) fn value(
+        &self,
+        source: Source<'_>,
+        row: usize,
+        column: usize,
+    ) -> Result<Option<f64>, ReadError> {
+        let Some((line, cells)) = self.rows.get(row) else {
+            return Ok(None);
+        };
+        let Some(cell) = cells.get(column).filter(|cell| !is_blank(cell)) else {
+            return Ok(None);
+        };
+        if self.decimal_comma && cell.matches(',').count() == 1 && !cell.contains('.') {
+            return source.number(*line, &cell.replace(',', ".")).map(Some);
+        }
+        source.number(*line, cell).map(Some)
+    }
+
+    /// The line of a row, for errors.
+    pub(crate) fn place(&self, row: usize) -> Place {
+        self.rows.get(row).map_or(Place::File, |&(line, _)| Place::Line(line))
+    }
+}
+
+impl Column {
+    fn parse(cell: &str) -> Self {
+        let mut words = cell.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+        let name = words.next().unwrap_or_default().to_lowercase();
+        Self { name, unit: words.find_map(LengthUnit::from_word) }
+    }
+}
+
+fn cells(line: &str, separator: Option<char>) -> Vec<&str> {
+    let mut cells: Vec<&str> = match separator {
+        Some(mark) => line.split(mark).map(|cell| cell.trim().trim_matches('"').trim()).collect(),
+        None => line.split_whitespace().collect(),
+    };
+    while cells.last().is_some_and(|cell| cell.is_empty()) {
+        cells.pop();
+    }
+    cells
+}
+
+fn number_like(cell: &str) -> bool {
+    cell.parse::<f64>().is_ok() || cell.replace(',', ".").parse::<f64>().is_ok()
+}
+
+fn is_blank(cell: &str) -> bool {
+    matches!(cell, "" | "-" | "–" | "—")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn first_row(text: &str) -> Vec<Option<f64>> {
+        let table = Table::parse(text);
+        (0..3).map(|column| table.value(Source { name: "t" }, 0, column).unwrap()).collect()
+    }
+
+    #[test]
+    fn separators_and_decimal_marks() {
+        let numbers = [Some(1.5), Some(-2.25), Some(3.0)];
+        for text in [
+            "1.5,-2.25,3",
+            "1,5;-2,25;3",
+            "1.5;-2.25;3;",
+            "1,5\t-2,25\t3",
+            " 1.5  -2.25 3 ",
+            "\"1.5\",\"-2.25\", 3",
+        ] {
+            assert_eq!(first_row(text), numbers, "{text}");
+        }
+        assert_eq!(first_row("1.5;;-"), [Some(1.5), None, None]);
+    }
+
+    #[test]
+    fn a_header_names_columns_and_units() {
+        let table = Table::parse("# made by hand\nX [mm], y_inch ,Z\n1,2,3");
+        assert_eq!(table.column(&["y"]), Some(1));
+        assert_eq!(
+            table.header.as_ref().unwrap()[0],
+            Column { name: "x".into(), unit: Some(LengthUnit::Millimetre) }
+        );
+        assert_eq!(table.header.as_ref().unwrap()[1].unit, Some(LengthUnit::Inch));
+        assert_eq!((table.comments, table.rows.len()), (1, 1));
+        assert!(Table::parse("1,2,3\nx,y,z").header.is_none());
+    }
+}

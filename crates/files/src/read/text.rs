@@ -1,0 +1,153 @@
+//! Text as people's programs write it: lines, words and numbers, with errors that name the line.
+
+use std::borrow::Cow;
+
+use super::error::{Place, ReadError};
+
+/// The most vertices, faces, edges or steps that a file may hold.
+pub(crate) const LIMIT: usize = 5_000_000;
+
+/// A file's name, for errors, and the errors that readers have in common.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Source<'a> {
+    pub(crate) name: &'a str,
+}
+
+impl Source<'_> {
+    fn file(self) -> String {
+        self.name.to_owned()
+    }
+
+    pub(crate) fn syntax(
+        self,
+        place: Place,
+        found: &str,
+        expected: impl Into<String>,
+        help: &'static str,
+    ) -> ReadError {
+        let expected = expected.into().into_boxed_str();
+        ReadError::Syntax { file: self.file(), place, found: excerpt(found), expected, help }
+    }
+
+    pub(crate) fn empty(self, expected: &'static str) -> ReadError {
+        ReadError::Empty { file: self.file(), expected }
+    }
+
+    pub(crate) fn truncated(self, place: Place, announced: String, available: String) -> ReadError {
+        ReadError::Truncated { file: self.file(), place, announced, available }
+    }
+
+    pub(crate) fn library(self, library: &'static str, message: &impl ToString) -> ReadError {
+        ReadError::Library { file: self.file(), library, message: message.to_string() }
+    }
+
+    /// Refuses the one that is too many.
+    pub(crate) fn room(self, place: Place, count: usize, what: &'static str) -> Result<(), ReadError> {
+        if count < LIMIT {
+            return Ok(());
+        }
+        Err(ReadError::TooMany { file: self.file(), place, what, limit: LIMIT })
+    }
+
+    /// A finite number.
+    pub(crate) fn number(self, line: usize, word: &str) -> Result<f64, ReadError> {
+        word.parse().ok().filter(|value: &f64| value.is_finite()).ok_or_else(|| ReadError::Number {
+            file: self.file(),
+            place: Place::Line(line),
+            found: excerpt(word),
+            expected: "finite number",
+        })
+    }
+
+    /// A whole number.
+    pub(crate) fn whole(self, line: usize, word: &str) -> Result<i64, ReadError> {
+        word.parse().map_err(|_| ReadError::Number {
+            file: self.file(),
+            place: Place::Line(line),
+            found: excerpt(word),
+            expected: "whole number",
+        })
+    }
+
+    /// An index that counts `have` things from 1, or from the last one backwards where `relative`
+    /// says that negative ones do; from 0 in the result.
+    pub(crate) fn index(
+        self,
+        line: usize,
+        word: &str,
+        what: &'static str,
+        have: usize,
+        relative: bool,
+    ) -> Result<u32, ReadError> {
+        let index = self.whole(line, word)?;
+        let count = i64::try_from(have).unwrap_or(i64::MAX);
+        let from_zero = if relative && index < 0 { count + index.max(-count - 1) } else { index.max(0) - 1 };
+        u32::try_from(from_zero).ok().filter(|_| from_zero < count).ok_or_else(|| {
+            let have = if have == 0 {
+                format!("there is no {what} yet")
+            } else {
+                format!("they go from 1 to {have}")
+            };
+            ReadError::Index { file: self.file(), place: Place::Line(line), found: excerpt(word), what, have }
+        })
+    }
+}
+
+/// What an error shows of a text: its beginning, in quotes.
+pub(crate) fn excerpt(text: &str) -> String {
+    const SHOWN: usize = 40;
+    let text = text.trim();
+    if text.is_empty() {
+        return "nothing".to_owned();
+    }
+    let mut shown: String = text.chars().take(SHOWN).map(|c| if c.is_control() { '·' } else { c }).collect();
+    if text.chars().nth(SHOWN).is_some() {
+        shown.push('…');
+    }
+    format!("\"{shown}\"")
+}
+
+/// Bytes as text without a byte order mark. What is not UTF-8 is replaced: it can only be in names
+/// and comments, or an error will show it.
+pub(crate) fn decode(bytes: &[u8]) -> Cow<'_, str> {
+    String::from_utf8_lossy(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes))
+}
+
+/// Lines with their numbers from 1, whichever of LF, CR LF and CR ends them.
+pub(crate) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    let end = if text.contains('\n') { '\n' } else { '\r' };
+    text.split(end).enumerate().map(|(k, line)| (k + 1, line.strip_suffix('\r').unwrap_or(line)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_line_end_counts_the_same() {
+        for text in ["a\nb\nc", "a\r\nb\r\nc", "a\rb\rc"] {
+            assert_eq!(lines(text).collect::<Vec<_>>(), [(1, "a"), (2, "b"), (3, "c")]);
+        }
+    }
+
+    #[test]
+    fn indices_count_from_one_and_backwards() {
+        let source = Source { name: "x.obj" };
+        let index = |word, relative| source.index(1, word, "vertex", 3, relative).ok();
+        assert_eq!(
+            [index("1", true), index("3", true), index("-1", true), index("-3", true)],
+            [Some(0), Some(2), Some(2), Some(0)]
+        );
+        for bad in ["0", "4", "-4", "1.5", "", "x", "9223372036854775807", "-9223372036854775808"] {
+            assert_eq!(index(bad, true), None, "{bad}");
+        }
+        assert_eq!(index("-1", false), None);
+    }
+
+    #[test]
+    fn errors_show_a_short_and_printable_part() {
+        assert_eq!(excerpt(" \t"), "nothing");
+        assert_eq!(excerpt("a\u{7}b"), "\"a·b\"");
+        assert_eq!(excerpt(&"é".repeat(50)).chars().count(), 43);
+    }
+}

@@ -1,0 +1,66 @@
+//! Welding while reading: a point that lies on an earlier one is that one.
+
+use std::collections::HashMap;
+
+use nalgebra::Point3;
+use wirebend_core::units::Length;
+
+/// Points that are farther from each other than a tolerance, in a grid of cells of that size.
+///
+/// However many points are put in, a cell holds only a few, so the time is linear even where a
+/// whole model is smaller than the tolerance.
+#[derive(Debug)]
+pub(crate) struct Welder {
+    tolerance: f64,
+    cells: HashMap<[i64; 3], Vec<(u32, Point3<f64>)>>,
+}
+
+impl Welder {
+    pub(crate) fn new(tolerance: Length) -> Self {
+        Self { tolerance: tolerance.mm(), cells: HashMap::new() }
+    }
+
+    /// The first point within the tolerance (mm), or `index` itself, which is then remembered.
+    ///
+    /// A point that is moved is moved by no more than the tolerance. Points that are not finite are
+    /// never within it.
+    pub(crate) fn put(&mut self, index: u32, point: Point3<f64>) -> u32 {
+        // A cell is never smaller than what a coordinate of a kilometre can resolve.
+        let cell = self.tolerance.max(1e-9);
+        #[allow(clippy::cast_possible_truncation)] // saturates, which keeps neighbours together
+        let [x, y, z] = [point.x, point.y, point.z].map(|c| (c / cell).floor() as i64);
+        let around = |offset: i64, n: i64| offset.saturating_add(n % 3 - 1);
+        let near = (0..27)
+            .filter_map(|n| self.cells.get(&[around(x, n), around(y, n / 3), around(z, n / 9)]))
+            .flatten()
+            .filter(|(_, other)| (other - point).norm() <= self.tolerance)
+            .map(|&(index, _)| index)
+            .min();
+        near.unwrap_or_else(|| {
+            self.cells.entry([x, y, z]).or_default().push((index, point));
+            index
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn put_all(points: impl IntoIterator<Item = f64>) -> Vec<u32> {
+        let mut welder = Welder::new(Length::from_mm(1.0).unwrap());
+        points.into_iter().zip(0..).map(|(x, k)| welder.put(k, Point3::new(x, 0.0, 0.0))).collect()
+    }
+
+    #[test]
+    fn a_chain_is_not_drawn_together() {
+        assert_eq!(put_all([0.0, 0.9, 1.8, -0.9, 1.0, f64::NAN]), [0, 0, 2, 0, 0, 5]);
+    }
+
+    #[test]
+    fn a_model_smaller_than_the_tolerance_takes_no_longer() {
+        // With a comparison of all pairs this would take a minute.
+        let indices = put_all((0..50_000).map(|k| f64::from(k) * 1e-9));
+        assert!(indices.iter().all(|&index| index == 0));
+    }
+}

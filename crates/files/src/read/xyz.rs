@@ -1,0 +1,73 @@
+//! A table of points: one polyline, closed where the last point repeats the first.
+
+use nalgebra::Point3;
+
+use super::Imported;
+use super::drawing::Drawing;
+use super::error::ReadError;
+use super::format::Format;
+use super::note::NoteKind;
+use super::options::ReadOptions;
+use super::table::Table;
+use super::text::{Source, decode};
+
+/// Reads columns x, y, z: by their header if there is one, else the only three that there are.
+pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> Result<Imported, ReadError> {
+    let text = decode(bytes);
+    let table = Table::parse(&text);
+    let mut drawing = Drawing::default();
+    drawing.notes.add(NoteKind::CommentsIgnored, table.comments);
+    let columns = columns(&table, source, &mut drawing)?;
+    for row in 0..table.rows.len() {
+        let place = table.place(row);
+        source.room(place.clone(), row, "points")?;
+        let mut point = Point3::origin();
+        for (axis, &column) in columns.iter().enumerate() {
+            point[axis] = table.value(source, row, column)?.ok_or_else(|| {
+                let found = table.rows[row].1.join(" ");
+                let help = "every row needs x, y and z; complete the row or delete it";
+                source.syntax(place.clone(), &found, "three numbers", help)
+            })?;
+        }
+        if table.header.is_none() && table.rows[row].1.len() > columns.len() {
+            let help = "name the columns in a header line, as x,y,z";
+            return Err(source.syntax(place, &table.rows[row].1.join(" "), "three numbers", help));
+        }
+        drawing.points.push(point);
+        drawing.point_lines.push(table.rows[row].0);
+    }
+    let (Some(&first), Some(&last)) = (drawing.points.first(), drawing.points.last()) else {
+        return Err(source.empty("points"));
+    };
+    let factor = options.units.or(drawing.units).unwrap_or_default().mm() * options.scale;
+    let closed = drawing.points.len() > 3 && (last - first).norm() * factor <= options.weld.mm();
+    if closed {
+        drawing.points.pop();
+        drawing.notes.add(NoteKind::PolylineClosed, 1);
+    }
+    let count = u32::try_from(drawing.points.len()).unwrap_or(u32::MAX);
+    drawing.edges = (1..count).map(|k| (k - 1, k)).collect();
+    if closed {
+        drawing.edges.push((count - 1, 0));
+    }
+    drawing.finish(Format::Xyz, source, options)
+}
+
+fn columns(table: &Table<'_>, source: Source<'_>, drawing: &mut Drawing) -> Result<[usize; 3], ReadError> {
+    let Some(header) = &table.header else {
+        return Ok([0, 1, 2]);
+    };
+    drawing.notes.add(NoteKind::HeaderSkipped, 1);
+    drawing.units = header.iter().find_map(|column| column.unit);
+    let named = ["x", "y", "z"].map(|name| table.column(&[name]));
+    if let [Some(x), Some(y), Some(z)] = named {
+        drawing.notes.add(NoteKind::ColumnsIgnored, header.len() - 3);
+        return Ok([x, y, z]);
+    }
+    if header.len() == 3 {
+        return Ok([0, 1, 2]);
+    }
+    let found = header.iter().map(|column| column.name.as_str()).collect::<Vec<_>>().join(", ");
+    let help = "name the columns x, y and z";
+    Err(source.syntax(super::Place::File, &found, "a header with x, y and z", help))
+}
