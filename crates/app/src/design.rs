@@ -1,0 +1,172 @@
+//! What a command works on: a file or bytes, read into a document.
+
+use std::path::PathBuf;
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+use wirebend_core::units::Length;
+use wirebend_files::document::{Document, SourceFile, sha256_hex};
+use wirebend_files::read::{Format, LengthUnit, ReadOptions, read, read_file};
+
+use crate::export::is_job;
+use crate::output::file_name;
+use crate::report::NoteReport;
+use crate::{AppError, Progress};
+
+/// Where the bytes come from.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Input {
+    /// A file.
+    File(PathBuf),
+    /// Bytes that the front end has, with a name for messages.
+    Bytes {
+        /// The name.
+        name: String,
+        /// The bytes.
+        bytes: Vec<u8>,
+    },
+}
+
+impl Input {
+    /// The name for messages and the bytes.
+    pub(crate) fn load(&self) -> Result<(String, Vec<u8>), AppError> {
+        match self {
+            Self::File(path) => Ok((path.display().to_string(), read_file(path)?)),
+            Self::Bytes { name, bytes } => Ok((name.clone(), bytes.clone())),
+        }
+    }
+
+    /// The name without its folder and extension.
+    pub(crate) fn stem(&self) -> String {
+        let name = match self {
+            Self::File(path) => file_name(path),
+            Self::Bytes { name, .. } => name.clone(),
+        };
+        name.rsplit_once('.').map_or(name.clone(), |(stem, _)| stem.to_owned())
+    }
+}
+
+/// A design and how to read it. A `.wirebend` document is taken as it is.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+pub struct DesignInput {
+    /// Where it comes from.
+    pub input: Input,
+    /// Its format, where name and contents do not tell.
+    #[serde(default, deserialize_with = "format_by_name")]
+    #[schemars(with = "Option<String>")]
+    pub format: Option<Format>,
+    /// Factor on all coordinates, after units.
+    #[serde(default = "one")]
+    pub scale: f64,
+    /// The unit of the coordinates, where the file does not say.
+    #[serde(default)]
+    pub units: Option<LengthUnit>,
+    /// Vertices closer than this become one, in mm.
+    #[serde(default = "default_weld_mm")]
+    pub weld_mm: f64,
+    /// Whether the edges of faces are the wireframe.
+    #[serde(default)]
+    pub face_edges: bool,
+    /// Centreline radius of the bends of a table that does not say, in mm.
+    #[serde(default)]
+    pub clr_mm: Option<f64>,
+}
+
+fn format_by_name<'de, D: serde::Deserializer<'de>>(deserializer: D) -> Result<Option<Format>, D::Error> {
+    let name = Option::<String>::deserialize(deserializer)?;
+    name.map(|name| name.parse().map_err(serde::de::Error::custom)).transpose()
+}
+
+const fn one() -> f64 {
+    1.0
+}
+
+/// What files written with six digits need to close.
+pub(crate) const fn default_weld_mm() -> f64 {
+    1e-3
+}
+
+impl DesignInput {
+    /// A file, read with the defaults.
+    #[must_use]
+    pub const fn file(path: PathBuf) -> Self {
+        Self {
+            input: Input::File(path),
+            format: None,
+            scale: 1.0,
+            units: None,
+            weld_mm: default_weld_mm(),
+            face_edges: false,
+            clr_mm: None,
+        }
+    }
+
+    /// Reads the design.
+    pub(crate) fn open(&self, progress: &dyn Progress) -> Result<Opened, AppError> {
+        progress.stage("reading");
+        let (name, bytes) = self.input.load()?;
+        if is_job(&name, &bytes) {
+            return Err(AppError::IsAJob { name });
+        }
+        self.open_bytes(name, &bytes)
+    }
+
+    /// Reads the design from bytes that were loaded before.
+    pub(crate) fn open_bytes(&self, name: String, bytes: &[u8]) -> Result<Opened, AppError> {
+        let options = ReadOptions {
+            scale: positive("--scale", self.scale)?,
+            units: self.units,
+            weld: length("--weld", self.weld_mm)?,
+            face_edges: self.face_edges,
+            clr: self.clr_mm.map(|clr| length("--clr", clr)).transpose()?,
+            ..ReadOptions::default()
+        };
+        let imported = read(bytes, &name, self.format, &options)?;
+        let notes: Vec<NoteReport> = imported.notes.iter().map(NoteReport::from).collect();
+        for note in &notes {
+            tracing::info!(code = note.code, count = note.count, "{}", note.message);
+        }
+        let document = match imported.document {
+            Some(document) => *document,
+            None => Document {
+                stencil: imported.stencil.map(wirebend_files::document::StencilSource::Embedded),
+                source: Some(SourceFile { file: name.clone(), sha256: sha256_hex(bytes) }),
+                ..Document::new(imported.wireframe)
+            },
+        };
+        Ok(Opened { name, format: imported.format, document, notes })
+    }
+}
+
+/// A design that has been read.
+pub(crate) struct Opened {
+    pub name: String,
+    pub format: Format,
+    pub document: Document,
+    pub notes: Vec<NoteReport>,
+}
+
+impl Opened {
+    /// The design, if it has a wireframe to work on.
+    pub fn with_wireframe(self) -> Result<Self, AppError> {
+        if self.document.wireframe.edge_count() == 0 && self.document.stencil.is_some() {
+            return Err(AppError::OnlyStencil { name: self.name });
+        }
+        Ok(self)
+    }
+}
+
+fn positive(name: &'static str, value: f64) -> Result<f64, AppError> {
+    if value.is_finite() && value > 0.0 {
+        Ok(value)
+    } else {
+        Err(AppError::Value { name, value: value.to_string(), expected: "give a number above 0" })
+    }
+}
+
+fn length(name: &'static str, mm: f64) -> Result<Length, AppError> {
+    let wrong =
+        || AppError::Value { name, value: mm.to_string(), expected: "give a length in mm, 0 or more" };
+    Length::from_mm(mm).ok().filter(|length| *length >= Length::ZERO).ok_or_else(wrong)
+}

@@ -1,0 +1,264 @@
+//! What can go wrong, and whose turn it then is.
+
+use std::path::PathBuf;
+
+use wirebend_core::compensate::{PegGeometryError, SpringbackError};
+use wirebend_core::simulate::BadErrorTerm;
+use wirebend_files::document::DocumentError;
+use wirebend_files::read::ReadError;
+use wirebend_profile::ProfileError;
+
+use crate::report::PlanReport;
+
+/// Whose turn it is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ErrorKind {
+    /// The command was given in a way that cannot be followed.
+    Usage,
+    /// A file, a profile or a value in it is wrong.
+    BadInput,
+    /// The machine cannot make it.
+    NotFeasible,
+    /// A machine, a driver or this computer failed.
+    Failure,
+}
+
+/// Why a command came to nothing. The message says what to do.
+#[derive(Debug, thiserror::Error)]
+pub enum AppError {
+    /// An input cannot be read.
+    #[error(transparent)]
+    Read(#[from] ReadError),
+    /// A document or a job is not one, or cannot be written.
+    #[error(transparent)]
+    Document(#[from] DocumentError),
+    /// A profile is unknown or wrong.
+    #[error(transparent)]
+    Profile(#[from] ProfileError),
+    /// The figures of a machine profile contradict each other.
+    #[error("machine '{machine}': {error}; correct its bend section")]
+    Geometry {
+        /// The machine.
+        machine: String,
+        /// What is wrong.
+        error: PegGeometryError,
+    },
+    /// A springback table is not one.
+    #[error("material '{material}': {error}; correct its springback table")]
+    Springback {
+        /// The material.
+        material: String,
+        /// What is wrong.
+        error: SpringbackError,
+    },
+    /// An error model is not one.
+    #[error("noise '{noise}': {error}; correct the profile")]
+    Noise {
+        /// The noise profile.
+        noise: String,
+        /// What is wrong.
+        error: BadErrorTerm,
+    },
+    /// A number is outside what makes sense.
+    #[error("{name} is {value}: {expected}")]
+    Value {
+        /// Which option.
+        name: &'static str,
+        /// What was given.
+        value: String,
+        /// What was expected.
+        expected: &'static str,
+    },
+    /// No machine was named, neither by the command nor by the document.
+    #[error("no machine is named; choose one of: {}", known.join(", "))]
+    NoMachine {
+        /// The machines that there are.
+        known: Vec<String>,
+    },
+    /// The input has a surface but no wireframe.
+    #[error(
+        "{name} holds a surface and no lines: import it with --face-edges to take the edges of its faces, or trace a wireframe on it"
+    )]
+    OnlyStencil {
+        /// The input.
+        name: String,
+    },
+    /// The wireframe has no vertex of this id.
+    #[error("there is no vertex {vertex} in {name}: its {count} vertices are numbered {range}")]
+    NoVertex {
+        /// The wanted one.
+        vertex: u32,
+        /// The input.
+        name: String,
+        /// How many there are.
+        count: usize,
+        /// First and last.
+        range: String,
+    },
+    /// A format that cannot be written.
+    #[error("'{name}' is not a format that can be written; known: {known}")]
+    UnknownFormat {
+        /// The wanted one.
+        name: String,
+        /// All.
+        known: String,
+    },
+    /// A machine's own format comes with a driver that is not there.
+    #[error(
+        "the own format '{native}' of '{machine}' is written by its driver '{driver}', which is not installed; choose one with --format: {known}"
+    )]
+    NativeFormat {
+        /// The machine.
+        machine: String,
+        /// Its format.
+        native: String,
+        /// Its driver.
+        driver: String,
+        /// What can be written for it.
+        known: String,
+    },
+    /// A machine's program was asked for in the format of another machine.
+    #[error(
+        "{format} is no format of '{machine}', whose programs are compensated for that machine alone: plan the wireframe for a machine that reads it, or choose one of {known}"
+    )]
+    FormatOfAnother {
+        /// The wanted format.
+        format: &'static str,
+        /// The machine.
+        machine: String,
+        /// What can be written for it.
+        known: String,
+    },
+    /// A design was given where a job is needed.
+    #[error("{name} is a design, not a job: make one with `wirebend plan {name} --machine ID -o JOB.wbjob`")]
+    NotAJob {
+        /// The input.
+        name: String,
+    },
+    /// A job was given where a design is needed.
+    #[error(
+        "{name} is a job, which is planned already: use `export` or `simulate` on it, or this command on its wireframe"
+    )]
+    IsAJob {
+        /// The input.
+        name: String,
+    },
+    /// A job was made for another machine.
+    #[error(
+        "{name} was planned for machine '{planned}', not '{wanted}': plan its wireframe again for '{wanted}'"
+    )]
+    OtherMachine {
+        /// The job.
+        name: String,
+        /// Its machine.
+        planned: String,
+        /// The wanted one.
+        wanted: String,
+    },
+    /// A format cannot hold this wire.
+    #[error("wire {wire} cannot be written as {format}: {reason}")]
+    Unwritable {
+        /// Index of the wire, from 0.
+        wire: usize,
+        /// The format.
+        format: &'static str,
+        /// Why.
+        reason: String,
+    },
+    /// A stage was asked for that the design does not reach.
+    #[error("the design does not get as far as the stage '{stage}': see what `check` says")]
+    StageNotReached {
+        /// The stage.
+        stage: &'static str,
+        /// What the checks say.
+        report: Box<PlanReport>,
+    },
+    /// The machine cannot make it, and it was to be written for the machine.
+    #[error(
+        "this cannot be made on '{machine}': mend what the checks name, or write it all the same with --despite-errors"
+    )]
+    NotFeasible {
+        /// The machine.
+        machine: String,
+        /// What the checks say.
+        report: Box<PlanReport>,
+    },
+    /// A file would be replaced.
+    #[error("{} exists already: name another file, or replace it with --force", .0.display())]
+    Exists(PathBuf),
+    /// A picture cannot be drawn.
+    #[error("the picture cannot be drawn: {0}")]
+    Picture(String),
+    /// A value cannot be turned into JSON.
+    #[error("the result cannot be written as JSON: {0}")]
+    Json(#[from] serde_json::Error),
+}
+
+impl AppError {
+    /// Whose turn it is.
+    #[must_use]
+    pub fn kind(&self) -> ErrorKind {
+        match self {
+            Self::Profile(ProfileError::Unknown { .. } | ProfileError::Abstract { .. })
+            | Self::Value { .. }
+            | Self::NoMachine { .. }
+            | Self::UnknownFormat { .. }
+            | Self::NativeFormat { .. }
+            | Self::OtherMachine { .. }
+            | Self::FormatOfAnother { .. }
+            | Self::NotAJob { .. }
+            | Self::IsAJob { .. }
+            | Self::Exists(_) => ErrorKind::Usage,
+            Self::Read(_)
+            | Self::Document(_)
+            | Self::Profile(_)
+            | Self::Geometry { .. }
+            | Self::Springback { .. }
+            | Self::Noise { .. }
+            | Self::OnlyStencil { .. }
+            | Self::NoVertex { .. } => ErrorKind::BadInput,
+            Self::Unwritable { .. } | Self::StageNotReached { .. } | Self::NotFeasible { .. } => {
+                ErrorKind::NotFeasible
+            }
+            Self::Picture(_) | Self::Json(_) => ErrorKind::Failure,
+        }
+    }
+
+    /// A name that stays the same while the wording may change.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Read(error) => error.code(),
+            Self::Document(error) => error.code(),
+            Self::Profile(error) => error.code(),
+            Self::Geometry { .. } => "machine-geometry",
+            Self::Springback { .. } => "springback-table",
+            Self::Noise { .. } => "noise-profile",
+            Self::Value { .. } => "value",
+            Self::NoMachine { .. } => "no-machine",
+            Self::OnlyStencil { .. } => "only-stencil",
+            Self::NoVertex { .. } => "no-vertex",
+            Self::UnknownFormat { .. } => "unknown-format",
+            Self::NativeFormat { .. } => "native-format",
+            Self::OtherMachine { .. } => "other-machine",
+            Self::FormatOfAnother { .. } => "format-of-another",
+            Self::NotAJob { .. } => "not-a-job",
+            Self::IsAJob { .. } => "is-a-job",
+            Self::Unwritable { .. } => "unwritable",
+            Self::StageNotReached { .. } => "stage-not-reached",
+            Self::NotFeasible { .. } => "not-feasible",
+            Self::Exists(_) => "exists",
+            Self::Picture(_) => "picture",
+            Self::Json(_) => "json",
+        }
+    }
+
+    /// What the checks said, where that is the reason.
+    #[must_use]
+    pub fn report(&self) -> Option<&PlanReport> {
+        match self {
+            Self::StageNotReached { report, .. } | Self::NotFeasible { report, .. } => Some(report),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,141 @@
+//! What is exported, from a design that is planned now or from a job that was planned before.
+
+use std::collections::BTreeMap;
+
+use nalgebra::Point3;
+use wirebend_core::bend::Step;
+use wirebend_core::units::Angle;
+use wirebend_files::write::Mark;
+
+use super::{ExportRequest, is_job, open_job};
+use crate::machine::{Setup, kept_steps, restored};
+use crate::picture;
+use crate::plan::Planned;
+use crate::report::{NoteReport, PlanReport};
+use crate::{App, AppError, Progress};
+
+/// One wire.
+pub(super) struct Wire {
+    pub path: Vec<Point3<f64>>,
+    pub nominal: Vec<Step>,
+    pub compensated: Option<Vec<Step>>,
+    /// Segments of the path along edges that are travelled more than once.
+    pub doubled: Vec<usize>,
+}
+
+impl Wire {
+    pub fn bend_count(&self) -> usize {
+        self.nominal.iter().filter(|step| step.bend != Angle::ZERO).count()
+    }
+}
+
+/// Everything that a format may hold.
+pub(super) struct Content {
+    pub title: String,
+    pub setup: Setup,
+    pub design_hash: String,
+    pub wires: Vec<Wire>,
+    pub marks: Vec<Mark>,
+    pub notes: Vec<NoteReport>,
+    pub feasible: bool,
+    /// What the checks say; a job was feasible, or its maker knew.
+    report: Option<Box<PlanReport>>,
+}
+
+impl Content {
+    pub fn open(app: &App, request: &ExportRequest, progress: &dyn Progress) -> Result<Self, AppError> {
+        progress.stage("reading");
+        let (name, bytes) = request.design.input.load()?;
+        let title = request.design.input.stem();
+        if is_job(&name, &bytes) {
+            return Self::of_job(&name, &bytes, title, request);
+        }
+        let opened = request.design.open_bytes(name, &bytes)?.with_wireframe()?;
+        let planned = app.plan_design(opened, &request.choices, progress)?;
+        Self::of_plan(planned, title)
+    }
+
+    fn of_plan(planned: Planned, title: String) -> Result<Self, AppError> {
+        let report = planned.report();
+        let wireframe = &planned.opened.document.wireframe;
+        let wires = planned
+            .wires
+            .iter()
+            .map(|plan| Wire {
+                // Without a route the edges themselves can be drawn, but nothing can be followed.
+                path: plan.path.clone(),
+                nominal: plan.nominal.as_ref().map(|program| program.steps.clone()).unwrap_or_default(),
+                compensated: plan.compensated.as_ref().map(|program| program.steps().to_vec()),
+                doubled: plan.route.as_ref().map_or_else(Vec::new, |route| {
+                    passed_twice(&route.traversals.iter().map(|t| t.edge).collect::<Vec<_>>())
+                }),
+            })
+            .collect();
+        let unrouted = planned.wires.iter().any(|plan| plan.route.is_none()) || planned.wires.is_empty();
+        if unrouted || wireframe.edge_count() == 0 {
+            return Err(AppError::StageNotReached { stage: "route", report: Box::new(report) });
+        }
+        Ok(Self {
+            title,
+            design_hash: planned.opened.document.design_hash()?,
+            marks: picture::marks(&planned),
+            notes: planned.opened.notes.clone(),
+            feasible: planned.feasible(),
+            report: Some(Box::new(report)),
+            wires,
+            setup: planned.setup,
+        })
+    }
+
+    fn of_job(name: &str, bytes: &[u8], title: String, request: &ExportRequest) -> Result<Self, AppError> {
+        let job = open_job(name, bytes)?;
+        let contents = job.contents();
+        if let Some(wanted) = request.choices.machine.as_ref().filter(|id| **id != contents.machine.id) {
+            let planned = contents.machine.id.clone();
+            return Err(AppError::OtherMachine { name: name.to_owned(), planned, wanted: wanted.clone() });
+        }
+        let wires = contents.wires.iter().map(|wire| {
+            let ends = wire.vertices.windows(2).map(|pair| (pair[0].min(pair[1]), pair[0].max(pair[1])));
+            Ok(Wire {
+                path: wire.path_mm.iter().copied().map(Point3::from).collect(),
+                nominal: kept_steps(&wire.nominal)?,
+                compensated: Some(kept_steps(&wire.compensated)?),
+                doubled: passed_twice(&ends.collect::<Vec<_>>()),
+            })
+        });
+        Ok(Self {
+            title,
+            setup: restored(contents)?,
+            design_hash: contents.design_hash.clone(),
+            wires: wires.collect::<Result<_, AppError>>()?,
+            marks: Vec::new(),
+            notes: Vec::new(),
+            feasible: true,
+            report: None,
+        })
+    }
+
+    /// Refuses what cannot be made, unless a person has said that they know.
+    pub fn require_feasible(&self, despite_errors: bool) -> Result<(), AppError> {
+        match &self.report {
+            // What could not be compensated cannot be written, whatever a person says.
+            Some(report) if self.wires.iter().any(|wire| wire.compensated.is_none()) => {
+                Err(AppError::StageNotReached { stage: "compensated", report: report.clone() })
+            }
+            Some(report) if !self.feasible && !despite_errors => {
+                let machine = self.setup.machine_id().to_owned();
+                Err(AppError::NotFeasible { machine, report: report.clone() })
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// The places in a walk that are along something that it passes more than once.
+fn passed_twice<T: Ord>(walk: &[T]) -> Vec<usize> {
+    let mut times: BTreeMap<&T, usize> = BTreeMap::new();
+    for passed in walk {
+        *times.entry(passed).or_default() += 1;
+    }
+    walk.iter().enumerate().filter(|(_, passed)| times[passed] > 1).map(|(k, _)| k).collect()
+}

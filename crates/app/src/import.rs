@@ -1,0 +1,103 @@
+//! `import`: any file that can be read becomes a `.wirebend` document.
+
+use std::path::PathBuf;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::design::DesignInput;
+use crate::output::Output;
+use crate::report::NoteReport;
+use crate::{App, AppError, Progress};
+
+/// What to import.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct ImportRequest {
+    /// The design.
+    pub design: DesignInput,
+    /// Where the document goes; absent, it is returned.
+    pub output: Option<Output>,
+}
+
+/// What was imported.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct ImportResponse {
+    /// The format that was read.
+    pub format: String,
+    /// Vertices of the wireframe.
+    pub vertices: usize,
+    /// Edges of the wireframe.
+    pub edges: usize,
+    /// Components of the wireframe, isolated vertices included.
+    pub components: usize,
+    /// Length of all edges, in mm.
+    pub length_mm: f64,
+    /// Size of the wireframe along x, y and z, in mm.
+    pub size_mm: [f64; 3],
+    /// Vertices and faces of the stencil; null without one.
+    pub stencil: Option<StencilReport>,
+    /// What was merged, ignored or assumed.
+    pub notes: Vec<NoteReport>,
+    /// The file that was written.
+    pub output: Option<PathBuf>,
+    /// The document, where it was not written to a file.
+    #[serde(skip)]
+    pub contents: Vec<u8>,
+}
+
+/// How large a stencil is.
+#[derive(Debug, Clone, Copy, Serialize, JsonSchema)]
+pub struct StencilReport {
+    /// Its vertices.
+    pub vertices: usize,
+    /// Its faces.
+    pub faces: usize,
+}
+
+pub(crate) fn import(
+    _app: &App,
+    request: &ImportRequest,
+    progress: &dyn Progress,
+) -> Result<ImportResponse, AppError> {
+    request.output.as_ref().map_or(Ok(()), Output::check)?;
+    let opened = request.design.open(progress)?;
+    progress.stage("writing");
+    let contents = opened.document.to_bytes()?;
+    let wireframe = &opened.document.wireframe;
+    let mut corners = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+    for (_, vertex) in wireframe.vertices() {
+        for (axis, &at) in vertex.position.iter().enumerate() {
+            corners[0][axis] = corners[0][axis].min(at);
+            corners[1][axis] = corners[1][axis].max(at);
+        }
+    }
+    let size = |axis: usize| {
+        if wireframe.vertex_count() > 0 { corners[1][axis] - corners[0][axis] } else { 0.0 }
+    };
+    let mut notes = opened.notes;
+    if wireframe.edge_count() == 0 && opened.document.stencil.is_some() {
+        notes.push(NoteReport {
+            code: "only-stencil",
+            count: 1,
+            message:
+                "there is a surface and no lines: --face-edges takes the edges of its faces as the wireframe"
+                    .to_owned(),
+        });
+    }
+    let output = request.output.as_ref().map(|output| output.save(&contents)).transpose()?;
+    Ok(ImportResponse {
+        format: opened.format.title().to_owned(),
+        vertices: wireframe.vertex_count(),
+        edges: wireframe.edge_count(),
+        components: wireframe.components().len(),
+        length_mm: wireframe.total_length().mm(),
+        size_mm: [size(0), size(1), size(2)],
+        stencil: opened.document.embedded_stencil().map(|stencil| StencilReport {
+            vertices: stencil.vertices().len(),
+            faces: stencil.faces().len(),
+        }),
+        notes,
+        contents: if output.is_some() { Vec::new() } else { contents },
+        output,
+    })
+}

@@ -1,0 +1,75 @@
+//! Every command that a front end may give, declared once.
+//!
+//! A front end (the command line, the window) makes a [`Request`], hands it to [`App::run`] and
+//! shows the [`Response`]. Both are enums without a wildcard to hide behind: a new command does not
+//! compile until every front end shows its response. The stages of the pipeline are called from here and
+//! nowhere else; the clock, the profiles and the file names are here too.
+
+mod catalogue;
+mod commands;
+mod design;
+mod dump;
+mod error;
+mod export;
+mod import;
+mod machine;
+mod output;
+mod picture;
+mod plan;
+mod profile_check;
+mod progress;
+mod report;
+mod simulate;
+
+pub use catalogue::{
+    MachineEntry, MachinesRequest, MachinesResponse, MaterialEntry, MaterialsRequest, MaterialsResponse,
+};
+pub use commands::{COMMANDS, Request, Response, response_schemas};
+pub use design::{DesignInput, Input};
+pub use dump::{DumpRequest, DumpResponse, DumpStage};
+pub use error::{AppError, ErrorKind};
+pub use export::{ExportFormat, ExportRequest, ExportResponse};
+pub use import::{ImportRequest, ImportResponse};
+pub use output::Output;
+pub use plan::{CheckRequest, CheckResponse, PlanChoices, PlanRequest, PlanResponse};
+pub use profile_check::{FileVerdict, ProfileCheckRequest, ProfileCheckResponse};
+pub use progress::{NoProgress, Progress};
+pub use report::{
+    CompensatedReport, DiagnosticReport, NoteReport, PlanReport, ProgramReport, RouteReport, SeverityName,
+    StepReport, WireReport, WireframeReport,
+};
+pub use simulate::{GapReport, SimulateRequest, SimulateResponse, VertexReport};
+
+use std::path::PathBuf;
+
+pub use wirebend_files::read::{Format, LengthUnit};
+use wirebend_profile::{Library, ProfileError};
+
+/// The application without a face: the profiles that it knows, and all commands.
+#[derive(Debug)]
+pub struct App {
+    library: Library,
+    refused: Vec<ProfileError>,
+}
+
+impl App {
+    /// The application with the shipped profiles and those in further folders. Files there that break
+    /// a rule are left out; [`App::refused_profiles`] says why.
+    ///
+    /// # Errors
+    /// [`AppError::Profile`] when a shipped profile is damaged.
+    pub fn new(profile_folders: &[PathBuf]) -> Result<Self, AppError> {
+        let mut library = Library::shipped()?;
+        let mut refused = Vec::new();
+        for folder in profile_folders {
+            refused.extend(library.add_folder(folder).refused);
+        }
+        Ok(Self { library, refused })
+    }
+
+    /// Profiles in a person's folders that could not be used, and why.
+    #[must_use]
+    pub fn refused_profiles(&self) -> &[ProfileError] {
+        &self.refused
+    }
+}

@@ -1,0 +1,233 @@
+//! From profiles to what the stages ask about.
+
+use wirebend_core::bend::{Convention, Sign, Step};
+use wirebend_core::checks::{MachineLimits, Sourced};
+use wirebend_core::compensate::{
+    BendModel, Compensation, FeedModel, PegGeometry, Springback, SpringbackCurve, SpringbackPoint,
+};
+use wirebend_core::estimate::{TimeModel, WireModel};
+use wirebend_core::plan::Machine;
+use wirebend_core::schedule::HeadLimits;
+use wirebend_core::units::{Angle, Length, NotFinite};
+use wirebend_files::document::{JobContents, JobStep};
+use wirebend_profile::{
+    BendFigures, MachineFigures, MachineProfile, MaterialFigures, MaterialProfile, Profile, Resolved,
+};
+
+use crate::AppError;
+
+/// A machine with a wire in it, and the profiles that say so.
+#[derive(Debug, Clone)]
+pub(crate) struct Setup {
+    pub machine: Resolved<MachineProfile>,
+    pub material: Resolved<MaterialProfile>,
+    pub model: Machine,
+    pub convention: Convention,
+    pub currency: Option<String>,
+}
+
+impl crate::App {
+    /// A machine and a material by id; without a material the one that the machine names.
+    pub(crate) fn setup(&self, machine: &str, material: Option<&str>) -> Result<Setup, AppError> {
+        let machine = self.library.machine(machine)?;
+        let own = machine.profile.default_material.as_deref().unwrap_or_default();
+        let material = self.library.material(material.unwrap_or(own))?;
+        Setup::new(machine, material)
+    }
+}
+
+impl Setup {
+    /// A setup from resolved profiles, such as the snapshots in a job.
+    pub fn new(
+        machine: Resolved<MachineProfile>,
+        material: Resolved<MaterialProfile>,
+    ) -> Result<Self, AppError> {
+        let figures = machine.figures()?;
+        let wire = material.figures()?;
+        let model = model(&machine, &figures, &material, &wire)?;
+        let sign = |factor: f64| if factor < 0.0 { Sign::Opposite } else { Sign::Same };
+        let convention = Convention { bend: sign(figures.bend_sign), rotate: sign(figures.rotate_sign) };
+        Ok(Self { machine, material, model, convention, currency: wire.currency })
+    }
+
+    /// The machine's id.
+    pub fn machine_id(&self) -> &str {
+        self.machine.profile.id()
+    }
+
+    /// The material's id.
+    pub fn material_id(&self) -> &str {
+        self.material.profile.id()
+    }
+
+    /// The machine's name for people.
+    pub fn machine_name(&self) -> &str {
+        self.machine.profile.name.as_deref().unwrap_or(self.machine.profile.id())
+    }
+
+    /// The material's name for people.
+    pub fn material_name(&self) -> &str {
+        self.material.profile.name.as_deref().unwrap_or(self.material.profile.id())
+    }
+}
+
+/// A profile that passed its rules holds finite numbers only; one from a damaged job may not.
+fn not_finite(error: NotFinite) -> AppError {
+    AppError::Value {
+        name: "a figure of a profile",
+        value: error.value.to_string(),
+        expected: "expected a finite number",
+    }
+}
+
+fn mm(value: f64) -> Result<Length, AppError> {
+    Length::from_mm(value).map_err(not_finite)
+}
+
+fn deg(value: f64) -> Result<Angle, AppError> {
+    Angle::from_deg(value).map_err(not_finite)
+}
+
+/// Where a figure of a profile comes from, for a person to read.
+fn source<T: Profile>(profile: &Resolved<T>, key: &str, stated: Option<&str>) -> String {
+    let origin = profile.origin(key).map_or(profile.profile.id(), |origin| origin.id.as_str());
+    match stated {
+        Some(stated) => format!("{stated} [{origin}, {key}]"),
+        None => format!("{origin}, {key}"),
+    }
+}
+
+fn model(
+    machine: &Resolved<MachineProfile>,
+    figures: &MachineFigures,
+    material: &Resolved<MaterialProfile>,
+    wire: &MaterialFigures,
+) -> Result<Machine, AppError> {
+    let limits = &figures.limits;
+    let stated = &machine.profile.limits;
+    let sourced = |key: &str, figure: &Option<wirebend_profile::Sourced<f64>>| {
+        source(machine, key, figure.as_ref().map(|figure| figure.source.as_str()))
+    };
+    let diameter = mm(wire.diameter_mm)?;
+    let pin = mm(figures.pin_radius_mm)?;
+    Ok(Machine {
+        limits: MachineLimits {
+            least_bend: Sourced {
+                value: deg(limits.min_bend_deg)?,
+                source: sourced("limits.min_bend_deg", &stated.min_bend_deg),
+            },
+            largest_bend: Sourced {
+                value: deg(limits.max_bend_deg)?,
+                source: sourced("limits.max_bend_deg", &stated.max_bend_deg),
+            },
+            least_edge: Sourced {
+                value: mm(limits.min_edge_mm)?,
+                source: sourced("limits.min_edge_mm", &stated.min_edge_mm),
+            },
+            least_feed: Sourced {
+                value: mm(limits.min_feed_mm)?,
+                source: sourced("limits.min_feed_mm", &stated.min_feed_mm),
+            },
+            most_stock: limits
+                .max_stock_mm
+                .map(|stock| {
+                    let source = sourced("limits.max_stock_mm", &stated.max_stock_mm);
+                    Ok::<_, AppError>(Sourced { value: mm(stock)?, source })
+                })
+                .transpose()?,
+            tail: Sourced { value: mm(limits.tail_mm)?, source: sourced("limits.tail_mm", &stated.tail_mm) },
+            least_diameter: Sourced {
+                value: mm(figures.min_diameter_mm)?,
+                source: sourced("wire.min_diameter_mm", &machine.profile.wire.min_diameter_mm),
+            },
+            most_diameter: Sourced {
+                value: mm(figures.max_diameter_mm)?,
+                source: sourced("wire.max_diameter_mm", &machine.profile.wire.max_diameter_mm),
+            },
+            head_source: sourced("limits.max_rotation_deg", &stated.max_rotation_deg),
+        },
+        head: HeadLimits {
+            least: deg(limits.min_rotation_deg)?,
+            most: deg(limits.max_rotation_deg)?,
+            seconds_per_degree: 1.0 / figures.rotate_rate_deg_per_s,
+        },
+        compensation: Compensation {
+            feed: figures.compensate_feed.then(|| FeedModel::new(pin, diameter, wire.k_factor)),
+            bend: bend_model(machine, figures, material, wire)?,
+        },
+        time: TimeModel {
+            feed_mm_per_s: figures.feed_rate_mm_per_s,
+            rotate_deg_per_s: figures.rotate_rate_deg_per_s,
+            bend_deg_per_s: figures.bend_rate_deg_per_s,
+            fixed_per_bend_s: figures.fixed_per_bend_s,
+        },
+        wire: WireModel {
+            diameter,
+            density_kg_per_m3: wire.density_kg_per_m3,
+            price_per_mm: wire.price_per_mm,
+        },
+        bend_radius: FeedModel::new(pin, diameter, wire.k_factor).bend_radius,
+        straight: deg(figures.bend_resolution_deg / 2.0)?,
+    })
+}
+
+fn bend_model(
+    machine: &Resolved<MachineProfile>,
+    figures: &MachineFigures,
+    material: &Resolved<MaterialProfile>,
+    wire: &MaterialFigures,
+) -> Result<BendModel, AppError> {
+    let (axis_limit, peg) = match figures.bend {
+        BendFigures::Direct { axis_limit_deg } => (axis_limit_deg, None),
+        BendFigures::Peg { rod_radius_mm, orbit_radius_mm, orbit_offset_mm, axis_limit_deg } => {
+            let half = wire.diameter_mm / 2.0;
+            let peg = PegGeometry::new(
+                mm(orbit_radius_mm)?,
+                mm(orbit_offset_mm)?,
+                mm(figures.pin_radius_mm + half)?,
+                mm(rod_radius_mm + half)?,
+            );
+            let wrong = |error| AppError::Geometry { machine: machine.profile.id().to_owned(), error };
+            (Some(axis_limit_deg), Some(peg.map_err(wrong)?))
+        }
+    };
+    let springback = figures
+        .compensate_springback
+        .then(|| springback(material.profile.id(), &wire.springback))
+        .transpose()?;
+    Ok(BendModel {
+        springback,
+        setback: peg.filter(|_| figures.compensate_setback),
+        axis_limit: axis_limit.map(deg).transpose()?,
+    })
+}
+
+fn springback(material: &str, stated: &wirebend_profile::Springback) -> Result<Springback, AppError> {
+    let curve = |pairs: &[wirebend_profile::LossPoint]| {
+        let points: Vec<SpringbackPoint> = pairs
+            .iter()
+            .map(|pair| Ok(SpringbackPoint { formed: deg(pair.angle_deg)?, loss: deg(pair.loss_deg)? }))
+            .collect::<Result<_, AppError>>()?;
+        SpringbackCurve::new(&points)
+            .map_err(|error| AppError::Springback { material: material.to_owned(), error })
+    };
+    Ok(match stated {
+        wirebend_profile::Springback::Constant { angle_deg } => Springback::Constant(deg(angle_deg.value)?),
+        wirebend_profile::Springback::Table { positive, negative, .. } => Springback::Table {
+            positive: curve(positive)?,
+            negative: curve(negative.as_deref().unwrap_or(positive))?,
+        },
+    })
+}
+
+/// The setup that a job was planned for, from its own snapshots.
+pub(crate) fn restored(job: &JobContents) -> Result<Setup, AppError> {
+    let machine = serde_json::from_value(job.machine.snapshot.clone())?;
+    let material = serde_json::from_value(job.material.snapshot.clone())?;
+    Setup::new(machine, material)
+}
+
+/// The steps that a job has kept.
+pub(crate) fn kept_steps(steps: &[JobStep]) -> Result<Vec<Step>, AppError> {
+    steps.iter().map(|&step| Step::try_from(step).map_err(not_finite)).collect()
+}

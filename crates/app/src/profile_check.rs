@@ -1,0 +1,71 @@
+//! `profile check`: whether profile files can be used, before they are put where they count.
+
+use std::path::PathBuf;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use wirebend_profile::check_file;
+
+use crate::{App, AppError, Progress};
+
+/// What to check.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct ProfileCheckRequest {
+    /// The files.
+    pub files: Vec<PathBuf>,
+}
+
+/// What a file is, or why it is refused.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct FileVerdict {
+    /// The file.
+    pub file: PathBuf,
+    /// Whether it can be used.
+    pub ok: bool,
+    /// `machine`, `material` or `noise`.
+    pub kind: Option<&'static str>,
+    /// Its id.
+    pub id: Option<String>,
+    /// Whom it inherits from, nearest first; itself not included.
+    pub inherits: Vec<String>,
+    /// Why it is refused: each with file, line, what was expected and what to do.
+    pub errors: Vec<String>,
+}
+
+/// What became of the files.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct ProfileCheckResponse {
+    /// Whether all can be used.
+    pub ok: bool,
+    /// In the order asked for.
+    pub files: Vec<FileVerdict>,
+}
+
+#[allow(clippy::unnecessary_wraps)] // every command has the same shape
+pub(crate) fn check(
+    _app: &App,
+    request: &ProfileCheckRequest,
+    progress: &dyn Progress,
+) -> Result<ProfileCheckResponse, AppError> {
+    progress.stage("checking profiles");
+    let verdict = |file: &PathBuf| match check_file(file) {
+        Ok(checked) => FileVerdict {
+            ok: true,
+            kind: Some(checked.kind.word()),
+            inherits: checked.chain.into_iter().filter(|id| *id != checked.id).collect(),
+            id: Some(checked.id),
+            errors: Vec::new(),
+            file: file.clone(),
+        },
+        Err(errors) => FileVerdict {
+            ok: false,
+            kind: None,
+            id: None,
+            inherits: Vec::new(),
+            errors: errors.iter().map(ToString::to_string).collect(),
+            file: file.clone(),
+        },
+    };
+    let files: Vec<FileVerdict> = request.files.iter().map(verdict).collect();
+    Ok(ProfileCheckResponse { ok: files.iter().all(|file| file.ok), files })
+}

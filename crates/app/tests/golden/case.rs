@@ -1,0 +1,180 @@
+//! A case: a design, how it is planned, and facts about it that come from elsewhere.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use serde::Deserialize;
+use wirebend_app::{
+    App, AppError, DesignInput, ExportRequest, NoProgress, PlanChoices, PlanReport, PlanRequest, Request,
+    Response,
+};
+
+/// `case.json`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Case {
+    /// What the case is for.
+    pub about: String,
+    /// The design, from the root of the repository.
+    design: String,
+    #[serde(default)]
+    face_edges: bool,
+    #[serde(default)]
+    double: bool,
+    #[serde(default)]
+    closed: bool,
+    facts: Facts,
+}
+
+/// What somebody else has worked out.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Facts {
+    /// Where the numbers come from.
+    because: String,
+    #[serde(default = "one")]
+    wires: usize,
+    vertices: Option<usize>,
+    edges: Option<usize>,
+    odd_vertices: Option<usize>,
+    feeds: Option<usize>,
+    bends: Option<usize>,
+    doubled_edges: Option<usize>,
+    /// Designed length, with its tolerance.
+    length_mm: Option<(f64, f64)>,
+    /// Time on the $293 bender, with its tolerance.
+    time_s: Option<(f64, f64)>,
+    /// Cost on the $293 bender, with its tolerance.
+    cost: Option<(f64, f64)>,
+    /// Whether each machine can make it.
+    #[serde(default)]
+    feasible: BTreeMap<String, bool>,
+    /// Codes that the checks of a machine must say, how often.
+    #[serde(default)]
+    says: BTreeMap<String, BTreeMap<String, usize>>,
+}
+
+fn one() -> usize {
+    1
+}
+
+impl Case {
+    pub fn load(folder: &Path) -> Self {
+        let text = std::fs::read_to_string(folder.join("case.json")).unwrap();
+        serde_json::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", folder.display()))
+    }
+
+    pub fn input(&self) -> DesignInput {
+        DesignInput { face_edges: self.face_edges, ..DesignInput::file(crate::root().join(&self.design)) }
+    }
+
+    pub fn choices(&self, machine: &str) -> PlanChoices {
+        // The thin wire of the published Pensa programs, and the wire of the paper.
+        PlanChoices {
+            machine: Some(machine.to_owned()),
+            double: self.double,
+            closed: self.closed,
+            ..PlanChoices::default()
+        }
+    }
+
+    pub fn plan(&self, machine: &str) -> PlanReport {
+        let request = PlanRequest {
+            design: self.input(),
+            choices: self.choices(machine),
+            output: None,
+            make_job: false,
+            despite_errors: true,
+        };
+        match run(&Request::Plan(request)) {
+            Ok(Response::Plan(found)) => found.report,
+            other => panic!("{}: {other:?}", self.about),
+        }
+    }
+
+    /// The job's bytes, where there is one.
+    pub fn job(&self, machine: &str) -> Option<Vec<u8>> {
+        let request = PlanRequest {
+            design: self.input(),
+            choices: self.choices(machine),
+            output: None,
+            make_job: true,
+            despite_errors: true,
+        };
+        match run(&Request::Plan(request)) {
+            Ok(Response::Plan(found)) => Some(found.contents),
+            Err(AppError::StageNotReached { .. }) => None,
+            other => panic!("{}: {other:?}", self.about),
+        }
+    }
+
+    /// The texts of a format, one for each wire, or why it cannot be written.
+    pub fn export(&self, machine: &str, format: &str) -> Result<Vec<String>, AppError> {
+        let request = ExportRequest {
+            design: self.input(),
+            choices: self.choices(machine),
+            format: Some(format.to_owned()),
+            output: None,
+            despite_errors: true,
+        };
+        match run(&Request::Export(request))? {
+            Response::Export(found) => {
+                Ok(found.contents.into_iter().map(|bytes| String::from_utf8(bytes).unwrap()).collect())
+            }
+            other => panic!("{}: {other:?}", self.about),
+        }
+    }
+
+    pub fn assert_facts(&self) {
+        let facts = &self.facts;
+        let kit = self.plan("wirebend-kit");
+        let (about, because) = (&self.about, &facts.because);
+        let same = |name: &str, found: Option<usize>, fact: Option<usize>| {
+            if fact.is_some() {
+                assert_eq!(found, fact, "{about}: {name}; {because}");
+            }
+        };
+        let near = |name: &str, found: Option<f64>, fact: Option<(f64, f64)>| {
+            if let Some((value, tolerance)) = fact {
+                let found = found.unwrap_or(f64::NAN);
+                assert!(
+                    (found - value).abs() <= tolerance,
+                    "{about}: {name} is {found}, not {value}; {because}"
+                );
+            }
+        };
+        let wires = kit.wires();
+        assert_eq!(wires.len(), facts.wires, "{about}: wires; {because}");
+        let sum = |of: fn(&wirebend_app::WireReport) -> usize| Some(wires.iter().map(of).sum());
+        same("vertices", sum(|wire| wire.wireframe.vertices), facts.vertices);
+        same("edges", sum(|wire| wire.wireframe.edges), facts.edges);
+        same("odd vertices", sum(|wire| wire.wireframe.odd_vertices), facts.odd_vertices);
+        let route = |wire: &wirebend_app::WireReport| wire.route.as_ref().map(|route| route.feeds);
+        same("feeds", wires.iter().map(route).sum(), facts.feeds);
+        let bends = |wire: &wirebend_app::WireReport| wire.program.as_ref().map(|program| program.bends);
+        same("bends", wires.iter().map(bends).sum(), facts.bends);
+        let doubled = |wire: &wirebend_app::WireReport| wire.route.as_ref().map(|route| route.doubled_edges);
+        same("doubled edges", wires.iter().map(doubled).sum(), facts.doubled_edges);
+        let length = |wire: &wirebend_app::WireReport| wire.route.as_ref().map(|route| route.length_mm);
+        near("length", wires.iter().map(length).sum(), facts.length_mm);
+        near("time", wires.iter().map(|wire| wire.time_s).sum(), facts.time_s);
+        near("cost", wires.iter().map(|wire| wire.cost).sum(), facts.cost);
+        for (machine, &feasible) in &facts.feasible {
+            assert_eq!(self.plan(machine).feasible(), feasible, "{about} on {machine}; {because}");
+        }
+        for (machine, codes) in &facts.says {
+            let plan = self.plan(machine);
+            let of_wires = plan.wires().iter().flat_map(|wire| &wire.diagnostics);
+            let said: Vec<&str> = plan.diagnostics().iter().chain(of_wires).map(|d| d.code).collect();
+            for (code, &times) in codes {
+                let found = said.iter().filter(|said| *said == code).count();
+                assert_eq!(found, times, "{about} on {machine}: {code}; {because}");
+            }
+        }
+    }
+}
+
+pub fn run(request: &Request) -> Result<Response, AppError> {
+    thread_local!(static APP: App = App::new(&[]).unwrap());
+    APP.with(|app| app.run(request, &NoProgress))
+}

@@ -1,0 +1,62 @@
+//! Golden cases: designs through every stage, a file a stage under `tests/golden/<case>/`.
+//!
+//! The files show what changes; whether it is right is said by `case.json`, whose facts come from
+//! elsewhere, and by properties that hold for every case. `UPDATE_EXPECT=1` rewrites the files.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // a test may stop at what cannot be
+
+mod case;
+mod properties;
+mod stages;
+
+use std::collections::BTreeSet;
+use std::path::PathBuf;
+
+use case::Case;
+
+fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+#[test]
+fn every_case_is_what_its_files_and_facts_say() {
+    let folder = root().join("tests/golden");
+    let mut names: Vec<String> = std::fs::read_dir(&folder)
+        .unwrap()
+        .map(|entry| entry.unwrap())
+        .filter(|entry| entry.path().is_dir())
+        .map(|entry| entry.file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    assert!(names.len() >= 15, "the cases are gone: {names:?}");
+    for name in &names {
+        let case = Case::load(&folder.join(name));
+        let made = stages::files(&case);
+        let mut expected: BTreeSet<String> = made.iter().map(|(file, _)| file.clone()).collect();
+        for (file, text) in made {
+            expect_test::expect_file![folder.join(name).join(file)].assert_eq(&text);
+        }
+        expected.insert("case.json".to_owned());
+        let on_disk = std::fs::read_dir(folder.join(name)).unwrap();
+        let on_disk: BTreeSet<String> =
+            on_disk.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+        assert_eq!(on_disk, expected, "{name}: files that no stage makes, or stages without a file");
+        case.assert_facts();
+        properties::assert_all(&case);
+    }
+}
+
+#[test]
+fn mirror_images_differ_in_the_signs_of_their_turns_alone() {
+    let steps = |name: &str| {
+        let case = Case::load(&root().join("tests/golden").join(name));
+        case.plan("wirebend-kit").wires()[0].program.clone().unwrap().steps
+    };
+    let (left, right) = (steps("mirror-left"), steps("mirror-right"));
+    assert_eq!(left.len(), right.len());
+    assert!(left.iter().any(|step| step.rotate_deg.abs() > 5.0), "flat wires have no handedness");
+    for (a, b) in left.iter().zip(&right) {
+        assert!((a.feed_mm - b.feed_mm).abs() < 1e-6 && (a.bend_deg - b.bend_deg).abs() < 1e-6);
+        assert!((a.rotate_deg + b.rotate_deg).abs() < 1e-6, "{} and {}", a.rotate_deg, b.rotate_deg);
+    }
+}
