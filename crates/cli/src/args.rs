@@ -1,0 +1,293 @@
+//! The arguments.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
+use wirebend_app::{DumpStage, ExportFormat, Format, LengthUnit};
+
+const AFTER: &str = "\
+Exit status: 0 done · 2 wrong use · 3 bad input · 4 not feasible on this machine (the report is \
+still printed) · 5 machine or driver failure · 130 stopped by the person.
+Messages go to the error stream, results to the standard output; - stands for standard input or output.";
+
+/// From a wireframe to a bent wire: check, plan, compensate, export, simulate.
+#[derive(Debug, Parser)]
+#[command(name = "wirebend", version, after_help = AFTER, arg_required_else_help = true)]
+pub struct Cli {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+    /// Print one JSON object on the standard output instead of a report
+    #[arg(long, global = true, display_order = 100)]
+    pub(crate) json: bool,
+    /// Tell more of what is done: -v, -vv, -vvv
+    #[arg(short, long, action = clap::ArgAction::Count, global = true, display_order = 101)]
+    pub(crate) verbose: u8,
+    /// Use the profiles in this folder too (machines/, materials/, noise/)
+    #[arg(long, value_name = "FOLDER", global = true, display_order = 102)]
+    pub(crate) profiles: Vec<PathBuf>,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// List the machines
+    #[command(after_help = "Example:\n  wirebend machines")]
+    Machines,
+    /// List the materials
+    #[command(after_help = "Example:\n  wirebend materials --json")]
+    Materials,
+    /// Read a model, a drawing, a table or a program into a .wirebend document
+    #[command(after_help = "Example:\n  wirebend import examples/bunny.obj --face-edges -o bunny.wirebend")]
+    Import {
+        /// File to read, or - for standard input
+        #[arg(value_name = "FILE")]
+        file: PathBuf,
+        #[command(flatten)]
+        read: ReadArgs,
+        #[command(flatten)]
+        output: OutputArgs,
+    },
+    /// Say what a machine cannot make of a wireframe, and why
+    #[command(after_help = "Example:\n  wirebend check examples/house.obj --machine wirebend-kit")]
+    Check {
+        #[command(flatten)]
+        design: DesignArgs,
+        #[command(flatten)]
+        setup: SetupArgs,
+        #[command(flatten)]
+        route: RouteArgs,
+    },
+    /// Find the route, make the program, compensate it, and write the job
+    #[command(
+        after_help = "Example:\n  wirebend plan examples/cube.obj --machine wirebend-kit --double -o cube.wbjob"
+    )]
+    Plan {
+        #[command(flatten)]
+        design: DesignArgs,
+        #[command(flatten)]
+        setup: SetupArgs,
+        #[command(flatten)]
+        route: RouteArgs,
+        #[command(flatten)]
+        output: OutputArgs,
+        #[command(flatten)]
+        danger: DangerArgs,
+    },
+    /// Write what a machine, another program or a person reads
+    #[command(
+        after_help = "Examples:\n  wirebend export cube.wbjob -o cube.txt\n  wirebend export examples/house.obj --machine pensa-diwire-pro -o house.dsw\n  wirebend export examples/spring.obj --machine wirebend-kit --format svg -o spring.svg"
+    )]
+    Export {
+        #[command(flatten)]
+        design: ExportedArgs,
+        #[command(flatten)]
+        setup: SetupArgs,
+        #[command(flatten)]
+        route: RouteArgs,
+        /// Format to write; the machine's own if absent
+        #[arg(long, short = 'f', value_name = "FORMAT", value_parser = ExportFormat::ALL.map(ExportFormat::id))]
+        format: Option<String>,
+        #[command(flatten)]
+        output: OutputArgs,
+        #[command(flatten)]
+        danger: DangerArgs,
+    },
+    /// Bend a job without a machine, with the errors that machines make
+    #[command(
+        after_help = "Example:\n  wirebend simulate cube.wbjob --noise wirebend-kit --runs 500 --seed 1 --svg cube-made.svg"
+    )]
+    Simulate {
+        /// Job to bend, or - for standard input
+        #[arg(value_name = "JOB")]
+        job: PathBuf,
+        /// Errors to make: the id of a noise profile (none, wirebend-kit, bend-forming, or your own)
+        #[arg(long, value_name = "PROFILE")]
+        noise: Option<String>,
+        /// How often to bend the wire
+        #[arg(long, value_name = "N", default_value_t = 200)]
+        runs: u32,
+        /// Where the random numbers start; the same seed gives the same wires
+        #[arg(long, value_name = "S", default_value_t = 1)]
+        seed: u64,
+        /// Draw the design and the bent wires as SVG
+        #[arg(long, value_name = "FILE")]
+        svg: Option<PathBuf>,
+        /// Draw the design and the bent wires as PNG
+        #[arg(long, value_name = "FILE")]
+        png: Option<PathBuf>,
+        /// Replace pictures that are there
+        #[arg(long)]
+        force: bool,
+    },
+    /// Print one stage's value as JSON
+    #[command(
+        after_help = "Example:\n  wirebend dump route examples/cube.obj --machine wirebend-kit --double"
+    )]
+    Dump {
+        /// Stage to print
+        #[arg(value_name = "STAGE")]
+        stage: StageName,
+        #[command(flatten)]
+        design: DesignArgs,
+        #[command(flatten)]
+        setup: SetupArgs,
+        #[command(flatten)]
+        route: RouteArgs,
+    },
+    /// Work on machine, material and noise profiles
+    #[command(subcommand)]
+    Profile(ProfileCommand),
+    /// Print the completions of a shell
+    #[command(
+        after_help = "Example:\n  wirebend completions bash > ~/.local/share/bash-completion/completions/wirebend"
+    )]
+    Completions {
+        /// Which shell
+        shell: Shell,
+    },
+    /// Print the manual page
+    #[command(after_help = "Example:\n  wirebend man > wirebend.1 && man ./wirebend.1")]
+    Man,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum ProfileCommand {
+    /// Say whether profile files can be used
+    #[command(after_help = "Example:\n  wirebend profile check machines/my-bender.json")]
+    Check {
+        /// Files to check
+        #[arg(value_name = "FILE", required = true)]
+        files: Vec<PathBuf>,
+    },
+}
+
+/// How to read a file.
+#[derive(Debug, Args)]
+pub(crate) struct ReadArgs {
+    /// Format of the file, where its name and contents do not tell
+    #[arg(long, value_name = "FORMAT", value_parser = parse_format)]
+    pub from: Option<Format>,
+    /// Factor on all coordinates
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0)]
+    pub scale: f64,
+    /// Unit of the coordinates: mm, cm, m or inch
+    #[arg(long, value_name = "UNIT", value_parser = parse_unit)]
+    pub units: Option<LengthUnit>,
+    /// Join vertices that are closer than this, in mm
+    #[arg(long, value_name = "TOLERANCE", default_value_t = 0.001)]
+    pub weld: f64,
+    /// Take the edges of faces as the wireframe
+    #[arg(long)]
+    pub face_edges: bool,
+    /// Centreline radius of the bends of a table that does not say, in mm
+    #[arg(long, value_name = "RADIUS")]
+    pub clr: Option<f64>,
+}
+
+/// What to work on.
+#[derive(Debug, Args)]
+pub(crate) struct DesignArgs {
+    /// Wireframe: a .wirebend document or any file that can be imported, or - for standard input
+    #[arg(value_name = "WIREFRAME")]
+    pub file: PathBuf,
+    #[command(flatten)]
+    pub read: ReadArgs,
+}
+
+/// What to export.
+#[derive(Debug, Args)]
+pub(crate) struct ExportedArgs {
+    /// Job, wireframe document or any file that can be imported, or - for standard input
+    #[arg(value_name = "JOB|WIREFRAME")]
+    pub file: PathBuf,
+    #[command(flatten)]
+    pub read: ReadArgs,
+}
+
+/// On which machine.
+#[derive(Debug, Args)]
+pub(crate) struct SetupArgs {
+    /// Machine, by id (see `wirebend machines`)
+    #[arg(long, short, value_name = "ID")]
+    pub machine: Option<String>,
+    /// Wire in the machine, by id (see `wirebend materials`)
+    #[arg(long, value_name = "ID")]
+    pub material: Option<String>,
+}
+
+/// Which way the wire runs.
+#[derive(Debug, Args)]
+pub(crate) struct RouteArgs {
+    /// Travel the cheapest edges twice where one wire cannot run otherwise
+    #[arg(long)]
+    pub double: bool,
+    /// End the wire where it starts
+    #[arg(long)]
+    pub closed: bool,
+    /// Vertex where the wire starts
+    #[arg(long, value_name = "VERTEX")]
+    pub start: Option<u32>,
+    /// Run the wire the other way
+    #[arg(long)]
+    pub reverse: bool,
+}
+
+/// Where the result goes.
+#[derive(Debug, Args)]
+pub(crate) struct OutputArgs {
+    /// File to write, or - for standard output
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Replace a file that is there
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// What a person has to say that they know.
+#[derive(Debug, Args)]
+pub(crate) struct DangerArgs {
+    /// Write a program although a check says that it cannot be made
+    #[arg(long)]
+    pub despite_errors: bool,
+}
+
+/// A stage of the pipeline.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub(crate) enum StageName {
+    /// The surface that was read
+    Stencil,
+    /// The graph that was read
+    Wireframe,
+    /// The walk along every edge
+    Route,
+    /// The nominal program
+    Program,
+    /// Signs and turns of the head
+    Schedule,
+    /// What the machine is told
+    Compensated,
+    /// The sealed job
+    Job,
+}
+
+impl From<StageName> for DumpStage {
+    fn from(name: StageName) -> Self {
+        match name {
+            StageName::Stencil => Self::Stencil,
+            StageName::Wireframe => Self::Wireframe,
+            StageName::Route => Self::Route,
+            StageName::Program => Self::Program,
+            StageName::Schedule => Self::Schedule,
+            StageName::Compensated => Self::Compensated,
+            StageName::Job => Self::Job,
+        }
+    }
+}
+
+fn parse_format(word: &str) -> Result<Format, String> {
+    word.parse().map_err(|error: <Format as std::str::FromStr>::Err| error.to_string())
+}
+
+fn parse_unit(word: &str) -> Result<LengthUnit, String> {
+    LengthUnit::from_word(word).ok_or_else(|| "expected mm, cm, m or inch".to_owned())
+}

@@ -1,0 +1,90 @@
+//! The command line: arguments become a [`wirebend_app::Request`], the response becomes text or JSON.
+//!
+//! What a person reads goes to the error stream, what another program reads to the standard output.
+
+mod args;
+mod errors;
+mod progress;
+mod render;
+mod requests;
+
+use std::io::{IsTerminal, Write};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{CommandFactory, FromArgMatches};
+use etcetera::BaseStrategy;
+use wirebend_app::{App, NoProgress, Progress};
+
+pub use args::Cli;
+pub use errors::{error_schema, exit};
+
+/// The arguments, for documentation: completions, manual page, reference.
+#[must_use]
+pub fn command() -> clap::Command {
+    Cli::command()
+}
+
+/// Runs the program with the arguments of the process.
+#[must_use]
+pub fn main() -> ExitCode {
+    let cli = match command().try_get_matches().and_then(|matches| Cli::from_arg_matches(&matches)) {
+        Ok(cli) => cli,
+        Err(error) => {
+            // Help and version are asked for; the rest is a wrong use.
+            let code = if error.use_stderr() { exit::USAGE } else { exit::DONE };
+            return if error.print().is_ok() { ExitCode::from(code) } else { ExitCode::from(exit::FAILURE) };
+        }
+    };
+    listen(cli.verbose);
+    let json = cli.json;
+    match run(cli) {
+        Ok(code) => ExitCode::from(code),
+        Err(error) => errors::report(&error, json),
+    }
+}
+
+/// Sends what the program tells about its work to the error stream.
+fn listen(verbose: u8) {
+    let level = match verbose {
+        0 => tracing::Level::WARN,
+        1 => tracing::Level::INFO,
+        2 => tracing::Level::DEBUG,
+        _ => tracing::Level::TRACE,
+    };
+    // A second call, as in a test, finds the first one's listener in place.
+    let _ = tracing_subscriber::fmt()
+        .with_max_level(level)
+        .with_writer(std::io::stderr)
+        .with_ansi(std::io::stderr().is_terminal())
+        .without_time()
+        .with_target(false)
+        .try_init();
+}
+
+fn run(cli: Cli) -> anyhow::Result<u8> {
+    let Cli { command, json, profiles, .. } = cli;
+    let (request, output) = match requests::prepare(command)? {
+        requests::Prepared::Request(request, output) => (*request, output),
+        requests::Prepared::Text(text) => {
+            std::io::stdout().write_all(&text)?;
+            return Ok(exit::DONE);
+        }
+    };
+    let app = App::new(&profile_folders(profiles))?;
+    for refused in app.refused_profiles() {
+        tracing::warn!("{refused}");
+    }
+    let bar = progress::Bar::new();
+    let shown: &dyn Progress = if std::io::stderr().is_terminal() && !json { &bar } else { &NoProgress };
+    let response = app.run(&request, shown);
+    bar.finish();
+    render::show(&response?, json, output)
+}
+
+/// The person's own profiles, and those named on the command line.
+fn profile_folders(named: Vec<PathBuf>) -> Vec<PathBuf> {
+    let config = etcetera::choose_base_strategy().ok().map(|home| home.config_dir().join("wirebend"));
+    let own = config.filter(|folder| folder.is_dir());
+    own.into_iter().chain(named).collect()
+}

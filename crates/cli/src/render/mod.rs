@@ -1,0 +1,161 @@
+//! Responses as text for a person, or as JSON for a program.
+
+pub(crate) mod number;
+pub(crate) mod plan;
+mod simulate;
+mod tables;
+
+use std::io::Write;
+
+use anstyle::{AnsiColor, Style};
+use wirebend_app::{
+    ExportResponse, ImportResponse, NoteReport, ProfileCheckResponse, Response, SeverityName,
+};
+
+use crate::errors::exit;
+use crate::requests::Contents;
+use number::{count, mm};
+
+/// Shows a response and gives the exit status that it deserves.
+pub(crate) fn show(response: &Response, json: bool, contents: Contents) -> anyhow::Result<u8> {
+    if contents == Contents::StandardOutput {
+        write_contents(response)?;
+    }
+    if json {
+        // With contents on the standard output there is no room for a second value.
+        if contents == Contents::Written {
+            let mut out = std::io::stdout().lock();
+            writeln!(out, "{}", serde_json::to_string_pretty(response)?)?;
+        }
+    } else {
+        let mut err = anstream::stderr().lock();
+        match response {
+            Response::Machines(found) => tables::machines(&mut std::io::stdout().lock(), found)?,
+            Response::Materials(found) => tables::materials(&mut std::io::stdout().lock(), found)?,
+            Response::Import(found) => import(&mut err, found)?,
+            Response::Check(found) => plan::check(&mut err, found)?,
+            Response::Plan(found) => plan::plan(&mut err, found)?,
+            Response::Export(found) => export(&mut err, found)?,
+            Response::Simulate(found) => simulate::simulate(&mut err, found)?,
+            Response::Dump(found) => {
+                writeln!(std::io::stdout().lock(), "{}", serde_json::to_string_pretty(&found.value)?)?;
+            }
+            Response::ProfileCheck(found) => profiles(&mut err, found)?,
+        }
+    }
+    Ok(status(response))
+}
+
+fn status(response: &Response) -> u8 {
+    let feasible = match response {
+        Response::Check(found) => found.feasible,
+        Response::Plan(found) => found.report.feasible(),
+        Response::ProfileCheck(found) => return if found.ok { exit::DONE } else { exit::BAD_INPUT },
+        Response::Machines(_)
+        | Response::Materials(_)
+        | Response::Import(_)
+        | Response::Export(_)
+        | Response::Simulate(_)
+        | Response::Dump(_) => true,
+    };
+    if feasible { exit::DONE } else { exit::NOT_FEASIBLE }
+}
+
+fn write_contents(response: &Response) -> anyhow::Result<()> {
+    let mut out = std::io::stdout().lock();
+    match response {
+        Response::Import(found) => out.write_all(&found.contents)?,
+        Response::Plan(found) => out.write_all(&found.contents)?,
+        Response::Export(found) => {
+            anyhow::ensure!(
+                found.contents.len() < 2,
+                "{} wires go to {0} files: name one with -o, and the others get numbers",
+                found.contents.len()
+            );
+            for bytes in &found.contents {
+                out.write_all(bytes)?;
+            }
+        }
+        _ => {}
+    }
+    out.flush()?;
+    Ok(())
+}
+
+/// The colour of a severity, where the terminal has colours.
+pub(crate) fn severity_style(severity: SeverityName) -> Style {
+    let colour = match severity {
+        SeverityName::Error => AnsiColor::Red,
+        SeverityName::Warning => AnsiColor::Yellow,
+        SeverityName::Info => AnsiColor::Cyan,
+    };
+    Style::new().bold().fg_color(Some(colour.into()))
+}
+
+pub(crate) fn notes(out: &mut impl Write, notes: &[NoteReport]) -> std::io::Result<()> {
+    notes.iter().try_for_each(|note| writeln!(out, "note: {}", note.message))
+}
+
+fn import(out: &mut impl Write, found: &ImportResponse) -> std::io::Result<()> {
+    notes(out, &found.notes)?;
+    let size: Vec<String> = found.size_mm.iter().map(|&length| mm(length)).collect();
+    writeln!(
+        out,
+        "{}: {}, {}, {}; {} mm in all, {} mm large",
+        found.format,
+        count(found.vertices, "vertex", "vertices"),
+        count(found.edges, "edge", "edges"),
+        count(found.components, "part", "parts"),
+        mm(found.length_mm),
+        size.join(" × ")
+    )?;
+    if let Some(stencil) = found.stencil {
+        let faces = count(stencil.faces, "face", "faces");
+        writeln!(out, "stencil: {}, {faces}", count(stencil.vertices, "vertex", "vertices"))?;
+    }
+    written(out, found.output.iter())
+}
+
+fn export(out: &mut impl Write, found: &ExportResponse) -> std::io::Result<()> {
+    notes(out, &found.notes)?;
+    if !found.feasible {
+        let style = severity_style(SeverityName::Warning);
+        let machine = &found.machine;
+        writeln!(
+            out,
+            "{style}warning{style:#}: this cannot be made on '{machine}'; `wirebend check` says why"
+        )?;
+    }
+    written(out, found.files.iter())
+}
+
+pub(crate) fn written<'a>(
+    out: &mut impl Write,
+    mut files: impl Iterator<Item = &'a std::path::PathBuf>,
+) -> std::io::Result<()> {
+    files.try_for_each(|file| writeln!(out, "wrote {}", file.display()))
+}
+
+fn profiles(out: &mut impl Write, found: &ProfileCheckResponse) -> std::io::Result<()> {
+    for verdict in &found.files {
+        if verdict.ok {
+            let id = verdict.id.as_deref().unwrap_or_default();
+            let from = match verdict.inherits.as_slice() {
+                [] => String::new(),
+                chain => format!(", inherits from {}", chain.join(" ← ")),
+            };
+            writeln!(
+                out,
+                "{}: ok ({} '{id}'{from})",
+                verdict.file.display(),
+                verdict.kind.unwrap_or("profile")
+            )?;
+        } else {
+            for error in &verdict.errors {
+                let style = severity_style(SeverityName::Error);
+                writeln!(out, "{style}error{style:#}: {error}")?;
+            }
+        }
+    }
+    Ok(())
+}

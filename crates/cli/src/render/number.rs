@@ -1,0 +1,53 @@
+//! Numbers as a person reads them.
+
+/// A length with one decimal and its thousands apart.
+pub(crate) fn mm(value: f64) -> String {
+    let text = format!("{:.1}", value.abs());
+    let (whole, decimals) = text.split_once('.').unwrap_or((&text, "0"));
+    let mut grouped = String::new();
+    for (k, digit) in whole.chars().enumerate() {
+        if k > 0 && (whole.len() - k) % 3 == 0 {
+            grouped.push('\u{202f}');
+        }
+        grouped.push(digit);
+    }
+    let sign = if value < 0.0 && text != "0.0" { "-" } else { "" };
+    format!("{sign}{grouped}.{decimals}")
+}
+
+/// A duration as hours, minutes and seconds, from the largest that is needed.
+pub(crate) fn duration(seconds: f64) -> String {
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // not negative, far below 2^64
+    let whole = seconds.max(0.0).round() as u64;
+    let (hours, minutes, seconds) = (whole / 3600, whole / 60 % 60, whole % 60);
+    match (hours, minutes) {
+        (0, 0) => format!("{seconds} s"),
+        (0, _) => format!("{minutes} min {seconds:02} s"),
+        _ => format!("{hours} h {minutes:02} min"),
+    }
+}
+
+/// A number of things.
+pub(crate) fn count(number: usize, one: &str, many: &str) -> String {
+    format!("{number} {}", if number == 1 { one } else { many })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn thousands_stand_apart() {
+        assert_eq!(mm(11821.353), "11\u{202f}821.4");
+        assert_eq!(mm(999.96), "1\u{202f}000.0");
+        assert_eq!(mm(-0.04), "0.0");
+        assert_eq!(mm(-1234.5), "-1\u{202f}234.5");
+    }
+
+    #[test]
+    fn durations_start_with_what_is_needed() {
+        assert_eq!(duration(8.4), "8 s");
+        assert_eq!(duration(141.0), "2 min 21 s");
+        assert_eq!(duration(3600.0 * 2.0 + 59.0), "2 h 00 min");
+    }
+}

@@ -1,0 +1,170 @@
+//! Plans and what the checks say of them.
+
+use std::collections::BTreeMap;
+use std::io::Write;
+
+use wirebend_app::{CheckResponse, DiagnosticReport, PlanReport, PlanResponse, SeverityName, WireReport};
+
+use super::number::{count, duration, mm};
+use super::{notes, severity_style, written};
+
+/// How many diagnostics of one code are told before the rest is counted.
+const TOLD: usize = 6;
+
+pub(super) fn plan(out: &mut impl Write, found: &PlanResponse) -> std::io::Result<()> {
+    notes(out, &found.notes)?;
+    writeln!(out, "{} with {}", found.machine, found.material)?;
+    let wires = found.report.wires();
+    for (index, report) in wires.iter().enumerate() {
+        if wires.len() > 1 {
+            writeln!(out, "wire {index}")?;
+        }
+        wire(out, report)?;
+    }
+    diagnostics(out, &found.report)?;
+    if found.withheld {
+        writeln!(
+            out,
+            "no job was written: mend what the checks name, or write it all the same with --despite-errors"
+        )?;
+    }
+    written(out, found.output.iter())
+}
+
+fn wire(out: &mut impl Write, report: &WireReport) -> std::io::Result<()> {
+    let wireframe = &report.wireframe;
+    let line = |out: &mut dyn Write, label: &str, text: String| writeln!(out, "  {label:<11} {text}");
+    line(
+        out,
+        "wireframe",
+        format!(
+            "{}, {}, {}",
+            count(wireframe.vertices, "vertex", "vertices"),
+            count(wireframe.edges, "edge", "edges"),
+            count(wireframe.odd_vertices, "odd vertex", "odd vertices")
+        ),
+    )?;
+    if let Some(route) = &report.route {
+        let doubled = match route.doubled_edges {
+            0 => String::new(),
+            edges => format!(
+                "; {} travelled twice, {} mm{}",
+                count(edges, "edge", "edges"),
+                mm(route.doubled_mm),
+                if route.optimal { ", the least possible" } else { "" }
+            ),
+        };
+        line(
+            out,
+            "route",
+            format!(
+                "{}, {} mm as designed{doubled}",
+                count(route.feeds, "feed", "feeds"),
+                mm(route.length_mm)
+            ),
+        )?;
+    }
+    if let Some(program) = &report.program {
+        line(
+            out,
+            "program",
+            format!(
+                "{}, {}",
+                count(program.steps.len(), "step", "steps"),
+                count(program.bends, "bend", "bends")
+            ),
+        )?;
+    }
+    if let Some(compensated) = &report.compensated {
+        line(
+            out,
+            "stock",
+            format!(
+                "{} mm: {} mm are fed, the rest is a tail that cannot be",
+                mm(compensated.stock_mm),
+                mm(compensated.feed_mm)
+            ),
+        )?;
+    }
+    let mut figures = Vec::new();
+    figures.extend(report.time_s.map(|seconds| format!("{} on the machine", duration(seconds))));
+    figures.extend(report.mass_g.map(|mass| format!("{mass:.1} g")));
+    figures.extend(
+        report.cost.map(|cost| format!("{cost:.2} {}", report.currency.as_deref().unwrap_or_default())),
+    );
+    if !figures.is_empty() {
+        line(out, "takes", figures.join(", "))?;
+    }
+    Ok(())
+}
+
+pub(super) fn check(out: &mut impl Write, found: &CheckResponse) -> std::io::Result<()> {
+    notes(out, &found.notes)?;
+    list(out, &found.diagnostics.iter().collect::<Vec<_>>())?;
+    let verdict = if found.feasible { "can be made" } else { "cannot be made" };
+    summary(
+        out,
+        &format!("{verdict} on {} with {}", found.machine, found.material),
+        &found.diagnostics.iter().collect::<Vec<_>>(),
+    )
+}
+
+/// Everything that the checks say of a plan, and whether it can be made.
+pub(crate) fn diagnostics(out: &mut impl Write, report: &PlanReport) -> std::io::Result<()> {
+    let of_wires = report.wires().iter().flat_map(|wire| &wire.diagnostics);
+    let mut all: Vec<&DiagnosticReport> = report.diagnostics().iter().chain(of_wires).collect();
+    all.sort_by_key(|diagnostic| diagnostic.severity as u8);
+    list(out, &all)?;
+    let verdict = if report.feasible() { "can be made" } else { "cannot be made as it is" };
+    summary(out, verdict, &all)
+}
+
+fn summary(out: &mut impl Write, verdict: &str, all: &[&DiagnosticReport]) -> std::io::Result<()> {
+    let number = |severity| all.iter().filter(|diagnostic| diagnostic.severity == severity).count();
+    let (errors, warnings) = (number(SeverityName::Error), number(SeverityName::Warning));
+    writeln!(
+        out,
+        "{verdict}: {}, {}",
+        count(errors, "error", "errors"),
+        count(warnings, "warning", "warnings")
+    )
+}
+
+/// Diagnostics, the first few of each code in full and the rest as a count.
+fn list(out: &mut impl Write, all: &[&DiagnosticReport]) -> std::io::Result<()> {
+    let mut of_code: BTreeMap<&str, usize> = BTreeMap::new();
+    for diagnostic in all {
+        *of_code.entry(diagnostic.code).or_default() += 1;
+    }
+    let mut told: BTreeMap<&str, usize> = BTreeMap::new();
+    for diagnostic in all {
+        let number = told.entry(diagnostic.code).or_default();
+        *number += 1;
+        if *number <= TOLD {
+            one(out, diagnostic)?;
+        }
+        let total = of_code.get(diagnostic.code).copied().unwrap_or_default();
+        if *number == TOLD + 1 {
+            writeln!(out, "  … and {} more of {}; --json lists all", total - TOLD, diagnostic.code)?;
+        }
+    }
+    Ok(())
+}
+
+fn one(out: &mut impl Write, diagnostic: &DiagnosticReport) -> std::io::Result<()> {
+    let style = severity_style(diagnostic.severity);
+    let severity = match diagnostic.severity {
+        SeverityName::Error => "error",
+        SeverityName::Warning => "warning",
+        SeverityName::Info => "info",
+    };
+    let step = diagnostic.step.map(|step| format!(" step {step}:")).unwrap_or_default();
+    writeln!(out, "{style}{severity}{style:#}[{}]:{step} {}", diagnostic.code, diagnostic.message)?;
+    if let Some(source) = &diagnostic.limit_source {
+        writeln!(out, "    limit from {source}")?;
+    }
+    if diagnostic.severity != SeverityName::Info {
+        writeln!(out, "    help: {}", diagnostic.help)?;
+    }
+    Ok(())
+}

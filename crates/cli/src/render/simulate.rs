@@ -1,0 +1,39 @@
+//! What a simulation found.
+
+use std::io::Write;
+
+use wirebend_app::SimulateResponse;
+
+use super::number::count;
+use super::{notes, written};
+
+pub(super) fn simulate(out: &mut impl Write, found: &SimulateResponse) -> std::io::Result<()> {
+    notes(out, &found.notes)?;
+    let several = found.wires.len() > 1;
+    for (index, wire) in found.wires.iter().enumerate() {
+        if several {
+            writeln!(out, "wire {index}")?;
+        }
+        let label = "without errors";
+        writeln!(out, "  {label:<15} the worst vertex is {:.3} mm off", wire.worst_systematic_mm)?;
+        if let Some(noise) = &found.noise {
+            let runs = count(found.runs as usize, "run", "runs");
+            writeln!(
+                out,
+                "  {noise:<15} the worst vertex is {:.2} mm off on average, within {:.2} mm in 95 % of {runs} (seed {})",
+                wire.worst_mean_mm, wire.worst_radius_95_mm, found.seed
+            )?;
+            let widest = wire.gaps.iter().max_by(|a, b| a.mean_mm.total_cmp(&b.mean_mm));
+            if let Some(gap) = widest {
+                let label = "passes";
+                writeln!(
+                    out,
+                    "  {label:<15} farthest apart at vertex {}: {:.2} mm on average, within {:.2} mm in 95 %",
+                    gap.vertex, gap.mean_mm, gap.radius_95_mm
+                )?;
+            }
+        }
+    }
+    writeln!(out, "distances are taken with the first vertex and the first direction held in place")?;
+    written(out, found.files.iter())
+}

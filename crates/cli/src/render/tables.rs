@@ -1,0 +1,59 @@
+//! Lists of machines and materials.
+
+use std::io::Write;
+
+use wirebend_app::{MachinesResponse, MaterialsResponse};
+
+pub(super) fn machines(out: &mut impl Write, found: &MachinesResponse) -> std::io::Result<()> {
+    let rows = found.machines.iter().map(|machine| {
+        let [least, most] = machine.diameter_mm;
+        [
+            machine.id.clone(),
+            format!("{:.0}..{:.0}°", machine.bend_deg[0], machine.bend_deg[1]),
+            format!("{:.1} mm", machine.min_edge_mm),
+            format!("{least}..{most} mm"),
+            match &machine.native {
+                Some(native) => format!("{native} (by its driver)"),
+                None => machine.formats.first().cloned().unwrap_or_default(),
+            },
+            machine.name.clone(),
+        ]
+    });
+    table(out, ["id", "bends", "edges from", "wire", "own format", "name"], rows)
+}
+
+pub(super) fn materials(out: &mut impl Write, found: &MaterialsResponse) -> std::io::Result<()> {
+    let rows = found.materials.iter().map(|material| {
+        [
+            material.id.clone(),
+            format!("{} mm", material.diameter_mm),
+            material.price_per_mm.map_or_else(
+                || "unknown".to_owned(),
+                |price| {
+                    format!("{:.2} {}/m", price * 1000.0, material.currency.as_deref().unwrap_or_default())
+                },
+            ),
+            if material.springback_measured { "measured" } else { "estimated" }.to_owned(),
+            material.name.clone(),
+        ]
+    });
+    table(out, ["id", "diameter", "price", "springback", "name"], rows)
+}
+
+fn table<const N: usize>(
+    out: &mut impl Write,
+    head: [&str; N],
+    rows: impl Iterator<Item = [String; N]>,
+) -> std::io::Result<()> {
+    let rows: Vec<[String; N]> = std::iter::once(head.map(str::to_owned)).chain(rows).collect();
+    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..N).map(width).collect();
+    for row in &rows {
+        let cells = row
+            .iter()
+            .zip(&widths)
+            .map(|(cell, width)| format!("{cell}{}", " ".repeat(width - cell.chars().count())));
+        writeln!(out, "{}", cells.collect::<Vec<_>>().join("  ").trim_end())?;
+    }
+    Ok(())
+}

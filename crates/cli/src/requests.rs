@@ -1,0 +1,132 @@
+//! From arguments to requests.
+
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use anyhow::Context;
+use wirebend_app::{
+    CheckRequest, DesignInput, DumpRequest, ExportRequest, ImportRequest, Input, MachinesRequest,
+    MaterialsRequest, Output, PlanChoices, PlanRequest, ProfileCheckRequest, Request, SimulateRequest,
+};
+
+use crate::args::{Command, DesignArgs, OutputArgs, ProfileCommand, ReadArgs, RouteArgs, SetupArgs};
+
+/// The most that is read from standard input.
+const MOST_BYTES: u64 = 512 << 20;
+
+/// Where contents go that the application did not write to a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Contents {
+    /// Nowhere: they were written, or not asked for.
+    Written,
+    /// To the standard output.
+    StandardOutput,
+}
+
+pub(crate) enum Prepared {
+    /// To be run by the application.
+    Request(Box<Request>, Contents),
+    /// To be printed as it is.
+    Text(Vec<u8>),
+}
+
+pub(crate) fn prepare(command: Command) -> anyhow::Result<Prepared> {
+    let written = |request| Prepared::Request(Box::new(request), Contents::Written);
+    Ok(match command {
+        Command::Machines => written(Request::Machines(MachinesRequest {})),
+        Command::Materials => written(Request::Materials(MaterialsRequest {})),
+        Command::Import { file, read, output } => {
+            let (output, contents) = place(output, true);
+            let design = design(&DesignArgs { file, read })?;
+            Prepared::Request(Box::new(Request::Import(ImportRequest { design, output })), contents)
+        }
+        Command::Check { design: args, setup, route } => {
+            written(Request::Check(CheckRequest { design: design(&args)?, choices: choices(setup, &route) }))
+        }
+        Command::Plan { design: args, setup, route, output, danger } => {
+            let (output, contents) = place(output, false);
+            let request = PlanRequest {
+                design: design(&args)?,
+                choices: choices(setup, &route),
+                make_job: contents == Contents::StandardOutput,
+                output,
+                despite_errors: danger.despite_errors,
+            };
+            Prepared::Request(Box::new(Request::Plan(request)), contents)
+        }
+        Command::Export { design: args, setup, route, format, output, danger } => {
+            let (output, contents) = place(output, true);
+            let request = ExportRequest {
+                design: design(&DesignArgs { file: args.file, read: args.read })?,
+                choices: choices(setup, &route),
+                format,
+                output,
+                despite_errors: danger.despite_errors,
+            };
+            Prepared::Request(Box::new(Request::Export(request)), contents)
+        }
+        Command::Simulate { job, noise, runs, seed, svg, png, force } => {
+            let picture = |path: PathBuf| Output { path, force };
+            let job = input(&job)?;
+            let (svg, png) = (svg.map(picture), png.map(picture));
+            written(Request::Simulate(SimulateRequest { job, noise, runs, seed, svg, png }))
+        }
+        Command::Dump { stage, design: args, setup, route } => written(Request::Dump(DumpRequest {
+            stage: stage.into(),
+            design: design(&args)?,
+            choices: choices(setup, &route),
+        })),
+        Command::Profile(ProfileCommand::Check { files }) => {
+            written(Request::ProfileCheck(ProfileCheckRequest { files }))
+        }
+        Command::Completions { shell } => {
+            let mut text = Vec::new();
+            clap_complete::generate(shell, &mut crate::command(), "wirebend", &mut text);
+            Prepared::Text(text)
+        }
+        Command::Man => {
+            let mut text = Vec::new();
+            clap_mangen::Man::new(crate::command()).render(&mut text)?;
+            Prepared::Text(text)
+        }
+    })
+}
+
+/// Where a result goes: to a file, to the standard output for `-`, and without a name to the
+/// standard output where the result is all that the command is for.
+fn place(args: OutputArgs, is_the_point: bool) -> (Option<Output>, Contents) {
+    match args.output {
+        Some(path) if path != Path::new("-") => (Some(Output { path, force: args.force }), Contents::Written),
+        Some(_) => (None, Contents::StandardOutput),
+        None if is_the_point => (None, Contents::StandardOutput),
+        None => (None, Contents::Written),
+    }
+}
+
+fn input(file: &Path) -> anyhow::Result<Input> {
+    if file != Path::new("-") {
+        return Ok(Input::File(file.to_owned()));
+    }
+    let mut bytes = Vec::new();
+    let taken = std::io::stdin().lock().take(MOST_BYTES + 1).read_to_end(&mut bytes);
+    taken.context("standard input cannot be read")?;
+    anyhow::ensure!(bytes.len() as u64 <= MOST_BYTES, "standard input is longer than {MOST_BYTES} bytes");
+    Ok(Input::Bytes { name: "standard input".to_owned(), bytes })
+}
+
+fn design(args: &DesignArgs) -> anyhow::Result<DesignInput> {
+    let ReadArgs { from, scale, units, weld, face_edges, clr } = args.read;
+    let input = input(&args.file)?;
+    Ok(DesignInput { input, format: from, scale, units, weld_mm: weld, face_edges, clr_mm: clr })
+}
+
+fn choices(setup: SetupArgs, route: &RouteArgs) -> PlanChoices {
+    PlanChoices {
+        machine: setup.machine,
+        material: setup.material,
+        double: route.double,
+        closed: route.closed,
+        start: route.start,
+        reverse: route.reverse,
+    }
+}

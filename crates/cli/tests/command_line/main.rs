@@ -1,0 +1,81 @@
+//! The command line as a person or a script meets it: every command, every exit status, wrong files.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // a test may stop at what cannot be
+
+mod outputs;
+mod results;
+mod statuses;
+mod wrong_files;
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use serde_json::Value;
+
+/// What a run of the program left.
+struct Ran {
+    status: i32,
+    out: Vec<u8>,
+    err: String,
+}
+
+impl Ran {
+    fn json(&self) -> Value {
+        serde_json::from_slice(&self.out).unwrap_or_else(|error| panic!("{error}: {}", self.err))
+    }
+
+    /// The run, if it ended with this status.
+    #[track_caller]
+    fn ended(self, status: i32) -> Self {
+        let out = String::from_utf8_lossy(&self.out);
+        assert_eq!(self.status, status, "{}\n{out}", self.err);
+        self
+    }
+}
+
+fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+fn example(name: &str) -> String {
+    root().join("examples").join(name).display().to_string()
+}
+
+/// Runs `wirebend` in a folder with words on its standard input.
+fn run_in(folder: &Path, arguments: &[&str], input: &[u8]) -> Ran {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_wirebend"))
+        .args(arguments)
+        .current_dir(folder)
+        // The profiles of whoever runs the tests are not part of them.
+        .env("XDG_CONFIG_HOME", folder)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // A program that does not read its input closes it early.
+    let _ = child.stdin.take().unwrap().write_all(input);
+    let done = child.wait_with_output().unwrap();
+    Ran {
+        status: done.status.code().expect("ended by a signal"),
+        out: done.stdout,
+        err: String::from_utf8(done.stderr).unwrap(),
+    }
+}
+
+/// Runs `wirebend` where nothing is.
+fn run(arguments: &[&str]) -> Ran {
+    let folder = tempfile::tempdir().unwrap();
+    run_in(folder.path(), arguments, b"")
+}
+
+/// Checks a result against the committed schema of its command.
+fn assert_fits(schema: &str, value: &Value) {
+    let file = root().join(format!("crates/app/schema/{schema}.schema.json"));
+    let schema: Value = serde_json::from_slice(&std::fs::read(file).unwrap()).unwrap();
+    let validator = jsonschema::validator_for(&schema).unwrap();
+    let errors: Vec<String> =
+        validator.iter_errors(value).map(|e| format!("{}: {e}", e.instance_path())).collect();
+    assert!(errors.is_empty(), "{errors:#?}");
+}

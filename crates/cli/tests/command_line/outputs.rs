@@ -1,0 +1,148 @@
+//! Files that are written: whole or not at all, and none that is there is lost.
+
+use std::path::Path;
+
+use crate::{example, run_in};
+
+fn read(folder: &Path, name: &str) -> String {
+    std::fs::read_to_string(folder.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+}
+
+#[test]
+fn a_file_that_is_there_is_replaced_only_on_request() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("cube.txt"), "mine").unwrap();
+    let cube = example("cube-8-edges.obj");
+    let export = ["export", &cube, "-m", "wirebend-kit", "-o", "cube.txt"];
+    let said = run_in(folder.path(), &export, b"").ended(2).err;
+    assert!(said.contains("--force"), "{said}");
+    assert_eq!(read(folder.path(), "cube.txt"), "mine");
+    run_in(folder.path(), &[&export[..], &["--force"]].concat(), b"").ended(0);
+    assert!(read(folder.path(), "cube.txt").contains("F 30.770"));
+    let left: Vec<_> = std::fs::read_dir(folder.path()).unwrap().collect();
+    assert_eq!(left.len(), 1, "nothing is left beside it: {left:?}");
+}
+
+#[test]
+fn a_folder_that_is_not_there_is_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let cube = example("cube-8-edges.obj");
+    let ran = run_in(folder.path(), &["export", &cube, "-m", "wirebend-kit", "-o", "no/such/cube.txt"], b"");
+    assert!(ran.status != 0 && ran.err.contains("no/such"), "{}", ran.err);
+}
+
+#[test]
+fn every_format_of_every_machine_can_be_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let house = example("house.obj");
+    let run = |arguments: &[&str]| run_in(folder.path(), arguments, b"");
+    for (format, sign) in [
+        ("wirebend-kit-text", "F "),
+        ("lra-csv", "L"),
+        ("ybc-csv", ",43.336"),
+        ("xyz-csv", "x_mm"),
+        ("svg", "<svg"),
+        ("obj", "\nl "),
+        ("obj-tube", "\nf "),
+    ] {
+        run(&["export", &house, "-m", "wirebend-kit", "-f", format, "-o", format]).ended(0);
+        let text = read(folder.path(), format);
+        assert!(text.contains(sign), "{format}: {}", &text[..text.len().min(200)]);
+    }
+    run(&["export", &house, "-m", "wirebend-kit", "-f", "png", "-o", "house.png"]).ended(0);
+    let png = std::fs::read(folder.path().join("house.png")).unwrap();
+    assert_eq!(&png[..8], b"\x89PNG\r\n\x1a\n");
+    // The kit's angles in a Pensa's script would bend another part.
+    let said =
+        run(&["export", &house, "-m", "wirebend-kit", "-f", "pensa-script", "-o", "no.dsw"]).ended(2).err;
+    assert!(said.contains("compensated for that machine alone"), "{said}");
+    run(&["export", &house, "-m", "pensa-diwire-pro", "-o", "house.dsw"]).ended(0);
+    assert!(read(folder.path(), "house.dsw").trim_end().lines().last().unwrap().starts_with("FEED "));
+}
+
+#[test]
+fn several_wires_go_to_files_with_numbers() {
+    let folder = tempfile::tempdir().unwrap();
+    let two = example("two-parts.obj");
+    let export = ["export", &two, "-m", "wirebend-kit", "-o", "part.txt"];
+    let said = run_in(folder.path(), &export, b"").ended(0).err;
+    assert!(said.contains("part-1.txt") && said.contains("part-2.txt"), "{said}");
+    assert!(read(folder.path(), "part-2.txt").contains("F "));
+    // The second one is there: nothing is written, the first one included.
+    std::fs::remove_file(folder.path().join("part-1.txt")).unwrap();
+    run_in(folder.path(), &export, b"").ended(2);
+    assert!(!folder.path().join("part-1.txt").exists());
+    let said = run_in(folder.path(), &["export", &two, "-m", "wirebend-kit"], b"");
+    assert!(said.status != 0 && said.out.is_empty() && said.err.contains("-o"), "{}", said.err);
+}
+
+#[test]
+fn what_cannot_be_made_is_written_only_on_request() {
+    let folder = tempfile::tempdir().unwrap();
+    let bunny = example("bunny.obj");
+    let export = ["export", &bunny, "--face-edges", "--double", "-m", "wirebend-kit", "-o", "bunny.txt"];
+    let said = run_in(folder.path(), &export, b"").ended(4).err;
+    assert!(said.contains("bend_too_sharp") && said.contains("--despite-errors"), "{said}");
+    assert!(!folder.path().join("bunny.txt").exists());
+    let said = run_in(folder.path(), &[&export[..], &["--despite-errors"]].concat(), b"").ended(0).err;
+    assert!(said.contains("warning"), "{said}");
+    assert!(read(folder.path(), "bunny.txt").lines().count() > 400);
+    // A picture is no program.
+    let picture =
+        ["export", &bunny, "--face-edges", "--double", "-m", "wirebend-kit", "-f", "svg", "-o", "b.svg"];
+    run_in(folder.path(), &picture, b"").ended(0);
+}
+
+#[test]
+fn a_job_is_for_its_machine_and_refused_when_changed() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |arguments: &[&str]| run_in(folder.path(), arguments, b"");
+    run(&["plan", &example("cube-8-edges.obj"), "-m", "wirebend-kit", "-o", "cube.wbjob"]).ended(0);
+    let said = run(&["export", "cube.wbjob", "--machine", "pensa-diwire-pro"]).ended(2).err;
+    assert!(said.contains("wirebend-kit") && said.contains("plan"), "{said}");
+    run(&["export", "cube.wbjob", "--machine", "wirebend-kit", "-o", "a.txt"]).ended(0);
+    run(&["export", &example("cube-8-edges.obj"), "--machine", "wirebend-kit", "-o", "b.txt"]).ended(0);
+    assert_eq!(read(folder.path(), "a.txt"), read(folder.path(), "b.txt"), "by way of a job or not");
+    let changed = read(folder.path(), "cube.wbjob").replacen("27.769", "97.769", 1);
+    std::fs::write(folder.path().join("cube.wbjob"), changed).unwrap();
+    let said = run(&["simulate", "cube.wbjob"]).ended(3).err;
+    assert!(said.contains("cube.wbjob") && said.contains("hash"), "{said}");
+}
+
+#[test]
+fn a_document_keeps_what_was_imported() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |arguments: &[&str]| run_in(folder.path(), arguments, b"");
+    run(&["import", &example("teapot.obj"), "--face-edges", "-o", "teapot.wirebend"]).ended(0);
+    let direct =
+        ["plan", &example("teapot.obj"), "--face-edges", "--double", "-m", "pensa-diwire-pro", "--json"];
+    let kept = ["plan", "teapot.wirebend", "--double", "-m", "pensa-diwire-pro", "--json"];
+    assert_eq!(run(&direct).json()["program"], run(&kept).json()["program"]);
+    let scaled =
+        ["import", &example("cube.obj"), "--scale", "2", "--units", "inch", "--json", "-o", "c.wirebend"];
+    let size = run(&scaled).ended(0).json()["size_mm"].clone();
+    assert_eq!(size, serde_json::json!([1524.0, 1524.0, 1524.0]), "30 inches, twice");
+}
+
+#[test]
+fn simulations_are_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |arguments: &[&str]| run_in(folder.path(), arguments, b"");
+    run(&["plan", &example("cup-holder.obj"), "-m", "wirebend-kit", "-o", "cup.wbjob"]).ended(0);
+    let bend = [
+        "simulate",
+        "cup.wbjob",
+        "--noise",
+        "wirebend-kit",
+        "--runs",
+        "50",
+        "--svg",
+        "c.svg",
+        "--png",
+        "c.png",
+    ];
+    let said = run(&bend).ended(0).err;
+    assert!(said.contains("95 %") && said.contains("c.svg"), "{said}");
+    assert!(read(folder.path(), "c.svg").contains("simulated"));
+    run(&bend).ended(2);
+}

@@ -1,0 +1,119 @@
+//! What the commands answer.
+
+use crate::{assert_fits, example, run, run_in};
+
+#[test]
+fn every_result_fits_its_schema() {
+    let folder = tempfile::tempdir().unwrap();
+    let cube = example("cube-8-edges.obj");
+    let job = folder.path().join("cube.wbjob").display().to_string();
+    let on_kit = ["--machine", "wirebend-kit"];
+    let run = |arguments: &[&str]| run_in(folder.path(), arguments, b"");
+
+    assert_fits("machines", &run(&["machines", "--json"]).ended(0).json());
+    assert_fits("materials", &run(&["materials", "--json"]).ended(0).json());
+    assert_fits("import", &run(&["import", &cube, "-o", "cube.wirebend", "--json"]).ended(0).json());
+    assert_fits("check", &run(&[&["check", &cube, "--json"], &on_kit[..]].concat()).ended(0).json());
+    assert_fits(
+        "plan",
+        &run(&[&["plan", &cube, "-o", &job, "--json"], &on_kit[..]].concat()).ended(0).json(),
+    );
+    let bunny = example("bunny.obj");
+    let infeasible = run(&[&["plan", &bunny, "--face-edges", "--double", "--json"], &on_kit[..]].concat());
+    assert_fits("plan", &infeasible.ended(4).json());
+    let without_route =
+        run(&[&["plan", &bunny, "--face-edges", "--json"], &on_kit[..]].concat()).ended(4).json();
+    assert_fits("plan", &without_route);
+    assert!(without_route["route"].is_null() && without_route["compensated"].is_null());
+    let two = run(&[&["plan", &example("two-parts.obj"), "--json"], &on_kit[..]].concat()).json();
+    assert_fits("plan", &two);
+    assert_eq!(two["wires"].as_array().unwrap().len(), 2);
+    assert_fits("export", &run(&["export", &job, "-o", "cube.txt", "--json"]).ended(0).json());
+    let noisy = ["simulate", &job, "--noise", "wirebend-kit", "--runs", "20", "--json"];
+    assert_fits("simulate", &run(&noisy).ended(0).json());
+    for stage in ["stencil", "wireframe", "route", "program", "schedule", "compensated", "job"] {
+        let dumped = run(&[&["dump", stage, &cube, "--json"], &on_kit[..]].concat()).ended(0).json();
+        assert_fits("dump", &dumped);
+    }
+    let profile = crate::root().join("machine-profiles/machines/wirebend-kit.json").display().to_string();
+    assert_fits("profile-check", &run(&["profile", "check", &profile, "--json"]).ended(0).json());
+    assert_fits(
+        "error",
+        &run(&["plan", "nowhere.obj", "--machine", "wirebend-kit", "--json"]).ended(3).json(),
+    );
+    let refused =
+        ["export", &bunny, "--face-edges", "--double", "--machine", "wirebend-kit", "--json", "-o", "b.txt"];
+    assert_fits("error", &run(&refused).ended(4).json());
+}
+
+#[test]
+fn the_published_cube_shows_its_two_lengths() {
+    let plan =
+        run(&["plan", &example("cube-8-edges.obj"), "--machine", "wirebend-kit", "--json"]).ended(0).json();
+    let figure = |pointer: &str| plan.pointer(pointer).unwrap().as_f64().unwrap();
+    // 8 edges of 30 mm are 240 mm as designed (published: 241); every right angle saves 6 - 2.4·π/2,
+    // and 400 mm cannot be fed.
+    assert!((figure("/route/length_mm") - 240.0).abs() < 1e-9);
+    let saved = 7.0 * (6.0 - 1.2 * std::f64::consts::PI);
+    assert!((figure("/compensated/stock_mm") - (240.0 - saved + 400.0)).abs() < 1e-9);
+    // 2:21 is published, and what the time model is fitted on.
+    assert!((figure("/time_s") - 141.0).abs() < 3.0);
+    // 3 mm aluminium: 2.7 g/cm³ over 240 mm.
+    assert!((figure("/mass_g") - 0.0027 * std::f64::consts::FRAC_PI_4 * 9.0 * 240.0).abs() < 1e-6);
+}
+
+#[test]
+fn the_published_jobs_cost_what_their_lengths_say() {
+    // Length in mm at 0.00199 a mm.
+    for (name, length, cost) in
+        [("house", 292.0, 0.581), ("cup-holder", 469.0, 0.933), ("spring", 641.0, 1.276)]
+    {
+        let plan =
+            run(&["plan", &example(&format!("{name}.obj")), "--machine", "wirebend-kit", "--json"]).json();
+        assert!((plan["route"]["length_mm"].as_f64().unwrap() - length).abs() < 0.05, "{name}");
+        assert!((plan["cost"].as_f64().unwrap() - cost).abs() < 1e-3, "{name}");
+        assert_eq!(plan["currency"], "USD");
+    }
+}
+
+#[test]
+fn the_same_input_gives_the_same_plan() {
+    let plan = || {
+        let arguments =
+            ["plan", &example("teapot.obj"), "--face-edges", "--double", "-m", "wirebend-kit", "--json"];
+        let mut plan = run(&arguments).json();
+        plan["timings_ms"].take();
+        plan
+    };
+    assert_eq!(plan(), plan());
+}
+
+#[test]
+fn a_seed_gives_the_same_simulation() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |arguments: &[&str]| run_in(folder.path(), arguments, b"");
+    run(&["plan", &example("spring.obj"), "-m", "wirebend-kit", "-o", "spring.wbjob"]).ended(0);
+    let bent = |seed: &str| {
+        let arguments =
+            ["simulate", "spring.wbjob", "--noise", "bend-forming", "--runs", "30", "--seed", seed, "--json"];
+        run(&arguments).ended(0).json()["wires"].clone()
+    };
+    assert_eq!(bent("7"), bent("7"));
+    assert_ne!(bent("7"), bent("8"));
+    let perfect = run(&["simulate", "spring.wbjob", "--json"]).ended(0).json();
+    assert!(perfect["wires"][0]["worst_systematic_mm"].as_f64().unwrap() < 1e-6);
+    assert_eq!(perfect["noise"], serde_json::Value::Null);
+}
+
+#[test]
+fn a_person_reads_both_lengths_and_what_to_do() {
+    let done = run(&["plan", &example("cube-8-edges.obj"), "--machine", "wirebend-kit"]).ended(0);
+    for said in ["240.0 mm as designed", "624.4 mm", "224.4 mm are fed", "2 min 21 s", "can be made"] {
+        assert!(done.err.contains(said), "{said} is not in\n{}", done.err);
+    }
+    assert!(done.out.is_empty(), "reports go to the error stream");
+    let refused = run(&["plan", &example("cube.obj"), "--machine", "wirebend-kit"]).ended(4);
+    for said in ["no_euler_path", "8 vertices are odd", "travel 3 edges twice", "90.0 mm", "cannot be made"] {
+        assert!(refused.err.contains(said), "{said} is not in\n{}", refused.err);
+    }
+}

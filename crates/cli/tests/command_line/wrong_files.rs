@@ -1,0 +1,75 @@
+//! Wrong files: each is refused with its name, where in it and what to do, and nothing panics.
+
+use crate::run_in;
+
+/// File name, contents, and what the message has to say beside the name.
+fn wrong_files() -> Vec<(&'static str, Vec<u8>, &'static str)> {
+    let text = |text: &str| text.as_bytes().to_vec();
+    let stl_of_billions = [&[b' '; 80][..], &u32::MAX.to_le_bytes(), &[0; 50]].concat();
+    vec![
+        ("empty.obj", text(""), ""),
+        ("noise.obj", (0..4096_u32).map(|k| ((k * 7919) >> 3).to_le_bytes()[0]).collect(), ""),
+        ("index.obj", text("v 0 0 0\nv 1 0 0\nl 1 3\n"), "3"),
+        ("zero.obj", text("v 0 0 0\nv 1 0 0\nl 0 1\n"), "3"),
+        ("nan.obj", text("v 0 0 0\nv nan 0 0\nl 1 2\n"), "2"),
+        ("infinite.obj", text("v 0 0 0\nv 1e999 0 0\nl 1 2\n"), "2"),
+        ("short.obj", text("v 0 0\nv 1 0 0\nl 1 2\n"), "1"),
+        ("word.obj", text("v 0 0 0\nv 1 zero 0\nl 1 2\n"), "2"),
+        ("far.obj", text("v 0 0 0\nv 1e9 0 0\nl 1 2\n"), ""),
+        ("billions.stl", stl_of_billions, ""),
+        (
+            "truncated.ply",
+            text("ply\nformat ascii 1.0\nelement vertex 9\nproperty float x\nend_header\n1\n"),
+            "",
+        ),
+        (
+            "huge.ply",
+            text("ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nend_header\n"),
+            "",
+        ),
+        ("letters.csv", text("0,0,0\n1,b,0\n"), "2"),
+        ("one.csv", text("x,y,z\n1,2,3\n"), ""),
+        ("broken.json", text("{\"node_list\": [}"), "1"),
+        ("other.json", text("{\"recipes\": []}"), ""),
+        ("index.pwf", text("v 0 0 0\nv 10 0 0\nl 1 7\n"), "3"),
+        ("manual.txt", text("FEED 10\nRotate wire 108 degrees\nFEED 10\n"), "2"),
+        ("letters.txt", text("F 10.0\nB ninety\nF 10.0\n"), "2"),
+        ("newer.wirebend", text("{\"format\": \"wirebend\", \"version\": 99}"), "99"),
+        ("not.wirebend", text("{\"format\": \"wirebend\", \"version\": 1, \"vertices\": 3}"), ""),
+        ("cut.wbjob", text("{\"format\": \"wbjob\", \"version\": 1"), ""),
+        ("picture.png", b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR".to_vec(), ""),
+    ]
+}
+
+#[test]
+fn wrong_files_are_refused_by_name_and_place() {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, contents, place) in wrong_files() {
+        std::fs::write(folder.path().join(name), contents).unwrap();
+        let command = if name == "cut.wbjob" { "simulate" } else { "plan" };
+        let mut arguments = vec![command, name];
+        if command == "plan" {
+            arguments.extend(["--machine", "wirebend-kit"]);
+        }
+        let ran = run_in(folder.path(), &arguments, b"").ended(3);
+        assert!(ran.err.contains(name), "{name} is not named: {}", ran.err);
+        assert!(ran.err.contains(place), "{name}: {place} is not in: {}", ran.err);
+        assert!(!ran.err.contains("panicked"), "{name}: {}", ran.err);
+    }
+}
+
+#[test]
+fn a_surface_without_lines_says_how_to_get_some() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("face.obj"), "v 0 0 0\nv 40 0 0\nv 0 40 0\nf 1 2 3\n").unwrap();
+    let ran = run_in(folder.path(), &["plan", "face.obj", "--machine", "wirebend-kit"], b"").ended(3);
+    assert!(ran.err.contains("--face-edges"), "{}", ran.err);
+    run_in(folder.path(), &["plan", "face.obj", "--face-edges", "--machine", "wirebend-kit"], b"").ended(0);
+}
+
+#[test]
+fn a_folder_is_no_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let ran = run_in(folder.path(), &["plan", ".", "--machine", "wirebend-kit"], b"").ended(3);
+    assert!(!ran.err.contains("panicked"), "{}", ran.err);
+}
