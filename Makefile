@@ -1,0 +1,144 @@
+# The entry points of this repository. `make help` lists them.
+
+.DEFAULT_GOAL := help
+.NOTPARALLEL:
+SHELL := /bin/sh
+
+# Tools that the recipes install for this repository alone.
+TOOLS := $(CURDIR)/target/tools
+export PATH := $(TOOLS)/bin:$(PATH)
+CARGO_DENY_VERSION := 0.20.2
+CARGO_FUZZ_VERSION := 0.13.2
+
+WIREBEND := target/release/wirebend
+RUN := target/run
+PEERS := target/peers
+# How long `make fuzz` stays with one target.
+FUZZ_SECONDS ?= 120
+
+.PHONY: help
+help: ## list the targets
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+
+# The bunny has two bends and two edges that the 293 dollar bender cannot make: status 4 says so, the report
+# says where, and what is written is written all the same.
+NOT_FEASIBLE = || test $$? -eq 4
+BUNNY := examples/bunny.obj --face-edges --double
+
+.PHONY: run
+run: check-tools ## plan the bunny as one wire for two machines: report, instruction files and pictures in target/run
+	@mkdir -p $(RUN)
+	cargo build --release --package wirebend-cli
+	@echo; echo "--- the 293 dollar bender"
+	$(WIREBEND) plan $(BUNNY) --machine wirebend-kit --despite-errors -o $(RUN)/bunny-wirebend-kit.wbjob --force $(NOT_FEASIBLE)
+	$(WIREBEND) export $(RUN)/bunny-wirebend-kit.wbjob -o $(RUN)/bunny-wirebend-kit.txt --force
+	@echo; echo "--- Pensa D.I.Wire Pro"
+	$(WIREBEND) plan $(BUNNY) --machine pensa-diwire-pro -o $(RUN)/bunny-pensa.wbjob --force
+	$(WIREBEND) export $(RUN)/bunny-pensa.wbjob -o $(RUN)/bunny-pensa.dsw --force
+	@echo; echo "--- pictures, and the wire as a Pensa with typical errors makes it"
+	$(WIREBEND) export $(BUNNY) --machine wirebend-kit --format svg -o $(RUN)/bunny.svg --force
+	$(WIREBEND) simulate $(RUN)/bunny-pensa.wbjob --noise bend-forming --svg $(RUN)/bunny-made.svg --force
+	@echo; ls -l $(RUN)
+
+.PHONY: test
+test: check-tools fmt-check lint unit doc tidy generate-check fuzz-check deny ## every check: format, lints, tests, documentation, tidiness, licences
+
+.PHONY: bench
+bench: check-tools check-python ## figures of this machine, ours and the peer's in the same run
+	cargo build --release --package wirebend-cli --package wirebend-benches
+	test -x $(PEERS)/bin/python || python3 -m venv $(PEERS)
+	$(PEERS)/bin/python -m pip install --quiet --disable-pip-version-check --requirement benches/peers/requirements.txt
+	cargo bench --package wirebend-benches --bench pipeline
+	cargo run --quiet --release --package wirebend-benches --bin figures -- target/release/wirebend $(PEERS)/bin/python
+
+.PHONY: fuzz
+fuzz: check-tools ## search for inputs that break a reader, two minutes a target (FUZZ_SECONDS=120)
+	@cargo fuzz --version >/dev/null 2>&1 || cargo install cargo-fuzz --locked --version $(CARGO_FUZZ_VERSION) --root $(TOOLS)
+	@targets=$$(RUSTC_BOOTSTRAP=1 cargo fuzz list) || exit 1; \
+	for target in $$targets; do \
+		echo "--- fuzz $$target, $(FUZZ_SECONDS) s"; \
+		RUSTC_BOOTSTRAP=1 cargo fuzz run "$$target" -- -max_total_time=$(FUZZ_SECONDS) || exit 1; \
+	done
+
+# --- parts of the above, to run alone while working
+
+.PHONY: fmt fmt-check
+fmt: ## format the code
+	cargo fmt --all
+fmt-check:
+	cargo fmt --all --check
+
+.PHONY: lint
+lint: ## clippy on everything
+	cargo clippy --workspace --all-targets -- -D warnings
+
+.PHONY: unit
+unit:
+	cargo test --workspace
+
+.PHONY: doc
+doc:
+	RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps
+
+.PHONY: tidy
+tidy: ## the rules of the house that the compiler cannot check
+	cargo xtask tidy
+
+.PHONY: generate generate-check
+generate: ## write the committed files that are made from code
+	cargo xtask examples
+	cargo xtask generate
+generate-check:
+	cargo xtask examples --check
+	cargo xtask generate --check
+
+# Fuzz targets are outside the workspace; compiled here so that they do not rot.
+.PHONY: fuzz-check
+fuzz-check:
+	cargo check --manifest-path fuzz/Cargo.toml
+
+# Fetching brings the crates of other systems too, whose licences are looked at although nothing here builds them.
+.PHONY: deny
+deny:
+	@cargo deny --version >/dev/null 2>&1 || cargo install cargo-deny --locked --version $(CARGO_DENY_VERSION) --root $(TOOLS)
+	cargo fetch --quiet --locked
+	cargo deny --offline --log-level error check licenses bans sources
+	@if ls -d "$${CARGO_HOME:-$$HOME/.cargo}"/advisory-dbs/*/ >/dev/null 2>&1; then \
+		echo "cargo deny --offline --log-level error check advisories"; \
+		cargo deny --offline --log-level error check advisories; \
+	else \
+		echo "advisories: not checked, no advisory database on this machine; to have one: cargo deny fetch db"; \
+	fi
+
+# Names everything that is missing at once, with the command that installs it.
+.PHONY: check-tools
+check-tools: ## are the tools here that everything else needs?
+	@missing=0; \
+	say() { echo "$$1; to install it: $$2" >&2; missing=1; }; \
+	has() { command -v "$$1" >/dev/null 2>&1; }; \
+	has git || say "git is missing" "apt-get install -y git"; \
+	has make || say "make is missing" "apt-get install -y build-essential"; \
+	{ has cc && has c++; } || say "a C and C++ compiler is missing" "apt-get install -y build-essential"; \
+	needed=$$(sed -n 's/^rust-version = "\([0-9.]*\)".*/\1/p' Cargo.toml); \
+	found=$$(rustc --version 2>/dev/null | sed 's/^rustc \([0-9.]*\).*/\1/'); \
+	if ! has cargo || [ -z "$$found" ]; then \
+		say "cargo and rustc (Rust $$needed or newer) are missing" "apt-get install -y rustup && rustup default stable"; \
+	else \
+		echo "$$found $$needed" | awk '{ split($$1, f, "."); split($$2, n, "."); exit !(f[1] > n[1] || (f[1] == n[1] && f[2] + 0 >= n[2] + 0)) }' \
+			|| say "Rust $$found is too old, $$needed or newer is needed" "rustup update stable"; \
+		cargo fmt --version >/dev/null 2>&1 || say "rustfmt is missing" "rustup component add rustfmt"; \
+		cargo clippy --version >/dev/null 2>&1 || say "clippy is missing" "rustup component add clippy"; \
+	fi; \
+	exit $$missing
+
+# NetworkX of benches/peers/requirements.txt needs Python 3.11.
+.PHONY: check-python
+check-python:
+	@missing=0; \
+	say() { echo "$$1; to install it: $$2" >&2; missing=1; }; \
+	if ! python3 -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null; then \
+		say "Python 3.11 or newer is missing" "apt-get install -y python3 python3-venv"; \
+	elif ! python3 -c 'import venv, ensurepip' 2>/dev/null; then \
+		say "Python's venv is missing" "apt-get install -y python3-venv"; \
+	fi; \
+	exit $$missing

@@ -1,0 +1,20 @@
+//! Files derived from code: JSON Schemas, the reference of the command line, pictures. One module here for
+//! each kind of file.
+
+mod pictures;
+mod reference;
+mod schemas;
+
+use std::path::Path;
+
+use anyhow::Result;
+
+use crate::committed::CommittedFile;
+
+/// Every derived file of the workspace.
+pub(crate) fn files(root: &Path) -> Result<Vec<CommittedFile>> {
+    let mut files = schemas::files()?;
+    files.push(reference::file());
+    files.extend(pictures::files(root)?);
+    Ok(files)
+}

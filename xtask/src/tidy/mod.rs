@@ -1,0 +1,67 @@
+//! `cargo xtask tidy`: the rules of the house that the compiler cannot check, one file a rule.
+//!
+//! Each rule is a function of values in memory; only `tree` and `members` read the disk. The rules name what they
+//! forbid, so this folder itself is not searched for forbidden words.
+
+mod finding;
+mod leftovers;
+mod length;
+mod lints;
+mod local_text;
+mod members;
+mod purity;
+mod rooms;
+mod rust_source;
+mod sources;
+mod tree;
+
+use std::path::Path;
+
+use anyhow::{Result, bail};
+
+/// Folder of the crate that does no I/O.
+const PURE_ROOM: &str = "crates/core";
+/// This folder, which names what it forbids.
+const RULES: &str = "xtask/src/tidy/";
+
+/// Checks every rule on the workspace at `root` and prints what it finds; an error when anything must be changed.
+pub(crate) fn run(root: &Path) -> Result<()> {
+    let files = tree::read(root)?;
+    let members = members::read(root)?;
+
+    let mut findings = rooms::check(&members, &files);
+    findings.extend(purity::check_dependencies(&members, &files));
+    findings.extend(purity::check_sources(&files));
+    findings.extend(length::check(&files));
+    findings.extend(leftovers::check(&files));
+    findings.extend(lints::check(&members, &files));
+    findings.extend(sources::check(&files));
+    findings.extend(local_text::check(&files));
+    findings.sort_by(|a, b| (a.only_report, &a.path, a.line).cmp(&(b.only_report, &b.path, b.line)));
+
+    let failures = findings.iter().filter(|finding| !finding.only_report).count();
+    for finding in &findings {
+        println!("{finding}");
+    }
+    if failures > 0 {
+        bail!("tidy: {failures} findings must be changed");
+    }
+    println!("tidy: {} files, {} crates, nothing to change", files.len(), members.len());
+    Ok(())
+}
+
+/// What the tests of the rules share.
+#[cfg(test)]
+mod sample {
+    use super::finding::Finding;
+    use super::tree::TreeFile;
+
+    pub(super) fn file(path: &str, text: &str) -> TreeFile {
+        TreeFile { path: path.to_owned(), text: Some(text.to_owned()) }
+    }
+
+    /// `path:line` of each finding, in the order found.
+    pub(super) fn places(findings: &[Finding]) -> Vec<String> {
+        findings.iter().map(|finding| format!("{}:{}", finding.path, finding.line)).collect()
+    }
+}

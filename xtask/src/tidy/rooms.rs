@@ -1,0 +1,107 @@
+//! Rule: a crate knows the stages before it and none after. The table below is the architecture.
+
+use super::finding::Finding;
+use super::members::Member;
+use super::tree::TreeFile;
+
+const WHY: &str = "the flow of the house is one way, so that a stage can be read and tested alone";
+
+/// Which rooms each room may depend on; `drivers/*` is any folder there, `*` is every room. Tests obey it too.
+const MAY_KNOW: &[(&str, &[&str])] = &[
+    ("crates/core", &[]),
+    ("crates/profile", &[]),
+    ("crates/files", &["crates/core", "crates/profile"]),
+    ("crates/driver-api", &[]),
+    ("crates/driver-host", &["crates/driver-api", "crates/core", "crates/profile"]),
+    ("drivers/*", &["crates/driver-api"]),
+    ("crates/app", &["crates/core", "crates/profile", "crates/files"]),
+    ("crates/cli", &["crates/app"]),
+    ("src-tauri", &["crates/app"]),
+    ("benches", &["crates/core", "crates/profile", "crates/files", "crates/app"]),
+    ("xtask", &["*"]),
+];
+
+/// One finding for each dependency that the table does not allow, and for each crate that it does not know.
+pub(super) fn check(members: &[Member], files: &[TreeFile]) -> Vec<Finding> {
+    members.iter().flat_map(|member| check_member(member, files)).collect()
+}
+
+fn check_member(member: &Member, files: &[TreeFile]) -> Vec<Finding> {
+    let path = member.manifest();
+    let Some((_, allowed)) = MAY_KNOW.iter().find(|(room, _)| matches(room, &member.room)) else {
+        let what = format!("{} is not in the table of rooms", member.room);
+        return vec![Finding::new(&path, 1, what, WHY, "add it to MAY_KNOW in xtask/src/tidy/rooms.rs")];
+    };
+    let mut findings = Vec::new();
+    for dependency in &member.dependencies {
+        let Some(room) = &dependency.room else { continue };
+        if !allowed.iter().any(|pattern| matches(pattern, room)) {
+            findings.push(Finding::new(
+                &path,
+                member.line_of(&dependency.name, files),
+                format!("{} depends on {room}", member.room),
+                WHY,
+                format!("move the code that needs it to a later room; this one may know: {}", list(allowed)),
+            ));
+        }
+    }
+    findings
+}
+
+fn matches(pattern: &str, room: &str) -> bool {
+    match pattern.strip_suffix('*') {
+        Some(prefix) => room.starts_with(prefix),
+        None => room == pattern,
+    }
+}
+
+fn list(rooms: &[&str]) -> String {
+    if rooms.is_empty() { "no other room".to_owned() } else { rooms.join(", ") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::members::Dependency;
+    use super::super::sample::{file, places};
+    use super::*;
+
+    fn member(room: &str, on: &[(&str, bool)]) -> Member {
+        let dependencies = on.iter().map(|&(room, ships)| Dependency {
+            name: room.rsplit('/').next().unwrap_or(room).to_owned(),
+            ships,
+            room: Some(room.to_owned()),
+        });
+        Member { room: room.to_owned(), dependencies: dependencies.collect() }
+    }
+
+    #[test]
+    fn the_flow_of_the_house_is_allowed() {
+        let members = [
+            member("crates/files", &[("crates/core", true), ("crates/profile", true)]),
+            member("crates/cli", &[("crates/app", true)]),
+            member("drivers/grbl", &[("crates/driver-api", true)]),
+            member("xtask", &[("crates/app", true), ("crates/cli", true)]),
+        ];
+        assert!(check(&members, &[]).is_empty());
+    }
+
+    #[test]
+    fn a_step_against_the_flow_is_found_on_its_line_even_in_dev_dependencies() {
+        let manifest =
+            file("crates/core/Cargo.toml", "[package]\n\n[dev-dependencies]\nfiles.workspace = true\n");
+        let found = check(&[member("crates/core", &[("crates/files", false)])], &[manifest]);
+        assert_eq!(places(&found), ["crates/core/Cargo.toml:4"]);
+    }
+
+    #[test]
+    fn a_driver_must_not_see_the_app_nor_the_host() {
+        let driver = member("drivers/pensa", &[("crates/app", true), ("crates/driver-host", true)]);
+        assert_eq!(check(&[driver], &[]).len(), 2);
+    }
+
+    #[test]
+    fn an_unknown_crate_must_be_added() {
+        let found = check(&[member("crates/extra", &[])], &[]);
+        assert!(found[0].to_do.contains("add it"), "{}", found[0]);
+    }
+}
