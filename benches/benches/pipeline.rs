@@ -1,0 +1,101 @@
+//! The pipeline in process: whole, and the stages that a peer can be asked for too.
+
+#![allow(missing_docs)] // criterion's macros make public functions
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // a benchmark may stop at what cannot be
+
+use std::f64::consts::TAU;
+use std::hint::black_box;
+use std::path::PathBuf;
+use std::time::Duration;
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use nalgebra::Point3;
+use wirebend_app::{App, DesignInput, Input, NoProgress, PlanChoices, PlanRequest, Request, Response};
+use wirebend_core::route::{RouteOptions, doubling, route};
+use wirebend_core::wireframe::{Vertex, VertexId, Wireframe};
+use wirebend_files::read::{ReadOptions, read};
+
+fn example(name: &str) -> Vec<u8> {
+    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../examples").join(name);
+    std::fs::read(path).unwrap()
+}
+
+fn planning(name: &str, bytes: Vec<u8>, face_edges: bool, double: bool) -> Request {
+    let input = Input::Bytes { name: name.to_owned(), bytes };
+    let design = DesignInput { input, face_edges, ..DesignInput::file(PathBuf::new()) };
+    let machine = Some("wirebend-kit".to_owned());
+    let choices = PlanChoices { machine, double, ..PlanChoices::default() };
+    Request::Plan(PlanRequest { design, choices, output: None, make_job: false, despite_errors: true })
+}
+
+/// A column of triangles: rings of `around` vertices, every vertex of degree 4 or 6 but for the rims, so
+/// that one wire runs through all of it.
+fn column(rings: u32, around: u32) -> Wireframe {
+    let mut w = Wireframe::new();
+    for ring in 0..rings {
+        for k in 0..around {
+            let turn = (f64::from(k) + 0.5 * f64::from(ring % 2)) / f64::from(around) * TAU;
+            let at = Point3::new(150.0 * turn.cos(), 150.0 * turn.sin(), 60.0 * f64::from(ring));
+            w.add_vertex(Vertex::at(at)).unwrap();
+        }
+    }
+    let at = |ring: u32, k: u32| VertexId(ring * around + k % around);
+    for ring in 0..rings {
+        for k in 0..around {
+            w.add_edge(at(ring, k), at(ring, k + 1)).unwrap();
+            if ring + 1 < rings {
+                let shift = ring % 2;
+                w.add_edge(at(ring, k), at(ring + 1, k + shift)).unwrap();
+                w.add_edge(at(ring, k), at(ring + 1, k + shift + around - 1)).unwrap();
+            }
+        }
+    }
+    w
+}
+
+fn whole_pipeline(c: &mut Criterion) {
+    let app = App::new(&[]).unwrap();
+    let mut group = c.benchmark_group("plan");
+    group.measurement_time(Duration::from_secs(5));
+    let bunny = planning("bunny.obj", example("bunny.obj"), true, true);
+    group.bench_function("bunny", |b| {
+        b.iter(|| app.run(black_box(&bunny), &NoProgress).unwrap());
+    });
+    // 1000 edges, checked on the $293 bender with everything that a route tells.
+    let wireframe = column(34, 10);
+    assert_eq!(wireframe.edge_count(), 1000);
+    let document = wirebend_files::document::Document::new(wireframe).to_bytes().unwrap();
+    let thousand = planning("column.wirebend", document, false, false);
+    let Response::Plan(found) = app.run(&thousand, &NoProgress).unwrap() else { panic!("no plan") };
+    assert_eq!(found.report.wires()[0].route.as_ref().map(|route| route.feeds), Some(1000));
+    group.bench_function("column-1000-edges", |b| {
+        b.iter(|| app.run(black_box(&thousand), &NoProgress).unwrap());
+    });
+    group.finish();
+}
+
+fn euler_path_and_doubling(c: &mut Criterion) {
+    let mut group = c.benchmark_group("euler");
+    group.measurement_time(Duration::from_secs(5));
+    for (name, face_edges) in
+        [("bunny", true), ("teapot", true), ("truss-1", false), ("truss-2", false), ("truss-3", false)]
+    {
+        let options = ReadOptions { face_edges, ..ReadOptions::default() };
+        let wireframe =
+            read(&example(&format!("{name}.obj")), name, Some(wirebend_files::read::Format::Obj), &options)
+                .unwrap()
+                .wireframe;
+        group.bench_function(name, |b| {
+            b.iter(|| {
+                let component = wireframe.components().remove(0);
+                let doubled = doubling(&wireframe, &component, None, false).unwrap().edges;
+                let options = RouteOptions { doubled, ..RouteOptions::default() };
+                route(black_box(&wireframe), &component, &options).unwrap()
+            });
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, whole_pipeline, euler_path_and_doubling);
+criterion_main!(benches);

@@ -1,0 +1,83 @@
+//! Gathers the figures of a benchmark run: ours as criterion measured them, the program as a process,
+//! and a peer's on the same models. Usage: `figures PROGRAM PEER-PYTHON`.
+
+#![allow(clippy::print_stdout, reason = "its output is the table")]
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::time::Instant;
+
+use anyhow::{Context, Result, ensure};
+use serde_json::Value;
+
+/// How often the program is started.
+const STARTS: usize = 40;
+/// How often the peer solves each model.
+const PEER_RUNS: &str = "20";
+const MODELS: [&str; 5] = ["bunny", "teapot", "truss-1", "truss-2", "truss-3"];
+
+fn main() -> Result<()> {
+    let mut arguments = std::env::args().skip(1);
+    let program = arguments.next().context("name the program to time")?;
+    let peer = arguments.next().context("name the peer's Python")?;
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+
+    println!();
+    println!("{:<46} {:>10}   {:>8}", "median of this machine", "measured", "aim");
+    let row =
+        |what: &str, measured: f64, aim: f64| println!("{what:<46} {measured:>7.2} ms   < {aim:>3.0} ms");
+    row("bunny: read, check, route, program, compensate", criterion_ms(&root, "plan/bunny")?, 5.0);
+    row("column of 1000 edges: the same", criterion_ms(&root, "plan/column-1000-edges")?, 5.0);
+    row("`wirebend plan` of the bunny, as a process", process_ms(&program, &root)?, 60.0);
+
+    println!();
+    println!("{:<10} {:>12} {:>12} {:>8}   aim ≥ 100", "model", "ours", "NetworkX", "ratio");
+    for model in MODELS {
+        let ours = criterion_ms(&root, &format!("euler/{model}"))?;
+        let (theirs, length) = peer_ms(&peer, &root, model)?;
+        println!("{model:<10} {ours:>9.3} ms {theirs:>9.3} ms {:>7.0}x   both {length:.1} mm", theirs / ours);
+    }
+    Ok(())
+}
+
+/// The median of a benchmark that has just been run.
+fn criterion_ms(root: &Path, name: &str) -> Result<f64> {
+    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from);
+    let file = target.join("criterion").join(name).join("new/estimates.json");
+    let text = std::fs::read_to_string(&file)
+        .with_context(|| format!("{}: run the benchmarks first", file.display()))?;
+    let estimates: Value = serde_json::from_str(&text)?;
+    let nanoseconds = estimates["median"]["point_estimate"].as_f64().context("no median")?;
+    Ok(nanoseconds / 1e6)
+}
+
+fn process_ms(program: &str, root: &Path) -> Result<f64> {
+    let mut times = Vec::with_capacity(STARTS);
+    for _ in 0..STARTS {
+        let started = Instant::now();
+        let done = Command::new(program)
+            .args(["plan", "--face-edges", "--double", "--machine", "wirebend-kit", "--json"])
+            .arg(root.join("examples/bunny.obj"))
+            .output()
+            .with_context(|| format!("{program} cannot be started"))?;
+        times.push(started.elapsed().as_secs_f64() * 1000.0);
+        // The bunny is not feasible on this machine, which is status 4.
+        ensure!(done.status.code() == Some(4), "{}", String::from_utf8_lossy(&done.stderr));
+    }
+    times.sort_by(f64::total_cmp);
+    Ok(times[STARTS / 2])
+}
+
+/// The peer's median, and the length that both have to agree on.
+fn peer_ms(peer: &str, root: &Path, model: &str) -> Result<(f64, f64)> {
+    let done = Command::new(peer)
+        .arg(root.join("benches/peers/euler_networkx.py"))
+        .args(["--runs", PEER_RUNS])
+        .arg(root.join(format!("examples/{model}.obj")))
+        .output()
+        .with_context(|| format!("{peer} cannot be started"))?;
+    ensure!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    let found: Value = serde_json::from_slice(&done.stdout)?;
+    let figure = |name: &str| found[name].as_f64().with_context(|| format!("the peer gives no {name}"));
+    Ok((figure("median_ms")?, figure("open_length_mm")?))
+}
