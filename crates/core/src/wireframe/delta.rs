@@ -83,7 +83,7 @@ impl Delta {
                 return Err(StaleDelta::Edge(id));
             }
         }
-        let draft = Draft { base: wireframe, delta: self.clone() };
+        let draft = Draft { base: wireframe, delta: self.clone(), changed_at: BTreeMap::new() };
         let ends_exist = |edge: Edge| draft.vertex(edge.a).is_some() && draft.vertex(edge.b).is_some();
         for (&id, change) in &self.edges {
             if change.after.is_some_and(|edge| !ends_exist(edge)) {
@@ -104,12 +104,18 @@ impl Delta {
 pub(super) struct Draft<'a> {
     base: &'a Wireframe,
     delta: Delta,
+    /// Edges that were changed, by the vertices that they were made to end at.
+    changed_at: BTreeMap<VertexId, BTreeSet<EdgeId>>,
 }
 
 impl<'a> Draft<'a> {
     pub fn new(base: &'a Wireframe) -> Self {
         let next = base.next_ids();
-        Self { base, delta: Delta { vertices: BTreeMap::new(), edges: BTreeMap::new(), next: (next, next) } }
+        Self {
+            base,
+            delta: Delta { vertices: BTreeMap::new(), edges: BTreeMap::new(), next: (next, next) },
+            changed_at: BTreeMap::new(),
+        }
     }
 
     pub fn vertex(&self, id: VertexId) -> Option<Vertex> {
@@ -140,7 +146,7 @@ impl<'a> Draft<'a> {
     pub fn incident(&self, vertex: VertexId) -> BTreeSet<EdgeId> {
         let touches = |edge: Edge| edge.a == vertex || edge.b == vertex;
         let kept = self.base.incident(vertex).into_iter();
-        let changed = self.delta.edges.keys().copied();
+        let changed = self.changed_at.get(&vertex).into_iter().flatten().copied();
         kept.chain(changed).filter(|&id| self.edge(id).is_some_and(touches)).collect()
     }
 
@@ -200,6 +206,9 @@ impl<'a> Draft<'a> {
     }
 
     fn write_edge(&mut self, id: EdgeId, after: Option<Edge>) {
+        for vertex in after.into_iter().flat_map(|edge| [edge.a, edge.b]) {
+            self.changed_at.entry(vertex).or_default().insert(id);
+        }
         let before = self.base.edge(id);
         self.delta.edges.insert(id, Change { before, after });
     }

@@ -12,10 +12,11 @@ mod delta;
 mod edits;
 mod graph;
 mod weld;
+mod welder;
 
 pub use components::Component;
 pub use delta::{Change, Delta, NextIds, StaleDelta};
 pub use edits::{Edit, EditError, MergeAt, MirrorMode};
 pub use graph::{Edge, EdgeId, Vertex, VertexId, Wireframe, WireframeError};
 pub use weld::WeldReport;
-pub(crate) use weld::clusters;
+pub use welder::Welder;

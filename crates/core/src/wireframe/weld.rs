@@ -1,12 +1,10 @@
 //! Welding: vertices that a file wrote twice become one.
 
-use std::collections::{BTreeMap, BTreeSet, HashMap};
-
-use nalgebra::Point3;
-use petgraph::unionfind::UnionFind;
+use std::collections::{BTreeMap, HashSet};
 
 use super::delta::{Delta, Draft};
-use super::graph::{Edge, VertexId, Wireframe};
+use super::graph::{Edge, Vertex, VertexId, Wireframe};
+use super::welder::Welder;
 use crate::units::Length;
 
 /// What a weld did; nothing is merged or dropped without being counted here.
@@ -18,8 +16,7 @@ pub struct WeldReport {
     pub collapsed_edges: usize,
     /// Edges that are gone because another one joins the same two vertices.
     pub duplicate_edges: usize,
-    /// How far the farthest vertex was moved. A chain of close vertices can make this more than the
-    /// tolerance.
+    /// How far the farthest vertex was moved: never more than the tolerance.
     pub largest_move: Length,
 }
 
@@ -32,37 +29,31 @@ impl WeldReport {
 }
 
 impl Wireframe {
-    /// Merges vertices that are within `tolerance` of each other into the one with the lowest id,
+    /// Merges each vertex into the one with the lowest id that is within `tolerance` of it and stays,
     /// and drops the edges that become points or repeat another one.
     ///
-    /// Closeness is transitive: a chain of vertices, each within the tolerance of the next, becomes
-    /// one vertex. The order is that of the ids, so the result is the same on every run.
+    /// A chain of vertices, each within the tolerance of the next, is not drawn together. The order
+    /// is that of the ids, so the result is the same on every run.
     #[must_use]
     pub fn weld(&self, tolerance: Length) -> (Delta, WeldReport) {
         let mut draft = Draft::new(self);
         let mut report = WeldReport::default();
-        let ids: Vec<VertexId> = self.vertices().map(|(id, _)| id).collect();
-        let positions: Vec<Point3<f64>> = self.vertices().map(|(_, vertex)| vertex.position).collect();
-        let survivor_of = clusters(&positions, tolerance.mm());
+        let mut welder = Welder::new(tolerance);
         let mut into = BTreeMap::new();
-        for (k, &root) in survivor_of.iter().enumerate() {
-            if root == k {
-                continue;
-            }
-            let moved = Length::computed((positions[k] - positions[root]).norm());
+        for (id, vertex) in self.vertices() {
+            let kept = VertexId(welder.put(id.0, vertex.position));
+            let Some(onto) = draft.vertex(kept).filter(|_| kept != id) else { continue };
+            let moved = Length::computed((vertex.position - onto.position).norm());
             report.largest_move = report.largest_move.max(moved);
             report.merged_vertices += 1;
-            into.insert(ids[k], ids[root]);
-            // A support stays one when it is welded to a free vertex.
-            if let (Some(gone), Some(kept)) = (self.vertex(ids[k]), draft.vertex(ids[root]))
-                && gone.support
-                && !kept.support
-            {
-                // The position is that of an existing vertex, which is one by construction.
-                let _ = draft.set_vertex(ids[root], super::graph::Vertex { support: true, ..kept });
+            into.insert(id, kept);
+            // A support stays one when it is welded to a free vertex. The position is that of an
+            // existing vertex, which is one by construction.
+            if vertex.support && !onto.support {
+                let _ = draft.set_vertex(kept, Vertex { support: true, ..onto });
             }
         }
-        let mut seen = BTreeSet::new();
+        let mut seen = HashSet::new();
         let target = |id: VertexId| into.get(&id).copied().unwrap_or(id);
         for (id, edge) in self.edges() {
             let welded = Edge { a: target(edge.a), b: target(edge.b) };
@@ -83,33 +74,10 @@ impl Wireframe {
     }
 }
 
-/// For each point the lowest index of the points that it is chained to.
-pub(crate) fn clusters(positions: &[Point3<f64>], tolerance: f64) -> Vec<usize> {
-    let mut sets = UnionFind::<usize>::new(positions.len());
-    // A cell is never smaller than what a coordinate of a kilometre can resolve.
-    let cell = tolerance.max(1e-9);
-    #[allow(clippy::cast_possible_truncation)] // ±1e6 mm over 1e-9 mm fits into 64 bits
-    let key = |p: &Point3<f64>| [p.x, p.y, p.z].map(|c| (c / cell).floor() as i64);
-    let mut cells: HashMap<[i64; 3], Vec<usize>> = HashMap::new();
-    for (k, point) in positions.iter().enumerate() {
-        let [x, y, z] = key(point);
-        for (dx, dy, dz) in (0..27).map(|n| (n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1)) {
-            for &other in cells.get(&[x + dx, y + dy, z + dz]).into_iter().flatten() {
-                if (positions[other] - point).norm() <= tolerance {
-                    sets.union(other, k);
-                }
-            }
-        }
-        cells.entry([x, y, z]).or_default().push(k);
-    }
-    let mut lowest: HashMap<usize, usize> = HashMap::new();
-    (0..positions.len()).map(|k| *lowest.entry(sets.find(k)).or_insert(k)).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::wireframe::Vertex;
+    use nalgebra::Point3;
 
     fn wireframe(points: &[[f64; 3]], edges: &[(usize, usize)]) -> Wireframe {
         let mut w = Wireframe::new();
@@ -145,13 +113,25 @@ mod tests {
     }
 
     #[test]
-    fn a_chain_of_close_vertices_reports_how_far_it_moved() {
-        let mut w = wireframe(&[[0., 0., 0.], [0.9, 0., 0.], [1.8, 0., 0.], [9., 0., 0.]], &[(2, 3)]);
+    fn nothing_moves_farther_than_the_tolerance() {
+        let mut w = wireframe(&[[0., 0., 0.], [0.9, 0., 0.], [1.8, 0., 0.], [9., 0., 0.]], &[(1, 3), (2, 3)]);
         let (delta, report) = w.weld(Length::from_mm(1.0).unwrap());
         w.commit(&delta).unwrap();
-        assert_eq!(w.vertex_count(), 2);
-        assert!((report.largest_move.mm() - 1.8).abs() < 1e-12);
+        assert_eq!(w.vertex_count(), 3, "a chain is not drawn together");
+        assert!((report.largest_move.mm() - 0.9).abs() < 1e-12);
         assert_eq!(w.edges().next().map(|(_, edge)| edge), Some(Edge { a: VertexId(0), b: VertexId(3) }));
+    }
+
+    #[test]
+    fn a_large_unwelded_model_takes_no_longer_than_it_is_large() {
+        // Loose segments, as a mesh without shared vertices has them; comparing all of them with all
+        // would take minutes.
+        let points: Vec<[f64; 3]> = (0..40_000).map(|k| [f64::from((k + 1) / 2), 0.0, 0.0]).collect();
+        let edges: Vec<(usize, usize)> = (0..20_000).map(|k| (2 * k, 2 * k + 1)).collect();
+        let mut w = wireframe(&points, &edges);
+        let (delta, report) = w.weld(Length::from_mm(0.1).unwrap());
+        w.commit(&delta).unwrap();
+        assert_eq!((report.merged_vertices, w.vertex_count(), w.edge_count()), (19_999, 20_001, 20_000));
     }
 
     #[test]

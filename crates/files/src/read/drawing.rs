@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use nalgebra::Point3;
 use wirebend_core::mesh::Stencil;
-use wirebend_core::wireframe::{Edge, EdgeId, Vertex, VertexId, Wireframe};
+use wirebend_core::wireframe::{Edge, EdgeId, Vertex, VertexId, Welder, Wireframe};
 
 use super::Imported;
 use super::error::{Place, ReadError};
@@ -12,7 +12,6 @@ use super::format::Format;
 use super::note::{NoteKind, Notes};
 use super::options::{LengthUnit, ReadOptions};
 use super::text::Source;
-use super::weld::Welder;
 
 /// Points, edges and faces in the numbers and the order of a file; indices are in range.
 #[derive(Debug, Default)]

@@ -19,7 +19,6 @@ mod pwf;
 mod stl;
 mod table;
 mod text;
-mod weld;
 mod xyz;
 
 use std::io::Read;

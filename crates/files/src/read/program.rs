@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use nalgebra::Point3;
 use wirebend_core::bend::{Frame, NominalProgram, Step, replay};
 use wirebend_core::units::{Angle, Length};
-use wirebend_core::wireframe::{Vertex, VertexId, Wireframe, WireframeError};
+use wirebend_core::wireframe::{Vertex, VertexId, Welder, Wireframe, WireframeError};
 
 use super::Imported;
 use super::error::{Place, ReadError};
@@ -13,7 +13,6 @@ use super::format::Format;
 use super::note::{NoteKind, Notes};
 use super::options::ReadOptions;
 use super::text::Source;
-use super::weld::Welder;
 
 /// A program as its file wrote it, and the path that it makes.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,22 +1,24 @@
-//! Welding while reading: a point that lies on an earlier one is that one.
+//! Which points are one: a point that lies on an earlier one is that one.
 
 use std::collections::HashMap;
 
+use crate::units::Length;
 use nalgebra::Point3;
-use wirebend_core::units::Length;
 
 /// Points that are farther from each other than a tolerance, in a grid of cells of that size.
 ///
 /// However many points are put in, a cell holds only a few, so the time is linear even where a
 /// whole model is smaller than the tolerance.
 #[derive(Debug)]
-pub(crate) struct Welder {
+pub struct Welder {
     tolerance: f64,
     cells: HashMap<[i64; 3], Vec<(u32, Point3<f64>)>>,
 }
 
 impl Welder {
-    pub(crate) fn new(tolerance: Length) -> Self {
+    /// A grid without points.
+    #[must_use]
+    pub fn new(tolerance: Length) -> Self {
         Self { tolerance: tolerance.mm(), cells: HashMap::new() }
     }
 
@@ -24,7 +26,7 @@ impl Welder {
     ///
     /// A point that is moved is moved by no more than the tolerance. Points that are not finite are
     /// never within it.
-    pub(crate) fn put(&mut self, index: u32, point: Point3<f64>) -> u32 {
+    pub fn put(&mut self, index: u32, point: Point3<f64>) -> u32 {
         // A cell is never smaller than what a coordinate of a kilometre can resolve.
         let cell = self.tolerance.max(1e-9);
         #[allow(clippy::cast_possible_truncation)] // saturates, which keeps neighbours together
