@@ -32,6 +32,17 @@ pub enum DumpStage {
 }
 
 impl DumpStage {
+    /// Every stage, in the order of the pipeline.
+    pub const ALL: [Self; 7] = [
+        Self::Stencil,
+        Self::Wireframe,
+        Self::Route,
+        Self::Program,
+        Self::Schedule,
+        Self::Compensated,
+        Self::Job,
+    ];
+
     /// The name on the command line.
     #[must_use]
     pub const fn as_str(self) -> &'static str {

@@ -8,7 +8,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_core::bend::{Frame, program_of_path};
 use wirebend_core::compensate::CompensatedProgram;
-use wirebend_core::simulate::{ErrorModel, ErrorTerm, Spread, Trial, perfect_wire, simulate as run_trial};
+use wirebend_core::simulate::{
+    ErrorModel, ErrorTerm, Spread, Trial, fractions, perfect_wire, scheduled_start, simulate as run_trial,
+};
 use wirebend_core::units::{Angle, Length};
 use wirebend_files::document::JobWire;
 
@@ -195,28 +197,14 @@ impl KeptWire {
             value: error.to_string(),
             expected: "plan the wireframe again",
         };
-        let (mut start, _) = program_of_path(&design, setup.model.straight).map_err(damaged)?;
-        if scheduled.iter().find(|step| step.bend != Angle::ZERO).is_some_and(|step| step.bend < Angle::ZERO)
-        {
-            start.rotate(Angle::HALF_TURN);
-        }
-        let fractions = wire.spans.iter().map(|&[from, to]| {
-            let lengths: Vec<f64> = (from..to).map(|k| (design[k + 1] - design[k]).norm()).collect();
-            let total: f64 = lengths.iter().sum();
-            let along = lengths.iter().scan(0.0, |sum, length| {
-                *sum += length;
-                Some(*sum / total)
-            });
-            along.collect()
-        });
-        let fractions = fractions.collect();
+        let (start, _) = program_of_path(&design, setup.model.straight).map_err(damaged)?;
         let mut at: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
         for (k, &vertex) in wire.vertices.iter().enumerate() {
             at.entry(vertex).or_default().push(k);
         }
         Ok(Self {
-            start,
-            fractions,
+            start: scheduled_start(start, &scheduled),
+            fractions: fractions(&design, wire.spans.iter().map(|&[from, to]| from..to)),
             passes: at.into_values().filter(|passes| passes.len() > 1).collect(),
             program: CompensatedProgram::kept(kept_steps(&wire.compensated)?),
             length: nominal.iter().map(|step| step.feed).sum(),

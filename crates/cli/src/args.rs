@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
 use wirebend_app::{DumpStage, ExportFormat, Format, LengthUnit};
 
@@ -53,9 +54,7 @@ pub(crate) enum Command {
         #[command(flatten)]
         design: DesignArgs,
         #[command(flatten)]
-        setup: SetupArgs,
-        #[command(flatten)]
-        route: RouteArgs,
+        choices: ChoiceArgs,
     },
     /// Find the route, make the program, compensate it, and write the job
     #[command(
@@ -65,9 +64,7 @@ pub(crate) enum Command {
         #[command(flatten)]
         design: DesignArgs,
         #[command(flatten)]
-        setup: SetupArgs,
-        #[command(flatten)]
-        route: RouteArgs,
+        choices: ChoiceArgs,
         #[command(flatten)]
         output: OutputArgs,
         #[command(flatten)]
@@ -81,9 +78,7 @@ pub(crate) enum Command {
         #[command(flatten)]
         design: ExportedArgs,
         #[command(flatten)]
-        setup: SetupArgs,
-        #[command(flatten)]
-        route: RouteArgs,
+        choices: ChoiceArgs,
         /// Format to write; the machine's own if absent
         #[arg(long, short = 'f', value_name = "FORMAT", value_parser = ExportFormat::ALL.map(ExportFormat::id))]
         format: Option<String>,
@@ -125,14 +120,12 @@ pub(crate) enum Command {
     )]
     Dump {
         /// Stage to print
-        #[arg(value_name = "STAGE")]
-        stage: StageName,
+        #[arg(value_name = "STAGE", value_parser = stage_parser())]
+        stage: DumpStage,
         #[command(flatten)]
         design: DesignArgs,
         #[command(flatten)]
-        setup: SetupArgs,
-        #[command(flatten)]
-        route: RouteArgs,
+        choices: ChoiceArgs,
     },
     /// Work on machine, material and noise profiles
     #[command(subcommand)]
@@ -204,20 +197,15 @@ pub(crate) struct ExportedArgs {
     pub read: ReadArgs,
 }
 
-/// On which machine.
+/// On which machine, and which way the wire runs.
 #[derive(Debug, Args)]
-pub(crate) struct SetupArgs {
+pub(crate) struct ChoiceArgs {
     /// Machine, by id (see `wirebend machines`)
     #[arg(long, short, value_name = "ID")]
     pub machine: Option<String>,
     /// Wire in the machine, by id (see `wirebend materials`)
     #[arg(long, value_name = "ID")]
     pub material: Option<String>,
-}
-
-/// Which way the wire runs.
-#[derive(Debug, Args)]
-pub(crate) struct RouteArgs {
     /// Travel the cheapest edges twice where one wire cannot run otherwise
     #[arg(long)]
     pub double: bool,
@@ -251,43 +239,17 @@ pub(crate) struct DangerArgs {
     pub despite_errors: bool,
 }
 
-/// A stage of the pipeline.
-#[derive(Debug, Clone, Copy, ValueEnum)]
-pub(crate) enum StageName {
-    /// The surface that was read
-    Stencil,
-    /// The graph that was read
-    Wireframe,
-    /// The walk along every edge
-    Route,
-    /// The nominal program
-    Program,
-    /// Signs and turns of the head
-    Schedule,
-    /// What the machine is told
-    Compensated,
-    /// The sealed job
-    Job,
-}
-
-impl From<StageName> for DumpStage {
-    fn from(name: StageName) -> Self {
-        match name {
-            StageName::Stencil => Self::Stencil,
-            StageName::Wireframe => Self::Wireframe,
-            StageName::Route => Self::Route,
-            StageName::Program => Self::Program,
-            StageName::Schedule => Self::Schedule,
-            StageName::Compensated => Self::Compensated,
-            StageName::Job => Self::Job,
-        }
-    }
-}
-
 fn parse_format(word: &str) -> Result<Format, String> {
     word.parse().map_err(|error: <Format as std::str::FromStr>::Err| error.to_string())
 }
 
 fn parse_unit(word: &str) -> Result<LengthUnit, String> {
     LengthUnit::from_word(word).ok_or_else(|| "expected mm, cm, m or inch".to_owned())
+}
+
+fn stage_parser() -> impl TypedValueParser<Value = DumpStage> {
+    let by_name = |name: String| DumpStage::ALL.into_iter().find(|stage| stage.as_str() == name);
+    // The parser before has refused every other name.
+    PossibleValuesParser::new(DumpStage::ALL.map(DumpStage::as_str))
+        .map(move |name| by_name(name).unwrap_or(DumpStage::Wireframe))
 }

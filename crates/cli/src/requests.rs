@@ -9,7 +9,7 @@ use wirebend_app::{
     MaterialsRequest, Output, PlanChoices, PlanRequest, ProfileCheckRequest, Request, SimulateRequest,
 };
 
-use crate::args::{Command, DesignArgs, OutputArgs, ProfileCommand, ReadArgs, RouteArgs, SetupArgs};
+use crate::args::{ChoiceArgs, Command, DesignArgs, OutputArgs, ProfileCommand, ReadArgs};
 
 /// The most that is read from standard input.
 const MOST_BYTES: u64 = 512 << 20;
@@ -40,25 +40,25 @@ pub(crate) fn prepare(command: Command) -> anyhow::Result<Prepared> {
             let design = design(&DesignArgs { file, read })?;
             Prepared::Request(Box::new(Request::Import(ImportRequest { design, output })), contents)
         }
-        Command::Check { design: args, setup, route } => {
-            written(Request::Check(CheckRequest { design: design(&args)?, choices: choices(setup, &route) }))
+        Command::Check { design: args, choices: chosen } => {
+            written(Request::Check(CheckRequest { design: design(&args)?, choices: choices(chosen) }))
         }
-        Command::Plan { design: args, setup, route, output, danger } => {
+        Command::Plan { design: args, choices: chosen, output, danger } => {
             let (output, contents) = place(output, false);
             let request = PlanRequest {
                 design: design(&args)?,
-                choices: choices(setup, &route),
+                choices: choices(chosen),
                 make_job: contents == Contents::StandardOutput,
                 output,
                 despite_errors: danger.despite_errors,
             };
             Prepared::Request(Box::new(Request::Plan(request)), contents)
         }
-        Command::Export { design: args, setup, route, format, output, danger } => {
+        Command::Export { design: args, choices: chosen, format, output, danger } => {
             let (output, contents) = place(output, true);
             let request = ExportRequest {
                 design: design(&DesignArgs { file: args.file, read: args.read })?,
-                choices: choices(setup, &route),
+                choices: choices(chosen),
                 format,
                 output,
                 despite_errors: danger.despite_errors,
@@ -71,11 +71,9 @@ pub(crate) fn prepare(command: Command) -> anyhow::Result<Prepared> {
             let (svg, png) = (svg.map(picture), png.map(picture));
             written(Request::Simulate(SimulateRequest { job, noise, runs, seed, svg, png }))
         }
-        Command::Dump { stage, design: args, setup, route } => written(Request::Dump(DumpRequest {
-            stage: stage.into(),
-            design: design(&args)?,
-            choices: choices(setup, &route),
-        })),
+        Command::Dump { stage, design: args, choices: chosen } => {
+            written(Request::Dump(DumpRequest { stage, design: design(&args)?, choices: choices(chosen) }))
+        }
         Command::Profile(ProfileCommand::Check { files }) => {
             written(Request::ProfileCheck(ProfileCheckRequest { files }))
         }
@@ -120,13 +118,7 @@ fn design(args: &DesignArgs) -> anyhow::Result<DesignInput> {
     Ok(DesignInput { input, format: from, scale, units, weld_mm: weld, face_edges, clr_mm: clr })
 }
 
-fn choices(setup: SetupArgs, route: &RouteArgs) -> PlanChoices {
-    PlanChoices {
-        machine: setup.machine,
-        material: setup.material,
-        double: route.double,
-        closed: route.closed,
-        start: route.start,
-        reverse: route.reverse,
-    }
+fn choices(args: ChoiceArgs) -> PlanChoices {
+    let ChoiceArgs { machine, material, double, closed, start, reverse } = args;
+    PlanChoices { machine, material, double, closed, start, reverse }
 }

@@ -111,35 +111,6 @@ impl WirePlan {
     pub fn is_feasible(&self) -> bool {
         self.compensated.is_some() && !self.diagnostics.iter().any(Diagnostic::is_error)
     }
-
-    /// For each step the parts of its feed at which vertices of the route lie, ending with 1.
-    #[must_use]
-    pub fn fractions(&self) -> Vec<Vec<f64>> {
-        let spans = self.nominal.iter().flat_map(|program| &program.spans);
-        let parts = |span: &std::ops::Range<usize>| {
-            let lengths: Vec<f64> = span.clone().map(|k| (self.path[k + 1] - self.path[k]).norm()).collect();
-            let total: f64 = lengths.iter().sum();
-            let mut along = 0.0;
-            let part = |length: &f64| {
-                along += length;
-                along / total
-            };
-            lengths.iter().map(part).collect()
-        };
-        spans.map(parts).collect()
-    }
-
-    /// The frame in which the scheduled program makes the design: turned by half a turn about the
-    /// first feed where the first bend goes to the negative side.
-    #[must_use]
-    pub fn scheduled_start(&self) -> Frame {
-        let mut frame = self.start;
-        let first_bend = self.scheduled.iter().flat_map(|s| &s.steps).find(|step| step.bend != Angle::ZERO);
-        if first_bend.is_some_and(|step| step.bend < Angle::ZERO) {
-            frame.rotate(Angle::HALF_TURN);
-        }
-        frame
-    }
 }
 
 /// Plans the wire of one component. Whatever stands in the way of a stage becomes a diagnostic, and

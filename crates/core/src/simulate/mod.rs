@@ -5,6 +5,8 @@
 //! 2023, Eq. 1 and Appendix A): each feed, rotation, bend and strut curvature is off by a constant
 //! and a normally distributed part.
 
+use std::ops::Range;
+
 use nalgebra::Point3;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
@@ -162,6 +164,35 @@ pub struct Trial<'a> {
     pub program: &'a CompensatedProgram,
     /// The machine and the wire.
     pub compensation: &'a Compensation,
+}
+
+/// For each step of a path the parts of its feed at which vertices lie, ending with 1: the spans are
+/// the segments of each step's feed.
+#[must_use]
+pub fn fractions(path: &[Point3<f64>], spans: impl IntoIterator<Item = Range<usize>>) -> Vec<Vec<f64>> {
+    let parts = |span: Range<usize>| {
+        let points = path.get(span.start..=span.end).unwrap_or_default();
+        let lengths: Vec<f64> = points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).collect();
+        let total: f64 = lengths.iter().sum();
+        let along = lengths.iter().scan(0.0, |sum, length| {
+            *sum += length;
+            Some(*sum / total)
+        });
+        along.collect()
+    };
+    spans.into_iter().map(parts).collect()
+}
+
+/// The frame in which scheduled steps make what their nominal program makes from `start`: turned by
+/// half a turn about the first feed where the first bend goes to the negative side.
+#[must_use]
+pub fn scheduled_start(start: Frame, scheduled: &[Step]) -> Frame {
+    let mut frame = start;
+    let first_bend = scheduled.iter().find(|step| step.bend != Angle::ZERO);
+    if first_bend.is_some_and(|step| step.bend < Angle::ZERO) {
+        frame.rotate(Angle::HALF_TURN);
+    }
+    frame
 }
 
 /// The wire that a machine without errors makes: its vertices in mm, in the order of the route.

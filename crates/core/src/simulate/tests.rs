@@ -10,10 +10,11 @@ fn planned(w: &Wireframe) -> WirePlan {
 
 fn with_trial<T>(plan: &WirePlan, passes: &[Vec<usize>], then: impl FnOnce(&Trial) -> T) -> T {
     let machine = published_machine();
+    let spans = plan.nominal.as_ref().unwrap().spans.iter().cloned();
     then(&Trial {
-        start: plan.scheduled_start(),
+        start: scheduled_start(plan.start, &plan.scheduled.as_ref().unwrap().steps),
         design: &plan.path,
-        fractions: &plan.fractions(),
+        fractions: &fractions(&plan.path, spans),
         passes,
         program: plan.compensated.as_ref().unwrap(),
         compensation: &machine.compensation,
