@@ -15,6 +15,7 @@ use wirebend_profile::{
 };
 
 use crate::AppError;
+use crate::report::NoteReport;
 
 /// A machine with a wire in it, and the profiles that say so.
 #[derive(Debug, Clone)]
@@ -230,4 +231,14 @@ pub(crate) fn restored(job: &JobContents) -> Result<Setup, AppError> {
 /// The steps that a job has kept.
 pub(crate) fn kept_steps(steps: &[JobStep]) -> Result<Vec<Step>, AppError> {
     steps.iter().map(|&step| Step::try_from(step).map_err(not_finite)).collect()
+}
+
+/// What the checks objected to when a job was made all the same.
+pub(crate) fn objections(job: &JobContents) -> Vec<NoteReport> {
+    let note = |objection: &String| NoteReport {
+        code: "objection",
+        count: 1,
+        message: format!("the job was made although {objection}"),
+    };
+    job.objections.iter().map(note).collect()
 }

@@ -219,6 +219,12 @@ impl Planned {
             && !self.design.iter().any(Diagnostic::is_error)
     }
 
+    /// The errors that the checks found.
+    fn objections(&self) -> impl Iterator<Item = &Diagnostic> {
+        let of_wires = self.wires.iter().flat_map(|wire| &wire.diagnostics);
+        self.design.iter().chain(of_wires).filter(|diagnostic| diagnostic.is_error())
+    }
+
     pub fn report(&self) -> PlanReport {
         let wireframe = &self.opened.document.wireframe;
         let mut wires: Vec<WireReport> = self
@@ -251,6 +257,7 @@ impl Planned {
             machine: snapshot(self.setup.machine_id(), serde_json::to_value(&self.setup.machine)?),
             material: snapshot(self.setup.material_id(), serde_json::to_value(&self.setup.material)?),
             wires,
+            objections: self.objections().map(|diagnostic| diagnostic.message.clone()).collect(),
         })?))
     }
 }

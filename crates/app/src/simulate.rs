@@ -16,7 +16,7 @@ use wirebend_files::document::JobWire;
 
 use crate::design::Input;
 use crate::export::{no_fonts, open_job};
-use crate::machine::{Setup, kept_steps, restored};
+use crate::machine::{Setup, kept_steps, objections, restored};
 use crate::output::Output;
 use crate::picture::{self, Caption};
 use crate::report::NoteReport;
@@ -150,7 +150,7 @@ pub(crate) fn simulate(
         wires.push(simulated_wire(wire, &kept, &perfect, &report.deviations, &report.gaps));
         drawing.design(kept);
     }
-    let mut notes = Vec::new();
+    let mut notes = objections(contents);
     let files = drawing.write(request, &setup, &mut notes)?;
     Ok(SimulateResponse {
         machine: setup.machine_id().to_owned(),

@@ -8,7 +8,7 @@ use wirebend_core::units::Angle;
 use wirebend_files::write::Mark;
 
 use super::{ExportRequest, is_job, open_job};
-use crate::machine::{Setup, kept_steps, restored};
+use crate::machine::{Setup, kept_steps, objections, restored};
 use crate::picture;
 use crate::plan::Planned;
 use crate::report::{NoteReport, PlanReport};
@@ -109,8 +109,8 @@ impl Content {
             design_hash: contents.design_hash.clone(),
             wires: wires.collect::<Result<_, AppError>>()?,
             marks: Vec::new(),
-            notes: Vec::new(),
-            feasible: true,
+            notes: objections(contents),
+            feasible: contents.objections.is_empty(),
             report: None,
         })
     }

@@ -87,6 +87,13 @@ fn what_cannot_be_made_is_written_only_on_request() {
     let said = run_in(folder.path(), &[&export[..], &["--despite-errors"]].concat(), b"").ended(0).err;
     assert!(said.contains("warning"), "{said}");
     assert!(read(folder.path(), "bunny.txt").lines().count() > 400);
+    // A job that was made all the same keeps what was objected to.
+    let plan = ["plan", &bunny, "--face-edges", "--double", "-m", "wirebend-kit", "-o", "b.wbjob"];
+    let said = run_in(folder.path(), &plan, b"").ended(4).err;
+    assert!(said.contains("no job was written"), "{said}");
+    run_in(folder.path(), &[&plan[..], &["--despite-errors"]].concat(), b"").ended(4);
+    let said = run_in(folder.path(), &["export", "b.wbjob", "-o", "b.txt"], b"").ended(0).err;
+    assert!(said.contains("the job was made although") && said.contains("155.0°"), "{said}");
     // A picture is no program.
     let picture =
         ["export", &bunny, "--face-edges", "--double", "-m", "wirebend-kit", "-f", "svg", "-o", "b.svg"];

@@ -104,6 +104,14 @@ pub enum DocumentError {
         /// The number.
         value: f64,
     },
+    /// The stages of a wire of a job do not fit each other.
+    #[error("wire {wire} of the job does not fit together: {what}; plan the design again to get a new job")]
+    Inconsistent {
+        /// Index of the wire, from 0.
+        wire: usize,
+        /// What holds in every job.
+        what: &'static str,
+    },
     /// JSON could not be written.
     #[error("the document cannot be written: {0}")]
     Write(serde_json::Error),
@@ -134,6 +142,7 @@ impl DocumentError {
             Self::StencilDamaged { .. } => "document-stencil-damaged",
             Self::Stencil { .. } => "document-stencil",
             Self::NotFinite { .. } => "document-not-finite",
+            Self::Inconsistent { .. } => "document-inconsistent",
             Self::Write(_) => "document-write",
             Self::Save { .. } => "document-save",
         }

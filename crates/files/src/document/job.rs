@@ -31,6 +31,8 @@ pub struct JobContents {
     pub material: ProfileSnapshot,
     /// The wires, in the order in which they are made.
     pub wires: Vec<JobWire>,
+    /// What the checks objected to when a person had the job made all the same.
+    pub objections: Vec<String>,
 }
 
 /// One wire, in every stage of its planning.
@@ -110,15 +112,19 @@ pub(crate) struct JobFile {
     material: ProfileSnapshot,
     /// The wires.
     wires: Vec<JobWire>,
+    /// What the checks objected to when a person had the job made all the same.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    objections: Vec<String>,
 }
 
 impl Job {
     /// Seals contents into a job.
     ///
     /// # Errors
-    /// [`DocumentError::NotFinite`] for a number that is NaN or infinite.
+    /// [`DocumentError::NotFinite`] for a number that is NaN or infinite, [`DocumentError::Inconsistent`]
+    /// for a wire whose stages do not fit each other.
     pub fn seal(contents: JobContents) -> Result<Self, DocumentError> {
-        contents.check_finite()?;
+        contents.check()?;
         let hash = canonical_sha256(&JobFile::of(&contents, None))?;
         Ok(Self { contents, hash })
     }
@@ -133,9 +139,9 @@ impl Job {
         if canonical_sha256(&content)? != hash {
             return Err(DocumentError::Changed { file: file.to_owned() });
         }
-        let JobFile { design_hash, machine, material, wires, .. } = content;
-        let contents = JobContents { design_hash, machine, material, wires };
-        contents.check_finite()?;
+        let JobFile { design_hash, machine, material, wires, objections, .. } = content;
+        let contents = JobContents { design_hash, machine, material, wires, objections };
+        contents.check()?;
         Ok(Self { contents, hash })
     }
 
@@ -162,13 +168,36 @@ impl Job {
 
 impl JobFile {
     fn of(contents: &JobContents, hash: Option<String>) -> Self {
-        let JobContents { design_hash, machine, material, wires } = contents.clone();
+        let JobContents { design_hash, machine, material, wires, objections } = contents.clone();
         let (format, version) = (HISTORY.format.to_owned(), HISTORY.current());
-        Self { format, version, hash, design_hash, machine, material, wires }
+        Self { format, version, hash, design_hash, machine, material, wires, objections }
     }
 }
 
 impl JobContents {
+    /// Numbers are finite and the stages of each wire fit each other.
+    fn check(&self) -> Result<(), DocumentError> {
+        for (wire, kept) in self.wires.iter().enumerate() {
+            let refuse = |what| Err(DocumentError::Inconsistent { wire, what });
+            let (path, steps) = (kept.path_mm.len(), kept.nominal.len());
+            if path < 2 || kept.vertices.len() != path {
+                return refuse("a path has at least two points, and a vertex for each");
+            }
+            if steps == 0 || [&kept.scheduled, &kept.compensated].iter().any(|stage| stage.len() != steps) {
+                return refuse("all stages have the same number of steps, at least one");
+            }
+            let ends = kept.spans.iter().map(|span| span[1]);
+            let starts = std::iter::once(0).chain(ends);
+            let joined =
+                kept.spans.iter().zip(starts).all(|(span, start)| span[0] == start && span[1] > start);
+            let covers = kept.spans.last().is_some_and(|span| span[1] == path - 1);
+            if kept.spans.len() != steps || !joined || !covers {
+                return refuse("the steps run along all segments of the path, one after the other");
+            }
+        }
+        self.check_finite()
+    }
+
     fn check_finite(&self) -> Result<(), DocumentError> {
         let refuse = |key, value: f64| {
             if value.is_finite() { Ok(()) } else { Err(DocumentError::NotFinite { key, value }) }

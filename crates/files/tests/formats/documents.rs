@@ -54,7 +54,7 @@ fn example_job() -> JobContents {
         material: example().material.unwrap(),
         wires: vec![JobWire {
             vertices: vec![0, 1, 7, 1],
-            path_mm: vec![[0.1, 0.0, 0.0], [0.1 + 0.2, 1.0, 2.0]],
+            path_mm: vec![[0.1, 0.0, 0.0], [0.1 + 0.2, 1.0, 2.0], [30.0, 1.0, 2.0], [30.0, 9.0, 2.0]],
             nominal: steps.clone(),
             spans: vec![[0, 1], [1, 2], [2, 3]],
             scheduled: steps.clone(),
@@ -62,6 +62,28 @@ fn example_job() -> JobContents {
             stock_mm: 460.0,
             time_s: 91.5,
         }],
+        objections: vec!["edge 1 is too short".into()],
+    }
+}
+
+#[test]
+fn a_job_whose_stages_do_not_fit_each_other_is_refused() {
+    let cases: [fn(&mut JobWire); 6] = [
+        |wire| wire.path_mm.truncate(3),
+        |wire| wire.compensated.truncate(2),
+        |wire| wire.spans[2] = [2, 9],
+        |wire| wire.spans[1] = [2, 2],
+        |wire| wire.spans.truncate(1),
+        |wire| {
+            for stage in [&mut wire.nominal, &mut wire.scheduled, &mut wire.compensated] {
+                stage.clear();
+            }
+        },
+    ];
+    for damage in cases {
+        let mut contents = example_job();
+        damage(&mut contents.wires[0]);
+        assert!(matches!(Job::seal(contents), Err(DocumentError::Inconsistent { wire: 0, .. })));
     }
 }
 
