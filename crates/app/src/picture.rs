@@ -24,8 +24,13 @@ pub(crate) struct Caption {
     pub bends: usize,
 }
 
-/// A picture of wires with marks where something is wrong.
-pub(crate) fn draw(caption: Caption, wires: Vec<PictureWire>, marks: Vec<Mark>) -> String {
+/// A picture of wires, of what was bent of them, and with marks where something is wrong.
+pub(crate) fn draw(
+    caption: Caption,
+    wires: Vec<PictureWire>,
+    trials: Vec<Vec<Point3<f64>>>,
+    marks: Vec<Mark>,
+) -> String {
     svg(&Picture {
         title: caption.title,
         machine: Some(caption.machine),
@@ -33,6 +38,7 @@ pub(crate) fn draw(caption: Caption, wires: Vec<PictureWire>, marks: Vec<Mark>) 
         length: caption.length,
         bends: caption.bends,
         wires,
+        trials,
         marks,
         view: View::Isometric,
         width_px: WIDTH_PX,
@@ -95,11 +101,6 @@ fn label(place: &str, diagnostic: &Diagnostic) -> String {
         (Some(measured), None) => format!("{place}: {measured}"),
         _ => place.to_owned(),
     }
-}
-
-/// A polyline as a wire of a picture.
-pub(crate) fn wire(points: Vec<Point3<f64>>, doubled: Vec<usize>) -> PictureWire {
-    PictureWire { points, doubled }
 }
 
 /// The pixels of an SVG picture as PNG. `false` where no font is installed: labels are then missing.

@@ -13,6 +13,7 @@ use wirebend_core::simulate::{
 };
 use wirebend_core::units::{Angle, Length};
 use wirebend_files::document::JobWire;
+use wirebend_files::write::PictureWire;
 
 use crate::design::Input;
 use crate::export::{no_fonts, open_job};
@@ -297,9 +298,9 @@ impl Drawing {
             length: self.designs.iter().map(|wire| wire.length).sum(),
             bends: self.designs.iter().map(|wire| wire.bends).sum(),
         };
-        let made = self.runs.into_iter().map(|run| picture::wire(run, Vec::new()));
-        let designs = self.designs.into_iter().map(|wire| picture::wire(wire.design, Vec::new()));
-        let drawing = picture::draw(caption, made.chain(designs).collect(), Vec::new());
+        let wire = |wire: KeptWire| PictureWire { points: wire.design, doubled: Vec::new() };
+        let designs = self.designs.into_iter().map(wire).collect();
+        let drawing = picture::draw(caption, designs, self.runs, Vec::new());
         let mut files = Vec::new();
         if let Some(output) = &request.svg {
             files.push(output.save(drawing.as_bytes())?);

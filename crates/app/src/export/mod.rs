@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use wirebend_core::bend::Step;
 use wirebend_core::units::Length;
 use wirebend_files::document::Job;
-use wirebend_files::write::{self, KitLayout, LraLayout, PensaLayout, TableStyle};
+use wirebend_files::write::{self, KitLayout, LraLayout, PensaLayout, PictureWire, TableStyle};
 
 use crate::design::DesignInput;
 use crate::machine::Setup;
@@ -282,9 +282,9 @@ fn encode_all(content: &mut Content, format: ExportFormat) -> Result<Vec<u8>, Ap
         length: content.wires.iter().flat_map(|wire| &wire.nominal).map(|step| step.feed).sum(),
         bends: content.wires.iter().map(Wire::bend_count).sum(),
     };
-    let wires =
-        content.wires.iter().map(|wire| picture::wire(wire.path.clone(), wire.doubled.clone())).collect();
-    let drawing = picture::draw(caption, wires, std::mem::take(&mut content.marks));
+    let wire = |wire: &Wire| PictureWire { points: wire.path.clone(), doubled: wire.doubled.clone() };
+    let wires = content.wires.iter().map(wire).collect();
+    let drawing = picture::draw(caption, wires, Vec::new(), std::mem::take(&mut content.marks));
     if format == ExportFormat::Svg {
         return Ok(drawing.into_bytes());
     }

@@ -15,6 +15,7 @@ fn picture(wires: Vec<PictureWire>, marks: Vec<Mark>) -> Picture {
         length: mm(5450.1),
         bends: 79,
         wires,
+        trials: Vec::new(),
         marks,
         view: View::Isometric,
         width_px: 1200,

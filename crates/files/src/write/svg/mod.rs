@@ -29,6 +29,8 @@ pub struct Picture {
     pub bends: usize,
     /// The wires.
     pub wires: Vec<PictureWire>,
+    /// The same wires as they were bent, thin and behind; each its points in mm.
+    pub trials: Vec<Vec<Point3<f64>>>,
     /// What is to be fixed.
     pub marks: Vec<Mark>,
     /// From where it is seen.
@@ -82,7 +84,7 @@ pub enum Severity {
 pub fn svg(picture: &Picture) -> String {
     let mut page = Page::new(picture.width_px.max(320), picture.height_px.max(240), &picture.title);
     let layout = sheet::Layout::of(picture, &page);
-    let points = picture.wires.iter().flat_map(|wire| &wire.points).copied();
+    let points = picture.wires.iter().map(|wire| &wire.points).chain(&picture.trials).flatten().copied();
     let marked = picture.marks.iter().flat_map(|mark| match mark.at {
         MarkAt::Vertex(point) => vec![point],
         MarkAt::Edge(a, b) => vec![a, b],
@@ -90,6 +92,7 @@ pub fn svg(picture: &Picture) -> String {
     let projection = Projection::fit(picture.view, points.chain(marked), layout.drawing);
     match &projection {
         Some(projection) => {
+            wire::trials(&mut page, picture, projection);
             wire::draw(&mut page, picture, projection);
             marks::draw(&mut page, &picture.marks, projection);
             sheet::scale_bar(&mut page, projection, &layout);

@@ -1,6 +1,6 @@
 //! What stands around the drawing: title block, scale bar, axes.
 
-use super::element::{BLUE, GREY, INK, Page, RED, RULE, Type, px, thousands};
+use super::element::{AMBER, BLUE, GREY, INK, Page, RED, RULE, Type, px, thousands};
 use super::view::{Area, Projection};
 use super::{Picture, Severity, View};
 use crate::write::number::fixed;
@@ -47,6 +47,9 @@ pub(super) fn title_block(page: &mut Page, picture: &Picture, layout: &Layout) {
     let doubled: usize = picture.wires.iter().map(|wire| wire.doubled.len()).sum();
     if doubled > 0 {
         figures.push(("Laid twice", format!("{} ═", doubled.div_ceil(2)), BLUE));
+    }
+    if !picture.trials.is_empty() {
+        figures.push(("As bent", format!("{} ∿", picture.trials.len()), AMBER));
     }
     let errors = picture.marks.iter().filter(|mark| mark.severity == Severity::Error).count();
     if errors > 0 {

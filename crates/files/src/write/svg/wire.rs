@@ -1,6 +1,6 @@
 //! The strokes: near ones darker and wider, each with a halo that cuts what lies behind it.
 
-use super::element::{BLUE, GREEN, INK, PAPER, Page, Type, px};
+use super::element::{AMBER, BLUE, GREEN, INK, PAPER, Page, Type, px};
 use super::view::{Projection, is_finite};
 use super::{Picture, PictureWire};
 
@@ -38,6 +38,16 @@ pub(super) fn draw(page: &mut Page, picture: &Picture, projection: &Projection) 
     for (k, wire) in picture.wires.iter().enumerate() {
         let label = if picture.wires.len() > 1 { format!("start {}", k + 1) } else { "start".to_owned() };
         ends(page, wire, projection, &label);
+    }
+}
+
+/// Wires as they were bent: thin amber lines that add up where they agree.
+pub(super) fn trials(page: &mut Page, picture: &Picture, projection: &Projection) {
+    for points in &picture.trials {
+        for pair in points.windows(2).filter(|pair| pair.iter().all(is_finite)) {
+            let attributes = "stroke-width=\"0.8\" stroke-opacity=\"0.35\" stroke-linecap=\"round\"";
+            page.line(projection.at(pair[0]), projection.at(pair[1]), AMBER, attributes);
+        }
     }
 }
 
