@@ -28,8 +28,9 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
     let text = decode(bytes);
     let mut joined = String::new();
     for (line, text) in lines(&text) {
-        // A backslash continues the line on the next one.
-        if let Some(begin) = text.trim_end().strip_suffix('\\') {
+        // A backslash continues the line on the next one, but not a comment.
+        let continued = if text.contains('#') { None } else { text.trim_end().strip_suffix('\\') };
+        if let Some(begin) = continued {
             joined.push_str(begin);
             joined.push(' ');
         } else if joined.is_empty() {

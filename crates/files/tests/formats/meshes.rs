@@ -113,3 +113,14 @@ fn a_ply_with_edges_is_a_wireframe() {
         units not given: taken as mm"#]]
     .assert_eq(&notes(&imported.notes).join("\n"));
 }
+
+#[test]
+fn a_comment_that_ends_in_a_backslash_swallows_no_line() {
+    let text = b"# saved by C:\\models\\\nv 0 0 0\nv 100 0 0\nv 0 9 0\nl 1 \\\n2\nl 2 3\n";
+    let found =
+        wirebend_files::read::read(text, "bs.obj", None, &wirebend_files::read::ReadOptions::default())
+            .unwrap();
+    assert_eq!((found.wireframe.vertex_count(), found.wireframe.edge_count()), (3, 2));
+    let (_, last) = found.wireframe.vertices().nth(1).unwrap();
+    assert!((last.position.x - 100.0).abs() < 1e-12);
+}
