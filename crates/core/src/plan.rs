@@ -106,6 +106,12 @@ pub struct WirePlan {
 }
 
 impl WirePlan {
+    /// What the doubled edges add to the wire.
+    #[must_use]
+    pub fn doubled_length(&self, wireframe: &Wireframe) -> Length {
+        self.doubled.iter().map(|&edge| wireframe.edge_length(edge)).sum()
+    }
+
     /// Whether the machine can make it: it has been compensated and no check objects.
     #[must_use]
     pub fn is_feasible(&self) -> bool {
@@ -178,6 +184,8 @@ pub fn plan_wire(
         unbendable: &failures.unbendable,
         compensation: &machine.compensation,
         diameter: machine.wire.diameter,
+        bend_radius: machine.bend_radius,
+        straight: machine.straight,
         limits: &machine.limits,
     });
     plan.diagnostics.extend(refusals);
@@ -266,6 +274,7 @@ fn refusal(error: &RouteError) -> Diagnostic {
         RouteError::DoubledElsewhere(edge) => Place::at_edges([*edge]),
         RouteError::Odd { odd, .. } => Place::at_vertices(odd.iter().copied()),
         RouteError::NoEdges | RouteError::TooManyOdd { .. } => Place::default(),
+        RouteError::TooManyEnds { vertex, .. } => Place::at_vertices([*vertex]),
     };
     Diagnostic {
         code: Code::RouteRefused,
@@ -275,7 +284,9 @@ fn refusal(error: &RouteError) -> Diagnostic {
         limit: None,
         message: error.to_string(),
         help: match error {
-            RouteError::TooManyOdd { .. } => "divide the design into several wires",
+            RouteError::TooManyOdd { .. } | RouteError::TooManyEnds { .. } => {
+                "divide the design into several wires"
+            }
             RouteError::NoEdges => "draw edges",
             _ => "choose another start, or let the planner choose",
         }

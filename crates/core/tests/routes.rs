@@ -136,6 +136,19 @@ fn sharp_bends_are_avoided_where_the_edges_can_be_paired_otherwise() {
     }
 }
 
+#[test]
+fn a_hub_with_more_edges_than_can_be_paired_is_refused() {
+    let rim = |k: usize| {
+        let turn = f64::from(u32::try_from(k).unwrap()) / 400.0 * std::f64::consts::TAU;
+        [100.0 * turn.cos(), 100.0 * turn.sin(), 0.0]
+    };
+    let points: Vec<_> = std::iter::once([0.0; 3]).chain((0..400).map(rim)).collect();
+    let triangles = (0..200).flat_map(|k| [(0, 2 * k + 1), (2 * k + 1, 2 * k + 2), (2 * k + 2, 0)]);
+    let w = wireframe(&points, &triangles.collect::<Vec<_>>());
+    let refused = route(&w, &w.components()[0], &RouteOptions::default());
+    assert_eq!(refused, Err(RouteError::TooManyEnds { vertex: VertexId(0), ends: 400, most: 200 }));
+}
+
 /// Connected graphs with a few vertices, some edges parallel.
 fn any_wireframe(most_edges: usize) -> impl Strategy<Value = Wireframe> {
     let points = prop::collection::vec(prop::array::uniform3(-100.0..100.0_f64), 2..9);

@@ -64,6 +64,8 @@ codes! {
     BendOutOfReach = "bend_out_of_reach",
     /// A bend is smaller than the peg can make.
     BendTooSmall = "bend_too_small",
+    /// A corner is gentler than the bend axis resolves.
+    CornerNotMade = "corner_not_made",
     /// The wire folds straight back.
     FoldBack = "fold_back",
     /// An edge is made of two wires side by side.

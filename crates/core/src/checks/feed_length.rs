@@ -1,18 +1,22 @@
 //! Feeds after compensation: too short to grip, arcs that overlap, longer than any stock.
 
 use super::{Code, Diagnostic, Limit, Quantity, Severity, Wire, is_near};
-use crate::compensate::with_bend_before;
+use crate::compensate::{corner, with_bend_before};
 use crate::units::{Angle, Length};
 
 pub(super) fn check(wire: &Wire, found: &mut Vec<Diagnostic>) {
     let Some(nominal) = wire.nominal else { return };
     for (step, (before, designed)) in with_bend_before(&nominal.steps).enumerate() {
         let folds = before == Angle::HALF_TURN || designed.bend == Angle::HALF_TURN;
-        let Some(model) = wire.compensation.feed.filter(|_| !folds) else {
-            judge(wire, step, designed.feed, designed.feed, found);
+        let model = wire.compensation.feed.filter(|_| !folds);
+        let feed = model.map_or(designed.feed, |model| model.feed_for(designed.feed, before, designed.bend));
+        // Bends have a radius on every machine, also on one that reckons with it on its own.
+        let corner = |bend: Angle| corner(wire.bend_radius, bend);
+        let straight = designed.feed - corner(before) - corner(designed.bend);
+        if folds {
+            judge(wire, step, designed.feed, feed, found);
             continue;
-        };
-        let straight = model.straight(designed.feed, before, designed.bend);
+        }
         if straight < Length::ZERO {
             let needed = designed.feed - straight;
             found.push(Diagnostic {
@@ -22,7 +26,7 @@ pub(super) fn check(wire: &Wire, found: &mut Vec<Diagnostic>) {
                 measured: Some(Quantity::Length(designed.feed)),
                 limit: Some(Limit {
                     value: Quantity::Length(needed),
-                    source: format!("bends of centreline radius {:.2}", model.bend_radius),
+                    source: format!("bends of centreline radius {:.2}", wire.bend_radius),
                 }),
                 message: format!(
                     "the bends at both ends of {} take {needed:.1} of its {:.1}",
@@ -33,7 +37,7 @@ pub(super) fn check(wire: &Wire, found: &mut Vec<Diagnostic>) {
             });
             continue;
         }
-        judge(wire, step, designed.feed, model.feed_for(designed.feed, before, designed.bend), found);
+        judge(wire, step, designed.feed, feed, found);
     }
 }
 

@@ -6,14 +6,14 @@ use super::{Code, Diagnostic, Limit, Place, Quantity, Severity, Wire};
 use crate::units::Angle;
 
 pub(super) fn check(wire: &Wire, found: &mut Vec<Diagnostic>) {
-    for (step, _) in wire
-        .nominal
-        .iter()
-        .flat_map(|p| p.steps.iter().enumerate())
-        .filter(|(_, s)| s.bend == Angle::HALF_TURN)
-    {
-        let limit = &wire.limits.largest_bend;
-        let possible = limit.value.abs() >= Angle::HALF_TURN && wire.compensation.feed.is_none();
+    let steps = wire.nominal.iter().flat_map(|program| program.steps.iter().enumerate());
+    for (step, _) in steps.filter(|(_, step)| step.bend == Angle::HALF_TURN) {
+        // The schedule has taken a side that can make it, if there is one.
+        let made = wire.scheduled.and_then(|scheduled| scheduled.steps.get(step)).map(|step| step.bend);
+        let negative = made.is_some_and(|bend| bend < Angle::ZERO);
+        let limit = if negative { &wire.limits.least_bend } else { &wire.limits.largest_bend };
+        let refused = wire.unbendable.iter().any(|failed| failed.step == step);
+        let possible = limit.value.abs() >= Angle::HALF_TURN && wire.compensation.feed.is_none() && !refused;
         let at = wire.vertex_of_step(step).map_or_else(String::new, |v| format!(" at vertex {v}"));
         found.push(Diagnostic {
             code: Code::FoldBack,

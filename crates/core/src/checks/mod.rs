@@ -13,6 +13,7 @@ mod feed_length;
 mod fold_back;
 mod parallel_edges;
 mod rotation;
+mod small_corner;
 mod stock_length;
 mod wire_diameter;
 mod wires;
@@ -99,6 +100,10 @@ pub struct Wire<'a> {
     pub compensation: &'a Compensation,
     /// How thick it is.
     pub diameter: Length,
+    /// Centreline radius of its bends, whether or not feeds are compensated for them.
+    pub bend_radius: Length,
+    /// A change of direction up to this is not bent.
+    pub straight: Angle,
     /// What the machine can do.
     pub limits: &'a MachineLimits,
 }
@@ -146,6 +151,7 @@ pub fn check_wire(wire: &Wire) -> Vec<Diagnostic> {
         edge_length::check,
         bend_angle::check,
         fold_back::check,
+        small_corner::check,
         feed_length::check,
         rotation::check,
         stock_length::check,

@@ -196,3 +196,52 @@ fn every_diagnostic_says_what_to_do() {
     names.dedup();
     assert_eq!(names.len(), Code::ALL.len());
 }
+
+/// A machine that compensates on its own: the axis is the bend.
+fn direct_machine() -> Machine {
+    let mut machine = published_machine();
+    machine.compensation = crate::compensate::Compensation::default();
+    machine.limits.least_bend.value = deg(-180.0);
+    machine.limits.largest_bend.value = deg(180.0);
+    machine
+}
+
+#[test]
+fn arcs_overlap_also_on_a_machine_that_compensates_on_its_own() {
+    // Two bends of 170° take 3 mm · tan(85°) = 34.3 mm each of an edge of 60 mm.
+    let turn = f64::to_radians(10.0);
+    let zigzag = chain(&[
+        [0., 0., 0.],
+        [60., 0., 0.],
+        [60. - 60. * turn.cos(), 60. * turn.sin(), 0.],
+        [120. - 60. * turn.cos(), 60. * turn.sin(), 0.],
+    ]);
+    let found = on(&direct_machine(), &zigzag, &PlanOptions::default());
+    assert_eq!(only(&found, Code::ArcsOverlap).place.edges, [EdgeId(1)]);
+}
+
+#[test]
+fn a_corner_that_the_axis_cannot_resolve_is_said() {
+    let mut coarse = direct_machine();
+    coarse.straight = deg(0.5);
+    let rise = 1000.0 * f64::to_radians(0.49).sin();
+    let gentle = chain(&[[0., 0., 0.], [100., 0., 0.], [1100., rise, 0.], [1100., rise + 50., 0.]]);
+    let found = on(&coarse, &gentle, &PlanOptions::default());
+    let corner = only(&found, Code::CornerNotMade);
+    assert_eq!((corner.place.vertices[0], corner.severity), (VertexId(1), Severity::Warning));
+}
+
+#[test]
+fn a_fold_back_is_judged_by_the_side_that_makes_it() {
+    let tee = wireframe(&[[0.; 3], [60., 0., 0.], [0., 80., 0.], [0., 0., 100.]], &[(0, 1), (0, 2), (0, 3)]);
+    let doubled = PlanOptions { doubling: DoublingChoice::Cheapest, ..PlanOptions::default() };
+    let mut one_sided = direct_machine();
+    one_sided.limits.largest_bend.value = deg(95.0);
+    let found = on(&one_sided, &tee, &doubled);
+    assert_eq!(only(&found, Code::FoldBack).severity, Severity::Warning, "the negative side makes it");
+    let mut short_axis = direct_machine();
+    short_axis.compensation.bend.axis_limit = Some(deg(130.0));
+    let plan = plan_wire(&tee, &tee.components()[0], &short_axis, &doubled, |_| ());
+    assert!(!plan.is_feasible());
+    assert!(only(&plan.diagnostics, Code::FoldBack).is_error(), "nothing else says why");
+}

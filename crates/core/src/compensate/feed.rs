@@ -23,12 +23,10 @@ impl FeedModel {
         }
     }
 
-    /// How far the corner of a bend is from the ends of its arc. A fold back has no corner: the
-    /// length grows without bound towards 180° and saturates there.
+    /// How far the corner of a bend is from the ends of its arc; it saturates towards a fold back.
     #[must_use]
     pub fn corner(&self, bend: Angle) -> Length {
-        let half = (bend.abs().rad() / 2.0).min(std::f64::consts::FRAC_PI_2 - 1e-9);
-        Length::computed(self.bend_radius.mm() * half.tan())
+        corner(self.bend_radius, bend)
     }
 
     /// Wire along the neutral fibre of a bend.
@@ -56,6 +54,14 @@ impl FeedModel {
     pub fn segment_of(&self, feed: Length, before: Angle, after: Angle) -> Length {
         feed - self.arc(after) + self.corner(before) + self.corner(after)
     }
+}
+
+/// How far the corner of a bend is from the ends of its arc of a centreline radius. A fold back has no
+/// corner: the length grows without bound towards 180° and saturates there.
+#[must_use]
+pub(crate) fn corner(radius: Length, bend: Angle) -> Length {
+    let half = (bend.abs().rad() / 2.0).min(std::f64::consts::FRAC_PI_2 - 1e-9);
+    Length::computed(radius.mm() * half.tan())
 }
 
 /// Each step with the bend before it: zero for the first.

@@ -13,7 +13,7 @@ use crate::schedule::ScheduledProgram;
 use crate::units::{Angle, Length};
 
 pub use feed::FeedModel;
-pub(crate) use feed::with_bend_before;
+pub(crate) use feed::{corner, with_bend_before};
 pub use setback::{PegGeometry, PegGeometryError};
 pub use springback::{Springback, SpringbackCurve, SpringbackError, SpringbackPoint};
 

@@ -100,6 +100,16 @@ pub enum RouteError {
     /// A doubled edge is not part of the component.
     #[error("edge {0} is to be doubled but is not part of this wire")]
     DoubledElsewhere(EdgeId),
+    /// More edges at one vertex than can be paired.
+    #[error("{ends} edge ends meet at vertex {vertex}: they can be paired for up to {most}")]
+    TooManyEnds {
+        /// The vertex.
+        vertex: VertexId,
+        /// How many ends meet there, those of doubled edges included.
+        ends: usize,
+        /// How many may.
+        most: usize,
+    },
     /// More odd vertices than can be matched exactly.
     #[error("{odd} vertices are odd: the cheapest doubling can be found for up to {most}")]
     TooManyOdd {
@@ -109,6 +119,10 @@ pub enum RouteError {
         most: usize,
     },
 }
+
+/// The most edge ends at one vertex that are paired: time grows with their cube. No wire comes through
+/// one point a hundred times.
+const MOST_ENDS: usize = 200;
 
 /// A route through every edge of a component.
 ///
@@ -152,6 +166,15 @@ pub fn route(
         (_, start) => start.map(|start| (start, start)),
     };
     let copies: Vec<usize> = (0..network.links.len()).chain(doubled).collect();
+    let mut meeting = vec![0; network.vertices.len()];
+    for &copy in &copies {
+        meeting[network.links[copy].a] += 1;
+        meeting[network.links[copy].b] += 1;
+    }
+    if let Some(vertex) = meeting.iter().position(|&ends| ends > MOST_ENDS) {
+        let (vertex, ends) = (network.vertices[vertex], meeting[vertex]);
+        return Err(RouteError::TooManyEnds { vertex, ends, most: MOST_ENDS });
+    }
     let mut pairing = Pairing::new(&network, &copies, ends, options.sharpest_bend);
     trails::join(&mut pairing);
     let mut travelled = vec![false; network.links.len()];

@@ -25,27 +25,29 @@ pub(super) fn join(pairing: &mut Pairing) {
     }
     let mut swaps = BinaryHeap::new();
     for vertex in 0..pairing.vertices().len() {
-        offer(pairing, vertex, &mut trails, &mut swaps);
+        let pairs = pairing.vertices()[vertex].clone();
+        offer(pairing, vertex, &pairs, &mut trails, &mut swaps);
     }
     while let Some(Reverse((_, vertex, old, new))) = swaps.pop() {
         let current = old.iter().all(|pair| pairing.vertices()[vertex].contains(pair));
         if current && trails.union(old[0].0, old[1].0) {
             pairing.replace(vertex, old, new);
-            offer(pairing, vertex, &mut trails, &mut swaps);
+            offer(pairing, vertex, &new, &mut trails, &mut swaps);
         }
     }
 }
 
-/// Puts every swap at a vertex that would join two trails into the queue.
+/// Puts every swap of some pairs of a vertex that would join two trails into the queue.
 fn offer(
     pairing: &Pairing,
     vertex: usize,
+    of: &[(End, End)],
     trails: &mut UnionFind<usize>,
     swaps: &mut BinaryHeap<Reverse<Swap>>,
 ) {
     let pairs = &pairing.vertices()[vertex];
-    for (k, &(a, b)) in pairs.iter().enumerate() {
-        for &(c, d) in &pairs[k + 1..] {
+    for &(a, b) in of {
+        for &(c, d) in pairs {
             if trails.find_mut(a) == trails.find_mut(c) {
                 continue;
             }

@@ -127,7 +127,8 @@ fn fastest(
         for (head, flipped) in stands(stand, limits) {
             let made = bend_cost(pair[1], flipped);
             let reach = |way: &Way| {
-                way.spent + nanoseconds((head - way.head).abs().deg() * limits.seconds_per_degree) + made
+                let turn = nanoseconds((head - way.head).abs().deg() * limits.seconds_per_degree);
+                way.spent.saturating_add(turn).saturating_add(made)
             };
             let before = layers[layers.len() - 1].iter().enumerate();
             if let Some((from, way)) = before.min_by_key(|&(k, way)| (reach(way), k)) {
@@ -154,14 +155,18 @@ fn fastest(
     Ok((spent, ways))
 }
 
-/// Every angle of the head within its limits at which a bend can be made, nearest to zero first,
+/// A head that may turn without end is not wound farther than this from where it starts: more choices
+/// would take time to weigh and none of them is nearer.
+const MOST_HALF_TURNS: f64 = 40.0;
+
+/// Every angle of the head within its limits, and within twenty turns, at which a bend can be made, nearest to zero first,
 /// with whether the bend is then flipped.
 fn stands(unflipped: Angle, limits: &HeadLimits) -> Vec<(Angle, bool)> {
     // Rounding of a sum of angles must not push the head over a limit that it just reaches.
     let slack = Angle::computed(1e-9);
     let span = limits.most.deg().max(-limits.least.deg());
     #[allow(clippy::cast_possible_truncation)] // limits are a few turns
-    let turns = (span / 180.0).ceil().min(1.0e4) as i32 + 1;
+    let turns = (span / 180.0).ceil().min(MOST_HALF_TURNS) as i32 + 1;
     let mut stands: Vec<(Angle, bool)> = (-turns..=turns)
         .map(|halves| (unflipped + Angle::HALF_TURN.times(halves), halves % 2 != 0))
         .filter(|&(head, _)| head >= limits.least - slack && head <= limits.most + slack)

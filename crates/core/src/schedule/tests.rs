@@ -101,6 +101,13 @@ fn least_by_trying(turns: &[(f64, f64)], least: f64, most: f64, flip_cost: f64) 
     }
 }
 
+#[test]
+fn a_head_without_limits_is_scheduled_in_no_time() {
+    let endless = program(&vec![(170.0, 90.0); 400]);
+    let scheduled = schedule(&endless, &limits(-1.0e9, 1.0e9), |_| Some(1.0)).unwrap();
+    assert!(scheduled.head.iter().all(|head| head.abs().deg() <= 7400.0));
+}
+
 proptest! {
     #[test]
     fn nothing_is_faster_and_the_shape_stays(
