@@ -112,6 +112,12 @@ impl DesignInput {
         self.open_bytes(name, &bytes)
     }
 
+    /// Whether no option asks to read other than as the file says.
+    pub(crate) fn reads_plainly(&self) -> bool {
+        let plain = Self::file(PathBuf::new());
+        *self == Self { input: self.input.clone(), format: self.format, ..plain }
+    }
+
     /// Reads the design from bytes that were loaded before.
     pub(crate) fn open_bytes(&self, name: String, bytes: &[u8]) -> Result<Opened, AppError> {
         let options = ReadOptions {
@@ -123,6 +129,10 @@ impl DesignInput {
             ..ReadOptions::default()
         };
         let imported = read(bytes, &name, self.format, &options)?;
+        if imported.document.is_some() && !self.reads_plainly() {
+            let options = "--scale, --units, --weld, --face-edges and --clr";
+            return Err(AppError::Settled { name, options, instead: "import the original again" });
+        }
         let notes: Vec<NoteReport> = imported.notes.iter().map(NoteReport::from).collect();
         for note in &notes {
             tracing::info!(code = note.code, count = note.count, "{}", note.message);

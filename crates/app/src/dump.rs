@@ -5,6 +5,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use wirebend_core::plan::WirePlan;
+use wirebend_core::wireframe::Wireframe;
 
 use crate::design::{DesignInput, Opened};
 use crate::plan::{PlanChoices, Planned};
@@ -131,11 +132,13 @@ fn of_wires(stage: DumpStage, planned: &Planned) -> Result<Value, AppError> {
         let job = planned.job()?.ok_or_else(unreached)?;
         return Ok(serde_json::from_slice(&job.to_bytes()?)?);
     }
-    let wires: Option<Vec<Value>> = planned.wires.iter().map(|wire| of_wire(stage, wire)).collect();
+    let wireframe = &planned.opened.document.wireframe;
+    let wires: Option<Vec<Value>> =
+        planned.wires.iter().map(|wire| of_wire(stage, wireframe, wire)).collect();
     wires.map(Value::Array).ok_or_else(unreached)
 }
 
-fn of_wire(stage: DumpStage, plan: &WirePlan) -> Option<Value> {
+fn of_wire(stage: DumpStage, wireframe: &Wireframe, plan: &WirePlan) -> Option<Value> {
     let steps = |steps: &[wirebend_core::bend::Step]| {
         let steps: Vec<StepReport> = steps.iter().map(StepReport::from).collect();
         json!(steps)
@@ -163,7 +166,7 @@ fn of_wire(stage: DumpStage, plan: &WirePlan) -> Option<Value> {
                 "vertices": route.vertices().iter().map(|id| id.0).collect::<Vec<_>>(),
                 "edges": route.traversals.iter().map(|t| t.edge.0).collect::<Vec<_>>(),
                 "doubled": plan.doubled.iter().map(|id| id.0).collect::<Vec<_>>(),
-                "doubled_mm": plan.proposal.added.mm(),
+                "doubled_mm": plan.doubled_length(wireframe).mm(),
             })
         }
     })

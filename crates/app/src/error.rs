@@ -143,6 +143,32 @@ pub enum AppError {
         /// The input.
         name: String,
     },
+    /// Options were given that have no effect on what is settled already.
+    #[error("{name} is taken as it is: {options} would have no effect; leave them out, or {instead}")]
+    Settled {
+        /// The input.
+        name: String,
+        /// The options.
+        options: &'static str,
+        /// What to do to have them.
+        instead: &'static str,
+    },
+    /// The wanted start has no edge.
+    #[error("the wire cannot start at vertex {vertex} of {name}: no edge ends there")]
+    StartWithoutEdge {
+        /// The vertex.
+        vertex: u32,
+        /// The input.
+        name: String,
+    },
+    /// A job whose hash fits but that cannot be followed.
+    #[error("{name}: the job cannot be followed: {reason}; plan the wireframe again")]
+    DamagedJob {
+        /// The job.
+        name: String,
+        /// Why.
+        reason: String,
+    },
     /// A job was made for another machine.
     #[error(
         "{name} was planned for machine '{planned}', not '{wanted}': plan its wireframe again for '{wanted}'"
@@ -199,6 +225,9 @@ impl AppError {
     #[must_use]
     pub fn kind(&self) -> ErrorKind {
         match self {
+            Self::Document(DocumentError::Save { .. } | DocumentError::Write(_))
+            | Self::Picture(_)
+            | Self::Json(_) => ErrorKind::Failure,
             Self::Profile(ProfileError::Unknown { .. } | ProfileError::Abstract { .. })
             | Self::Value { .. }
             | Self::NoMachine { .. }
@@ -206,6 +235,7 @@ impl AppError {
             | Self::NativeFormat { .. }
             | Self::OtherMachine { .. }
             | Self::FormatOfAnother { .. }
+            | Self::Settled { .. }
             | Self::NotAJob { .. }
             | Self::IsAJob { .. }
             | Self::Exists(_) => ErrorKind::Usage,
@@ -216,11 +246,12 @@ impl AppError {
             | Self::Springback { .. }
             | Self::Noise { .. }
             | Self::OnlyStencil { .. }
+            | Self::StartWithoutEdge { .. }
+            | Self::DamagedJob { .. }
             | Self::NoVertex { .. } => ErrorKind::BadInput,
             Self::Unwritable { .. } | Self::StageNotReached { .. } | Self::NotFeasible { .. } => {
                 ErrorKind::NotFeasible
             }
-            Self::Picture(_) | Self::Json(_) => ErrorKind::Failure,
         }
     }
 
@@ -242,6 +273,9 @@ impl AppError {
             Self::NativeFormat { .. } => "native-format",
             Self::OtherMachine { .. } => "other-machine",
             Self::FormatOfAnother { .. } => "format-of-another",
+            Self::Settled { .. } => "settled",
+            Self::StartWithoutEdge { .. } => "start-without-edge",
+            Self::DamagedJob { .. } => "damaged-job",
             Self::NotAJob { .. } => "not-a-job",
             Self::IsAJob { .. } => "is-a-job",
             Self::Unwritable { .. } => "unwritable",

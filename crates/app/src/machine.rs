@@ -222,9 +222,16 @@ fn springback(material: &str, stated: &wirebend_profile::Springback) -> Result<S
 }
 
 /// The setup that a job was planned for, from its own snapshots.
-pub(crate) fn restored(job: &JobContents) -> Result<Setup, AppError> {
-    let machine = serde_json::from_value(job.machine.snapshot.clone())?;
-    let material = serde_json::from_value(job.material.snapshot.clone())?;
+pub(crate) fn restored(name: &str, job: &JobContents) -> Result<Setup, AppError> {
+    let damaged = |snapshot: &'static str| {
+        let name = name.to_owned();
+        move |error: serde_json::Error| AppError::DamagedJob {
+            name,
+            reason: format!("its {snapshot}: {error}"),
+        }
+    };
+    let machine = serde_json::from_value(job.machine.snapshot.clone()).map_err(damaged("machine"))?;
+    let material = serde_json::from_value(job.material.snapshot.clone()).map_err(damaged("material"))?;
     Setup::new(machine, material)
 }
 

@@ -9,8 +9,8 @@ use serde::{Deserialize, Serialize};
 use wirebend_core::checks::{Design, Diagnostic, check_design};
 use wirebend_core::plan::{DoublingChoice, PlanOptions, Stage, WirePlan, plan_wire};
 use wirebend_core::units::Length;
-use wirebend_core::wireframe::{Component, VertexId};
-use wirebend_files::document::{Job, JobContents, JobStep, JobWire, ProfileSnapshot};
+use wirebend_core::wireframe::{Component, EdgeId, VertexId};
+use wirebend_files::document::{Document, Job, JobContents, JobStep, JobWire, ProfileSnapshot};
 
 use crate::design::{DesignInput, Opened};
 use crate::machine::Setup;
@@ -146,20 +146,20 @@ impl App {
         let weld_tolerance = Length::from_mm(crate::design::default_weld_mm()).unwrap_or_default();
         let mut design =
             check_design(&Design { wireframe: &document.wireframe, components: &components, weld_tolerance });
+        if let Some(VertexId(vertex)) = start.filter(|&vertex| document.wireframe.incident(vertex).is_empty())
+        {
+            return Err(AppError::StartWithoutEdge { vertex, name: opened.name });
+        }
         let bent: Vec<&Component> =
             components.iter().filter(|component| !component.edges.is_empty()).collect();
         let mut wires = Vec::with_capacity(bent.len());
         let mut timings = Vec::with_capacity(bent.len());
+        let mut replaced = 0;
         progress.stage("planning");
         for (index, component) in bent.iter().enumerate() {
             progress.advance(index as u64, bent.len() as u64);
             let options = PlanOptions {
-                doubling: if choices.double {
-                    DoublingChoice::Cheapest
-                } else {
-                    let here = |edge: &_| component.edges.binary_search(edge).is_ok();
-                    DoublingChoice::Accepted(document.doublings.iter().copied().filter(here).collect())
-                },
+                doubling: doubling_choice(document, component, choices, &mut replaced),
                 closed: choices.closed,
                 start: start.filter(|vertex| component.vertices.binary_search(vertex).is_ok()),
                 reversed: choices.reverse,
@@ -174,6 +174,13 @@ impl App {
             timings.push(took);
         }
         progress.advance(bent.len() as u64, bent.len() as u64);
+        if replaced > 0 {
+            opened.notes.push(NoteReport {
+                code: "doublings-replaced",
+                count: replaced,
+                message: format!("{replaced} accepted doublings leave too many odd vertices: the cheapest ones are used instead"),
+            });
+        }
         // Of a single wire, everything is said with it.
         if let [wire] = wires.as_mut_slice() {
             wire.diagnostics.append(&mut design);
@@ -181,6 +188,24 @@ impl App {
         }
         Ok(Planned { opened, setup, components: components.len(), wires, timings, design })
     }
+}
+
+/// The doublings that the document has accepted, where they make a route possible or nothing else was
+/// asked for; else the cheapest. Counts accepted ones that are not used.
+fn doubling_choice(
+    document: &Document,
+    component: &Component,
+    choices: &PlanChoices,
+    replaced: &mut usize,
+) -> DoublingChoice {
+    let here = |edge: &EdgeId| component.edges.binary_search(edge).is_ok();
+    let accepted: Vec<EdgeId> = document.doublings.iter().copied().filter(here).collect();
+    let odd = document.wireframe.odd_vertices(component, &accepted).len();
+    if choices.double && odd > if choices.closed { 0 } else { 2 } {
+        *replaced += accepted.len();
+        return DoublingChoice::Cheapest;
+    }
+    DoublingChoice::Accepted(accepted)
 }
 
 /// A springback that nobody has measured is worth a test piece.

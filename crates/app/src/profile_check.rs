@@ -1,12 +1,12 @@
 //! `profile check`: whether profile files can be used, before they are put where they count.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use wirebend_profile::check_file;
+use wirebend_profile::{Checked, Place, ProfileError, check_file};
 
-use crate::{App, AppError, Progress};
+use crate::{App, AppError, ExportFormat, Progress};
 
 /// What to check.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -41,6 +41,36 @@ pub struct ProfileCheckResponse {
     pub files: Vec<FileVerdict>,
 }
 
+/// Refuses a machine whose formats nobody can write.
+fn formats_known(file: &Path, checked: Checked) -> Result<Checked, Vec<ProfileError>> {
+    let text = std::fs::read_to_string(file).unwrap_or_default();
+    let value: serde_json::Value = serde_json::from_str(&text).unwrap_or_default();
+    let formats = value.pointer("/export/formats").and_then(serde_json::Value::as_array);
+    let unknown = formats
+        .into_iter()
+        .flatten()
+        .filter_map(serde_json::Value::as_str)
+        .find(|id| !ExportFormat::ALL.into_iter().any(|format| format.id() == *id));
+    match unknown {
+        None => Ok(checked),
+        Some(id) => Err(vec![ProfileError::Rule {
+            place: Place { file: file.display().to_string(), line: line_of(&text, id) },
+            key: "export.formats".into(),
+            found: format!("\"{id}\""),
+            expected: format!(
+                "formats that can be written: {}",
+                ExportFormat::ALL.map(ExportFormat::id).join(", ")
+            ),
+        }]),
+    }
+}
+
+/// The line on which a quoted word stands, from 1.
+fn line_of(text: &str, word: &str) -> Option<usize> {
+    let quoted = format!("\"{word}\"");
+    text.lines().position(|line| line.contains(&quoted)).map(|line| line + 1)
+}
+
 #[allow(clippy::unnecessary_wraps)] // every command has the same shape
 pub(crate) fn check(
     _app: &App,
@@ -48,7 +78,7 @@ pub(crate) fn check(
     progress: &dyn Progress,
 ) -> Result<ProfileCheckResponse, AppError> {
     progress.stage("checking profiles");
-    let verdict = |file: &PathBuf| match check_file(file) {
+    let verdict = |file: &PathBuf| match check_file(file).and_then(|checked| formats_known(file, checked)) {
         Ok(checked) => FileVerdict {
             ok: true,
             kind: Some(checked.kind.word()),

@@ -278,7 +278,7 @@ impl WireReport {
         let length_of = |edges: &mut dyn Iterator<Item = EdgeId>| -> Length {
             edges.map(|edge| wireframe.edge_length(edge)).sum()
         };
-        let doubled_mm = length_of(&mut plan.doubled.iter().copied()).mm();
+        let doubled_mm = plan.doubled_length(wireframe).mm();
         Self {
             wireframe: WireframeReport {
                 vertices: plan.component.vertices.len(),

@@ -25,6 +25,8 @@ use crate::{App, AppError, Progress};
 
 /// The most runs of one simulation.
 const MOST_RUNS: u32 = 1_000_000;
+/// The most distances that are kept, a gibibyte of them: one for each vertex and gap and run.
+const MOST_DISTANCES: usize = 1 << 27;
 /// How many of the runs are drawn.
 const DRAWN_RUNS: usize = 25;
 
@@ -129,12 +131,17 @@ pub(crate) fn simulate(
     let (name, bytes) = request.job.load()?;
     let job = open_job(&name, &bytes)?;
     let contents = job.contents();
-    let setup = restored(contents)?;
+    let setup = restored(&name, contents)?;
+    let distances: usize = contents.wires.iter().map(|wire| 2 * wire.vertices.len()).sum();
+    if distances.saturating_mul(runs as usize) > MOST_DISTANCES {
+        let expected = "give fewer runs: the distances of all vertices in all runs do not fit the memory";
+        return Err(AppError::Value { name: "--runs", value: runs.to_string(), expected });
+    }
     progress.stage("bending");
     let mut drawing = Drawing::default();
     let mut wires = Vec::with_capacity(contents.wires.len());
     for (index, wire) in contents.wires.iter().enumerate() {
-        let kept = KeptWire::new(wire, &setup)?;
+        let kept = KeptWire::new(&name, wire, &setup)?;
         let mut done = 0;
         let bent = |made: &[Point3<f64>]| {
             done += 1;
@@ -188,15 +195,14 @@ struct KeptWire {
 }
 
 impl KeptWire {
-    fn new(wire: &JobWire, setup: &Setup) -> Result<Self, AppError> {
+    fn new(name: &str, wire: &JobWire, setup: &Setup) -> Result<Self, AppError> {
         let design: Vec<Point3<f64>> = wire.path_mm.iter().copied().map(Point3::from).collect();
         let scheduled = kept_steps(&wire.scheduled)?;
         let nominal = kept_steps(&wire.nominal)?;
         // The frame in which the design starts is not kept: the path gives it back.
-        let damaged = |error: wirebend_core::bend::PathError| AppError::Value {
-            name: "the path of the job",
-            value: error.to_string(),
-            expected: "plan the wireframe again",
+        let damaged = |error: wirebend_core::bend::PathError| AppError::DamagedJob {
+            name: name.to_owned(),
+            reason: error.to_string(),
         };
         let (start, _) = program_of_path(&design, setup.model.straight).map_err(damaged)?;
         let mut at: BTreeMap<u32, Vec<usize>> = BTreeMap::new();

@@ -33,6 +33,18 @@ pub fn error_schema() -> serde_json::Value {
         .to_value()
 }
 
+/// The command was given in a way that cannot be followed, as only the command line can tell.
+#[derive(Debug)]
+pub(crate) struct WrongUse(pub String);
+
+impl std::fmt::Display for WrongUse {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for WrongUse {}
+
 /// What `--json` prints instead of a result.
 #[derive(Debug, Serialize, JsonSchema)]
 struct ErrorReport<'a> {
@@ -62,6 +74,7 @@ pub(crate) fn report(error: &anyhow::Error, json: bool) -> ExitCode {
         Some(ErrorKind::Usage) => exit::USAGE,
         Some(ErrorKind::BadInput) => exit::BAD_INPUT,
         Some(ErrorKind::NotFeasible) => exit::NOT_FEASIBLE,
+        None if error.is::<WrongUse>() => exit::USAGE,
         Some(ErrorKind::Failure) | None => exit::FAILURE,
     };
     let report = known.and_then(AppError::report);

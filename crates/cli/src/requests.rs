@@ -10,6 +10,7 @@ use wirebend_app::{
 };
 
 use crate::args::{ChoiceArgs, Command, DesignArgs, OutputArgs, ProfileCommand, ReadArgs};
+use crate::errors::WrongUse;
 
 /// The most that is read from standard input.
 const MOST_BYTES: u64 = 512 << 20;
@@ -66,6 +67,11 @@ pub(crate) fn prepare(command: Command) -> anyhow::Result<Prepared> {
             Prepared::Request(Box::new(Request::Export(request)), contents)
         }
         Command::Simulate { job, noise, runs, seed, svg, png, force } => {
+            if [&svg, &png].into_iter().flatten().any(|path| path == Path::new("-")) {
+                return Err(
+                    WrongUse("a picture goes to a file: name one after --svg or --png".to_owned()).into()
+                );
+            }
             let picture = |path: PathBuf| Output { path, force };
             let job = input(&job)?;
             let (svg, png) = (svg.map(picture), png.map(picture));

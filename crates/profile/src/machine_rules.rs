@@ -62,6 +62,7 @@ impl Profile for MachineProfile {
         let mut faults = Vec::new();
         self.range_faults(&mut faults);
         self.sign_faults(&mut faults);
+        self.peg_faults(&mut faults);
         self.id_faults(&mut faults);
         faults
     }
@@ -96,6 +97,19 @@ impl MachineProfile {
         within(faults, "limits.max_bend_deg", &limits.max_bend_deg, 0.0, 180.0);
         within(faults, "limits.min_rotation_deg", &limits.min_rotation_deg, f64::MIN, 0.0);
         within(faults, "limits.max_rotation_deg", &limits.max_rotation_deg, 0.0, f64::MAX);
+    }
+
+    /// A peg that is thicker than its orbit is wide never leaves the wire.
+    fn peg_faults(&self, faults: &mut Vec<Fault>) {
+        let (Some(orbit), Some(rod)) = (&self.bend.orbit_radius_mm, &self.bend.rod_radius_mm) else { return };
+        let thickest = self.wire.max_diameter_mm.as_ref().map_or(0.0, |figure| figure.value);
+        let contact = rod.value + thickest / 2.0;
+        if orbit.value <= contact {
+            let expected = format!("more than the rod's radius and half the thickest wire, {contact}");
+            faults.push(
+                Fault::new("bend.orbit_radius_mm", orbit.value, expected).against("bend.rod_radius_mm"),
+            );
+        }
     }
 
     fn sign_faults(&self, faults: &mut Vec<Fault>) {

@@ -10,7 +10,7 @@ use wirebend_files::write::Mark;
 use super::{ExportRequest, is_job, open_job};
 use crate::machine::{Setup, kept_steps, objections, restored};
 use crate::picture;
-use crate::plan::Planned;
+use crate::plan::{PlanChoices, Planned};
 use crate::report::{NoteReport, PlanReport};
 use crate::{App, AppError, Progress};
 
@@ -94,6 +94,19 @@ impl Content {
             let planned = contents.machine.id.clone();
             return Err(AppError::OtherMachine { name: name.to_owned(), planned, wanted: wanted.clone() });
         }
+        let PlanChoices { machine: _, material, double, closed, start, reverse } = &request.choices;
+        let other_material = material.as_ref().is_some_and(|id| *id != contents.material.id);
+        if other_material
+            || *double
+            || *closed
+            || start.is_some()
+            || *reverse
+            || !request.design.reads_plainly()
+        {
+            let options = "--material and the options of reading and of the route";
+            let instead = "plan the wireframe again with them";
+            return Err(AppError::Settled { name: name.to_owned(), options, instead });
+        }
         let wires = contents.wires.iter().map(|wire| {
             let ends = wire.vertices.windows(2).map(|pair| (pair[0].min(pair[1]), pair[0].max(pair[1])));
             Ok(Wire {
@@ -105,7 +118,7 @@ impl Content {
         });
         Ok(Self {
             title,
-            setup: restored(contents)?,
+            setup: restored(name, contents)?,
             design_hash: contents.design_hash.clone(),
             wires: wires.collect::<Result<_, AppError>>()?,
             marks: Vec::new(),
@@ -115,11 +128,11 @@ impl Content {
         })
     }
 
-    /// Refuses what cannot be made, unless a person has said that they know.
-    pub fn require_feasible(&self, despite_errors: bool) -> Result<(), AppError> {
+    /// Refuses what cannot be made, unless a person has said that they know. A program of the machine's
+    /// own has to be compensated whatever a person says.
+    pub fn require_feasible(&self, despite_errors: bool, own: bool) -> Result<(), AppError> {
         match &self.report {
-            // What could not be compensated cannot be written, whatever a person says.
-            Some(report) if self.wires.iter().any(|wire| wire.compensated.is_none()) => {
+            Some(report) if own && self.wires.iter().any(|wire| wire.compensated.is_none()) => {
                 Err(AppError::StageNotReached { stage: "compensated", report: report.clone() })
             }
             Some(report) if !self.feasible && !despite_errors => {

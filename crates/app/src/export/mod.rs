@@ -86,6 +86,12 @@ impl ExportFormat {
         matches!(self, Self::WirebendKitText | Self::PensaScript | Self::LraCsv | Self::YbcCsv)
     }
 
+    /// Whether it is compensated, and so for one machine alone. Tables are of the design itself, in
+    /// canonical signs: machines that read them compensate on their own.
+    const fn is_own(self) -> bool {
+        matches!(self, Self::WirebendKitText | Self::PensaScript)
+    }
+
     /// Whether one file holds all wires.
     const fn holds_all_wires(self) -> bool {
         matches!(self, Self::Svg | Self::Png | Self::Obj | Self::ObjTube)
@@ -141,7 +147,7 @@ pub(crate) fn export(
     };
     require_format_of(&content.setup, format)?;
     if format.is_program() {
-        content.require_feasible(request.despite_errors)?;
+        content.require_feasible(request.despite_errors, format.is_own())?;
     }
     progress.stage("writing");
     let contents = encode(&mut content, format)?;
@@ -186,9 +192,8 @@ fn default_format(setup: &Setup) -> Result<ExportFormat, AppError> {
 
 /// Refuses the program of another machine: it would be in that machine's format with this one's angles.
 fn require_format_of(setup: &Setup, format: ExportFormat) -> Result<(), AppError> {
-    let own = matches!(format, ExportFormat::WirebendKitText | ExportFormat::PensaScript);
     let formats = setup.machine.profile.export.formats.clone().unwrap_or_default();
-    if own && !formats.iter().any(|id| id == format.id()) {
+    if format.is_own() && !formats.iter().any(|id| id == format.id()) {
         return Err(AppError::FormatOfAnother {
             format: format.id(),
             machine: setup.machine_id().to_owned(),

@@ -14,11 +14,21 @@ use crate::case::{Case, run};
 pub fn assert_all(case: &Case) {
     for machine in ["wirebend-kit", "pensa-diwire-pro", "howtomechatronics", "grbl-bender"] {
         routes_use_every_edge(case, machine);
+        what_cannot_be_made_says_why(case, machine);
         if let Some(bytes) = case.job(machine) {
             jobs_bend_into_the_design(case, machine, &bytes);
         }
     }
     exports_read_back_to_the_same_wire(case);
+}
+
+/// A wire that cannot be made has an error to mend.
+fn what_cannot_be_made_says_why(case: &Case, machine: &str) {
+    for wire in case.plan(machine).wires() {
+        let errors =
+            wire.diagnostics.iter().filter(|d| d.severity == wirebend_app::SeverityName::Error).count();
+        assert_eq!(wire.feasible, errors == 0, "{} on {machine}", case.about);
+    }
 }
 
 /// The route is the drawn edges plus the doubled ones, no more and no less.

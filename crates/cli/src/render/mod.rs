@@ -12,21 +12,18 @@ use wirebend_app::{
     ExportResponse, ImportResponse, NoteReport, ProfileCheckResponse, Response, SeverityName,
 };
 
-use crate::errors::exit;
+use crate::errors::{WrongUse, exit};
 use crate::requests::Contents;
 use number::{count, mm};
 
 /// Shows a response and gives the exit status that it deserves.
 pub(crate) fn show(response: &Response, json: bool, contents: Contents) -> anyhow::Result<u8> {
-    if contents == Contents::StandardOutput {
-        write_contents(response)?;
-    }
-    if json {
-        // With contents on the standard output there is no room for a second value.
-        if contents == Contents::Written {
-            let mut out = std::io::stdout().lock();
-            writeln!(out, "{}", serde_json::to_string_pretty(response)?)?;
-        }
+    // Contents on the standard output leave no room for a second value there: the report is then for a
+    // person, whatever was asked for.
+    let on_output = contents == Contents::StandardOutput && write_contents(response)?;
+    if json && !on_output {
+        let mut out = std::io::stdout().lock();
+        writeln!(out, "{}", serde_json::to_string_pretty(response)?)?;
     } else {
         let mut err = anstream::stderr().lock();
         match response {
@@ -61,25 +58,26 @@ fn status(response: &Response) -> u8 {
     if feasible { exit::DONE } else { exit::NOT_FEASIBLE }
 }
 
-fn write_contents(response: &Response) -> anyhow::Result<()> {
+/// Whether there were contents to write.
+fn write_contents(response: &Response) -> anyhow::Result<bool> {
     let mut out = std::io::stdout().lock();
-    match response {
-        Response::Import(found) => out.write_all(&found.contents)?,
-        Response::Plan(found) => out.write_all(&found.contents)?,
+    let contents = match response {
+        Response::Import(found) => &found.contents,
+        Response::Plan(found) => &found.contents,
         Response::Export(found) => {
-            anyhow::ensure!(
-                found.contents.len() < 2,
-                "{} wires go to {0} files: name one with -o, and the others get numbers",
-                found.contents.len()
-            );
-            for bytes in &found.contents {
-                out.write_all(bytes)?;
+            if found.contents.len() > 1 {
+                let wires = found.contents.len();
+                let advice = "name one with -o, and the others get numbers";
+                return Err(WrongUse(format!("{wires} wires go to {wires} files: {advice}")).into());
             }
+            let Some(contents) = found.contents.first() else { return Ok(false) };
+            contents
         }
-        _ => {}
-    }
+        _ => return Ok(false),
+    };
+    out.write_all(contents)?;
     out.flush()?;
-    Ok(())
+    Ok(!contents.is_empty())
 }
 
 /// The colour of a severity, where the terminal has colours.

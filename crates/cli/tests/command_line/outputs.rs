@@ -153,3 +153,18 @@ fn simulations_are_drawn() {
     assert!(read(folder.path(), "c.svg").contains("simulated"));
     run(&bend).ended(2);
 }
+
+#[test]
+fn what_is_not_written_to_the_output_is_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |arguments: &[&str]| run_in(folder.path(), arguments, b"");
+    // Infeasible: there is no job to print, so the report is.
+    let report =
+        run(&["plan", &example("fold-back.obj"), "--double", "-m", "wirebend-kit", "-o", "-", "--json"]);
+    assert_eq!(report.ended(4).json()["withheld"], true);
+    // The document takes the output: what was assumed goes to the error stream.
+    let document = run(&["import", &example("house.obj"), "--json"]).ended(0);
+    assert_eq!(document.json()["format"], "wirebend");
+    assert!(document.err.contains("taken as mm"), "{}", document.err);
+    run(&["export", &example("two-parts.obj"), "-m", "wirebend-kit", "-f", "xyz-csv"]).ended(2);
+}

@@ -125,3 +125,78 @@ fn own_profiles_are_used_and_broken_ones_said() {
     let checked = run_in(folder.path(), &["profile", "check", "mine/machines/broken.json"], b"").ended(3);
     assert!(checked.err.contains("line 3") || checked.err.contains(":3"), "{}", checked.err);
 }
+
+#[test]
+fn a_profile_that_no_command_could_use_is_refused_when_it_is_checked() {
+    let folder = tempfile::tempdir().unwrap();
+    let check = |child: &str| {
+        let head = r#"{"schema_version": 1, "kind": "machine", "id": "mine", "inherits": "wirebend-kit","#;
+        std::fs::write(folder.path().join("mine.json"), format!("{head}\n{child}}}")).unwrap();
+        run_in(folder.path(), &["profile", "check", "mine.json"], b"").ended(3).err
+    };
+    let said = check(r#""bend": {"rod_radius_mm": {"value": 30, "source": "mine", "measured": true}}"#);
+    assert!(said.contains("orbit_radius_mm") || said.contains("rod_radius_mm"), "{said}");
+    let said = check(r#""export": {"formats": ["wirebend-kti-text"]}"#);
+    assert!(said.contains("wirebend-kti-text") && said.contains("wirebend-kit-text"), "{said}");
+}
+
+#[test]
+fn options_that_would_have_no_effect_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |arguments: &[&str]| run_in(folder.path(), arguments, b"");
+    run(&["import", &example("u-sample.obj"), "-o", "u.wirebend"]).ended(0);
+    run(&["plan", "u.wirebend", "-m", "wirebend-kit", "-o", "u.wbjob"]).ended(0);
+    run(&["plan", "u.wirebend", "-m", "wirebend-kit", "--scale", "10"]).ended(2);
+    for options in [&["--material", "steel-3mm"][..], &["--start", "3"], &["--closed"], &["--scale", "2"]] {
+        run(&[&["export", "u.wbjob"], options].concat()).ended(2);
+    }
+    run(&["export", "u.wbjob", "--material", "aluminium-6061-t6-3mm"]).ended(0);
+    run(&["simulate", "u.wbjob", "--svg", "-"]).ended(2);
+    run(&["simulate", "u.wbjob", "--noise", "none", "--runs", "0"]).ended(2);
+    run(&["simulate", "u.wirebend"]).ended(2);
+    run(&["check", "u.wbjob", "-m", "wirebend-kit"]).ended(2);
+}
+
+#[test]
+fn a_start_without_an_edge_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let lone = r#"{"format": "wirebend", "version": 1, "wireframe": {"next_vertex": 3, "next_edge": 1,
+        "vertices": [{"id": 0, "at_mm": [0, 0, 0]}, {"id": 1, "at_mm": [60, 0, 0]}, {"id": 2, "at_mm": [0, 60, 0]}],
+        "edges": [{"id": 0, "a": 0, "b": 1}]}}"#;
+    std::fs::write(folder.path().join("lone.wirebend"), lone).unwrap();
+    let arguments = ["plan", "lone.wirebend", "-m", "wirebend-kit", "--start", "2"];
+    let said = run_in(folder.path(), &arguments, b"").ended(3).err;
+    assert!(said.contains("vertex 2"), "{said}");
+}
+
+#[test]
+fn accepted_doublings_are_kept_where_they_suffice_and_their_loss_is_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let star = |accepted: &str| {
+        format!(
+            r#"{{"format": "wirebend", "version": 1, "wireframe": {{"next_vertex": 4, "next_edge": 3,
+            "vertices": [{{"id": 0, "at_mm": [0, 0, 0]}}, {{"id": 1, "at_mm": [60, 0, 0]}},
+                {{"id": 2, "at_mm": [0, 70, 0]}}, {{"id": 3, "at_mm": [0, 0, 80]}}],
+            "edges": [{{"id": 0, "a": 0, "b": 1}}, {{"id": 1, "a": 0, "b": 2}}, {{"id": 2, "a": 0, "b": 3}}]}},
+            "doublings": [{accepted}]}}"#
+        )
+    };
+    let doubled = |accepted: &str| {
+        std::fs::write(folder.path().join("star.wirebend"), star(accepted)).unwrap();
+        let arguments = ["plan", "star.wirebend", "-m", "pensa-diwire-pro", "--double", "--json"];
+        run_in(folder.path(), &arguments, b"").json()
+    };
+    let kept = doubled("2");
+    assert_eq!(kept["route"]["doubled"], serde_json::json!([2]), "the person's choice, though dearer");
+    assert_eq!(kept["route"]["optimal"], false);
+    // One doubling is not enough for the cube: the cheapest three are used, and that is said.
+    run_in(folder.path(), &["import", &example("cube.obj"), "-o", "cube.wirebend"], b"").ended(0);
+    let path = folder.path().join("cube.wirebend");
+    let document = std::fs::read_to_string(&path).unwrap();
+    let end = document.rfind('}').unwrap();
+    std::fs::write(&path, format!("{}, \"doublings\": [5]}}", document[..end].trim_end())).unwrap();
+    let arguments = ["plan", "cube.wirebend", "-m", "wirebend-kit", "--double", "--json"];
+    let replaced = run_in(folder.path(), &arguments, b"").json();
+    assert_eq!(replaced["route"]["doubled_edges"], 3, "{replaced}");
+    assert!(replaced["notes"].to_string().contains("doublings-replaced"), "{}", replaced["notes"]);
+}
