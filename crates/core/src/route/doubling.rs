@@ -13,6 +13,12 @@ use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
 /// cube.
 const MOST_ODD: usize = 1500;
 
+/// The most entries of search trees that are kept, 64 MiB of them.
+const MOST_KEPT: usize = 1 << 24;
+
+/// No link leads to the root of a search.
+const NOWHERE: u32 = u32::MAX;
+
 /// The cheapest set of edges to travel twice.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Doubling {
@@ -63,8 +69,14 @@ pub fn doubling(
     let count = terminals.len();
     let mut search = Search::new(&network);
     let mut distances = vec![0; count * count];
+    // Where they fit, the searches are kept for the paths; else those of the pairs are run again.
+    let keep = count * network.vertices.len() <= MOST_KEPT;
+    let mut kept: Vec<Vec<u32>> = Vec::new();
     for (k, &root) in terminals.iter().enumerate() {
         search.run(&network, root, &terminals[k + 1..]);
+        if keep {
+            kept.push(search.via.clone());
+        }
         for (j, &other) in terminals.iter().enumerate().skip(k + 1) {
             distances[k * count + j] = search.distance[other];
         }
@@ -77,9 +89,13 @@ pub fn doubling(
     // Where two paths of the matching share an edge, the edge is needed neither time.
     let mut needed = vec![false; network.links.len()];
     for (k, j) in pairs.into_iter().filter(|&(_, j)| j < count) {
-        search.run(&network, terminals[k], &[terminals[j]]);
+        if !keep {
+            search.run(&network, terminals[k], &[terminals[j]]);
+        }
+        let via = kept.get(k).unwrap_or(&search.via);
         let mut at = terminals[j];
-        while let Some(link) = search.via[at] {
+        while via[at] != NOWHERE {
+            let link = via[at] as usize;
             needed[link] ^= true;
             at = network.links[link].other(at);
         }
@@ -93,8 +109,8 @@ pub fn doubling(
 struct Search {
     /// In nm, of the vertices that were reached.
     distance: Vec<i64>,
-    /// The link that leads to a vertex; none at the root.
-    via: Vec<Option<usize>>,
+    /// The link that leads to a vertex; [`NOWHERE`] at the root.
+    via: Vec<u32>,
     settled: Vec<bool>,
     wanted: Vec<bool>,
     queue: BinaryHeap<Reverse<(i64, usize)>>,
@@ -105,7 +121,7 @@ impl Search {
         let count = network.vertices.len();
         Self {
             distance: vec![i64::MAX; count],
-            via: vec![None; count],
+            via: vec![NOWHERE; count],
             settled: vec![false; count],
             wanted: vec![false; count],
             queue: BinaryHeap::with_capacity(count),
@@ -115,7 +131,7 @@ impl Search {
     /// Searches until all of `targets` are settled.
     fn run(&mut self, network: &Network, root: usize, targets: &[usize]) {
         self.distance.fill(i64::MAX);
-        self.via.fill(None);
+        self.via.fill(NOWHERE);
         self.settled.fill(false);
         self.queue.clear();
         self.distance[root] = 0;
@@ -138,7 +154,8 @@ impl Search {
                 let further = distance + network.links[link].length_nm;
                 if further < self.distance[other] {
                     self.distance[other] = further;
-                    self.via[other] = Some(link);
+                    // Edges are numbered with 32 bits, so a list of them is no longer.
+                    self.via[other] = u32::try_from(link).unwrap_or(NOWHERE);
                     self.queue.push(Reverse((further, other)));
                 }
             }

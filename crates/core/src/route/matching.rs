@@ -2,8 +2,8 @@
 
 use integer_blossom::min_weight_perfect_matching;
 
-/// Up to this many things every way to pair them is tried: 15 ways for 6.
-const FEW: usize = 6;
+/// Up to this many things every way to pair them is tried: 105 ways for 8.
+const FEW: usize = 8;
 
 /// Pairs up things `0..count` (an even number) so that the sum of the costs is least. `cost` is asked
 /// for each pair, lower index first; `None` forbids the pair. Where no perfect matching avoids the

@@ -48,6 +48,10 @@ fn offer(
     let pairs = &pairing.vertices()[vertex];
     for &(a, b) in of {
         for &(c, d) in pairs {
+            // Two pairs that are both offered meet twice.
+            if (c, d) <= (a, b) && of.contains(&(c, d)) {
+                continue;
+            }
             if trails.find_mut(a) == trails.find_mut(c) {
                 continue;
             }
