@@ -57,7 +57,9 @@ fuzz: check-tools ## search for inputs that break a reader, two minutes a target
 	@targets=$$(RUSTC_BOOTSTRAP=1 cargo fuzz list) || exit 1; \
 	for target in $$targets; do \
 		echo "--- fuzz $$target, $(FUZZ_SECONDS) s"; \
-		RUSTC_BOOTSTRAP=1 cargo fuzz run "$$target" -- -max_total_time=$(FUZZ_SECONDS) || exit 1; \
+		mkdir -p "fuzz/corpus/$$target"; \
+		RUSTC_BOOTSTRAP=1 cargo fuzz run "$$target" "fuzz/corpus/$$target" "fuzz/seeds/$$target" -- \
+			-max_total_time=$(FUZZ_SECONDS) -rss_limit_mb=2048 -max_len=65536 || exit 1; \
 	done
 
 # --- parts of the above, to run alone while working

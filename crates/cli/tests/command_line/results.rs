@@ -65,9 +65,12 @@ fn the_published_cube_shows_its_two_lengths() {
 #[test]
 fn the_published_jobs_cost_what_their_lengths_say() {
     // Length in mm at 0.00199 a mm.
-    for (name, length, cost) in
-        [("house", 292.0, 0.581), ("cup-holder", 469.0, 0.933), ("spring", 641.0, 1.276)]
-    {
+    for (name, length, cost) in [
+        ("house", 292.0, 0.581),
+        ("phone-stand", 362.0, 0.720),
+        ("cup-holder", 469.0, 0.933),
+        ("spring", 641.0, 1.276),
+    ] {
         let plan =
             run(&["plan", &example(&format!("{name}.obj")), "--machine", "wirebend-kit", "--json"]).json();
         assert!((plan["route"]["length_mm"].as_f64().unwrap() - length).abs() < 0.05, "{name}");
