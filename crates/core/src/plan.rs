@@ -11,6 +11,11 @@ use crate::schedule::{HeadLimits, RotationOutOfRange, ScheduledProgram, schedule
 use crate::units::{Angle, Length};
 use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
 
+/// Odd vertices up to which a doubling is proposed without being asked for: a fraction of a second.
+const MOST_ODD_PROPOSED: usize = 400;
+/// Odd vertices up to which it is found when asked for: some seconds, and 150 MiB.
+const MOST_ODD_ASKED: usize = 1500;
+
 /// A machine with a wire in it: everything that the stages ask about.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Machine {
@@ -129,12 +134,12 @@ pub fn plan_wire(
     mut done: impl FnMut(Stage),
 ) -> WirePlan {
     let mut refusals = Vec::new();
-    let proposal = match doubling(wireframe, component, options.start, options.closed) {
+    let asked = options.doubling == DoublingChoice::Cheapest;
+    let most_odd = if asked { MOST_ODD_ASKED } else { MOST_ODD_PROPOSED };
+    let proposal = match doubling(wireframe, component, options.start, options.closed, most_odd) {
         Ok(proposal) => proposal,
         // Nobody has asked for it: the check of odd vertices says enough.
-        Err(RouteError::TooManyOdd { .. }) if options.doubling != DoublingChoice::Cheapest => {
-            Doubling::default()
-        }
+        Err(RouteError::TooManyOdd { .. }) if !asked => Doubling::default(),
         Err(error) => {
             refusals.push(refusal(&error));
             Doubling::default()

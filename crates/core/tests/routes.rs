@@ -57,9 +57,9 @@ fn a_cube_needs_three_doubled_edges_and_no_fold_back() {
     let odd = w.odd_vertices(&component, &[]);
     let none = RouteOptions::default();
     assert_eq!(route(&w, &component, &none), Err(RouteError::Odd { odd, closed: false }));
-    let open = doubling(&w, &component, None, false).unwrap();
+    let open = doubling(&w, &component, None, false, 1500).unwrap();
     assert_eq!((open.edges.len(), open.added.mm()), (3, 90.0));
-    let closed = doubling(&w, &component, None, true).unwrap();
+    let closed = doubling(&w, &component, None, true, 1500).unwrap();
     assert_eq!((closed.edges.len(), closed.added.mm()), (4, 120.0));
     for (doubled, closed) in [(open.edges, false), (closed.edges, true)] {
         let options = RouteOptions { doubled: doubled.clone(), closed, ..RouteOptions::default() };
@@ -76,7 +76,7 @@ fn a_person_chooses_where_the_wire_starts() {
     let w = cube();
     let component = w.components().remove(0);
     for start in component.vertices.clone() {
-        let doubled = doubling(&w, &component, Some(start), false).unwrap().edges;
+        let doubled = doubling(&w, &component, Some(start), false, 1500).unwrap().edges;
         let options = RouteOptions { doubled, start: Some(start), ..RouteOptions::default() };
         let found = route(&w, &component, &options).unwrap();
         assert_eq!(found.vertices()[0], start);
@@ -101,6 +101,9 @@ fn starts_and_doublings_that_do_not_fit_are_refused_by_name() {
     let other = RouteOptions { doubled: vec![EdgeId(2)], ..RouteOptions::default() };
     assert_eq!(route(&w, &component, &other), Err(RouteError::DoubledElsewhere(EdgeId(2))));
     assert_eq!(route(&w, &Component::default(), &RouteOptions::default()), Err(RouteError::NoEdges));
+    let cube = cube();
+    let refused = doubling(&cube, &cube.components()[0], None, true, 7);
+    assert_eq!(refused, Err(RouteError::TooManyOdd { odd: 8, most: 7 }));
 }
 
 #[test]
@@ -110,7 +113,7 @@ fn a_dead_end_is_the_only_place_where_the_wire_folds_back() {
         [[0., 0., 0.], [30., 0., 0.], [30., 30., 0.], [0., 30., 0.], [-30., -30., 0.], [60., 60., 0.]];
     let w = wireframe(&square, &[(0, 1), (1, 2), (2, 3), (3, 0), (0, 4), (2, 5)]);
     let component = w.components().remove(0);
-    let doubled = doubling(&w, &component, None, true).unwrap().edges;
+    let doubled = doubling(&w, &component, None, true, 1500).unwrap().edges;
     assert_eq!(doubled, [EdgeId(4), EdgeId(5)]);
     let options = RouteOptions { doubled, closed: true, ..RouteOptions::default() };
     let found = route(&w, &component, &options).unwrap();
@@ -183,7 +186,7 @@ proptest! {
     fn no_doubling_is_shorter(w in any_wireframe(5), closed: bool, start in prop::option::of(0..8_u32)) {
         let component = w.components().remove(0);
         let start = start.map(VertexId).filter(|v| component.vertices.contains(v));
-        let found = doubling(&w, &component, start, closed).unwrap();
+        let found = doubling(&w, &component, start, closed, 1500).unwrap();
         let least = least_by_trying(&w, &component, if closed { 0 } else { 2 }, start.filter(|_| !closed));
         prop_assert!((found.added.mm() - least).abs() < 1e-4, "{} for {least}", found.added.mm());
     }
@@ -194,7 +197,7 @@ proptest! {
     ) {
         let component = w.components().remove(0);
         let start = start.map(VertexId).filter(|v| component.vertices.contains(v));
-        let doubled = doubling(&w, &component, start, closed).unwrap().edges;
+        let doubled = doubling(&w, &component, start, closed, 1500).unwrap().edges;
         let sharpest_bend = Some(Angle::from_deg(limit).unwrap());
         let options = RouteOptions { doubled: doubled.clone(), start, closed, sharpest_bend };
         let found = route(&w, &component, &options).unwrap();

@@ -18,7 +18,7 @@ pub(super) fn check(wire: &Wire, found: &mut Vec<Diagnostic>) {
             doubling.added,
             100.0 * doubling.added.mm() / length(wire).max(f64::MIN_POSITIVE),
         ),
-        None => "add or delete edges until at most two vertices are odd".to_owned(),
+        None => "have the cheapest edges travelled twice, or add and delete edges until at most two vertices are odd".to_owned(),
     };
     found.push(Diagnostic {
         code: Code::NoEulerPath,

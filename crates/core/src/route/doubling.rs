@@ -9,10 +9,6 @@ use super::network::Network;
 use crate::units::Length;
 use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
 
-/// The most odd vertices that are matched exactly: memory grows with their square and time with their
-/// cube.
-const MOST_ODD: usize = 1500;
-
 /// The most entries of search trees that are kept, 64 MiB of them.
 const MOST_KEPT: usize = 1 << 24;
 
@@ -31,7 +27,9 @@ pub struct Doubling {
 /// The edges whose doubling makes a route possible and adds the least length; no set is shorter.
 ///
 /// For an open route two odd vertices stay odd, the best two, and with a wanted `start` that one and
-/// the best other. For a closed one none does.
+/// the best other. For a closed one none does. More than `most_odd` odd vertices are refused: memory
+/// grows with their square and time with their cube (400 take a third of a second, 1500 a quarter of
+/// a minute).
 ///
 /// # Errors
 /// [`RouteError::NoEdges`], [`RouteError::StartElsewhere`] or [`RouteError::TooManyOdd`].
@@ -40,6 +38,7 @@ pub fn doubling(
     component: &Component,
     start: Option<VertexId>,
     closed: bool,
+    most_odd: usize,
 ) -> Result<Doubling, RouteError> {
     if component.edges.is_empty() {
         return Err(RouteError::NoEdges);
@@ -63,8 +62,8 @@ pub fn doubling(
         }
         free = 1;
     }
-    if terminals.len() > MOST_ODD {
-        return Err(RouteError::TooManyOdd { odd: terminals.len(), most: MOST_ODD });
+    if terminals.len() > most_odd {
+        return Err(RouteError::TooManyOdd { odd: terminals.len(), most: most_odd });
     }
     let count = terminals.len();
     let mut search = Search::new(&network);
