@@ -162,6 +162,20 @@ fn the_truss_script_makes_the_truss_and_not_its_mirror_image() {
         assert_eq!(name.entry(*ours).or_insert(*theirs), theirs, "one vertex, one node");
     }
     assert_eq!(replay(wirebend_core::bend::Frame::default(), &program.program.steps), program.path);
+
+    // Our own script of the authors' path makes the same wire as theirs.
+    let straight = wirebend_core::units::Angle::from_deg(1e-3).unwrap();
+    let (_, ours) = wirebend_core::bend::program_of_path(&path, straight).unwrap();
+    let script = wirebend_files::write::pensa(&ours.steps, &wirebend_files::write::PensaLayout::default());
+    let again = read(script.as_bytes(), "ours.txt", Some(Format::Pensa), &ReadOptions::default()).unwrap();
+    let again = again.program.unwrap();
+    assert_eq!(again.program.bend_count(), program.program.bend_count());
+    // Theirs feeds straight joints in two steps, ours in one: compare at the bends of ours.
+    let corners: Vec<Point3<f64>> = std::iter::once(program.path[0])
+        .chain(ours.spans.iter().map(|span| program.path[span.end]))
+        .collect();
+    let error = misfit(&again.path, &corners);
+    assert!(error < 0.01, "{error} mm");
 }
 
 #[test]
