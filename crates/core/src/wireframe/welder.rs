@@ -27,21 +27,28 @@ impl Welder {
     /// A point that is moved is moved by no more than the tolerance. Points that are not finite are
     /// never within it.
     pub fn put(&mut self, index: u32, point: Point3<f64>) -> u32 {
-        // A cell is never smaller than what a coordinate of a kilometre can resolve.
-        let cell = self.tolerance.max(1e-9);
-        #[allow(clippy::cast_possible_truncation)] // saturates, which keeps neighbours together
-        let [x, y, z] = [point.x, point.y, point.z].map(|c| (c / cell).floor() as i64);
-        let around = |offset: i64, n: i64| offset.saturating_add(n % 3 - 1);
-        let near = (0..27)
-            .filter_map(|n| self.cells.get(&[around(x, n), around(y, n / 3), around(z, n / 9)]))
-            .flatten()
-            .filter(|(_, other)| (other - point).norm() <= self.tolerance)
-            .map(|&(index, _)| index)
-            .min();
-        near.unwrap_or_else(|| {
-            self.cells.entry([x, y, z]).or_default().push((index, point));
+        self.near(point).unwrap_or_else(|| {
+            self.cells.entry(self.cell(point)).or_default().push((index, point));
             index
         })
+    }
+
+    /// The first remembered point within the tolerance (mm).
+    #[must_use]
+    pub fn near(&self, point: Point3<f64>) -> Option<u32> {
+        let [x, y, z] = self.cell(point);
+        let around = |offset: i64, n: i64| offset.saturating_add(n % 3 - 1);
+        let cells =
+            (0..27).filter_map(|n| self.cells.get(&[around(x, n), around(y, n / 3), around(z, n / 9)]));
+        let close = cells.flatten().filter(|(_, other)| (other - point).norm() <= self.tolerance);
+        close.map(|&(index, _)| index).min()
+    }
+
+    fn cell(&self, point: Point3<f64>) -> [i64; 3] {
+        // A cell is never smaller than what a coordinate of a kilometre can resolve.
+        let size = self.tolerance.max(1e-9);
+        #[allow(clippy::cast_possible_truncation)] // saturates, which keeps neighbours together
+        [point.x, point.y, point.z].map(|c| (c / size).floor() as i64)
     }
 }
 

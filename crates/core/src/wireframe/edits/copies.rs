@@ -7,6 +7,7 @@ use nalgebra::{Affine3, Matrix3, Matrix4, Point3, Unit, Vector3};
 use super::super::Vertex;
 use super::super::delta::Draft;
 use super::super::graph::{Edge, VertexId, WireframeError};
+use super::super::welder::Welder;
 use super::{EditError, check_listed, placement};
 use crate::units::Length;
 
@@ -35,15 +36,16 @@ pub(super) fn copy(
     placement::check_invertible(image)?;
     let mut image_of = BTreeMap::new();
     let mut images = Vec::with_capacity(vertices.len());
-    let originals: Vec<(VertexId, Point3<f64>)> =
-        vertices.iter().map(|&id| Ok((id, draft.position(id)?))).collect::<Result<_, WireframeError>>()?;
-    for &(id, position) in &originals {
+    let mut originals = Welder::new(weld);
+    for &id in vertices {
+        originals.put(id.0, draft.position(id)?);
+    }
+    for &id in vertices {
         let vertex = draft.vertex(id).ok_or(WireframeError::NoVertex(id))?;
-        let to = image * position;
-        let close = |&&(_, at): &&(VertexId, Point3<f64>)| (at - to).norm() <= weld.mm();
-        let copied = match originals.iter().find(close) {
-            Some(&(shared, _)) => shared,
-            None => draft.add_vertex(Vertex { position: to, ..vertex })?,
+        let position = image * vertex.position;
+        let copied = match originals.near(position) {
+            Some(shared) => VertexId(shared),
+            None => draft.add_vertex(Vertex { position, ..vertex })?,
         };
         image_of.insert(id, copied);
         images.push(copied);
