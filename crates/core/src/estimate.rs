@@ -66,3 +66,21 @@ impl WireModel {
 pub fn stock(program: &CompensatedProgram, tail: Length) -> Length {
     program.feed_total() + tail
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::{mm, published_machine};
+
+    #[test]
+    fn the_published_jobs_cost_their_length_at_the_published_price() {
+        // Cube, house, cup holder, pegboard, phone stand and spring: mm, and USD at 0.00199 a mm.
+        let jobs =
+            [(241.0, 0.480), (292.0, 0.581), (469.0, 0.933), (380.0, 0.756), (362.0, 0.720), (641.0, 1.276)];
+        let wire = published_machine().wire;
+        for (length, cost) in jobs {
+            assert!((wire.cost(mm(length)).unwrap() - cost).abs() < 1e-3, "{length} mm");
+        }
+        // 3 mm aluminium of 2.7 g/cm³ weighs 19.1 g a metre.
+        assert!((wire.mass_g(mm(1000.0)) - 19.085).abs() < 1e-3);
+    }
+}
