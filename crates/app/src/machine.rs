@@ -98,6 +98,9 @@ fn source<T: Profile>(profile: &Resolved<T>, key: &str, stated: Option<&str>) ->
     }
 }
 
+/// A figure of a profile, which a child may leave to its parent.
+type Figure = Option<wirebend_profile::Sourced<f64>>;
+
 fn model(
     machine: &Resolved<MachineProfile>,
     figures: &MachineFigures,
@@ -106,46 +109,30 @@ fn model(
 ) -> Result<Machine, AppError> {
     let limits = &figures.limits;
     let stated = &machine.profile.limits;
-    let sourced = |key: &str, figure: &Option<wirebend_profile::Sourced<f64>>| {
+    let stated_source = |key: &str, figure: &Figure| {
         source(machine, key, figure.as_ref().map(|figure| figure.source.as_str()))
     };
+    let length = |key: &str, figure: &Figure, value: f64| {
+        Ok::<_, AppError>(Sourced { value: mm(value)?, source: stated_source(key, figure) })
+    };
+    let angle = |key: &str, figure: &Figure, value: f64| {
+        Ok::<_, AppError>(Sourced { value: deg(value)?, source: stated_source(key, figure) })
+    };
+    let stock = limits.max_stock_mm.map(|stock| length("limits.max_stock_mm", &stated.max_stock_mm, stock));
+    let (thin, thick) = (&machine.profile.wire.min_diameter_mm, &machine.profile.wire.max_diameter_mm);
     let diameter = mm(wire.diameter_mm)?;
     let pin = mm(figures.pin_radius_mm)?;
     Ok(Machine {
         limits: MachineLimits {
-            least_bend: Sourced {
-                value: deg(limits.min_bend_deg)?,
-                source: sourced("limits.min_bend_deg", &stated.min_bend_deg),
-            },
-            largest_bend: Sourced {
-                value: deg(limits.max_bend_deg)?,
-                source: sourced("limits.max_bend_deg", &stated.max_bend_deg),
-            },
-            least_edge: Sourced {
-                value: mm(limits.min_edge_mm)?,
-                source: sourced("limits.min_edge_mm", &stated.min_edge_mm),
-            },
-            least_feed: Sourced {
-                value: mm(limits.min_feed_mm)?,
-                source: sourced("limits.min_feed_mm", &stated.min_feed_mm),
-            },
-            most_stock: limits
-                .max_stock_mm
-                .map(|stock| {
-                    let source = sourced("limits.max_stock_mm", &stated.max_stock_mm);
-                    Ok::<_, AppError>(Sourced { value: mm(stock)?, source })
-                })
-                .transpose()?,
-            tail: Sourced { value: mm(limits.tail_mm)?, source: sourced("limits.tail_mm", &stated.tail_mm) },
-            least_diameter: Sourced {
-                value: mm(figures.min_diameter_mm)?,
-                source: sourced("wire.min_diameter_mm", &machine.profile.wire.min_diameter_mm),
-            },
-            most_diameter: Sourced {
-                value: mm(figures.max_diameter_mm)?,
-                source: sourced("wire.max_diameter_mm", &machine.profile.wire.max_diameter_mm),
-            },
-            head_source: sourced("limits.max_rotation_deg", &stated.max_rotation_deg),
+            least_bend: angle("limits.min_bend_deg", &stated.min_bend_deg, limits.min_bend_deg)?,
+            largest_bend: angle("limits.max_bend_deg", &stated.max_bend_deg, limits.max_bend_deg)?,
+            least_edge: length("limits.min_edge_mm", &stated.min_edge_mm, limits.min_edge_mm)?,
+            least_feed: length("limits.min_feed_mm", &stated.min_feed_mm, limits.min_feed_mm)?,
+            most_stock: stock.transpose()?,
+            tail: length("limits.tail_mm", &stated.tail_mm, limits.tail_mm)?,
+            least_diameter: length("wire.min_diameter_mm", thin, figures.min_diameter_mm)?,
+            most_diameter: length("wire.max_diameter_mm", thick, figures.max_diameter_mm)?,
+            head_source: stated_source("limits.max_rotation_deg", &stated.max_rotation_deg),
         },
         head: HeadLimits {
             least: deg(limits.min_rotation_deg)?,

@@ -7,16 +7,14 @@ use crate::units::{Angle, Length};
 pub(super) fn check(wire: &Wire, found: &mut Vec<Diagnostic>) {
     let Some(nominal) = wire.nominal else { return };
     for (step, (before, designed)) in with_bend_before(&nominal.steps).enumerate() {
-        let folds = before == Angle::HALF_TURN || designed.bend == Angle::HALF_TURN;
-        let model = wire.compensation.feed.filter(|_| !folds);
-        let feed = model.map_or(designed.feed, |model| model.feed_for(designed.feed, before, designed.bend));
+        // A fold back has no corner to reckon with; it has a check of its own.
+        if before == Angle::HALF_TURN || designed.bend == Angle::HALF_TURN {
+            judge(wire, step, designed.feed, designed.feed, found);
+            continue;
+        }
         // Bends have a radius on every machine, also on one that reckons with it on its own.
         let corner = |bend: Angle| corner(wire.bend_radius, bend);
         let straight = designed.feed - corner(before) - corner(designed.bend);
-        if folds {
-            judge(wire, step, designed.feed, feed, found);
-            continue;
-        }
         if straight < Length::ZERO {
             let needed = designed.feed - straight;
             found.push(Diagnostic {
@@ -37,6 +35,8 @@ pub(super) fn check(wire: &Wire, found: &mut Vec<Diagnostic>) {
             });
             continue;
         }
+        let model = wire.compensation.feed;
+        let feed = model.map_or(designed.feed, |model| model.feed_for(designed.feed, before, designed.bend));
         judge(wire, step, designed.feed, feed, found);
     }
 }
