@@ -46,6 +46,18 @@ pub fn check_file(path: &Path) -> Result<Checked, Vec<ProfileError>> {
     check(library, layer)
 }
 
+impl Library {
+    /// Examines the text of a profile that is to be written to `file`; its parents are looked for among
+    /// the profiles of this library, where it takes the place of one with its id.
+    ///
+    /// # Errors
+    /// All rules that the text breaks; what keeps it from being read hides the rest.
+    pub fn check(&self, file: &str, text: &str) -> Result<Checked, Vec<ProfileError>> {
+        let layer = Layer::read(file, text.as_bytes(), false).map_err(|error| vec![error])?;
+        check(self.clone(), layer)
+    }
+}
+
 fn check(mut library: Library, layer: Layer) -> Result<Checked, Vec<ProfileError>> {
     let known = library.layer(layer.kind, &layer.id);
     if known.is_some_and(|known| known.shipped && !is_shipped_file(&layer, known)) {

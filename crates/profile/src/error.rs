@@ -200,6 +200,14 @@ pub enum ProfileError {
         /// The nearest ids and the known ones.
         help: String,
     },
+    /// No profile of any kind has this id.
+    #[error("no profile has the id `{id}`; {help}")]
+    UnknownId {
+        /// Id that was asked for.
+        id: String,
+        /// The nearest ids and the known ones.
+        help: String,
+    },
     /// The profile only serves to be inherited from.
     #[error(
         "{place}: the {kind} `{id}` is abstract and cannot be used itself; \
@@ -258,6 +266,7 @@ impl ProfileError {
             Self::Cycle { .. } => "profile-cycle",
             Self::UnknownReference { .. } => "profile-unknown-reference",
             Self::Unknown { .. } => "profile-unknown",
+            Self::UnknownId { .. } => "profile-unknown-id",
             Self::Abstract { .. } => "profile-abstract",
             Self::Missing { .. } => "profile-missing",
             Self::Rule { .. } => "profile-rule",

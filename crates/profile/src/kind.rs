@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// The version of the three file formats that this program reads and writes.
@@ -11,7 +12,7 @@ pub const SCHEMA_VERSION: u32 = 1;
 pub const MAX_FILE_BYTES: usize = 1 << 20;
 
 /// What a profile describes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Kind {
     /// A wire bender.
@@ -60,7 +61,8 @@ impl fmt::Display for Kind {
 }
 
 /// Whether `id` is a slug: lower-case letters, digits and single inner hyphens.
-pub(crate) fn is_slug(id: &str) -> bool {
+#[must_use]
+pub fn is_slug(id: &str) -> bool {
     id.split('-').all(|part| {
         !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit())
     })

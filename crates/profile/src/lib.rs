@@ -5,7 +5,8 @@
 //! with its line, what was expected and what to do; nothing is guessed.
 //!
 //! Enter at [`Library`]: [`Library::shipped`] has the profiles inside the program,
-//! [`Library::add_folder`] adds a person's own, [`Library::machine`] and its siblings resolve one.
+//! [`Library::add_folder`] adds a person's own, [`Library::machine`] and its siblings resolve one,
+//! [`Library::explain`] says who set what, [`Library::child_text`] starts a new one.
 //! The crate knows no stage of the pipeline: figures are plain `f64` with the unit in the key.
 //!
 //! ```
@@ -17,7 +18,9 @@
 //! ```
 
 mod check;
+mod child;
 mod error;
+mod explain;
 mod figures;
 mod figures_machine;
 mod kind;
@@ -37,10 +40,12 @@ mod shipped;
 mod sourced;
 
 pub use check::{Checked, check_file, check_text};
+pub use child::Child;
 pub use error::{Place, ProfileError};
+pub use explain::{Ancestor, Explained, ExplainedValue, Overridden};
 pub use figures::{Complete, ErrorFigures, MaterialFigures, NoiseFigures};
 pub use figures_machine::{BendFigures, LimitFigures, MachineFigures};
-pub use kind::{Kind, MAX_FILE_BYTES, SCHEMA_VERSION};
+pub use kind::{Kind, MAX_FILE_BYTES, SCHEMA_VERSION, is_slug};
 pub use library::{Added, Library, Listing};
 pub use machine::{
     Bend, BendMethod, Compensation, Driver, Export, Feed, Limits, MachineProfile, MachineTag, Rotate, Signs,

@@ -1,6 +1,6 @@
 //! All profiles that are known: those inside the program and those of a person's folders.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -173,14 +173,40 @@ impl Library {
     }
 
     fn get<T: Profile>(&self, id: &str) -> Result<Resolved<T>, ProfileError> {
-        let unknown =
-            || ProfileError::Unknown { kind: T::KIND, id: id.into(), help: self.known(T::KIND, id, "") };
-        let layer = self.layer(T::KIND, id).ok_or_else(unknown)?;
+        let layer = self.find(T::KIND, id)?;
         if layer.is_abstract {
             let place = layer.place("abstract");
             return Err(ProfileError::Abstract { place, kind: T::KIND, id: id.into() });
         }
+        self.resolve_first(layer)
+    }
+
+    /// As [`Library::resolve`], with the first of the errors.
+    pub(crate) fn resolve_first<T: Profile>(&self, layer: &Layer) -> Result<Resolved<T>, ProfileError> {
+        let unknown = || self.unknown(T::KIND, &layer.id);
         self.resolve(layer).map_err(|errors| errors.into_iter().next().unwrap_or_else(unknown))
+    }
+
+    /// The layer with this id.
+    pub(crate) fn find(&self, kind: Kind, id: &str) -> Result<&Layer, ProfileError> {
+        self.layer(kind, id).ok_or_else(|| self.unknown(kind, id))
+    }
+
+    fn unknown(&self, kind: Kind, id: &str) -> ProfileError {
+        ProfileError::Unknown { kind, id: id.into(), help: self.known(kind, id, "") }
+    }
+
+    /// The kinds that have a profile with this id, at least one.
+    ///
+    /// # Errors
+    /// [`ProfileError::UnknownId`] with the nearest ids.
+    pub fn kinds(&self, id: &str) -> Result<Vec<Kind>, ProfileError> {
+        let kinds: Vec<Kind> = Kind::ALL.into_iter().filter(|kind| self.layer(*kind, id).is_some()).collect();
+        if kinds.is_empty() {
+            let help = self.known_in_any_kind(id);
+            return Err(ProfileError::UnknownId { id: id.into(), help });
+        }
+        Ok(kinds)
     }
 
     /// All machines, abstract ones too, by id.
@@ -201,7 +227,9 @@ impl Library {
         self.list(Kind::Noise)
     }
 
-    fn list(&self, kind: Kind) -> Vec<Listing> {
+    /// All profiles of a kind, abstract ones too, by id.
+    #[must_use]
+    pub fn list(&self, kind: Kind) -> Vec<Listing> {
         self.of_kind(kind)
             .map(|layer| {
                 let chain = self.chain(layer).unwrap_or_default();
@@ -234,6 +262,20 @@ impl Library {
         match near {
             Some(near) => format!("{near} Known: {known}"),
             None => format!("known: {known}"),
+        }
+    }
+
+    /// Advice after an id that no kind knows.
+    fn known_in_any_kind(&self, id: &str) -> String {
+        let of = |kind: Kind| {
+            let ids: Vec<&str> = self.of_kind(kind).map(|layer| layer.id.as_str()).collect();
+            format!("{}: {}", kind.folder(), ids.join(", "))
+        };
+        let known = Kind::ALL.map(of).join("; ");
+        let ids: BTreeSet<&str> = self.layers.values().map(|layer| layer.id.as_str()).collect();
+        match nearest(id, ids.into_iter()) {
+            Some(near) => format!("{near} Known {known}"),
+            None => format!("known {known}"),
         }
     }
 }

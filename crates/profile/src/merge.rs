@@ -8,7 +8,7 @@ use serde_json::{Map, Value};
 use crate::layer::Layer;
 
 /// Keys that speak of one file and are never taken from a parent.
-const OWN: [&str; 6] = ["$schema", "schema_version", "kind", "id", "inherits", "abstract"];
+pub(crate) const OWN: [&str; 6] = ["$schema", "schema_version", "kind", "id", "inherits", "abstract"];
 
 /// Who set a value.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -91,7 +91,7 @@ impl Onto<'_> {
 }
 
 /// Whether an object is a figure with its source rather than a group of keys.
-fn is_figure(object: &Map<String, Value>) -> bool {
+pub(crate) fn is_figure(object: &Map<String, Value>) -> bool {
     object.contains_key("value") && object.contains_key("source")
 }
 

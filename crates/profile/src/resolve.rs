@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
+use serde_json::{Map, Value};
 
 use crate::layer::Layer;
 use crate::library::Library;
@@ -31,7 +31,7 @@ impl<T> Resolved<T> {
     }
 }
 
-fn origin<'a>(provenance: &'a BTreeMap<String, Origin>, key: &str) -> Option<&'a Origin> {
+pub(crate) fn origin<'a>(provenance: &'a BTreeMap<String, Origin>, key: &str) -> Option<&'a Origin> {
     let mut key = key;
     loop {
         if let Some(origin) = provenance.get(key) {
@@ -68,14 +68,7 @@ impl Library {
     pub(crate) fn resolve<T: Profile>(&self, layer: &Layer) -> Result<Resolved<T>, Vec<ProfileError>> {
         let chain = self.chain(layer).map_err(|error| vec![error])?;
         let merged = merge(&chain, T::WHOLE);
-        let profile: T = serde_json::from_value(Value::Object(merged.values.clone())).map_err(|error| {
-            vec![ProfileError::Shape {
-                place: Place::file(&layer.file),
-                column: 0,
-                message: error.to_string(),
-                help: "the file and its parents do not fit together".into(),
-            }]
-        })?;
+        let profile: T = typed(merged.values.clone(), &layer.file).map_err(|error| vec![error])?;
         let errors = Whole { library: self, chain: &chain, merged: &merged }.errors(&profile);
         if !errors.is_empty() {
             return Err(errors);
@@ -179,11 +172,26 @@ impl Whole<'_> {
     }
 }
 
+/// Merged values as the profile that they are.
+pub(crate) fn typed<T: Profile>(values: Map<String, Value>, file: &str) -> Result<T, ProfileError> {
+    serde_json::from_value(Value::Object(values)).map_err(|error| unfit(file, &error))
+}
+
+/// A file and its parents that are each a profile and together are none.
+pub(crate) fn unfit(file: &str, error: &serde_json::Error) -> ProfileError {
+    ProfileError::Shape {
+        place: Place::file(file),
+        column: 0,
+        message: error.to_string(),
+        help: "the file and its parents do not fit together".into(),
+    }
+}
+
 fn is_blank(text: &str) -> bool {
     text.trim().is_empty()
 }
 
-fn lookup<'a>(values: &'a serde_json::Map<String, Value>, key: &str) -> Option<&'a Value> {
+fn lookup<'a>(values: &'a Map<String, Value>, key: &str) -> Option<&'a Value> {
     let mut parts = key.split('.');
     let first = values.get(parts.next()?)?;
     parts.try_fold(first, |value, part| value.get(part))

@@ -132,6 +132,15 @@ fn an_unknown_id_is_answered_with_the_nearest_and_the_known() {
         profile-unknown: no noise has the id `zzz`; known: bend-forming, none, wirebend-kit
     "#]]
     .assert_eq(&messages(&[machine, noise]));
+    let (near, far) = (library.kinds("pensa").unwrap_err(), library.kinds("zzz").unwrap_err());
+    let all = "machines: grbl-bender, howtomechatronics, pensa-diwire-pro, wirebend-kit; \
+        materials: aluminium-3-175mm, aluminium-6061-o-3mm, aluminium-6061-t6-3mm, brass-1-6mm, copper-2mm, \
+        steel-0-9mm, steel-1010, steel-1mm, steel-3mm; noise: bend-forming, none, wirebend-kit";
+    let expected = format!(
+        "profile-unknown-id: no profile has the id `pensa`; did you mean `pensa-diwire-pro`? Known {all}\n\
+         profile-unknown-id: no profile has the id `zzz`; known {all}\n"
+    );
+    assert_eq!(messages(&[near, far]), expected);
 }
 
 #[test]

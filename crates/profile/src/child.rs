@@ -1,0 +1,85 @@
+//! The text of a new profile that inherits from a known one.
+
+use serde_json::{Map, Value};
+
+use crate::library::Library;
+use crate::merge::{OWN, merge};
+use crate::resolve::typed;
+use crate::{
+    Kind, MachineProfile, MaterialProfile, NoiseProfile, Profile, ProfileError, SCHEMA_VERSION, to_text,
+};
+
+/// A profile to be written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Child<'a> {
+    /// Kind of both.
+    pub kind: Kind,
+    /// Its id.
+    pub id: &'a str,
+    /// Id of its parent.
+    pub inherits: &'a str,
+    /// Name for people.
+    pub name: &'a str,
+    /// Address or path of the JSON Schema, for editors.
+    pub schema: Option<&'a str>,
+    /// Whether to write every value of the parent, to be changed; otherwise the heading alone.
+    pub all: bool,
+}
+
+impl Library {
+    /// The text of a new profile. Whether it can be used is for [`Library::check`] to say.
+    ///
+    /// # Errors
+    /// [`ProfileError::Unknown`] with the nearest ids when there is no such parent.
+    pub fn child_text(&self, child: &Child<'_>) -> Result<String, ProfileError> {
+        match child.kind {
+            Kind::Machine => self.child_text_as::<MachineProfile>(child),
+            Kind::Material => self.child_text_as::<MaterialProfile>(child),
+            Kind::Noise => self.child_text_as::<NoiseProfile>(child),
+        }
+    }
+
+    fn child_text_as<T: Profile>(&self, child: &Child<'_>) -> Result<String, ProfileError> {
+        let parent = self.find(T::KIND, child.inherits)?;
+        let mut values = Map::new();
+        if child.all {
+            values = merge(&self.chain(parent)?, T::WHOLE).values;
+            values.retain(|key, _| !OWN.contains(&key.as_str()));
+        }
+        let heading: [(&str, Option<Value>); 6] = [
+            ("$schema", child.schema.map(Value::from)),
+            ("schema_version", Some(SCHEMA_VERSION.into())),
+            ("kind", Some(child.kind.word().into())),
+            ("id", Some(child.id.into())),
+            ("inherits", Some(child.inherits.into())),
+            ("name", Some(child.name.into())),
+        ];
+        for (key, value) in heading {
+            values.extend(value.map(|value| (key.to_owned(), value)));
+        }
+        let text = to_text(&typed::<T>(values, &parent.file)?);
+        text.map(|text| figures_on_a_line(&text)).map_err(|error| crate::resolve::unfit(&parent.file, &error))
+    }
+}
+
+/// Puts each figure with its source on one line, as in the shipped files: a person who goes through
+/// them compares values, not braces.
+fn figures_on_a_line(text: &str) -> String {
+    let mut made = String::new();
+    let mut lines = text.lines().peekable();
+    while let Some(line) = lines.next() {
+        made.push_str(line);
+        // JSON has no line break inside a text, so a brace at the end of a line is a real one.
+        let is_figure = line.ends_with('{')
+            && lines.peek().is_some_and(|next| next.trim_start().starts_with("\"value\": "));
+        while is_figure && let Some(part) = lines.next() {
+            made.push(' ');
+            made.push_str(part.trim_start());
+            if part.trim_start().starts_with('}') {
+                break;
+            }
+        }
+        made.push('\n');
+    }
+    made
+}
