@@ -2,7 +2,7 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use wirebend_profile::Listing;
+use wirebend_profile::{Kind, Listing};
 
 use crate::{App, AppError, Progress};
 
@@ -136,5 +136,20 @@ impl App {
     pub(crate) fn machine_ids(&self) -> Vec<String> {
         let concrete = self.library.machines().into_iter().filter(|listing| !listing.is_abstract);
         concrete.map(|listing| listing.id).collect()
+    }
+
+    /// The kind of a profile, by its id alone where no kind is given and only one has it.
+    pub(crate) fn kind_of(&self, id: &str, kind: Option<Kind>) -> Result<Kind, AppError> {
+        match (kind, self.library.kinds(id)) {
+            (Some(kind), Ok(kinds)) if !kinds.contains(&kind) => {
+                Err(AppError::OtherKind { id: id.to_owned(), wanted: kind, kinds })
+            }
+            (Some(kind), _) => Ok(kind),
+            (None, Err(error)) => Err(error.into()),
+            (None, Ok(kinds)) => match kinds.as_slice() {
+                [kind] => Ok(*kind),
+                _ => Err(AppError::SeveralKinds { id: id.to_owned(), kinds }),
+            },
+        }
     }
 }

@@ -60,6 +60,8 @@ commands! {
     Check(crate::CheckRequest) -> crate::CheckResponse = crate::plan::check, "check";
     /// Takes a wireframe through the whole pipeline to a job.
     Plan(crate::PlanRequest) -> crate::PlanResponse = crate::plan::plan, "plan";
+    /// Plans a wireframe for several machines and says what changes.
+    Compare(crate::CompareRequest) -> crate::CompareResponse = crate::compare::compare, "compare";
     /// Writes what a machine, another program or a person reads.
     Export(crate::ExportRequest) -> crate::ExportResponse = crate::export::export, "export";
     /// Bends a job without a machine.
@@ -68,4 +70,8 @@ commands! {
     Dump(crate::DumpRequest) -> crate::DumpResponse = crate::dump::dump, "dump";
     /// Says whether profile files can be used.
     ProfileCheck(crate::ProfileCheckRequest) -> crate::ProfileCheckResponse = crate::profile_check::check, "profile-check";
+    /// Writes a profile that inherits from a known one.
+    ProfileNew(crate::ProfileNewRequest) -> crate::ProfileNewResponse = crate::profile_new::new, "profile-new";
+    /// Says which file and line set each value of a profile.
+    ProfileExplain(crate::ProfileExplainRequest) -> crate::ProfileExplainResponse = crate::profile_explain::explain, "profile-explain";
 }

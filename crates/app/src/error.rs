@@ -6,7 +6,7 @@ use wirebend_core::compensate::{PegGeometryError, SpringbackError};
 use wirebend_core::simulate::BadErrorTerm;
 use wirebend_files::document::DocumentError;
 use wirebend_files::read::ReadError;
-use wirebend_profile::ProfileError;
+use wirebend_profile::{Kind, ProfileError};
 
 use crate::report::PlanReport;
 
@@ -68,6 +68,49 @@ pub enum AppError {
         value: String,
         /// What was expected.
         expected: &'static str,
+    },
+    /// A new profile was to have an id that another file has.
+    #[error("the id '{id}' is taken by the {kind} in {file}; choose another id")]
+    IdTaken {
+        /// The kind.
+        kind: Kind,
+        /// The id.
+        id: String,
+        /// The file that has it.
+        file: String,
+    },
+    /// An id could mean profiles of several kinds.
+    #[error("'{id}' is {}; say which is meant with {}", kind_words(kinds), kind_options(kinds))]
+    SeveralKinds {
+        /// The id.
+        id: String,
+        /// The kinds that have it.
+        kinds: Vec<Kind>,
+    },
+    /// An id is known, but not in the kind that was named.
+    #[error("no {wanted} has the id '{id}', which is {}; correct the id or --kind", kind_words(kinds))]
+    OtherKind {
+        /// The id.
+        id: String,
+        /// The kind that was named.
+        wanted: Kind,
+        /// The kinds that have it.
+        kinds: Vec<Kind>,
+    },
+    /// A new profile would leave open what its abstract parent leaves open.
+    #[error(
+        "the {kind} '{parent}' is abstract: a profile that inherits from it alone could not be used without {}; {}",
+        missing.join(", "), open_parent_help(complete)
+    )]
+    OpenParent {
+        /// The kind.
+        kind: Kind,
+        /// The parent.
+        parent: String,
+        /// What is missing, as it would be written.
+        missing: Vec<String>,
+        /// The complete profiles that inherit from it.
+        complete: Vec<String>,
     },
     /// No machine was named, neither by the command nor by the document.
     #[error("no machine is named; choose one of: {}", known.join(", "))]
@@ -220,6 +263,26 @@ pub enum AppError {
     Json(#[from] serde_json::Error),
 }
 
+/// "a machine profile and a noise profile".
+fn kind_words(kinds: &[Kind]) -> String {
+    let words: Vec<String> = kinds.iter().map(|kind| format!("a {kind} profile")).collect();
+    words.join(" and ")
+}
+
+/// "--kind machine or --kind noise".
+fn kind_options(kinds: &[Kind]) -> String {
+    let options: Vec<String> = kinds.iter().map(|kind| format!("--kind {kind}")).collect();
+    options.join(" or ")
+}
+
+/// What to do where a parent leaves values open.
+fn open_parent_help(complete: &[String]) -> String {
+    if complete.is_empty() {
+        return "inherit from a complete profile, or write the file by hand with these values".to_owned();
+    }
+    format!("inherit from one that has them: {}", complete.join(", "))
+}
+
 impl AppError {
     /// Whose turn it is.
     #[must_use]
@@ -228,9 +291,15 @@ impl AppError {
             Self::Document(DocumentError::Save { .. } | DocumentError::Write(_))
             | Self::Picture(_)
             | Self::Json(_) => ErrorKind::Failure,
-            Self::Profile(ProfileError::Unknown { .. } | ProfileError::Abstract { .. })
+            Self::Profile(
+                ProfileError::Unknown { .. } | ProfileError::UnknownId { .. } | ProfileError::Abstract { .. },
+            )
             | Self::Value { .. }
             | Self::NoMachine { .. }
+            | Self::IdTaken { .. }
+            | Self::SeveralKinds { .. }
+            | Self::OtherKind { .. }
+            | Self::OpenParent { .. }
             | Self::UnknownFormat { .. }
             | Self::NativeFormat { .. }
             | Self::OtherMachine { .. }
@@ -266,6 +335,10 @@ impl AppError {
             Self::Springback { .. } => "springback-table",
             Self::Noise { .. } => "noise-profile",
             Self::Value { .. } => "value",
+            Self::IdTaken { .. } => "id-taken",
+            Self::SeveralKinds { .. } => "several-kinds",
+            Self::OtherKind { .. } => "other-kind",
+            Self::OpenParent { .. } => "open-parent",
             Self::NoMachine { .. } => "no-machine",
             Self::OnlyStencil { .. } => "only-stencil",
             Self::NoVertex { .. } => "no-vertex",

@@ -7,6 +7,7 @@
 
 mod catalogue;
 mod commands;
+mod compare;
 mod design;
 mod dump;
 mod error;
@@ -17,6 +18,8 @@ mod output;
 mod picture;
 mod plan;
 mod profile_check;
+mod profile_explain;
+mod profile_new;
 mod progress;
 mod report;
 mod simulate;
@@ -25,6 +28,9 @@ pub use catalogue::{
     MachineEntry, MachinesRequest, MachinesResponse, MaterialEntry, MaterialsRequest, MaterialsResponse,
 };
 pub use commands::{COMMANDS, Request, Response, response_schemas};
+pub use compare::{
+    Change, CompareRequest, CompareResponse, MachineSide, Objections, OtherSide, WireDiagnostic, WireStep,
+};
 pub use design::{DesignInput, Input};
 pub use dump::{DumpRequest, DumpResponse, DumpStage};
 pub use error::{AppError, ErrorKind};
@@ -33,6 +39,10 @@ pub use import::{ImportRequest, ImportResponse};
 pub use output::Output;
 pub use plan::{CheckRequest, CheckResponse, PlanChoices, PlanRequest, PlanResponse};
 pub use profile_check::{FileVerdict, ProfileCheckRequest, ProfileCheckResponse};
+pub use profile_explain::{
+    AncestorReport, OverriddenReport, ProfileExplainRequest, ProfileExplainResponse, ValueReport,
+};
+pub use profile_new::{ProfileNewRequest, ProfileNewResponse, ProfilePlace};
 pub use progress::{NoProgress, Progress};
 pub use report::{
     CompensatedReport, DiagnosticReport, NoteReport, PlanReport, ProgramReport, RouteReport, SeverityName,
@@ -43,6 +53,7 @@ pub use simulate::{GapReport, SimulateRequest, SimulateResponse, VertexReport};
 use std::path::PathBuf;
 
 pub use wirebend_files::read::{Format, LengthUnit};
+pub use wirebend_profile::Kind as ProfileKind;
 use wirebend_profile::{Library, ProfileError};
 
 /// The application without a face: the profiles that it knows, and all commands.

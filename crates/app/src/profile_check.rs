@@ -42,9 +42,8 @@ pub struct ProfileCheckResponse {
 }
 
 /// Refuses a machine whose formats nobody can write.
-fn formats_known(file: &Path, checked: Checked) -> Result<Checked, Vec<ProfileError>> {
-    let text = std::fs::read_to_string(file).unwrap_or_default();
-    let value: serde_json::Value = serde_json::from_str(&text).unwrap_or_default();
+pub(crate) fn formats_known(file: &str, text: &str) -> Result<(), ProfileError> {
+    let value: serde_json::Value = serde_json::from_str(text).unwrap_or_default();
     let formats = value.pointer("/export/formats").and_then(serde_json::Value::as_array);
     let unknown = formats
         .into_iter()
@@ -52,17 +51,25 @@ fn formats_known(file: &Path, checked: Checked) -> Result<Checked, Vec<ProfileEr
         .filter_map(serde_json::Value::as_str)
         .find(|id| !ExportFormat::ALL.into_iter().any(|format| format.id() == *id));
     match unknown {
-        None => Ok(checked),
-        Some(id) => Err(vec![ProfileError::Rule {
-            place: Place { file: file.display().to_string(), line: line_of(&text, id) },
+        None => Ok(()),
+        Some(id) => Err(ProfileError::Rule {
+            place: Place { file: file.to_owned(), line: line_of(text, id) },
             key: "export.formats".into(),
             found: format!("\"{id}\""),
             expected: format!(
                 "formats that can be written: {}",
                 ExportFormat::ALL.map(ExportFormat::id).join(", ")
             ),
-        }]),
+        }),
     }
+}
+
+/// Everything that is asked of a profile's file.
+fn examined(file: &Path) -> Result<Checked, Vec<ProfileError>> {
+    let checked = check_file(file)?;
+    let text = std::fs::read_to_string(file).unwrap_or_default();
+    formats_known(&file.display().to_string(), &text).map_err(|error| vec![error])?;
+    Ok(checked)
 }
 
 /// The line on which a quoted word stands, from 1.
@@ -78,7 +85,7 @@ pub(crate) fn check(
     progress: &dyn Progress,
 ) -> Result<ProfileCheckResponse, AppError> {
     progress.stage("checking profiles");
-    let verdict = |file: &PathBuf| match check_file(file).and_then(|checked| formats_known(file, checked)) {
+    let verdict = |file: &PathBuf| match examined(file) {
         Ok(checked) => FileVerdict {
             ok: true,
             kind: Some(checked.kind.word()),

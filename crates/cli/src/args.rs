@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
-use wirebend_app::{DumpStage, ExportFormat, Format, LengthUnit};
+use wirebend_app::{DumpStage, ExportFormat, Format, LengthUnit, ProfileKind};
 
 const AFTER: &str = "\
 Exit status: 0 done · 2 wrong use · 3 bad input · 4 not feasible on this machine (the report is \
@@ -58,7 +58,7 @@ pub(crate) enum Command {
     },
     /// Find the route, make the program, compensate it, and write the job
     #[command(
-        after_help = "Example:\n  wirebend plan examples/cube.obj --machine wirebend-kit --double -o cube.wbjob"
+        after_help = "Examples:\n  wirebend plan examples/cube.obj --machine wirebend-kit --double -o cube.wbjob\n  wirebend plan examples/house.obj --machine wirebend-kit --compare pensa-diwire-pro"
     )]
     Plan {
         #[command(flatten)]
@@ -69,6 +69,9 @@ pub(crate) enum Command {
         output: OutputArgs,
         #[command(flatten)]
         danger: DangerArgs,
+        /// Say what changes on another machine, by id, instead of making a job; may be given again
+        #[arg(long, value_name = "ID", conflicts_with_all = ["output", "force", "despite_errors"])]
+        compare: Vec<String>,
     },
     /// Write what a machine, another program or a person reads
     #[command(
@@ -152,6 +155,45 @@ pub(crate) enum ProfileCommand {
         #[arg(value_name = "FILE", required = true)]
         files: Vec<PathBuf>,
     },
+    /// Write a new profile that inherits from another, to your own profile folder unless -o is given
+    #[command(
+        after_help = "Example:\n  wirebend profile new my-bender --from wirebend-kit --kind machine --all"
+    )]
+    New {
+        /// Id of the new profile: lower-case letters, digits and hyphens
+        #[arg(value_name = "NEW_ID")]
+        id: String,
+        /// Profile to inherit from, by id
+        #[arg(long, value_name = "ID")]
+        from: String,
+        #[command(flatten)]
+        kind: KindArgs,
+        /// Name for people; the id if absent
+        #[arg(long, value_name = "NAME")]
+        name: Option<String>,
+        /// Write every value of the parent, to be changed, instead of the heading alone
+        #[arg(long)]
+        all: bool,
+        #[command(flatten)]
+        output: OutputArgs,
+    },
+    /// Say which file and line set each value of a profile
+    #[command(after_help = "Example:\n  wirebend profile explain steel-0-9mm")]
+    Explain {
+        /// Profile to explain
+        #[arg(value_name = "ID")]
+        id: String,
+        #[command(flatten)]
+        kind: KindArgs,
+    },
+}
+
+/// Which kind of profile is meant.
+#[derive(Debug, Args)]
+pub(crate) struct KindArgs {
+    /// Kind of the profile, where several kinds have its id
+    #[arg(long, value_name = "KIND", value_parser = kind_parser())]
+    pub kind: Option<ProfileKind>,
 }
 
 /// How to read a file.
@@ -245,6 +287,12 @@ fn parse_format(word: &str) -> Result<Format, String> {
 
 fn parse_unit(word: &str) -> Result<LengthUnit, String> {
     LengthUnit::from_word(word).ok_or_else(|| "expected mm, cm, m or inch".to_owned())
+}
+
+fn kind_parser() -> impl TypedValueParser<Value = ProfileKind> {
+    // The parser before has refused every other word.
+    PossibleValuesParser::new(ProfileKind::ALL.map(ProfileKind::word))
+        .map(|word| ProfileKind::from_word(&word).unwrap_or(ProfileKind::Machine))
 }
 
 fn stage_parser() -> impl TypedValueParser<Value = DumpStage> {

@@ -82,9 +82,13 @@ fn run(cli: Cli) -> anyhow::Result<u8> {
     render::show(&response?, json, output)
 }
 
+/// The folder of the person's own profiles, whether it is there or not; `None` without a home.
+fn own_folder() -> Option<PathBuf> {
+    etcetera::choose_base_strategy().ok().map(|home| home.config_dir().join("wirebend"))
+}
+
 /// The person's own profiles, and those named on the command line.
 fn profile_folders(named: Vec<PathBuf>) -> Vec<PathBuf> {
-    let config = etcetera::choose_base_strategy().ok().map(|home| home.config_dir().join("wirebend"));
-    let own = config.filter(|folder| folder.is_dir());
+    let own = own_folder().filter(|folder| folder.is_dir());
     own.into_iter().chain(named).collect()
 }

@@ -5,8 +5,9 @@ use std::path::{Path, PathBuf};
 
 use anyhow::Context;
 use wirebend_app::{
-    CheckRequest, DesignInput, DumpRequest, ExportRequest, ImportRequest, Input, MachinesRequest,
-    MaterialsRequest, Output, PlanChoices, PlanRequest, ProfileCheckRequest, Request, SimulateRequest,
+    CheckRequest, CompareRequest, DesignInput, DumpRequest, ExportRequest, ImportRequest, Input,
+    MachinesRequest, MaterialsRequest, Output, PlanChoices, PlanRequest, ProfileCheckRequest,
+    ProfileExplainRequest, ProfileNewRequest, ProfilePlace, Request, SimulateRequest,
 };
 
 use crate::args::{ChoiceArgs, Command, DesignArgs, OutputArgs, ProfileCommand, ReadArgs};
@@ -44,7 +45,11 @@ pub(crate) fn prepare(command: Command) -> anyhow::Result<Prepared> {
         Command::Check { design: args, choices: chosen } => {
             written(Request::Check(CheckRequest { design: design(&args)?, choices: choices(chosen) }))
         }
-        Command::Plan { design: args, choices: chosen, output, danger } => {
+        Command::Plan { design: args, choices: chosen, compare, .. } if !compare.is_empty() => {
+            let (design, choices) = (design(&args)?, choices(chosen));
+            written(Request::Compare(CompareRequest { design, choices, against: compare }))
+        }
+        Command::Plan { design: args, choices: chosen, output, danger, .. } => {
             let (output, contents) = place(output, false);
             let request = PlanRequest {
                 design: design(&args)?,
@@ -83,6 +88,16 @@ pub(crate) fn prepare(command: Command) -> anyhow::Result<Prepared> {
         Command::Profile(ProfileCommand::Check { files }) => {
             written(Request::ProfileCheck(ProfileCheckRequest { files }))
         }
+        Command::Profile(ProfileCommand::New { id, from, kind, name, all, output }) => {
+            let force = output.force;
+            let (place, contents) = profile_place(output.output)?;
+            let kind = kind.kind;
+            let request = ProfileNewRequest { id, inherits: from, kind, name, all, place, force };
+            Prepared::Request(Box::new(Request::ProfileNew(request)), contents)
+        }
+        Command::Profile(ProfileCommand::Explain { id, kind }) => {
+            written(Request::ProfileExplain(ProfileExplainRequest { id, kind: kind.kind }))
+        }
         Command::Completions { shell } => {
             let mut text = Vec::new();
             clap_complete::generate(shell, &mut crate::command(), "wirebend", &mut text);
@@ -105,6 +120,19 @@ fn place(args: OutputArgs, is_the_point: bool) -> (Option<Output>, Contents) {
         None if is_the_point => (None, Contents::StandardOutput),
         None => (None, Contents::Written),
     }
+}
+
+/// Where a new profile goes: to the person's own folder unless a file is named.
+fn profile_place(output: Option<PathBuf>) -> Result<(ProfilePlace, Contents), WrongUse> {
+    Ok(match output {
+        Some(path) if path == Path::new("-") => (ProfilePlace::Returned, Contents::StandardOutput),
+        Some(path) => (ProfilePlace::File(path), Contents::Written),
+        None => {
+            let homeless = "there is no home folder with profiles of your own: name a file with -o";
+            let folder = crate::own_folder().ok_or_else(|| WrongUse(homeless.to_owned()))?;
+            (ProfilePlace::Folder(folder), Contents::Written)
+        }
+    })
 }
 
 fn input(file: &Path) -> anyhow::Result<Input> {

@@ -1,16 +1,16 @@
 //! Responses as text for a person, or as JSON for a program.
 
+mod compare;
 pub(crate) mod number;
 pub(crate) mod plan;
+mod profile;
 mod simulate;
 mod tables;
 
 use std::io::Write;
 
 use anstyle::{AnsiColor, Style};
-use wirebend_app::{
-    ExportResponse, ImportResponse, NoteReport, ProfileCheckResponse, Response, SeverityName,
-};
+use wirebend_app::{ExportResponse, ImportResponse, NoteReport, Response, SeverityName};
 
 use crate::errors::{WrongUse, exit};
 use crate::requests::Contents;
@@ -37,7 +37,10 @@ pub(crate) fn show(response: &Response, json: bool, contents: Contents) -> anyho
             Response::Dump(found) => {
                 writeln!(std::io::stdout().lock(), "{}", serde_json::to_string_pretty(&found.value)?)?;
             }
-            Response::ProfileCheck(found) => profiles(&mut err, found)?,
+            Response::Compare(found) => compare::compare(&mut err, found)?,
+            Response::ProfileCheck(found) => profile::check(&mut err, found)?,
+            Response::ProfileNew(found) => profile::new(&mut err, found)?,
+            Response::ProfileExplain(found) => profile::explain(&mut anstream::stdout().lock(), found)?,
         }
     }
     Ok(status(response))
@@ -47,13 +50,16 @@ fn status(response: &Response) -> u8 {
     let feasible = match response {
         Response::Check(found) => found.feasible,
         Response::Plan(found) => found.report.feasible(),
+        Response::Compare(found) => found.from.feasible,
         Response::ProfileCheck(found) => return if found.ok { exit::DONE } else { exit::BAD_INPUT },
         Response::Machines(_)
         | Response::Materials(_)
         | Response::Import(_)
         | Response::Export(_)
         | Response::Simulate(_)
-        | Response::Dump(_) => true,
+        | Response::Dump(_)
+        | Response::ProfileNew(_)
+        | Response::ProfileExplain(_) => true,
     };
     if feasible { exit::DONE } else { exit::NOT_FEASIBLE }
 }
@@ -64,6 +70,7 @@ fn write_contents(response: &Response) -> anyhow::Result<bool> {
     let contents = match response {
         Response::Import(found) => &found.contents,
         Response::Plan(found) => &found.contents,
+        Response::ProfileNew(found) => &found.contents,
         Response::Export(found) => {
             if found.contents.len() > 1 {
                 let wires = found.contents.len();
@@ -132,28 +139,4 @@ pub(crate) fn written<'a>(
     mut files: impl Iterator<Item = &'a std::path::PathBuf>,
 ) -> std::io::Result<()> {
     files.try_for_each(|file| writeln!(out, "wrote {}", file.display()))
-}
-
-fn profiles(out: &mut impl Write, found: &ProfileCheckResponse) -> std::io::Result<()> {
-    for verdict in &found.files {
-        if verdict.ok {
-            let id = verdict.id.as_deref().unwrap_or_default();
-            let from = match verdict.inherits.as_slice() {
-                [] => String::new(),
-                chain => format!(", inherits from {}", chain.join(" ← ")),
-            };
-            writeln!(
-                out,
-                "{}: ok ({} '{id}'{from})",
-                verdict.file.display(),
-                verdict.kind.unwrap_or("profile")
-            )?;
-        } else {
-            for error in &verdict.errors {
-                let style = severity_style(SeverityName::Error);
-                writeln!(out, "{style}error{style:#}: {error}")?;
-            }
-        }
-    }
-    Ok(())
 }

@@ -2,7 +2,9 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // a test may stop at what cannot be
 
+mod compare;
 mod outputs;
+mod profiles;
 mod results;
 mod statuses;
 mod wrong_files;

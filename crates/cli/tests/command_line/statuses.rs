@@ -56,6 +56,8 @@ fn every_command_has_help_with_an_example() {
         &["simulate"],
         &["dump"],
         &["profile", "check"],
+        &["profile", "new"],
+        &["profile", "explain"],
         &["completions"],
         &["man"],
     ];

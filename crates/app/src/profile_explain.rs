@@ -1,0 +1,113 @@
+//! `profile explain`: every value of a profile, and which file and line set it.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use wirebend_profile::{ExplainedValue, Kind};
+
+use crate::{App, AppError, Progress};
+
+/// What to explain.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct ProfileExplainRequest {
+    /// The profile.
+    pub id: String,
+    /// Its kind, where several kinds have a profile with this id.
+    pub kind: Option<Kind>,
+}
+
+/// A profile, value by value.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct ProfileExplainResponse {
+    /// Its kind.
+    pub kind: Kind,
+    /// Its id.
+    pub id: String,
+    /// Its name.
+    pub name: String,
+    /// Whether it only serves to be inherited from.
+    #[serde(rename = "abstract")]
+    pub is_abstract: bool,
+    /// The profile itself, its parent, and so on.
+    pub chain: Vec<AncestorReport>,
+    /// Its values, in the order in which the shipped files have them.
+    pub values: Vec<ValueReport>,
+}
+
+/// A profile of a chain.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct AncestorReport {
+    /// Its id.
+    pub id: String,
+    /// Its file.
+    pub file: String,
+    /// Whether it comes with the program.
+    pub shipped: bool,
+}
+
+/// One value.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct ValueReport {
+    /// Dotted key; its last word ends with the unit of a figure.
+    pub key: String,
+    /// The value; null where a parent's value is taken away.
+    pub value: serde_json::Value,
+    /// The profile that set it.
+    pub set_by: String,
+    /// The file of that profile.
+    pub file: String,
+    /// The line in it, from 1.
+    pub line: Option<usize>,
+    /// Where a figure comes from; null for what is no figure.
+    pub source: Option<String>,
+    /// Whether a figure was measured; null for what is no figure.
+    pub measured: Option<bool>,
+    /// The parent's value that it replaces.
+    pub instead_of: Option<OverriddenReport>,
+}
+
+/// A value of a parent.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct OverriddenReport {
+    /// The value.
+    pub value: serde_json::Value,
+    /// The profile that set it.
+    pub set_by: String,
+}
+
+impl From<ExplainedValue> for ValueReport {
+    fn from(value: ExplainedValue) -> Self {
+        let instead_of = value.instead_of;
+        Self {
+            key: value.key,
+            value: value.value,
+            set_by: value.id,
+            file: value.place.file,
+            line: value.place.line,
+            source: value.source,
+            measured: value.measured,
+            instead_of: instead_of.map(|old| OverriddenReport { value: old.value, set_by: old.id }),
+        }
+    }
+}
+
+pub(crate) fn explain(
+    app: &App,
+    request: &ProfileExplainRequest,
+    _progress: &dyn Progress,
+) -> Result<ProfileExplainResponse, AppError> {
+    let kind = app.kind_of(&request.id, request.kind)?;
+    let explained = app.library.explain(kind, &request.id)?;
+    let ancestor = |ancestor: wirebend_profile::Ancestor| AncestorReport {
+        id: ancestor.id,
+        file: ancestor.file,
+        shipped: ancestor.shipped,
+    };
+    Ok(ProfileExplainResponse {
+        kind,
+        id: request.id.clone(),
+        name: explained.name,
+        is_abstract: explained.is_abstract,
+        chain: explained.chain.into_iter().map(ancestor).collect(),
+        values: explained.values.into_iter().map(ValueReport::from).collect(),
+    })
+}

@@ -1,0 +1,132 @@
+//! A person's own profiles: started from another, and explained.
+
+use std::path::Path;
+
+use crate::{assert_fits, example, run_in};
+
+fn read(folder: &Path, name: &str) -> String {
+    std::fs::read_to_string(folder.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+}
+
+#[test]
+fn a_new_profile_goes_to_the_persons_own_folder_and_is_used_from_there() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |arguments: &[&str]| run_in(folder.path(), arguments, b"");
+    let new = ["profile", "new", "my-kit", "--from", "wirebend-kit", "--kind", "machine", "--name", "My kit"];
+    let said = run(&new).ended(0).err;
+    // The tests' configuration folder is the folder itself.
+    let file = "wirebend/machines/my-kit.json";
+    assert!(said.contains(file) && said.contains("inherits from wirebend-kit"), "{said}");
+    assert_eq!(read(folder.path(), file).lines().count(), 7, "five values between two braces");
+    let listed = String::from_utf8(run(&["machines"]).ended(0).out).unwrap();
+    assert!(listed.contains("My kit"), "{listed}");
+    let cube = example("cube-8-edges.obj");
+    run(&["check", &cube, "--machine", "my-kit"]).ended(0);
+
+    assert!(run(&new).ended(2).err.contains("--force"));
+    run(&[&new[..], &["--force", "--all"]].concat()).ended(0);
+    // The published limit, to be replaced by what the person measures.
+    let text = read(folder.path(), file);
+    let source = "\"source\": \"SCF25, machine specification\", \"measured\": false }";
+    let own = "\"source\": \"my cable\", \"measured\": true }";
+    let mut measured = text.clone();
+    for (key, published, mine) in [("max_bend_deg", "155.0", "80"), ("min_bend_deg", "-155.0", "-80")] {
+        let limit = format!("\"{key}\": {{ \"value\": {published}, {source},");
+        assert!(text.contains(&limit), "{limit} is not in {text}");
+        measured = measured.replace(&limit, &format!("\"{key}\": {{ \"value\": {mine}, {own},"));
+    }
+    std::fs::write(folder.path().join(file), measured).unwrap();
+    run(&["profile", "check", file]).ended(0);
+    let said = run(&["check", &cube, "--machine", "my-kit"]).ended(4).err;
+    assert!(said.contains("my cable"), "{said}");
+}
+
+#[test]
+fn a_new_profile_is_printed_or_written_where_it_was_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |arguments: &[&str]| run_in(folder.path(), arguments, b"");
+    let new = ["profile", "new", "my-steel", "--from", "steel-1mm"];
+    let printed = run(&[&new[..], &["-o", "-"]].concat()).ended(0);
+    assert_eq!(printed.json()["inherits"], "steel-1mm");
+    assert!(!folder.path().join("wirebend").exists(), "nothing else is written");
+    let made = run(&[&new[..], &["-o", "my-steel.json", "--json"]].concat()).ended(0).json();
+    assert_fits("profile-new", &made);
+    let expected = serde_json::json!({"id": "my-steel", "kind": "material", "file": "my-steel.json",
+        "inherits": "steel-1mm"});
+    assert_eq!(made, expected);
+    assert_eq!(read(folder.path(), "my-steel.json").as_bytes(), printed.out);
+    run(&["profile", "check", "my-steel.json"]).ended(0);
+    run(&["profile", "new", "My Steel", "--from", "steel-1mm"]).ended(2);
+    run(&["profile", "new", "my-steel", "--from", "steel-1010"]).ended(2);
+    run(&["profile", "new", "my-steel", "--from", "steel-1mm", "--kind", "colour"]).ended(2);
+    assert!(!folder.path().join("wirebend").exists(), "a refusal leaves no folder behind");
+}
+
+#[test]
+fn every_value_is_explained_with_its_file_and_line() {
+    let folder = tempfile::tempdir().unwrap();
+    let machines = folder.path().join("wirebend/machines");
+    std::fs::create_dir_all(&machines).unwrap();
+    let child = r#"{
+  "schema_version": 1, "kind": "machine", "id": "my-kit", "inherits": "wirebend-kit",
+  "limits": {
+    "max_bend_deg": {"value": 120, "source": "bent ten on mine", "measured": true},
+    "min_bend_deg": {"value": -155.0, "source": "bent ten on mine", "measured": true}
+  },
+  "error": null
+}"#;
+    std::fs::write(machines.join("my-kit.json"), child).unwrap();
+    let run = |arguments: &[&str]| run_in(folder.path(), arguments, b"");
+    let ran = run(&["profile", "explain", "my-kit"]).ended(0);
+    let text = String::from_utf8(ran.out).unwrap();
+    assert!(!text.contains('\u{1b}'), "no colours in a pipe");
+    let line = |key: &str| {
+        let found = text.lines().find(|line| line.split_whitespace().take(3).any(|word| word == key));
+        found.unwrap_or_else(|| panic!("{key}: {text}")).split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    // The child's lines count from its opening brace.
+    let bend = "120° limits.max_bend_deg my-kit:4 measured, instead of 155° from wirebend-kit";
+    assert_eq!(line("limits.max_bend_deg"), bend);
+    assert_eq!(
+        line("limits.min_bend_deg"),
+        "-155° limits.min_bend_deg my-kit:5 measured, as in wirebend-kit"
+    );
+    assert_eq!(line("error"), "none error my-kit:7 instead of wirebend-kit from wirebend-kit");
+    assert!(line("limits.tail_mm").starts_with("400"), "{text}");
+    assert!(text.contains("← wirebend-kit  shipped  machine-profiles/machines/wirebend-kit.json"), "{text}");
+    assert!(text.contains("bent ten on mine"), "{text}");
+    // File names may be longer than the screen; nothing else is.
+    let widest = text.lines().skip(3).map(|line| line.chars().count()).max().unwrap();
+    assert!(widest <= 120, "{widest}");
+    let json = run(&["profile", "explain", "my-kit", "--json"]).ended(0).json();
+    assert_fits("profile-explain", &json);
+    let values = json["values"].as_array().unwrap();
+    let bend = values.iter().find(|value| value["key"] == "limits.max_bend_deg").unwrap();
+    assert_eq!(
+        (bend["line"].as_u64(), bend["instead_of"]["set_by"].as_str()),
+        (Some(4), Some("wirebend-kit"))
+    );
+    assert!(bend["file"].as_str().unwrap().ends_with("my-kit.json"));
+}
+
+#[test]
+fn every_shipped_profile_can_be_explained() {
+    let folder = tempfile::tempdir().unwrap();
+    for kind in ["machine", "material", "noise"] {
+        let sub_folder = if kind == "noise" { kind.to_owned() } else { format!("{kind}s") };
+        for entry in std::fs::read_dir(crate::root().join("machine-profiles").join(sub_folder)).unwrap() {
+            let path = entry.unwrap().path();
+            let id = path.file_stem().unwrap().to_str().unwrap().to_owned();
+            let explain = ["profile", "explain", &id, "--kind", kind];
+            let text = String::from_utf8(run_in(folder.path(), &explain, b"").ended(0).out).unwrap();
+            let widest = text.lines().map(|line| line.chars().count()).max().unwrap();
+            assert!(widest <= 120, "{id}: {widest}");
+            let json = run_in(folder.path(), &[&explain[..], &["--json"]].concat(), b"").ended(0).json();
+            assert_fits("profile-explain", &json);
+        }
+    }
+    let said = run_in(folder.path(), &["profile", "explain", "wirebend-kit"], b"").ended(2).err;
+    assert!(said.contains("--kind machine or --kind noise"), "{said}");
+    let said = run_in(folder.path(), &["profile", "explain", "steel-2mm"], b"").ended(2).err;
+    assert!(said.contains("did you mean `steel-1mm`"), "{said}");
+}
