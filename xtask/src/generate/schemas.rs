@@ -15,6 +15,10 @@ pub(super) fn files() -> Result<Vec<CommittedFile>> {
     for (command, schema) in wirebend_app::response_schemas() {
         files.push(schema_file(command, &schema)?);
     }
+    for (message, schema) in wirebend_driver_api::message_schemas() {
+        let text = serde_json::to_string_pretty(&schema)? + "\n";
+        files.push(CommittedFile { path: format!("crates/driver-api/schema/{message}.schema.json"), text });
+    }
     files.push(schema_file("error", &wirebend_cli::error_schema())?);
     Ok(files)
 }

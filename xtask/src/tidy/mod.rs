@@ -14,6 +14,7 @@ mod rooms;
 mod rust_source;
 mod sources;
 mod tree;
+mod unsafe_code;
 
 use std::path::Path;
 
@@ -34,6 +35,7 @@ pub(crate) fn run(root: &Path) -> Result<()> {
     findings.extend(purity::check_sources(&files));
     findings.extend(length::check(&files));
     findings.extend(leftovers::check(&files));
+    findings.extend(unsafe_code::check(&files));
     findings.extend(lints::check(&members, &files));
     findings.extend(sources::check(&files));
     findings.extend(local_text::check(&files));

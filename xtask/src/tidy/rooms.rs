@@ -12,12 +12,25 @@ const MAY_KNOW: &[(&str, &[&str])] = &[
     ("crates/profile", &[]),
     ("crates/files", &["crates/core", "crates/profile"]),
     ("crates/driver-api", &[]),
-    ("crates/driver-host", &["crates/driver-api", "crates/core", "crates/profile"]),
+    ("crates/driver-host", &["crates/driver-api", "tests/built"]),
     ("drivers/*", &["crates/driver-api"]),
-    ("crates/app", &["crates/core", "crates/profile", "crates/files"]),
-    ("crates/cli", &["crates/app"]),
+    ("crates/app", &["crates/core", "crates/profile", "crates/files", "crates/driver-host", "tests/built"]),
+    ("crates/cli", &["crates/app", "tests/built"]),
     ("src-tauri", &["crates/app"]),
-    ("benches", &["crates/core", "crates/profile", "crates/files", "crates/app"]),
+    // What tests load or start, not link; only for tests and benchmarks.
+    ("tests/built", &[]),
+    (
+        "benches",
+        &[
+            "crates/core",
+            "crates/profile",
+            "crates/files",
+            "crates/driver-host",
+            "crates/app",
+            "drivers/template",
+            "tests/built",
+        ],
+    ),
     ("xtask", &["*"]),
 ];
 
@@ -35,6 +48,15 @@ fn check_member(member: &Member, files: &[TreeFile]) -> Vec<Finding> {
     let mut findings = Vec::new();
     for dependency in &member.dependencies {
         let Some(room) = &dependency.room else { continue };
+        if dependency.ships && room.starts_with("tests/") {
+            findings.push(Finding::new(
+                &path,
+                member.line_of(&dependency.name, files),
+                format!("{} ships {room}", member.room),
+                "what helps tests has no place in the program",
+                "move it to [dev-dependencies]",
+            ));
+        }
         if !allowed.iter().any(|pattern| matches(pattern, room)) {
             findings.push(Finding::new(
                 &path,
@@ -97,6 +119,12 @@ mod tests {
     fn a_driver_must_not_see_the_app_nor_the_host() {
         let driver = member("drivers/pensa", &[("crates/app", true), ("crates/driver-host", true)]);
         assert_eq!(check(&[driver], &[]).len(), 2);
+    }
+
+    #[test]
+    fn what_helps_tests_does_not_ship() {
+        assert!(check(&[member("crates/app", &[("tests/built", false)])], &[]).is_empty());
+        assert_eq!(check(&[member("crates/app", &[("tests/built", true)])], &[]).len(), 1);
     }
 
     #[test]

@@ -1,0 +1,143 @@
+//! What an instance can be asked, and what it answers.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::Job;
+
+/// A request to an instance. Those from `home` on need a connection.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(tag = "call", rename_all = "kebab-case")]
+pub enum Call {
+    /// Writes a job in a format. Reply: [`Encoded`].
+    Encode(Box<Encode>),
+    /// Opens a port and greets the machine. Reply: `{}`; then the event `connected` or `fault`.
+    Connect {
+        /// Name of the port, such as `/dev/ttyUSB0` or `COM3`.
+        port: String,
+    },
+    /// Closes the port. Reply: `{}`. Nothing moves afterwards that the machine can be kept from.
+    Disconnect,
+    /// Finds the machine's reference. Reply: `{}`; then `homed` or `fault`.
+    Home,
+    /// Makes ready for one wire. Reply: `{}`. Nothing moves yet.
+    Arm(Run),
+    /// Hands over steps. Reply: [`Sent`]; then `done` for each, and `finished` after the last.
+    Send(Batch),
+    /// Moves one axis. Reply: `{}`; then `jogged` or `fault`.
+    Jog(Motion),
+    /// Holds. Reply: `{}`; then `paused`.
+    Pause,
+    /// Goes on. Reply: `{}`; then `resumed`.
+    Resume,
+    /// Stops at once. Reply: `{}`; then `stopped`. Always allowed once connected.
+    Stop,
+}
+
+/// What to write.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Encode {
+    /// Id of one of the driver's formats.
+    pub format: String,
+    /// The job.
+    pub job: Job,
+}
+
+/// The wire that is about to be made.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Run {
+    /// Hash of the job.
+    pub job_hash: String,
+    /// Hash of the design that it was planned from.
+    #[serde(default)]
+    pub design_hash: String,
+    /// Name of the design.
+    pub name: String,
+    /// Id of the machine's profile.
+    #[serde(default)]
+    pub machine: String,
+    /// Wire that has to be put in, with what cannot be fed, mm.
+    #[serde(default)]
+    pub stock_mm: Option<f64>,
+    /// Index of the wire, from 0.
+    pub wire: usize,
+    /// How many steps it has.
+    pub steps: u32,
+}
+
+/// Steps to be made one after the other.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Batch {
+    /// In order, without gaps.
+    pub steps: Vec<NumberedStep>,
+    /// Whether the wire ends with them.
+    pub last: bool,
+}
+
+/// A step of the machine with its place in the wire.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct NumberedStep {
+    /// From 1. A driver takes a number once; what it has taken already it acknowledges and does not make again.
+    pub n: u32,
+    /// Feed, rotate and bend in the machine's signs.
+    #[serde(flatten)]
+    pub step: crate::Step,
+}
+
+/// What became of a batch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Sent {
+    /// The last step that was taken; later ones of the batch have to be sent again.
+    pub accepted: u32,
+    /// How many more would be taken now.
+    pub free: u32,
+}
+
+/// A move of one axis by an amount, in the machine's signs.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Motion {
+    /// Which axis.
+    pub axis: Axis,
+    /// How far: mm for feed, degrees for the others.
+    pub by: f64,
+}
+
+/// An axis of a bender.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Axis {
+    /// Along the wire.
+    Feed,
+    /// About the wire.
+    Rotate,
+    /// Of the bend head.
+    Bend,
+}
+
+/// Files with what had to be said about them.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Encoded {
+    /// One for each wire in order, or one for all, as the format says.
+    pub files: Vec<EncodedFile>,
+    /// What was rounded, left out or assumed.
+    #[serde(default)]
+    pub notes: Vec<Note>,
+}
+
+/// A file.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct EncodedFile {
+    /// What is in it.
+    pub text: String,
+}
+
+/// Something that a person should know of what was written.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Note {
+    /// A name of lower-case letters, digits and hyphens.
+    pub code: String,
+    /// How many things it is about.
+    pub count: usize,
+    /// For a person.
+    pub message: String,
+}

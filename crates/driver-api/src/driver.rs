@@ -1,0 +1,103 @@
+//! What a driver written in Rust implements.
+
+use schemars::JsonSchema;
+use serde::de::DeserializeOwned;
+
+use crate::{Batch, Description, DriverError, Encoded, Event, Job, Motion, Run, Sent};
+
+/// A driver: settings turned into something that writes jobs and, where it can, moves a machine.
+///
+/// A panic in any method becomes an error of that call, and ends the instance.
+pub trait MachineDriver: Sized + 'static {
+    /// Its settings. `#[serde(default, deny_unknown_fields)]`, so that `{}` is enough and a misspelt key
+    /// is refused by name; every field documented with its unit, since people see that text in a form.
+    type Settings: DeserializeOwned + JsonSchema + Default;
+
+    /// What it is and can do. The settings' schema is filled in from [`MachineDriver::Settings`].
+    fn describe() -> Description;
+
+    /// Takes settings that have the right shape.
+    ///
+    /// # Errors
+    /// [`DriverError`] that names the key whose value makes no sense.
+    fn open(settings: Self::Settings) -> Result<Self, DriverError>;
+
+    /// Writes a job. The same job gives the same bytes.
+    ///
+    /// # Errors
+    /// [`DriverError`] that names the wire and the step that the format cannot hold.
+    fn encode(&self, format: &str, job: &Job) -> Result<Encoded, DriverError>;
+
+    /// Opens a port. Does not wait for the machine: its greeting is reported by `poll`.
+    ///
+    /// # Errors
+    /// [`DriverError`] that names the port and says how to get at it.
+    fn connect(&self, _port: &str) -> Result<Box<dyn MachineSession>, DriverError> {
+        Err(DriverError::unsupported("move a machine: it writes files"))
+    }
+}
+
+/// A connection to a machine. Dropping it closes the port.
+///
+/// Every method starts something and returns within [`deadline::CALL`](crate::deadline::CALL); what
+/// becomes of it is reported by [`MachineSession::poll`]. The program calls `home`, `arm`, `send` and
+/// `jog` only when the state of the session allows it; a driver refuses what it knows to be wrong all
+/// the same.
+pub trait MachineSession {
+    /// Finds the machine's reference.
+    ///
+    /// # Errors
+    /// [`DriverError`].
+    fn home(&mut self) -> Result<(), DriverError> {
+        Err(DriverError::unsupported("home the machine"))
+    }
+
+    /// Makes ready for a wire. Nothing moves.
+    ///
+    /// # Errors
+    /// [`DriverError`].
+    fn arm(&mut self, run: &Run) -> Result<(), DriverError>;
+
+    /// Takes as many steps as it has room for, from the first.
+    ///
+    /// # Errors
+    /// [`DriverError`], such as for a gap in the numbers; then no step was taken.
+    fn send(&mut self, batch: &Batch) -> Result<Sent, DriverError>;
+
+    /// Moves one axis.
+    ///
+    /// # Errors
+    /// [`DriverError`].
+    fn jog(&mut self, _motion: Motion) -> Result<(), DriverError> {
+        Err(DriverError::unsupported("move a single axis"))
+    }
+
+    /// Holds the machine.
+    ///
+    /// # Errors
+    /// [`DriverError`].
+    fn pause(&mut self) -> Result<(), DriverError> {
+        Err(DriverError::unsupported("hold the machine"))
+    }
+
+    /// Goes on after a pause.
+    ///
+    /// # Errors
+    /// [`DriverError`].
+    fn resume(&mut self) -> Result<(), DriverError> {
+        Err(DriverError::unsupported("hold the machine"))
+    }
+
+    /// Stops the machine at once and forgets what was not begun. A machine that cannot be stopped says
+    /// so here, and whatever it has not been sent yet is not sent.
+    ///
+    /// # Errors
+    /// [`DriverError`].
+    fn stop(&mut self) -> Result<(), DriverError>;
+
+    /// The next event, if there is one. Does not wait.
+    ///
+    /// # Errors
+    /// [`DriverError`] where the connection is no longer to be trusted.
+    fn poll(&mut self) -> Result<Option<Event>, DriverError>;
+}

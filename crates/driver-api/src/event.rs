@@ -1,0 +1,93 @@
+//! What a connected driver reports without being asked.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::{DriverError, Step};
+
+/// Something that happened on the machine or on the line to it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(tag = "event", rename_all = "kebab-case")]
+pub enum Event {
+    /// The machine has answered.
+    Connected {
+        /// What it says that it is.
+        identity: String,
+        /// Its settings against those of the driver.
+        #[serde(default)]
+        settings: Vec<SettingCheck>,
+        /// Whether it knows where its axes are.
+        #[serde(default)]
+        homed: bool,
+    },
+    /// The machine has found its reference.
+    Homed,
+    /// A step has been made: the machine says so, or its time is over where no machine says anything.
+    Done {
+        /// The step.
+        n: u32,
+    },
+    /// The last step has been made and the machine is at rest.
+    Finished,
+    /// A jog is over.
+    Jogged,
+    /// The machine holds.
+    Paused,
+    /// The machine goes on.
+    Resumed,
+    /// The machine has stopped.
+    Stopped {
+        /// Whether it still knows where its axes are.
+        homed: bool,
+    },
+    /// Where the axes are, in the machine's signs.
+    Position(Step),
+    /// A line to or from the machine.
+    Console {
+        /// Which way it went.
+        direction: Direction,
+        /// The line, without its end.
+        text: String,
+    },
+    /// Something that a person should know and that ends nothing.
+    Warning(DriverError),
+    /// The run is over, or the connection is.
+    Fault {
+        /// What happened and what to do.
+        #[serde(flatten)]
+        error: DriverError,
+        /// The step of which nobody knows whether it was made.
+        #[serde(default)]
+        in_doubt: Option<u32>,
+        /// Whether the port is closed.
+        #[serde(default)]
+        disconnected: bool,
+    },
+    /// One of a later minor version, which this one does not know. It changes nothing.
+    #[serde(other)]
+    Unknown,
+}
+
+/// Which way a line went.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub enum Direction {
+    /// To the machine.
+    #[serde(rename = "->")]
+    ToMachine,
+    /// From the machine.
+    #[serde(rename = "<-")]
+    FromMachine,
+}
+
+/// A setting of the machine against what the driver's settings say.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct SettingCheck {
+    /// What it is called, on the machine and for people.
+    pub name: String,
+    /// What the machine says.
+    pub machine: String,
+    /// What was expected.
+    pub expected: String,
+    /// Whether a program would come out wrong.
+    pub matters: bool,
+}
