@@ -1,0 +1,36 @@
+//! Finds machine drivers, verifies them, runs each in a process of its own, and keeps the session with a
+//! machine.
+//!
+//! Enter at [`Shelf::look`] (which drivers there are), [`Driver::start`] (one of them, running) and
+//! [`Session::connect`] (a machine). What a driver does to itself (a crash, a hang, a flood, a leak)
+//! ends its process and becomes a [`HostError`]; nothing else is touched by it.
+//!
+//! A program that uses this crate gives its own executable as the process of a driver: it hands the
+//! arguments after [`CHILD_COMMAND`] to [`child_main`] before it does anything else.
+
+mod child;
+mod confine;
+mod driver;
+mod ending;
+mod error;
+mod frame;
+mod library;
+mod process;
+mod session;
+mod shelf;
+mod trust;
+
+pub use child::child_main;
+pub use driver::{Driver, Examined, Launch, OpenDriver};
+pub use error::HostError;
+pub use session::{
+    Armed, Asked, Confirmed, Purpose, Session, SessionError, State, StopHandle, StopOutcome, StoppedBy,
+};
+pub use shelf::{Found, Place, Places, Shelf, Verdict};
+pub use trust::{Fingerprint, TrustError, TrustStore};
+
+/// What drivers and this program say to each other.
+pub use wirebend_driver_api as api;
+
+/// The first argument of a process that is a driver's.
+pub const CHILD_COMMAND: &str = "driver-child";

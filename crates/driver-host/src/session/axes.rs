@@ -1,0 +1,36 @@
+//! Where the axes stand that every wire counts from.
+
+use wirebend_driver_api::Axis;
+
+use super::SessionError;
+
+/// Below this a sum of turns is rounding, degrees.
+const ROUNDING_DEG: f64 = 1e-6;
+
+/// How far the head and the bend axis are from where a wire has to start, degrees, in the machine's signs.
+///
+/// A program counts from there: the head has its turns up to the limits of its cables, and the bend axis
+/// its reach to both sides. The wire itself may be fed by hand.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct OffZero {
+    rotate_deg: f64,
+    bend_deg: f64,
+}
+
+impl OffZero {
+    pub fn turned(&mut self, axis: Axis, by: f64) {
+        match axis {
+            Axis::Feed => {}
+            Axis::Rotate => self.rotate_deg += by,
+            Axis::Bend => self.bend_deg += by,
+        }
+    }
+
+    pub fn require_zero(&self) -> Result<(), SessionError> {
+        let Self { rotate_deg, bend_deg } = *self;
+        if rotate_deg.abs() < ROUNDING_DEG && bend_deg.abs() < ROUNDING_DEG {
+            return Ok(());
+        }
+        Err(SessionError::OffZero { rotate_deg, bend_deg })
+    }
+}

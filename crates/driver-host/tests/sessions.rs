@@ -1,0 +1,238 @@
+//! A session with a machine that behaves: what may be done when, and what a stop ends.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // a test may stop at what cannot be
+
+use std::path::Path;
+
+use serde_json::json;
+use wirebend_driver_api::{Axis, Event, Motion, NumberedStep, Run, Step};
+use wirebend_driver_host::{
+    Armed, Asked, Confirmed, Driver, Found, HostError, Launch, Place, Purpose, Session, SessionError, State,
+    StoppedBy, TrustStore,
+};
+
+fn session() -> Session {
+    session_with(&wirebend_tests_built::driver("hostile"))
+}
+
+fn session_with(library: &Path) -> Session {
+    let trust = TrustStore::open("none.json".as_ref()).unwrap();
+    let found = Found::at(library, Place::App, &trust);
+    let launch = Launch { program: wirebend_tests_built::driver_child(), memory_bytes: 256 << 20 };
+    let open = Driver::start(&found, &launch).unwrap().open(&json!({})).unwrap();
+    Session::connect(open, "anywhere").unwrap()
+}
+
+fn yes() -> Confirmed {
+    Confirmed::by(&Asked { question: "May it move?".into() }, |_| true).unwrap()
+}
+
+fn run(steps: u32) -> Purpose {
+    Purpose::Wire(Run { job_hash: "0".repeat(64), name: "test".into(), wire: 0, steps, ..Run::default() })
+}
+
+fn steps(numbers: std::ops::RangeInclusive<u32>) -> Vec<NumberedStep> {
+    numbers
+        .map(|n| NumberedStep { n, step: Step { feed_mm: 30.0, rotate_deg: 0.0, bend_deg: 45.0 } })
+        .collect()
+}
+
+fn homed() -> Session {
+    let mut session = session();
+    session.poll().unwrap();
+    session.home(&yes()).unwrap();
+    session.poll().unwrap();
+    session
+}
+
+fn running(total: u32) -> (Session, Armed) {
+    let mut session = homed();
+    let armed = session.arm(run(total), yes()).unwrap();
+    session.send(&armed, &steps(1..=2)).unwrap();
+    session.poll().unwrap();
+    (session, armed)
+}
+
+#[track_caller]
+fn refused(result: Result<impl Sized, SessionError>) -> String {
+    match result.map(drop).unwrap_err() {
+        error @ SessionError::State { .. } => error.to_string(),
+        other => panic!("{other}"),
+    }
+}
+
+#[test]
+fn a_wire_is_made_from_start_to_end() {
+    let mut session = session();
+    assert_eq!(session.state(), State::Disconnected);
+    assert!(matches!(session.poll().unwrap()[..], [Event::Connected { homed: false, .. }]));
+    assert_eq!(session.state(), State::Connected);
+    session.home(&yes()).unwrap();
+    session.poll().unwrap();
+    assert_eq!(session.state(), State::Homed);
+    let armed = session.arm(run(3), yes()).unwrap();
+    assert_eq!(session.state(), State::Armed);
+    assert_eq!(session.send(&armed, &steps(1..=2)).unwrap().accepted, 2);
+    session.poll().unwrap();
+    assert_eq!((session.state(), session.progress()), (State::Running, (2, 2)));
+    session.pause().unwrap();
+    session.poll().unwrap();
+    assert_eq!(session.state(), State::Paused);
+    session.resume(&armed).unwrap();
+    session.poll().unwrap();
+    session.send(&armed, &steps(3..=3)).unwrap();
+    let events = session.poll().unwrap();
+    assert_eq!(events, [Event::Done { n: 3 }, Event::Finished]);
+    assert_eq!(session.state(), State::Done);
+    // The next wire: armed anew, and the old token is worth nothing.
+    let next = session.arm(run(3), yes()).unwrap();
+    assert!(matches!(session.send(&armed, &steps(1..=1)), Err(SessionError::Stale)));
+    session.send(&next, &steps(1..=1)).unwrap();
+    session.disconnect().unwrap().close().unwrap();
+}
+
+#[test]
+fn nothing_moves_out_of_turn() {
+    let mut session = session();
+    assert!(refused(session.home(&yes())).contains("while the machine is disconnected"));
+    session.poll().unwrap();
+    assert!(refused(session.arm(run(3), yes())).contains("homed, or done"));
+    assert!(refused(session.pause()).contains("running"));
+    let mut session = homed();
+    let armed = session.arm(Purpose::ByHand, yes()).unwrap();
+    session.jog(&armed, Motion { axis: Axis::Bend, by: -5.0 }).unwrap();
+    assert!(matches!(session.send(&armed, &steps(1..=1)), Err(SessionError::NotForAWire)));
+    let (mut session, armed) = running(3);
+    assert!(refused(session.jog(&armed, Motion { axis: Axis::Feed, by: 1.0 })).contains("no wire in hand"));
+    assert!(refused(session.home(&yes())).contains("at rest"));
+    assert!(refused(session.resume(&armed)).contains("paused"));
+}
+
+#[test]
+fn steps_come_in_order_and_end_with_the_wire() {
+    let (mut session, armed) = running(3);
+    for wrong in [steps(4..=4), steps(2..=3), steps(3..=4), vec![]] {
+        let error = session.send(&armed, &wrong).unwrap_err();
+        assert!(matches!(error, SessionError::Steps { sent: 2, total: 3 }), "{error}");
+    }
+    assert_eq!(session.state(), State::Running, "a wrong request changes nothing");
+}
+
+fn jog(axis: Axis, by: f64) -> Motion {
+    Motion { axis, by }
+}
+
+/// A program counts from where the axes stand: a bend of 90° would become one of 110°.
+#[test]
+fn a_wire_starts_where_its_axes_are_at_zero() {
+    let mut session = homed();
+    let by_hand = session.arm(Purpose::ByHand, yes()).unwrap();
+    session.jog(&by_hand, jog(Axis::Feed, 100.0)).unwrap();
+    session.jog(&by_hand, jog(Axis::Bend, 20.0)).unwrap();
+    let error = session.arm(run(3), yes()).unwrap_err();
+    assert!(error.to_string().contains("bend axis 20.000°"), "{error}");
+    let by_hand = session.arm(Purpose::ByHand, yes()).unwrap();
+    session.jog(&by_hand, jog(Axis::Bend, -20.0)).unwrap();
+    session.arm(run(3), yes()).unwrap();
+}
+
+/// The cables of the head have an end: two wires may not add up to a turn that neither has.
+#[test]
+fn the_head_is_turned_back_between_wires() {
+    let mut session = homed();
+    let armed = session.arm(run(1), yes()).unwrap();
+    let step = NumberedStep { n: 1, step: Step { feed_mm: 30.0, rotate_deg: 180.0, bend_deg: 45.0 } };
+    session.send(&armed, &[step]).unwrap();
+    session.poll().unwrap();
+    assert_eq!(session.state(), State::Done);
+    let error = session.arm(run(1), yes()).unwrap_err();
+    assert!(error.to_string().contains("the head stands 180.000°"), "{error}");
+    session.home(&yes()).unwrap();
+    session.poll().unwrap();
+    session.arm(run(1), yes()).unwrap();
+}
+
+#[test]
+fn hands_stay_off_while_a_wire_is_in_hand() {
+    let mut session = homed();
+    let armed = session.arm(run(3), yes()).unwrap();
+    assert!(matches!(session.jog(&armed, jog(Axis::Feed, 1.0)), Err(SessionError::ForAWire)));
+}
+
+/// Two machines side by side.
+#[test]
+fn a_token_is_for_one_session() {
+    let (mut one, mut other) = (homed(), homed());
+    let armed = one.arm(run(3), yes()).unwrap();
+    let _of_other = other.arm(run(3), yes()).unwrap();
+    assert!(matches!(other.send(&armed, &steps(1..=1)), Err(SessionError::Stale)));
+    one.send(&armed, &steps(1..=1)).unwrap();
+}
+
+/// With other steps for each millimetre every wire comes out wrong.
+#[test]
+fn settings_that_differ_are_accepted_by_a_person_or_nothing_is_made() {
+    let folder = tempfile::tempdir().unwrap();
+    let library = folder.path().join("connect-differ.so");
+    std::fs::copy(wirebend_tests_built::driver("hostile"), &library).unwrap();
+    let mut session = session_with(&library);
+    session.poll().unwrap();
+    session.home(&yes()).unwrap();
+    session.poll().unwrap();
+    let error = session.arm(run(3), yes()).unwrap_err();
+    assert!(error.to_string().contains("$100 is 80, not 40"), "{error}");
+    session.arm(Purpose::ByHand, yes()).unwrap();
+    session.accept_differences(yes());
+    session.arm(run(3), yes()).unwrap();
+}
+
+#[test]
+fn no_is_no() {
+    assert!(Confirmed::by(&Asked { question: "May it move?".into() }, |_| false).is_none());
+}
+
+#[test]
+fn a_stop_ends_the_permission_to_move() {
+    let (mut session, armed) = running(5);
+    let outcome = session.stop();
+    assert_eq!((outcome.by, session.state()), (StoppedBy::Driver, State::Stopped));
+    assert!(matches!(session.send(&armed, &steps(3..=3)), Err(SessionError::Stale)));
+    assert!(matches!(session.resume(&armed), Err(SessionError::Stale)));
+    assert!(refused(session.arm(run(3), yes())).contains("while the machine is stopped"));
+    session.poll().unwrap();
+    assert_eq!(session.state(), State::Stopped);
+    session.home(&yes()).unwrap();
+    session.poll().unwrap();
+    session.arm(run(3), yes()).unwrap();
+}
+
+/// The window's button, Ctrl-C and the network of a workshop are all on other threads.
+#[test]
+fn a_stop_from_elsewhere_is_noticed_before_the_next_motion() {
+    let (mut session, armed) = running(5);
+    let handle = session.stop_handle();
+    assert_eq!(std::thread::spawn(move || handle.stop()).join().unwrap().by, StoppedBy::Driver);
+    assert!(matches!(session.send(&armed, &steps(3..=3)), Err(SessionError::Stale)));
+    session.poll().unwrap();
+    assert_eq!(session.state(), State::Stopped);
+
+    // Between being homed and being armed.
+    let mut session = homed();
+    assert_eq!(session.stop_handle().stop().by, StoppedBy::Driver);
+    let error = session.arm(run(3), yes()).unwrap_err();
+    assert!(matches!(error, SessionError::Host(HostError::StoppedBefore { .. })), "{error}");
+    assert_eq!(session.state(), State::Stopped);
+}
+
+#[test]
+fn a_driver_that_only_writes_files_has_no_session() {
+    let trust = TrustStore::open("none.json".as_ref()).unwrap();
+    let found = Found::at(&wirebend_tests_built::driver("template"), Place::App, &trust);
+    let launch = Launch { program: wirebend_tests_built::driver_child(), memory_bytes: 256 << 20 };
+    let open = Driver::start(&found, &launch).unwrap().open(&json!({})).unwrap();
+    let error = Session::connect(open, "anywhere").unwrap_err();
+    assert!(
+        matches!(error, SessionError::Unsupported { .. }) && error.to_string().contains("'live'"),
+        "{error}"
+    );
+}

@@ -1,0 +1,67 @@
+//! What it does when it behaves: a machine in memory that makes every step at once.
+
+use std::collections::VecDeque;
+
+use serde_json::{Value, json};
+
+use crate::conduct::is_told;
+
+pub(crate) const DESCRIPTION: &str = r#"{"id": "hostile", "name": "Hostile", "version": "0.1.0",
+"description": "Misbehaves on demand, for tests.",
+"capabilities": ["export", "live", "jog", "home", "pause", "resume", "stop"],
+"formats": [{"id": "hostile-text", "name": "Text", "extensions": ["txt"], "content": "design"}],
+"settings_schema": {"type": "object", "properties": {}, "additionalProperties": false}}"#;
+
+fn connected() -> Value {
+    let differs = json!([{"name": "$100", "machine": "80", "expected": "40", "matters": true}]);
+    let settings = if is_told("connect", "differ") { differs } else { json!([]) };
+    json!({"event": "connected", "identity": "nobody", "settings": settings})
+}
+
+/// An instance with its machine.
+#[derive(Debug, Default)]
+pub(crate) struct Instance {
+    events: VecDeque<Value>,
+}
+
+impl Instance {
+    /// The name of the call and what is answered.
+    pub fn call(&mut self, request: &[u8]) -> (String, Result<String, String>) {
+        let request: Value = serde_json::from_slice(request).unwrap_or_default();
+        let name = request["call"].as_str().unwrap_or_default().to_owned();
+        let mut reply = json!({});
+        match name.as_str() {
+            "encode" => reply = json!({"files": [{"text": "a wire\n"}]}),
+            "connect" => self.events.push_back(connected()),
+            "home" => self.events.push_back(json!({"event": "homed"})),
+            "send" => reply = self.send(&request),
+            "jog" => self.events.push_back(json!({"event": "jogged"})),
+            "pause" => self.events.push_back(json!({"event": "paused"})),
+            "resume" => self.events.push_back(json!({"event": "resumed"})),
+            "stop" => self.events.push_back(json!({"event": "stopped", "homed": false})),
+            "arm" | "disconnect" => {}
+            _ => {
+                let error = json!({"code": "unknown-call", "message": format!("'{name}' is not known")});
+                return (name, Err(error.to_string()));
+            }
+        }
+        (name, Ok(reply.to_string()))
+    }
+
+    /// The next event, or nothing.
+    pub fn poll(&mut self) -> String {
+        self.events.pop_front().map(|event| event.to_string()).unwrap_or_default()
+    }
+
+    fn send(&mut self, request: &Value) -> Value {
+        let steps = request["steps"].as_array().map(Vec::as_slice).unwrap_or_default();
+        // Steps that were never sent, and a wire that is made before its steps are.
+        let lie = if is_told("send", "lie") { 5 } else { 0 };
+        let numbers = steps.iter().filter_map(|step| Some(step["n"].as_u64()? + lie));
+        self.events.extend(numbers.map(|n| json!({"event": "done", "n": n})));
+        if request["last"] == true {
+            self.events.push_back(json!({"event": "finished"}));
+        }
+        json!({"accepted": steps.last().map_or(&json!(0), |step| &step["n"]), "free": 4})
+    }
+}
