@@ -41,7 +41,7 @@ fn the_lists_have_the_machines_materials_and_errors_that_the_manual_names() {
         list.into_iter().filter(|one| !one.is_abstract).map(|one| one.id).collect()
     };
     let library = library();
-    let machines = ["grbl-bender", "howtomechatronics", "pensa-diwire-pro", "wirebend-kit"];
+    let machines = ["grbl-bender", "howtomechatronics", "pensa-diwire-pro", "table-bender", "wirebend-kit"];
     assert_eq!(ids(library.machines()), machines);
     let materials = [
         "aluminium-3-175mm",

@@ -12,7 +12,7 @@ fn an_unknown_parent_is_answered_with_the_nearest_ids() {
         "mine.json",
         &text,
         expect![[r#"
-            profile-unknown-parent: mine.json:5: inherits from the unknown machine `wirebend-kid` (one whose file was refused is unknown too); did you mean `wirebend-kit`? Known: grbl-bender, howtomechatronics, pensa-diwire-pro, wirebend-kit
+            profile-unknown-parent: mine.json:5: inherits from the unknown machine `wirebend-kid` (one whose file was refused is unknown too); did you mean `wirebend-kit`? Known: grbl-bender, howtomechatronics, pensa-diwire-pro, table-bender, wirebend-kit
         "#]],
     );
 }
@@ -128,12 +128,12 @@ fn an_unknown_id_is_answered_with_the_nearest_and_the_known() {
     let machine = library.machine("wirebendkit").unwrap_err();
     let noise = library.noise("zzz").unwrap_err();
     expect![[r#"
-        profile-unknown: no machine has the id `wirebendkit`; did you mean `wirebend-kit`? Known: grbl-bender, howtomechatronics, pensa-diwire-pro, wirebend-kit
+        profile-unknown: no machine has the id `wirebendkit`; did you mean `wirebend-kit`? Known: grbl-bender, howtomechatronics, pensa-diwire-pro, table-bender, wirebend-kit
         profile-unknown: no noise has the id `zzz`; known: bend-forming, none, wirebend-kit
     "#]]
     .assert_eq(&messages(&[machine, noise]));
     let (near, far) = (library.kinds("pensa").unwrap_err(), library.kinds("zzz").unwrap_err());
-    let all = "machines: grbl-bender, howtomechatronics, pensa-diwire-pro, wirebend-kit; \
+    let all = "machines: grbl-bender, howtomechatronics, pensa-diwire-pro, table-bender, wirebend-kit; \
         materials: aluminium-3-175mm, aluminium-6061-o-3mm, aluminium-6061-t6-3mm, brass-1-6mm, copper-2mm, \
         steel-0-9mm, steel-1010, steel-1mm, steel-3mm; noise: bend-forming, none, wirebend-kit";
     let expected = format!(
