@@ -1,0 +1,207 @@
+//! What the program asks for.
+
+use std::time::Duration;
+
+use wirebend_driver_api::{Axis, Batch, DriverError, Motion, Run, Sent};
+
+use super::making::{Hold, Making, Part};
+use super::protocol::{Phase, Protocol};
+use super::status::State;
+use crate::program::{digits, trimmed};
+use crate::settings::Homing;
+
+const HOLD: u8 = b'!';
+const RESUME: u8 = b'~';
+/// The farthest jog, units of the machine. No bender is longer.
+const FARTHEST_JOG: f64 = 10_000.0;
+
+impl Protocol {
+    /// `$H`, or a person's word that the axes stand at zero.
+    pub fn home(&mut self, now: Duration) -> Result<(), DriverError> {
+        self.now = now;
+        self.ready()?;
+        let locked = match self.machine.state {
+            Some(State::Alarm) => true,
+            Some(State::Idle) => false,
+            state => return Err(not_idle(state)),
+        };
+        let zero = self.settings.axes().map(|(_, axis)| format!(" {}0", axis.letter())).concat();
+        match self.settings.homing {
+            Homing::Switches => self.stream.take(["$H".to_owned()]),
+            Homing::None if locked => self.stream.take(["$X".to_owned(), format!("G92{zero}")]),
+            Homing::None => self.stream.take([format!("G92{zero}")]),
+        }
+        self.machine.homed = false;
+        self.phase = Phase::Homing { since: now };
+        self.asking.pause(now);
+        self.feed();
+        Ok(())
+    }
+
+    /// Nothing is sent.
+    pub fn arm(&mut self, run: &Run, now: Duration) -> Result<(), DriverError> {
+        self.now = now;
+        self.ready()?;
+        self.at_rest()?;
+        self.has_axes()?;
+        if !self.machine.homed {
+            let what = "nobody knows where the axes are";
+            return Err(DriverError::new("not-homed", what, "home the machine first"));
+        }
+        self.garbled = 0;
+        self.phase = Phase::Making(Box::new(Making::new(&self.settings, run)?));
+        Ok(())
+    }
+
+    pub fn send(&mut self, batch: &Batch, now: Duration) -> Result<Sent, DriverError> {
+        self.now = now;
+        let Phase::Making(making) = &mut self.phase else {
+            let what = "the machine is not armed for a wire";
+            return Err(DriverError::new("not-armed", what, "arm it first"));
+        };
+        let sent = making.take(batch)?;
+        if making.hold == Hold::No {
+            self.go_on();
+        }
+        Ok(sent)
+    }
+
+    /// One axis by an amount, as a jog: the controller refuses what is beyond its travel and can give it up.
+    pub fn jog(&mut self, motion: Motion, now: Duration) -> Result<(), DriverError> {
+        self.now = now;
+        self.ready()?;
+        self.at_rest()?;
+        self.has_axes()?;
+        let s = &self.settings;
+        let (letter, units, rate) = match motion.axis {
+            Axis::Feed => (s.feed_axis, s.feed_units_per_mm, s.feed_rate_mm_per_min),
+            Axis::Rotate => (s.rotate_axis, s.rotate_units_per_deg, s.rotate_rate_deg_per_min),
+            Axis::Bend => (s.bend_axis, s.bend_units_per_deg, s.bend_rate_deg_per_min),
+        };
+        let by = motion.by * units;
+        if by.is_nan() || by.abs() > FARTHEST_JOG {
+            let what = format!("a jog by {} is too far; the most is {}", motion.by, FARTHEST_JOG / units);
+            return Err(DriverError::new("jog", what, "jog in smaller parts"));
+        }
+        #[allow(clippy::cast_possible_truncation)] // at most 10000 with four digits
+        let written = (by * 10f64.powi(i32::from(s.decimals))).round() as i64;
+        if written == 0 {
+            let what = format!("a jog by {} is less than the last digit that is written", motion.by);
+            return Err(DriverError::new("jog", what, "jog farther, or raise 'decimals' in the settings"));
+        }
+        let number = digits(written, s.decimals);
+        let line = format!("$J=G91 G21 {}{number} F{}", letter.letter(), trimmed(rate * units));
+        self.stream.take([line]);
+        self.phase = Phase::Jogging { stopping: None };
+        self.asking.outdated();
+        self.feed();
+        Ok(())
+    }
+
+    /// A feed hold: the axes slow down and keep their place.
+    pub fn pause(&mut self, now: Duration) -> Result<(), DriverError> {
+        self.now = now;
+        match &mut self.phase {
+            Phase::Making(making)
+                if making.part != Part::Armed && matches!(making.hold, Hold::No | Hold::Asked) =>
+            {
+                making.hold = Hold::Asked;
+            }
+            _ => return Err(DriverError::new("not-running", "nothing runs that could be held", "")),
+        }
+        self.at_once(HOLD);
+        Ok(())
+    }
+
+    pub fn resume(&mut self, now: Duration) -> Result<(), DriverError> {
+        self.now = now;
+        match &mut self.phase {
+            Phase::Making(making) if matches!(making.hold, Hold::Held | Hold::Resuming) => {
+                making.hold = Hold::Resuming;
+            }
+            _ => return Err(DriverError::new("not-paused", "the machine does not hold", "pause it first")),
+        }
+        self.at_once(RESUME);
+        Ok(())
+    }
+
+    /// At once, whatever goes on. A jog is given up, which keeps its place; all else is ended by a reset.
+    pub fn stop(&mut self, now: Duration) -> Result<(), DriverError> {
+        self.now = now;
+        match self.phase {
+            Phase::Over => return Err(over()),
+            Phase::Greeting(_) | Phase::Reading(_) => self.stop_first(),
+            Phase::Jogging { stopping: None } => {
+                self.phase = Phase::Jogging { stopping: Some(now) };
+                self.cancel_jog();
+            }
+            _ => self.reset(true),
+        }
+        Ok(())
+    }
+
+    /// Whether something new may begin. What was armed and not begun is given up for it.
+    fn ready(&mut self) -> Result<(), DriverError> {
+        let busy = match &self.phase {
+            Phase::Ready => return Ok(()),
+            Phase::Making(making) if making.is_armed_only() => {
+                self.phase = Phase::Ready;
+                return Ok(());
+            }
+            Phase::Over => return Err(over()),
+            Phase::Mute => {
+                return Err(DriverError::new(
+                    "silent",
+                    "the machine does not answer",
+                    "stop it, or connect again",
+                ));
+            }
+            Phase::Greeting(_) | Phase::Reading(_) => "the machine has not answered yet",
+            Phase::Homing { .. } => "the machine is homing",
+            Phase::Jogging { .. } => "an axis moves",
+            Phase::Making(_) => "a wire is made",
+            Phase::Halting { .. } | Phase::Resetting(_) => "the machine is being stopped",
+        };
+        Err(DriverError::new("busy", busy, "wait until it is over, or stop it"))
+    }
+
+    fn at_rest(&self) -> Result<(), DriverError> {
+        match self.machine.state {
+            Some(State::Idle) => Ok(()),
+            Some(State::Alarm) => {
+                let what = "the machine is locked by an alarm";
+                Err(DriverError::new("alarm", what, "see what has happened, then home the machine"))
+            }
+            state => Err(not_idle(state)),
+        }
+    }
+
+    fn has_axes(&self) -> Result<(), DriverError> {
+        let axes = self.machine.axes;
+        match self.settings.axes().into_iter().find(|(_, letter)| letter.place() >= axes) {
+            None => Ok(()),
+            Some((key, letter)) => {
+                let what = format!("'{key}' is {}; the machine reports {axes} axes", letter.letter());
+                Err(DriverError::new(
+                    "no-such-axis",
+                    what,
+                    "set a letter that the machine has; stock grbl has X, Y, Z",
+                ))
+            }
+        }
+    }
+}
+
+fn over() -> DriverError {
+    DriverError::new("disconnected", "the connection is over", "connect again")
+}
+
+fn not_idle(state: Option<State>) -> DriverError {
+    let (name, help) = match state {
+        Some(State::Check) => ("Check", "it only pretends to move: leave check mode with $C, or press stop"),
+        Some(State::Door { .. }) => ("Door", "close the safety door, then press stop"),
+        Some(state) => (state.name(), "press stop, which resets it"),
+        None => ("unknown", "wait a moment"),
+    };
+    DriverError::new("not-idle", format!("the machine is not at rest: its state is {name}"), help)
+}

@@ -1,0 +1,286 @@
+//! How things end: done, refused, alarmed, stopped, silent, unplugged.
+
+use std::time::Duration;
+
+use wirebend_driver_api::{DriverError, Event};
+
+use super::making::Part;
+use super::protocol::{Phase, Protocol};
+use super::status::State;
+use crate::codes;
+
+const RESET: u8 = 0x18;
+const HOLD: u8 = b'!';
+const JOG_CANCEL: u8 = 0x85;
+/// A homing cycle of long axes at grbl's default rates takes half a minute.
+const HOME_WITHIN: Duration = Duration::from_mins(1);
+/// A jog that has been given up stops within a few tenths of a second.
+const JOG_ENDS_WITHIN: Duration = Duration::from_secs(1);
+/// A feed hold at grbl's default acceleration takes about one second.
+const HALT_WITHIN: Duration = Duration::from_secs(2);
+/// A reset takes a few ms; after an alarm the controller waits half a second first.
+const GREET_WITHIN: Duration = Duration::from_secs(1);
+const MOST_RESETS: u32 = 4;
+/// A greeting so soon after a reset was asked for is the answer to it, though another came first.
+const ECHO: Duration = Duration::from_secs(2);
+
+/// A reset that is under way.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Reset {
+    /// The program has asked for it, and is told when it is over.
+    pub stop: bool,
+    pub since: Duration,
+    pub tries: u32,
+    pub greeted: bool,
+}
+
+impl Protocol {
+    /// The axes are where their zero is.
+    pub(super) fn homed(&mut self) {
+        self.phase = Phase::Ready;
+        self.machine.homed = true;
+        self.event(Event::Homed);
+    }
+
+    pub(super) fn homing_late(&mut self, since: Duration) {
+        if self.now.saturating_sub(since) >= HOME_WITHIN {
+            let what = "homing has not ended within a minute";
+            self.fault(DriverError::new(
+                "homing",
+                what,
+                "raise $24 and $25, or see whether a switch is missed",
+            ));
+            self.reset(false);
+        }
+    }
+
+    pub(super) fn jogged(&mut self) {
+        let stopping = matches!(self.phase, Phase::Jogging { stopping: Some(_) });
+        self.phase = Phase::Ready;
+        self.event(if stopping { Event::Stopped { homed: self.machine.homed } } else { Event::Jogged });
+    }
+
+    /// The controller looks at this only while it jogs (`serial.c`), and ignores it before it has taken the
+    /// line of the jog. So it is said again for as long as a jog that is to stop may go on.
+    pub(super) fn cancel_jog(&mut self) {
+        if matches!(self.phase, Phase::Jogging { stopping: Some(_) }) {
+            self.at_once(JOG_CANCEL);
+        }
+    }
+
+    pub(super) fn jog_late(&mut self, since: Duration) {
+        if self.now.saturating_sub(since) >= JOG_ENDS_WITHIN {
+            self.reset(true);
+        }
+    }
+
+    /// A line was refused.
+    pub(super) fn refused(&mut self, code: u32, line: &str) {
+        let (meaning, help) = codes::error(code);
+        let name = if code == 0 { "error".to_owned() } else { format!("error {code}") };
+        let what = format!("the machine refuses the line '{line}' with {name}: {meaning}");
+        let error = DriverError::new(&format!("grbl-error-{code}"), what, help);
+        match self.phase {
+            Phase::Reading(_) => self.question_refused(error),
+            // None of it moves, and the lines behind it would not be what they were meant for.
+            Phase::Homing { .. } | Phase::Jogging { stopping: None } => {
+                self.fault(error);
+                self.stream.clear();
+                self.phase = Phase::Ready;
+            }
+            _ => self.fail(error),
+        }
+    }
+
+    /// The run is over: told at once, then the machine slows down and is reset, which empties its buffers.
+    pub(super) fn fail(&mut self, error: DriverError) {
+        match self.phase {
+            Phase::Greeting(_) | Phase::Reading(_) => self.close(error),
+            Phase::Ready => self.fault(error),
+            // The first reason is the one that counts.
+            Phase::Halting { .. } | Phase::Resetting(_) | Phase::Mute | Phase::Over => {}
+            Phase::Homing { .. } | Phase::Jogging { .. } | Phase::Making(_) => {
+                self.fault(error);
+                self.stream.clear();
+                self.at_once(HOLD);
+                self.phase = Phase::Halting { since: self.now };
+            }
+        }
+    }
+
+    /// A report, asked for after the hold.
+    pub(super) fn halted(&mut self, state: State) {
+        let moving = matches!(
+            state,
+            State::Run
+                | State::Jog
+                | State::Home
+                | State::Hold { at_rest: false }
+                | State::Door { at_rest: false }
+        );
+        if !moving {
+            self.reset(false);
+        }
+    }
+
+    pub(super) fn halting_late(&mut self, since: Duration) {
+        if self.now.saturating_sub(since) >= HALT_WITHIN {
+            self.reset(false);
+        }
+    }
+
+    /// `ALARM:`, or 0 for an alarm that only a report has told of.
+    pub(super) fn alarm(&mut self, code: u32) {
+        // Beyond the travel is known before anything moves; all others may have lost steps.
+        if code != 2 {
+            self.machine.homed = false;
+        }
+        self.machine.state = Some(State::Alarm);
+        match self.phase {
+            Phase::Ready | Phase::Homing { .. } | Phase::Jogging { .. } | Phase::Making(_) => {}
+            Phase::Halting { .. } => return self.reset(false),
+            _ => return,
+        }
+        let (meaning, help) = codes::alarm(code);
+        let (name, meaning) =
+            if code == 0 { (String::new(), "the machine is locked") } else { (format!(" {code}"), meaning) };
+        let what = format!("alarm{name}: {meaning}");
+        self.fault(DriverError::new(&format!("grbl-alarm-{code}"), what, help));
+        if matches!(code, 3 | 6..=9) {
+            // The controller resets by itself now. Another reset would be greeted a second time.
+            self.stream.clear();
+            self.phase = Phase::Resetting(Reset { stop: false, since: self.now, tries: 0, greeted: false });
+        } else {
+            self.reset(false);
+        }
+    }
+
+    /// Halts the machine at once. While it moves, steps are lost, and it says so with an alarm.
+    pub(super) fn reset(&mut self, stop: bool) {
+        self.in_doubt();
+        let stop = stop || matches!(self.phase, Phase::Resetting(Reset { stop: true, .. }));
+        self.stream.clear();
+        self.forget_output();
+        self.at_once(RESET);
+        self.machine.reset_at = Some(self.now);
+        self.phase = Phase::Resetting(Reset { stop, since: self.now, tries: 1, greeted: false });
+    }
+
+    pub(super) fn reset_late(&mut self) {
+        let Phase::Resetting(reset) = &mut self.phase else { return };
+        if reset.greeted || self.now.saturating_sub(reset.since) < GREET_WITHIN {
+            return;
+        }
+        if reset.tries < MOST_RESETS {
+            (reset.tries, reset.since) = (reset.tries + 1, self.now);
+            self.machine.reset_at = Some(self.now);
+            return self.at_once(RESET);
+        }
+        self.machine.homed = false;
+        self.fault(DriverError::new(
+            "no-stop",
+            format!("the machine has not answered {MOST_RESETS} resets; it may still be moving"),
+            "cut its power",
+        ));
+        self.phase = Phase::Mute;
+    }
+
+    /// A greeting.
+    pub(super) fn greeted(&mut self, name: &str) {
+        self.machine.began_anew();
+        self.incoming.clear();
+        let stop = match self.phase {
+            Phase::Greeting(_) | Phase::Reading(_) => return self.greeted_first(name),
+            Phase::Over => return,
+            Phase::Resetting(reset) => reset.stop,
+            Phase::Halting { .. } | Phase::Mute => {
+                self.machine.homed = false;
+                false
+            }
+            Phase::Ready if self.machine.reset_at.is_some_and(|at| self.now.saturating_sub(at) <= ECHO) => {
+                return self.asking.begin();
+            }
+            Phase::Ready | Phase::Homing { .. } | Phase::Jogging { .. } | Phase::Making(_) => {
+                self.machine.homed = false;
+                self.fault(DriverError::new(
+                    "controller-reset",
+                    "the controller has started anew, and nobody told it to",
+                    "see whether its reset button was pressed, whether its power is strong enough, and whether \
+                     motors disturb it; then home the machine",
+                ));
+                false
+            }
+        };
+        self.stream.clear();
+        self.asking.begin();
+        self.phase = Phase::Resetting(Reset { stop, since: self.now, tries: 0, greeted: true });
+    }
+
+    /// The first report after a greeting.
+    pub(super) fn settled(&mut self, state: State) {
+        let Phase::Resetting(reset) = self.phase else { return };
+        self.machine.homed &= state == State::Idle;
+        self.phase = Phase::Ready;
+        if reset.stop {
+            self.event(Event::Stopped { homed: self.machine.homed });
+        }
+    }
+
+    /// The machine does not answer questions any more.
+    pub(super) fn silent(&mut self) {
+        let stopped = matches!(self.phase, Phase::Resetting(Reset { stop: true, greeted: true, .. }));
+        let moving = !matches!(self.phase, Phase::Ready | Phase::Resetting(_));
+        self.machine.homed = false;
+        if stopped {
+            self.event(Event::Stopped { homed: false });
+        }
+        self.fault(DriverError::new(
+            "silent",
+            "the machine has left three questions unanswered",
+            "see whether it has power; cut it if something still moves, then connect again",
+        ));
+        if moving {
+            self.reset(false);
+        } else {
+            self.phase = Phase::Mute;
+        }
+    }
+
+    /// The port is gone.
+    pub fn unplugged(&mut self, now: Duration) {
+        self.now = now;
+        if self.is_over() {
+            return;
+        }
+        let what = "the port is gone: the machine was unplugged or switched off";
+        self.close(DriverError::new(
+            "unplugged",
+            what,
+            "a controller that still has power goes on with what it was sent: cut its power, then connect again",
+        ));
+    }
+
+    /// A fault that leaves the port open.
+    fn fault(&mut self, error: DriverError) {
+        let in_doubt = self.in_doubt();
+        self.event(Event::Fault { error, in_doubt, disconnected: false });
+    }
+
+    /// A fault that ends the connection.
+    pub(super) fn close(&mut self, error: DriverError) {
+        let in_doubt = self.in_doubt();
+        self.machine.homed = false;
+        self.stream.clear();
+        self.phase = Phase::Over;
+        self.event(Event::Fault { error, in_doubt, disconnected: true });
+    }
+
+    /// The step that is under way. Then the bend axis is somewhere on its way, which is not where the next
+    /// wire could start: the reference is lost for all purposes.
+    fn in_doubt(&mut self) -> Option<u32> {
+        let Phase::Making(making) = &self.phase else { return None };
+        let Part::Step(n) = making.part else { return None };
+        self.machine.homed = false;
+        Some(n)
+    }
+}

@@ -1,0 +1,130 @@
+//! What is known of the machine.
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use wirebend_driver_api::{SettingCheck, Step};
+
+use super::status::{Place, State, Status};
+use crate::program::trimmed;
+use crate::settings::{Homing, Settings};
+
+const MM_PER_INCH: f64 = 25.4;
+/// The controller writes its settings with three decimals.
+const SAME: f64 = 0.000_5;
+
+#[derive(Debug, Default)]
+pub(super) struct Machine {
+    /// Its greeting, without the hint at its end.
+    pub greeting: Option<String>,
+    /// Version and date of its firmware, and what its owner has added.
+    pub build: Option<String>,
+    /// Its settings as it writes them.
+    pub settings: BTreeMap<String, String>,
+    /// What it was doing when it was last heard of.
+    pub state: Option<State>,
+    /// Whether the axes have been where their zero is, and nothing has happened since that makes it doubtful.
+    pub homed: bool,
+    /// When it was last told to reset.
+    pub reset_at: Option<Duration>,
+    /// How many axes it reports.
+    pub axes: usize,
+    /// From the machine's zero to the program's, in its units.
+    offset: Vec<f64>,
+    position: Option<Step>,
+}
+
+impl Machine {
+    /// What it says that it is.
+    pub fn identity(&self) -> String {
+        let words = [self.greeting.as_deref(), self.build.as_deref()];
+        words.into_iter().flatten().collect::<Vec<_>>().join(", ")
+    }
+
+    /// Forgets what a reset changes.
+    pub fn began_anew(&mut self) {
+        self.state = None;
+        self.offset.clear();
+    }
+
+    /// The position of a report in mm and degrees, where it is a new one.
+    pub fn moved_to(&mut self, status: &Status, settings: &Settings) -> Option<Step> {
+        if let Some(offset) = &status.offset {
+            self.offset.clone_from(offset);
+        }
+        let (values, offset) = match &status.place {
+            Place::Machine(values) => (values, self.offset.as_slice()),
+            Place::Work(values) => (values, [].as_slice()),
+        };
+        self.axes = values.len();
+        let unit = if self.reports_inches() { MM_PER_INCH } else { 1.0 };
+        let [feed, rotate, bend] = settings.axes().map(|(_, axis)| {
+            let place = axis.place();
+            values.get(place).map(|value| (value - offset.get(place).copied().unwrap_or_default()) * unit)
+        });
+        let position = Step {
+            feed_mm: feed? / settings.feed_units_per_mm,
+            rotate_deg: rotate? / settings.rotate_units_per_deg,
+            bend_deg: bend? / settings.bend_units_per_deg,
+        };
+        (self.position.replace(position) != Some(position)).then_some(position)
+    }
+
+    /// `$13`: the controller turns all of its axes into inches then, those in degrees too.
+    fn reports_inches(&self) -> bool {
+        self.settings.get("$13").is_some_and(|value| value == "1")
+    }
+
+    /// The settings that are not what they should be.
+    pub fn differences(&self, settings: &Settings) -> Vec<SettingCheck> {
+        // With laser mode the pin's output follows the rate of motion, and goes off at rest.
+        let mut expected = BTreeMap::from([("$32".to_owned(), 0.0)]);
+        if settings.homing == Homing::Switches {
+            expected.insert("$22".to_owned(), 1.0);
+        }
+        expected.extend(settings.expected.clone());
+        let differs = |(key, wanted): (&String, &f64)| {
+            let machine = self.settings.get(key);
+            let value = machine.and_then(|value| value.parse::<f64>().ok());
+            if value.is_some_and(|value| (value - wanted).abs() <= SAME) {
+                return None;
+            }
+            Some(SettingCheck {
+                name: named(key),
+                machine: machine.cloned().unwrap_or_else(|| "not there".to_owned()),
+                expected: trimmed(*wanted),
+                matters: matters(key),
+            })
+        };
+        expected.iter().filter_map(differs).collect()
+    }
+}
+
+/// A setting on the machine and for people.
+fn named(key: &str) -> String {
+    let axis = |at: usize| ["X", "Y", "Z", "A", "B", "C"].get(at).copied().unwrap_or("axis");
+    let number: usize = key.trim_start_matches('$').parse().unwrap_or_default();
+    let name = match number {
+        1 => "how long motors are held, ms".to_owned(),
+        3 => "directions of the axes".to_owned(),
+        13 => "reports in inches".to_owned(),
+        20 => "soft limits".to_owned(),
+        21 => "hard limits".to_owned(),
+        22 => "homing".to_owned(),
+        23 => "directions of homing".to_owned(),
+        30 => "spindle output fully on at".to_owned(),
+        32 => "laser mode".to_owned(),
+        100..=109 => format!("steps of {} per mm or degree", axis(number - 100)),
+        110..=119 => format!("fastest {} per minute", axis(number - 110)),
+        120..=129 => format!("acceleration of {} per s\u{b2}", axis(number - 120)),
+        130..=139 => format!("travel of {}", axis(number - 130)),
+        _ => return key.to_owned(),
+    };
+    format!("{key} {name}")
+}
+
+/// Whether wires come out wrong with another value: directions, steps, and what the pin does.
+fn matters(key: &str) -> bool {
+    let number: u32 = key.trim_start_matches('$').parse().unwrap_or_default();
+    matches!(number, 3 | 30..=32 | 100..=109)
+}
