@@ -26,7 +26,7 @@ pub enum Format {
     Kit,
     /// Pensa D.I.Wire script: a program.
     Pensa,
-    /// LRA/YBC table: a program.
+    /// LRA/YBC table, or one of distances from the start: a program.
     Lra,
     /// The project document `.wirebend`.
     Wirebend,

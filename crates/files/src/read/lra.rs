@@ -1,13 +1,17 @@
 //! LRA/YBC table: L (straight length from tangent to tangent), R (twist), A (bend), CLR (radius).
 //!
 //! R is right-handed about the direction of travel and stands on the row of the bend that it
-//! precedes; the last row has only L. YBC tables name the same columns Y, B and C.
+//! precedes; the last row has only L. YBC tables name the same columns Y, B and C. A header may say
+//! that values count from the start of the wire or lengths run from corner to corner: see
+//! [`Columns`]. A distance from the start is to where the bend begins, along the centreline, each
+//! arc as radius times angle; in the last row it is to the end.
 
 use wirebend_core::bend::Step;
 use wirebend_core::units::{Angle, Length};
 
 use super::Imported;
-use super::error::{Place, ReadError};
+use super::columns::Columns;
+use super::error::ReadError;
 use super::format::Format;
 use super::note::{NoteKind, Notes};
 use super::options::ReadOptions;
@@ -15,16 +19,12 @@ use super::program::finish;
 use super::table::Table;
 use super::text::{Source, decode};
 
-const LENGTH: &[&str] = &["l", "length", "feed", "straight", "y"];
-const TWIST: &[&str] = &["r", "rotation", "rotate", "twist", "b"];
-const ANGLE: &[&str] = &["a", "angle", "bend", "c"];
-const RADIUS: &[&str] = &["clr", "radius", "centerline", "centreline"];
+const CORRECT: &str = "correct the row";
 
 /// Whether a table has lengths, twists and angles rather than points.
 pub(super) fn looks_like(table: &Table<'_>) -> bool {
-    if table.header.is_some() {
-        return table.column(LENGTH).is_some()
-            && table.column(ANGLE).is_some()
+    if let Some(header) = &table.header {
+        return Columns::named(header).is_some_and(|columns| columns.angle.is_some())
             && table.column(&["x"]).is_none();
     }
     let widths = |range: std::ops::Range<usize>| table.rows[range].iter().map(|(_, row)| row.len());
@@ -38,81 +38,157 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
     let table = Table::parse(&text);
     let mut notes = Notes::default();
     notes.add(NoteKind::CommentsIgnored, table.comments);
-    let [length, twist, angle, radius] = columns(&table, source, &mut notes)?;
+    let columns = Columns::of(&table, source, &mut notes)?;
     let unit = table.header.iter().flatten().find_map(|column| column.unit);
     let factor = options.units.or(unit).unwrap_or_default().mm() * options.scale;
     if options.units.or(unit).is_none() {
         notes.add(NoteKind::UnitsAssumed, 1);
     }
 
+    let digit = table.last_place(columns.length);
+    let rows = Rows { table: &table, source, options, columns, factor, digit };
     let mut steps: Vec<Step> = Vec::new();
     let mut lines = Vec::new();
-    let mut before = 0.0;
+    let mut before = Before::default();
     for row in 0..table.rows.len() {
-        let place = table.place(row);
-        source.room(place.clone(), row, "steps")?;
-        let value =
-            |column: Option<usize>| column.map_or(Ok(None), |column| table.value(source, row, column));
-        let refuse = |found: f64, expected: &str| {
-            let help = "correct the row";
-            source.syntax(place.clone(), &found.to_string(), expected, help)
-        };
-        let feed = value(length)?.unwrap_or(0.0) * factor;
-        let bend = value(angle)?.unwrap_or(0.0);
-        notes.add(NoteKind::NegativeAngles, usize::from(bend < 0.0));
-        let after = if bend == 0.0 {
-            0.0
-        } else {
-            let radius = match (value(radius)?, options.clr) {
-                (Some(radius), _) => radius * factor,
-                (None, Some(radius)) => radius.mm(),
-                (None, None) => {
-                    notes.add(NoteKind::RadiusAssumed, 1);
-                    0.0
-                }
-            };
-            if radius < 0.0 {
-                return Err(refuse(radius, "a radius of 0 or more"));
-            }
-            if bend.abs() > 179.999 && radius > 0.0 {
-                return Err(ReadError::NoCorner { file: source.name.to_owned(), place, bend_deg: bend });
-            }
-            radius * (bend.abs().to_radians() / 2.0).tan()
-        };
-        if feed < 0.0 {
-            return Err(refuse(feed, "a length of 0 or more"));
-        }
-        let feed = Length::from_mm(feed + before + after)
-            .map_err(|_| refuse(feed, "a length within a kilometre"))?;
-        let rotate = Angle::from_deg(value(twist)?.unwrap_or(0.0)).unwrap_or_default();
-        let step = Step { feed, rotate, bend: Angle::from_deg(bend).unwrap_or_default() };
+        source.room(table.place(row), row, "steps")?;
+        let step = rows.step(row, &mut before, &mut notes)?;
         steps.push(options.convention.apply(step));
         lines.push(table.rows[row].0);
-        before = after;
     }
     finish(Format::Lra, source, options, (steps, &lines), notes)
 }
 
-/// The columns L, R, A and CLR: by their header, else the first four.
-fn columns(
-    table: &Table<'_>,
-    source: Source<'_>,
-    notes: &mut Notes,
-) -> Result<[Option<usize>; 4], ReadError> {
-    let Some(header) = &table.header else {
-        if let Some((line, row)) = table.rows.iter().find(|(_, row)| row.len() > 4) {
-            let help = "name the columns in a header line, as L,R,A,CLR";
-            return Err(source.syntax(Place::Line(*line), &row.join(" "), "L, R, A and perhaps CLR", help));
-        }
-        return Ok([Some(0), Some(1), Some(2), Some(3)]);
-    };
-    notes.add(NoteKind::HeaderSkipped, 1);
-    let columns = [LENGTH, TWIST, ANGLE, RADIUS].map(|names| table.column(names));
-    if columns[0].is_none() {
-        let found = header.iter().map(|column| column.name.as_str()).collect::<Vec<_>>().join(", ");
-        let help = "name the columns L, R, A and CLR";
-        return Err(source.syntax(Place::File, &found, "a header with L, R and A", help));
+/// What a row needs to be read.
+struct Rows<'a> {
+    table: &'a Table<'a>,
+    source: Source<'a>,
+    options: &'a ReadOptions,
+    columns: Columns,
+    factor: f64,
+    /// What the last digit of a length stands for, before `factor`.
+    digit: f64,
+}
+
+/// The arc of a bend. Where there is none, or lengths do not depend on it, both are 0.
+#[derive(Debug, Clone, Copy, Default)]
+struct Arc {
+    radius_mm: f64,
+    angle_rad: f64,
+}
+
+impl Arc {
+    /// From its end to the corner.
+    fn tangent_mm(self) -> f64 {
+        self.radius_mm * (self.angle_rad / 2.0).tan()
     }
-    notes.add(NoteKind::ColumnsIgnored, header.len() - columns.iter().flatten().count());
-    Ok(columns)
+
+    fn length_mm(self) -> f64 {
+        self.radius_mm * self.angle_rad
+    }
+}
+
+/// Where the rows so far have led.
+#[derive(Default)]
+struct Before {
+    arc: Arc,
+    /// From the start of the wire to the end of that arc, in a table of distances.
+    end_mm: f64,
+    /// From the start of the wire, in a table of absolute rotations.
+    turned_deg: f64,
+}
+
+impl Rows<'_> {
+    fn step(&self, row: usize, before: &mut Before, notes: &mut Notes) -> Result<Step, ReadError> {
+        let bend = self.value(row, self.columns.angle)?.unwrap_or(0.0);
+        notes.add(NoteKind::NegativeAngles, usize::from(bend < 0.0));
+        let arc = self.arc(row, bend, notes)?;
+        let length_mm = self.length_mm(row, before)?;
+        before.end_mm += arc.length_mm();
+        let feed = Length::from_mm(length_mm + before.arc.tangent_mm() + arc.tangent_mm())
+            .map_err(|_| self.refuse(row, length_mm, "a length within a kilometre", CORRECT))?;
+        before.arc = arc;
+        let rotate = self.rotation(row, before)?;
+        Ok(Step { feed, rotate, bend: Angle::from_deg(bend).unwrap_or_default() })
+    }
+
+    fn arc(&self, row: usize, bend_deg: f64, notes: &mut Notes) -> Result<Arc, ReadError> {
+        if bend_deg == 0.0 || self.columns.corners {
+            return Ok(Arc::default());
+        }
+        let radius_mm = match (self.value(row, self.columns.radius)?, self.options.clr) {
+            (Some(radius), _) => radius * self.factor,
+            (None, Some(radius)) => radius.mm(),
+            (None, None) => {
+                notes.add(NoteKind::RadiusAssumed, 1);
+                0.0
+            }
+        };
+        if radius_mm < 0.0 {
+            return Err(self.refuse(row, radius_mm, "a radius of 0 or more", CORRECT));
+        }
+        if bend_deg.abs() > 179.999 && radius_mm > 0.0 {
+            let file = self.source.name.to_owned();
+            return Err(ReadError::NoCorner { file, place: self.table.place(row), bend_deg });
+        }
+        Ok(Arc { radius_mm, angle_rad: bend_deg.abs().to_radians() })
+    }
+
+    /// What lies between the arc before and that of this row, or between their corners.
+    fn length_mm(&self, row: usize, before: &mut Before) -> Result<f64, ReadError> {
+        let given = self.value(row, Some(self.columns.length))?.map(|value| value * self.factor);
+        if !self.columns.is_distance {
+            let length_mm = given.unwrap_or(0.0);
+            if length_mm < 0.0 {
+                return Err(self.refuse(row, length_mm, "a length of 0 or more", CORRECT));
+            }
+            return Ok(length_mm);
+        }
+        let Some(distance_mm) = given else {
+            let found = self.table.rows[row].1.join(" ");
+            let expected = "a distance from the start in every row";
+            return Err(self.source.syntax(self.table.place(row), &found, expected, CORRECT));
+        };
+        let length_mm = distance_mm - before.end_mm;
+        if length_mm < -self.rounding_mm(before.arc) {
+            let expected =
+                format!("a distance of {:.3} mm or more, where the row before ends", before.end_mm);
+            let help = "correct the row; a column of single lengths is called L";
+            return Err(self.refuse(row, distance_mm, &expected, help));
+        }
+        // What follows is measured from the distance as it is written.
+        before.end_mm = distance_mm;
+        Ok(if length_mm < 0.0 { 0.0 } else { length_mm })
+    }
+
+    /// How much less than nothing rounding may leave behind an arc: up to a last digit of the distance, the
+    /// radius and the angle, where a table has equally many everywhere. Without an arc between them distances
+    /// are in order, however they are rounded.
+    fn rounding_mm(&self, arc: Arc) -> f64 {
+        if arc.length_mm() == 0.0 {
+            return 0.0;
+        }
+        self.digit * self.factor * (1.0 + arc.angle_rad) + self.digit.to_radians() * arc.radius_mm
+    }
+
+    fn rotation(&self, row: usize, before: &mut Before) -> Result<Angle, ReadError> {
+        let Some(deg) = self.value(row, self.columns.twist)? else {
+            return Ok(Angle::ZERO);
+        };
+        if !self.columns.is_absolute {
+            return Ok(Angle::from_deg(deg).unwrap_or_default());
+        }
+        // Without whole turns the difference is finite, whatever the table says.
+        let turned_deg = deg % 360.0;
+        let by_deg = turned_deg - std::mem::replace(&mut before.turned_deg, turned_deg);
+        Ok(Angle::from_deg(by_deg).unwrap_or_default().wrapped())
+    }
+
+    fn value(&self, row: usize, column: Option<usize>) -> Result<Option<f64>, ReadError> {
+        column.map_or(Ok(None), |column| self.table.value(self.source, row, column))
+    }
+
+    fn refuse(&self, row: usize, found: f64, expected: &str, help: &'static str) -> ReadError {
+        self.source.syntax(self.table.place(row), &found.to_string(), expected, help)
+    }
 }

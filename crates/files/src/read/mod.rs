@@ -4,6 +4,7 @@
 //! announces. Errors name the file, the line, what was found and what to do.
 
 mod assembly;
+mod columns;
 mod drawing;
 mod error;
 mod format;

@@ -73,7 +73,8 @@ pub struct ReadOptions {
     pub weld: Length,
     /// Whether the sides of all faces become the wireframe. Polygons get no diagonals.
     pub face_edges: bool,
-    /// Centreline radius of every bend of an LRA table without a CLR column.
+    /// Centreline radius of every bend of an LRA table without a CLR column. Lengths from corner to corner
+    /// need none.
     pub clr: Option<Length>,
     /// How the machine that a program was written for counts its axes.
     pub convention: Convention,

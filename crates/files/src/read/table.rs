@@ -21,6 +21,8 @@ pub(crate) struct Table<'a> {
 pub(crate) struct Column {
     /// Its first word in lower case.
     pub(crate) name: String,
+    /// The words behind it, in lower case.
+    pub(crate) more: Vec<String>,
     /// The unit of length that it names.
     pub(crate) unit: Option<LengthUnit>,
 }
@@ -78,6 +80,16 @@ impl<'a> Table<'a> {
         source.number(*line, cell).map(Some)
     }
 
+    /// What the last digit of a column stands for: 0.01 where its numbers have up to two decimals.
+    pub(crate) fn last_place(&self, column: usize) -> f64 {
+        let cells = self.rows.iter().filter_map(|(_, row)| row.get(column));
+        let decimals = cells.map(|cell| {
+            let behind = cell.split_once(['.', ',']).map_or("", |(_, behind)| behind);
+            behind.bytes().take_while(u8::is_ascii_digit).count()
+        });
+        0.1_f64.powi(decimals.max().and_then(|most| i32::try_from(most).ok()).unwrap_or(0))
+    }
+
     /// The line of a row, for errors.
     pub(crate) fn place(&self, row: usize) -> Place {
         self.rows.get(row).map_or(Place::File, |&(line, _)| Place::Line(line))
@@ -86,9 +98,11 @@ impl<'a> Table<'a> {
 
 impl Column {
     fn parse(cell: &str) -> Self {
-        let mut words = cell.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
-        let name = words.next().unwrap_or_default().to_lowercase();
-        Self { name, unit: words.find_map(LengthUnit::from_word) }
+        let words = cell.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+        let mut words = words.map(str::to_lowercase);
+        let name = words.next().unwrap_or_default();
+        let more: Vec<String> = words.collect();
+        Self { name, unit: more.iter().find_map(|word| LengthUnit::from_word(word)), more }
     }
 }
 
@@ -137,12 +151,20 @@ mod tests {
     }
 
     #[test]
+    fn the_last_digit_of_a_column_is_that_of_its_longest_number() {
+        let table = Table::parse("D;A\n1;90\n2,25;-\n10,5;45\n12\n");
+        assert!((table.last_place(0) - 0.01).abs() < 1e-15);
+        assert!((table.last_place(1) - 1.0).abs() < 1e-15);
+        assert!((table.last_place(2) - 1.0).abs() < 1e-15, "a column that is not there");
+    }
+
+    #[test]
     fn a_header_names_columns_and_units() {
         let table = Table::parse("# made by hand\nX [mm], y_inch ,Z\n1,2,3");
         assert_eq!(table.column(&["y"]), Some(1));
         assert_eq!(
             table.header.as_ref().unwrap()[0],
-            Column { name: "x".into(), unit: Some(LengthUnit::Millimetre) }
+            Column { name: "x".into(), more: vec!["mm".into()], unit: Some(LengthUnit::Millimetre) }
         );
         assert_eq!(table.header.as_ref().unwrap()[1].unit, Some(LengthUnit::Inch));
         assert_eq!((table.comments, table.rows.len()), (1, 1));

@@ -155,7 +155,12 @@ fn tables() {
         "10 0 90 -5\n10\n",
         "-10 0 90 5\n10\n",
         "angle,twist\n10,20\n",
+        "D,Rabs,A\n10,20,30\n",
         "1e308,0,90,1e308\n",
+        "D_mm,Rabs,A\n10,0,0\n9.99,0,0\n",
+        "D_mm,Rabs,A,CLR\n40.0,0,90,9\n52.5,0,90,9\n",
+        "C,F,E,G\n,9,0,90\n",
+        "D_mm,A,CLR\n10,180,9\n",
     ];
     check(
         "a.lra",
@@ -165,8 +170,13 @@ fn tables() {
         read-no-corner: a.lra, line 1: a bend of 180.000° has no corner, its straight parts are parallel; write it as two bends
         read-syntax: a.lra, line 1: found "-5", expected a radius of 0 or more; correct the row
         read-syntax: a.lra, line 1: found "-10", expected a length of 0 or more; correct the row
-        read-syntax: a.lra: found "angle, twist", expected a header with L, R and A; name the columns L, R, A and CLR
+        read-syntax: a.lra: found "angle, twist", expected a header with L, R and A; name the columns L, R, A and CLR, or D_mm for distances from the start
+        read-syntax: a.lra: found "d, rabs, a", expected a header with L, R and A; name the columns L, R, A and CLR, or D_mm for distances from the start
         read-syntax: a.lra, line 1: found "1000000000000000000000000000000000000000…", expected a length within a kilometre; correct the row
+        read-syntax: a.lra, line 3: found "9.99", expected a distance of 10.000 mm or more, where the row before ends; correct the row; a column of single lengths is called L
+        read-syntax: a.lra, line 3: found "52.5", expected a distance of 54.137 mm or more, where the row before ends; correct the row; a column of single lengths is called L
+        read-syntax: a.lra, line 2: found "9 0 90", expected a distance from the start in every row; correct the row
+        read-no-corner: a.lra, line 2: a bend of 180.000° has no corner, its straight parts are parallel; write it as two bends
     "#]],
     );
 }
@@ -260,6 +270,8 @@ fn formats_are_told_by_name_and_by_content() {
     assert_eq!(told("a.csv", "10,0,90\n20\n"), Some(Format::Lra));
     assert_eq!(told("a.csv", "x,y,z\n1,2,3\n"), Some(Format::Xyz));
     assert_eq!(told("a.csv", "L,R,A\n1,2,3\n"), Some(Format::Lra));
+    assert_eq!(told("a.csv", "D_mm,Rabs_deg,A_deg\n1,2,3\n"), Some(Format::Lra));
+    assert_eq!(told("a.csv", "C,F,E,G,Y\n1,2,3,4,5\n"), Some(Format::Lra));
     assert_eq!(told("a.txt", "F 10\n"), Some(Format::Kit));
     assert_eq!(told("a.txt", "Feed 10\n"), Some(Format::Pensa));
     assert_eq!(told("a.json", "{\"node_list\": []}"), Some(Format::Assembly));

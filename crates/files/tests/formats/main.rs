@@ -13,6 +13,7 @@ mod pictures;
 mod programs;
 mod real_files;
 mod round_trips;
+mod tables;
 
 use std::path::PathBuf;
 

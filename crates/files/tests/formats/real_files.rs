@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use nalgebra::{Matrix3, Point3, Vector3};
 use serde_json::Value;
-use wirebend_core::bend::replay;
+use wirebend_core::bend::{Frame, Step, program_of_path, replay};
+use wirebend_core::units::{Angle, Length};
 use wirebend_core::wireframe::{VertexId, Wireframe};
 use wirebend_files::read::{Format, LengthUnit, ReadError, ReadOptions, read};
 
@@ -161,21 +162,53 @@ fn the_truss_script_makes_the_truss_and_not_its_mirror_image() {
     for (ours, theirs) in program.traversal.iter().zip(&ids) {
         assert_eq!(name.entry(*ours).or_insert(*theirs), theirs, "one vertex, one node");
     }
-    assert_eq!(replay(wirebend_core::bend::Frame::default(), &program.program.steps), program.path);
+    assert_eq!(replay(Frame::default(), &program.program.steps), program.path);
 
-    // Our own script of the authors' path makes the same wire as theirs.
-    let straight = wirebend_core::units::Angle::from_deg(1e-3).unwrap();
-    let (_, ours) = wirebend_core::bend::program_of_path(&path, straight).unwrap();
-    let script = wirebend_files::write::pensa(&ours.steps, &wirebend_files::write::PensaLayout::default());
-    let again = read(script.as_bytes(), "ours.txt", Some(Format::Pensa), &ReadOptions::default()).unwrap();
-    let again = again.program.unwrap();
-    assert_eq!(again.program.bend_count(), program.program.bend_count());
-    // Theirs feeds straight joints in two steps, ours in one: compare at the bends of ours.
+    // Our program of the authors' path has the steps of their script: lengths to 0.000005 mm and angles to
+    // 0.000005°, as it writes them, and nodes to 0.000001 mm.
+    let straight = Angle::from_deg(1e-3).unwrap();
+    let (_, ours) = program_of_path(&path, straight).unwrap();
+    let theirs = as_ours_are(&program.program.steps);
+    assert_eq!(theirs.len(), ours.steps.len());
+    for (n, (theirs, ours)) in theirs.iter().zip(&ours.steps).enumerate() {
+        let off_mm = (theirs.feed.mm() - ours.feed.mm()).abs();
+        let off = |a: Angle, b: Angle| (a - b).wrapped().deg().abs();
+        let off_deg = off(theirs.rotate, ours.rotate).max(off(theirs.bend, ours.bend));
+        assert!(off_mm < 5e-5 && off_deg < 1e-4, "step {n}: {theirs:?} {ours:?}");
+    }
+    assert_eq!(ours.bend_count(), program.program.bend_count());
+    // And it makes the same wire. Theirs feeds straight joints in two steps: compare at the bends of ours.
     let corners: Vec<Point3<f64>> = std::iter::once(program.path[0])
         .chain(ours.spans.iter().map(|span| program.path[span.end]))
         .collect();
-    let error = misfit(&again.path, &corners);
+    let error = misfit(&replay(Frame::default(), &ours.steps), &corners);
     assert!(error < 0.01, "{error} mm");
+}
+
+/// A program of another tool as ours are: one feed up to a bend, bends of 0° to 180°, and no rotation where it
+/// makes no difference, before the first bend and before a fold back.
+fn as_ours_are(steps: &[Step]) -> Vec<Step> {
+    let mut made: Vec<Step> = Vec::new();
+    let (mut feed, mut rotate) = (Length::ZERO, Angle::ZERO);
+    for step in steps {
+        feed += step.feed;
+        rotate += step.rotate;
+        if step.bend == Angle::ZERO {
+            continue;
+        }
+        // (φ, -θ) is (φ + 180°, θ) and then 180°.
+        let turned = if step.bend < Angle::ZERO { Angle::HALF_TURN } else { Angle::ZERO };
+        let before = rotate + turned;
+        let is_fold = step.bend.abs() == Angle::HALF_TURN;
+        // φ and then a fold back is the fold back and then -φ.
+        let free = made.is_empty() || is_fold;
+        rotate = if is_fold { turned - before } else { turned };
+        let rotated = if free { Angle::ZERO } else { before.wrapped() };
+        made.push(Step { feed, rotate: rotated, bend: step.bend.abs() });
+        feed = Length::ZERO;
+    }
+    made.push(Step { feed, ..Step::default() });
+    made
 }
 
 #[test]

@@ -1,15 +1,14 @@
 //! What is written is read back as it was, within the rounding of its format.
 
+use std::fmt::Write as _;
+
 use nalgebra::Point3;
 use proptest::prelude::*;
 use wirebend_core::bend::{Convention, Frame, Sign, Step, replay};
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::Wireframe;
 use wirebend_files::read::{Format, ReadOptions, read};
-use wirebend_files::write::{
-    Case, Centreline, DecimalMark, KitLayout, LraLayout, PensaLayout, Separator, TableStyle, Tube, kit, lra,
-    obj, pensa, xyz,
-};
+use wirebend_files::write::{Centreline, KitLayout, Tube, kit, obj};
 
 use super::{import, mm, step};
 
@@ -30,15 +29,98 @@ fn any_convention() -> impl Strategy<Value = Convention> {
     (sign(), sign()).prop_map(|(bend, rotate)| Convention { bend, rotate })
 }
 
-fn any_style() -> impl Strategy<Value = TableStyle> {
-    let separator = prop_oneof![Just(Separator::Comma), Just(Separator::Semicolon), Just(Separator::Tab)];
-    let decimal = prop_oneof![Just(DecimalMark::Point), Just(DecimalMark::Comma)];
-    (separator, decimal, any::<bool>()).prop_map(|(separator, decimal, header)| TableStyle {
-        separator,
-        decimal,
-        header,
-        decimals: 4,
-    })
+/// How tables are spelled: what is between cells, the decimal mark, whether columns have names.
+#[derive(Debug, Clone, Copy)]
+struct Style {
+    separator: char,
+    mark: char,
+    header: bool,
+}
+
+impl Style {
+    fn row(self, cells: &[String]) -> String {
+        format!("{}\n", cells.join(&self.separator.to_string()))
+    }
+
+    /// Four decimals.
+    fn number(self, value: f64) -> String {
+        format!("{value:.4}").replace('.', &self.mark.to_string())
+    }
+}
+
+fn any_style() -> impl Strategy<Value = Style> {
+    let spelled = prop_oneof![
+        Just((',', '.')),
+        Just((';', '.')),
+        Just((';', ',')),
+        Just(('\t', '.')),
+        Just(('\t', ','))
+    ];
+    (spelled, any::<bool>()).prop_map(|((separator, mark), header)| Style { separator, mark, header })
+}
+
+/// What the numbers of a table of bends count from.
+#[derive(Debug, Clone, Copy)]
+struct Counted {
+    distances: bool,
+    corners: bool,
+    absolute: bool,
+}
+
+fn any_counted() -> impl Strategy<Value = Counted> {
+    let all = (any::<bool>(), any::<bool>(), any::<bool>());
+    all.prop_map(|(distances, corners, absolute)| Counted { distances, corners, absolute })
+}
+
+/// A table of bends with this radius, or `None` where arcs overlap and lengths between them would be negative.
+fn bend_table(steps: &[Step], radius: f64, clr: bool, style: Style, counted: Counted) -> Option<String> {
+    let Counted { distances, corners, absolute } = counted;
+    let length = if distances { "D" } else { "L" };
+    let names = [
+        format!("{length}{}_mm", if corners { "corner" } else { "" }),
+        format!("R{}_deg", if absolute { "abs" } else { "" }),
+        "A_deg".to_owned(),
+        "CLR_mm".to_owned(),
+    ];
+    let columns = if clr { 4 } else { 3 };
+    // Without names a table has lengths between tangents, and rotations from one bend to the next.
+    let header = style.header || distances || corners || absolute;
+    let mut text = if header { style.row(&names[..columns]) } else { String::new() };
+    let (mut before, mut from_start, mut turned) = (0.0, 0.0, 0.0);
+    for (k, step) in steps.iter().enumerate() {
+        let angle = step.bend.deg().abs().to_radians();
+        let after = if corners { 0.0 } else { radius * (angle / 2.0).tan() };
+        let straight = step.feed.mm() - before - after;
+        if straight < 0.0 {
+            return None;
+        }
+        from_start += straight;
+        turned += step.rotate.deg();
+        let length = if distances { from_start } else { straight };
+        let rotation = if absolute { turned.rem_euclid(360.0) } else { step.rotate.deg() };
+        let mut cells = [length, rotation, step.bend.deg(), radius].map(|value| style.number(value));
+        if k + 1 == steps.len() {
+            cells[1..].fill(String::new());
+        }
+        text.push_str(&style.row(&cells[..columns]));
+        from_start += if corners { 0.0 } else { radius * angle };
+        before = after;
+    }
+    Some(text)
+}
+
+/// A Pensa script: every feed, and what turns by more than nothing.
+fn script(steps: &[Step], comment: &str, spell: impl Fn(&str) -> String) -> String {
+    let mut text = format!("({})\n", comment.replace(['(', ')'], "").replace(char::is_control, " "));
+    for step in steps {
+        writeln!(text, "{} {:.5}", spell("FEED"), step.feed.mm()).unwrap();
+        for (command, angle) in [("ROTATE", step.rotate), ("BEND", step.bend)] {
+            if angle.deg().abs() >= 0.5e-5 {
+                writeln!(text, "{} {:.5}", spell(command), angle.deg()).unwrap();
+            }
+        }
+    }
+    text
 }
 
 /// Every value within half a digit of what it was.
@@ -67,24 +149,38 @@ proptest! {
         assert_rounded(&steps_of(&text, Format::Kit, convention), &steps, 1e-3)?;
     }
 
+    /// Whatever the case, every feed, rotation and bend of a script is there.
     #[test]
     fn pensa_scripts(steps in any_steps(), convention in any_convention(), comment: String) {
-        for case in [Case::Upper, Case::Lower, Case::Title] {
-            let layout = PensaLayout { case, convention, comments: vec![comment.clone()], ..PensaLayout::default() };
-            let text = pensa(&steps, &layout);
-            prop_assert!(!text.contains("-0.00000\n"));
+        let counted: Vec<Step> = steps.iter().map(|step| convention.apply(*step)).collect();
+        let title = |word: &str| format!("{}{}", &word[..1], word[1..].to_lowercase());
+        for spell in [&str::to_owned as &dyn Fn(&str) -> String, &str::to_lowercase, &title] {
+            let text = script(&counted, &comment, spell);
             assert_rounded(&steps_of(&text, Format::Pensa, convention), &steps, 1e-5)?;
         }
     }
 
+    /// Whatever its spelling and whatever its numbers count from, a table is the same wire.
     #[test]
-    fn lra_tables(steps in any_steps(), style in any_style(), clr_column: bool) {
-        let radius = Length::from_mm(1.5).unwrap();
-        let layout = LraLayout { table: style, clr_column, ..LraLayout::lra(radius) };
+    fn bend_tables(
+        steps in any_steps(),
+        style in any_style(),
+        counted in any_counted(),
+        convention in any_convention(),
+        clr_column: bool,
+    ) {
+        let radius = mm(1.5);
+        let turned: Vec<Step> = steps.iter().map(|step| convention.apply(*step)).collect();
         // Feeds of 0 have no room for arcs: such programs have no table of tangent lengths.
-        let Ok(text) = lra(&steps, &layout) else { return Ok(()) };
-        let options = ReadOptions { clr: Some(radius), ..ReadOptions::default() };
+        let Some(text) = bend_table(&turned, radius.mm(), clr_column, style, counted) else { return Ok(()) };
+        let options = ReadOptions { clr: Some(radius), convention, ..ReadOptions::default() };
         let back = read(text.as_bytes(), "table", Some(Format::Lra), &options).unwrap().program.unwrap();
+        prop_assert_eq!(steps.len(), back.program.steps.len());
+        for (a, b) in steps.iter().zip(&back.program.steps) {
+            // Half a digit of the distance at either end; and on either side of the edge what half a digit of a
+            // bend changes, which is at 160° 1.5·(1 + tan² 80°)/2 = 25 mm for a radian, so 2.2e-5 mm.
+            prop_assert!((a.feed.mm() - b.feed.mm()).abs() < 1e-4 + 2.0 * 2.5e-5, "{}\n{:?} {:?}", text, a, b);
+        }
         let ours = replay(Frame::default(), &steps);
         let reach = 200.0 * 13.0;
         // A wrong last digit of an angle moves the far end by its share of the whole length.
@@ -98,7 +194,10 @@ proptest! {
     #[test]
     fn point_tables(points in prop::collection::vec(prop::array::uniform3(-1e5..1e5_f64), 2..20), style in any_style()) {
         let points: Vec<Point3<f64>> = points.into_iter().map(Point3::from).collect();
-        let text = xyz(&points, &style);
+        let mut text = if style.header { style.row(&["x_mm", "y_mm", "z_mm"].map(str::to_owned)) } else { String::new() };
+        for point in &points {
+            text.push_str(&style.row(&[point.x, point.y, point.z].map(|value| style.number(value))));
+        }
         let back = read(text.as_bytes(), "points", Some(Format::Xyz), &ReadOptions::default()).unwrap().wireframe;
         prop_assert_eq!((back.vertex_count(), back.edge_count()), (points.len(), points.len() - 1));
         for ((_, vertex), point) in back.vertices().zip(&points) {
@@ -125,7 +224,7 @@ proptest! {
 }
 
 #[test]
-fn programs_are_written_as_their_machines_read_them() {
+fn a_program_is_written_as_its_machine_reads_it() {
     let steps = [
         step(59.708_706, 0.0, -0.000_001),
         step(30.0, -133.786_218, -46.456_66),
@@ -143,32 +242,6 @@ fn programs_are_written_as_their_machines_read_them() {
         F 5.000
     "]]
     .assert_eq(&kit(&steps, &KitLayout { design_hash: Some("ab12".into()), ..KitLayout::default() }));
-    let comments = vec!["truss (second)".to_owned()];
-    expect_test::expect![[r"
-        (truss [second])
-        FEED 59.70871
-        FEED 30.00000
-        ROTATE -133.78622
-        BEND -46.45666
-        FEED 0.00000
-        BEND 10.00000
-        FEED 5.00000
-    "]]
-    .assert_eq(&pensa(&steps, &PensaLayout { comments, ..PensaLayout::default() }));
-    expect_test::expect![[r"
-        10,000;0,000;90,000;2,000
-        20,000;180,000;45,000;2,000
-        30,000;;;
-    "]]
-    .assert_eq(&semicolons());
-}
-
-/// Lengths between tangents of 10, 20 and 30 mm: each bend of radius 2 takes r·tan(θ/2) on both sides.
-fn semicolons() -> String {
-    let half = 2.0 * 22.5_f64.to_radians().tan();
-    let steps = [step(12.0, 0.0, 90.0), step(22.0 + half, 0.0, -45.0), step(30.0 + half, 0.0, 0.0)];
-    let table = TableStyle { header: false, ..TableStyle::decimal_comma() };
-    lra(&steps, &LraLayout { table, ..LraLayout::lra(mm(2.0)) }).unwrap()
 }
 
 #[test]
