@@ -54,6 +54,12 @@ commands! {
     Machines(crate::MachinesRequest) -> crate::MachinesResponse = crate::catalogue::machines, "machines";
     /// Lists the materials.
     Materials(crate::MaterialsRequest) -> crate::MaterialsResponse = crate::catalogue::materials, "materials";
+    /// Lists the drivers.
+    Drivers(crate::DriversRequest) -> crate::DriversResponse = crate::drivers::drivers, "drivers";
+    /// Says whether a library keeps the rules for drivers.
+    DriverCheck(crate::DriverCheckRequest) -> crate::DriverCheckResponse = crate::drivers::check, "driver-check";
+    /// Accepts a library of somebody else's as it is.
+    DriverTrust(crate::DriverTrustRequest) -> crate::DriverTrustResponse = crate::drivers::trust, "driver-trust";
     /// Reads a file and makes a `.wirebend` document of it.
     Import(crate::ImportRequest) -> crate::ImportResponse = crate::import::import, "import";
     /// Says what a machine cannot make of a wireframe, and why.

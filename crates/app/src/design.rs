@@ -135,7 +135,7 @@ impl DesignInput {
         }
         let notes: Vec<NoteReport> = imported.notes.iter().map(NoteReport::from).collect();
         for note in &notes {
-            tracing::info!(code = note.code, count = note.count, "{}", note.message);
+            tracing::info!(code = %note.code, count = note.count, "{}", note.message);
         }
         let document = match imported.document {
             Some(document) => *document,

@@ -4,10 +4,12 @@ use std::path::PathBuf;
 
 use wirebend_core::compensate::{PegGeometryError, SpringbackError};
 use wirebend_core::simulate::BadErrorTerm;
+use wirebend_driver_host::HostError;
 use wirebend_files::document::DocumentError;
 use wirebend_files::read::ReadError;
 use wirebend_profile::{Kind, ProfileError};
 
+use crate::DriverProblem;
 use crate::report::PlanReport;
 
 /// Whose turn it is.
@@ -139,34 +141,31 @@ pub enum AppError {
         range: String,
     },
     /// A format that cannot be written.
-    #[error("'{name}' is not a format that can be written; known: {known}")]
+    #[error("'{name}' is not a format that can be written; known: {known}{}", missing.as_ref().map(|error| format!("; {error}")).unwrap_or_default())]
     UnknownFormat {
         /// The wanted one.
         name: String,
         /// All.
         known: String,
+        /// Why the machine's own driver could not be asked.
+        missing: Option<Box<DriverProblem>>,
     },
-    /// A machine's own format comes with a driver that is not there.
-    #[error(
-        "the own format '{native}' of '{machine}' is written by its driver '{driver}', which is not installed; choose one with --format: {known}"
-    )]
-    NativeFormat {
-        /// The machine.
-        machine: String,
-        /// Its format.
-        native: String,
-        /// Its driver.
-        driver: String,
-        /// What can be written for it.
-        known: String,
+    /// Settings were given for a format that has none.
+    #[error("{format} has no settings: leave them out")]
+    NoSettings {
+        /// The format.
+        format: &'static str,
     },
+    /// A driver is not there, is not trusted, failed, or refused.
+    #[error(transparent)]
+    Driver(#[from] DriverProblem),
     /// A machine's program was asked for in the format of another machine.
     #[error(
         "{format} is no format of '{machine}', whose programs are compensated for that machine alone: plan the wireframe for a machine that reads it, or choose one of {known}"
     )]
     FormatOfAnother {
         /// The wanted format.
-        format: &'static str,
+        format: String,
         /// The machine.
         machine: String,
         /// What can be written for it.
@@ -283,11 +282,18 @@ fn open_parent_help(complete: &[String]) -> String {
     format!("inherit from one that has them: {}", complete.join(", "))
 }
 
+impl From<HostError> for AppError {
+    fn from(error: HostError) -> Self {
+        Self::Driver(error.into())
+    }
+}
+
 impl AppError {
     /// Whose turn it is.
     #[must_use]
     pub fn kind(&self) -> ErrorKind {
         match self {
+            Self::Driver(problem) => problem.kind(),
             Self::Document(DocumentError::Save { .. } | DocumentError::Write(_))
             | Self::Picture(_)
             | Self::Json(_) => ErrorKind::Failure,
@@ -301,7 +307,7 @@ impl AppError {
             | Self::OtherKind { .. }
             | Self::OpenParent { .. }
             | Self::UnknownFormat { .. }
-            | Self::NativeFormat { .. }
+            | Self::NoSettings { .. }
             | Self::OtherMachine { .. }
             | Self::FormatOfAnother { .. }
             | Self::Settled { .. }
@@ -343,7 +349,8 @@ impl AppError {
             Self::OnlyStencil { .. } => "only-stencil",
             Self::NoVertex { .. } => "no-vertex",
             Self::UnknownFormat { .. } => "unknown-format",
-            Self::NativeFormat { .. } => "native-format",
+            Self::NoSettings { .. } => "no-settings",
+            Self::Driver(problem) => problem.code(),
             Self::OtherMachine { .. } => "other-machine",
             Self::FormatOfAnother { .. } => "format-of-another",
             Self::Settled { .. } => "settled",

@@ -77,7 +77,7 @@ pub(crate) fn import(
     let mut notes = opened.notes;
     if wireframe.edge_count() == 0 && opened.document.stencil.is_some() {
         notes.push(NoteReport {
-            code: "only-stencil",
+            code: "only-stencil".into(),
             count: 1,
             message:
                 "there is a surface and no lines: --face-edges takes the edges of its faces as the wireframe"

@@ -9,6 +9,7 @@ mod catalogue;
 mod commands;
 mod compare;
 mod design;
+mod drivers;
 mod dump;
 mod error;
 mod export;
@@ -32,6 +33,10 @@ pub use compare::{
     Change, CompareRequest, CompareResponse, MachineSide, Objections, OtherSide, WireDiagnostic, WireStep,
 };
 pub use design::{DesignInput, Input};
+pub use drivers::{
+    DriverCheckRequest, DriverCheckResponse, DriverEntry, DriverFolders, DriverProblem, DriverState,
+    DriverTrustRequest, DriverTrustResponse, DriversRequest, DriversResponse, RuleReport,
+};
 pub use dump::{DumpRequest, DumpResponse, DumpStage};
 pub use error::{AppError, ErrorKind};
 pub use export::{ExportFormat, ExportRequest, ExportResponse};
@@ -52,6 +57,8 @@ pub use simulate::{GapReport, SimulateRequest, SimulateResponse, VertexReport};
 
 use std::path::PathBuf;
 
+pub use wirebend_driver_host::api::Capability;
+pub use wirebend_driver_host::{CHILD_COMMAND, child_main};
 pub use wirebend_files::read::{Format, LengthUnit};
 pub use wirebend_profile::Kind as ProfileKind;
 use wirebend_profile::{Library, ProfileError};
@@ -61,6 +68,7 @@ use wirebend_profile::{Library, ProfileError};
 pub struct App {
     library: Library,
     refused: Vec<ProfileError>,
+    drivers: DriverFolders,
 }
 
 impl App {
@@ -75,7 +83,13 @@ impl App {
         for folder in profile_folders {
             refused.extend(library.add_folder(folder).refused);
         }
-        Ok(Self { library, refused })
+        Ok(Self { library, refused, drivers: DriverFolders::default() })
+    }
+
+    /// The same with drivers from other places than the folders beside the program.
+    #[must_use]
+    pub fn with_drivers(self, drivers: DriverFolders) -> Self {
+        Self { drivers, ..self }
     }
 
     /// Profiles in a person's folders that could not be used, and why.

@@ -230,7 +230,7 @@ pub(crate) fn kept_steps(steps: &[JobStep]) -> Result<Vec<Step>, AppError> {
 /// What the checks objected to when a job was made all the same.
 pub(crate) fn objections(job: &JobContents) -> Vec<NoteReport> {
     let note = |objection: &String| NoteReport {
-        code: "objection",
+        code: "objection".into(),
         count: 1,
         message: format!("the job was made although {objection}"),
     };

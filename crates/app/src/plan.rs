@@ -176,7 +176,7 @@ impl App {
         progress.advance(bent.len() as u64, bent.len() as u64);
         if replaced > 0 {
             opened.notes.push(NoteReport {
-                code: "doublings-replaced",
+                code: "doublings-replaced".into(),
                 count: replaced,
                 message: format!("{replaced} accepted doublings leave too many odd vertices: the cheapest ones are used instead"),
             });
@@ -216,7 +216,7 @@ fn estimated_springback(setup: &Setup) -> Option<NoteReport> {
     };
     let counts = setup.model.compensation.bend.springback.is_some() && !measured;
     counts.then(|| NoteReport {
-        code: "springback-estimated",
+        code: "springback-estimated".into(),
         count: 1,
         message: format!(
             "the springback of {} is an estimate that nobody has measured: bend a test piece first",

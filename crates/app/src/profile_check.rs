@@ -4,6 +4,8 @@ use std::path::{Path, PathBuf};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use wirebend_driver_host::HostError;
 use wirebend_profile::{Checked, Place, ProfileError, check_file};
 
 use crate::{App, AppError, ExportFormat, Progress};
@@ -30,6 +32,8 @@ pub struct FileVerdict {
     pub inherits: Vec<String>,
     /// Why it is refused: each with file, line, what was expected and what to do.
     pub errors: Vec<String>,
+    /// What could not be checked, and why.
+    pub notes: Vec<String>,
 }
 
 /// What became of the files.
@@ -41,35 +45,76 @@ pub struct ProfileCheckResponse {
     pub files: Vec<FileVerdict>,
 }
 
-/// Refuses a machine whose formats nobody can write.
-pub(crate) fn formats_known(file: &str, text: &str) -> Result<(), ProfileError> {
-    let value: serde_json::Value = serde_json::from_str(text).unwrap_or_default();
-    let formats = value.pointer("/export/formats").and_then(serde_json::Value::as_array);
-    let unknown = formats
-        .into_iter()
-        .flatten()
-        .filter_map(serde_json::Value::as_str)
-        .find(|id| !ExportFormat::ALL.into_iter().any(|format| format.id() == *id));
-    match unknown {
-        None => Ok(()),
-        Some(id) => Err(ProfileError::Rule {
-            place: Place { file: file.to_owned(), line: line_of(text, id) },
-            key: "export.formats".into(),
-            found: format!("\"{id}\""),
-            expected: format!(
-                "formats that can be written: {}",
-                ExportFormat::ALL.map(ExportFormat::id).join(", ")
-            ),
-        }),
+impl App {
+    /// Asks of a machine's profile what only drivers know: whether somebody writes its formats, and whether its
+    /// driver takes its settings, with those that it inherits. Gives what could not be asked, and why.
+    pub(crate) fn asked_of_drivers(
+        &self,
+        checked: &Checked,
+        file: &str,
+        text: &str,
+    ) -> Result<Vec<String>, ProfileError> {
+        let Some(machine) = &checked.machine else { return Ok(Vec::new()) };
+        let profile = &machine.profile;
+        let rule = |key: &str, word: &str, found: String, expected: String| {
+            let place = Place { file: file.to_owned(), line: line_of(text, word) };
+            ProfileError::Rule { place, key: key.into(), found, expected }
+        };
+        let mut notes = Vec::new();
+        let id = profile.driver.id.as_deref().unwrap_or_default();
+        match self.driver(id) {
+            Ok(driver) => {
+                let settings = Value::Object(profile.driver.settings.clone().unwrap_or_default());
+                match driver.open(&settings) {
+                    Ok(_) => {}
+                    Err(HostError::Refused { error, .. }) => {
+                        let expected = format!("settings that the driver '{id}' takes: {error}");
+                        return Err(rule("driver.settings", "settings", settings.to_string(), expected));
+                    }
+                    Err(error) => notes.push(format!("its driver.settings were not checked: {error}")),
+                }
+            }
+            Err(error) => notes.push(format!("its driver.settings were not checked: {error}")),
+        }
+        // What a parent has set is the parent's affair.
+        let own = |key: &str| machine.origin(key).is_some_and(|origin| origin.id == checked.id);
+        let listed = profile.export.formats.iter().flatten().filter(|_| own("export.formats"));
+        let native = profile.export.native.iter().filter(|_| own("export.native"));
+        let named = listed.map(|id| ("export.formats", id)).chain(native.map(|id| ("export.native", id)));
+        let foreign: Vec<_> = named.filter(|(_, id)| ExportFormat::from_id(id).is_none()).collect();
+        if foreign.is_empty() {
+            return Ok(notes);
+        }
+        let known = match self.formats() {
+            Ok(known) => known,
+            Err(error) => {
+                notes.push(format!("its formats were not checked: {error}"));
+                return Ok(notes);
+            }
+        };
+        match foreign.into_iter().find(|(_, id)| !known.contains(id)) {
+            // Nobody knows what a driver would write that is not here.
+            Some(("export.native", format)) if !notes.is_empty() => {
+                notes.push(format!("its export.native '{format}' was not checked"));
+                Ok(notes)
+            }
+            Some((key, format)) => {
+                let expected = format!("formats that can be written: {}", known.join(", "));
+                Err(rule(key, format, format!("\"{format}\""), expected))
+            }
+            None => Ok(notes),
+        }
     }
-}
 
-/// Everything that is asked of a profile's file.
-fn examined(file: &Path) -> Result<Checked, Vec<ProfileError>> {
-    let checked = check_file(file)?;
-    let text = std::fs::read_to_string(file).unwrap_or_default();
-    formats_known(&file.display().to_string(), &text).map_err(|error| vec![error])?;
-    Ok(checked)
+    /// Everything that is asked of a profile's file.
+    fn examined(&self, file: &Path) -> Result<(Checked, Vec<String>), Vec<String>> {
+        let in_words = |errors: Vec<ProfileError>| errors.iter().map(ToString::to_string).collect::<Vec<_>>();
+        let checked = check_file(file).map_err(in_words)?;
+        let text = std::fs::read_to_string(file).unwrap_or_default();
+        let notes = self.asked_of_drivers(&checked, &file.display().to_string(), &text);
+        let notes = notes.map_err(|error| vec![error.to_string()])?;
+        Ok((checked, notes))
+    }
 }
 
 /// The line on which a quoted word stands, from 1.
@@ -80,18 +125,19 @@ fn line_of(text: &str, word: &str) -> Option<usize> {
 
 #[allow(clippy::unnecessary_wraps)] // every command has the same shape
 pub(crate) fn check(
-    _app: &App,
+    app: &App,
     request: &ProfileCheckRequest,
     progress: &dyn Progress,
 ) -> Result<ProfileCheckResponse, AppError> {
     progress.stage("checking profiles");
-    let verdict = |file: &PathBuf| match examined(file) {
-        Ok(checked) => FileVerdict {
+    let verdict = |file: &PathBuf| match app.examined(file) {
+        Ok((checked, notes)) => FileVerdict {
             ok: true,
             kind: Some(checked.kind.word()),
             inherits: checked.chain.into_iter().filter(|id| *id != checked.id).collect(),
             id: Some(checked.id),
             errors: Vec::new(),
+            notes,
             file: file.clone(),
         },
         Err(errors) => FileVerdict {
@@ -99,7 +145,8 @@ pub(crate) fn check(
             kind: None,
             id: None,
             inherits: Vec::new(),
-            errors: errors.iter().map(ToString::to_string).collect(),
+            errors,
+            notes: Vec::new(),
             file: file.clone(),
         },
     };

@@ -8,7 +8,6 @@ use wirebend_files::document::DocumentError;
 use wirebend_profile::{Child, Kind, ProfileError, is_slug};
 
 use crate::output::Output;
-use crate::profile_check::formats_known;
 use crate::{App, AppError, Progress};
 
 /// What to write.
@@ -84,8 +83,8 @@ pub(crate) fn new(
     let text = app.library.child_text(&Child { kind, id, inherits, name, schema: schema.as_deref(), all })?;
     let file =
         output.as_ref().map_or_else(|| format!("{id}.json"), |output| output.path.display().to_string());
-    app.library.check(&file, &text).map_err(|errors| app.refusal(kind, inherits, errors))?;
-    formats_known(&file, &text)?;
+    let checked = app.library.check(&file, &text).map_err(|errors| app.refusal(kind, inherits, errors))?;
+    app.asked_of_drivers(&checked, &file, &text)?;
 
     if let (ProfilePlace::Folder(_), Some(output)) = (&request.place, &output) {
         make_folder(&output.path)?;

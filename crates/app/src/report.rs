@@ -2,6 +2,7 @@
 
 use schemars::JsonSchema;
 use serde::Serialize;
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use wirebend_core::bend::Step;
 use wirebend_core::checks::{Diagnostic, Quantity, Severity};
@@ -16,7 +17,7 @@ use crate::machine::Setup;
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct NoteReport {
     /// What it is about.
-    pub code: &'static str,
+    pub code: Cow<'static, str>,
     /// How many there were.
     pub count: usize,
     /// A sentence.
@@ -25,7 +26,7 @@ pub struct NoteReport {
 
 impl From<&Note> for NoteReport {
     fn from(note: &Note) -> Self {
-        Self { code: note.kind.code(), count: note.count, message: note.to_string() }
+        Self { code: note.kind.code().into(), count: note.count, message: note.to_string() }
     }
 }
 

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
-use wirebend_app::{DumpStage, ExportFormat, Format, LengthUnit, ProfileKind};
+use wirebend_app::{DumpStage, Format, LengthUnit, ProfileKind};
 
 const AFTER: &str = "\
 Exit status: 0 done · 2 wrong use · 3 bad input · 4 not feasible on this machine (the report is \
@@ -27,6 +27,9 @@ pub struct Cli {
     /// Use the profiles in this folder too (machines/, materials/, noise/)
     #[arg(long, value_name = "FOLDER", global = true, display_order = 102)]
     pub(crate) profiles: Vec<PathBuf>,
+    /// Look for drivers in this folder too, or take this library; they are used once they are trusted
+    #[arg(long, value_name = "PATH", global = true, display_order = 103)]
+    pub(crate) driver_path: Vec<PathBuf>,
 }
 
 #[derive(Debug, Subcommand)]
@@ -37,6 +40,12 @@ pub(crate) enum Command {
     /// List the materials
     #[command(after_help = "Example:\n  wirebend materials --json")]
     Materials,
+    /// List the drivers, what they write and which of them wait to be trusted
+    #[command(after_help = "Examples:\n  wirebend drivers\n  wirebend drivers --driver-path ~/my-drivers")]
+    Drivers,
+    /// Check a driver of somebody else's, or accept it
+    #[command(subcommand)]
+    Driver(DriverCommand),
     /// Read a model, a drawing, a table or a program into a .wirebend document
     #[command(after_help = "Example:\n  wirebend import examples/bunny.obj --face-edges -o bunny.wirebend")]
     Import {
@@ -75,16 +84,19 @@ pub(crate) enum Command {
     },
     /// Write what a machine, another program or a person reads
     #[command(
-        after_help = "Examples:\n  wirebend export cube.wbjob -o cube.txt\n  wirebend export examples/house.obj --machine pensa-diwire-pro -o house.dsw\n  wirebend export examples/spring.obj --machine wirebend-kit --format svg -o spring.svg"
+        after_help = "Examples:\n  wirebend export cube.wbjob -o cube.txt\n  wirebend export examples/house.obj --machine pensa-diwire-pro -o house.dsw\n  wirebend export examples/spring.obj --machine wirebend-kit --format svg -o spring.svg\n  wirebend export examples/house.obj --machine grbl-bender --set mode=absolute -o house.nc"
     )]
     Export {
         #[command(flatten)]
         design: ExportedArgs,
         #[command(flatten)]
         choices: ChoiceArgs,
-        /// Format to write; the machine's own if absent
-        #[arg(long, short = 'f', value_name = "FORMAT", value_parser = ExportFormat::ALL.map(ExportFormat::id))]
+        /// Format to write (see `wirebend machines` and `wirebend drivers`); the machine's own if absent
+        #[arg(long, short = 'f', value_name = "FORMAT")]
         format: Option<String>,
+        /// Setting of the driver that writes the format, over the one of the machine's profile
+        #[arg(long = "set", value_name = "KEY=VALUE", value_parser = parse_setting)]
+        settings: Vec<(String, serde_json::Value)>,
         #[command(flatten)]
         output: OutputArgs,
         #[command(flatten)]
@@ -144,6 +156,29 @@ pub(crate) enum Command {
     /// Print the manual page
     #[command(after_help = "Example:\n  wirebend man > wirebend.1 && man ./wirebend.1")]
     Man,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum DriverCommand {
+    /// Say whether a library keeps the rules for drivers; this runs it, in a process of its own
+    #[command(after_help = "Example:\n  wirebend driver check ./libmy_driver.so")]
+    Check {
+        /// Library to try
+        #[arg(value_name = "LIBRARY")]
+        library: PathBuf,
+    },
+    /// Accept a driver of somebody else's as it is; without --sha256 say what it is and accept nothing
+    #[command(
+        after_help = "Example:\n  wirebend driver trust ./libmy_driver.so\n  wirebend driver trust ./libmy_driver.so --sha256 HASH"
+    )]
+    Trust {
+        /// Library to accept
+        #[arg(value_name = "LIBRARY")]
+        library: PathBuf,
+        /// Its SHA-256, as its author tells it or as this command shows it
+        #[arg(long, value_name = "HASH")]
+        sha256: Option<String>,
+    },
 }
 
 #[derive(Debug, Subcommand)]
@@ -283,6 +318,13 @@ pub(crate) struct DangerArgs {
 
 fn parse_format(word: &str) -> Result<Format, String> {
     word.parse().map_err(|error: <Format as std::str::FromStr>::Err| error.to_string())
+}
+
+/// `KEY=VALUE`; a value that is no JSON is a text.
+fn parse_setting(text: &str) -> Result<(String, serde_json::Value), String> {
+    let (key, value) = text.split_once('=').ok_or("expected KEY=VALUE, such as decimals=2")?;
+    let value = serde_json::from_str(value).unwrap_or_else(|_| serde_json::Value::String(value.to_owned()));
+    Ok((key.to_owned(), value))
 }
 
 fn parse_unit(word: &str) -> Result<LengthUnit, String> {

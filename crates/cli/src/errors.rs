@@ -45,6 +45,18 @@ impl std::fmt::Display for WrongUse {
 
 impl std::error::Error for WrongUse {}
 
+/// The command line itself was given an input that it cannot pass on.
+#[derive(Debug)]
+pub(crate) struct BadInput(pub String);
+
+impl std::fmt::Display for BadInput {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for BadInput {}
+
 /// What `--json` prints instead of a result.
 #[derive(Debug, Serialize, JsonSchema)]
 struct ErrorReport<'a> {
@@ -75,6 +87,7 @@ pub(crate) fn report(error: &anyhow::Error, json: bool) -> ExitCode {
         Some(ErrorKind::BadInput) => exit::BAD_INPUT,
         Some(ErrorKind::NotFeasible) => exit::NOT_FEASIBLE,
         None if error.is::<WrongUse>() => exit::USAGE,
+        None if error.is::<BadInput>() => exit::BAD_INPUT,
         Some(ErrorKind::Failure) | None => exit::FAILURE,
     };
     let report = known.and_then(AppError::report);

@@ -14,7 +14,7 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory, FromArgMatches};
 use etcetera::BaseStrategy;
-use wirebend_app::{App, NoProgress, Progress};
+use wirebend_app::{App, DriverFolders, NoProgress, Progress};
 
 pub use args::Cli;
 pub use errors::{error_schema, exit};
@@ -28,6 +28,11 @@ pub fn command() -> clap::Command {
 /// Runs the program with the arguments of the process.
 #[must_use]
 pub fn main() -> ExitCode {
+    // The process of a driver is this program too, and knows of nothing else.
+    let mut words = std::env::args_os().skip(1);
+    if words.next().is_some_and(|word| word == wirebend_app::CHILD_COMMAND) {
+        return wirebend_app::child_main(&words.collect::<Vec<_>>());
+    }
     let cli = match command().try_get_matches().and_then(|matches| Cli::from_arg_matches(&matches)) {
         Ok(cli) => cli,
         Err(error) => {
@@ -63,7 +68,7 @@ fn listen(verbose: u8) {
 }
 
 fn run(cli: Cli) -> anyhow::Result<u8> {
-    let Cli { command, json, profiles, .. } = cli;
+    let Cli { command, json, profiles, driver_path, .. } = cli;
     let (request, output) = match requests::prepare(command)? {
         requests::Prepared::Request(request, output) => (*request, output),
         requests::Prepared::Text(text) => {
@@ -71,7 +76,7 @@ fn run(cli: Cli) -> anyhow::Result<u8> {
             return Ok(exit::DONE);
         }
     };
-    let app = App::new(&profile_folders(profiles))?;
+    let app = App::new(&profile_folders(profiles))?.with_drivers(driver_folders(driver_path));
     for refused in app.refused_profiles() {
         tracing::warn!("{refused}");
     }
@@ -85,6 +90,17 @@ fn run(cli: Cli) -> anyhow::Result<u8> {
 /// The folder of the person's own profiles, whether it is there or not; `None` without a home.
 fn own_folder() -> Option<PathBuf> {
     etcetera::choose_base_strategy().ok().map(|home| home.config_dir().join("wirebend"))
+}
+
+/// The person's own drivers and the list of those that they trust, and what was named on the command line.
+fn driver_folders(named: Vec<PathBuf>) -> DriverFolders {
+    let own = own_folder();
+    DriverFolders {
+        user: own.as_ref().map(|folder| folder.join("drivers")).filter(|folder| folder.is_dir()),
+        trusted: own.map(|folder| folder.join("trusted-drivers.json")),
+        named,
+        ..DriverFolders::default()
+    }
 }
 
 /// The person's own profiles, and those named on the command line.

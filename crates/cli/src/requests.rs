@@ -5,13 +5,14 @@ use std::path::{Path, PathBuf};
 
 use anyhow::Context;
 use wirebend_app::{
-    CheckRequest, CompareRequest, DesignInput, DumpRequest, ExportRequest, ImportRequest, Input,
-    MachinesRequest, MaterialsRequest, Output, PlanChoices, PlanRequest, ProfileCheckRequest,
-    ProfileExplainRequest, ProfileNewRequest, ProfilePlace, Request, SimulateRequest,
+    CheckRequest, CompareRequest, DesignInput, DriverCheckRequest, DriverTrustRequest, DriversRequest,
+    DumpRequest, ExportRequest, ImportRequest, Input, MachinesRequest, MaterialsRequest, Output, PlanChoices,
+    PlanRequest, ProfileCheckRequest, ProfileExplainRequest, ProfileNewRequest, ProfilePlace, Request,
+    SimulateRequest,
 };
 
-use crate::args::{ChoiceArgs, Command, DesignArgs, OutputArgs, ProfileCommand, ReadArgs};
-use crate::errors::WrongUse;
+use crate::args::{ChoiceArgs, Command, DesignArgs, DriverCommand, OutputArgs, ProfileCommand, ReadArgs};
+use crate::errors::{BadInput, WrongUse};
 
 /// The most that is read from standard input.
 const MOST_BYTES: u64 = 512 << 20;
@@ -37,6 +38,13 @@ pub(crate) fn prepare(command: Command) -> anyhow::Result<Prepared> {
     Ok(match command {
         Command::Machines => written(Request::Machines(MachinesRequest {})),
         Command::Materials => written(Request::Materials(MaterialsRequest {})),
+        Command::Drivers => written(Request::Drivers(DriversRequest {})),
+        Command::Driver(DriverCommand::Check { library }) => {
+            written(Request::DriverCheck(DriverCheckRequest { library }))
+        }
+        Command::Driver(DriverCommand::Trust { library, sha256 }) => {
+            written(Request::DriverTrust(DriverTrustRequest { library, sha256 }))
+        }
         Command::Import { file, read, output } => {
             let (output, contents) = place(output, true);
             let design = design(&DesignArgs { file, read })?;
@@ -60,12 +68,13 @@ pub(crate) fn prepare(command: Command) -> anyhow::Result<Prepared> {
             };
             Prepared::Request(Box::new(Request::Plan(request)), contents)
         }
-        Command::Export { design: args, choices: chosen, format, output, danger } => {
+        Command::Export { design: args, choices: chosen, format, settings, output, danger } => {
             let (output, contents) = place(output, true);
             let request = ExportRequest {
                 design: design(&DesignArgs { file: args.file, read: args.read })?,
                 choices: choices(chosen),
                 format,
+                settings: settings.into_iter().collect(),
                 output,
                 despite_errors: danger.despite_errors,
             };
@@ -142,7 +151,9 @@ fn input(file: &Path) -> anyhow::Result<Input> {
     let mut bytes = Vec::new();
     let taken = std::io::stdin().lock().take(MOST_BYTES + 1).read_to_end(&mut bytes);
     taken.context("standard input cannot be read")?;
-    anyhow::ensure!(bytes.len() as u64 <= MOST_BYTES, "standard input is longer than {MOST_BYTES} bytes");
+    if bytes.len() as u64 > MOST_BYTES {
+        return Err(BadInput(format!("standard input is longer than {MOST_BYTES} bytes: give a file")).into());
+    }
     Ok(Input::Bytes { name: "standard input".to_owned(), bytes })
 }
 

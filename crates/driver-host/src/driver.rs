@@ -200,7 +200,7 @@ impl Link {
             [crate::CHILD_COMMAND.into(), file.into(), hash.into(), launch.memory_bytes.to_string().into()];
         let started = Process::start(&launch.program, &arguments);
         let (process, greeting) =
-            started.map_err(|source| HostError::Start { driver: name.clone(), source })?;
+            started.map_err(|cause| HostError::Start { driver: name.clone(), cause })?;
         let link = Self { process, name };
         let frame = link.process.greeting(&greeting, deadline::START);
         match frame.map_err(|failure| link.failed("its start", failure, deadline::START))? {

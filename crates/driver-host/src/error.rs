@@ -41,12 +41,12 @@ pub enum HostError {
         reason: String,
     },
     /// The process of a driver could not be started.
-    #[error("the process of the driver {driver} cannot be started: {source}")]
+    #[error("the process of the driver {driver} cannot be started: {cause}")]
     Start {
         /// The library.
         driver: String,
         /// Why.
-        source: std::io::Error,
+        cause: std::io::Error,
     },
     /// The library is no driver that this program can use.
     #[error("{driver} cannot be used: {reason}")]

@@ -81,12 +81,12 @@ impl FromStr for Fingerprint {
 #[derive(Debug, thiserror::Error)]
 pub enum TrustError {
     /// It cannot be read or written.
-    #[error("{}: the list of accepted drivers cannot be used: {source}", file.display())]
+    #[error("{}: the list of accepted drivers cannot be used: {cause}", file.display())]
     Io {
         /// The list.
         file: PathBuf,
         /// Why.
-        source: io::Error,
+        cause: io::Error,
     },
     /// It is a list of another version.
     #[error(
@@ -101,14 +101,14 @@ pub enum TrustError {
     },
     /// It is not such a list.
     #[error(
-        "{}: this is not a list of accepted drivers: {source}; mend it, or delete it and accept the drivers again",
+        "{}: this is not a list of accepted drivers: {cause}; mend it, or delete it and accept the drivers again",
         file.display()
     )]
     Shape {
         /// The list.
         file: PathBuf,
         /// Where and why.
-        source: serde_json::Error,
+        cause: serde_json::Error,
     },
 }
 
@@ -148,7 +148,7 @@ impl TrustStore {
             Err(error) if error.kind() == io::ErrorKind::NotFound => {
                 return Ok(Self { file, accepted: BTreeMap::new() });
             }
-            Err(source) => return Err(TrustError::Io { file, source }),
+            Err(cause) => return Err(TrustError::Io { file, cause }),
         };
         match serde_json::from_slice::<Stored>(&text) {
             Ok(Stored { version, .. }) if version != VERSION => Err(TrustError::Version { file, version }),
@@ -157,7 +157,7 @@ impl TrustStore {
                     stored.accepted.into_iter().map(|entry| (entry.library, entry.sha256)).collect();
                 Ok(Self { file, accepted })
             }
-            Err(source) => Err(TrustError::Shape { file, source }),
+            Err(cause) => Err(TrustError::Shape { file, cause }),
         }
     }
 
@@ -175,7 +175,7 @@ impl TrustStore {
         // As it is now: another program may have accepted something since.
         let mut accepted = Self::open(&self.file)?.accepted;
         accepted.insert(library.to_owned(), hash);
-        self.save(&accepted).map_err(|source| TrustError::Io { file: self.file.clone(), source })?;
+        self.save(&accepted).map_err(|cause| TrustError::Io { file: self.file.clone(), cause })?;
         self.accepted = accepted;
         Ok(())
     }

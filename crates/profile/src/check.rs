@@ -4,10 +4,10 @@ use std::path::Path;
 
 use crate::layer::Layer;
 use crate::library::{Library, read_file};
-use crate::{Kind, ProfileError};
+use crate::{Kind, MachineProfile, ProfileError, Resolved};
 
 /// What a sound file turned out to be.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Checked {
     /// Kind.
     pub kind: Kind,
@@ -17,6 +17,8 @@ pub struct Checked {
     pub is_abstract: bool,
     /// Ids from the profile itself to its last ancestor.
     pub chain: Vec<String>,
+    /// The complete machine, its parents merged in; `None` for other kinds and for abstract ones.
+    pub machine: Option<Resolved<MachineProfile>>,
 }
 
 /// Examines the text of a profile; its parents are looked for among the shipped profiles.
@@ -71,7 +73,9 @@ fn check(mut library: Library, layer: Layer) -> Result<Checked, Vec<ProfileError
         return Err(errors);
     }
     let chain = library.chain(&layer).map_err(|error| vec![error])?;
+    let is_machine = layer.kind == Kind::Machine && !layer.is_abstract;
     Ok(Checked {
+        machine: is_machine.then(|| library.resolve(&layer)).transpose()?,
         kind: layer.kind,
         is_abstract: layer.is_abstract,
         chain: chain.iter().map(|layer| layer.id.clone()).collect(),

@@ -22,8 +22,14 @@ pub(super) fn files(root: &Path) -> Result<Vec<CommittedFile>> {
 fn draw(app: &App, root: &Path, name: &str, face_edges: bool, machine: &str) -> Result<CommittedFile> {
     let design = DesignInput { face_edges, ..DesignInput::file(root.join(format!("examples/{name}.obj"))) };
     let choices = PlanChoices { machine: Some(machine.into()), double: true, ..PlanChoices::default() };
-    let request =
-        ExportRequest { design, choices, format: Some("svg".into()), output: None, despite_errors: true };
+    let request = ExportRequest {
+        design,
+        choices,
+        format: Some("svg".into()),
+        settings: serde_json::Map::new(),
+        output: None,
+        despite_errors: true,
+    };
     let Response::Export(found) = app.run(&Request::Export(request), &NoProgress)? else {
         bail!("an export answered something else");
     };

@@ -4,10 +4,11 @@ use std::collections::BTreeMap;
 
 use nalgebra::Point3;
 use wirebend_core::bend::Step;
-use wirebend_core::units::Angle;
+use wirebend_core::units::{Angle, Length};
 use wirebend_files::write::Mark;
 
 use super::{ExportRequest, is_job, open_job};
+use crate::drivers::Stages;
 use crate::machine::{Setup, kept_steps, objections, restored};
 use crate::picture;
 use crate::plan::{PlanChoices, Planned};
@@ -19,11 +20,23 @@ pub(super) struct Wire {
     pub path: Vec<Point3<f64>>,
     pub nominal: Vec<Step>,
     pub compensated: Option<Vec<Step>>,
+    pub stock_mm: Option<f64>,
+    pub time_s: Option<f64>,
     /// Segments of the path along edges that are travelled more than once.
     pub doubled: Vec<usize>,
 }
 
 impl Wire {
+    pub fn stages(&self) -> Stages<'_> {
+        Stages {
+            path: &self.path,
+            nominal: &self.nominal,
+            compensated: self.compensated.as_deref(),
+            stock_mm: self.stock_mm,
+            time_s: self.time_s,
+        }
+    }
+
     pub fn bend_count(&self) -> usize {
         self.nominal.iter().filter(|step| step.bend != Angle::ZERO).count()
     }
@@ -34,6 +47,8 @@ pub(super) struct Content {
     pub title: String,
     pub setup: Setup,
     pub design_hash: String,
+    /// Of a job that was planned before.
+    pub job_hash: Option<String>,
     pub wires: Vec<Wire>,
     pub marks: Vec<Mark>,
     pub notes: Vec<NoteReport>,
@@ -66,6 +81,8 @@ impl Content {
                 path: plan.path.clone(),
                 nominal: plan.nominal.as_ref().map(|program| program.steps.clone()).unwrap_or_default(),
                 compensated: plan.compensated.as_ref().map(|program| program.steps().to_vec()),
+                stock_mm: plan.stock.map(Length::mm),
+                time_s: plan.seconds,
                 doubled: plan.route.as_ref().map_or_else(Vec::new, |route| {
                     passed_twice(&route.traversals.iter().map(|t| t.edge).collect::<Vec<_>>())
                 }),
@@ -77,6 +94,7 @@ impl Content {
         }
         Ok(Self {
             title,
+            job_hash: None,
             design_hash: planned.opened.document.design_hash()?,
             marks: picture::marks(&planned),
             notes: planned.opened.notes.clone(),
@@ -113,11 +131,14 @@ impl Content {
                 path: wire.path_mm.iter().copied().map(Point3::from).collect(),
                 nominal: kept_steps(&wire.nominal)?,
                 compensated: Some(kept_steps(&wire.compensated)?),
+                stock_mm: Some(wire.stock_mm),
+                time_s: Some(wire.time_s),
                 doubled: passed_twice(&ends.collect::<Vec<_>>()),
             })
         });
         Ok(Self {
             title,
+            job_hash: Some(job.hash().to_owned()),
             setup: restored(name, contents)?,
             design_hash: contents.design_hash.clone(),
             wires: wires.collect::<Result<_, AppError>>()?,

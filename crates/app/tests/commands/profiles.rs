@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use wirebend_app::{
-    App, AppError, ErrorKind, NoProgress, ProfileExplainRequest, ProfileExplainResponse, ProfileKind,
-    ProfileNewRequest, ProfileNewResponse, ProfilePlace, Request, Response,
+    App, AppError, DriverFolders, ErrorKind, NoProgress, ProfileExplainRequest, ProfileExplainResponse,
+    ProfileKind, ProfileNewRequest, ProfileNewResponse, ProfilePlace, Request, Response,
 };
 
 fn request(id: &str, inherits: &str, place: ProfilePlace) -> ProfileNewRequest {
@@ -14,11 +14,16 @@ fn request(id: &str, inherits: &str, place: ProfilePlace) -> ProfileNewRequest {
 
 /// Runs the command among the shipped profiles and a folder's.
 fn new_in(folder: &Path, request: ProfileNewRequest) -> Result<ProfileNewResponse, AppError> {
-    let app = App::new(&[folder.to_owned()]).unwrap();
+    let app = App::new(&[folder.to_owned()]).unwrap().with_drivers(no_drivers());
     match app.run(&Request::ProfileNew(request), &NoProgress)? {
         Response::ProfileNew(found) => Ok(*found),
         other => panic!("a new profile answered {other:?}"),
     }
+}
+
+/// What lies beside a test program is not for it.
+fn no_drivers() -> DriverFolders {
+    DriverFolders { own: Some(Vec::new()), ..DriverFolders::default() }
 }
 
 fn refused(id: &str, inherits: &str, kind: Option<ProfileKind>) -> AppError {

@@ -5,39 +5,26 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // a test may stop at what cannot be
 
-mod case;
+#[path = "../cases/mod.rs"]
+mod cases;
+mod facts;
 mod properties;
 mod stages;
 
 use std::collections::BTreeSet;
-use std::path::PathBuf;
 
-use case::Case;
-
-fn root() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
+use cases::Case;
 
 #[test]
 fn every_case_is_what_its_files_and_facts_say() {
-    let folder = root().join("tests/golden");
-    let mut names: Vec<String> = std::fs::read_dir(&folder)
-        .unwrap()
-        .map(|entry| entry.unwrap())
-        .filter(|entry| entry.path().is_dir())
-        .map(|entry| entry.file_name().into_string().unwrap())
-        .collect();
-    names.sort();
-    assert!(names.len() >= 15, "the cases are gone: {names:?}");
-    for name in &names {
-        let case = Case::load(&folder.join(name));
+    for (name, folder, case) in cases::all() {
         let made = stages::files(&case);
         let mut expected: BTreeSet<String> = made.iter().map(|(file, _)| file.clone()).collect();
         for (file, text) in made {
-            expect_test::expect_file![folder.join(name).join(file)].assert_eq(&text);
+            expect_test::expect_file![folder.join(file)].assert_eq(&text);
         }
         expected.insert("case.json".to_owned());
-        let on_disk = std::fs::read_dir(folder.join(name)).unwrap();
+        let on_disk = std::fs::read_dir(&folder).unwrap();
         let on_disk: BTreeSet<String> =
             on_disk.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
         assert_eq!(on_disk, expected, "{name}: files that no stage makes, or stages without a file");
@@ -49,7 +36,7 @@ fn every_case_is_what_its_files_and_facts_say() {
 #[test]
 fn mirror_images_differ_in_the_signs_of_their_turns_alone() {
     let steps = |name: &str| {
-        let case = Case::load(&root().join("tests/golden").join(name));
+        let case = Case::load(&cases::root().join("tests/golden").join(name));
         case.plan("wirebend-kit").wires()[0].program.clone().unwrap().steps
     };
     let (left, right) = (steps("mirror-left"), steps("mirror-right"));

@@ -1,15 +1,13 @@
-//! What holds for every case, whatever its numbers are.
+//! What holds for every case, whatever its numbers are. What holds of exported files is in `tests/exports`.
 
 use std::collections::BTreeMap;
 
-use nalgebra::{Matrix3, Point3, Vector3};
+use nalgebra::Point3;
 use wirebend_app::{Input, Request, Response, SimulateRequest};
-use wirebend_core::bend::{Convention, Frame, Step, replay};
-use wirebend_core::units::Length;
+use wirebend_core::bend::{Frame, Step, replay};
 use wirebend_files::document::Job;
-use wirebend_files::read::{Format, ReadOptions, read};
 
-use crate::case::{Case, run};
+use crate::cases::{Case, proper_misfits, run};
 
 pub fn assert_all(case: &Case) {
     for machine in ["wirebend-kit", "pensa-diwire-pro", "howtomechatronics", "grbl-bender"] {
@@ -19,7 +17,6 @@ pub fn assert_all(case: &Case) {
             jobs_bend_into_the_design(case, machine, &bytes);
         }
     }
-    exports_read_back_to_the_same_wire(case);
 }
 
 /// A wire that cannot be made has an error to mend.
@@ -86,76 +83,7 @@ fn jobs_bend_into_the_design(case: &Case, machine: &str, bytes: &[u8]) {
     }
 }
 
-/// Tables and scripts, read by our readers, give the same wire within what their digits hold, with
-/// the same handedness.
-fn exports_read_back_to_the_same_wire(case: &Case) {
-    let machine = "pensa-diwire-pro";
-    for (format, name, decimals) in
-        [("pensa-script", Format::Pensa, 5), ("lra-csv", Format::Lra, 3), ("xyz-csv", Format::Xyz, 3)]
-    {
-        let Ok(texts) = case.export(machine, format) else {
-            continue;
-        };
-        let job = case.job(machine).expect("what can be exported can be planned");
-        let job = Job::open(&job, "job").unwrap();
-        for (text, wire) in texts.iter().zip(&job.contents().wires) {
-            let design: Vec<Point3<f64>> = wire.path_mm.iter().copied().map(Point3::from).collect();
-            let corners: Vec<Point3<f64>> =
-                std::iter::once(design[0]).chain(wire.spans.iter().map(|span| design[span[1]])).collect();
-            let radius = Length::from_mm(1.0 + 0.45).unwrap();
-            let options = ReadOptions {
-                clr: Some(radius),
-                convention: Convention::default(),
-                ..ReadOptions::default()
-            };
-            let found = read(text.as_bytes(), format, Some(name), &options).unwrap();
-            let path = match &found.program {
-                Some(program) => replay(Frame::default(), &program.program.steps),
-                None => found.wireframe.vertices().map(|(_, vertex)| vertex.position).collect(),
-            };
-            let tolerance = rounding(decimals, &corners);
-            // A polyline of points that the wire passes twice is welded: compare the set of points.
-            if name == Format::Xyz {
-                let nearest = |p: &Point3<f64>| path.iter().map(|q| (p - q).norm()).fold(f64::MAX, f64::min);
-                assert!(design.iter().all(|p| nearest(p) < tolerance), "{}: {format}", case.about);
-                continue;
-            }
-            assert_eq!(path.len(), corners.len(), "{}: {format}", case.about);
-            let off = misfit(&corners, &path);
-            assert!(off < tolerance, "{}: {format} reads back {off} mm off", case.about);
-        }
-    }
-}
-
-/// What rounding to so many decimals does to a wire: each step is off by half a digit in its length
-/// and in its two angles, which swing the rest about its corner; such errors add up like a random
-/// walk, of which twice the deviation is allowed.
-fn rounding(decimals: i32, corners: &[Point3<f64>]) -> f64 {
-    let half = 0.5 * 10f64.powi(-decimals);
-    let far = corners.iter().map(|p| (p - corners[0]).norm()).fold(0.0, f64::max);
-    #[allow(clippy::cast_precision_loss)]
-    let steps = corners.len() as f64;
-    2.0 * steps.sqrt() * (half + 2.0 * half.to_radians() * 2.0 * far)
-}
-
-/// The largest distance between two paths after the best rotation and shift; a mirror image stays one.
+/// The largest distance between two paths after the best rotation and shift.
 fn misfit(a: &[Point3<f64>], b: &[Point3<f64>]) -> f64 {
-    assert_eq!(a.len(), b.len());
-    #[allow(clippy::cast_precision_loss)]
-    let mean =
-        |points: &[Point3<f64>]| points.iter().map(|p| p.coords).sum::<Vector3<f64>>() / points.len() as f64;
-    let (ma, mb) = (mean(a), mean(b));
-    let covariance: Matrix3<f64> =
-        a.iter().zip(b).map(|(p, q)| (q.coords - mb) * (p.coords - ma).transpose()).sum();
-    let svd = covariance.svd(true, true);
-    let (u, v_t) = (svd.u.unwrap(), svd.v_t.unwrap());
-    let sign = (v_t.transpose() * u.transpose()).determinant().signum();
-    // The least singular direction is flipped where the best fit would mirror.
-    let least = svd.singular_values.imin();
-    let mut diagonal = Vector3::repeat(1.0);
-    diagonal[least] = sign;
-    let rotation = v_t.transpose() * Matrix3::from_diagonal(&diagonal) * u.transpose();
-    let distance =
-        |(p, q): (&Point3<f64>, &Point3<f64>)| ((p.coords - ma) - rotation * (q.coords - mb)).norm();
-    a.iter().zip(b).map(distance).fold(0.0, f64::max)
+    proper_misfits(a, b).into_iter().fold(0.0, f64::max)
 }

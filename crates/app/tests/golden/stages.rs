@@ -3,9 +3,9 @@
 use std::fmt::Write;
 
 use serde_json::Value;
-use wirebend_app::{AppError, DumpRequest, DumpStage, Request, Response};
+use wirebend_app::{AppError, DriverProblem, DumpRequest, DumpStage, Request, Response};
 
-use crate::case::{Case, run};
+use crate::cases::{Case, run};
 
 const KIT: &str = "wirebend-kit";
 const PENSA: &str = "pensa-diwire-pro";
@@ -39,7 +39,7 @@ pub fn files(case: &Case) -> Vec<(String, String)> {
     ] {
         match case.export(machine, format) {
             Ok(texts) => files.push((name.to_owned(), texts.join("\n"))),
-            Err(AppError::StageNotReached { .. } | AppError::Unwritable { .. }) => {}
+            Err(AppError::StageNotReached { .. } | AppError::Driver(DriverProblem::Unwritten { .. })) => {}
             Err(error) => panic!("{}: {error}", case.about),
         }
     }

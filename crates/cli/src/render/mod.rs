@@ -1,6 +1,7 @@
 //! Responses as text for a person, or as JSON for a program.
 
 mod compare;
+mod drivers;
 pub(crate) mod number;
 pub(crate) mod plan;
 mod profile;
@@ -29,6 +30,9 @@ pub(crate) fn show(response: &Response, json: bool, contents: Contents) -> anyho
         match response {
             Response::Machines(found) => tables::machines(&mut std::io::stdout().lock(), found)?,
             Response::Materials(found) => tables::materials(&mut std::io::stdout().lock(), found)?,
+            Response::Drivers(found) => drivers::list(&mut std::io::stdout().lock(), &mut err, found)?,
+            Response::DriverCheck(found) => drivers::check(&mut err, found)?,
+            Response::DriverTrust(found) => drivers::trust(&mut err, found)?,
             Response::Import(found) => import(&mut err, found)?,
             Response::Check(found) => plan::check(&mut err, found)?,
             Response::Plan(found) => plan::plan(&mut err, found)?,
@@ -52,7 +56,11 @@ fn status(response: &Response) -> u8 {
         Response::Plan(found) => found.report.feasible(),
         Response::Compare(found) => found.from.feasible,
         Response::ProfileCheck(found) => return if found.ok { exit::DONE } else { exit::BAD_INPUT },
+        Response::DriverCheck(found) => return if found.kept { exit::DONE } else { exit::FAILURE },
+        // Whoever asked to have it accepted has to hear that it is not.
+        Response::DriverTrust(found) => return if found.accepted { exit::DONE } else { exit::USAGE },
         Response::Machines(_)
+        | Response::Drivers(_)
         | Response::Materials(_)
         | Response::Import(_)
         | Response::Export(_)

@@ -31,6 +31,9 @@ const UNITS: [(&str, &str); 9] = [
 
 pub(super) fn check(out: &mut impl Write, found: &ProfileCheckResponse) -> std::io::Result<()> {
     for verdict in &found.files {
+        for note in &verdict.notes {
+            writeln!(out, "{}: note: {note}", verdict.file.display())?;
+        }
         if verdict.ok {
             let id = verdict.id.as_deref().unwrap_or_default();
             let from = match verdict.inherits.as_slice() {

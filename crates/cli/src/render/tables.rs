@@ -12,10 +12,7 @@ pub(super) fn machines(out: &mut impl Write, found: &MachinesResponse) -> std::i
             format!("{:.0}..{:.0}°", machine.bend_deg[0], machine.bend_deg[1]),
             format!("{:.1} mm", machine.min_edge_mm),
             format!("{least}..{most} mm"),
-            match &machine.native {
-                Some(native) => format!("{native} (by its driver)"),
-                None => machine.formats.first().cloned().unwrap_or_default(),
-            },
+            machine.native.as_ref().or(machine.formats.first()).cloned().unwrap_or_default(),
             machine.name.clone(),
         ]
     });
@@ -40,7 +37,7 @@ pub(super) fn materials(out: &mut impl Write, found: &MaterialsResponse) -> std:
     table(out, ["id", "diameter", "price", "springback", "name"], rows)
 }
 
-fn table<const N: usize>(
+pub(super) fn table<const N: usize>(
     out: &mut impl Write,
     head: [&str; N],
     rows: impl Iterator<Item = [String; N]>,

@@ -2,7 +2,12 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // a test may stop at what cannot be
 
+mod c_drivers;
 mod compare;
+mod driver_settings;
+mod driver_settings_inherited;
+mod drivers;
+mod drivers_refused;
 mod outputs;
 mod profiles;
 mod results;
@@ -12,6 +17,7 @@ mod wrong_files;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::sync::Once;
 
 use serde_json::Value;
 
@@ -44,9 +50,26 @@ fn example(name: &str) -> String {
     root().join("examples").join(name).display().to_string()
 }
 
+/// The program with the drivers that come with it, which Cargo does not know it needs.
+fn wirebend() -> PathBuf {
+    static DRIVERS: Once = Once::new();
+    DRIVERS.call_once(|| {
+        for driver in ["pensa", "tables", "grbl", "howtomechatronics"] {
+            let library = wirebend_tests_built::driver(driver);
+            assert_eq!(library.parent(), Path::new(env!("CARGO_BIN_EXE_wirebend")).parent());
+        }
+    });
+    PathBuf::from(env!("CARGO_BIN_EXE_wirebend"))
+}
+
 /// Runs `wirebend` in a folder with words on its standard input.
 fn run_in(folder: &Path, arguments: &[&str], input: &[u8]) -> Ran {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_wirebend"))
+    run_program(&wirebend(), folder, arguments, input)
+}
+
+/// Runs a copy of the program that may lie elsewhere.
+fn run_program(program: &Path, folder: &Path, arguments: &[&str], input: &[u8]) -> Ran {
+    let mut child = Command::new(program)
         .args(arguments)
         .current_dir(folder)
         // The profiles of whoever runs the tests are not part of them.

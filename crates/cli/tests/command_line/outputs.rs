@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::{example, run_in};
+use crate::{assert_fits, example, run_in};
 
 fn read(folder: &Path, name: &str) -> String {
     std::fs::read_to_string(folder.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
@@ -41,6 +41,7 @@ fn every_format_of_every_machine_can_be_written() {
         ("lra-csv", "L"),
         ("ybc-csv", ",43.336"),
         ("xyz-csv", "x_mm"),
+        ("cumulative-csv", "D_mm,Rabs_deg"),
         ("svg", "<svg"),
         ("obj", "\nl "),
         ("obj-tube", "\nf "),
@@ -58,6 +59,17 @@ fn every_format_of_every_machine_can_be_written() {
     assert!(said.contains("compensated for that machine alone"), "{said}");
     run(&["export", &house, "-m", "pensa-diwire-pro", "-o", "house.dsw"]).ended(0);
     assert!(read(folder.path(), "house.dsw").trim_end().lines().last().unwrap().starts_with("FEED "));
+    // Each machine has its own format without being asked, by its driver.
+    for (machine, format, driver, sign) in [
+        ("grbl-bender", "gcode", "grbl", "\nG91\n"),
+        ("howtomechatronics", "howtomechatronics-serial", "howtomechatronics", "manual\n"),
+        ("table-bender", "lra-csv", "tables", "L_mm,R_deg"),
+    ] {
+        let made = run(&["export", &house, "-m", machine, "-o", machine, "--json"]).ended(0).json();
+        assert_fits("export", &made);
+        assert_eq!((made["format"].as_str(), made["driver"].as_str()), (Some(format), Some(driver)));
+        assert!(read(folder.path(), machine).contains(sign), "{machine}");
+    }
 }
 
 #[test]

@@ -17,7 +17,9 @@ fn statuses_tell_whose_turn_it_is() {
         &["plan", &cube, "--machine", "wirebend-kit", "--weld", "-1"],
         &["plan", &cube, "--machine", "wirebend-kit", "--units", "parsec"],
         &["export", &cube, "--machine", "wirebend-kit", "--format", "gcode"],
-        &["export", &cube, "--machine", "grbl-bender"],
+        &["export", &cube, "--machine", "grbl-bender", "--format", "pensa-script"],
+        &["driver"],
+        &["driver", "trust"],
         &["bend", &cube],
     ] {
         let ran = run(wrong_use).ended(2);
@@ -39,16 +41,13 @@ fn a_misspelt_machine_is_guessed() {
 }
 
 #[test]
-fn the_own_format_of_a_machine_without_its_driver_is_not_replaced_in_silence() {
-    let said = run(&["export", &example("house.obj"), "--machine", "howtomechatronics"]).ended(2).err;
-    assert!(said.contains("howtomechatronics-serial") && said.contains("lra-csv"), "{said}");
-}
-
-#[test]
 fn every_command_has_help_with_an_example() {
     let commands: &[&[&str]] = &[
         &["machines"],
         &["materials"],
+        &["drivers"],
+        &["driver", "check"],
+        &["driver", "trust"],
         &["import"],
         &["check"],
         &["plan"],

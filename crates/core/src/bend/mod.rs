@@ -14,4 +14,4 @@ pub use frame::Frame;
 pub use from_path::{PathError, program_of_path};
 pub use program::{Convention, NominalProgram, Sign, Step};
 pub use replay::replay;
-pub use tangent::{TangentError, intersection_lengths, tangent_lengths};
+pub use tangent::{TangentError, intersection_lengths, straight_lengths};

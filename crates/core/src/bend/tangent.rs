@@ -7,20 +7,6 @@ use crate::units::{Angle, Length};
 /// The straight parts of a program do not fit between its arcs.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum TangentError {
-    /// The arcs at both ends of a segment need more than its length.
-    #[error(
-        "step {step}: its arcs take {needed:.3} of {length:.3}; use a smaller bend radius than {radius:.3} or a longer segment"
-    )]
-    Overlap {
-        /// Index of the step, from 0.
-        step: usize,
-        /// What the arcs take.
-        needed: Length,
-        /// What there is.
-        length: Length,
-        /// The centreline radius.
-        radius: Length,
-    },
     /// A bend of 180° or more has no corner where its straight parts would meet.
     #[error("step {step}: a bend of {bend:.3} has no corner; its straight parts are parallel")]
     NoCorner {
@@ -51,23 +37,21 @@ fn taken(steps: &[Step], radius: Length) -> Result<Vec<f64>, TangentError> {
     Ok(taken)
 }
 
-/// Tangent-to-tangent lengths of a program whose feeds run from corner to corner.
-///
-/// # Errors
-/// [`TangentError`] when arcs of this centreline radius overlap or a bend has no corner.
-pub fn tangent_lengths(steps: &[Step], radius: Length) -> Result<Vec<Length>, TangentError> {
-    let lengths = steps.iter().zip(taken(steps, radius)?).enumerate();
+/// Lengths between the arcs of a program whose feeds run from corner to corner, for bends of this
+/// centreline radius. Below zero where the arcs overlap; `None` next to a bend of 180°, which has no
+/// corner.
+#[must_use]
+pub fn straight_lengths(steps: &[Step], radius: Length) -> Vec<Option<Length>> {
+    let mut before = Some(0.0);
+    let mut lengths = Vec::with_capacity(steps.len());
+    for (k, step) in steps.iter().enumerate() {
+        let after = corner(k, step.bend, radius).ok();
+        let left = before.zip(after).map(|(before, after)| step.feed.mm() - before - after);
+        // Rounding of a table may eat a length that is exactly zero.
+        lengths.push(left.map(|left| Length::computed(if left.abs() < 1e-6 { 0.0 } else { left })));
+        before = after;
+    }
     lengths
-        .map(|(step, (s, taken))| {
-            let left = s.feed.mm() - taken;
-            // Rounding of a table may eat a length that is exactly zero.
-            if left < -1e-6 {
-                let needed = Length::computed(taken);
-                return Err(TangentError::Overlap { step, needed, length: s.feed, radius });
-            }
-            Ok(Length::computed(left.max(0.0)))
-        })
-        .collect()
 }
 
 /// Corner-to-corner lengths of a program whose feeds run from tangent to tangent.

@@ -5,19 +5,11 @@
 
 mod centreline;
 mod kit;
-mod lra;
 mod number;
 mod obj;
-mod pensa;
 mod svg;
-mod table;
-mod xyz;
 
 pub use centreline::{Centreline, centreline};
 pub use kit::{KitLayout, kit};
-pub use lra::{Lengths, LraLayout, LraNames, lra};
 pub use obj::{Tube, obj};
-pub use pensa::{Case, PensaLayout, pensa};
 pub use svg::{Mark, MarkAt, Picture, PictureWire, Severity, View, svg};
-pub use table::{DecimalMark, Separator, TableStyle};
-pub use xyz::xyz;

@@ -1,30 +1,11 @@
-//! A case: a design, how it is planned, and facts about it that come from elsewhere.
+//! What is known of a case from elsewhere, held against what comes out.
 
 use std::collections::BTreeMap;
-use std::path::Path;
 
 use serde::Deserialize;
-use wirebend_app::{
-    App, AppError, DesignInput, ExportRequest, NoProgress, PlanChoices, PlanReport, PlanRequest, Request,
-    Response,
-};
+use wirebend_app::{PlanReport, PlanRequest, Request, Response};
 
-/// `case.json`.
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Case {
-    /// What the case is for.
-    pub about: String,
-    /// The design, from the root of the repository.
-    design: String,
-    #[serde(default)]
-    face_edges: bool,
-    #[serde(default)]
-    double: bool,
-    #[serde(default)]
-    closed: bool,
-    facts: Facts,
-}
+use crate::cases::{Case, run};
 
 /// What somebody else has worked out.
 #[derive(Debug, Deserialize)]
@@ -59,25 +40,6 @@ fn one() -> usize {
 }
 
 impl Case {
-    pub fn load(folder: &Path) -> Self {
-        let text = std::fs::read_to_string(folder.join("case.json")).unwrap();
-        serde_json::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", folder.display()))
-    }
-
-    pub fn input(&self) -> DesignInput {
-        DesignInput { face_edges: self.face_edges, ..DesignInput::file(crate::root().join(&self.design)) }
-    }
-
-    pub fn choices(&self, machine: &str) -> PlanChoices {
-        // The thin wire of the published Pensa programs, and the wire of the paper.
-        PlanChoices {
-            machine: Some(machine.to_owned()),
-            double: self.double,
-            closed: self.closed,
-            ..PlanChoices::default()
-        }
-    }
-
     pub fn plan(&self, machine: &str) -> PlanReport {
         let request = PlanRequest {
             design: self.input(),
@@ -92,41 +54,8 @@ impl Case {
         }
     }
 
-    /// The job's bytes, where there is one.
-    pub fn job(&self, machine: &str) -> Option<Vec<u8>> {
-        let request = PlanRequest {
-            design: self.input(),
-            choices: self.choices(machine),
-            output: None,
-            make_job: true,
-            despite_errors: true,
-        };
-        match run(&Request::Plan(request)) {
-            Ok(Response::Plan(found)) => Some(found.contents),
-            Err(AppError::StageNotReached { .. }) => None,
-            other => panic!("{}: {other:?}", self.about),
-        }
-    }
-
-    /// The texts of a format, one for each wire, or why it cannot be written.
-    pub fn export(&self, machine: &str, format: &str) -> Result<Vec<String>, AppError> {
-        let request = ExportRequest {
-            design: self.input(),
-            choices: self.choices(machine),
-            format: Some(format.to_owned()),
-            output: None,
-            despite_errors: true,
-        };
-        match run(&Request::Export(request))? {
-            Response::Export(found) => {
-                Ok(found.contents.into_iter().map(|bytes| String::from_utf8(bytes).unwrap()).collect())
-            }
-            other => panic!("{}: {other:?}", self.about),
-        }
-    }
-
     pub fn assert_facts(&self) {
-        let facts = &self.facts;
+        let facts = Facts::deserialize(&self.facts).unwrap_or_else(|error| panic!("{}: {error}", self.about));
         let kit = self.plan("wirebend-kit");
         let (about, because) = (&self.about, &facts.because);
         let same = |name: &str, found: Option<usize>, fact: Option<usize>| {
@@ -172,9 +101,4 @@ impl Case {
             }
         }
     }
-}
-
-pub fn run(request: &Request) -> Result<Response, AppError> {
-    thread_local!(static APP: App = App::new(&[]).unwrap());
-    APP.with(|app| app.run(request, &NoProgress))
 }

@@ -1,0 +1,83 @@
+//! `driver trust`: a person accepts a library as it is.
+
+use std::path::{Path, PathBuf};
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use wirebend_driver_host::{Driver, Fingerprint, Found, HostError, Place, Verdict};
+
+use crate::{App, AppError, DriverProblem, Progress};
+
+/// Which library to accept. Whoever accepts it has to name its hash, which this command tells when it is
+/// not named: then nothing is accepted and nothing is run.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct DriverTrustRequest {
+    /// The library.
+    pub library: PathBuf,
+    /// Its SHA-256.
+    pub sha256: Option<String>,
+}
+
+/// A library and whether it is accepted.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct DriverTrustResponse {
+    /// The library, by its absolute path.
+    pub library: PathBuf,
+    /// Its SHA-256.
+    pub sha256: String,
+    /// Whether it is accepted now.
+    pub accepted: bool,
+    /// What it says that it is, once it is accepted.
+    pub id: Option<String>,
+    /// Its name.
+    pub name: Option<String>,
+    /// Its version.
+    pub version: Option<String>,
+}
+
+pub(crate) fn trust(
+    app: &App,
+    request: &DriverTrustRequest,
+    _progress: &dyn Progress,
+) -> Result<DriverTrustResponse, AppError> {
+    let library = absolute(&request.library)?;
+    let mut store = app.drivers.store()?;
+    let hash = match Found::at(&library, Place::Named, &store).verdict {
+        Verdict::Refused(reason) => return Err(HostError::Unsafe { file: library, reason }.into()),
+        Verdict::Accepted(hash) | Verdict::Unknown(hash) | Verdict::Changed(hash) => hash,
+        // Only what is in the program's own folders is shipped, and this was named.
+        Verdict::Shipped => Fingerprint::of(&library)
+            .map_err(|cause| DriverProblem::Library { file: library.clone(), cause })?,
+    };
+    let told = DriverTrustResponse {
+        sha256: hash.to_string(),
+        accepted: false,
+        id: None,
+        name: None,
+        version: None,
+        library: library.clone(),
+    };
+    let Some(named) = &request.sha256 else { return Ok(told) };
+    let named: Fingerprint = named.parse().map_err(|_| AppError::Value {
+        name: "the SHA-256",
+        value: named.clone(),
+        expected: "expected 64 hexadecimal digits",
+    })?;
+    if named != hash {
+        return Err(DriverProblem::OtherLibrary { file: library, found: hash.to_string() }.into());
+    }
+    if app.drivers.trusted.is_none() {
+        return Err(DriverProblem::NowhereToTrust.into());
+    }
+    // What cannot be used is not worth a line in the list.
+    let as_accepted = Found { file: library.clone(), place: Place::Named, verdict: Verdict::Accepted(hash) };
+    let description = Driver::start(&as_accepted, &app.drivers.launch()?)?.description().clone();
+    store.accept(&library, hash).map_err(HostError::from)?;
+    let (id, name, version) = (Some(description.id), Some(description.name), Some(description.version));
+    Ok(DriverTrustResponse { accepted: true, id, name, version, ..told })
+}
+
+/// The path without links, as the list of accepted libraries has it.
+pub(super) fn absolute(library: &Path) -> Result<PathBuf, DriverProblem> {
+    library.canonicalize().map_err(|cause| DriverProblem::Library { file: library.to_owned(), cause })
+}

@@ -1,0 +1,72 @@
+//! What a driver writes.
+
+use serde_json::{Map, Value};
+use wirebend_driver_host::api::{self, Files, FormatDescription};
+use wirebend_driver_host::{Driver, HostError};
+
+use super::content::{Content, Wire};
+use crate::drivers::job;
+use crate::report::NoteReport;
+use crate::{AppError, DriverProblem};
+
+/// The files of a format. Settings are those of the machine's profile when the driver is the machine's,
+/// and over them those that were asked for.
+pub(super) fn encode(
+    content: &mut Content,
+    driver: Driver,
+    format: &FormatDescription,
+    asked: &Map<String, Value>,
+) -> Result<Vec<Vec<u8>>, AppError> {
+    let profile = &content.setup.machine.profile.driver;
+    let id = driver.description().id.clone();
+    let mut settings =
+        profile.settings.clone().filter(|_| profile.id.as_ref() == Some(&id)).unwrap_or_default();
+    settings.extend(asked.clone());
+    let open = driver.open(&Value::Object(settings)).map_err(|error| match error {
+        HostError::Refused { driver, error } => DriverProblem::Settings { driver, error },
+        other => DriverProblem::Host(other),
+    })?;
+    let format_id = format.id.clone();
+    let encoded = open.encode(&format.id, of(content)).map_err(|error| match error {
+        HostError::Refused { driver, error } => DriverProblem::Unwritten { driver, format: format_id, error },
+        other => DriverProblem::Host(other),
+    })?;
+    // What was written is here; a driver that cannot close is ended all the same.
+    if let Err(error) = open.close() {
+        tracing::warn!("{error}");
+    }
+    let expected = if format.files == Files::One { 1 } else { content.wires.len() };
+    if encoded.files.len() != expected {
+        let reason =
+            format!("{} files of {} wires, not {expected}", encoded.files.len(), content.wires.len());
+        return Err(HostError::Broken { driver: id, during: "the job", reason }.into());
+    }
+    let note =
+        |note: api::Note| NoteReport { code: note.code.into(), count: note.count, message: note.message };
+    content.notes.extend(encoded.notes.into_iter().map(note));
+    if format.content == api::Content::Machine {
+        content.notes.extend(head_left_turned(content));
+    }
+    Ok(encoded.files.into_iter().map(|file| file.text.into_bytes()).collect())
+}
+
+/// Programs count the head's turns from where it stands, and its cables have an end.
+fn head_left_turned(content: &Content) -> Option<NoteReport> {
+    let steps = content.wires.iter().filter_map(|wire| wire.compensated.as_ref());
+    let ends: Vec<f64> = steps.map(|steps| steps.iter().map(|step| step.rotate.deg()).sum()).collect();
+    let left: Vec<String> =
+        ends.iter().filter(|end: &&f64| end.abs() > 0.05).map(|end| format!("{end:.1}°")).collect();
+    (!left.is_empty()).then(|| NoteReport {
+        code: "head-left-turned".into(),
+        count: left.len(),
+        message: format!(
+            "the head ends {} from where it begins: turn it back before the next wire",
+            left.join(", ")
+        ),
+    })
+}
+
+fn of(content: &Content) -> api::Job {
+    let Content { setup, title, design_hash, job_hash, wires, .. } = content;
+    job(setup, title, job_hash.clone(), design_hash, wires.iter().map(Wire::stages))
+}

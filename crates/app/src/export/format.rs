@@ -1,0 +1,113 @@
+//! Which format is written, and by whom.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use wirebend_driver_host::Driver;
+use wirebend_driver_host::api::{Content, FormatDescription};
+
+use crate::machine::Setup;
+use crate::{App, AppError};
+
+/// A format that the program writes without a driver.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ExportFormat {
+    /// `F`, `R` and `B` lines of the WireBend-kit.
+    WirebendKitText,
+    /// Picture.
+    Svg,
+    /// Picture in pixels.
+    Png,
+    /// Centreline of the bent wire.
+    Obj,
+    /// The bent wire as a surface.
+    ObjTube,
+}
+
+impl ExportFormat {
+    /// Every format.
+    pub const ALL: [Self; 5] = [Self::WirebendKitText, Self::Svg, Self::Png, Self::Obj, Self::ObjTube];
+
+    /// The name in profiles and on the command line.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::WirebendKitText => "wirebend-kit-text",
+            Self::Svg => "svg",
+            Self::Png => "png",
+            Self::Obj => "obj",
+            Self::ObjTube => "obj-tube",
+        }
+    }
+
+    pub(crate) fn from_id(id: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|format| format.id() == id)
+    }
+}
+
+/// A format with whoever writes it.
+pub(super) enum Chosen {
+    BuiltIn(ExportFormat),
+    Driver(Box<Driver>, FormatDescription),
+}
+
+impl Chosen {
+    /// The wanted format; absent, the machine's own, or the first that its profile lists.
+    pub fn new(app: &App, wanted: Option<&str>, setup: &Setup) -> Result<Self, AppError> {
+        let export = &setup.machine.profile.export;
+        let first = export.formats.as_deref().and_then(|formats| formats.first());
+        let id = wanted.or(export.native.as_deref()).or(first.map(String::as_str)).unwrap_or_default();
+        if let Some(format) = ExportFormat::from_id(id) {
+            return Ok(Self::BuiltIn(format));
+        }
+        let (driver, format) = app.driver_of_format(id, setup)?;
+        Ok(Self::Driver(Box::new(driver), format))
+    }
+
+    pub fn id(&self) -> &str {
+        match self {
+            Self::BuiltIn(format) => format.id(),
+            Self::Driver(_, format) => &format.id,
+        }
+    }
+
+    pub fn driver_id(&self) -> Option<&str> {
+        match self {
+            Self::BuiltIn(_) => None,
+            Self::Driver(driver, _) => Some(&driver.description().id),
+        }
+    }
+
+    /// Whether a machine runs it: then it is not written of what cannot be made.
+    pub fn is_program(&self) -> bool {
+        match self {
+            Self::BuiltIn(format) => *format == ExportFormat::WirebendKitText,
+            Self::Driver(_, format) => format.program,
+        }
+    }
+
+    /// Whether it is compensated, and so for one machine alone. What is of the design itself, in
+    /// canonical signs, is for machines that compensate on their own.
+    pub fn is_own(&self) -> bool {
+        match self {
+            Self::BuiltIn(format) => *format == ExportFormat::WirebendKitText,
+            Self::Driver(_, format) => format.content == Content::Machine,
+        }
+    }
+
+    /// Refuses the program of another machine: it would be in that machine's format with this one's
+    /// angles.
+    pub fn require_for(&self, setup: &Setup) -> Result<(), AppError> {
+        let export = &setup.machine.profile.export;
+        let known: Vec<String> =
+            export.native.iter().chain(export.formats.iter().flatten()).cloned().collect();
+        if !self.is_own() || known.iter().any(|id| id == self.id()) {
+            return Ok(());
+        }
+        Err(AppError::FormatOfAnother {
+            format: self.id().to_owned(),
+            machine: setup.machine_id().to_owned(),
+            known: known.join(", "),
+        })
+    }
+}
