@@ -20,21 +20,34 @@ FUZZ_SECONDS ?= 120
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
+# The program and the drivers that ship with it: it finds them in the folder that it is in itself.
+DRIVERS := pensa tables grbl howtomechatronics
+.PHONY: build
+build: check-tools ## the program and its drivers, in target/release
+	cargo build --release --package wirebend-cli $(DRIVERS:%=--package wirebend-driver-%)
+
 # The bunny has two bends and two edges that the 293 dollar bender cannot make: status 4 says so, the report
 # says where, and what is written is written all the same.
 NOT_FEASIBLE = || test $$? -eq 4
 BUNNY := examples/bunny.obj --face-edges --double
+HOUSE := examples/house.obj
 
 .PHONY: run
-run: check-tools ## plan the bunny as one wire for two machines: report, instruction files and pictures in target/run
+run: build ## plan the bunny and compare machines; programs for each machine and pictures go to target/run
 	@mkdir -p $(RUN)
-	cargo build --release --package wirebend-cli
-	@echo; echo "--- the 293 dollar bender"
+	@echo; echo "--- the drivers"
+	$(WIREBEND) drivers
+	@echo; echo "--- the bunny on the 293 dollar bender"
 	$(WIREBEND) plan $(BUNNY) --machine wirebend-kit --despite-errors -o $(RUN)/bunny-wirebend-kit.wbjob --force $(NOT_FEASIBLE)
 	$(WIREBEND) export $(RUN)/bunny-wirebend-kit.wbjob -o $(RUN)/bunny-wirebend-kit.txt --force
-	@echo; echo "--- Pensa D.I.Wire Pro"
+	@echo; echo "--- what changes on a Pensa D.I.Wire Pro"
+	$(WIREBEND) plan $(BUNNY) --machine wirebend-kit --compare pensa-diwire-pro $(NOT_FEASIBLE)
 	$(WIREBEND) plan $(BUNNY) --machine pensa-diwire-pro -o $(RUN)/bunny-pensa.wbjob --force
 	$(WIREBEND) export $(RUN)/bunny-pensa.wbjob -o $(RUN)/bunny-pensa.dsw --force
+	@echo; echo "--- the house for other machines: G-code, the clone's commands, a table"
+	$(WIREBEND) export $(HOUSE) --machine grbl-bender -o $(RUN)/house.nc --force
+	$(WIREBEND) export $(HOUSE) --machine howtomechatronics -o $(RUN)/house-howtomechatronics.txt --force
+	$(WIREBEND) export $(HOUSE) --machine table-bender -o $(RUN)/house.csv --force
 	@echo; echo "--- pictures, and the wire as a Pensa with typical errors makes it"
 	$(WIREBEND) export $(BUNNY) --machine wirebend-kit --format svg -o $(RUN)/bunny.svg --force
 	$(WIREBEND) simulate $(RUN)/bunny-pensa.wbjob --noise bend-forming --svg $(RUN)/bunny-made.svg --force
@@ -48,7 +61,7 @@ bench: check-tools check-python ## figures of this machine, ours and the peer's 
 	cargo build --release --package wirebend-cli --package wirebend-benches
 	test -x $(PEERS)/bin/python || python3 -m venv $(PEERS)
 	$(PEERS)/bin/python -m pip install --quiet --disable-pip-version-check --requirement benches/peers/requirements.txt
-	cargo bench --package wirebend-benches --bench pipeline
+	cargo bench --package wirebend-benches
 	cargo run --quiet --release --package wirebend-benches --bin figures -- target/release/wirebend $(PEERS)/bin/python
 
 .PHONY: fuzz

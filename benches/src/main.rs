@@ -23,12 +23,18 @@ fn main() -> Result<()> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
 
     println!();
-    println!("{:<46} {:>10}   {:>8}", "median of this machine", "measured", "aim");
+    println!("{:<48} {:>10}   {:>8}", "median of this machine", "measured", "aim");
     let row =
-        |what: &str, measured: f64, aim: f64| println!("{what:<46} {measured:>7.2} ms   < {aim:>3.0} ms");
+        |what: &str, measured: f64, aim: f64| println!("{what:<48} {measured:>7.2} ms   < {aim:>3.0} ms");
     row("bunny: read, check, route, program, compensate", criterion_ms(&root, "plan/bunny")?, 5.0);
     row("column of 1000 edges: the same", criterion_ms(&root, "plan/column-1000-edges")?, 5.0);
     row("`wirebend plan` of the bunny, as a process", process_ms(&program, &root)?, 60.0);
+
+    row("start of a driver's process", criterion_ms(&root, "driver/start")?, 50.0);
+    let (here, there) = ("driver-encode-1000/in-process", "driver-encode-1000/child-process");
+    let (here, there) = (criterion_ms(&root, here)?, criterion_ms(&root, there)?);
+    row("job of 1000 steps: child process over in process", there - here, 3.0);
+    row("STOP of a driver that hangs", criterion_ms(&root, "driver/stop-of-one-that-hangs")?, 150.0);
 
     println!();
     println!("{:<10} {:>12} {:>12} {:>8}   aim ≥ 100", "model", "ours", "NetworkX", "ratio");
