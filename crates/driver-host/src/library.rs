@@ -10,7 +10,7 @@ use wirebend_driver_api::{ENTRY_SYMBOL, Entry, SafeTable, TableError};
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum LoadError {
     #[error("it is not a library that this computer can load: {0}")]
-    Library(libloading::Error),
+    Library(String),
     #[error("it does not export '{ENTRY_SYMBOL}': it is no WireBend driver")]
     Symbol,
     #[error(transparent)]
@@ -28,10 +28,17 @@ impl LoadError {
     }
 }
 
+/// An error with its causes: the first says "dlopen failed", the last why.
+fn in_full(error: &dyn std::error::Error) -> String {
+    let causes = std::iter::successors(Some(error), |error| error.source());
+    causes.map(ToString::to_string).collect::<Vec<_>>().join(": ")
+}
+
 /// Loads a library and checks its table.
 pub(crate) fn load(file: &Path) -> Result<SafeTable, LoadError> {
     // SAFETY: whatever the library does on loading, it does to this process alone.
-    let library = unsafe { libloading::Library::new(file) }.map_err(LoadError::Library)?;
+    let library =
+        unsafe { libloading::Library::new(file) }.map_err(|error| LoadError::Library(in_full(&error)))?;
     // SAFETY: the symbol has this type in every driver; one that has not harms this process alone.
     let entry = unsafe { library.get::<Entry>(ENTRY_SYMBOL.as_bytes()) }.map_err(|_| LoadError::Symbol)?;
     // SAFETY: as above.
