@@ -44,26 +44,7 @@ pub(super) fn encode(
     let note =
         |note: api::Note| NoteReport { code: note.code.into(), count: note.count, message: note.message };
     content.notes.extend(encoded.notes.into_iter().map(note));
-    if format.content == api::Content::Machine {
-        content.notes.extend(head_left_turned(content));
-    }
     Ok(encoded.files.into_iter().map(|file| file.text.into_bytes()).collect())
-}
-
-/// Programs count the head's turns from where it stands, and its cables have an end.
-fn head_left_turned(content: &Content) -> Option<NoteReport> {
-    let steps = content.wires.iter().filter_map(|wire| wire.compensated.as_ref());
-    let ends: Vec<f64> = steps.map(|steps| steps.iter().map(|step| step.rotate.deg()).sum()).collect();
-    let left: Vec<String> =
-        ends.iter().filter(|end: &&f64| end.abs() > 0.05).map(|end| format!("{end:.1}°")).collect();
-    (!left.is_empty()).then(|| NoteReport {
-        code: "head-left-turned".into(),
-        count: left.len(),
-        message: format!(
-            "the head ends {} from where it begins: turn it back before the next wire",
-            left.join(", ")
-        ),
-    })
 }
 
 fn of(content: &Content) -> api::Job {

@@ -77,6 +77,9 @@ pub(crate) fn export(
         content.require_feasible(request.despite_errors, chosen.is_own())?;
     }
     progress.stage("writing");
+    if chosen.is_own() {
+        content.notes.extend(head_left_turned(&content));
+    }
     let (format, driver) = (chosen.id().to_owned(), chosen.driver_id().map(str::to_owned));
     let contents = match chosen {
         Chosen::BuiltIn(format) if request.settings.is_empty() => encode(&mut content, format)?,
@@ -107,6 +110,22 @@ pub(crate) fn export(
         notes: content.notes,
         contents: if files.is_empty() { contents } else { Vec::new() },
         files,
+    })
+}
+
+/// Programs count the head's turns from where it stands, and its cables have an end.
+fn head_left_turned(content: &Content) -> Option<NoteReport> {
+    let steps = content.wires.iter().filter_map(|wire| wire.compensated.as_ref());
+    let ends: Vec<f64> = steps.map(|steps| steps.iter().map(|step| step.rotate.deg()).sum()).collect();
+    let left: Vec<String> =
+        ends.iter().filter(|end: &&f64| end.abs() > 0.05).map(|end| format!("{end:.1}°")).collect();
+    (!left.is_empty()).then(|| NoteReport {
+        code: "head-left-turned".into(),
+        count: left.len(),
+        message: format!(
+            "the head ends {} from where it begins: turn it back before the next wire",
+            left.join(", ")
+        ),
     })
 }
 

@@ -22,26 +22,22 @@ fn a_native_format_that_nobody_writes_is_refused() {
     assert!(home.run(&["profile", "check", "a.json"]).ended(3).err.contains("no-such-format"));
 }
 
-/// A child gives some settings and its parent the others.
+/// A child gives some settings and its parent the others: what is checked is what an export gets.
 #[test]
 fn settings_are_checked_as_they_are_inherited() {
     let home = Home::new();
     write(&home, "wirebend/machines/p.json", PARENT);
-    let good = r#""id": "c", "inherits": "p", "driver": {"settings": {"rotate_axis": "X"}}"#;
-    write(&home, "wirebend/machines/c.json", good);
-    home.run(&["export", &example("house.obj"), "-m", "c", "-o", "-"]).ended(0);
-    home.run(&["profile", "check", "wirebend/machines/c.json"]).ended(0);
-}
-
-/// Two axes on one letter, one by the child and one by its parent.
-#[test]
-fn settings_that_clash_with_inherited_ones_are_refused() {
-    let home = Home::new();
-    write(&home, "wirebend/machines/p.json", PARENT);
-    let bad = r#""id": "d", "inherits": "p", "driver": {"settings": {"bend_axis": "A"}}"#;
-    write(&home, "wirebend/machines/d.json", bad);
-    home.run(&["export", &example("house.obj"), "-m", "d", "-o", "-"]).ended(3);
-    home.run(&["profile", "check", "wirebend/machines/d.json"]).ended(3);
+    // The parent's Y and A, the driver's own Z: X is free, and A is taken twice.
+    for (id, axis, status) in [("c", r#""rotate_axis": "X""#, 0), ("d", r#""bend_axis": "A""#, 3)] {
+        let file = format!("wirebend/machines/{id}.json");
+        write(
+            &home,
+            &file,
+            &format!(r#""id": "{id}", "inherits": "p", "driver": {{"settings": {{{axis}}}}}"#),
+        );
+        home.run(&["export", &example("house.obj"), "-m", id, "-o", "-"]).ended(status);
+        home.run(&["profile", "check", &file]).ended(status);
+    }
 }
 
 #[test]
@@ -90,6 +86,9 @@ fn a_head_that_is_left_turned_is_told() {
         home.run(&["export", &example(design), "--double", "-m", "pensa-diwire-pro", "-o", "-"])
     };
     assert!(export("truss-1.obj").ended(0).err.contains("the head ends"));
+    // By a driver or by the program itself, it is the same head.
+    let own = home.run(&["export", &example("cup-holder.obj"), "-m", "wirebend-kit", "-o", "-"]).ended(0);
+    assert!(own.err.contains("the head ends"), "{}", own.err);
     // Flat wires are made without a turn.
     assert!(!export("u-sample.obj").ended(0).err.contains("the head ends"));
 }
