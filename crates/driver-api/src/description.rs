@@ -48,6 +48,7 @@ pub enum Capability {
     Stop,
     /// Something of a later minor version, which this one does not know.
     #[serde(other)]
+    #[schemars(skip)]
     Unknown,
 }
 

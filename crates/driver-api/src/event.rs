@@ -65,6 +65,7 @@ pub enum Event {
     },
     /// One of a later minor version, which this one does not know. It changes nothing.
     #[serde(other)]
+    #[schemars(skip)]
     Unknown,
 }
 
