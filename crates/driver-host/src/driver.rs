@@ -142,7 +142,7 @@ impl OpenDriver {
         deadline: Duration,
         allowed: impl FnOnce() -> bool,
     ) -> Result<T, HostError> {
-        let frame = self.link.process.request_if(Mark::Call, to_body(call), deadline, allowed);
+        let frame = self.link.process.handle().request_if(Mark::Call, to_body(call), deadline, allowed);
         let reply = self.link.answer(during, frame, deadline)?;
         self.link.parse(during, &reply)
     }
@@ -173,7 +173,7 @@ impl OpenDriver {
     }
 
     pub(crate) fn handle(&self) -> ProcessHandle {
-        self.link.process.handle()
+        self.link.process.handle().clone()
     }
 
     /// The number of its process.
@@ -224,7 +224,7 @@ impl Link {
         body: Vec<u8>,
         deadline: Duration,
     ) -> Result<Vec<u8>, HostError> {
-        self.answer(during, self.process.request(mark, body, deadline), deadline)
+        self.answer(during, self.process.handle().request(mark, body, deadline), deadline)
     }
 
     fn answer(
@@ -292,7 +292,7 @@ impl Examined {
         body: &[u8],
         deadline: Duration,
     ) -> Result<Reply, Broken> {
-        let frame = self.0.process.request(mark, body.to_vec(), deadline);
+        let frame = self.0.process.handle().request(mark, body.to_vec(), deadline);
         match frame.map_err(|failure| Broken(self.0.failed(during, failure, deadline).to_string()))? {
             Frame { mark: Mark::Ok, body, .. } => Ok(Reply::Ok(body)),
             Frame { mark: Mark::Refused, body, .. } => Ok(Reply::Refused(body)),

@@ -29,7 +29,7 @@ pub(crate) enum Failure {
 
 /// A running process. Dropping it ends it.
 #[derive(Debug)]
-pub(crate) struct Process(Arc<Shared>);
+pub(crate) struct Process(ProcessHandle);
 
 /// The same process, for whoever may have to stop it from another thread.
 #[derive(Debug, Clone)]
@@ -107,20 +107,33 @@ impl Process {
         thread::spawn(move || words.hear(stderr));
         let replies = Arc::clone(&shared);
         thread::spawn(move || replies.read_replies(stdout));
-        Ok((Self(shared), greeting))
+        Ok((Self(ProcessHandle(shared)), greeting))
     }
 
-    pub fn handle(&self) -> ProcessHandle {
-        ProcessHandle(Arc::clone(&self.0))
+    /// What asks the process, and can end it, from any thread.
+    pub const fn handle(&self) -> &ProcessHandle {
+        &self.0
     }
 
     /// Waits for the frame that it sends unasked.
     pub fn greeting(&self, from: &Receiver<Frame>, deadline: Duration) -> Result<Frame, Failure> {
-        self.0.wait(from, deadline)
+        self.0.0.wait(from, deadline)
     }
 
+    /// The last that the process printed, for a message.
+    pub fn said(&self) -> String {
+        lock(&self.0.0.words).last.shown()
+    }
+
+    /// The number of the process.
+    pub fn id(&self) -> u32 {
+        self.0.0.group
+    }
+}
+
+impl ProcessHandle {
     pub fn request(&self, mark: Mark, body: Vec<u8>, deadline: Duration) -> Result<Frame, Failure> {
-        self.0.request(mark, body, deadline, || true)
+        self.request_if(mark, body, deadline, || true)
     }
 
     /// The same, if `allowed` says so at the moment at which the request takes its place in the queue:
@@ -135,33 +148,6 @@ impl Process {
         self.0.request(mark, body, deadline, allowed)
     }
 
-    /// The last that the process printed, for a message.
-    pub fn said(&self) -> String {
-        lock(&self.0.words).last.shown()
-    }
-
-    /// The number of the process.
-    pub fn id(&self) -> u32 {
-        self.0.group
-    }
-}
-
-impl ProcessHandle {
-    /// Asks, and does `first` at the moment at which the request takes its place in the queue.
-    pub fn request(
-        &self,
-        mark: Mark,
-        body: Vec<u8>,
-        deadline: Duration,
-        first: impl FnOnce(),
-    ) -> Result<Frame, Failure> {
-        let first = || {
-            first();
-            true
-        };
-        self.0.request(mark, body, deadline, first)
-    }
-
     /// Ends the process now.
     pub fn kill(&self) {
         self.0.kill();
@@ -171,10 +157,10 @@ impl ProcessHandle {
 impl Drop for Process {
     fn drop(&mut self) {
         // The end of its pipe tells the process to end; what does not is ended.
-        *lock(&self.0.requests) = None;
-        if !self.0.wait_for_end(wirebend_driver_api::deadline::CLOSE) {
+        *lock(&self.0.0.requests) = None;
+        if !self.0.0.wait_for_end(wirebend_driver_api::deadline::CLOSE) {
             self.0.kill();
-            self.0.wait_for_end(Duration::from_secs(1));
+            self.0.0.wait_for_end(Duration::from_secs(1));
         }
     }
 }

@@ -83,8 +83,11 @@ impl StopHandle {
     pub fn stop(&self) -> StopOutcome {
         let started = Instant::now();
         // In one moment with the place in the queue: no motion that was allowed before comes after it.
-        let latch = || self.arming.end();
-        let answer = self.process.request(Mark::Call, to_body(&Call::Stop), deadline::STOP, latch);
+        let latch = || {
+            self.arming.end();
+            true
+        };
+        let answer = self.process.request_if(Mark::Call, to_body(&Call::Stop), deadline::STOP, latch);
         // What answers nonsense cannot be relied on to have done it.
         let sound = |body: &[u8]| serde_json::from_slice::<serde_json::Map<String, Value>>(body).is_ok();
         let passed_on = answer.is_ok_and(|frame| frame.mark == Mark::Ok && sound(&frame.body));
