@@ -53,10 +53,10 @@ impl DriverFolders {
 }
 
 impl App {
-    /// The same; what was named and is not there is told to whoever listens.
+    /// Every library that is there; what could not be looked into is told to whoever listens.
     fn told_shelf(&self) -> Result<Shelf, DriverProblem> {
         let shelf = self.shelf()?;
-        shelf.missing.iter().for_each(|what| tracing::warn!("--driver-path {what}"));
+        shelf.missing.iter().for_each(|what| tracing::warn!("no drivers were looked for in {what}"));
         Ok(shelf)
     }
 

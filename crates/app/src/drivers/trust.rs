@@ -42,13 +42,11 @@ pub(crate) fn trust(
 ) -> Result<DriverTrustResponse, AppError> {
     let library = absolute(&request.library)?;
     let mut store = app.drivers.store()?;
-    let hash = match Found::at(&library, Place::Named, &store).verdict {
-        Verdict::Refused(reason) => return Err(HostError::Unsafe { file: library, reason }.into()),
-        Verdict::Accepted(hash) | Verdict::Unknown(hash) | Verdict::Changed(hash) => hash,
-        // Only what is in the program's own folders is shipped, and this was named.
-        Verdict::Shipped => Fingerprint::of(&library)
-            .map_err(|cause| DriverProblem::Library { file: library.clone(), cause })?,
-    };
+    if let Verdict::Refused(reason) = Found::at(&library, Place::Named, &store).verdict {
+        return Err(HostError::Unsafe { file: library, reason }.into());
+    }
+    let unread = |cause| DriverProblem::Library { file: library.clone(), cause };
+    let hash = Fingerprint::of(&library).map_err(unread)?;
     let told = DriverTrustResponse {
         sha256: hash.to_string(),
         accepted: false,
