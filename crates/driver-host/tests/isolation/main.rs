@@ -17,6 +17,9 @@ use life::{CALLS, Life, Stage};
 use wirebend_driver_api::deadline;
 use wirebend_driver_host::{Found, Launch, Place, SessionError, StopOutcome, StoppedBy, TrustStore};
 
+/// How often something is tried that depends on who comes first.
+const TRIES: usize = 50;
+
 /// What the machine may be busy with besides; no deadline is missed by more.
 const GRACE: Duration = Duration::from_secs(1);
 
@@ -145,22 +148,16 @@ fn no_misdeed_of_a_driver_hurts_this_program() {
     let how = hostile_words("HOW");
     assert_eq!((when.len(), how.len()), (15, 18), "words were added: say here what has to happen");
     for_each_pair(&when, &how, |when, how| {
-        let found = told(folder.path(), when, how);
-        let life = Life::whole(&found, &launch);
-        let codes = expected(when, how);
-        let error = match &life.ended {
-            Ok(()) if codes.is_empty() => return Ok(()),
-            Ok(()) => return Err("it was not noticed".to_owned()),
-            Err(error) => error,
-        };
-        let (stage, took) = life.last();
-        if !codes.contains(&code(error)) {
-            return Err(format!("it was told as {} at {stage:?}: {error}", code(error)));
+        let mut verdict = Ok(());
+        for _ in 0..TRIES {
+            let found = told(folder.path(), when, how);
+            let life = Life::whole(&found, &launch);
+            verdict = judge(&life, when, how);
+            if verdict.is_ok() || !is_late(&life, when, how) {
+                break;
+            }
         }
-        if took > stage.deadline() + GRACE {
-            return Err(format!("{stage:?} took {took:?}"));
-        }
-        Ok(())
+        verdict
     });
     // Misdeeds of one driver are nothing to the next.
     Life::whole(&well, &launch).ended.unwrap();
@@ -172,6 +169,34 @@ fn no_misdeed_of_a_driver_hurts_this_program() {
     settles(&before, descriptors);
 }
 
+/// Whether what has to be told was told, and in time.
+fn judge(life: &Life, when: &str, how: &str) -> Result<(), String> {
+    let codes = expected(when, how);
+    let error = match &life.ended {
+        Ok(()) if codes.is_empty() => return Ok(()),
+        Ok(()) => return Err("it was not noticed".to_owned()),
+        Err(error) => error,
+    };
+    let (stage, took) = life.last();
+    if !codes.contains(&code(error)) {
+        return Err(format!("it was told as {} at {stage:?}: {error}", code(error)));
+    }
+    if took > stage.deadline() + GRACE {
+        return Err(format!("{stage:?} took {took:?}"));
+    }
+    Ok(())
+}
+
+/// Whether a driver that behaves was ended because a busy machine did not let it answer within a short deadline.
+fn is_late(life: &Life, when: &str, how: &str) -> bool {
+    let (stage, _) = life.last();
+    let short = [Stage::Stop, Stage::Poll, Stage::Close].contains(&stage);
+    let behaves = Stage::of(when) != Some(stage) || how == "shout";
+    let ended =
+        life.ended.as_ref().is_err_and(|error| ["driver-ended", "driver-hung"].contains(&code(error)));
+    short && behaves && ended
+}
+
 /// The words that the driver itself lists.
 fn hostile_words(list: &str) -> Vec<&'static str> {
     let source = include_str!("../../../../drivers/hostile/src/lib.rs");
@@ -180,9 +205,6 @@ fn hostile_words(list: &str) -> Vec<&'static str> {
     let words = text[..text.find(']').unwrap()].split('"').skip(1).step_by(2);
     words.collect()
 }
-
-/// How often a stop is tried until it comes after the misdeed and not before.
-const TRIES: usize = 50;
 
 fn stop_works_whatever_the_driver_does(folder: &Path, launch: &Launch, how: &[&'static str]) {
     let slowest = Mutex::new((Duration::ZERO, "", ""));
