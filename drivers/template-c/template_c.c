@@ -297,7 +297,8 @@ static int32_t open_c(wirebend_bytes settings, void **opened, wirebend_buffer *o
 }
 
 static int32_t call_c(void *opened, wirebend_bytes request, wirebend_buffer *out) {
-    static const char *const moving[] = {"home", "arm", "send", "jog", "pause", "resume", "stop"};
+    static const char *const moving[] = {"home", "arm", "send", "jog", "pause", "resume", "stop",
+                                         "write-settings"};
     struct json_value *call = read_or_refuse(request, out, "request");
     if (call == NULL) {
         return WIREBEND_REFUSED;
@@ -315,6 +316,9 @@ static int32_t call_c(void *opened, wirebend_bytes request, wirebend_buffer *out
     } else if (json_text_is(name, "connect")) {
         status = refuse(out, "unsupported", "see the capabilities that it describes",
                         "this driver cannot move a machine: it writes files");
+    } else if (json_text_is(name, "ports")) {
+        status = refuse(out, "unsupported", "see the capabilities that it describes",
+                        "this driver cannot list ports: it writes files");
     } else {
         bool known = false;
         for (size_t k = 0; k < sizeof moving / sizeof *moving; k++) {

@@ -37,8 +37,10 @@ extern "C" {
 
 /* Drivers and programs with the same major understand each other. */
 #define WIREBEND_ABI_MAJOR 1u
-/* A larger minor has more messages or extensions; nothing that was there has changed. */
-#define WIREBEND_ABI_MINOR 0u
+/* A larger minor has more messages or extensions; nothing that was there has changed. 1.1 has more calls
+   ("ports", "write-settings") and events ("settings-written", "made"), and keys with defaults in those of
+   1.0: "resume" of "connect", "token" in the reply of "arm", "going_on" of "connected". */
+#define WIREBEND_ABI_MINOR 1u
 
 /* What a function returns. */
 #define WIREBEND_OK 0      /* done; the buffer holds the result */

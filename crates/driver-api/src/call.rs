@@ -3,28 +3,37 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::Job;
+use crate::{Bench, Job};
 
 /// A request to an instance. Those from `home` on need a connection.
+///
+/// A driver refuses what it does not know as `unknown-call`, and so an older one does those of a later minor.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "call", rename_all = "kebab-case")]
 pub enum Call {
     /// Writes a job in a format. Reply: [`Encoded`].
     Encode(Box<Encode>),
+    /// Lists the ports of this computer. Needs no connection. Reply: [`Ports`](crate::Ports). Since 1.1.
+    Ports,
     /// Opens a port and greets the machine. Reply: `{}`; then the event `connected` or `fault`.
     Connect {
         /// Name of the port, such as `/dev/ttyUSB0` or `COM3`.
         port: String,
+        /// Token of an earlier arming: the driver tries to go on with the machine's own session, and says in
+        /// `connected` whether the machine still is in it. Nothing moves for it. Since 1.1.
+        #[serde(default)]
+        resume: Option<String>,
     },
     /// Closes the port. Reply: `{}`. Nothing moves afterwards that the machine can be kept from.
     Disconnect,
     /// Finds the machine's reference. Reply: `{}`; then `homed` or `fault`.
     Home,
-    /// Makes ready for one wire. Reply: `{}`. Nothing moves yet.
+    /// Makes ready for one wire. Reply: [`ArmedReply`]. Nothing moves yet.
     Arm(Run),
     /// Hands over steps. Reply: [`Sent`]; then `done` for each, and `finished` after the last.
     Send(Batch),
-    /// Moves one axis. Reply: `{}`; then `jogged` or `fault`.
+    /// Moves one axis. Reply: `{}`; then `jogged` or `fault`. On a machine that bends with a peg, a jog of the
+    /// bend axis is a whole bend: the peg comes out, the axis goes there and back, the peg goes in.
     Jog(Motion),
     /// Holds. Reply: `{}`; then `paused`.
     Pause,
@@ -32,6 +41,9 @@ pub enum Call {
     Resume,
     /// Stops at once. Reply: `{}`; then `stopped`. Always allowed once connected.
     Stop,
+    /// Writes the driver's settings to the machine, for good. Reply: `{}`; then `settings-written` or `fault`.
+    /// Nothing moves. Since 1.1.
+    WriteSettings,
 }
 
 /// What to write.
@@ -63,6 +75,26 @@ pub struct Run {
     pub wire: usize,
     /// How many steps it has.
     pub steps: u32,
+    /// How many of them are made already: numbers go on at the one after. Since 1.1.
+    #[serde(default)]
+    pub after: u32,
+    /// Where the head stands, degrees from its reference, in the machine's signs: the sum of what the steps that
+    /// are made have turned it. A machine that has lost its head takes it to stand there. One that has found its
+    /// reference anew, so that the head stands at zero, turns it there before the next step. Since 1.1.
+    #[serde(default)]
+    pub rotate_at_deg: f64,
+    /// What a simulated machine has to know of the bender and of the wire. Others pass over it. Since 1.1.
+    #[serde(default)]
+    pub bench: Option<Box<Bench>>,
+}
+
+/// What became of arming.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct ArmedReply {
+    /// Names the session that the machine is in now, for `resume` of a later `connect`: what a journal keeps.
+    /// Absent where a machine has none. Since 1.1.
+    #[serde(default)]
+    pub token: Option<String>,
 }
 
 /// Steps to be made one after the other.
@@ -93,7 +125,8 @@ pub struct Sent {
     pub free: u32,
 }
 
-/// A move of one axis by an amount, in the machine's signs.
+/// A move of one axis by an amount, in the machine's signs. What a jog of the bend axis means on a machine with
+/// a peg: see [`Call::Jog`].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Motion {
     /// Which axis.

@@ -46,6 +46,10 @@ pub enum Capability {
     Resume,
     /// Stops the machine at once.
     Stop,
+    /// Lists the ports that a machine can be at. Since 1.1.
+    Ports,
+    /// Writes its settings to the machine. Since 1.1.
+    Settings,
     /// Something of a later minor version, which this one does not know.
     #[serde(other)]
     #[schemars(skip)]

@@ -6,7 +6,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 
-use crate::{Call, Description, DriverError, MachineDriver, MachineSession};
+use crate::{Call, Description, DriverError, MachineDriver, MachineSession, Ports};
 
 /// What a function of the table answers: JSON, or a refusal.
 pub(crate) type Answer = Result<Vec<u8>, DriverError>;
@@ -74,21 +74,23 @@ impl<D: MachineDriver> Instance<D> {
     fn answer(&mut self, call: Call) -> Answer {
         match call {
             Call::Encode(asked) => return to_json(&self.driver.encode(&asked.format, &asked.job)?),
-            Call::Connect { port } => {
+            Call::Ports => return to_json(&Ports { ports: self.driver.ports()? }),
+            Call::Connect { port, resume } => {
                 if self.session.is_some() {
                     let message = "the driver has a connection already";
                     return Err(DriverError::new("connected", message, "disconnect first"));
                 }
-                self.session = Some(self.driver.connect(&port)?);
+                self.session = Some(self.driver.connect(&port, resume.as_deref())?);
             }
             Call::Disconnect => self.session = None,
             Call::Send(batch) => return to_json(&self.session()?.send(&batch)?),
             Call::Home => self.session()?.home()?,
-            Call::Arm(run) => self.session()?.arm(&run)?,
+            Call::Arm(run) => return to_json(&self.session()?.arm(&run)?),
             Call::Jog(motion) => self.session()?.jog(motion)?,
             Call::Pause => self.session()?.pause()?,
             Call::Resume => self.session()?.resume()?,
             Call::Stop => self.session()?.stop()?,
+            Call::WriteSettings => self.session()?.write_settings()?,
         }
         to_json(&json!({}))
     }

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::de::DeserializeOwned;
 
-use crate::{Batch, Description, DriverError, Encoded, Event, Job, Motion, Run, Sent};
+use crate::{ArmedReply, Batch, Description, DriverError, Encoded, Event, Job, Motion, Port, Run, Sent};
 
 /// A driver: settings turned into something that writes jobs and, where it can, moves a machine.
 ///
@@ -28,11 +28,22 @@ pub trait MachineDriver: Sized + 'static {
     /// [`DriverError`] that names the wire and the step that the format cannot hold.
     fn encode(&self, format: &str, job: &Job) -> Result<Encoded, DriverError>;
 
-    /// Opens a port. Does not wait for the machine: its greeting is reported by `poll`.
+    /// The ports that a machine can be at. With the feature `serial`, `serial::ports` lists those of the
+    /// computer.
+    ///
+    /// # Errors
+    /// [`DriverError`] when the system does not tell.
+    fn ports(&self) -> Result<Vec<Port>, DriverError> {
+        Err(DriverError::unsupported("list ports"))
+    }
+
+    /// Opens a port. Does not wait for the machine: its greeting is reported by `poll`. With the token of an
+    /// earlier arming in `resume` it tries to go on with the machine's own session, and `connected` tells
+    /// whether the machine still is in it; a driver without such sessions passes over it.
     ///
     /// # Errors
     /// [`DriverError`] that names the port and says how to get at it.
-    fn connect(&self, _port: &str) -> Result<Box<dyn MachineSession>, DriverError> {
+    fn connect(&self, _port: &str, _resume: Option<&str>) -> Result<Box<dyn MachineSession>, DriverError> {
         Err(DriverError::unsupported("move a machine: it writes files"))
     }
 }
@@ -52,11 +63,13 @@ pub trait MachineSession {
         Err(DriverError::unsupported("home the machine"))
     }
 
-    /// Makes ready for a wire. Nothing moves.
+    /// Makes ready for a wire, or for the rest of one: steps come from the one after [`Run::after`] on. Nothing
+    /// moves. While the machine goes on with the session of an earlier token, the run is that of the token, and
+    /// what the machine has taken already it keeps.
     ///
     /// # Errors
     /// [`DriverError`].
-    fn arm(&mut self, run: &Run) -> Result<(), DriverError>;
+    fn arm(&mut self, run: &Run) -> Result<ArmedReply, DriverError>;
 
     /// Takes as many steps as it has room for, from the first.
     ///
@@ -64,7 +77,8 @@ pub trait MachineSession {
     /// [`DriverError`], such as for a gap in the numbers; then no step was taken.
     fn send(&mut self, batch: &Batch) -> Result<Sent, DriverError>;
 
-    /// Moves one axis.
+    /// Moves one axis. What it means for the bend axis of a machine with a peg: see
+    /// [`Call::Jog`](crate::Call::Jog).
     ///
     /// # Errors
     /// [`DriverError`].
@@ -94,6 +108,14 @@ pub trait MachineSession {
     /// # Errors
     /// [`DriverError`].
     fn stop(&mut self) -> Result<(), DriverError>;
+
+    /// Writes the driver's settings to the machine, for good. Nothing moves.
+    ///
+    /// # Errors
+    /// [`DriverError`], such as while a wire is made.
+    fn write_settings(&mut self) -> Result<(), DriverError> {
+        Err(DriverError::unsupported("write settings to the machine"))
+    }
 
     /// The next event, if there is one. Does not wait.
     ///

@@ -19,6 +19,10 @@ pub enum Event {
         /// Whether it knows where its axes are.
         #[serde(default)]
         homed: bool,
+        /// The machine still is in the session of the token that `connect` was given; absent when it is not, as
+        /// after a reset, or cannot tell. Since 1.1.
+        #[serde(default)]
+        going_on: Option<GoingOn>,
     },
     /// The machine has found its reference.
     Homed,
@@ -42,6 +46,20 @@ pub enum Event {
     },
     /// Where the axes are, in the machine's signs.
     Position(Step),
+    /// The driver's settings are in the machine, which has been asked for them afterwards. Since 1.1.
+    SettingsWritten {
+        /// The machine's settings against those of the driver, as in `connected`.
+        #[serde(default)]
+        settings: Vec<SettingCheck>,
+    },
+    /// The wire as a simulated machine made it; sent before `finished`. In the frame of the turtle at the start
+    /// of the wire: it is at the origin and looks along +x, +z is the axis of the bend. Since 1.1.
+    Made {
+        /// Points along its middle, mm.
+        wire_mm: Vec<[f64; 3]>,
+        /// Both ends, and between them where its straight parts meet when they are prolonged, mm.
+        corners_mm: Vec<[f64; 3]>,
+    },
     /// A line to or from the machine.
     Console {
         /// Which way it went.
@@ -67,6 +85,15 @@ pub enum Event {
     #[serde(other)]
     #[schemars(skip)]
     Unknown,
+}
+
+/// Where a machine is in a session that was begun before, in the numbers of the wire's steps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct GoingOn {
+    /// The last step that it has taken. It makes it without being told again.
+    pub accepted: u32,
+    /// The last that it has made.
+    pub done: u32,
 }
 
 /// Which way a line went.

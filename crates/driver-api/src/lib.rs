@@ -18,6 +18,7 @@
 //! take long. Deadlines are in [`deadline`]; a driver that misses one is ended.
 
 mod abi;
+mod bench;
 mod call;
 pub mod conformance;
 pub mod deadline;
@@ -28,6 +29,7 @@ mod error;
 mod event;
 mod glue;
 mod job;
+mod port;
 mod schemas;
 #[cfg(feature = "serial")]
 pub mod serial;
@@ -36,13 +38,17 @@ mod table;
 pub mod transcript;
 
 pub use abi::{ABI_MAJOR, ABI_MINOR, Buffer, Bytes, ENTRY_SYMBOL, Entry, OK, REFUSED, Table};
-pub use call::{Axis, Batch, Call, Encode, Encoded, EncodedFile, Motion, Note, NumberedStep, Run, Sent};
+pub use bench::{Bench, BenchBender, BenchNoise, BenchWire, Spread};
+pub use call::{
+    ArmedReply, Axis, Batch, Call, Encode, Encoded, EncodedFile, Motion, Note, NumberedStep, Run, Sent,
+};
 pub use description::{Capability, Content, Description, Files, FormatDescription};
 pub use driver::{MachineDriver, MachineSession};
 pub use error::DriverError;
-pub use event::{Direction, Event, SettingCheck};
+pub use event::{Direction, Event, GoingOn, SettingCheck};
 pub use glue::table;
 pub use job::{DesignStep, Job, MachineRef, MaterialRef, Step, Wire};
+pub use port::{Port, Ports, Usb};
 pub use schemas::message_schemas;
 pub use table::{Reply, SafeTable, TableError};
 

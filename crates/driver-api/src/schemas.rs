@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde_json::Value;
 
-use crate::{Call, Description, DriverError, Encoded, Event, Sent};
+use crate::{ArmedReply, Call, Description, DriverError, Encoded, Event, Ports, Sent};
 
 /// Name and JSON Schema of each message that crosses the boundary.
 #[must_use]
@@ -13,7 +13,9 @@ pub fn message_schemas() -> Vec<(&'static str, Value)> {
         ("description", schema_of::<Description>()),
         ("call", schema_of::<Call>()),
         ("encoded", schema_of::<Encoded>()),
+        ("armed", schema_of::<ArmedReply>()),
         ("sent", schema_of::<Sent>()),
+        ("ports", schema_of::<Ports>()),
         ("event", schema_of::<Event>()),
         ("error", schema_of::<DriverError>()),
     ]

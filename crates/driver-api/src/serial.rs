@@ -1,11 +1,14 @@
 //! Serial ports, for drivers that move machines: opened with an error that helps, read without waiting.
 
+mod listing;
+
 use std::io::{self, Read, Write};
 use std::time::Duration;
 
 use serialport::{ErrorKind, SerialPort};
 
 use crate::DriverError;
+pub use listing::ports;
 
 /// A line to a machine: a serial port, or what stands in for one in a test.
 pub trait Line {

@@ -24,7 +24,7 @@ use std::time::Duration;
 
 use serde_json::Value;
 
-use crate::{Call, DriverError, Event, Sent};
+use crate::{ArmedReply, Call, DriverError, Event, Sent};
 use notation::Script;
 
 /// The extension of a transcript's file name.
@@ -43,18 +43,29 @@ pub trait Conversation {
     /// The port is gone, as when a cable is pulled.
     fn unplugged(&mut self, now: Duration);
 
-    /// A call of the program; [`Sent`] is the reply to `send`. Opening and closing the port are not asked
-    /// here.
+    /// A call of the program. Opening and closing the port are not asked here, but where a transcript begins
+    /// with a `connect` that has a token in `resume`.
     ///
     /// # Errors
     /// [`DriverError`] when the call is refused.
-    fn call(&mut self, call: &Call, now: Duration) -> Result<Option<Sent>, DriverError>;
+    fn call(&mut self, call: &Call, now: Duration) -> Result<Answered, DriverError>;
 
     /// Takes the bytes that are to be sent to the machine.
     fn take_output(&mut self) -> Vec<u8>;
 
     /// Takes the next event.
     fn next_event(&mut self) -> Option<Event>;
+}
+
+/// What a call is answered.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Answered {
+    /// That it was taken: `{}`.
+    Taken,
+    /// What became of `send`.
+    Sent(Sent),
+    /// What became of `arm`.
+    Armed(ArmedReply),
 }
 
 /// Where in a transcript.

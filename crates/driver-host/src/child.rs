@@ -8,6 +8,7 @@ use std::process::ExitCode;
 use std::sync::mpsc::{Receiver, channel};
 use std::thread;
 
+use serde_json::Value;
 use wirebend_driver_api::{DriverError, Reply, SafeTable, TableError, deadline};
 
 use crate::confine;
@@ -15,6 +16,8 @@ use crate::frame::{Frame, Mark};
 use crate::library::load;
 use crate::trust::Fingerprint;
 
+/// The key of a greeting that says which minor version of the boundary the driver was built against.
+pub(crate) const MINOR: &str = "built_against_minor";
 /// The most events that one request brings.
 const MOST_EVENTS: usize = 64;
 
@@ -83,7 +86,12 @@ fn opened(library: &Path, expected: Option<&Fingerprint>) -> Result<SafeTable, D
 
 /// Says what the driver is, unasked, as reply 0.
 fn greet(mut table: SafeTable, replies: &mut impl Write) -> Option<SafeTable> {
-    let described = reply(0, table.describe());
+    let mut described = reply(0, table.describe());
+    if let Ok(Value::Object(mut keys)) = serde_json::from_slice(&described.body) {
+        // A table tells it, and a table does not cross a pipe.
+        keys.insert(MINOR.to_owned(), table.version().1.into());
+        described.body = Value::Object(keys).to_string().into_bytes();
+    }
     let usable = described.mark == Mark::Ok;
     described.write(replies).ok()?;
     usable.then_some(table)

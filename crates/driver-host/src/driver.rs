@@ -8,8 +8,11 @@ use std::time::Duration;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 use wirebend_driver_api::conformance::{Broken, Subject};
-use wirebend_driver_api::{Call, Description, DriverError, Encode, Encoded, Event, Job, Reply, deadline};
+use wirebend_driver_api::{
+    Call, Description, DriverError, Encode, Encoded, Event, Job, Port, Ports, Reply, deadline,
+};
 
+use crate::child::MINOR;
 use crate::ending::Ending;
 use crate::error::HostError;
 use crate::frame::{Frame, Mark};
@@ -45,6 +48,7 @@ impl Launch {
 pub struct Driver {
     link: Link,
     description: Description,
+    minor: u64,
 }
 
 /// A process with the name that messages use.
@@ -71,8 +75,10 @@ impl Driver {
         };
         let (mut link, greeting) = Link::start(&file, expected.as_ref(), launch)?;
         let description: Description = link.parse("its start", &greeting)?;
+        let keys: Value = link.parse("its start", &greeting)?;
+        let minor = keys.get(MINOR).and_then(Value::as_u64).unwrap_or_default();
         description.id.clone_into(&mut link.name);
-        Ok(Self { link, description })
+        Ok(Self { link, description, minor })
     }
 
     /// What it says of itself.
@@ -88,7 +94,7 @@ impl Driver {
     pub fn open(self, settings: &Value) -> Result<OpenDriver, HostError> {
         let body = settings.to_string().into_bytes();
         self.link.ask("the settings", Mark::Open, body, deadline::OPEN)?;
-        Ok(OpenDriver { link: self.link, description: self.description })
+        Ok(OpenDriver { link: self.link, description: self.description, minor: self.minor })
     }
 
     /// The number of its process.
@@ -103,6 +109,7 @@ impl Driver {
 pub struct OpenDriver {
     link: Link,
     description: Description,
+    minor: u64,
 }
 
 impl OpenDriver {
@@ -110,6 +117,13 @@ impl OpenDriver {
     #[must_use]
     pub const fn description(&self) -> &Description {
         &self.description
+    }
+
+    /// The minor version of the boundary that it was built against: what a later one has it does not know, and
+    /// passes over.
+    #[must_use]
+    pub const fn minor(&self) -> u64 {
+        self.minor
     }
 
     /// Writes a job.
@@ -122,6 +136,14 @@ impl OpenDriver {
             &Call::Encode(Box::new(Encode { format: format.to_owned(), job })),
             deadline::ENCODE,
         )
+    }
+
+    /// The ports that one of its machines can be at.
+    ///
+    /// # Errors
+    /// [`HostError::Refused`] for a driver that lacks `ports`; else as every call.
+    pub fn ports(&self) -> Result<Vec<Port>, HostError> {
+        self.call_for::<Ports>("the ports", &Call::Ports, deadline::CALL).map(|listed| listed.ports)
     }
 
     /// Asks something whose answer has a shape.

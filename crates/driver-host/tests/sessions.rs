@@ -236,3 +236,93 @@ fn a_driver_that_only_writes_files_has_no_session() {
         "{error}"
     );
 }
+
+/// What is written is asked for again: a machine that has not kept it would bend by other numbers.
+#[test]
+fn settings_that_were_not_taken_are_seen_when_they_were_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let library = folder.path().join("write-settings-differ.so");
+    std::fs::copy(wirebend_tests_built::driver("hostile"), &library).unwrap();
+    let mut session = session_with(&library);
+    assert!(refused(session.write_settings(&yes())).contains("while the machine is disconnected"));
+    session.poll().unwrap();
+    session.home(&yes()).unwrap();
+    session.poll().unwrap();
+    assert_eq!(session.differences(), []);
+    session.write_settings(&yes()).unwrap();
+    assert_eq!(session.state(), State::Connected, "with other settings its axes count otherwise");
+    session.poll().unwrap();
+    assert_eq!(session.differences()[0].machine, "80");
+    session.home(&yes()).unwrap();
+    session.poll().unwrap();
+    assert!(matches!(session.arm(run(3), yes()), Err(SessionError::SettingsDiffer { .. })));
+    let (mut session, _armed) = running(3);
+    assert!(refused(session.write_settings(&yes())).contains("at rest"));
+}
+
+#[test]
+fn ports_are_listed_before_one_is_opened() {
+    let trust = TrustStore::open("none.json".as_ref()).unwrap();
+    let launch = Launch { program: wirebend_tests_built::driver_child(), memory_bytes: 256 << 20 };
+    let open = |folder: &str| {
+        let found = Found::at(&wirebend_tests_built::driver(folder), Place::App, &trust);
+        Driver::start(&found, &launch).unwrap().open(&json!({})).unwrap()
+    };
+    let ports = open("hostile").ports().unwrap();
+    assert_eq!((ports.len(), ports[0].name.as_str(), ports[0].likely), (1, "anywhere", true));
+    let error = open("template").ports().unwrap_err();
+    assert!(matches!(&error, HostError::Refused { error, .. } if error.code == "unsupported"), "{error}");
+}
+
+/// Taken at its word, the machine would be sent the rest of a wire that it never began.
+#[test]
+fn a_machine_goes_on_with_what_it_was_asked_for_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let library = folder.path().join("connect-lie.so");
+    std::fs::copy(wirebend_tests_built::driver("hostile"), &library).unwrap();
+    let mut session = session_with(&library);
+    session.poll().unwrap();
+    assert_eq!((session.state(), session.going_on()), (State::Connected, None));
+    assert!(matches!(session.take_up(Run::default(), &[], yes()), Err(SessionError::State { .. })));
+
+    let mut session = Session::connect_resuming(session.disconnect().unwrap(), "anywhere", "7").unwrap();
+    assert!(matches!(session.poll(), Err(SessionError::OutOfOrder { .. })));
+    assert_eq!(session.state(), State::Faulted);
+}
+
+/// The head stands where the made part of the wire has left it, and is turned back before the next wire.
+#[test]
+fn the_rest_of_a_wire_begins_after_what_is_made() {
+    let mut session = homed();
+    let rest = |after, rotate_at_deg| {
+        Purpose::Wire(Run { name: "test".into(), steps: 3, after, rotate_at_deg, ..Run::default() })
+    };
+    for (after, rotate_at_deg) in [(4, 0.0), (0, 30.0), (1, f64::NAN)] {
+        let error = session.arm(rest(after, rotate_at_deg), yes()).unwrap_err();
+        assert!(matches!(error, SessionError::Steps { .. }), "{after}, {rotate_at_deg}: {error}");
+    }
+    let armed = session.arm(rest(2, 30.0), yes()).unwrap();
+    assert_eq!((armed.token(), session.progress(), session.head_deg()), (Some("hostile-1"), (2, 2), 30.0));
+    assert!(matches!(session.send(&armed, &steps(1..=3)), Err(SessionError::Steps { sent: 2, total: 3 })));
+    session.send(&armed, &steps(3..=3)).unwrap();
+    session.poll().unwrap();
+    assert_eq!(session.state(), State::Done);
+    let error = session.arm(run(1), yes()).unwrap_err();
+    assert!(error.to_string().contains("the head stands 30.000°"), "{error}");
+}
+
+/// It would pass over how much is made, and bend from where its head happens to stand.
+#[test]
+fn a_driver_of_1_0_makes_whole_wires_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let library = folder.path().join("entry-old.so");
+    std::fs::copy(wirebend_tests_built::driver("hostile"), &library).unwrap();
+    let mut session = session_with(&library);
+    session.poll().unwrap();
+    session.home(&yes()).unwrap();
+    session.poll().unwrap();
+    let rest = Purpose::Wire(Run { name: "test".into(), steps: 3, after: 1, ..Run::default() });
+    let error = session.arm(rest, yes()).unwrap_err();
+    assert!(matches!(error, SessionError::TooOld { after: 1, .. }), "{error}");
+    session.arm(run(3), yes()).unwrap();
+}

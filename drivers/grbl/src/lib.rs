@@ -10,7 +10,7 @@ use std::rc::Rc;
 
 use wirebend_driver_api::{
     Capability, Content, Description, DriverError, Encoded, Files, FormatDescription, Job, MachineDriver,
-    MachineSession,
+    MachineSession, Port, serial,
 };
 
 pub use settings::{Comments, Homing, Letter, Mode, Moves, Settings, Streaming};
@@ -44,6 +44,7 @@ impl MachineDriver for Grbl {
                 Capability::Pause,
                 Capability::Resume,
                 Capability::Stop,
+                Capability::Ports,
             ]
             .into(),
             formats: vec![FormatDescription {
@@ -71,7 +72,11 @@ impl MachineDriver for Grbl {
         Ok(Encoded { files: files.collect::<Result<_, _>>()?, notes: Vec::new() })
     }
 
-    fn connect(&self, port: &str) -> Result<Box<dyn MachineSession>, DriverError> {
+    fn ports(&self) -> Result<Vec<Port>, DriverError> {
+        serial::ports()
+    }
+
+    fn connect(&self, port: &str, _resume: Option<&str>) -> Result<Box<dyn MachineSession>, DriverError> {
         Ok(Box::new(live::Session::open(port, Rc::clone(&self.settings))?))
     }
 }

@@ -89,6 +89,13 @@ impl Program {
         self.numbered(lines)
     }
 
+    /// The head turned from where it begins to a place, for a wire that is taken up again. Nothing for zero.
+    pub fn turned_to(&mut self, rotate_deg: f64) -> Result<Vec<String>, Unwritable> {
+        let settings = Rc::clone(&self.settings);
+        let line = self.rotate.by(rotate_deg, &settings)?;
+        Ok(self.numbered(line.into_iter().collect()))
+    }
+
     /// What comes after the last step.
     pub fn end(&mut self) -> Vec<String> {
         let lines = self.end_block.to_vec();

@@ -57,7 +57,7 @@ fn told() -> Option<(&'static str, &'static str)> {
         let words: Vec<String> = std::env::args().collect();
         let known = |list: &[&'static str], word: &str| list.iter().find(|known| **known == word).copied();
         words.iter().find_map(|word| {
-            let (when, how) = Path::new(word).file_stem()?.to_str()?.split_once('-')?;
+            let (when, how) = Path::new(word).file_stem()?.to_str()?.rsplit_once('-')?;
             Some((known(&crate::WHEN, when)?, known(&crate::HOW, how)?))
         })
     })

@@ -1,12 +1,14 @@
 //! A driver that misbehaves on demand. For tests only: it is never shipped.
 //!
 //! The name of the library says what it does and when: a copy named `WHEN-HOW.so` does `HOW` when it is
-//! asked `WHEN`, and is an ordinary driver otherwise. [`WHEN`] and [`HOW`] list them.
+//! asked `WHEN`, and is an ordinary driver otherwise. [`WHEN`] and [`HOW`] list them. With the setting
+//! `machine` it moves one that outlives it, and that loses its cable, its driver or its memory at a step.
 
 #![cfg(unix)] // it misuses descriptors and signals
 #![allow(unsafe_code)] // it breaks the boundary on purpose
 
 mod conduct;
+mod machine;
 mod manners;
 
 use std::ffi::{c_char, c_void};
@@ -15,11 +17,12 @@ use conduct::{Conduct, conduct};
 use wirebend_driver_api::{ABI_MAJOR, ABI_MINOR, Buffer, Bytes, OK, REFUSED, Table};
 
 /// When it can misbehave.
-pub const WHEN: [&str; 15] = [
+pub const WHEN: [&str; 17] = [
     "entry",
     "describe",
     "open",
     "encode",
+    "ports",
     "connect",
     "home",
     "arm",
@@ -30,31 +33,34 @@ pub const WHEN: [&str; 15] = [
     "stop",
     "disconnect",
     "poll",
+    "write-settings",
     "close",
 ];
 
 /// How it can misbehave.
-pub const HOW: [&str; 18] = [
+pub const HOW: [&str; 19] = [
     "exit", "abort", "segfault", "hang", "spin", "flood", "garbage", "torrent", "deaf", "leak", "orphan",
-    "null", "status", "nonsense", "shout", "lie", "differ", "version",
+    "null", "status", "nonsense", "shout", "lie", "differ", "version", "old",
 ];
 
 /// The table of this driver.
 #[unsafe(no_mangle)]
 pub extern "C" fn wirebend_driver_entry() -> *const Table {
-    static HONEST: Table = table(ABI_MAJOR);
-    static NEWER: Table = table(ABI_MAJOR + 1);
+    static HONEST: Table = table(ABI_MAJOR, ABI_MINOR);
+    static NEWER: Table = table(ABI_MAJOR + 1, ABI_MINOR);
+    static OLDER: Table = table(ABI_MAJOR, 0);
     match conduct("entry") {
         Conduct::As("version") => &raw const NEWER,
+        Conduct::As("old") => &raw const OLDER,
         Conduct::As("null" | "status" | "nonsense" | "flood") => std::ptr::null(),
         Conduct::As(_) | Conduct::Well => &raw const HONEST,
     }
 }
 
-const fn table(abi_major: u32) -> Table {
+const fn table(abi_major: u32, abi_minor: u32) -> Table {
     Table {
         abi_major,
-        abi_minor: ABI_MINOR,
+        abi_minor,
         describe: Some(describe),
         open: Some(open),
         call: Some(call),
@@ -69,10 +75,13 @@ extern "C" fn describe(out: *mut Buffer) -> i32 {
     hand(out, "describe", Ok(manners::DESCRIPTION.to_owned()))
 }
 
-extern "C" fn open(_settings: Bytes, instance: *mut *mut c_void, out: *mut Buffer) -> i32 {
+extern "C" fn open(settings: Bytes, instance: *mut *mut c_void, out: *mut Buffer) -> i32 {
     if conduct("open") != Conduct::As("null") {
-        // SAFETY: the caller gives a place for a pointer.
-        unsafe { *instance = Box::into_raw(Box::<manners::Instance>::default()).cast() };
+        // SAFETY: the caller keeps the bytes alive during the call, and gives a place for a pointer.
+        unsafe {
+            let settings = std::slice::from_raw_parts(settings.data, settings.len);
+            *instance = Box::into_raw(Box::new(manners::Instance::open(settings))).cast();
+        }
     }
     hand(out, "open", Ok(String::new()))
 }

@@ -5,33 +5,57 @@ use std::collections::VecDeque;
 use serde_json::{Value, json};
 
 use crate::conduct::is_told;
+use crate::machine::Machine;
 
 pub(crate) const DESCRIPTION: &str = r#"{"id": "hostile", "name": "Hostile", "version": "0.1.0",
 "description": "Misbehaves on demand, for tests.",
-"capabilities": ["export", "live", "jog", "home", "pause", "resume", "stop"],
+"capabilities": ["export", "live", "jog", "home", "pause", "resume", "stop", "ports", "settings"],
 "formats": [{"id": "hostile-text", "name": "Text", "extensions": ["txt"], "content": "design"}],
 "settings_schema": {"type": "object", "properties": {}, "additionalProperties": false}}"#;
 
-fn connected() -> Value {
+/// What the machine's settings are at a moment; one that differs at first keeps to it when they are written.
+fn settings(when: &str) -> Value {
     let differs = json!([{"name": "$100", "machine": "80", "expected": "40", "matters": true}]);
-    let settings = if is_told("connect", "differ") { differs } else { json!([]) };
-    json!({"event": "connected", "identity": "nobody", "settings": settings})
+    if is_told("connect", "differ") || is_told(when, "differ") { differs } else { json!([]) }
+}
+
+fn connected() -> Value {
+    // Nobody has asked it to go on, and it has made more than it has taken.
+    let lie = is_told("connect", "lie").then(|| json!({"accepted": 3, "done": 9}));
+    json!({"event": "connected", "identity": "nobody", "settings": settings("connect"), "going_on": lie})
+}
+
+fn written() -> Value {
+    json!({"event": "settings-written", "settings": settings("write-settings")})
 }
 
 /// An instance with its machine.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(crate) struct Instance {
     events: VecDeque<Value>,
+    /// The one that it moves instead of the one in memory.
+    machine: Option<Machine>,
 }
 
 impl Instance {
+    pub fn open(settings: &[u8]) -> Self {
+        Self { events: VecDeque::new(), machine: Machine::open(settings) }
+    }
+
     /// The name of the call and what is answered.
     pub fn call(&mut self, request: &[u8]) -> (String, Result<String, String>) {
+        let body = request;
         let request: Value = serde_json::from_slice(request).unwrap_or_default();
         let name = request["call"].as_str().unwrap_or_default().to_owned();
+        if let Some(machine) = &mut self.machine {
+            let answer = machine.call(body);
+            let refusal = |error| serde_json::to_string(&error).unwrap_or_default();
+            return (name, answer.map(|reply| reply.to_string()).map_err(refusal));
+        }
         let mut reply = json!({});
         match name.as_str() {
             "encode" => reply = json!({"files": [{"text": "a wire\n"}]}),
+            "ports" => reply = json!({"ports": [{"name": "anywhere", "likely": true}]}),
             "connect" => self.events.push_back(connected()),
             "home" => self.events.push_back(json!({"event": "homed"})),
             "send" => reply = self.send(&request),
@@ -39,7 +63,9 @@ impl Instance {
             "pause" => self.events.push_back(json!({"event": "paused"})),
             "resume" => self.events.push_back(json!({"event": "resumed"})),
             "stop" => self.events.push_back(json!({"event": "stopped", "homed": false})),
-            "arm" | "disconnect" => {}
+            "write-settings" => self.events.push_back(written()),
+            "arm" => reply = json!({"token": "hostile-1"}),
+            "disconnect" => {}
             _ => {
                 let error = json!({"code": "unknown-call", "message": format!("'{name}' is not known")});
                 return (name, Err(error.to_string()));
@@ -50,6 +76,9 @@ impl Instance {
 
     /// The next event, or nothing.
     pub fn poll(&mut self) -> String {
+        if let Some(machine) = &mut self.machine {
+            return machine.poll().and_then(|event| serde_json::to_string(&event).ok()).unwrap_or_default();
+        }
         self.events.pop_front().map(|event| event.to_string()).unwrap_or_default()
     }
 

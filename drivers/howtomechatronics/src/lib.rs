@@ -13,7 +13,7 @@ mod whole;
 use serde_json::Value;
 use wirebend_driver_api::{
     Capability, Content, Description, DriverError, Encoded, Files, FormatDescription, Job, MachineDriver,
-    MachineSession, serial,
+    MachineSession, Port, serial,
 };
 
 pub use settings::Settings;
@@ -39,7 +39,7 @@ impl MachineDriver for HowToMechatronics {
                           opened, does not say when it has finished, and cannot be stopped by the program: \
                           keep its power switch at hand. No machine has been run by this driver."
                 .to_owned(),
-            capabilities: [Capability::Export, Capability::Live].into(),
+            capabilities: [Capability::Export, Capability::Live, Capability::Ports].into(),
             formats: vec![FormatDescription {
                 id: FORMAT.to_owned(),
                 name: "HowToMechatronics serial commands".to_owned(),
@@ -64,7 +64,11 @@ impl MachineDriver for HowToMechatronics {
         program::encode(job, self.settings.most_feed_mm)
     }
 
-    fn connect(&self, port: &str) -> Result<Box<dyn MachineSession>, DriverError> {
+    fn ports(&self) -> Result<Vec<Port>, DriverError> {
+        serial::ports()
+    }
+
+    fn connect(&self, port: &str, _resume: Option<&str>) -> Result<Box<dyn MachineSession>, DriverError> {
         let line = serial::open(port, self.settings.baud)?;
         Ok(Box::new(session::Session::new(line, self.settings.clone())))
     }

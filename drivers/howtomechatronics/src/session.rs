@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use wirebend_driver_api::serial::Line;
-use wirebend_driver_api::{Batch, DriverError, Event, MachineSession, Run, Sent};
+use wirebend_driver_api::{ArmedReply, Batch, DriverError, Event, MachineSession, Run, Sent};
 
 use crate::Settings;
 use crate::timed::Timed;
@@ -49,9 +49,9 @@ impl Session {
 }
 
 impl MachineSession for Session {
-    fn arm(&mut self, run: &Run) -> Result<(), DriverError> {
+    fn arm(&mut self, run: &Run) -> Result<ArmedReply, DriverError> {
         self.turn();
-        self.timed.arm(run)
+        self.timed.arm(run).map(|()| ArmedReply::default())
     }
 
     fn send(&mut self, batch: &Batch) -> Result<Sent, DriverError> {

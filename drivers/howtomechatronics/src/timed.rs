@@ -7,7 +7,7 @@
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use wirebend_driver_api::{Batch, Direction, DriverError, Event, NumberedStep, Run, Sent};
+use wirebend_driver_api::{Batch, Direction, DriverError, Event, NumberedStep, Run, Sent, Step};
 
 use crate::Settings;
 use crate::command::{Command, echoed};
@@ -63,6 +63,8 @@ struct WireInHand {
     /// The last step is among them.
     complete: bool,
     axes: Axes,
+    /// What has to be done before the first of them.
+    turn: Vec<Command>,
 }
 
 impl Timed {
@@ -95,9 +97,17 @@ impl Timed {
             State::Ready if self.under_way.is_some() || !self.queue.is_empty() => {
                 refused("busy", "a wire is being made", "wait until it is finished, or stop it")
             }
+            State::Ready if run.after > run.steps => {
+                let message = format!("{} of {} steps cannot be made already", run.after, run.steps);
+                refused("no-such-step", &message, "plan the wire again")
+            }
             State::Ready => {
-                let axes = Axes::default();
-                self.wire = Some(WireInHand { steps: run.steps, taken: 0, complete: false, axes });
+                let mut axes = Axes::default();
+                // The head was put at its start, and the made part of the wire has left it elsewhere.
+                let turn = Step { rotate_deg: run.rotate_at_deg, ..Step::default() };
+                let turn = axes.commands(&turn, "where the head was", self.settings.most_feed_mm)?;
+                let (steps, taken) = (run.steps, run.after);
+                self.wire = Some(WireInHand { steps, taken, complete: false, axes, turn });
                 Ok(())
             }
         }
@@ -130,6 +140,9 @@ impl Timed {
             room -= 1;
         }
         (wire.taken, wire.axes) = (taken, axes);
+        if !tasks.is_empty() {
+            tasks.splice(0..0, std::mem::take(&mut wire.turn).into_iter().map(Task::Say));
+        }
         if !self.manual && !tasks.is_empty() {
             self.manual = true;
             self.queue.push_back(Task::Say(Command::Manual));
@@ -218,6 +231,7 @@ impl Timed {
             identity: "unknown: this machine does not say what it is".to_owned(),
             settings: Vec::new(),
             homed: true,
+            going_on: None,
         });
         self.events.push_back(Event::Warning(DriverError::new(
             "homed-by-hand",

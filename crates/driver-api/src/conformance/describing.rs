@@ -76,9 +76,16 @@ fn capabilities(description: &Description) -> Result<(), String> {
     if can(Capability::Pause) != can(Capability::Resume) {
         return Err("'pause' and 'resume' go together".to_owned());
     }
-    let moving = [Capability::Jog, Capability::Home, Capability::Pause, Capability::Stop];
-    if moving.into_iter().any(can) && !can(Capability::Live) {
-        return Err("'jog', 'home', 'pause' and 'stop' need 'live'".to_owned());
+    let connected = [
+        Capability::Jog,
+        Capability::Home,
+        Capability::Pause,
+        Capability::Stop,
+        Capability::Ports,
+        Capability::Settings,
+    ];
+    if connected.into_iter().any(can) && !can(Capability::Live) {
+        return Err("'jog', 'home', 'pause', 'stop', 'ports' and 'settings' need 'live'".to_owned());
     }
     if description.capabilities.is_empty() { Err("it can do nothing at all".to_owned()) } else { Ok(()) }
 }

@@ -6,8 +6,8 @@ use std::time::Duration;
 use serde_json::{Value, json};
 
 use super::notation::{Act, Answer, Script};
-use super::{Conversation, TranscriptError};
-use crate::{DriverError, Sent};
+use super::{Answered, Conversation, TranscriptError};
+use crate::DriverError;
 
 /// How finely time passes: a driver is asked this often.
 const TICK: Duration = Duration::from_millis(1);
@@ -160,7 +160,7 @@ impl<C: Conversation> Runner<'_, C> {
         &self,
         call: usize,
         expected: Option<&(usize, Answer)>,
-        given: Result<Option<Sent>, DriverError>,
+        given: Result<Answered, DriverError>,
     ) -> Result<(), TranscriptError> {
         let (fits, line, expected) = match (expected, &given) {
             (None, given) => (given.is_ok(), call, "no refusal".to_owned()),
@@ -169,7 +169,7 @@ impl<C: Conversation> Runner<'_, C> {
                 (fits, *line, format!("the refusal '{code}'"))
             }
             (Some((line, Answer::Reply(reply))), given) => {
-                let fits = given.as_ref().is_ok_and(|sent| holds(&written(*sent), reply));
+                let fits = given.as_ref().is_ok_and(|given| holds(&written(given), reply));
                 (fits, *line, reply.to_string())
             }
         };
@@ -177,15 +177,19 @@ impl<C: Conversation> Runner<'_, C> {
             return Ok(());
         }
         let answer = match given {
-            Ok(sent) => written(sent).to_string(),
+            Ok(given) => written(&given).to_string(),
             Err(error) => format!("the refusal '{}': {error}", error.code),
         };
         Err(TranscriptError::Answer { place: self.script.place(line), expected, answer })
     }
 }
 
-fn written(sent: Option<Sent>) -> Value {
-    sent.map_or_else(|| json!({}), |sent| json!({"accepted": sent.accepted, "free": sent.free}))
+fn written(answered: &Answered) -> Value {
+    match answered {
+        Answered::Taken => json!({}),
+        Answered::Sent(sent) => json!({"accepted": sent.accepted, "free": sent.free}),
+        Answered::Armed(armed) => json!({"token": armed.token}),
+    }
 }
 
 /// Whether a value has all that is expected of it: keys that are not expected may be there, numbers are the

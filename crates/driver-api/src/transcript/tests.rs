@@ -5,8 +5,8 @@ use std::time::Duration;
 
 use serde_json::{Value, json};
 
-use super::{Conversation, TranscriptError, run_folder, run_text, told};
-use crate::{Call, DriverError, Event, Sent, Step};
+use super::{Answered, Conversation, TranscriptError, run_folder, run_text, told};
+use crate::{ArmedReply, Call, DriverError, Event, Sent, Step};
 
 #[derive(Default)]
 struct Echo {
@@ -36,15 +36,19 @@ impl Conversation for Echo {
         self.events.push_back(Event::Stopped { homed: false });
     }
 
-    fn call(&mut self, call: &Call, _now: Duration) -> Result<Option<Sent>, DriverError> {
+    fn call(&mut self, call: &Call, _now: Duration) -> Result<Answered, DriverError> {
         match call {
             Call::Home => self.output.extend_from_slice(b"home\n"),
             Call::Send(batch) => {
-                return Ok(Some(Sent { accepted: 0, free: batch.steps.first().map_or(0, |step| step.n) }));
+                let free = batch.steps.first().map_or(0, |step| step.n);
+                return Ok(Answered::Sent(Sent { accepted: 0, free }));
+            }
+            Call::Arm(run) => {
+                return Ok(Answered::Armed(ArmedReply { token: Some(format!("t-{}", run.wire)) }));
             }
             _ => return Err(DriverError::unsupported("do that")),
         }
-        Ok(None)
+        Ok(Answered::Taken)
     }
 
     fn take_output(&mut self) -> Vec<u8> {
@@ -95,6 +99,8 @@ fn a_transcript_that_is_what_happens_passes() {
         refused unsupported
         do {"call":"send","steps":[],"last":true}
         reply {"free":0}
+        do {"call":"arm","job_hash":"0","name":"echo","wire":2,"steps":1}
+        reply {"token":"t-2"}
         <-! \x07
         event {"event":"jogged"}
         <- where

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // a test may stop at what cannot be
 #![allow(unsafe_code)] // tables are made by hand here
 
+mod minor;
 mod plain;
 mod rules;
 
@@ -12,8 +13,8 @@ use plain::Plain;
 use serde_json::{Value, json};
 use wirebend_driver_api::conformance::{self, sample_job};
 use wirebend_driver_api::{
-    ABI_MAJOR, Axis, Batch, Buffer, Bytes, Call, DriverError, Encode, Job, Motion, NumberedStep, Reply,
-    SafeTable, Step, Table, TableError,
+    ABI_MAJOR, ABI_MINOR, Axis, Batch, Buffer, Bytes, Call, DriverError, Encode, Job, Motion, NumberedStep,
+    Reply, SafeTable, Step, Table, TableError,
 };
 
 wirebend_driver_api::export_driver!(Plain);
@@ -60,8 +61,11 @@ fn a_session_runs_behind_the_table() {
     assert_eq!(table.open(b"{\"decimals\": 1}").unwrap(), Reply::Ok(Vec::new()));
     let text = &value(ask(&mut table, &encode("plain-text", sample_job())))["files"][0]["text"];
     assert_eq!(text, "60.0 90.0 90.0\n40.0 -90.0 90.0\n50.0 45.0 -60.0\n70.0 0.0 0.0\n");
-    assert_eq!(value(ask(&mut table, &Call::Connect { port: "memory".into() })), json!({}));
-    assert_eq!(refusal(ask(&mut table, &Call::Connect { port: "memory".into() })).code, "connected");
+    assert_eq!(value(ask(&mut table, &Call::Connect { port: "memory".into(), resume: None })), json!({}));
+    assert_eq!(
+        refusal(ask(&mut table, &Call::Connect { port: "memory".into(), resume: None })).code,
+        "connected"
+    );
     let steps = vec![NumberedStep { n: 1, step: Step { feed_mm: 5.0, ..Step::default() } }];
     assert_eq!(
         value(ask(&mut table, &Call::Send(Batch { steps, last: true }))),
@@ -110,7 +114,7 @@ fn other_versions_are_refused_with_advice() {
     // SAFETY: a null table is looked at no further.
     assert_eq!(unsafe { SafeTable::new(std::ptr::null()) }.unwrap_err(), TableError::NoTable);
     let newer = table_with(|table| table.abi_major = ABI_MAJOR + 1).unwrap_err();
-    assert_eq!(newer, TableError::Version { major: ABI_MAJOR + 1, minor: 0 });
+    assert_eq!(newer, TableError::Version { major: ABI_MAJOR + 1, minor: ABI_MINOR });
     assert!(newer.to_string().contains("update the program"), "{newer}");
     let older = table_with(|table| table.abi_major = 0).unwrap_err();
     assert!(older.to_string().contains("newer build"), "{older}");
@@ -180,6 +184,6 @@ fn extensions_are_found_by_name_and_revision() {
 #[test]
 fn every_message_has_a_schema() {
     let schemas = wirebend_driver_api::message_schemas();
-    assert_eq!(schemas.len(), 6);
+    assert_eq!(schemas.len(), 8);
     assert!(schemas.iter().all(|(_, schema)| schema.get("$schema").is_some()));
 }

@@ -4,8 +4,8 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::Value;
 use wirebend_driver_api::{
-    Batch, Capability, Content, Description, DriverError, Encoded, EncodedFile, Event, Files,
-    FormatDescription, Job, MachineDriver, MachineSession, Run, Sent, Step,
+    ArmedReply, Batch, Capability, Content, Description, DriverError, Encoded, EncodedFile, Event, Files,
+    FormatDescription, Job, MachineDriver, MachineSession, Port, Run, Sent, Step,
 };
 
 /// Writes the steps of the machine, and moves a machine that only exists in memory.
@@ -27,7 +27,7 @@ impl MachineDriver for Plain {
             name: "Plain".into(),
             version: "1.0.0".into(),
             description: "For tests.".into(),
-            capabilities: [Capability::Export, Capability::Live, Capability::Stop].into(),
+            capabilities: [Capability::Export, Capability::Live, Capability::Stop, Capability::Ports].into(),
             formats: vec![FormatDescription {
                 id: "plain-text".into(),
                 name: "Text".into(),
@@ -64,9 +64,13 @@ impl MachineDriver for Plain {
         })
     }
 
-    fn connect(&self, port: &str) -> Result<Box<dyn MachineSession>, DriverError> {
+    fn ports(&self) -> Result<Vec<Port>, DriverError> {
+        Ok(vec![Port { name: "memory".into(), likely: true, ..Port::default() }])
+    }
+
+    fn connect(&self, port: &str, resume: Option<&str>) -> Result<Box<dyn MachineSession>, DriverError> {
         if port == "memory" {
-            return Ok(Box::new(Memory { done: 0, stopped: false }));
+            return Ok(Box::new(Memory { done: 0, stopped: false, resume: resume.map(str::to_owned) }));
         }
         Err(DriverError::new("no-port", format!("there is no port '{port}'"), ""))
     }
@@ -75,11 +79,13 @@ impl MachineDriver for Plain {
 struct Memory {
     done: u32,
     stopped: bool,
+    /// The token that it was connected with.
+    resume: Option<String>,
 }
 
 impl MachineSession for Memory {
-    fn arm(&mut self, _run: &Run) -> Result<(), DriverError> {
-        Ok(())
+    fn arm(&mut self, run: &Run) -> Result<ArmedReply, DriverError> {
+        Ok(ArmedReply { token: Some(self.resume.take().unwrap_or_else(|| run.job_hash.clone())) })
     }
 
     fn send(&mut self, batch: &Batch) -> Result<Sent, DriverError> {

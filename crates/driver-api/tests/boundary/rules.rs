@@ -77,6 +77,8 @@ fn what_is_wrong_with_a_description_is_found() {
         ("/formats", json!([]), "'export' and a list of formats go together"),
         ("/capabilities", json!(["export", "pause"]), "'pause' and 'resume' go together"),
         ("/capabilities", json!(["export", "jog"]), "need 'live'"),
+        ("/capabilities", json!(["export", "ports"]), "need 'live'"),
+        ("/capabilities", json!(["export", "settings"]), "need 'live'"),
         ("/settings_schema/type", json!("array"), "not that of an object"),
         ("/settings_schema/additionalProperties", json!(true), "unknown keys are to be refused"),
         (
@@ -153,4 +155,20 @@ fn what_is_wrong_with_answers_is_found() {
         "a port that is not there",
         |_, asked, value| if holds(asked, "wirebend-no") { json!({}) } else { value },
     );
+    for wrong in [json!({"ports": [{"name": " "}]}), json!(["memory"])] {
+        assert_broken(
+            "lists the ports",
+            |_, asked, value| {
+                if holds(asked, "\"ports\"") { wrong.clone() } else { value }
+            },
+        );
+    }
+    assert_broken("refuses to list ports", |function, asked, mut value| match function {
+        "describe" => {
+            value["capabilities"] = json!(["export", "live", "stop"]);
+            value
+        }
+        _ if holds(asked, "\"ports\"") => json!({"code": "no", "message": "no"}),
+        _ => value,
+    });
 }

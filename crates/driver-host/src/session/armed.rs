@@ -23,7 +23,7 @@ impl Confirmed {
 /// What the machine is armed for.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Purpose {
-    /// One wire of a job.
+    /// One wire of a job, or the rest of one: from the step after [`Run::after`] on.
     Wire(Run),
     /// Moves at a person's word.
     ByHand,
@@ -33,4 +33,15 @@ pub enum Purpose {
 #[derive(Debug, PartialEq, Eq)]
 pub struct Armed {
     pub(super) arming: u64,
+    pub(super) token: Option<String>,
+}
+
+impl Armed {
+    /// What the driver calls the session that the machine is in: kept in a journal, it is what
+    /// [`Session::connect_resuming`](super::Session::connect_resuming) takes. `None` where there are no such
+    /// sessions.
+    #[must_use]
+    pub fn token(&self) -> Option<&str> {
+        self.token.as_deref()
+    }
 }

@@ -26,6 +26,15 @@ impl OffZero {
         }
     }
 
+    /// The head of a wire that is taken up again, which need not be where a wire starts.
+    pub fn head_stands_at(&mut self, rotate_deg: f64) {
+        self.rotate_deg = rotate_deg;
+    }
+
+    pub const fn rotate_deg(&self) -> f64 {
+        self.rotate_deg
+    }
+
     pub fn require_zero(&self) -> Result<(), SessionError> {
         let Self { rotate_deg, bend_deg } = *self;
         if rotate_deg.abs() < ROUNDING_DEG && bend_deg.abs() < ROUNDING_DEG {

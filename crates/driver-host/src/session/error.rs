@@ -74,9 +74,38 @@ pub enum SessionError {
         /// What it lacks.
         capability: Capability,
     },
+    /// The driver was built before wires could be taken up again.
+    #[error(
+        "the driver '{driver}' is too old to begin a wire after step {after}: it would pass over that; use a newer one, or make the wire anew"
+    )]
+    TooOld {
+        /// The driver.
+        driver: String,
+        /// How many steps are made.
+        after: u32,
+    },
     /// The driver failed or refused.
     #[error(transparent)]
     Host(#[from] HostError),
+}
+
+impl SessionError {
+    /// A name that stays the same while the wording may change.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::State { .. } => "session-state",
+            Self::Stale => "session-stale",
+            Self::NotForAWire | Self::ForAWire => "session-purpose",
+            Self::OffZero { .. } => "off-zero",
+            Self::SettingsDiffer { .. } => "settings-differ",
+            Self::Steps { .. } => "steps",
+            Self::OutOfOrder { .. } => "out-of-order",
+            Self::Unsupported { .. } => "unsupported",
+            Self::TooOld { .. } => "driver-too-old",
+            Self::Host(error) => error.code(),
+        }
+    }
 }
 
 fn listed(settings: &[SettingCheck]) -> String {
@@ -93,6 +122,8 @@ const fn word(capability: Capability) -> &'static str {
         Capability::Pause => "pause",
         Capability::Resume => "resume",
         Capability::Stop => "stop",
+        Capability::Ports => "ports",
+        Capability::Settings => "settings",
         Capability::Unknown => "something newer",
     }
 }

@@ -3,22 +3,25 @@
 mod armed;
 mod axes;
 mod error;
+mod listening;
+mod motions;
 mod state;
 mod stop;
+mod stop_line;
 
-use wirebend_driver_api::{
-    Axis, Batch, Call, Capability, Event, Motion, NumberedStep, Sent, SettingCheck, deadline,
-};
+use wirebend_driver_api::{Call, Capability, GoingOn, SettingCheck, deadline};
 
 use crate::driver::OpenDriver;
 use crate::error::HostError;
 pub use armed::{Armed, Asked, Confirmed, Purpose};
 use axes::OffZero;
 pub use error::SessionError;
+pub(crate) use motions::turned;
 pub use state::State;
 use state::{Act, Transition};
 use stop::Arming;
 pub use stop::{StopHandle, StopOutcome, StoppedBy};
+pub use stop_line::{StopLine, StopLineError};
 
 /// A connection to a machine through a driver. Dropping it closes the port and ends the driver.
 #[derive(Debug)]
@@ -36,6 +39,15 @@ pub struct Session {
     off: OffZero,
     /// Settings of the machine that make wires come out wrong, as long as no person has accepted them.
     differences: Vec<SettingCheck>,
+    /// The driver was given the token of an earlier arming.
+    resuming: bool,
+    /// What the machine said of it.
+    going_on: Option<GoingOn>,
+    /// The last that the machine said of holding.
+    holds: bool,
+    stop_line: Option<StopLine>,
+    /// What the machine says that it is.
+    identity: String,
 }
 
 impl Session {
@@ -46,6 +58,20 @@ impl Session {
     /// [`SessionError::Unsupported`] for a driver that only writes files; [`SessionError::Host`] when the
     /// port cannot be opened.
     pub fn connect(driver: OpenDriver, port: &str) -> Result<Self, SessionError> {
+        Self::connected(driver, port, None)
+    }
+
+    /// The same with the token of an earlier arming: where the machine still is in that wire, it becomes
+    /// [`State::Interrupted`], and [`Session::going_on`] tells how far it is. What it has taken already it may
+    /// make by itself; everything else needs [`Session::take_up`].
+    ///
+    /// # Errors
+    /// As [`Session::connect`].
+    pub fn connect_resuming(driver: OpenDriver, port: &str, token: &str) -> Result<Self, SessionError> {
+        Self::connected(driver, port, Some(token.to_owned()))
+    }
+
+    fn connected(driver: OpenDriver, port: &str, resume: Option<String>) -> Result<Self, SessionError> {
         let arming = Arming::first();
         let session = Self {
             driver,
@@ -57,10 +83,42 @@ impl Session {
             done: 0,
             off: OffZero::default(),
             differences: Vec::new(),
+            resuming: resume.is_some(),
+            going_on: None,
+            holds: false,
+            stop_line: None,
+            identity: String::new(),
         };
         session.require(Capability::Live)?;
-        session.driver.call("connecting", &Call::Connect { port: port.to_owned() })?;
+        session.driver.call("connecting", &Call::Connect { port: port.to_owned(), resume })?;
         Ok(session)
+    }
+
+    /// Lets a stop write to the port itself where the driver does not pass it on. The line has to be opened
+    /// before the driver is connected: see [`StopLine::open`].
+    #[must_use]
+    pub fn with_stop_line(mut self, line: Option<StopLine>) -> Self {
+        self.stop_line = line;
+        self
+    }
+
+    /// How far the machine was in the wire of the token when it was connected; `None` when it is not in it any
+    /// more, or was not asked.
+    #[must_use]
+    pub const fn going_on(&self) -> Option<GoingOn> {
+        self.going_on
+    }
+
+    /// How far the head is turned from its reference, degrees, in the machine's signs, as far as it is known.
+    #[must_use]
+    pub const fn head_deg(&self) -> f64 {
+        self.off.rotate_deg()
+    }
+
+    /// What the machine says that it is; empty before it has answered.
+    #[must_use]
+    pub fn identity(&self) -> &str {
+        &self.identity
     }
 
     /// The state.
@@ -81,49 +139,6 @@ impl Session {
         (self.sent, self.done)
     }
 
-    /// Takes what the driver reports, and moves the state along.
-    ///
-    /// # Errors
-    /// [`SessionError::Host`] when the driver fails or refuses, [`SessionError::OutOfOrder`] when its account
-    /// cannot be true: the state is [`State::Faulted`] then.
-    pub fn poll(&mut self) -> Result<Vec<Event>, SessionError> {
-        let polled = self.driver.poll();
-        // A driver that refuses to report no longer trusts its connection.
-        let events = polled.inspect_err(|_| self.state = State::Faulted)?;
-        for event in &events {
-            self.take_note(event)?;
-            self.state = self.state.after(event);
-        }
-        self.notice_stop();
-        Ok(events)
-    }
-
-    /// What an event says of the wire and of the axes. A driver that skips a step, reports one that it was not
-    /// sent, or a wire as made before its last step is, is not to be believed.
-    fn take_note(&mut self, event: &Event) -> Result<(), SessionError> {
-        let complete = self.done == self.sent && self.steps == Some(self.done);
-        let believed = match event {
-            Event::Done { n } => *n == self.done + 1 && *n <= self.sent,
-            Event::Finished => complete || self.state != State::Running,
-            _ => true,
-        };
-        match event {
-            Event::Done { n } if believed => self.done = *n,
-            Event::Homed => self.off = OffZero::default(),
-            Event::Connected { settings, .. } => {
-                self.off = OffZero::default();
-                self.differences = settings.iter().filter(|setting| setting.matters).cloned().collect();
-            }
-            _ => {}
-        }
-        if believed {
-            return Ok(());
-        }
-        self.state = State::Faulted;
-        let n = if let Event::Done { n } = event { *n } else { self.done };
-        Err(SessionError::OutOfOrder { n, done: self.done, sent: self.sent })
-    }
-
     /// Settings of the machine that make wires come out wrong; none when a person has accepted them.
     #[must_use]
     pub fn differences(&self) -> &[SettingCheck] {
@@ -135,133 +150,27 @@ impl Session {
         self.differences.clear();
     }
 
-    /// Lets the machine find its reference: it moves.
-    ///
-    /// # Errors
-    /// [`SessionError`].
-    pub fn home(&mut self, _confirmed: &Confirmed) -> Result<(), SessionError> {
-        self.require(Capability::Home)?;
-        self.may(Act::Home)?;
-        // What was reported before is not about this search.
-        self.poll()?;
-        let next = self.may(Act::Home)?;
-        let called = self.motion("homing", &Call::Home);
-        self.faulting(called)?;
-        self.state = next;
-        Ok(())
-    }
-
-    /// Makes ready to move. The token that this gives is what every motion needs; it ends with the wire,
-    /// with a stop, a fault, or another arming.
-    ///
-    /// # Errors
-    /// [`SessionError`].
-    pub fn arm(&mut self, purpose: Purpose, _confirmed: Confirmed) -> Result<Armed, SessionError> {
-        let next = self.may(Act::Arm)?;
-        self.steps = match purpose {
-            Purpose::Wire(run) => {
-                let steps = run.steps;
-                self.off.require_zero()?;
-                if !self.differences.is_empty() {
-                    return Err(SessionError::SettingsDiffer { settings: self.differences.clone() });
-                }
-                let called = self.motion("arming", &Call::Arm(run));
-                self.faulting(called)?;
-                Some(steps)
-            }
-            Purpose::ByHand => None,
-        };
-        let Some(arming) = self.arming.follow(self.known) else {
-            self.notice_stop();
-            return Err(SessionError::Stale);
-        };
-        (self.state, self.sent, self.done, self.known) = (next, 0, 0, arming);
-        Ok(Armed { arming })
-    }
-
-    /// Sends steps of the wire, from the one after the last that was sent. The driver takes as many as it
-    /// has room for.
-    ///
-    /// # Errors
-    /// [`SessionError`].
-    pub fn send(&mut self, armed: &Armed, steps: &[NumberedStep]) -> Result<Sent, SessionError> {
-        self.valid(armed)?;
-        let next = self.may(Act::Send)?;
-        let Some(total) = self.steps else { return Err(SessionError::NotForAWire) };
-        let follows = steps.iter().zip(self.sent + 1..).all(|(step, n)| step.n == n);
-        let Some(last) = steps.last().filter(|last| follows && last.n <= total) else {
-            return Err(SessionError::Steps { sent: self.sent, total });
-        };
-        let call = Call::Send(Batch { steps: steps.to_vec(), last: last.n == total });
-        let called = self.driver.motion_for("sending steps", &call, deadline::CALL, self.unstopped());
-        let taken: Sent = self.faulting(called)?;
-        if taken.accepted < self.sent || taken.accepted > last.n {
-            self.state = State::Faulted;
-            return Err(SessionError::OutOfOrder { n: taken.accepted, done: self.sent, sent: last.n });
-        }
-        let newly = steps.iter().filter(|step| step.n <= taken.accepted);
-        newly.for_each(|step| self.off.turned(Axis::Rotate, step.step.rotate_deg));
-        self.sent = taken.accepted;
-        self.state = next;
-        Ok(taken)
-    }
-
-    /// Moves one axis.
-    ///
-    /// # Errors
-    /// [`SessionError`].
-    pub fn jog(&mut self, armed: &Armed, motion: Motion) -> Result<(), SessionError> {
-        self.require(Capability::Jog)?;
-        self.valid(armed)?;
-        let next = self.may(Act::Jog)?;
-        if self.steps.is_some() {
-            return Err(SessionError::ForAWire);
-        }
-        let called = self.motion("jogging", &Call::Jog(motion));
-        self.faulting(called)?;
-        self.off.turned(motion.axis, motion.by);
-        self.state = next;
-        Ok(())
-    }
-
-    /// Holds the machine; the state changes when the machine says that it does.
-    ///
-    /// # Errors
-    /// [`SessionError`].
-    pub fn pause(&mut self) -> Result<(), SessionError> {
-        self.require(Capability::Pause)?;
-        self.may(Act::Pause)?;
-        let called = self.driver.call("pausing", &Call::Pause);
-        self.faulting(called)
-    }
-
-    /// Goes on after a pause: the machine moves.
-    ///
-    /// # Errors
-    /// [`SessionError`].
-    pub fn resume(&mut self, armed: &Armed) -> Result<(), SessionError> {
-        self.require(Capability::Resume)?;
-        self.valid(armed)?;
-        self.may(Act::Resume)?;
-        let called = self.motion("resuming", &Call::Resume);
-        self.faulting(called)
-    }
-
     /// Stops the machine; see [`StopHandle::stop`].
     pub fn stop(&mut self) -> StopOutcome {
         let outcome = self.stop_handle().stop();
         self.notice_stop();
-        if outcome.by == StoppedBy::EndOfDriver {
-            self.state = State::Faulted;
+        if outcome.driver_ended {
+            self.driver_failed();
         }
         outcome
+    }
+
+    /// How the last stop through this session or one of its handles went.
+    #[must_use]
+    pub fn last_stop(&self) -> Option<StopOutcome> {
+        self.arming.stopped()
     }
 
     /// What stops the machine from any thread, whatever this one is doing.
     #[must_use]
     pub fn stop_handle(&self) -> StopHandle {
         let can_stop = self.driver.description().can(Capability::Stop);
-        StopHandle::new(self.driver.handle(), self.arming.clone(), can_stop)
+        StopHandle::new(self.driver.handle(), self.arming.clone(), can_stop, self.stop_line.clone())
     }
 
     /// Closes the port and gives the driver back.
@@ -270,6 +179,7 @@ impl Session {
     /// [`SessionError::Host`]; the port is closed in any case, for the driver is ended then.
     pub fn disconnect(self) -> Result<OpenDriver, SessionError> {
         self.driver.call("disconnecting", &Call::Disconnect)?;
+        self.share_port();
         Ok(self.driver)
     }
 
@@ -281,6 +191,19 @@ impl Session {
             if !matches!(self.state, State::Disconnected | State::Faulted) {
                 self.state = State::Stopped;
             }
+        }
+    }
+
+    /// What it was asked it did not do, and it may be gone.
+    fn driver_failed(&mut self) {
+        self.state = State::Faulted;
+        self.share_port();
+    }
+
+    /// Lets a new driver open the port although this program keeps it.
+    fn share_port(&self) {
+        if let Some(line) = &self.stop_line {
+            line.share();
         }
     }
 
@@ -320,7 +243,7 @@ impl Session {
             Err(HostError::Refused { error, .. }) if error.has_panicked() => self.state = State::Faulted,
             Ok(_) | Err(HostError::Refused { .. }) => {}
             Err(HostError::StoppedBefore { .. }) => self.notice_stop(),
-            Err(_) => self.state = State::Faulted,
+            Err(_) => self.driver_failed(),
         }
         result.map_err(SessionError::from)
     }

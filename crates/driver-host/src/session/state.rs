@@ -15,6 +15,9 @@ pub enum State {
     Homed,
     /// A person has confirmed that it may move.
     Armed,
+    /// It still is in a wire that was begun before this connection. What it has taken it may make by itself; it
+    /// takes nothing more until a person has confirmed that.
+    Interrupted,
     /// It makes a wire.
     Running,
     /// It holds in the middle of a wire.
@@ -29,11 +32,12 @@ pub enum State {
 
 impl State {
     /// Every state.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Disconnected,
         Self::Connected,
         Self::Homed,
         Self::Armed,
+        Self::Interrupted,
         Self::Running,
         Self::Paused,
         Self::Done,
@@ -49,6 +53,7 @@ impl fmt::Display for State {
             Self::Connected => "connected",
             Self::Homed => "homed",
             Self::Armed => "armed",
+            Self::Interrupted => "in an interrupted wire",
             Self::Running => "running",
             Self::Paused => "paused",
             Self::Done => "done",
@@ -73,6 +78,10 @@ pub enum Act {
     Pause,
     /// Go on.
     Resume,
+    /// Go on with a wire that was begun before this connection.
+    TakeUp,
+    /// Write settings.
+    WriteSettings,
 }
 
 impl fmt::Display for Act {
@@ -84,6 +93,8 @@ impl fmt::Display for Act {
             Self::Jog => "jogging",
             Self::Pause => "pausing",
             Self::Resume => "resuming",
+            Self::TakeUp => "taking the wire up",
+            Self::WriteSettings => "writing settings",
         })
     }
 }
@@ -98,20 +109,29 @@ pub(super) enum Transition {
 impl State {
     /// What an act leads to, before the machine has answered.
     pub(super) const fn on(self, act: Act) -> Transition {
-        use State::{Armed, Connected, Done, Faulted, Homed, Paused, Running, Stopped};
+        use State::{Armed, Connected, Done, Faulted, Homed, Interrupted, Paused, Running, Stopped};
         match (act, self) {
             // While it searches its reference it does not know where it is.
-            (Act::Home, Connected | Homed | Done | Stopped | Faulted) => Transition::To(Connected),
+            // With other settings the axes are not where they are taken to be.
+            (Act::Home, Connected | Homed | Done | Stopped | Faulted)
+            | (Act::WriteSettings, Connected | Homed | Armed | Done) => Transition::To(Connected),
             (Act::Arm, Homed | Armed | Done) | (Act::Jog, Armed) => Transition::To(Armed),
             // Holding and going on change the state when the machine says so.
-            (Act::Send, Armed | Running) | (Act::Pause, Running) => Transition::To(Running),
+            (Act::Send, Armed | Running) | (Act::Pause, Running) | (Act::TakeUp, Interrupted) => {
+                Transition::To(Running)
+            }
             (Act::Send | Act::Resume, Paused) => Transition::To(Paused),
-            (Act::Home, _) => Transition::Refused { expected: "connected and at rest" },
+            (Act::WriteSettings, Stopped) => Transition::To(Stopped),
+            (Act::WriteSettings, Faulted) => Transition::To(Faulted),
+            (Act::Home | Act::WriteSettings, _) => Transition::Refused { expected: "connected and at rest" },
             (Act::Arm, _) => Transition::Refused { expected: "homed, or done with a wire" },
             (Act::Send, _) => Transition::Refused { expected: "armed for a wire" },
             (Act::Jog, _) => Transition::Refused { expected: "armed, with no wire in hand" },
             (Act::Pause, _) => Transition::Refused { expected: "running" },
             (Act::Resume, _) => Transition::Refused { expected: "paused" },
+            (Act::TakeUp, _) => Transition::Refused {
+                expected: "connected again, and still in the wire that was interrupted",
+            },
         }
     }
 
@@ -120,6 +140,7 @@ impl State {
     #[must_use]
     pub const fn after(self, event: &Event) -> Self {
         match (event, self) {
+            (Event::Connected { going_on: Some(_), .. }, Self::Disconnected) => Self::Interrupted,
             (Event::Connected { homed: true, .. }, Self::Disconnected) | (Event::Homed, Self::Connected) => {
                 Self::Homed
             }
@@ -136,90 +157,4 @@ impl State {
 }
 
 #[cfg(test)]
-mod tests {
-    use proptest::prelude::*;
-    use wirebend_driver_api::DriverError;
-
-    use super::*;
-
-    const ACTS: [Act; 6] = [Act::Home, Act::Arm, Act::Send, Act::Jog, Act::Pause, Act::Resume];
-
-    fn events() -> Vec<Event> {
-        let error = DriverError::new("x", "x", "x");
-        vec![
-            Event::Connected { identity: String::new(), settings: Vec::new(), homed: false },
-            Event::Connected { identity: String::new(), settings: Vec::new(), homed: true },
-            Event::Homed,
-            Event::Done { n: 1 },
-            Event::Finished,
-            Event::Jogged,
-            Event::Paused,
-            Event::Resumed,
-            Event::Stopped { homed: true },
-            Event::Warning(error.clone()),
-            Event::Fault { error, in_doubt: None, disconnected: true },
-        ]
-    }
-
-    proptest! {
-        /// However a driver reports and whatever is asked: from anywhere to running there is no way that does
-        /// not pass through armed, and to armed none that does not pass through a reference.
-        #[test]
-        fn nothing_runs_that_was_not_armed(turns in prop::collection::vec((any::<bool>(), 0_usize..11), 0..60)) {
-            let (mut state, mut armed, mut referenced) = (State::Disconnected, false, false);
-            for (is_act, k) in turns {
-                let before = state;
-                if is_act {
-                    let act = ACTS[k % ACTS.len()];
-                    if let Transition::To(next) = state.on(act) {
-                        if act == Act::Arm {
-                            prop_assert!(referenced, "armed without a reference from {before}");
-                            armed = true;
-                        }
-                        if act == Act::Home {
-                            (referenced, armed) = (false, false);
-                        }
-                        prop_assert!(!matches!(act, Act::Send | Act::Jog | Act::Resume) || armed, "{act} from {before}");
-                        state = next;
-                    }
-                } else {
-                    state = state.after(&events()[k]);
-                    if matches!(state, State::Done | State::Stopped | State::Faulted | State::Homed) && state != before {
-                        armed = false;
-                    }
-                    referenced = match state {
-                        State::Homed => true,
-                        State::Stopped | State::Faulted | State::Connected | State::Disconnected => false,
-                        _ => referenced,
-                    };
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn a_stop_or_a_fault_is_left_by_homing_alone() {
-        for state in [State::Stopped, State::Faulted] {
-            for act in ACTS {
-                assert_eq!(
-                    matches!(state.on(act), Transition::To(_)),
-                    act == Act::Home,
-                    "{act} while {state}"
-                );
-            }
-            for event in events() {
-                let next = state.after(&event);
-                assert!(
-                    matches!(next, State::Stopped | State::Faulted),
-                    "{event:?} leads from {state} to {next}"
-                );
-            }
-        }
-    }
-
-    #[test]
-    fn every_state_has_a_name_of_its_own() {
-        let names: std::collections::BTreeSet<String> = State::ALL.iter().map(ToString::to_string).collect();
-        assert_eq!(names.len(), State::ALL.len());
-    }
-}
+mod tests;

@@ -1,9 +1,11 @@
-//! STOP: by the driver if it answers in time, by ending it if not.
+//! STOP: by the driver if it answers in time; if not, by ending it and writing to the port itself.
 
-use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use wirebend_driver_api::{Call, deadline};
 
@@ -11,17 +13,24 @@ use crate::driver::to_body;
 use crate::frame::Mark;
 use crate::process::ProcessHandle;
 
+use super::stop_line::StopLine;
+
 /// Stops a machine from any thread.
 #[derive(Debug, Clone)]
 pub struct StopHandle {
     process: ProcessHandle,
     arming: Arming,
     can_stop: bool,
+    line: Option<StopLine>,
 }
 
 /// Which arming is in force. A stop moves it on, and so every token of before becomes stale.
 #[derive(Debug, Clone)]
-pub(super) struct Arming(Arc<AtomicU64>);
+pub(super) struct Arming {
+    number: Arc<AtomicU64>,
+    /// How the last stop went.
+    stopped: Arc<Mutex<Option<StopOutcome>>>,
+}
 
 /// Numbers of one session are no other's: a token of another machine is stale here.
 static SESSIONS: AtomicU64 = AtomicU64::new(1);
@@ -30,28 +39,38 @@ impl Arming {
     /// For a new session.
     pub fn first() -> Self {
         let session = SESSIONS.fetch_add(1, Ordering::Relaxed);
-        Self(Arc::new(AtomicU64::new(session << 32)))
+        Self { number: Arc::new(AtomicU64::new(session << 32)), stopped: Arc::default() }
     }
 
     pub fn now(&self) -> u64 {
-        self.0.load(Ordering::SeqCst)
+        self.number.load(Ordering::SeqCst)
     }
 
     /// The next one; `None` when `known` is no longer in force.
     pub fn follow(&self, known: u64) -> Option<u64> {
-        self.0
+        self.number
             .compare_exchange(known, known + 1, Ordering::SeqCst, Ordering::SeqCst)
             .is_ok()
             .then_some(known + 1)
     }
 
     fn end(&self) {
-        self.0.fetch_add(1, Ordering::SeqCst);
+        self.number.fetch_add(1, Ordering::SeqCst);
+    }
+
+    /// How the last stop went, if there was one.
+    pub fn stopped(&self) -> Option<StopOutcome> {
+        *self.stopped.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn note(&self, outcome: StopOutcome) {
+        *self.stopped.lock().unwrap_or_else(PoisonError::into_inner) = Some(outcome);
     }
 }
 
 /// Who brought the stop about.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
 pub enum StoppedBy {
     /// The driver: it has passed the stop on to the machine.
     Driver,
@@ -61,6 +80,9 @@ pub enum StoppedBy {
     /// This program: the driver did not answer in time or refused, so its process was ended and its port
     /// closed with it. What the machine holds in its own memory may still be made: cut its power.
     EndOfDriver,
+    /// This program: the driver did not pass the stop on, and so the stop bytes of the machine's profile were
+    /// written to the port by the program itself. Nobody has heard whether the machine took them: look.
+    Host,
 }
 
 /// How a stop went.
@@ -68,13 +90,20 @@ pub enum StoppedBy {
 pub struct StopOutcome {
     /// Who brought it about.
     pub by: StoppedBy,
+    /// Whether the driver's process was ended for it, or had ended before.
+    pub driver_ended: bool,
     /// From the call to its end.
     pub took: Duration,
 }
 
 impl StopHandle {
-    pub(super) const fn new(process: ProcessHandle, arming: Arming, can_stop: bool) -> Self {
-        Self { process, arming, can_stop }
+    pub(super) const fn new(
+        process: ProcessHandle,
+        arming: Arming,
+        can_stop: bool,
+        line: Option<StopLine>,
+    ) -> Self {
+        Self { process, arming, can_stop, line }
     }
 
     /// Stops the machine. Does not depend on the driver: one that has not answered within
@@ -94,11 +123,17 @@ impl StopHandle {
         if !passed_on {
             self.process.kill();
         }
+        // A driver that is gone has told nobody, whatever it was told: the bytes go out in any such case.
+        let told = passed_on && self.can_stop;
+        let written = !told && self.line.as_ref().is_some_and(StopLine::write);
         let by = match (passed_on, self.can_stop) {
             (true, true) => StoppedBy::Driver,
+            _ if written => StoppedBy::Host,
             (true, false) => StoppedBy::NothingMore,
             (false, _) => StoppedBy::EndOfDriver,
         };
-        StopOutcome { by, took: started.elapsed() }
+        let outcome = StopOutcome { by, driver_ended: !passed_on, took: started.elapsed() };
+        self.arming.note(outcome);
+        outcome
     }
 }

@@ -14,8 +14,10 @@ pub enum Stage {
     Start,
     Open,
     Encode,
+    Ports,
     Connect,
     Poll,
+    WriteSettings,
     Home,
     Jog,
     Arm,
@@ -28,14 +30,17 @@ pub enum Stage {
 }
 
 /// The calls that a connected driver is asked, by the word for which the driver listens.
-pub const CALLS: [&str; 9] = ["poll", "home", "jog", "arm", "send", "pause", "resume", "stop", "disconnect"];
+pub const CALLS: [&str; 10] =
+    ["poll", "write-settings", "home", "jog", "arm", "send", "pause", "resume", "stop", "disconnect"];
 
-const ORDER: [Stage; 14] = [
+const ORDER: [Stage; 16] = [
     Stage::Start,
     Stage::Open,
     Stage::Encode,
+    Stage::Ports,
     Stage::Connect,
     Stage::Poll,
+    Stage::WriteSettings,
     Stage::Home,
     Stage::Jog,
     Stage::Arm,
@@ -49,8 +54,9 @@ const ORDER: [Stage; 14] = [
 
 impl Stage {
     pub fn of(word: &str) -> Option<Self> {
+        let word = word.replace('-', "");
         let name = |stage: &Self| format!("{stage:?}").to_lowercase();
-        match word {
+        match word.as_str() {
             "entry" | "describe" => Some(Self::Start),
             _ => ORDER.into_iter().find(|stage| name(stage) == word),
         }
@@ -172,8 +178,13 @@ impl<'a> Life<'a> {
                 let encoded = self.open.as_ref().unwrap().encode("hostile-text", sample_job())?;
                 assert_eq!(encoded.files[0].text, "a wire\n");
             }
+            Stage::Ports => assert_eq!(self.open.as_ref().unwrap().ports()?[0].name, "anywhere"),
             Stage::Connect => self.session = Some(Session::connect(self.open.take().unwrap(), "anywhere")?),
             Stage::Poll => return self.polled(State::Connected),
+            Stage::WriteSettings => {
+                self.session().write_settings(&yes())?;
+                return self.polled(State::Connected);
+            }
             Stage::Home => {
                 self.session().home(&yes())?;
                 return self.polled(State::Homed);

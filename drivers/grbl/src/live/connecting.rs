@@ -201,7 +201,12 @@ impl Protocol {
         // A board that lost its power counts from where it stands, and an alarm can have been taken off by
         // hand: only what this program has seen itself is a reference.
         self.machine.homed = false;
-        self.event(Event::Connected { identity: self.machine.identity(), settings, homed: false });
+        self.event(Event::Connected {
+            identity: self.machine.identity(),
+            settings,
+            homed: false,
+            going_on: None,
+        });
         if reading.parts().1 {
             self.event(Event::Stopped { homed: false });
         }

@@ -66,13 +66,26 @@ impl Making {
             steps: run.steps as usize,
             stock_mm: run.stock_mm,
         };
+        if run.after > run.steps {
+            let message = format!("{} of {} steps cannot be made already", run.after, run.steps);
+            return Err(DriverError::new("no-such-step", message, "plan the wire again"));
+        }
         let mut program = Program::new(Rc::clone(settings), &names)?;
+        let mut start = program.start();
+        // The machine was homed since, so that its head is not where the made part of the wire left it.
+        start.extend(program.turned_to(run.rotate_at_deg).map_err(|why| {
+            DriverError::new(
+                "step",
+                format!("the head cannot be turned to its place: {why}"),
+                "look at the plan",
+            )
+        })?);
         Ok(Self {
-            start: program.start(),
+            start,
             program,
             steps: names.steps,
             waiting: VecDeque::new(),
-            taken: None,
+            taken: (run.after > 0).then_some(run.after),
             last: false,
             part: Part::Armed,
             hold: Hold::No,

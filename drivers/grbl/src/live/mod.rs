@@ -19,7 +19,7 @@ use std::rc::Rc;
 use std::time::{Duration, Instant};
 
 use wirebend_driver_api::serial::{self, Line};
-use wirebend_driver_api::{Batch, DriverError, Event, MachineSession, Motion, Run, Sent};
+use wirebend_driver_api::{ArmedReply, Batch, DriverError, Event, MachineSession, Motion, Run, Sent};
 
 use crate::settings::Settings;
 use protocol::Protocol;
@@ -95,8 +95,9 @@ impl MachineSession for Session {
         self.call(Protocol::home)
     }
 
-    fn arm(&mut self, run: &Run) -> Result<(), DriverError> {
-        self.call(|protocol, now| protocol.arm(run, now))
+    fn arm(&mut self, run: &Run) -> Result<ArmedReply, DriverError> {
+        // The controller has no sessions of its own: after a reset it knows nothing.
+        self.call(|protocol, now| protocol.arm(run, now)).map(|()| ArmedReply::default())
     }
 
     fn send(&mut self, batch: &Batch) -> Result<Sent, DriverError> {

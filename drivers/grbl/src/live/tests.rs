@@ -8,8 +8,8 @@ use std::time::{Duration, Instant};
 
 use proptest::prelude::*;
 use wirebend_driver_api::serial::Line;
-use wirebend_driver_api::transcript::{self, Conversation};
-use wirebend_driver_api::{Call, DriverError, Event, MachineSession, Sent};
+use wirebend_driver_api::transcript::{self, Answered, Conversation};
+use wirebend_driver_api::{Call, DriverError, Event, MachineSession};
 
 use super::Session;
 use super::protocol::Protocol;
@@ -28,20 +28,20 @@ impl Conversation for Protocol {
         self.unplugged(now);
     }
 
-    fn call(&mut self, call: &Call, now: Duration) -> Result<Option<Sent>, DriverError> {
+    fn call(&mut self, call: &Call, now: Duration) -> Result<Answered, DriverError> {
         match call {
             Call::Home => self.home(now)?,
             Call::Arm(run) => self.arm(run, now)?,
-            Call::Send(batch) => return self.send(batch, now).map(Some),
+            Call::Send(batch) => return self.send(batch, now).map(Answered::Sent),
             Call::Jog(motion) => self.jog(*motion, now)?,
             Call::Pause => self.pause(now)?,
             Call::Resume => self.resume(now)?,
             Call::Stop => self.stop(now)?,
-            Call::Encode(_) | Call::Connect { .. } | Call::Disconnect => {
+            Call::Encode(_) | Call::Ports | Call::Connect { .. } | Call::Disconnect | Call::WriteSettings => {
                 return Err(DriverError::unsupported("do that within a conversation"));
             }
         }
-        Ok(None)
+        Ok(Answered::Taken)
     }
 
     fn take_output(&mut self) -> Vec<u8> {

@@ -42,7 +42,7 @@ fn bench(mut settings: Value) -> Bench {
     let name = cable.name().expect("its name");
     let model = Model::run(machine);
     let driver = Grbl::open(serde_json::from_value(settings).unwrap()).unwrap();
-    Bench { session: driver.connect(&name).unwrap(), model, cable }
+    Bench { session: driver.connect(&name, None).unwrap(), model, cable }
 }
 
 /// The events until one is what is waited for, that one included; what only tells is left out.
@@ -70,6 +70,7 @@ fn connected_and_homed(session: &mut dyn MachineSession) {
         identity: "Grbl 1.1h, 1.1h.20190825:model".to_owned(),
         settings: Vec::new(),
         homed: false,
+        going_on: None,
     };
     assert_eq!(events, [connected]);
     session.home().unwrap();

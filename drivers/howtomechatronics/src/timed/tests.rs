@@ -4,7 +4,7 @@ use std::path::Path;
 
 use proptest::prelude::*;
 use wirebend_driver_api::conformance::sample_job;
-use wirebend_driver_api::transcript::{self, Conversation};
+use wirebend_driver_api::transcript::{self, Answered, Conversation};
 use wirebend_driver_api::{Call, MachineDriver, Step};
 
 use super::*;
@@ -25,13 +25,13 @@ impl Conversation for Timed {
         Self::unplugged(self);
     }
 
-    fn call(&mut self, call: &Call, _now: Duration) -> Result<Option<Sent>, DriverError> {
+    fn call(&mut self, call: &Call, _now: Duration) -> Result<Answered, DriverError> {
         match call {
-            Call::Arm(run) => self.arm(run).map(|()| None),
-            Call::Send(batch) => self.send(batch).map(Some),
+            Call::Arm(run) => self.arm(run).map(|()| Answered::Taken),
+            Call::Send(batch) => self.send(batch).map(Answered::Sent),
             Call::Stop => {
                 self.stop();
-                Ok(None)
+                Ok(Answered::Taken)
             }
             _ => Err(DriverError::unsupported("do that")),
         }

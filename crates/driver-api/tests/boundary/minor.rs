@@ -1,0 +1,60 @@
+//! A driver of 1.0 and a program of 1.1 understand each other, and the other way round.
+
+use serde::de::DeserializeOwned;
+use serde_json::{Value, json};
+use wirebend_driver_api::{ArmedReply, Call, Event, GoingOn, Port, Ports, Run};
+
+fn read<T: DeserializeOwned>(json: Value) -> T {
+    serde_json::from_value(json).unwrap()
+}
+
+/// What a program or a driver of 1.0 writes has none of the keys of 1.1.
+#[test]
+fn messages_of_1_0_are_read() {
+    let connect: Call = read(json!({"call": "connect", "port": "COM3"}));
+    assert_eq!(connect, Call::Connect { port: "COM3".into(), resume: None });
+    assert_eq!(read::<ArmedReply>(json!({})), ArmedReply { token: None });
+    let connected: Event = read(json!({"event": "connected", "identity": "it", "homed": true}));
+    assert!(matches!(connected, Event::Connected { going_on: None, homed: true, .. }), "{connected:?}");
+    let run: Run = read(json!({"job_hash": "5a", "name": "sample", "wire": 0, "steps": 3}));
+    assert_eq!((run.after, run.rotate_at_deg, run.bench), (0, 0.0, None));
+}
+
+/// A driver of 1.0 passes over keys that it does not know; what it knows has to be where it was.
+#[test]
+fn what_1_0_knows_is_where_it_was() {
+    let connect = Call::Connect { port: "COM3".into(), resume: Some("7".into()) };
+    assert_eq!(serde_json::to_value(connect).unwrap()["port"], "COM3");
+    let arm = Call::Arm(Run { steps: 3, after: 2, ..Run::default() });
+    let arm = serde_json::to_value(arm).unwrap();
+    assert_eq!((&arm["call"], &arm["steps"], &arm["wire"]), (&json!("arm"), &json!(3), &json!(0)));
+}
+
+#[test]
+fn the_calls_of_1_1_run_behind_the_table() {
+    let mut table = super::table_of_plain();
+    table.open(b"{}").unwrap();
+    let ports: Ports = read(super::value(super::ask(&mut table, &Call::Ports)));
+    assert_eq!(ports.ports, [Port { name: "memory".into(), likely: true, ..Port::default() }]);
+    assert_eq!(super::refusal(super::ask(&mut table, &Call::WriteSettings)).code, "not-connected");
+    super::value(super::ask(&mut table, &Call::Connect { port: "memory".into(), resume: Some("t7".into()) }));
+    assert_eq!(super::refusal(super::ask(&mut table, &Call::WriteSettings)).code, "unsupported");
+    let armed = super::value(super::ask(&mut table, &Call::Arm(Run::default())));
+    assert_eq!(read::<ArmedReply>(armed).token.as_deref(), Some("t7"));
+}
+
+/// As a driver in C writes them, word for word.
+#[test]
+fn the_events_of_1_1_are_written_so() {
+    let connected: Event =
+        read(json!({"event": "connected", "identity": "it", "going_on": {"accepted": 5, "done": 3}}));
+    let Event::Connected { going_on, .. } = connected else { panic!("{connected:?}") };
+    assert_eq!(going_on, Some(GoingOn { accepted: 5, done: 3 }));
+    let made: Event =
+        read(json!({"event": "made", "wire_mm": [[0, 0, 0], [1, 0, 0]], "corners_mm": [[0, 0, 0]]}));
+    let Event::Made { wire_mm, corners_mm } = made else { panic!("{made:?}") };
+    assert_eq!((wire_mm, corners_mm), (vec![[0.0; 3], [1.0, 0.0, 0.0]], vec![[0.0; 3]]));
+    let written: Event = read(json!({"event": "settings-written"}));
+    assert_eq!(written, Event::SettingsWritten { settings: Vec::new() });
+    assert_eq!(read::<Call>(json!({"call": "write-settings"})), Call::WriteSettings);
+}

@@ -1,0 +1,199 @@
+//! What moves the machine, leads to it, or holds it.
+
+use wirebend_driver_api::{
+    ArmedReply, Axis, Batch, Call, Capability, Motion, NumberedStep, Run, Sent, Step, deadline,
+};
+
+use super::state::Act;
+use super::{Armed, Confirmed, Purpose, Session, SessionError, State};
+
+impl Session {
+    /// Lets the machine find its reference: it moves.
+    ///
+    /// # Errors
+    /// [`SessionError`].
+    pub fn home(&mut self, _confirmed: &Confirmed) -> Result<(), SessionError> {
+        self.require(Capability::Home)?;
+        self.may(Act::Home)?;
+        // What was reported before is not about this search.
+        self.poll()?;
+        let next = self.may(Act::Home)?;
+        let called = self.motion("homing", &Call::Home);
+        self.faulting(called)?;
+        self.state = next;
+        Ok(())
+    }
+
+    /// Makes ready to move. The token that this gives is what every motion needs; it ends with the wire,
+    /// with a stop, a fault, or another arming.
+    ///
+    /// Both axes have to be at their reference. For the rest of a wire the driver learns from
+    /// [`Run::rotate_at_deg`] where the made part has left the head.
+    ///
+    /// # Errors
+    /// [`SessionError`].
+    pub fn arm(&mut self, purpose: Purpose, _confirmed: Confirmed) -> Result<Armed, SessionError> {
+        let next = self.may(Act::Arm)?;
+        let (steps, after, token) = match purpose {
+            Purpose::Wire(run) => {
+                let (steps, after, rotate_at_deg) = (run.steps, run.after, run.rotate_at_deg);
+                self.off.require_zero()?;
+                if !self.differences.is_empty() {
+                    return Err(SessionError::SettingsDiffer { settings: self.differences.clone() });
+                }
+                if after > steps || (after == 0 && rotate_at_deg != 0.0) || !rotate_at_deg.is_finite() {
+                    return Err(SessionError::Steps { sent: after, total: steps });
+                }
+                if after > 0 && self.driver.minor() == 0 {
+                    let driver = self.driver.description().id.clone();
+                    return Err(SessionError::TooOld { driver, after });
+                }
+                let token = self.call_to_arm(run)?;
+                self.off.head_stands_at(rotate_at_deg);
+                (Some(steps), after, token)
+            }
+            Purpose::ByHand => (None, 0, None),
+        };
+        let armed = self.armed(token)?;
+        (self.state, self.steps, self.sent, self.done) = (next, steps, after, after);
+        Ok(armed)
+    }
+
+    /// Goes on with the wire that the machine still is in, after [`Session::connect_resuming`]: `run` is that of
+    /// the wire, `steps` are all of its steps. Nothing new moves for it; the token that this gives is what
+    /// sending and, where the machine holds, resuming need.
+    ///
+    /// # Errors
+    /// [`SessionError`], such as [`SessionError::Steps`] for a wire that has fewer steps than the machine has
+    /// taken.
+    pub fn take_up(
+        &mut self,
+        run: Run,
+        steps: &[Step],
+        _confirmed: Confirmed,
+    ) -> Result<Armed, SessionError> {
+        let next = self.may(Act::TakeUp)?;
+        if !self.differences.is_empty() {
+            return Err(SessionError::SettingsDiffer { settings: self.differences.clone() });
+        }
+        let total = run.steps;
+        if usize::try_from(total) != Ok(steps.len()) || self.sent > total {
+            return Err(SessionError::Steps { sent: self.sent, total });
+        }
+        let run = Run { after: self.done, rotate_at_deg: turned(steps, self.done), ..run };
+        let token = self.call_to_arm(run)?;
+        let armed = self.armed(token)?;
+        self.off.head_stands_at(turned(steps, self.sent));
+        self.steps = Some(total);
+        self.state = if self.holds { State::Paused } else { next };
+        Ok(armed)
+    }
+
+    /// Sends steps of the wire, from the one after the last that was sent. The driver takes as many as it
+    /// has room for. When all were sent, none are: that the wire ends with them is said again, as a wire that
+    /// was taken up needs it.
+    ///
+    /// # Errors
+    /// [`SessionError`].
+    pub fn send(&mut self, armed: &Armed, steps: &[NumberedStep]) -> Result<Sent, SessionError> {
+        self.valid(armed)?;
+        let next = self.may(Act::Send)?;
+        let Some(total) = self.steps else { return Err(SessionError::NotForAWire) };
+        let follows = steps.iter().zip(self.sent + 1..).all(|(step, n)| step.n == n);
+        let last = steps.last().map_or(self.sent, |last| last.n);
+        if !follows || last > total || (steps.is_empty() && last < total) {
+            return Err(SessionError::Steps { sent: self.sent, total });
+        }
+        let call = Call::Send(Batch { steps: steps.to_vec(), last: last == total });
+        let called = self.driver.motion_for("sending steps", &call, deadline::CALL, self.unstopped());
+        let taken: Sent = self.faulting(called)?;
+        // To nothing some drivers answer with nothing.
+        let accepted = if steps.is_empty() { self.sent } else { taken.accepted };
+        if accepted < self.sent || accepted > last {
+            self.state = State::Faulted;
+            return Err(SessionError::OutOfOrder { n: accepted, done: self.sent, sent: last });
+        }
+        let newly = steps.iter().filter(|step| step.n <= accepted);
+        newly.for_each(|step| self.off.turned(Axis::Rotate, step.step.rotate_deg));
+        self.sent = accepted;
+        self.state = next;
+        Ok(Sent { accepted, ..taken })
+    }
+
+    /// Moves one axis. On a machine that bends with a peg, a jog of the bend axis is a whole bend.
+    ///
+    /// # Errors
+    /// [`SessionError`].
+    pub fn jog(&mut self, armed: &Armed, motion: Motion) -> Result<(), SessionError> {
+        self.require(Capability::Jog)?;
+        self.valid(armed)?;
+        let next = self.may(Act::Jog)?;
+        if self.steps.is_some() {
+            return Err(SessionError::ForAWire);
+        }
+        let called = self.motion("jogging", &Call::Jog(motion));
+        self.faulting(called)?;
+        self.off.turned(motion.axis, motion.by);
+        self.state = next;
+        Ok(())
+    }
+
+    /// Holds the machine; the state changes when the machine says that it does.
+    ///
+    /// # Errors
+    /// [`SessionError`].
+    pub fn pause(&mut self) -> Result<(), SessionError> {
+        self.require(Capability::Pause)?;
+        self.may(Act::Pause)?;
+        let called = self.driver.call("pausing", &Call::Pause);
+        self.faulting(called)
+    }
+
+    /// Goes on after a pause: the machine moves.
+    ///
+    /// # Errors
+    /// [`SessionError`].
+    pub fn resume(&mut self, armed: &Armed) -> Result<(), SessionError> {
+        self.require(Capability::Resume)?;
+        self.valid(armed)?;
+        self.may(Act::Resume)?;
+        let called = self.motion("resuming", &Call::Resume);
+        self.faulting(called)
+    }
+
+    /// Writes the driver's settings to the machine, for good; `settings-written` reports what came of it. Nothing
+    /// moves. The machine has to be homed afterwards, since its axes may count otherwise.
+    ///
+    /// # Errors
+    /// [`SessionError`].
+    pub fn write_settings(&mut self, _confirmed: &Confirmed) -> Result<(), SessionError> {
+        self.require(Capability::Settings)?;
+        let next = self.may(Act::WriteSettings)?;
+        let called = self.motion("writing settings", &Call::WriteSettings);
+        self.faulting(called)?;
+        self.state = next;
+        Ok(())
+    }
+
+    fn call_to_arm(&mut self, run: Run) -> Result<Option<String>, SessionError> {
+        let called = self.driver.motion_for("arming", &Call::Arm(run), deadline::CALL, self.unstopped());
+        Ok(self.faulting::<ArmedReply>(called)?.token)
+    }
+
+    /// The next token, unless a stop came first.
+    fn armed(&mut self, token: Option<String>) -> Result<Armed, SessionError> {
+        let Some(arming) = self.arming.follow(self.known) else {
+            self.notice_stop();
+            return Err(SessionError::Stale);
+        };
+        self.known = arming;
+        Ok(Armed { arming, token })
+    }
+}
+
+/// How far the first steps turn the head together, degrees, in the machine's signs.
+pub(crate) fn turned(steps: &[Step], count: u32) -> f64 {
+    let count = usize::try_from(count).unwrap_or(usize::MAX);
+    // The sum of nothing is zero, without a sign.
+    steps.iter().take(count).fold(0.0, |sum, step| sum + step.rotate_deg)
+}

@@ -1,0 +1,139 @@
+//! What can be said of any row of acts and reports.
+
+use proptest::prelude::*;
+use wirebend_driver_api::{DriverError, GoingOn};
+
+use super::*;
+
+const ACTS: [Act; 8] =
+    [Act::Home, Act::Arm, Act::Send, Act::Jog, Act::Pause, Act::Resume, Act::TakeUp, Act::WriteSettings];
+
+fn events() -> Vec<Event> {
+    let error = DriverError::new("x", "x", "x");
+    let connected =
+        |homed, going_on| Event::Connected { identity: String::new(), settings: Vec::new(), homed, going_on };
+    vec![
+        connected(false, None),
+        connected(true, None),
+        connected(false, Some(GoingOn { accepted: 3, done: 1 })),
+        connected(true, Some(GoingOn { accepted: 3, done: 1 })),
+        Event::Homed,
+        Event::Done { n: 1 },
+        Event::Finished,
+        Event::Jogged,
+        Event::Paused,
+        Event::Resumed,
+        Event::Stopped { homed: true },
+        Event::SettingsWritten { settings: Vec::new() },
+        Event::Warning(error.clone()),
+        Event::Fault { error, in_doubt: None, disconnected: true },
+    ]
+}
+
+proptest! {
+    /// However a driver reports and whatever is asked: from anywhere to running there is no way without a
+    /// person's yes, which is arming or taking up; and to armed none that does not pass through a reference.
+    #[test]
+    fn nothing_runs_that_nobody_confirmed(turns in prop::collection::vec((any::<bool>(), 0_usize..14), 0..60)) {
+        let (mut state, mut confirmed, mut referenced) = (State::Disconnected, false, false);
+        for (is_act, k) in turns {
+            let before = state;
+            if is_act {
+                let act = ACTS[k % ACTS.len()];
+                if let Transition::To(next) = state.on(act) {
+                    match act {
+                        Act::Arm => {
+                            prop_assert!(referenced, "armed without a reference from {before}");
+                            confirmed = true;
+                        }
+                        Act::TakeUp => {
+                            prop_assert_eq!(before, State::Interrupted);
+                            confirmed = true;
+                        }
+                        Act::Home | Act::WriteSettings => (referenced, confirmed) = (false, false),
+                        Act::Send | Act::Jog | Act::Resume => prop_assert!(confirmed, "{act} from {before}"),
+                        Act::Pause => {}
+                    }
+                    state = next;
+                }
+            } else {
+                state = state.after(&events()[k]);
+                let ends = [State::Done, State::Stopped, State::Faulted, State::Homed, State::Interrupted];
+                if ends.contains(&state) && state != before {
+                    confirmed = false;
+                }
+                referenced = match state {
+                    State::Homed => true,
+                    // A wire that goes on has its reference from before, and needs no other.
+                    State::Done => referenced || before == State::Running,
+                    State::Stopped | State::Faulted | State::Connected | State::Disconnected => false,
+                    _ => referenced,
+                };
+            }
+            prop_assert!(!matches!(state, State::Running | State::Paused | State::Armed) || confirmed, "{state}");
+        }
+    }
+
+    /// No report makes a machine that was interrupted run: only what was taken before is made by itself.
+    #[test]
+    fn an_interrupted_wire_goes_on_at_a_persons_word_alone(reports in prop::collection::vec(0_usize..14, 0..30)) {
+        let mut state = State::Interrupted;
+        for k in reports {
+            state = state.after(&events()[k]);
+            prop_assert!(matches!(state, State::Interrupted | State::Stopped | State::Faulted), "{state}");
+        }
+    }
+}
+
+/// Its axes are where they are: homed anew or armed for another wire, the begun one would be spoilt unasked.
+#[test]
+fn an_interrupted_wire_is_taken_up_or_stopped() {
+    for act in ACTS {
+        let possible = matches!(State::Interrupted.on(act), Transition::To(_));
+        assert_eq!(possible, act == Act::TakeUp, "{act}");
+    }
+    for state in State::ALL {
+        let possible = matches!(state.on(Act::TakeUp), Transition::To(_));
+        assert_eq!(possible, state == State::Interrupted, "taking up while {state}");
+    }
+}
+
+#[test]
+fn a_stop_or_a_fault_is_left_by_homing_alone() {
+    for state in [State::Stopped, State::Faulted] {
+        for act in ACTS {
+            let leaves = matches!(state.on(act), Transition::To(next) if next != state);
+            assert_eq!(leaves, act == Act::Home, "{act} while {state}");
+        }
+        for event in events() {
+            let next = state.after(&event);
+            assert!(
+                matches!(next, State::Stopped | State::Faulted),
+                "{event:?} leads from {state} to {next}"
+            );
+        }
+    }
+}
+
+/// A machine that moves is not told other steps for each degree.
+#[test]
+fn settings_are_written_at_rest_alone_and_cost_the_reference() {
+    for state in State::ALL {
+        let moves = [State::Disconnected, State::Running, State::Paused, State::Interrupted].contains(&state);
+        match state.on(Act::WriteSettings) {
+            Transition::Refused { .. } => assert!(moves, "refused while {state}"),
+            Transition::To(next) => {
+                assert!(
+                    !moves && [State::Connected, State::Stopped, State::Faulted].contains(&next),
+                    "{state}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn every_state_has_a_name_of_its_own() {
+    let names: std::collections::BTreeSet<String> = State::ALL.iter().map(ToString::to_string).collect();
+    assert_eq!(names.len(), State::ALL.len());
+}

@@ -1,0 +1,230 @@
+//! A machine that outlives its driver: it is kept in a file, as a real one keeps its queue when the computer is
+//! gone. Everything that it makes is written down there, so that a step that is made twice is seen.
+//!
+//! Settings: `machine` (the file), `faults` (a list of `{"at": step, "how": …}`, of which each happens once)
+//! and `alone` (how many of the steps that it has taken it makes before it is connected to again).
+
+use std::collections::VecDeque;
+use std::fs::{self, File};
+use std::path::PathBuf;
+
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+use wirebend_driver_api::{Batch, Call, DriverError, Event, GoingOn, Sent};
+
+/// How many steps it takes ahead.
+const ROOM: u32 = 3;
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub(crate) struct Settings {
+    machine: Option<PathBuf>,
+    faults: Vec<Fault>,
+    alone: u32,
+}
+
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+struct Fault {
+    at: u32,
+    how: How,
+}
+
+/// What goes wrong when a step is due.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum How {
+    /// The cable is pulled before it begins; the machine stays in its session.
+    Unplug,
+    /// The same when it has been made and before that was told.
+    UnplugAfter,
+    /// The controller starts anew, and has forgotten everything.
+    Reset,
+    ResetAfter,
+    /// The driver is gone.
+    Crash,
+    CrashAfter,
+}
+
+/// What is in the file.
+#[derive(Debug, Default, Serialize, Deserialize)]
+struct Kept {
+    /// None after a reset.
+    session: Option<u32>,
+    /// How many sessions there were.
+    sessions: u32,
+    steps: u32,
+    accepted: u32,
+    done: u32,
+    /// The batch that ends the wire was taken.
+    ends: bool,
+    /// Every step that was ever made, in order.
+    made: Vec<u32>,
+    /// Where the head was said to stand, for each arming.
+    heads: Vec<f64>,
+}
+
+#[derive(Debug)]
+pub(crate) struct Machine {
+    settings: Settings,
+    file: PathBuf,
+    kept: Kept,
+    going_on: bool,
+    holds: bool,
+    finished: bool,
+    events: VecDeque<Event>,
+    /// Only one driver at a time: the one before may still be on its way out.
+    _lock: File,
+}
+
+impl Machine {
+    /// None when the settings name no file.
+    pub fn open(settings: &[u8]) -> Option<Self> {
+        let settings: Settings = serde_json::from_slice(settings).ok()?;
+        let file = settings.machine.clone()?;
+        let lock = File::create(file.with_extension("lock")).ok()?;
+        lock.lock().ok()?;
+        let kept = fs::read(&file).ok().and_then(|text| serde_json::from_slice(&text).ok());
+        let (kept, events) = (kept.unwrap_or_default(), VecDeque::new());
+        Some(Self {
+            settings,
+            file,
+            kept,
+            going_on: false,
+            holds: false,
+            finished: false,
+            events,
+            _lock: lock,
+        })
+    }
+
+    pub fn call(&mut self, request: &[u8]) -> Result<Value, DriverError> {
+        let call = serde_json::from_slice(request)
+            .map_err(|error| DriverError::new("unknown-call", error.to_string(), ""))?;
+        match call {
+            Call::Connect { resume, .. } => self.connect(resume.as_deref()),
+            Call::Home => self.events.push_back(Event::Homed),
+            Call::Arm(run) => {
+                if !self.going_on {
+                    self.kept.sessions += 1;
+                    self.kept.session = Some(self.kept.sessions);
+                    (self.kept.accepted, self.kept.done) = (run.after, run.after);
+                    self.kept.ends = false;
+                }
+                self.finished = false;
+                self.kept.steps = run.steps;
+                self.kept.heads.push(run.rotate_at_deg);
+                self.save();
+                return Ok(json!({"token": self.kept.session.map(|session| session.to_string())}));
+            }
+            Call::Send(batch) => return self.send(&batch),
+            Call::Pause => {
+                self.holds = true;
+                self.events.push_back(Event::Paused);
+            }
+            Call::Resume => {
+                self.holds = false;
+                self.events.push_back(Event::Resumed);
+            }
+            Call::Stop => {
+                self.going_on = false;
+                self.kept.session = None;
+                self.save();
+                self.events.push_back(Event::Stopped { homed: false });
+            }
+            Call::Disconnect => {}
+            _ => return Err(DriverError::unsupported("do that")),
+        }
+        Ok(json!({}))
+    }
+
+    fn connect(&mut self, resume: Option<&str>) {
+        let known = self.kept.session.map(|session| session.to_string());
+        self.going_on = resume.is_some() && resume == known.as_deref();
+        let mut going_on = None;
+        if self.going_on {
+            let alone = self.settings.alone.min(self.kept.accepted - self.kept.done);
+            (0..alone).for_each(|_| self.make());
+            // Nobody was there for a second: what was not begun waits.
+            self.holds = self.kept.done < self.kept.accepted;
+            going_on = Some(GoingOn { accepted: self.kept.accepted, done: self.kept.done });
+        }
+        let identity = "a machine in a file".to_owned();
+        self.events.push_back(Event::Connected { identity, settings: Vec::new(), homed: false, going_on });
+        if self.holds {
+            self.events.push_back(Event::Paused);
+        }
+    }
+
+    fn send(&mut self, batch: &Batch) -> Result<Value, DriverError> {
+        if self.kept.session.is_none() {
+            return Err(DriverError::new("not-armed", "there is no wire", ""));
+        }
+        let known = self.kept.accepted;
+        for step in batch.steps.iter().filter(|step| step.n > known) {
+            if self.kept.accepted - self.kept.done >= ROOM {
+                break;
+            }
+            self.kept.accepted += 1;
+            assert_eq!(step.n, self.kept.accepted, "a gap");
+        }
+        self.kept.ends |= batch.last && self.kept.accepted == self.kept.steps;
+        self.save();
+        let free = ROOM - (self.kept.accepted - self.kept.done);
+        Ok(serde_json::to_value(Sent { accepted: self.kept.accepted, free }).unwrap_or_default())
+    }
+
+    /// Makes one step for each look at it.
+    pub fn poll(&mut self) -> Option<Event> {
+        if self.events.is_empty() && !self.holds && self.kept.session.is_some() {
+            self.turn();
+        }
+        self.events.pop_front()
+    }
+
+    fn turn(&mut self) {
+        if self.kept.done == self.kept.accepted {
+            if self.kept.ends && !self.finished {
+                self.finished = true;
+                self.events.push_back(Event::Finished);
+            }
+            return;
+        }
+        let n = self.kept.done + 1;
+        let due = self.settings.faults.iter().position(|fault| fault.at == n);
+        let how = due.map(|at| self.settings.faults.remove(at).how);
+        if !matches!(how, Some(How::Unplug | How::Reset | How::Crash)) {
+            self.make();
+        }
+        match how {
+            None => self.events.push_back(Event::Done { n }),
+            Some(How::Crash | How::CrashAfter) => std::process::abort(),
+            Some(How::Unplug | How::UnplugAfter) => self.fault(n, "unplugged"),
+            Some(How::Reset | How::ResetAfter) => {
+                self.kept.session = None;
+                self.save();
+                self.fault(n, "reset");
+            }
+        }
+    }
+
+    fn fault(&mut self, n: u32, code: &str) {
+        self.holds = true;
+        let error = DriverError::new(code, "as it was told to", "connect again");
+        self.events.push_back(Event::Fault { error, in_doubt: Some(n), disconnected: true });
+    }
+
+    fn make(&mut self) {
+        self.kept.done += 1;
+        self.kept.made.push(self.kept.done);
+        self.save();
+    }
+
+    /// In one piece: the driver may be ended at any moment.
+    fn save(&self) {
+        let new = self.file.with_extension("new");
+        let text = serde_json::to_vec(&self.kept).unwrap_or_default();
+        if fs::write(&new, text).is_ok() {
+            let _ = fs::rename(&new, &self.file);
+        }
+    }
+}
