@@ -7,6 +7,7 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::sync::mpsc::{Receiver, channel};
 use std::thread;
+use std::time::Instant;
 
 use serde_json::Value;
 use wirebend_driver_api::{DriverError, Reply, SafeTable, TableError, deadline};
@@ -138,7 +139,12 @@ fn events(table: &mut SafeTable, refused: &mut Option<Reply>) -> Result<Reply, T
         return Ok(refused);
     }
     let mut all = vec![b'['];
+    let begun = Instant::now();
     for count in 0..MOST_EVENTS {
+        // What is left is told at the next look: this one has a deadline, and each event may take its time.
+        if count > 0 && begun.elapsed() > deadline::POLL / 5 {
+            break;
+        }
         match table.poll()? {
             Reply::Ok(event) if event.is_empty() => break,
             Reply::Ok(event) => {

@@ -5,6 +5,9 @@
 //! [`Session::connect`] (a machine). What a driver does to itself (a crash, a hang, a flood, a leak)
 //! ends its process and becomes a [`HostError`]; nothing else is touched by it.
 //!
+//! [`jobs`] makes a wire through a session and keeps a journal of it, so that an interruption of whatever kind
+//! costs no more than looking at a few steps.
+//!
 //! A program that uses this crate gives its own executable as the process of a driver: it hands the
 //! arguments after [`CHILD_COMMAND`] to [`child_main`] before it does anything else.
 
@@ -14,6 +17,7 @@ mod driver;
 mod ending;
 mod error;
 mod frame;
+pub mod jobs;
 mod library;
 mod process;
 mod session;

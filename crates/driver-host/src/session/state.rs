@@ -113,7 +113,7 @@ impl State {
         match (act, self) {
             // While it searches its reference it does not know where it is.
             // With other settings the axes are not where they are taken to be.
-            (Act::Home, Connected | Homed | Done | Stopped | Faulted)
+            (Act::Home, Connected | Homed | Armed | Done | Stopped | Faulted)
             | (Act::WriteSettings, Connected | Homed | Armed | Done) => Transition::To(Connected),
             (Act::Arm, Homed | Armed | Done) | (Act::Jog, Armed) => Transition::To(Armed),
             // Holding and going on change the state when the machine says so.

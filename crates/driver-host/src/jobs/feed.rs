@@ -1,0 +1,85 @@
+//! Sending: in windows, each written down before it goes out.
+
+use wirebend_driver_api::NumberedStep;
+
+use super::error::JobError;
+use super::journal::What;
+use super::progress::Progress;
+use super::run::JobRun;
+use crate::error::HostError;
+use crate::session::SessionError;
+
+/// The most steps that are sent and not made. Each of them is in doubt when the machine is lost, so that a person
+/// has to look; and a machine is never without work for want of one.
+const WINDOW: u32 = 4;
+
+/// How much the driver takes.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Feed {
+    /// What it said that it would take more; nothing is known before it was sent anything.
+    room: Option<u32>,
+    /// It was told that the wire ends.
+    ended: bool,
+    /// It has failed or refused: nothing more is sent.
+    halted: bool,
+}
+
+impl Feed {
+    pub fn one_made(&mut self) {
+        self.room = self.room.map(|room| room.saturating_add(1));
+    }
+
+    pub const fn halt(&mut self) {
+        self.halted = true;
+    }
+
+    pub const fn halted(self) -> bool {
+        self.halted
+    }
+}
+
+impl JobRun {
+    /// Sends as many steps as there is room for.
+    pub(super) fn send_more(&mut self, told: &mut Vec<Progress>) -> Result<(), JobError> {
+        let (sent, done) = self.session.progress();
+        let total = self.work.run.steps;
+        let in_hand = sent.saturating_sub(done);
+        // A driver that has nothing in hand takes a step, whatever it said of its room.
+        let room = self.feed.room.map_or(WINDOW, |room| room.max(u32::from(in_hand == 0)));
+        let count = room.min(WINDOW.saturating_sub(in_hand)).min(total - sent);
+        let at_end = sent == total;
+        if self.feed.halted || self.feed.ended || (count == 0 && !at_end) {
+            return Ok(());
+        }
+        let last = sent + count;
+        let intended = self.account().sent;
+        if last > intended {
+            self.note(What::Intent { from: intended + 1, to: last })?;
+        }
+        self.sending();
+        let batch: Vec<NumberedStep> = (sent + 1..=last).zip(self.steps_after(sent)).map(numbered).collect();
+        let Some(armed) = &self.armed else { return Err(JobError::NotBegun) };
+        match self.session.send(armed, &batch) {
+            Ok(taken) => {
+                self.feed.room = Some(taken.free);
+                self.feed.ended = taken.accepted == total;
+                if taken.accepted > self.account().accepted {
+                    self.note(What::Accepted { n: taken.accepted })?;
+                    told.push(Progress::Sent { n: taken.accepted });
+                }
+                Ok(())
+            }
+            // A stop came first: it is told of by itself.
+            Err(SessionError::Stale | SessionError::Host(HostError::StoppedBefore { .. })) => Ok(()),
+            Err(error) => self.failed(&error, told),
+        }
+    }
+
+    fn steps_after(&self, sent: u32) -> impl Iterator<Item = wirebend_driver_api::Step> {
+        self.work.steps.iter().copied().skip(usize::try_from(sent).unwrap_or(usize::MAX))
+    }
+}
+
+const fn numbered((n, step): (u32, wirebend_driver_api::Step)) -> NumberedStep {
+    NumberedStep { n, step }
+}

@@ -1,0 +1,133 @@
+//! What is written down.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use wirebend_driver_api::{DriverError, GoingOn};
+
+use crate::session::StoppedBy;
+
+/// The version of the format; a journal of a later one is refused.
+pub const VERSION: u32 = 1;
+
+/// A line of a journal.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Entry {
+    /// When, as the caller writes times: for people.
+    pub at: String,
+    /// What happened.
+    #[serde(flatten)]
+    pub what: What,
+}
+
+/// What happened.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "record", rename_all = "kebab-case")]
+pub enum What {
+    /// The first line: what is to be made, of what, on which machine.
+    Job(Heading),
+    /// The machine has answered.
+    Connected {
+        /// What it says that it is.
+        identity: String,
+        /// Where it is in the wire, when it still is in it.
+        #[serde(default)]
+        going_on: Option<GoingOn>,
+    },
+    /// A person has confirmed, and the machine is ready.
+    Armed {
+        /// What the driver calls the machine's session.
+        #[serde(default)]
+        token: Option<String>,
+        /// How many steps were made before.
+        after: u32,
+        /// The machine still is in the session of before, with the steps that it has taken.
+        #[serde(default)]
+        going_on: bool,
+    },
+    /// Steps are about to be sent. On the disk before they are.
+    Intent {
+        /// The first: the one after the last that was intended.
+        from: u32,
+        /// The last.
+        to: u32,
+    },
+    /// The driver has taken the steps up to this one.
+    Accepted {
+        /// The last.
+        n: u32,
+    },
+    /// A step has been made.
+    Done {
+        /// Which.
+        n: u32,
+    },
+    /// The machine holds.
+    Paused,
+    /// The machine goes on.
+    Resumed,
+    /// The machine was stopped.
+    Stopped {
+        /// Who brought it about; absent when the machine stopped by itself or at a button of its own.
+        #[serde(default)]
+        by: Option<StoppedBy>,
+    },
+    /// The machine, its line or its driver failed.
+    Fault {
+        /// What happened.
+        error: DriverError,
+        /// The step of which the driver does not know whether it was made. All that were sent and not reported
+        /// are in doubt all the same: the machine may have gone on without the driver.
+        #[serde(default)]
+        in_doubt: Option<u32>,
+    },
+    /// A person has looked whether a step in doubt was made.
+    Decided {
+        /// The first in doubt.
+        n: u32,
+        /// Whether it was. If not, those after it were not either: steps are made in order.
+        made: bool,
+    },
+    /// What came out, as far as it is known.
+    Made {
+        /// Corners of the wire as a simulated machine made it, mm.
+        #[serde(default)]
+        corners_mm: Vec<[f64; 3]>,
+        /// How far each corner is from the design, mm.
+        #[serde(default)]
+        deviations_mm: Option<Vec<f64>>,
+    },
+    /// The wire is made.
+    Finished,
+    /// A person has given the wire up.
+    Abandoned,
+}
+
+/// What is to be made, of what, on which machine.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Heading {
+    /// Version of the format.
+    pub version: u32,
+    /// Hash of the job.
+    pub job_hash: String,
+    /// Hash of the design that it was planned from.
+    pub design_hash: String,
+    /// Name of the design.
+    pub name: String,
+    /// Index of the wire, from 0.
+    pub wire: usize,
+    /// How many steps it has.
+    pub steps: u32,
+    /// Id of the machine's profile.
+    pub machine: String,
+    /// Id of the driver.
+    pub driver: String,
+    /// Version of the driver.
+    pub driver_version: String,
+    /// The port that the machine is at.
+    pub port: String,
+    /// Id of the material.
+    pub material: String,
+    /// Wire that has to be put in, mm.
+    #[serde(default)]
+    pub stock_mm: Option<f64>,
+}

@@ -1,0 +1,158 @@
+//! What was made of a wire, for whoever asks later: written beside the journal.
+
+use std::fs::{self, File};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::journal::{Entry, Heading, What};
+
+/// What was made of a wire.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Record {
+    /// What was to be made, of what, on which machine.
+    pub job: Heading,
+    /// When it was begun.
+    pub started: String,
+    /// When it was over; absent while it is not.
+    pub ended: Option<String>,
+    /// What became of it.
+    pub outcome: Outcome,
+    /// The last step that was made.
+    pub made: u32,
+    /// Stops and failures, in order.
+    pub interruptions: Vec<Interruption>,
+    /// What a person said of steps that nobody knew of, in order.
+    pub decisions: Vec<Decision>,
+    /// Corners of the wire, where a simulated machine made it, mm.
+    pub corners_mm: Vec<[f64; 3]>,
+    /// How far each corner is from the design, mm; absent where nobody has measured.
+    pub deviations_mm: Option<Vec<f64>>,
+}
+
+/// What became of a wire.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Outcome {
+    /// It is made.
+    Finished,
+    /// A person has given it up.
+    Abandoned,
+    /// It is not over.
+    Unfinished,
+}
+
+/// A stop or a failure.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Interruption {
+    /// When.
+    pub at: String,
+    /// The last step that was known to be made.
+    pub after: u32,
+    /// What happened, for a person.
+    pub what: String,
+}
+
+/// What a person said of a step.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Decision {
+    /// When.
+    pub at: String,
+    /// The step.
+    pub step: u32,
+    /// Whether it was made.
+    pub made: bool,
+}
+
+impl Record {
+    /// From a journal's entries; `None` when they do not begin with a job.
+    #[must_use]
+    pub fn of(entries: &[Entry]) -> Option<Self> {
+        let (first, rest) = entries.split_first()?;
+        let What::Job(job) = &first.what else { return None };
+        let mut record = Self {
+            job: job.clone(),
+            started: first.at.clone(),
+            ended: None,
+            outcome: Outcome::Unfinished,
+            made: 0,
+            interruptions: Vec::new(),
+            decisions: Vec::new(),
+            corners_mm: Vec::new(),
+            deviations_mm: None,
+        };
+        let mut before = &first.what;
+        for entry in rest {
+            record.count(entry, before);
+            before = &entry.what;
+        }
+        Some(record)
+    }
+
+    fn count(&mut self, Entry { at, what }: &Entry, before: &What) {
+        match what {
+            What::Done { n } => self.made = *n,
+            What::Decided { n, made } => {
+                self.made = if *made { *n } else { self.made };
+                self.decisions.push(Decision { at: at.clone(), step: *n, made: *made });
+            }
+            What::Stopped { .. } => self.interrupted(at, "stopped".to_owned()),
+            What::Fault { error, .. } => self.interrupted(at, error.to_string()),
+            // What ended without a word: the program itself, or the computer.
+            What::Connected { .. }
+                if !matches!(before, What::Job(_) | What::Stopped { .. } | What::Fault { .. }) =>
+            {
+                self.interrupted(at, "the program was ended".to_owned());
+            }
+            What::Made { corners_mm, deviations_mm } => {
+                if !corners_mm.is_empty() {
+                    self.corners_mm.clone_from(corners_mm);
+                }
+                if deviations_mm.is_some() {
+                    self.deviations_mm.clone_from(deviations_mm);
+                }
+            }
+            What::Finished => self.over(at, Outcome::Finished),
+            What::Abandoned => self.over(at, Outcome::Abandoned),
+            _ => {}
+        }
+    }
+
+    fn interrupted(&mut self, at: &str, what: String) {
+        self.interruptions.push(Interruption { at: at.to_owned(), after: self.made, what });
+    }
+
+    fn over(&mut self, at: &str, outcome: Outcome) {
+        (self.ended, self.outcome) = (Some(at.to_owned()), outcome);
+    }
+
+    /// Where the record of a journal is: beside it, with `.record.json` instead of its extension.
+    #[must_use]
+    pub fn path_beside(journal: &Path) -> PathBuf {
+        journal.with_extension("record.json")
+    }
+
+    /// Writes it as JSON, over an earlier one of the same wire, in one piece.
+    ///
+    /// # Errors
+    /// When the file cannot be written; an earlier one is as it was.
+    pub fn write(&self, path: &Path) -> io::Result<()> {
+        let text = serde_json::to_string_pretty(self)? + "\n";
+        let new = path.with_extension("new");
+        let mut file = File::create(&new)?;
+        file.write_all(text.as_bytes())?;
+        file.sync_all()?;
+        fs::rename(&new, path)
+    }
+
+    /// Its JSON Schema.
+    #[must_use]
+    pub fn schema() -> serde_json::Value {
+        schemars::schema_for!(Self).to_value()
+    }
+}

@@ -1,0 +1,372 @@
+//! The loop that makes a wire.
+
+use std::time::Duration;
+
+use wirebend_driver_api::{DriverError, Event, GoingOn, Run};
+
+use super::account::Account;
+use super::clock::Clock;
+use super::error::JobError;
+use super::feed::Feed;
+use super::journal::{Entry, Journal, What};
+use super::pace::Pace;
+use super::progress::{Overview, Progress};
+use super::record::Record;
+use super::resume::{Resume, Settled};
+use super::work::Work;
+use crate::session::{
+    Armed, Confirmed, Purpose, Session, SessionError, State, StopHandle, StopOutcome, StoppedBy, turned,
+};
+
+/// A wire that is made, or taken up again: a session, a journal, and the steps.
+///
+/// It is begun by [`JobRun::start`], which is where a person's yes goes in, and then made by calling
+/// [`JobRun::advance`] again and again, every few milliseconds to a few hundred. No call waits for the machine.
+pub struct JobRun {
+    pub(super) session: Session,
+    journal: Journal,
+    pub(super) work: Work,
+    clock: Box<dyn Clock>,
+    begun: Duration,
+    pace: Pace,
+    pub(super) armed: Option<Armed>,
+    pub(super) feed: Feed,
+    /// A stop is written down once.
+    stop_noted: bool,
+}
+
+impl std::fmt::Debug for JobRun {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("JobRun")
+            .field("session", &self.session)
+            .field("journal", &self.journal)
+            .finish_non_exhaustive()
+    }
+}
+
+impl JobRun {
+    /// For a machine that has answered. A journal that was interrupted needs a session by
+    /// [`Session::connect_resuming`] with the token of its account, where it has one.
+    ///
+    /// # Errors
+    /// [`JobError::OtherWire`] when the journal is not of this wire, [`JobError::Steps`], [`JobError::Journal`].
+    pub fn new(
+        session: Session,
+        mut journal: Journal,
+        work: Work,
+        clock: Box<dyn Clock>,
+    ) -> Result<Self, JobError> {
+        work.fits(&journal.account().heading)?;
+        if !journal.account().is_over() {
+            let going_on = going_on(&session);
+            let what = What::Connected { identity: session.identity().to_owned(), going_on };
+            journal.add(Entry { at: clock.stamp(), what })?;
+        }
+        let pace = Pace::new(work.estimates.clone(), work.run.steps);
+        let begun = clock.now();
+        let (armed, feed) = (None, Feed::default());
+        Ok(Self { session, journal, work, clock, begun, pace, armed, feed, stop_noted: false })
+    }
+
+    /// What may be done now.
+    #[must_use]
+    pub fn resume_from(&self) -> Resume {
+        Resume::decide(self.journal.account(), going_on(&self.session))
+    }
+
+    /// Writes down what a person says of the first step in doubt, and gives what may be done then.
+    ///
+    /// # Errors
+    /// [`JobError::NotInDoubt`] for another step, [`JobError::AtWork`] while the machine may still make it.
+    pub fn decide(&mut self, n: u32, made: bool) -> Result<Resume, JobError> {
+        if going_on(&self.session).is_some() || self.is_at_work() {
+            return Err(JobError::AtWork);
+        }
+        let in_doubt = self.account().in_doubt().map(|steps| *steps.start());
+        if in_doubt != Some(n) {
+            return Err(JobError::NotInDoubt { step: n, in_doubt });
+        }
+        self.note(What::Decided { n, made })?;
+        Ok(self.resume_from())
+    }
+
+    /// Begins the wire, takes it up after the last step that was made, or goes on where the machine is: whatever
+    /// [`JobRun::resume_from`] says. From here on [`JobRun::advance`] moves the machine.
+    ///
+    /// # Errors
+    /// [`JobError`]; nothing moves then.
+    pub fn start(&mut self, confirmed: Confirmed) -> Result<(), JobError> {
+        match self.resume_from() {
+            Resume::Contradiction(contradiction) => return Err(contradiction.into()),
+            Resume::Ask { in_doubt, .. } => return Err(JobError::InDoubt { step: in_doubt }),
+            Resume::Nothing(settled) => {
+                if settled == Settled::AllMade {
+                    self.note(What::Finished)?;
+                }
+                return Err(JobError::Nothing(settled));
+            }
+            Resume::GoOn { .. } => {
+                self.catch_up()?;
+                let run = self.work.run.clone();
+                let armed = self.session.take_up(run, &self.work.steps, confirmed)?;
+                self.begun(armed, true)?;
+                self.go_on_where_it_holds()?;
+            }
+            Resume::TakeUp { from } => {
+                let after = from - 1;
+                let rotate_at_deg = turned(&self.work.steps, after);
+                let run = Run { after, rotate_at_deg, ..self.work.run.clone() };
+                let armed = self.session.arm(Purpose::Wire(run), confirmed)?;
+                self.begun(armed, false)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn begun(&mut self, armed: Armed, going_on: bool) -> Result<(), JobError> {
+        let what =
+            What::Armed { token: armed.token().map(str::to_owned), after: self.account().done, going_on };
+        self.note(what)?;
+        (self.armed, self.feed, self.stop_noted) = (Some(armed), Feed::default(), false);
+        Ok(())
+    }
+
+    /// A person's yes was for all of it, a hold from the time when nobody was there included.
+    fn go_on_where_it_holds(&mut self) -> Result<(), JobError> {
+        if self.session.state() == State::Paused {
+            self.resume()?;
+        }
+        Ok(())
+    }
+
+    /// Takes what the machine reports, writes it down, and sends what there is room for. Waits for nothing but
+    /// the disk and the driver's answers.
+    ///
+    /// # Errors
+    /// [`JobError::Journal`] when nothing can be written down any more: nothing is sent then; stop the machine.
+    /// What goes wrong with machine and driver is no error but [`Progress::Fault`].
+    pub fn advance(&mut self) -> Result<Vec<Progress>, JobError> {
+        let mut told = Vec::new();
+        if self.is_over() {
+            return Ok(told);
+        }
+        match self.session.poll() {
+            Ok(events) => {
+                for event in events {
+                    self.take(event, &mut told)?;
+                }
+            }
+            Err(error) => self.failed(&error, &mut told)?,
+        }
+        self.notice_stop(&mut told)?;
+        if matches!(self.session.state(), State::Armed | State::Running) {
+            self.send_more(&mut told)?;
+        }
+        Ok(told)
+    }
+
+    fn take(&mut self, event: Event, told: &mut Vec<Progress>) -> Result<(), JobError> {
+        let now = self.clock.now();
+        match event {
+            Event::Done { n } => {
+                self.note(What::Done { n })?;
+                let more = self.account().accepted > n;
+                self.pace.made(n, now, more);
+                self.feed.one_made();
+                told.push(Progress::Made { n, of: self.work.run.steps });
+            }
+            Event::Finished if self.session.state() == State::Done => {
+                self.note(What::Finished)?;
+                told.push(Progress::Finished);
+            }
+            Event::Paused => {
+                self.note(What::Paused)?;
+                self.pace.holds(now);
+                told.push(Progress::Paused);
+            }
+            Event::Resumed => {
+                self.note(What::Resumed)?;
+                self.pace.works(now);
+                told.push(Progress::Resumed);
+            }
+            Event::Made { wire_mm, corners_mm } => {
+                self.note(What::Made { corners_mm: corners_mm.clone(), deviations_mm: None })?;
+                told.push(Progress::Wire { wire_mm, corners_mm });
+            }
+            Event::Fault { error, in_doubt, .. } => self.faulted(error, in_doubt, told)?,
+            Event::Position(step) => told.push(Progress::Position(step)),
+            Event::Console { direction, text } => told.push(Progress::Console { direction, text }),
+            Event::Warning(error) => told.push(Progress::Warning(error)),
+            _ => {}
+        }
+        Ok(())
+    }
+
+    /// The driver failed: what it said before it did counts.
+    pub(super) fn failed(&mut self, error: &SessionError, told: &mut Vec<Progress>) -> Result<(), JobError> {
+        self.catch_up()?;
+        self.faulted(DriverError::new(error.code(), error.to_string(), ""), None, told)
+    }
+
+    fn faulted(
+        &mut self,
+        error: DriverError,
+        in_doubt: Option<u32>,
+        told: &mut Vec<Progress>,
+    ) -> Result<(), JobError> {
+        self.note(What::Fault { error: error.clone(), in_doubt })?;
+        let in_doubt = self.account().in_doubt().map(|steps| (*steps.start(), *steps.end()));
+        self.pace.holds(self.clock.now());
+        self.feed.halt();
+        told.push(Progress::Fault { error, in_doubt });
+        Ok(())
+    }
+
+    /// Steps that were reported where this did not hear it.
+    fn catch_up(&mut self) -> Result<(), JobError> {
+        for n in self.account().done + 1..=self.session.progress().1 {
+            self.note(What::Done { n })?;
+        }
+        Ok(())
+    }
+
+    /// A stop by whomever is written down once.
+    fn notice_stop(&mut self, told: &mut Vec<Progress>) -> Result<(), JobError> {
+        if self.session.state() != State::Stopped || self.stop_noted {
+            return Ok(());
+        }
+        let by = self.session.last_stop().map(|outcome| outcome.by);
+        self.stopped(by)?;
+        told.push(Progress::Stopped { by });
+        Ok(())
+    }
+
+    fn stopped(&mut self, by: Option<StoppedBy>) -> Result<(), JobError> {
+        self.catch_up()?;
+        (self.armed, self.stop_noted) = (None, true);
+        self.feed.halt();
+        self.pace.holds(self.clock.now());
+        if self.account().is_over() { Ok(()) } else { self.note(What::Stopped { by }) }
+    }
+
+    /// Holds the machine.
+    ///
+    /// # Errors
+    /// [`JobError::Session`].
+    pub fn pause(&mut self) -> Result<(), JobError> {
+        Ok(self.session.pause()?)
+    }
+
+    /// Goes on after a pause.
+    ///
+    /// # Errors
+    /// [`JobError::Session`], [`JobError::NotBegun`].
+    pub fn resume(&mut self) -> Result<(), JobError> {
+        let armed = self.armed.as_ref().ok_or(JobError::NotBegun)?;
+        Ok(self.session.resume(armed)?)
+    }
+
+    /// Stops the machine, and writes that down. The stop comes first, and has been brought about whatever the
+    /// second part of the answer is.
+    pub fn stop(&mut self) -> (StopOutcome, Result<(), JobError>) {
+        let outcome = self.session.stop();
+        let noted = self.stopped(Some(outcome.by));
+        (outcome, noted)
+    }
+
+    /// What stops the machine from any thread.
+    #[must_use]
+    pub fn stop_handle(&self) -> StopHandle {
+        self.session.stop_handle()
+    }
+
+    /// A person gives the wire up. The machine has to be at rest.
+    ///
+    /// # Errors
+    /// [`JobError::AtWork`], [`JobError::Journal`].
+    pub fn abandon(&mut self) -> Result<(), JobError> {
+        if self.is_at_work() {
+            return Err(JobError::AtWork);
+        }
+        self.note(What::Abandoned)
+    }
+
+    /// Writes down how far each corner is from the design, mm.
+    ///
+    /// # Errors
+    /// [`JobError::Journal`].
+    pub fn note_deviations(&mut self, deviations_mm: Vec<f64>) -> Result<(), JobError> {
+        self.note(What::Made { corners_mm: Vec::new(), deviations_mm: Some(deviations_mm) })
+    }
+
+    /// Whether the machine may make steps of this wire.
+    #[must_use]
+    pub const fn is_at_work(&self) -> bool {
+        matches!(self.session.state(), State::Running | State::Paused | State::Interrupted)
+    }
+
+    /// Whether [`JobRun::advance`] has nothing more to do: the wire is made or given up, or the machine was stopped
+    /// or failed, and has to be homed or connected anew.
+    #[must_use]
+    pub fn is_over(&self) -> bool {
+        let state = self.session.state();
+        let (sent, done) = self.session.progress();
+        self.account().is_over()
+            // What was taken before a refusal is still made, and heard of.
+            || self.feed.halted() && (state == State::Faulted || sent == done)
+            || state == State::Stopped && self.stop_noted
+    }
+
+    /// How it stands.
+    #[must_use]
+    pub fn overview(&self) -> Overview {
+        let (account, now) = (self.account(), self.clock.now());
+        Overview {
+            of: self.work.run.steps,
+            sent: account.accepted,
+            made: account.done,
+            elapsed: now.saturating_sub(self.begun),
+            remaining: self.pace.remaining(account.done, now),
+            state: self.session.state(),
+            standing: account.standing,
+        }
+    }
+
+    /// What the journal comes to.
+    #[must_use]
+    pub const fn account(&self) -> &Account {
+        self.journal.account()
+    }
+
+    /// What was made so far, for the record beside the journal.
+    #[must_use]
+    pub fn record(&self) -> Option<Record> {
+        Record::of(self.journal.entries())
+    }
+
+    /// The session, such as to home the machine before [`JobRun::start`].
+    pub const fn session(&mut self) -> &mut Session {
+        &mut self.session
+    }
+
+    /// The session and the journal.
+    #[must_use]
+    pub fn into_parts(self) -> (Session, Journal) {
+        (self.session, self.journal)
+    }
+
+    pub(super) fn note(&mut self, what: What) -> Result<(), JobError> {
+        Ok(self.journal.add(Entry { at: self.clock.stamp(), what })?)
+    }
+
+    /// Steps are about to be sent, or were.
+    pub(super) fn sending(&mut self) {
+        self.pace.works(self.clock.now());
+    }
+}
+
+/// Where the machine is in the wire, as long as it is one that nobody has taken up.
+fn going_on(session: &Session) -> Option<GoingOn> {
+    let (accepted, done) = session.progress();
+    (session.state() == State::Interrupted).then_some(GoingOn { accepted, done })
+}

@@ -1,0 +1,253 @@
+//! What may be done after an interruption, tried on machines and programs that end at any moment.
+
+use proptest::prelude::*;
+use wirebend_driver_api::GoingOn;
+
+use super::*;
+
+const STEPS: u32 = 6;
+
+fn account() -> Account {
+    Account::new(Heading { steps: STEPS, ..Heading::default() })
+}
+
+fn after(whats: &[What]) -> Account {
+    let mut account = account();
+    for what in whats {
+        account.count(what).unwrap();
+    }
+    account
+}
+
+fn armed(after: u32) -> What {
+    What::Armed { token: Some("7".into()), after, going_on: false }
+}
+
+fn intent(from: u32, to: u32) -> What {
+    What::Intent { from, to }
+}
+
+/// Four steps sent, three taken, one made; then the program ended.
+fn interrupted() -> Account {
+    after(&[armed(0), intent(1, 4), What::Accepted { n: 3 }, What::Done { n: 1 }])
+}
+
+const fn machine(accepted: u32, done: u32) -> GoingOn {
+    GoingOn { accepted, done }
+}
+
+#[test]
+fn the_same_session_goes_on_after_the_last_step_that_it_took() {
+    let account = interrupted();
+    for (accepted, done) in [(3, 1), (3, 3), (4, 2), (4, 4)] {
+        let expected = Resume::GoOn { from: accepted + 1, done };
+        assert_eq!(Resume::decide(&account, Some(machine(accepted, done))), expected);
+    }
+}
+
+#[test]
+fn a_machine_that_was_reset_makes_a_person_look() {
+    let account = interrupted();
+    assert_eq!(Resume::decide(&account, None), Resume::Ask { in_doubt: 2, last: 4 });
+    assert_eq!(account.in_doubt(), Some(2..=4));
+    // The second was made, the third was not: the fourth cannot have been.
+    let mut account = account;
+    // While it may still be made nobody says anything of it.
+    account.count(&What::Decided { n: 2, made: true }).unwrap_err();
+    account.count(&What::Connected { identity: String::new(), going_on: None }).unwrap();
+    account.count(&What::Decided { n: 2, made: true }).unwrap();
+    assert_eq!(Resume::decide(&account, None), Resume::Ask { in_doubt: 3, last: 4 });
+    account.count(&What::Decided { n: 3, made: false }).unwrap();
+    assert_eq!(Resume::decide(&account, None), Resume::TakeUp { from: 3 });
+    assert_eq!(account.in_doubt(), None);
+}
+
+#[test]
+fn what_is_over_is_over() {
+    assert_eq!(Resume::decide(&account(), None), Resume::TakeUp { from: 1 });
+    let mut made = vec![armed(0), intent(1, STEPS)];
+    made.extend((1..=STEPS).map(|n| What::Done { n }));
+    assert_eq!(Resume::decide(&after(&made), None), Resume::Nothing(Settled::AllMade));
+    // The machine still waits to be told that it was the last.
+    assert_eq!(
+        Resume::decide(&after(&made), Some(machine(STEPS, STEPS))),
+        Resume::GoOn { from: STEPS + 1, done: STEPS }
+    );
+    made.push(What::Finished);
+    assert_eq!(
+        Resume::decide(&after(&made), Some(machine(STEPS, STEPS))),
+        Resume::Nothing(Settled::Finished)
+    );
+    let abandoned = after(&[armed(0), intent(1, 1), What::Abandoned]);
+    assert_eq!(Resume::decide(&abandoned, None), Resume::Nothing(Settled::Abandoned));
+}
+
+#[test]
+fn a_machine_and_a_journal_that_contradict_each_other_are_told_apart() {
+    use ContradictionKind::{MadeLess, MadeMoreThanTaken, NeverSent, Stopped};
+    let account = interrupted();
+    let cases = [
+        (machine(5, 1), NeverSent { machine: 5, journal: 4 }, "no more than 4 were sent"),
+        (machine(3, 0), MadeLess { machine: 0, journal: 1 }, "has made 0 steps, and has reported 1"),
+        (machine(3, 4), MadeMoreThanTaken { done: 4, accepted: 3 }, "made 4 steps and taken 3"),
+    ];
+    for (machine, kind, words) in cases {
+        let Resume::Contradiction(contradiction) = Resume::decide(&account, Some(machine)) else {
+            panic!("{machine:?} was believed");
+        };
+        assert_eq!(contradiction.kind, kind);
+        assert!(contradiction.to_string().contains(words), "{contradiction}");
+    }
+    // Even after it was connected to again a stop stays a stop.
+    let mut stopped = account;
+    stopped.count(&What::Stopped { by: None }).unwrap();
+    stopped.count(&What::Connected { identity: String::new(), going_on: Some(machine(3, 1)) }).unwrap();
+    assert_eq!(
+        Resume::decide(&stopped, Some(machine(3, 1))),
+        Resume::Contradiction(Contradiction { kind: Stopped })
+    );
+}
+
+/// What a driver had taken and not passed on to the machine died with it: it is sent again.
+#[test]
+fn steps_that_died_with_the_driver_are_sent_again() {
+    assert_eq!(interrupted().accepted, 3);
+    assert_eq!(Resume::decide(&interrupted(), Some(machine(2, 1))), Resume::GoOn { from: 3, done: 1 });
+}
+
+/// A journal that says what cannot be is not counted with.
+#[test]
+fn what_cannot_have_happened_is_refused() {
+    let base = [armed(0), intent(1, 3), What::Accepted { n: 2 }, What::Done { n: 1 }];
+    let cases = [
+        What::Job(Heading::default()),
+        intent(3, 4),
+        intent(5, 5),
+        intent(4, STEPS + 1),
+        What::Accepted { n: 4 },
+        What::Accepted { n: 1 },
+        What::Done { n: 1 },
+        What::Done { n: 3 },
+        What::Decided { n: 2, made: true },
+        What::Finished,
+        armed(1),
+        armed(2),
+    ];
+    for what in cases {
+        let mut account = after(&base);
+        let before = account.clone();
+        assert!(account.count(&what).is_err(), "{what:?} was counted");
+        assert_eq!(account, before, "{what:?} left something");
+    }
+    let mut over = after(&base);
+    over.count(&What::Abandoned).unwrap();
+    assert!(over.count(&What::Done { n: 2 }).is_err());
+    over.count(&What::Made { corners_mm: Vec::new(), deviations_mm: Some(vec![0.1]) }).unwrap();
+}
+
+/// A machine with a queue, which goes on without a program and forgets it when it is reset.
+#[derive(Debug, Default)]
+struct Bender {
+    session: Option<u32>,
+    sessions: u32,
+    accepted: u32,
+    done: u32,
+    made: Vec<u32>,
+}
+
+impl Bender {
+    fn arm(&mut self, after: u32) -> String {
+        self.sessions += 1;
+        (self.session, self.accepted, self.done) = (Some(self.sessions), after, after);
+        self.sessions.to_string()
+    }
+
+    fn make(&mut self) {
+        if self.session.is_some() && self.done < self.accepted {
+            self.done += 1;
+            self.made.push(self.done);
+        }
+    }
+
+    fn is_in(&self, token: Option<&str>) -> Option<GoingOn> {
+        let same = self.session.map(|session| session.to_string()).as_deref() == token && token.is_some();
+        same.then_some(GoingOn { accepted: self.accepted, done: self.done })
+    }
+}
+
+/// What a program does that has just been started: everything by the journal, nothing by heart.
+fn begin(account: &mut Account, bender: &mut Bender) -> bool {
+    let machine = bender.is_in(account.token.as_deref());
+    account.count(&What::Connected { identity: String::new(), going_on: machine }).unwrap();
+    loop {
+        match Resume::decide(account, machine) {
+            Resume::GoOn { done, .. } => {
+                (account.done + 1..=done).for_each(|n| account.count(&What::Done { n }).unwrap());
+                let (token, after) = (account.token.clone(), account.done);
+                account.count(&What::Armed { token, after, going_on: true }).unwrap();
+                return true;
+            }
+            Resume::Ask { in_doubt: n, .. } => {
+                let made = bender.made.contains(&n);
+                account.count(&What::Decided { n, made }).unwrap();
+            }
+            Resume::TakeUp { from } => {
+                let token = Some(bender.arm(from - 1));
+                account.count(&What::Armed { token, after: from - 1, going_on: false }).unwrap();
+                return true;
+            }
+            Resume::Nothing(_) => return false,
+            Resume::Contradiction(contradiction) => panic!("{contradiction}"),
+        }
+    }
+}
+
+proptest! {
+    /// Whenever the program ends and whenever the machine is reset, before, in the middle of or after whatever
+    /// is written, sent, made and heard: with a person who tells the truth each step is made exactly once.
+    #[test]
+    fn every_step_is_made_exactly_once(events in prop::collection::vec((0_u8..8, 0_u32..4), 0..80)) {
+        let (mut account, mut bender) = (account(), Bender::default());
+        let mut running = begin(&mut account, &mut bender);
+        // What chance leaves undone is done at the end by a program that nothing happens to.
+        let calm = [(0, 3), (3, 0), (3, 0), (3, 0), (4, 3)].into_iter().cycle().take(60);
+        for (event, size) in events.into_iter().chain([(5, 0)]).chain(calm) {
+            match event {
+                // Steps are written down and sent; the machine takes some of them. Or the program ends before.
+                0..=2 if running && bender.session.is_some() => {
+                    let to = (bender.accepted + 1 + size).min(STEPS).min(bender.done + 4);
+                    if to > account.sent {
+                        let from = account.sent + 1;
+                        account.count(&What::Intent { from, to }).unwrap();
+                    }
+                    if event == 1 {
+                        running = false;
+                    } else {
+                        bender.accepted = bender.accepted.max(to);
+                        if event == 0 && bender.accepted > account.accepted {
+                            account.count(&What::Accepted { n: bender.accepted }).unwrap();
+                        }
+                    }
+                }
+                3 => bender.make(),
+                4 if running => {
+                    let heard = bender.done.min(account.done + size);
+                    (account.done + 1..=heard).for_each(|n| account.count(&What::Done { n }).unwrap());
+                    if account.done == STEPS && !account.is_over() {
+                        account.count(&What::Finished).unwrap();
+                        running = false;
+                    }
+                }
+                5 => running = !account.is_over() && begin(&mut account, &mut bender),
+                6 => running = false,
+                7 => {
+                    bender.session = None;
+                    running = false;
+                }
+                _ => {}
+            }
+        }
+        prop_assert_eq!(bender.made, (1..=STEPS).collect::<Vec<_>>());
+        prop_assert_eq!(account.done, STEPS);
+    }
+}
