@@ -1,0 +1,10 @@
+/* The moves of a bend: the peg comes out on the near side of the wire, swings, backs off and goes in. */
+#ifndef WB_BEND_H
+#define WB_BEND_H
+
+#include "controller.h"
+
+/* Where the bend axis goes for a phase of a bend to `bend` steps; for phases that move it. */
+int32_t wb_bend_target(const struct wb_settings *settings, uint8_t phase, int32_t bend);
+
+#endif

@@ -1,0 +1,160 @@
+/* A host that does anything at all, and what the controller must never do, whatever it is told.
+ *
+ * An input is text, a line for each thing that happens; what is none of these is passed over:
+ *   M 100 -20 30   a command with its numbers, sealed in the session; lines (M, H, K) get the next number
+ *   =M7,1,1,1      a payload of any form, sealed
+ *   <M1,1,1,1*0000 bytes as they are, and a newline
+ *   ?abc           bytes, each seen with a framing error
+ *   !              STOP
+ *   t 500          so many milliseconds pass
+ *   w 1            the switch reads low (0), high (1), or as the bend axis stands (2)
+ *   r 3            a reset with this cause
+ *   e 5 255        a stored byte has changed
+ * Numbers are what is left of anything by 32 bits. */
+#include "invariants.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "../core/crc.h"
+
+#define SESSION 7
+/* An input ends after so much of the machine's time. */
+#define MOST_CYCLES (20ull * WB_HOST_HZ)
+#define PAYLOAD_MOST 80
+
+struct text { const uint8_t *at, *end; };
+
+/* The next number of a line; 0 when there is none. */
+static int32_t number(struct text *text)
+{
+    uint32_t value = 0;
+    bool negative = false;
+    while (text->at < text->end && *text->at != '-' && (*text->at < '0' || *text->at > '9')) {
+        text->at++;
+    }
+    if (text->at < text->end && *text->at == '-') {
+        negative = true;
+        text->at++;
+    }
+    for (; text->at < text->end && *text->at >= '0' && *text->at <= '9'; text->at++) {
+        value = value * 10 + (uint32_t)(*text->at - '0');
+    }
+    return (int32_t)(negative ? 0u - value : value);
+}
+
+static void byte(struct world *world, uint8_t value, bool damaged)
+{
+    world_run(world, world_now(world) + WB_HOST_BYTE_CYCLES);
+    world_receive(world, value, damaged);
+}
+
+static void say(struct world *world, const char *payload, size_t length)
+{
+    uint16_t crc = *payload == WB_COMMAND_SESSION ? WB_NO_SESSION : world_session(world);
+    char seal[8];
+    for (size_t i = 0; i < length; i++) {
+        crc = wb_crc16(crc, (uint8_t)payload[i]);
+        byte(world, (uint8_t)payload[i], false);
+    }
+    snprintf(seal, sizeof seal, "*%04X\n", crc);
+    for (size_t i = 0; seal[i]; i++) {
+        byte(world, (uint8_t)seal[i], false);
+    }
+}
+
+static void command(struct world *world, char letter, struct text *text)
+{
+    char payload[PAYLOAD_MOST];
+    uint32_t n = world_next(world);
+    int32_t a = number(text), b = number(text), c = number(text);
+    int length;
+    switch (letter) {
+    case WB_COMMAND_MOVE:
+        length = snprintf(payload, sizeof payload, "M%u,%d,%d,%d", n, a, b, c);
+        break;
+    case WB_COMMAND_HOME:
+        length = snprintf(payload, sizeof payload, "H%u", n);
+        break;
+    case WB_COMMAND_PEG:
+        length = snprintf(payload, sizeof payload, "K%u,%d", n, a);
+        break;
+    case WB_COMMAND_WRITE_SETTING:
+        length = snprintf(payload, sizeof payload, "W%d,%d", a, b);
+        break;
+    case WB_COMMAND_SESSION:
+    case WB_COMMAND_HEAD:
+    case WB_COMMAND_READ_SETTING:
+        length = snprintf(payload, sizeof payload, "%c%d", letter, a);
+        break;
+    default:
+        length = snprintf(payload, sizeof payload, "%c", letter);
+        break;
+    }
+    say(world, payload, (size_t)length);
+}
+
+static void line(struct world *world, struct text text)
+{
+    if (text.at == text.end) {
+        return;
+    }
+    char letter = (char)*text.at++;
+    size_t left = (size_t)(text.end - text.at);
+    char payload[PAYLOAD_MOST] = {0};
+    switch (letter) {
+    case '=':
+        memcpy(payload, text.at, left < PAYLOAD_MOST ? left : PAYLOAD_MOST);
+        say(world, payload, left < PAYLOAD_MOST ? left : PAYLOAD_MOST);
+        break;
+    case '<':
+    case '?':
+        for (; text.at < text.end; text.at++) {
+            byte(world, *text.at, letter == '?');
+        }
+        byte(world, '\n', false);
+        break;
+    case '!':
+        byte(world, WB_STOP_BYTE, false);
+        break;
+    case 't':
+        world_run(world, world_now(world) + (uint64_t)(number(&text) & 0xFFF) * (WB_HOST_HZ / 1000));
+        break;
+    case 'w':
+        world->switch_mode = (uint8_t)(number(&text) & 3);
+        world_look_at_switch(world);
+        break;
+    case 'r':
+        world_reset(world, (uint8_t)(number(&text) & 3));
+        break;
+    case 'e': {
+        size_t count;
+        uint8_t *stored = wb_host_stored(world->host, &count);
+        int32_t address = number(&text) & 127;
+        stored[address] = (uint8_t)number(&text);
+        break;
+    }
+    default:
+        if (letter >= 'A' && letter <= 'Z') {
+            command(world, letter, &text);
+        }
+        break;
+    }
+    world_check(world);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    struct world world;
+    world_begin(&world, SESSION);
+    const uint8_t *end = data + size;
+    while (data < end && world_now(&world) < MOST_CYCLES) {
+        const uint8_t *newline = memchr(data, '\n', (size_t)(end - data));
+        struct text text = {data, newline ? newline : end};
+        line(&world, text);
+        data = newline ? newline + 1 : end;
+    }
+    world_end(&world);
+    return 0;
+}

@@ -1,0 +1,227 @@
+#include "invariants.h"
+
+#include <stdio.h>
+
+/* What a host cannot see is looked at too. */
+#include "../hal_host/host.c"
+
+#include "../core/motion.h"
+
+/* The edge of the switch: that of the settings below, where the machine's own zero is. */
+#define EDGE (-220)
+
+#define MUST(what)                                                                                        \
+    do {                                                                                                  \
+        if (!(what)) {                                                                                    \
+            fprintf(stderr, "%s:%d: not so: %s\n", __FILE__, __LINE__, #what);                             \
+            abort();                                                                                      \
+        }                                                                                                 \
+    } while (0)
+
+static bool homing(const struct wb_controller *c)
+{
+    return c->phase >= WB_LEAVES_SWITCH && c->phase <= WB_GOES_TO_ZERO;
+}
+
+static int32_t size(int32_t value)
+{
+    return value < 0 ? -value : value;
+}
+
+void world_look_at_switch(struct world *world)
+{
+    bool high = world->switch_mode < 2 ? world->switch_mode == 1 : world->bend <= EDGE;
+    wb_host_switch(world->host, high);
+}
+
+/* What must hold between any two events. */
+void world_check(struct world *world)
+{
+    const struct wb_host *host = world->host;
+    const struct wb_controller *c = &host->controller;
+    MUST(c->queued <= WB_QUEUE && c->first < WB_QUEUE);
+    MUST(c->done <= c->last);
+    MUST(c->received_in < WB_RECEIVED && c->received_out < WB_RECEIVED);
+    MUST(c->frame.length <= WB_LINE_MOST);
+    MUST((uint8_t)(host->send_in - host->send_out) < SEND_ROOM);
+    MUST(c->phase <= WB_PEG_BY_HAND && c->alarm <= WB_ALARM_LATE_PULSE && c->peg <= WB_PEG_UNKNOWN);
+    MUST(!c->homed || c->settings.good);
+    MUST(!c->stepper.moving || c->phase != WB_NO_PHASE);
+    MUST(c->stepper.moving == (host->step_at != NEVER));
+    for (uint8_t axis = 0; axis < WB_AXES; axis++) {
+        MUST(c->stepper.position[axis] == world->pulses[axis] + world->offset[axis]);
+    }
+    if (world->stopped) {
+        MUST(c->homed == false);
+    }
+}
+
+/* A pulse has just been made; `before` is what the controller was. */
+static void pulse(struct world *world, const struct wb_host_event *event, const struct wb_controller *before)
+{
+    const struct wb_controller *c = &world->host->controller;
+    uint8_t axis = (uint8_t)event->value;
+    MUST(axis < WB_AXES && axis == before->stepper.move.axis);
+    bool inverted = (wb_setting(&c->settings, WB_SETTING_INVERTED) >> axis & 1) != 0;
+    world->pulses[axis] += (event->on != 0) != inverted ? 1 : -1;
+    int32_t position = (int32_t)(world->pulses[axis] + world->offset[axis]);
+    MUST(before->settings.good && world->host->motors);
+    MUST(before->alarm == WB_ALARM_NONE || before->alarm == WB_ALARM_HOST_LOST);
+    MUST(before->session != WB_NO_SESSION);
+    MUST(before->homed || homing(before));
+    MUST(!world->stopped || homing(before));
+    /* The peg is in while the wire moves, and while the bend axis looks for its switch. */
+    bool swings = before->phase == WB_SWINGS || before->phase == WB_BACKS_OFF;
+    MUST(swings || world->peg_us == wb_setting(&c->settings, WB_SETTING_PEG_IN_US));
+    MUST(!swings || axis == WB_BEND);
+    if (axis == WB_BEND) {
+        world->bend += (event->on != 0) != inverted ? 1 : -1;
+        world_look_at_switch(world);
+        MUST(homing(before) || size(position) <= wb_setting(&c->settings, WB_SETTING_BEND_LIMIT));
+    }
+    if (axis == WB_ROTATE) {
+        int32_t limit = wb_setting(&c->settings, WB_SETTING_ROTATE_LIMIT);
+        MUST(size(position) <= limit || size(position) <= world->reach);
+        world->reach = size(position);
+    }
+}
+
+static void events(struct world *world, const struct wb_controller *before)
+{
+    static const char REPLIES[] = {WB_REPLY_BOOT, WB_REPLY_OPEN, WB_REPLY_ACCEPTED, WB_REPLY_DONE, WB_REPLY_FULL,
+                                   WB_REPLY_REFUSED, WB_REPLY_STATUS, WB_REPLY_VALUE, WB_REPLY_ALARM};
+    struct wb_host_event event;
+    while (wb_host_next(world->host, &event)) {
+        switch (event.kind) {
+        case WB_HOST_PULSE:
+            pulse(world, &event, before);
+            break;
+        case WB_HOST_PEG:
+            MUST(!world->stopped || world->host->controller.phase == WB_PEG_CLEARS);
+            MUST(event.value >= 512 && event.value <= 2500);
+            world->peg_us = event.value;
+            break;
+        case WB_HOST_SENT:
+            MUST(event.value == '\n' || (event.value > ' ' && event.value <= '~'));
+            MUST(!world->told_end || memchr(REPLIES, event.value, sizeof REPLIES));
+            world->told_end = event.value == '\n';
+            break;
+        default:
+            break;
+        }
+    }
+}
+
+/* What a change of a position without a pulse may be: homing, and `Z` at rest. */
+static void follow(struct world *world, const struct wb_controller *before)
+{
+    const struct wb_controller *c = &world->host->controller;
+    int64_t bend = c->stepper.position[WB_BEND] - world->pulses[WB_BEND];
+    if (bend != world->offset[WB_BEND]) {
+        MUST(before->phase == WB_SEEKS_SLOW);
+        MUST(c->stepper.position[WB_BEND] == wb_setting(&c->settings, WB_SETTING_HOME_POSITION));
+        world->offset[WB_BEND] = bend;
+    }
+    int64_t rotate = c->stepper.position[WB_ROTATE] - world->pulses[WB_ROTATE];
+    if (rotate != world->offset[WB_ROTATE]) {
+        MUST(!wb_motion_busy(before));
+        world->offset[WB_ROTATE] = rotate;
+    }
+    if (!c->stepper.moving) {
+        world->reach = size(c->stepper.position[WB_ROTATE]);
+    }
+    if (c->homed) {
+        MUST(before->homed || before->phase != WB_NO_PHASE);
+        world->stopped = world->stopped && before->homed;
+    }
+}
+
+void world_run(struct world *world, uint64_t until)
+{
+    struct wb_controller before = world->host->controller;
+    while (interrupt(world->host, until)) {
+        events(world, &before);
+        follow(world, &before);
+        world_check(world);
+        before = world->host->controller;
+    }
+    world->host->now = until;
+}
+
+void world_receive(struct world *world, uint8_t byte, bool damaged)
+{
+    struct wb_controller before = world->host->controller;
+    wb_host_receive(world->host, byte, damaged);
+    if (byte == WB_STOP_BYTE) {
+        world->stopped = true;
+        MUST(!world->host->controller.stepper.moving);
+        MUST(world->host->controller.alarm == WB_ALARM_STOP);
+    }
+    events(world, &before);
+    follow(world, &before);
+    world_check(world);
+}
+
+void world_reset(struct world *world, uint8_t cause)
+{
+    /* What was on its way out of the controller is lost with the reset. */
+    world->told_end = true;
+    world->stopped = false;
+    world->peg_us = 0;
+    wb_host_reset(world->host, cause);
+    for (uint8_t axis = 0; axis < WB_AXES; axis++) {
+        world->pulses[axis] = world->offset[axis] = 0;
+    }
+    world->reach = 0;
+    world_check(world);
+}
+
+static void settings(struct world *world, uint16_t session)
+{
+    static const struct { uint8_t id; int32_t value; } QUICK[] = {
+        {WB_SETTING_NEAR_SIDE, 40},           {WB_SETTING_BEND_LIMIT, 200},
+        {WB_SETTING_HOME_POSITION, EDGE},     {WB_SETTING_BACK_OFF, 20},
+        {WB_SETTING_HOME_BACK_OFF, 12},       {WB_SETTING_HOME_TRAVEL, 600},
+        {WB_SETTING_ROTATE_LIMIT, 300},       {WB_SETTING_PEG_TIME_MS, 20},
+        {WB_SETTING_BEND_RATE, 8000},         {WB_SETTING_HOME_FAST_RATE, 4000},
+        {WB_SETTING_HOME_SLOW_RATE, 2000},    {WB_SETTING_FEED_ACCELERATION, 400000},
+        {WB_SETTING_ROTATE_ACCELERATION, 400000}, {WB_SETTING_BEND_ACCELERATION, 400000},
+    };
+    struct wb_settings *stored = &world->host->controller.settings;
+    wb_settings_defaults(stored, world->host);
+    for (size_t i = 0; i < sizeof QUICK / sizeof QUICK[0]; i++) {
+        bool known;
+        MUST(wb_settings_change(stored, world->host, QUICK[i].id, QUICK[i].value, &known));
+    }
+    world_reset(world, WB_RESET_POWER_ON);
+    world->host->controller.session = session;
+}
+
+void world_begin(struct world *world, uint16_t session)
+{
+    *world = (struct world){.host = wb_host_new(), .switch_mode = 2, .told_end = true};
+    MUST(world->host);
+    world_reset(world, WB_RESET_POWER_ON);
+    world_look_at_switch(world);
+    settings(world, session);
+}
+
+uint64_t world_now(const struct world *world)
+{
+    return world->host->now;
+}
+
+uint16_t world_session(const struct world *world)
+{
+    return world->host->controller.session;
+}
+
+uint32_t world_next(const struct world *world)
+{
+    return world->host->controller.last + 1;
+}
+
+void world_end(struct world *world)
+{
+    wb_host_free(world->host);
+}
