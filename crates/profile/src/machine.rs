@@ -94,6 +94,9 @@ layer! {
         /// The driver's own settings; their schema is the driver's. Dropped by a child that names
         /// another driver.
         pub settings: Map<String, Value>,
+        /// Bytes that stop the machine at once, whatever else it was sent: what the program itself writes to
+        /// the port when the driver does not answer any more. Dropped like the settings.
+        pub stop_bytes: Vec<u8>,
     }
 }
 

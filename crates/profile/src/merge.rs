@@ -49,8 +49,10 @@ impl Merged {
             return;
         };
         if wanted.is_some_and(|id| driver.get("id").is_some_and(|mine| mine != id)) {
-            driver.remove("settings");
-            forget(&mut self.provenance, "driver.settings");
+            for key in ["settings", "stop_bytes"] {
+                driver.remove(key);
+                forget(&mut self.provenance, &format!("driver.{key}"));
+            }
         }
     }
 }

@@ -85,7 +85,7 @@ fn the_kit_has_its_published_figures() {
     near(figures.bend_rate_deg_per_s, 15.1);
     near(figures.rotate_rate_deg_per_s, 131.3);
     near(figures.pin_radius_mm, 1.5);
-    assert_eq!(kit.profile.export.formats.unwrap()[0], "wirebend-kit-text");
+    assert_eq!(kit.profile.export.native.as_deref(), Some("wirebend-kit-text"));
     assert!(figures.compensate_feed && figures.compensate_setback);
     assert!(figures.compensate_springback);
 }

@@ -1,7 +1,8 @@
-//! Files derived from code: JSON Schemas, the reference of the command line, pictures. One module here for
-//! each kind of file.
+//! Files derived from code or tables: JSON Schemas, the reference of the command line, codes of the wire
+//! protocol, pictures. One module here for each kind of file.
 
 mod pictures;
+mod protocol;
 mod reference;
 mod schemas;
 
@@ -15,6 +16,7 @@ use crate::committed::CommittedFile;
 pub(crate) fn files(root: &Path) -> Result<Vec<CommittedFile>> {
     let mut files = schemas::files()?;
     files.push(reference::file());
+    files.extend(protocol::files(root)?);
     files.extend(pictures::files(root)?);
     Ok(files)
 }

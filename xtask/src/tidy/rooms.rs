@@ -19,6 +19,7 @@ const MAY_KNOW: &[(&str, &[&str])] = &[
     ("src-tauri", &["crates/app"]),
     // What tests load or start, not link; only for tests and benchmarks.
     ("tests/built", &[]),
+    ("tests/firmware", &["drivers/wirebend-kit", "crates/driver-api", "tests/built"]),
     (
         "benches",
         &[

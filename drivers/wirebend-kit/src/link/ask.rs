@@ -1,0 +1,99 @@
+//! Requests that are no lines: repeated until their effect is seen, one after the other.
+
+use std::collections::VecDeque;
+
+use super::{PATIENCE, Time};
+use crate::protocol::{State, Status};
+
+/// A request.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ask {
+    /// Slow down and hold.
+    Pause,
+    /// Leave the hold.
+    GoOn,
+    /// The head stands here, steps.
+    Head(i32),
+    /// A setting.
+    Read(u8),
+    /// A setting's new value.
+    Write(u8, i32),
+    /// The settings that were compiled in.
+    LoadDefaults,
+}
+
+impl Ask {
+    fn payload(self) -> String {
+        match self {
+            Self::Pause => "P".to_owned(),
+            Self::GoOn => "G".to_owned(),
+            Self::Head(steps) => format!("Z{steps}"),
+            Self::Read(id) => format!("C{id}"),
+            Self::Write(id, value) => format!("W{id},{value}"),
+            Self::LoadDefaults => "L".to_owned(),
+        }
+    }
+}
+
+#[derive(Debug, Default)]
+pub(super) struct Asks {
+    waiting: VecDeque<Ask>,
+    again_at: Option<Time>,
+}
+
+impl Asks {
+    pub fn push(&mut self, ask: Ask) {
+        self.waiting.push_back(ask);
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.waiting.is_empty()
+    }
+
+    /// The payload that is to be sent now.
+    pub fn due(&mut self, now: Time) -> Option<String> {
+        let first = self.waiting.front()?;
+        if self.again_at.is_some_and(|at| at > now) {
+            return None;
+        }
+        self.again_at = Some(now + PATIENCE);
+        Some(first.payload())
+    }
+
+    fn answered(&mut self, is_answer: impl FnOnce(Ask) -> bool) -> Option<Ask> {
+        // Only what was sent can be answered.
+        self.again_at?;
+        let first = *self.waiting.front()?;
+        is_answer(first).then(|| {
+            self.waiting.pop_front();
+            self.again_at = None;
+            first
+        })
+    }
+
+    /// The request whose effect this status shows.
+    pub fn status(&mut self, status: &Status) -> Option<Ask> {
+        self.answered(|ask| match ask {
+            Ask::Pause => status.state == State::Held,
+            Ask::GoOn => matches!(status.state, State::Idle | State::Running),
+            Ask::Head(steps) => status.position[1] == steps,
+            Ask::Read(_) | Ask::Write(..) | Ask::LoadDefaults => false,
+        })
+    }
+
+    /// The request that this value answers.
+    pub fn value(&mut self, id: u8, value: i32) -> Option<Ask> {
+        self.answered(|ask| match ask {
+            Ask::Read(asked) => asked == id,
+            Ask::Write(asked, wanted) => asked == id && wanted == value,
+            // Answered with the first one.
+            Ask::LoadDefaults => id == 1,
+            _ => false,
+        })
+    }
+
+    /// Whether this command waits for its answer; it is not repeated any more.
+    pub fn refused(&mut self, command: u8) -> bool {
+        self.answered(|ask| ask.payload().as_bytes().first() == Some(&command)).is_some()
+    }
+}

@@ -1,0 +1,185 @@
+//! What the machine is asked.
+
+use std::time::Duration;
+
+use wirebend_driver_api::{ArmedReply, Axis, Batch, DriverError, Motion, Run, Sent, Step};
+
+use super::fault;
+use super::machine::{Doing, Halt, Homing, Machine, session_id};
+use super::wire::{Token, Wire};
+use crate::link::Ask;
+use crate::protocol::{SETTINGS, State};
+use crate::settings::{expected, steps};
+
+/// Steps that are taken ahead of those that are made. The program writes each into its journal before.
+const AHEAD: u32 = 12;
+
+impl Machine {
+    pub fn home(&mut self, now: Duration) -> Result<(), DriverError> {
+        self.require_rest("home")?;
+        (self.homed, self.halt, self.wire) = (false, Halt::No, None);
+        let busy = self.status.is_some_and(|status| matches!(status.state, State::Running | State::Held));
+        if busy {
+            self.link.stop(now);
+            self.doing = Doing::Homing(Homing::Stopping);
+        } else {
+            self.renew(session_id(), now);
+            self.doing = Doing::Homing(Homing::Opening);
+        }
+        Ok(())
+    }
+
+    pub fn arm(&mut self, run: &Run, now: Duration) -> Result<ArmedReply, DriverError> {
+        if let (Some(token), Some(wire)) = (self.token, &mut self.wire)
+            && self.doing == Doing::Nothing
+        {
+            wire.steps = run.steps;
+            self.doing = Doing::Making;
+            return Ok(ArmedReply { token: Some(token.to_string()) });
+        }
+        self.require_rest("make a wire")?;
+        self.require_homed()?;
+        let token = Token { session: session_id(), boots: self.boots, after: run.after };
+        self.renew(token.session, now);
+        self.token = Some(token);
+        let rotate_at = steps(run.rotate_at_deg * self.rotate_steps_per_deg());
+        self.wire = Some(Wire::new(run, rotate_at));
+        self.doing = Doing::Arming;
+        Ok(ArmedReply { token: Some(token.to_string()) })
+    }
+
+    pub fn send(&mut self, batch: &Batch) -> Result<Sent, DriverError> {
+        let (Some(wire), Doing::Arming | Doing::Making) = (&self.wire, self.doing) else {
+            return Err(DriverError::new("not-armed", "the machine is not armed for a wire", "arm it"));
+        };
+        let (mut given, done) = (wire.given, wire.done);
+        let mut lines = Vec::new();
+        for step in &batch.steps {
+            if step.n <= given {
+                continue;
+            }
+            if step.n != given + 1 {
+                return Err(fault::gap(given, step.n));
+            }
+            if self.doing == Doing::Arming || step.n > done + AHEAD {
+                break;
+            }
+            lines.push(self.line_of(step.n, step.step)?);
+            given = step.n;
+        }
+        let all = batch.steps.last().is_none_or(|last| last.n <= given);
+        if let Some(wire) = &mut self.wire {
+            for [feed, rotate, bend] in lines {
+                let turn = std::mem::take(&mut wire.turn);
+                self.link.line(b'M', &[feed, rotate + turn, bend]);
+            }
+            wire.given = given;
+            wire.closed |= batch.last && all && self.doing == Doing::Making;
+        }
+        let free = if self.doing == Doing::Arming { 0 } else { (done + AHEAD).saturating_sub(given) };
+        Ok(Sent { accepted: given, free })
+    }
+
+    pub fn jog(&mut self, motion: Motion) -> Result<(), DriverError> {
+        self.require_rest("move by hand")?;
+        self.require_homed()?;
+        let mut step = Step::default();
+        *match motion.axis {
+            Axis::Feed => &mut step.feed_mm,
+            Axis::Rotate => &mut step.rotate_deg,
+            Axis::Bend => &mut step.bend_deg,
+        } = motion.by;
+        let line = self.line_of(0, step)?;
+        self.doing = Doing::Jogging(self.link.line(b'M', &line));
+        Ok(())
+    }
+
+    pub fn pause(&mut self) {
+        self.link.ask(Ask::Pause);
+    }
+
+    pub fn resume(&mut self) {
+        self.link.ask(Ask::GoOn);
+    }
+
+    pub fn stop(&mut self, now: Duration) {
+        self.link.stop(now);
+        self.halt = Halt::Asked;
+        if self.doing == Doing::Writing {
+            self.doing = Doing::Nothing;
+        }
+    }
+
+    pub fn write_settings(&mut self) -> Result<(), DriverError> {
+        self.require_rest("store settings")?;
+        if self.read.contains(&None) {
+            self.link.ask(Ask::LoadDefaults);
+        }
+        // Twice: some are taken only after others.
+        for _ in 0..2 {
+            for (setting, value) in SETTINGS.iter().zip(expected(&self.settings)) {
+                self.link.ask(Ask::Write(setting.id, value));
+            }
+        }
+        self.read_settings();
+        self.homed = false;
+        self.doing = Doing::Writing;
+        Ok(())
+    }
+
+    pub(super) fn read_settings(&mut self) {
+        self.read = [None; SETTINGS.len()];
+        for setting in &SETTINGS {
+            self.link.ask(Ask::Read(setting.id));
+        }
+    }
+
+    pub(super) fn renew(&mut self, id: u16, now: Duration) {
+        self.link.renew(id, now);
+        self.token = None;
+    }
+
+    pub(super) fn rotate_steps_per_deg(&self) -> f64 {
+        f64::from(self.settings.rotate_steps_per_turn) / 360.0
+    }
+
+    /// A step in steps of the motors, if they can make it.
+    fn line_of(&self, n: u32, step: Step) -> Result<[i32; 3], DriverError> {
+        let settings = &self.settings;
+        let per_deg = f64::from(settings.bend_steps_per_turn) / 360.0;
+        let within = |value: f64, most: f64| value.is_finite() && value.abs() <= most + 1e-9;
+        for (what, value, most, unit) in [
+            ("feed", step.feed_mm, settings.feed_most_mm, " mm"),
+            ("rotation", step.rotate_deg, 2.0 * settings.rotate_limit_deg, "°"),
+            ("bend", step.bend_deg, settings.bend_limit_deg, "°"),
+        ] {
+            if !within(value, most) {
+                return Err(fault::beyond(n, what, value, most, unit));
+            }
+        }
+        Ok([
+            steps(step.feed_mm * settings.feed_steps_per_mm),
+            steps(step.rotate_deg * self.rotate_steps_per_deg()),
+            steps(step.bend_deg * per_deg),
+        ])
+    }
+
+    fn require_rest(&self, what: &str) -> Result<(), DriverError> {
+        match self.doing {
+            Doing::Nothing => Ok(()),
+            Doing::Connecting => Err(fault::busy(what, "it has not answered yet")),
+            Doing::Over => Err(fault::busy(what, "the connection is gone")),
+            Doing::Homing(_) => Err(fault::busy(what, "it searches its reference")),
+            Doing::Arming | Doing::Making => Err(fault::busy(what, "it makes a wire")),
+            Doing::Jogging(_) => Err(fault::busy(what, "it moves")),
+            Doing::Writing => Err(fault::busy(what, "it stores settings")),
+        }
+    }
+
+    fn require_homed(&self) -> Result<(), DriverError> {
+        if self.homed {
+            return Ok(());
+        }
+        Err(DriverError::new("not-homed", "the machine does not know where its axes are", "home it"))
+    }
+}

@@ -1,0 +1,142 @@
+//! What a person is told when something is not as it should be.
+
+use wirebend_driver_api::{DriverError, SettingCheck};
+
+use crate::protocol::{Alarm, Refusal, VERSION, Versions};
+
+pub(super) fn identity(versions: Option<Versions>) -> String {
+    match versions {
+        Some(Versions { firmware, machine, .. }) => {
+            let built_for = match machine {
+                1 => "WireBend-kit".to_owned(),
+                2 => "HowToMechatronics".to_owned(),
+                other => format!("machine {other}"),
+            };
+            format!("{built_for}, firmware {}.{:02}", firmware / 100, firmware % 100)
+        }
+        None => "WireBend-kit, in the session of before".to_owned(),
+    }
+}
+
+pub(super) fn busy(what: &str, why: &str) -> DriverError {
+    DriverError::new(
+        "busy",
+        format!("the machine cannot {what} now: {why}"),
+        "wait until it is at rest, or stop it",
+    )
+}
+
+pub(super) fn gap(given: u32, n: u32) -> DriverError {
+    DriverError::new("gap", format!("step {n} does not follow step {given}"), "send the steps in order")
+}
+
+pub(super) fn beyond(n: u32, what: &str, value: f64, most: f64, unit: &str) -> DriverError {
+    let step = if n == 0 { String::new() } else { format!(" of step {n}") };
+    DriverError::new(
+        "beyond",
+        format!("the {what}{step} of {value:.3}{unit} is beyond the machine's {most:.3}{unit}"),
+        "plan the design for this machine, or correct the limits in its profile",
+    )
+}
+
+pub(super) fn silent(connecting: bool) -> DriverError {
+    if connecting {
+        return DriverError::new(
+            "no-answer",
+            "nothing that speaks the WireBend-kit protocol answers at this port",
+            "see whether it is the right port, whether the board has power, and whether it has this program's firmware: firmware/README.md says how to flash it",
+        );
+    }
+    DriverError::new(
+        "silent",
+        "the machine has not answered for more than a second; it finishes its step and holds",
+        "look at the cable and at the board, then connect again",
+    )
+}
+
+pub(super) fn unplugged() -> DriverError {
+    DriverError::new(
+        "unplugged",
+        "the port is gone: the machine finishes its step and holds if it has power",
+        "plug the cable in, then connect again",
+    )
+}
+
+pub(super) fn other_version(versions: Versions) -> DriverError {
+    DriverError::new(
+        "other-version",
+        format!(
+            "the firmware speaks version {} of the protocol, this driver version {VERSION}",
+            versions.protocol
+        ),
+        "flash the firmware that came with this program: firmware/README.md says how",
+    )
+}
+
+pub(super) fn other_host() -> DriverError {
+    DriverError::new(
+        "other-session",
+        "the machine has lines of another session that it has not made",
+        "resume the job that they belong to, or stop the machine and connect again",
+    )
+}
+
+pub(super) fn restarted() -> DriverError {
+    DriverError::new(
+        "restarted",
+        "the controller has started anew and does not know where its axes are",
+        "look at its power and its cable, home the machine, and say whether the step in doubt was made",
+    )
+}
+
+pub(super) fn refused(command: u8, error: Refusal, homing: bool) -> DriverError {
+    let what = match command {
+        b'H' => "to search its reference",
+        b'M' if homing => "to turn the head back",
+        b'M' => "a step",
+        b'S' => "a new session",
+        _ => "a request",
+    };
+    let help = match error {
+        Refusal::Settings => "write the settings of the profile to the machine",
+        Refusal::NotHomed | Refusal::InAlarm => "home the machine",
+        Refusal::SoftLimit => "turn the head back, or correct the limits of the axes",
+        _ => "home the machine and try again",
+    };
+    DriverError::new("refused", format!("the machine refuses {what}: {}", error.meaning()), help)
+}
+
+pub(super) fn alarm(alarm: Alarm) -> DriverError {
+    let help = match alarm {
+        Alarm::Limit => "see what turned the bend axis to its switch, then home the machine",
+        Alarm::Homing => "look at the switch and its wires, and at the direction of the bend axis",
+        Alarm::LatePulse => "lower the speeds in the profile, then home the machine",
+        _ => "home the machine",
+    };
+    DriverError::new("alarm", format!("the machine has stopped: {}", alarm.meaning()), help)
+}
+
+pub(super) fn stopped_unasked() -> DriverError {
+    DriverError::new(
+        "stopped",
+        "a STOP has reached the machine that this program did not send",
+        "if nobody else did, the line is disturbed: use a shorter, shielded cable away from the motors' wires",
+    )
+}
+
+pub(super) fn host_lost() -> DriverError {
+    DriverError::new(
+        "host-lost",
+        "the machine has heard nothing for a second and holds after its step",
+        "look at the cable, then let it go on",
+    )
+}
+
+pub(super) fn settings_damaged() -> SettingCheck {
+    SettingCheck {
+        name: "stored settings".to_owned(),
+        machine: "none, damaged, or of another version".to_owned(),
+        expected: "those of the profile".to_owned(),
+        matters: true,
+    }
+}

@@ -1,0 +1,324 @@
+//! What is heard of the machine, and what follows from it.
+
+use std::time::Duration;
+
+use wirebend_driver_api::{DriverError, Event, GoingOn, SettingCheck, Step};
+
+use super::fault;
+use super::machine::{Doing, Halt, Homing, Machine, session_id};
+use super::wire::Wire;
+use crate::link::{Ask, News};
+use crate::protocol::{Alarm, Refusal, State, Status, VERSION, Versions};
+use crate::settings::{Difference, differences};
+
+impl Machine {
+    /// Takes what has come.
+    pub fn advance(&mut self, bytes: &[u8], now: Duration) {
+        self.link.advance(bytes, now);
+        for news in self.link.take_news() {
+            self.hear(news, now);
+        }
+        self.conclude();
+    }
+
+    fn hear(&mut self, news: News, now: Duration) {
+        match news {
+            News::Open { going_on, fresh } => self.opened(going_on, fresh),
+            News::Boot(_) | News::SessionLost => self.restarted(),
+            News::Accepted(n) => {
+                if let Doing::Homing(Homing::Searching { line, accepted }) = &mut self.doing {
+                    *accepted |= n >= *line;
+                }
+            }
+            News::Done(n) => self.done(n),
+            News::Status(status) => self.stands(status),
+            News::Answered(Ask::Head(_)) => self.head_unknown = false,
+            News::Answered(_) => {}
+            News::Setting { id, value } => {
+                let index = usize::from(id).wrapping_sub(1);
+                self.read.get_mut(index).into_iter().for_each(|read| *read = Some(value));
+            }
+            News::Refused { command, error } => self.refused(command, error, now),
+            News::Alarm(alarm) => self.alarmed(alarm, now),
+            News::Silent => self.lose(fault::silent(self.doing == Doing::Connecting)),
+        }
+    }
+
+    fn opened(&mut self, going_on: Option<(u32, u32)>, fresh: Option<(Versions, u32)>) {
+        if let Some((versions, boots)) = fresh {
+            (self.versions, self.boots) = (Some(versions), boots);
+            if versions.protocol != VERSION {
+                return self.lose(fault::other_version(versions));
+            }
+        }
+        match self.doing {
+            Doing::Connecting => {
+                match (going_on, self.token) {
+                    (Some((last, done)), Some(token)) => {
+                        self.boots = token.boots;
+                        self.wire = Some(Wire::going_on(token, last, done));
+                    }
+                    // It may have started while nobody was there to hear it.
+                    (_, token) => {
+                        self.head_unknown |= token.is_some_and(|token| token.boots != self.boots);
+                        self.token = None;
+                    }
+                }
+                self.read_settings();
+            }
+            Doing::Homing(Homing::Opening) => {
+                let line = self.link.line(b'H', &[]);
+                self.doing = Doing::Homing(Homing::Searching { line, accepted: false });
+            }
+            _ => {}
+        }
+    }
+
+    /// The controller counts the head from where it was when it started; the program from the wire's start.
+    fn place_head(&mut self, status: Status) {
+        let Some(wire) = self.wire.as_mut().filter(|wire| !wire.placed) else { return };
+        wire.placed = true;
+        if self.head_unknown {
+            self.link.ask(Ask::Head(wire.rotate_at));
+        } else {
+            wire.turn = wire.rotate_at - status.position[1];
+        }
+    }
+
+    fn done(&mut self, n: u32) {
+        match self.doing {
+            Doing::Homing(Homing::Searching { line, .. }) if n >= line => {
+                self.doing = Doing::Homing(Homing::Asking);
+            }
+            Doing::Homing(Homing::Returning { line }) if n >= line => self.homed(),
+            Doing::Jogging(line) if n >= line => {
+                self.doing = Doing::Nothing;
+                self.report(Event::Jogged);
+            }
+            _ => {
+                let done = self.wire.as_mut().map(|wire| wire.made(n)).into_iter().flatten();
+                let events: Vec<Event> = done.map(|n| Event::Done { n }).collect();
+                self.events.extend(events);
+            }
+        }
+    }
+
+    fn homed(&mut self) {
+        (self.doing, self.homed) = (Doing::Nothing, true);
+        self.report(Event::Homed);
+    }
+
+    fn stands(&mut self, status: Status) {
+        let first = self.status.replace(status).is_none();
+        if self.doing == Doing::Homing(Homing::Asking) {
+            let back = -status.position[1];
+            if back == 0 {
+                return self.homed();
+            }
+            let line = self.link.line(b'M', &[0, back, 0]);
+            self.doing = Doing::Homing(Homing::Returning { line });
+        }
+        // One of before may tell of a head that was on its way.
+        if self.doing == Doing::Arming && self.link.session().is_some() {
+            self.place_head(status);
+        }
+        if self.doing == Doing::Connecting || first {
+            return;
+        }
+        self.tell_position(status);
+        self.tell_hold(status);
+    }
+
+    fn tell_position(&mut self, status: Status) {
+        if self.told == Some(status.position) {
+            return;
+        }
+        self.told = Some(status.position);
+        let [feed, rotate, bend] = status.position.map(f64::from);
+        self.report(Event::Position(Step {
+            feed_mm: feed / self.settings.feed_steps_per_mm,
+            rotate_deg: rotate / self.rotate_steps_per_deg(),
+            bend_deg: bend * 360.0 / f64::from(self.settings.bend_steps_per_turn),
+        }));
+    }
+
+    fn tell_hold(&mut self, status: Status) {
+        let held = status.state == State::Held;
+        if held == self.held {
+            return;
+        }
+        self.held = held;
+        if held && status.alarm == Alarm::HostLost {
+            self.report(Event::Warning(fault::host_lost()));
+        }
+        // A stop ends a hold without going on.
+        if held {
+            self.report(Event::Paused);
+        } else if status.state != State::Alarm {
+            self.report(Event::Resumed);
+        }
+    }
+
+    /// The controller has started anew, or is in nobody's session.
+    fn restarted(&mut self) {
+        self.head_unknown = true;
+        // What it was busy with is over.
+        self.status = None;
+        if self.doing == Doing::Connecting {
+            return;
+        }
+        let in_doubt = self.in_doubt();
+        self.give_up();
+        self.report(Event::Fault { error: fault::restarted(), in_doubt, disconnected: false });
+    }
+
+    fn refused(&mut self, command: u8, error: Refusal, now: Duration) {
+        match (command, self.doing) {
+            // Told with the settings.
+            (b'C', _) if error == Refusal::Settings => {}
+            // In the first of two rounds.
+            (b'W', Doing::Writing) => {}
+            (b'S', Doing::Homing(Homing::Opening)) if error == Refusal::NotIdle => {
+                self.link.stop(now);
+                self.doing = Doing::Homing(Homing::Stopping);
+            }
+            (b'S', Doing::Connecting) if error == Refusal::NotIdle => self.lose(fault::other_host()),
+            _ => {
+                let in_doubt = self.in_doubt();
+                let homing = matches!(self.doing, Doing::Homing(_));
+                self.give_up();
+                let error = fault::refused(command, error, homing);
+                self.report(Event::Fault { error, in_doubt, disconnected: false });
+            }
+        }
+    }
+
+    fn alarmed(&mut self, alarm: Alarm, now: Duration) {
+        if alarm == Alarm::HostLost {
+            return; // the status tells of the hold
+        }
+        match self.doing {
+            Doing::Homing(Homing::Stopping) => {
+                self.renew(session_id(), now);
+                self.doing = Doing::Homing(Homing::Opening);
+                return;
+            }
+            // Of before it took the line that leaves the alarm.
+            Doing::Homing(Homing::Opening | Homing::Searching { accepted: false, .. })
+                if self.halt != Halt::Asked =>
+            {
+                return;
+            }
+            Doing::Connecting | Doing::Over => return,
+            _ => {}
+        }
+        let asked = self.halt == Halt::Asked;
+        if std::mem::replace(&mut self.halt, Halt::Told(alarm)) == Halt::Told(alarm) {
+            return;
+        }
+        let in_doubt = self.in_doubt();
+        self.give_up();
+        if alarm == Alarm::Stop {
+            if !asked {
+                self.report(Event::Warning(fault::stopped_unasked()));
+            }
+            self.report(Event::Stopped { homed: false });
+        } else {
+            self.report(Event::Fault { error: fault::alarm(alarm), in_doubt, disconnected: false });
+        }
+    }
+
+    fn in_doubt(&self) -> Option<u32> {
+        self.wire.as_ref().and_then(Wire::in_doubt)
+    }
+
+    /// What was begun is over; the machine has to be homed.
+    fn give_up(&mut self) {
+        (self.doing, self.homed, self.wire, self.token) = (Doing::Nothing, false, None, None);
+    }
+
+    fn lose(&mut self, error: DriverError) {
+        if self.doing == Doing::Over {
+            return;
+        }
+        let in_doubt = self.in_doubt();
+        self.give_up();
+        self.doing = Doing::Over;
+        self.report(Event::Fault { error, in_doubt, disconnected: true });
+    }
+
+    /// The port is gone.
+    pub fn unplugged(&mut self) {
+        self.lose(fault::unplugged());
+    }
+
+    /// Whether the port is of no use any more.
+    pub fn is_over(&self) -> bool {
+        self.doing == Doing::Over
+    }
+
+    fn conclude(&mut self) {
+        let read = self.link.session().is_some() && self.link.is_answered();
+        match self.doing {
+            Doing::Connecting if read && self.halt == Halt::No => {
+                if let Some(status) = self.status {
+                    self.connected(status);
+                }
+            }
+            Doing::Writing if read => {
+                self.doing = Doing::Nothing;
+                let settings = self.checks();
+                self.report(Event::SettingsWritten { settings });
+            }
+            Doing::Arming if read && self.wire.as_ref().is_some_and(|wire| wire.placed) => {
+                self.head_unknown = false;
+                self.doing = Doing::Making;
+            }
+            _ => {}
+        }
+    }
+
+    fn connected(&mut self, status: Status) {
+        self.doing = Doing::Nothing;
+        if status.state == State::Alarm {
+            // What was not made of the wire is forgotten.
+            (self.wire, self.token) = (None, None);
+        }
+        self.homed = status.homed && self.token.is_some();
+        let going_on = self.wire.as_ref().map(|wire| GoingOn { accepted: wire.given, done: wire.done });
+        let event = Event::Connected {
+            identity: fault::identity(self.versions),
+            settings: self.checks(),
+            homed: self.homed,
+            going_on,
+        };
+        self.report(event);
+        if status.state == State::Alarm {
+            self.report(Event::Warning(fault::alarm(status.alarm)));
+            self.halt = Halt::Told(status.alarm);
+        }
+        self.tell_position(status);
+        self.tell_hold(status);
+    }
+
+    fn checks(&self) -> Vec<SettingCheck> {
+        if self.read.contains(&None) {
+            return vec![fault::settings_damaged()];
+        }
+        let read = self.read.map(Option::unwrap_or_default);
+        differences(&self.settings, &read).into_iter().map(Difference::told).collect()
+    }
+
+    /// Whether the last step of the wire is made.
+    pub fn has_made(&self) -> bool {
+        self.doing == Doing::Making && self.wire.as_ref().is_some_and(Wire::is_made)
+    }
+
+    /// Ends what is over.
+    pub fn settle(&mut self) {
+        if self.has_made() {
+            (self.doing, self.wire) = (Doing::Nothing, None);
+            self.report(Event::Finished);
+        }
+    }
+}

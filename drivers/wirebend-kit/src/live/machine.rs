@@ -1,0 +1,138 @@
+//! The machine as the program sees it: what it is asked, and what it reports. Knows no port and no clock.
+
+use std::collections::VecDeque;
+use std::hash::{BuildHasher, Hasher, RandomState};
+use std::rc::Rc;
+use std::time::Duration;
+
+use wirebend_driver_api::Event;
+
+use super::wire::{Token, Wire};
+use crate::link::Link;
+use crate::protocol::{Alarm, SETTINGS, Status, Versions};
+use crate::settings::Settings;
+
+/// What it is busy with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Doing {
+    /// Until the controller's settings are known.
+    Connecting,
+    Nothing,
+    Homing(Homing),
+    /// Until the session of a wire is open, and the controller knows where the head stands.
+    Arming,
+    Making,
+    /// Until this line is made.
+    Jogging(u32),
+    Writing,
+    /// The port is of no use any more.
+    Over,
+}
+
+/// From a request to a machine that knows where its axes are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Homing {
+    /// What the controller was busy with is stopped.
+    Stopping,
+    Opening,
+    Searching {
+        line: u32,
+        accepted: bool,
+    },
+    /// Until a status tells where the head stands.
+    Asking,
+    /// The head goes back to zero.
+    Returning {
+        line: u32,
+    },
+}
+
+/// What has ended everything, until the machine is homed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Halt {
+    No,
+    /// A person has asked for a stop.
+    Asked,
+    /// It was told.
+    Told(Alarm),
+}
+
+/// A controller, and what was made of it.
+pub(super) struct Machine {
+    pub(super) settings: Rc<Settings>,
+    pub(super) link: Link,
+    pub(super) events: VecDeque<Event>,
+    pub(super) doing: Doing,
+    pub(super) token: Option<Token>,
+    pub(super) versions: Option<Versions>,
+    /// How often the controller has started.
+    pub(super) boots: u32,
+    /// The controller's settings as far as they were read; nothing where it says that they are damaged.
+    pub(super) read: [Option<i32>; SETTINGS.len()],
+    pub(super) status: Option<Status>,
+    pub(super) told: Option<[i32; 3]>,
+    /// The controller has started since it was told where the head stands.
+    pub(super) head_unknown: bool,
+    pub(super) homed: bool,
+    pub(super) held: bool,
+    pub(super) halt: Halt,
+    pub(super) wire: Option<Wire>,
+}
+
+impl Machine {
+    pub fn new(settings: Rc<Settings>, resume: Option<&str>, now: Duration) -> Self {
+        let token = resume.and_then(Token::parse);
+        let boot = Duration::try_from_secs_f64(settings.boot_s).unwrap_or_default();
+        let link = Link::new(session_id(), token.map(|token| token.session), boot, now);
+        Self {
+            settings,
+            link,
+            events: VecDeque::new(),
+            doing: Doing::Connecting,
+            token,
+            versions: None,
+            boots: 0,
+            read: [None; SETTINGS.len()],
+            status: None,
+            told: None,
+            head_unknown: false,
+            homed: false,
+            held: false,
+            halt: Halt::No,
+            wire: None,
+        }
+    }
+
+    pub fn take_bytes(&mut self) -> Vec<u8> {
+        self.link.take_bytes()
+    }
+
+    pub fn take_event(&mut self) -> Option<Event> {
+        self.events.pop_front()
+    }
+
+    pub fn report(&mut self, event: Event) {
+        self.events.push_back(event);
+    }
+
+    /// What is sent when nobody will be there any more.
+    pub fn farewell(&self) -> Vec<u8> {
+        self.link.hold()
+    }
+
+    /// Whether the controller has lines that it has not made.
+    pub fn is_moving(&self) -> bool {
+        self.link.is_outstanding()
+    }
+
+    /// Whether a STOP was not answered yet.
+    pub fn is_stopping(&self) -> bool {
+        self.link.is_stopping()
+    }
+}
+
+/// One that neither this program nor another is likely to have taken before.
+pub(super) fn session_id() -> u16 {
+    let random = RandomState::new().build_hasher().finish();
+    u16::try_from(1 + random % 0xFFFD).unwrap_or(1)
+}
