@@ -13,15 +13,17 @@ CARGO_FUZZ_VERSION := 0.13.2
 WIREBEND := target/release/wirebend
 RUN := target/run
 PEERS := target/peers
+# The files of firmware/machines.
+MACHINES := wirebend-kit howtomechatronics
 # How long `make fuzz` stays with one target.
 FUZZ_SECONDS ?= 120
 
 .PHONY: help
 help: ## list the targets
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 # The program and the drivers that ship with it: it finds them in the folder that it is in itself.
-DRIVERS := pensa tables grbl howtomechatronics
+DRIVERS := wirebend-kit pensa tables grbl howtomechatronics
 .PHONY: build
 build: check-tools ## the program and its drivers, in target/release
 	cargo build --release --package wirebend-cli $(DRIVERS:%=--package wirebend-driver-%)
@@ -53,8 +55,18 @@ run: build ## plan the bunny and compare machines; programs for each machine and
 	$(WIREBEND) simulate $(RUN)/bunny-pensa.wbjob --noise bend-forming --svg $(RUN)/bunny-made.svg --force
 	@echo; ls -l $(RUN)
 
+.PHONY: firmware
+firmware: firmware-tools ## the controllers' programs for every machine, in target/firmware
+	@for machine in $(MACHINES); do \
+		$(MAKE) --no-print-directory -C firmware MACHINE=$$machine OUT=$(CURDIR)/target/firmware/$$machine || exit 1; \
+	done
+
+.PHONY: firmware-soak
+firmware-soak: check-tools firmware-tools ## the whole bunny on the core and on the board's binary, pulse by pulse: minutes
+	cargo bench --package wirebend-tests-firmware --bench bunny
+
 .PHONY: test
-test: check-tools fmt-check lint unit doc tidy generate-check fuzz-check deny ## every check: format, lints, tests, documentation, tidiness, licences
+test: check-tools firmware-tools fmt-check lint unit doc tidy generate-check fuzz-check deny ## every check: format, lints, tests, documentation, tidiness, licences
 
 .PHONY: bench
 bench: check-tools check-python ## figures of this machine, ours and the peer's in the same run
@@ -65,7 +77,9 @@ bench: check-tools check-python ## figures of this machine, ours and the peer's 
 	cargo run --quiet --release --package wirebend-benches --bin figures -- target/release/wirebend $(PEERS)/bin/python
 
 .PHONY: fuzz
-fuzz: check-tools ## search for inputs that break a reader, two minutes a target (FUZZ_SECONDS=120)
+fuzz: check-tools check-clang ## search for inputs that break a reader or the firmware, two minutes a target (FUZZ_SECONDS=120)
+	@echo "--- fuzz the firmware's core, $(FUZZ_SECONDS) s"
+	$(MAKE) --no-print-directory -C firmware fuzz FUZZ_SECONDS=$(FUZZ_SECONDS)
 	@cargo fuzz --version >/dev/null 2>&1 || cargo install cargo-fuzz --locked --version $(CARGO_FUZZ_VERSION) --root $(TOOLS)
 	@targets=$$(RUSTC_BOOTSTRAP=1 cargo fuzz list) || exit 1; \
 	for target in $$targets; do \
@@ -145,6 +159,27 @@ check-tools: ## are the tools here that everything else needs?
 		cargo clippy --version >/dev/null 2>&1 || say "clippy is missing" "rustup component add clippy"; \
 	fi; \
 	exit $$missing
+
+# The compiler for the controller and the simulator of its chip: installed where that can be done without asking.
+FIRMWARE_PACKAGES := gcc-avr binutils-avr avr-libc libsimavr-dev libelf-dev pkg-config
+INSTALL_FIRMWARE := apt-get install -y --no-install-recommends $(FIRMWARE_PACKAGES)
+.PHONY: firmware-tools
+firmware-tools:
+	@here() { \
+		command -v avr-gcc >/dev/null && command -v avr-objcopy >/dev/null && command -v pkg-config >/dev/null \
+			&& test -f "$$(avr-gcc -mmcu=atmega328p -print-file-name=crtatmega328p.o 2>/dev/null)" \
+			&& pkg-config --exists simavr; \
+	}; \
+	here && exit 0; \
+	if command -v apt-get >/dev/null; then \
+		if [ "$$(id -u)" = 0 ]; then $(INSTALL_FIRMWARE); \
+		elif sudo -n true 2>/dev/null; then sudo -n $(INSTALL_FIRMWARE); fi; \
+	fi; \
+	here || { echo "the compiler or the simulator of the firmware is missing; to install them: $(INSTALL_FIRMWARE)" >&2; exit 1; }
+
+.PHONY: check-clang
+check-clang:
+	@command -v clang >/dev/null 2>&1 || { echo "clang is missing; to install it: apt-get install -y clang" >&2; exit 1; }
 
 # NetworkX of benches/peers/requirements.txt needs Python 3.11.
 .PHONY: check-python

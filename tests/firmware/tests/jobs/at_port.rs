@@ -1,0 +1,55 @@
+//! A board behind a port with a job on it, and what is waited for.
+
+use std::sync::mpsc::{Receiver, channel};
+use std::time::Duration;
+
+use wirebend_tests_firmware::{OnPty, Options, Pace};
+
+use crate::bender::{Bender, Gears, Moment};
+use crate::board::{Board, MS};
+
+/// A board that has not moved for so long does not go on by itself: it waits for the host for a second at most.
+const STILL: u64 = 1300 * MS;
+
+/// A machine at a port.
+pub struct AtPort<B> {
+    pub board: OnPty<Bender<B>>,
+    pub port: String,
+}
+
+impl<B: Board + Send + 'static> AtPort<B> {
+    /// `stored`: the settings. An Uno starts anew whenever its port is opened; some boards do not.
+    pub fn new(gears: Gears, stored: Option<&[u8]>, reset_on_open: bool) -> Self {
+        let options = Options { pace: Pace::Times(1), reset_on_open };
+        let board = OnPty::new(Bender::new(gears, stored), options).unwrap();
+        let port = board.port().to_str().unwrap().to_owned();
+        Self { board, port }
+    }
+
+    pub fn with<T: Send + 'static>(&self, what: impl FnOnce(&mut Bender<B>) -> T + Send + 'static) -> T {
+        self.board.with(what).unwrap()
+    }
+
+    /// Hears of a moment of the job, at which something is done to the board.
+    pub fn at(&self, moment: Moment, then: impl FnOnce(&mut Bender<B>) + Send + 'static) -> Receiver<()> {
+        let (reached, hears) = channel();
+        self.with(move |bender| {
+            bender.at(moment, move |bender| {
+                then(bender);
+                // Who does not wait has failed before.
+                let _ = reached.send(());
+            });
+        });
+        hears
+    }
+
+    /// Waits until nothing moves any more.
+    #[track_caller]
+    pub fn until_still(&self) {
+        let (reached, hears) = channel();
+        self.with(move |bender| {
+            bender.watch(|bender| bender.still_for() > STILL, move |_| reached.send(()).unwrap_or_default());
+        });
+        hears.recv_timeout(Duration::from_secs(20)).expect("the machine to stand still");
+    }
+}

@@ -1,0 +1,89 @@
+//! Figure: a job is interrupted in every way, at every line, and gone on with.
+
+mod case;
+mod end;
+mod job;
+
+use std::sync::Mutex;
+use std::time::Instant;
+
+use crate::bender::Phase;
+use crate::board::{Avr, Board, Host};
+use crate::shop::shared;
+use case::{Case, What};
+pub use job::{GEARS, Job, MACHINE, coarse};
+
+/// Cases that are under way at the same time: most of a case is waiting for the machine.
+const AT_ONCE: usize = 16;
+/// Lines of the cube.
+const LINES: usize = 8;
+/// Moments within a line, per cent of a phase; each way of interrupting a job begins with another one at the first line.
+const MOMENTS: [(Phase, usize); 7] = [
+    (Phase::Feed, 50),
+    (Phase::Swing, 30),
+    (Phase::Peg, 0),
+    (Phase::Rotate, 60),
+    (Phase::Return, 50),
+    (Phase::Feed, 10),
+    (Phase::Swing, 90),
+];
+
+fn cases() -> Vec<Case> {
+    let every = What::ALL.into_iter().enumerate();
+    let cases = every.flat_map(|(number, (what, resets))| {
+        (0..LINES).map(move |line| {
+            let (phase, percent) = MOMENTS[(2 * number + line) % MOMENTS.len()];
+            // What does not say that opening resets the board, does so at every second line.
+            let reset_on_open = resets.unwrap_or(line % 2 == 1);
+            Case { what, line, phase, percent, reset_on_open }
+        })
+    });
+    cases.collect()
+}
+
+/// Runs them all, and tells of each that failed.
+fn try_all<B: Board + Send + 'static>(job: &Job, cases: Vec<Case>, at_once: usize) {
+    let begun = Instant::now();
+    let count = cases.len();
+    let left = Mutex::new(cases.into_iter());
+    let failed = Mutex::new(Vec::new());
+    std::thread::scope(|scope| {
+        for _ in 0..at_once {
+            scope.spawn(|| {
+                loop {
+                    let Some(case) = left.lock().unwrap().next() else { return };
+                    let tried = std::thread::scope(|alone| alone.spawn(|| case.try_on::<B>(job)).join());
+                    match tried {
+                        Ok(told) => println!("{}: {case}: {told}", B::NAME),
+                        Err(_) => failed.lock().unwrap().push(case),
+                    }
+                }
+            });
+        }
+    });
+    let failed = failed.into_inner().unwrap();
+    println!("{}: {count} cases in {:.0} s", B::NAME, begun.elapsed().as_secs_f64());
+    assert!(failed.is_empty(), "{}", failed.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "));
+}
+
+#[test]
+fn a_job_survives_every_interruption_at_every_line() {
+    let _others = shared();
+    try_all::<Host>(Job::cube(), cases(), AT_ONCE);
+}
+
+/// The same with the binary of the board, once each.
+#[test]
+fn the_board_survives_what_the_core_survives() {
+    let _others = shared();
+    let lines = [2, 6, 4, 1, 5, 3, 0];
+    let some = What::ALL.into_iter().zip(lines).zip(MOMENTS);
+    let cases = some.map(|(((what, resets), line), (phase, percent))| Case {
+        what,
+        line,
+        phase,
+        percent,
+        reset_on_open: resets.unwrap_or(true),
+    });
+    try_all::<Avr>(Job::cube(), cases.collect(), 4);
+}

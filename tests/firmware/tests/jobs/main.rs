@@ -1,0 +1,16 @@
+//! A job from the program to the wire: `wirebend` and its driver as they are shipped, the firmware behind a port.
+
+#![cfg(target_os = "linux")]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // a test may stop at what cannot be
+#![allow(clippy::print_stdout)] // figures, for --nocapture
+
+mod at_port;
+mod bender;
+#[path = "../controller/board/mod.rs"]
+#[allow(dead_code)] // some of it is for the tests of the controller alone
+mod board;
+mod cube;
+mod interrupted;
+mod shop;
+mod stop;
+mod wrong;
