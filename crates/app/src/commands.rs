@@ -72,6 +72,22 @@ commands! {
     Export(crate::ExportRequest) -> crate::ExportResponse = crate::export::export, "export";
     /// Bends a job without a machine.
     Simulate(crate::SimulateRequest) -> crate::SimulateResponse = crate::simulate::simulate, "simulate";
+    /// Makes a job on its machine.
+    Run(crate::RunRequest) -> crate::RunResponse = crate::run::run, "run";
+    /// Moves a machine by hand.
+    Jog(crate::JogRequest) -> crate::JogResponse = crate::by_hand::jog, "jog";
+    /// Makes recorded moves again.
+    Replay(crate::ReplayRequest) -> crate::JogResponse = crate::by_hand::replay, "replay";
+    /// Lists the ports that a machine can be at.
+    Ports(crate::PortsRequest) -> crate::PortsResponse = crate::ports::ports, "ports";
+    /// Compares a machine's settings with its profile, or writes them.
+    MachineSettings(crate::MachineSettingsRequest) -> crate::MachineSettingsResponse = crate::machine_settings::machine_settings, "machine-settings";
+    /// Lists what was made.
+    Runs(crate::RunsRequest) -> crate::RunsResponse = crate::runs::list, "runs";
+    /// Shows what was made of a wire.
+    RunsShow(crate::RunsShowRequest) -> crate::RunsShowResponse = crate::runs::show, "runs-show";
+    /// Writes what was made of a wire as a file.
+    RunsExport(crate::RunsExportRequest) -> crate::RunsExportResponse = crate::runs::export, "runs-export";
     /// One stage's value.
     Dump(crate::DumpRequest) -> crate::DumpResponse = crate::dump::dump, "dump";
     /// Says whether profile files can be used.

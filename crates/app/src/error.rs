@@ -9,8 +9,8 @@ use wirebend_files::document::DocumentError;
 use wirebend_files::read::ReadError;
 use wirebend_profile::{Kind, ProfileError};
 
-use crate::DriverProblem;
 use crate::report::PlanReport;
+use crate::{DriverProblem, LiveProblem};
 
 /// Whose turn it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -23,6 +23,8 @@ pub enum ErrorKind {
     NotFeasible,
     /// A machine, a driver or this computer failed.
     Failure,
+    /// A person has stopped it.
+    Stopped,
 }
 
 /// Why a command came to nothing. The message says what to do.
@@ -159,6 +161,9 @@ pub enum AppError {
     /// A driver is not there, is not trusted, failed, or refused.
     #[error(transparent)]
     Driver(#[from] DriverProblem),
+    /// A machine does not move, or does not any more.
+    #[error(transparent)]
+    Live(#[from] LiveProblem),
     /// A machine's program was asked for in the format of another machine.
     #[error(
         "{format} is no format of '{machine}', whose programs are compensated for that machine alone: plan the wireframe for a machine that reads it, or choose one of {known}"
@@ -294,6 +299,7 @@ impl AppError {
     pub fn kind(&self) -> ErrorKind {
         match self {
             Self::Driver(problem) => problem.kind(),
+            Self::Live(problem) => problem.kind(),
             Self::Document(DocumentError::Save { .. } | DocumentError::Write(_))
             | Self::Picture(_)
             | Self::Json(_) => ErrorKind::Failure,
@@ -351,6 +357,7 @@ impl AppError {
             Self::UnknownFormat { .. } => "unknown-format",
             Self::NoSettings { .. } => "no-settings",
             Self::Driver(problem) => problem.code(),
+            Self::Live(problem) => problem.code(),
             Self::OtherMachine { .. } => "other-machine",
             Self::FormatOfAnother { .. } => "format-of-another",
             Self::Settled { .. } => "settled",

@@ -5,6 +5,7 @@
 //! compile until every front end shows its response. The stages of the pipeline are called from here and
 //! nowhere else; the clock, the profiles and the file names are here too.
 
+mod by_hand;
 mod catalogue;
 mod commands;
 mod compare;
@@ -14,17 +15,23 @@ mod dump;
 mod error;
 mod export;
 mod import;
+mod live;
 mod machine;
+mod machine_settings;
 mod output;
 mod picture;
 mod plan;
+mod ports;
 mod profile_check;
 mod profile_explain;
 mod profile_new;
 mod progress;
 mod report;
+mod run;
+mod runs;
 mod simulate;
 
+pub use by_hand::{JogRequest, JogResponse, Move, MovesFile, ReplayRequest};
 pub use catalogue::{
     MachineEntry, MachinesRequest, MachinesResponse, MaterialEntry, MaterialsRequest, MaterialsResponse,
 };
@@ -41,8 +48,11 @@ pub use dump::{DumpRequest, DumpResponse, DumpStage};
 pub use error::{AppError, ErrorKind};
 pub use export::{ExportFormat, ExportRequest, ExportResponse};
 pub use import::{ImportRequest, ImportResponse};
+pub use live::{Decision, Doubt, LiveProblem, News};
+pub use machine_settings::{MachineSettingsRequest, MachineSettingsResponse};
 pub use output::Output;
 pub use plan::{CheckRequest, CheckResponse, PlanChoices, PlanRequest, PlanResponse};
+pub use ports::{PortEntry, PortsRequest, PortsResponse};
 pub use profile_check::{FileVerdict, ProfileCheckRequest, ProfileCheckResponse};
 pub use profile_explain::{
     AncestorReport, OverriddenReport, ProfileExplainRequest, ProfileExplainResponse, ValueReport,
@@ -53,12 +63,17 @@ pub use report::{
     CompensatedReport, DiagnosticReport, NoteReport, PlanReport, ProgramReport, RouteReport, SeverityName,
     StepReport, WireReport, WireframeReport,
 };
-pub use simulate::{GapReport, SimulateRequest, SimulateResponse, VertexReport};
+pub use run::{LeftBecause, RunHow, RunOutcome, RunProblem, RunRequest, RunResponse, WireRun};
+pub use runs::{
+    Outcome, Record, RunEntry, RunsExportRequest, RunsExportResponse, RunsRequest, RunsResponse,
+    RunsShowRequest, RunsShowResponse,
+};
+pub use simulate::{GapReport, SimulateRequest, SimulateResponse, SimulationModel, VertexReport};
 
 use std::path::PathBuf;
 
-pub use wirebend_driver_host::api::Capability;
-pub use wirebend_driver_host::{CHILD_COMMAND, child_main};
+pub use wirebend_driver_host::api::{Capability, SettingCheck, Usb};
+pub use wirebend_driver_host::{CHILD_COMMAND, StopHandle, StopOutcome, StoppedBy, child_main};
 pub use wirebend_files::read::{Format, LengthUnit};
 pub use wirebend_profile::Kind as ProfileKind;
 use wirebend_profile::{Library, ProfileError};
@@ -69,6 +84,8 @@ pub struct App {
     library: Library,
     refused: Vec<ProfileError>,
     drivers: DriverFolders,
+    /// Where journals and records of wires are; without a place, no wire is made.
+    runs: Option<PathBuf>,
 }
 
 impl App {
@@ -83,13 +100,19 @@ impl App {
         for folder in profile_folders {
             refused.extend(library.add_folder(folder).refused);
         }
-        Ok(Self { library, refused, drivers: DriverFolders::default() })
+        Ok(Self { library, refused, drivers: DriverFolders::default(), runs: None })
     }
 
     /// The same with drivers from other places than the folders beside the program.
     #[must_use]
     pub fn with_drivers(self, drivers: DriverFolders) -> Self {
         Self { drivers, ..self }
+    }
+
+    /// The same with a folder for journals and records of the wires that are made.
+    #[must_use]
+    pub fn with_runs(self, folder: Option<PathBuf>) -> Self {
+        Self { runs: folder, ..self }
     }
 
     /// Profiles in a person's folders that could not be used, and why.

@@ -1,6 +1,6 @@
 //! From profiles to what the stages ask about.
 
-use wirebend_core::bend::{Convention, Sign, Step};
+use wirebend_core::bend::Step;
 use wirebend_core::checks::{MachineLimits, Sourced};
 use wirebend_core::compensate::{
     BendModel, Compensation, FeedModel, PegGeometry, Springback, SpringbackCurve, SpringbackPoint,
@@ -15,6 +15,7 @@ use wirebend_profile::{
 };
 
 use crate::AppError;
+use crate::drivers::Signs;
 use crate::report::NoteReport;
 
 /// A machine with a wire in it, and the profiles that say so.
@@ -23,7 +24,7 @@ pub(crate) struct Setup {
     pub machine: Resolved<MachineProfile>,
     pub material: Resolved<MaterialProfile>,
     pub model: Machine,
-    pub convention: Convention,
+    pub signs: Signs,
     pub currency: Option<String>,
 }
 
@@ -46,9 +47,8 @@ impl Setup {
         let figures = machine.figures()?;
         let wire = material.figures()?;
         let model = model(&machine, &figures, &material, &wire)?;
-        let sign = |factor: f64| if factor < 0.0 { Sign::Opposite } else { Sign::Same };
-        let convention = Convention { bend: sign(figures.bend_sign), rotate: sign(figures.rotate_sign) };
-        Ok(Self { machine, material, model, convention, currency: wire.currency })
+        let signs = Signs::of(&figures);
+        Ok(Self { machine, material, model, signs, currency: wire.currency })
     }
 
     /// The machine's id.

@@ -1,11 +1,33 @@
-//! How a front end hears of long work.
+//! How a front end hears of long work, is asked on behalf of a person, and gets at a stop.
+
+use wirebend_driver_host::StopHandle;
+
+use crate::{Decision, Doubt, News};
 
 /// Hears what is being done. Called from the thread that runs the command.
+///
+/// What moves a machine asks here first. The defaults are those of a front end without a person: nobody hears,
+/// nobody answers, and so nothing moves unless the request itself says that it was confirmed.
 pub trait Progress {
     /// A stage begins: a word or two for a person.
     fn stage(&self, name: &str);
     /// So many of so many things are done.
     fn advance(&self, done: u64, of: u64);
+    /// Something happened on a machine, or is about to.
+    fn news(&self, _news: &News) {}
+    /// Asks a person whether something may move. `None`: nobody is there to be asked.
+    fn confirm(&self, _question: &str) -> Option<bool> {
+        None
+    }
+    /// Asks a person, who looks at the wire, what became of a step. `None`: nobody is there, or nobody knows.
+    fn decide(&self, _doubt: &Doubt) -> Option<Decision> {
+        None
+    }
+    /// A machine can be stopped by this from now on, from any thread, whatever the command is doing. A front end
+    /// keeps it until [`Progress::disconnected`], and should a person have asked for a stop before, uses it now.
+    fn connected(&self, _stop: &StopHandle) {}
+    /// No machine is connected any more.
+    fn disconnected(&self) {}
 }
 
 /// Hears nothing.

@@ -21,6 +21,8 @@ pub mod exit {
     pub const NOT_FEASIBLE: u8 = 4;
     /// Machine, driver or computer failure.
     pub const FAILURE: u8 = 5;
+    /// Stopped by the person.
+    pub const STOPPED: u8 = 130;
 }
 
 /// The JSON Schema of what `--json` prints instead of a result.
@@ -88,6 +90,7 @@ pub(crate) fn report(error: &anyhow::Error, json: bool) -> ExitCode {
         Some(ErrorKind::NotFeasible) => exit::NOT_FEASIBLE,
         None if error.is::<WrongUse>() => exit::USAGE,
         None if error.is::<BadInput>() => exit::BAD_INPUT,
+        Some(ErrorKind::Stopped) => exit::STOPPED,
         Some(ErrorKind::Failure) | None => exit::FAILURE,
     };
     let report = known.and_then(AppError::report);

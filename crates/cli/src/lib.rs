@@ -7,6 +7,8 @@ mod errors;
 mod progress;
 mod render;
 mod requests;
+mod stop;
+mod terminal;
 
 use std::io::{IsTerminal, Write};
 use std::path::PathBuf;
@@ -14,10 +16,11 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory, FromArgMatches};
 use etcetera::BaseStrategy;
-use wirebend_app::{App, DriverFolders, NoProgress, Progress};
+use wirebend_app::{App, DriverFolders, Request};
 
 pub use args::Cli;
 pub use errors::{error_schema, exit};
+use terminal::Terminal;
 
 /// The arguments, for documentation: completions, manual page, reference.
 #[must_use]
@@ -68,7 +71,7 @@ fn listen(verbose: u8) {
 }
 
 fn run(cli: Cli) -> anyhow::Result<u8> {
-    let Cli { command, json, profiles, driver_path, .. } = cli;
+    let Cli { command, json, profiles, driver_path, runs_folder, .. } = cli;
     let (request, output) = match requests::prepare(command)? {
         requests::Prepared::Request(request, output) => (*request, output),
         requests::Prepared::Text(text) => {
@@ -76,15 +79,29 @@ fn run(cli: Cli) -> anyhow::Result<u8> {
             return Ok(exit::DONE);
         }
     };
-    let app = App::new(&profile_folders(profiles))?.with_drivers(driver_folders(driver_path));
+    let app = App::new(&profile_folders(profiles))?
+        .with_drivers(driver_folders(driver_path))
+        .with_runs(runs_folder.or_else(own_runs));
     for refused in app.refused_profiles() {
         tracing::warn!("{refused}");
     }
-    let bar = progress::Bar::new();
-    let shown: &dyn Progress = if std::io::stderr().is_terminal() && !json { &bar } else { &NoProgress };
-    let response = app.run(&request, shown);
-    bar.finish();
+    if is_live(&request) {
+        stop::listen()?;
+    }
+    let terminal = Terminal::new(json);
+    let response = app.run(&request, &terminal);
+    terminal.finish();
     render::show(&response?, json, output)
+}
+
+/// What may move a machine, so that a stop has to be at hand.
+const fn is_live(request: &Request) -> bool {
+    matches!(request, Request::Run(_) | Request::Jog(_) | Request::Replay(_) | Request::MachineSettings(_))
+}
+
+/// Where journals and records are kept unless a folder is named; `None` without a home.
+fn own_runs() -> Option<PathBuf> {
+    etcetera::choose_base_strategy().ok().map(|home| home.data_dir().join("wirebend").join("runs"))
 }
 
 /// The folder of the person's own profiles, whether it is there or not; `None` without a home.

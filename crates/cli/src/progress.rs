@@ -3,7 +3,9 @@
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use wirebend_app::Progress;
+use wirebend_app::{News, Progress};
+
+use crate::render::number::duration;
 
 /// Work that is over within this time is not worth a bar.
 const PATIENCE: Duration = Duration::from_millis(300);
@@ -19,13 +21,18 @@ pub(crate) struct Bar {
 impl Bar {
     pub fn new() -> Self {
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
-        let style = ProgressStyle::with_template("{msg} [{wide_bar}] {pos}/{len} {eta}");
+        let style = ProgressStyle::with_template("{msg} [{wide_bar}] {pos}/{len}");
         bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
         Self { bar, started: std::time::Instant::now() }
     }
 
     pub fn finish(&self) {
         self.bar.finish_and_clear();
+    }
+
+    /// Does something while the bar is out of the way.
+    pub fn aside<T>(&self, act: impl FnOnce() -> T) -> T {
+        self.bar.suspend(act)
     }
 
     fn appear(&self) {
@@ -45,5 +52,15 @@ impl Progress for Bar {
         self.appear();
         self.bar.set_length(of);
         self.bar.set_position(done);
+    }
+
+    fn news(&self, news: &News) {
+        let News::Wire { made, of, elapsed_s, remaining_s, .. } = news else { return };
+        self.appear();
+        self.bar.set_length(u64::from(*of));
+        self.bar.set_position(u64::from(*made));
+        let (elapsed, left) = (duration(*elapsed_s), duration(*remaining_s));
+        let next = (made + 1).min(*of);
+        self.bar.set_message(format!("step {next} of {of}, {elapsed}, about {left} left"));
     }
 }

@@ -53,7 +53,8 @@ fn refusal(port: &str, error: &serialport::Error) -> DriverError {
             format!("this user may not open the port '{port}'"),
             "on Linux join the group of serial ports with `sudo usermod -aG dialout $USER`, then log in again",
         ),
-        ErrorKind::NoDevice if text.contains("busy") => (
+        // A port that another program has locked is told as if it were not there.
+        ErrorKind::NoDevice if text.contains("busy") || text.contains("lock") => (
             "port-busy",
             format!("the port '{port}' is used by another program"),
             "close the program that has it open, such as a serial monitor",
@@ -105,6 +106,17 @@ mod tests {
     use serialport::TTYPort;
 
     use super::*;
+
+    /// Who is told that there is no such port looks at the cable, and not for the other program.
+    #[test]
+    fn a_port_that_is_in_use_is_told_from_one_that_is_not_there() {
+        let (_other_end, port) = TTYPort::pair().unwrap();
+        let name = port.name().unwrap();
+        drop(port);
+        let _first = open(&name, 115_200).unwrap();
+        assert_eq!(open(&name, 115_200).err().unwrap().code, "port-busy");
+        assert_eq!(open("/dev/ttyNONE7", 115_200).err().unwrap().code, "no-port");
+    }
 
     /// A machine that is busy for a few milliseconds is still there; reads must not wait for as long.
     #[test]

@@ -20,7 +20,7 @@ static BUILT: Mutex<BTreeMap<String, PathBuf>> = Mutex::new(BTreeMap::new());
 pub fn driver(folder: &str) -> PathBuf {
     let library = match folder {
         "hostile" | "template" => format!("{folder}_driver"),
-        _ => format!("wirebend_driver_{folder}"),
+        _ => format!("wirebend_driver_{}", folder.replace('-', "_")),
     };
     let package = format!("wirebend-driver-{folder}");
     build(&package, "--lib", &format!("{DLL_PREFIX}{library}{DLL_SUFFIX}"))
@@ -33,6 +33,15 @@ pub fn driver(folder: &str) -> PathBuf {
 #[must_use]
 pub fn driver_child() -> PathBuf {
     build("wirebend-driver-host", "--bins", &format!("wirebend-driver-child{EXE_SUFFIX}"))
+}
+
+/// The program of the command line. Libraries of [`driver`] lie beside it, where it looks for them.
+///
+/// # Panics
+/// When it cannot be built.
+#[must_use]
+pub fn wirebend() -> PathBuf {
+    build("wirebend-cli", "--bins", &format!("wirebend{EXE_SUFFIX}"))
 }
 
 /// The workspace of the running test; a target folder may hold this crate as built in another checkout.

@@ -16,7 +16,7 @@ pub(crate) struct Stages<'a> {
     pub time_s: Option<f64>,
 }
 
-/// A job for drivers. The machine's signs are applied here and nowhere else.
+/// A job for drivers, with the machine's steps in the machine's signs.
 pub(crate) fn job<'a>(
     setup: &Setup,
     name: &str,
@@ -45,7 +45,7 @@ fn wire(setup: &Setup, stages: &Stages) -> api::Wire {
         bend_deg: step.bend.deg(),
         straight_mm: straight.map(Length::mm),
     });
-    let machine = |steps: &[Step]| steps.iter().map(|&step| plain(setup.convention.apply(step))).collect();
+    let machine = |steps: &[Step]| steps.iter().map(|&step| setup.signs.machine(step)).collect();
     api::Wire {
         path_mm: stages.path.iter().map(|point| [point.x, point.y, point.z]).collect(),
         design: design.collect(),
@@ -53,8 +53,4 @@ fn wire(setup: &Setup, stages: &Stages) -> api::Wire {
         stock_mm: stages.stock_mm,
         time_s: stages.time_s,
     }
-}
-
-fn plain(step: Step) -> api::Step {
-    api::Step { feed_mm: step.feed.mm(), rotate_deg: step.rotate.deg(), bend_deg: step.bend.deg() }
 }

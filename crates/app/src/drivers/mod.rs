@@ -3,7 +3,9 @@
 mod check;
 mod job;
 mod list;
+mod making;
 mod problem;
+mod signs;
 mod trust;
 
 use std::path::PathBuf;
@@ -18,7 +20,9 @@ pub use check::{DriverCheckRequest, DriverCheckResponse, RuleReport};
 pub(crate) use job::{Stages, job};
 pub(crate) use list::drivers;
 pub use list::{DriverEntry, DriverState, DriversRequest, DriversResponse};
+pub(crate) use making::{opened, work};
 pub use problem::DriverProblem;
+pub(crate) use signs::Signs;
 pub(crate) use trust::trust;
 pub use trust::{DriverTrustRequest, DriverTrustResponse};
 
@@ -135,7 +139,7 @@ impl App {
     }
 
     /// Every driver that may be loaded, started when its turn comes.
-    fn all_drivers(&self) -> Result<impl Iterator<Item = Driver>, DriverProblem> {
+    pub(crate) fn all_drivers(&self) -> Result<impl Iterator<Item = Driver>, DriverProblem> {
         let launch = self.drivers.launch()?;
         let loadable = self.shelf()?.found.into_iter().filter(may_be_loaded);
         Ok(loadable.filter_map(move |found| {

@@ -12,8 +12,6 @@ use crate::{App, AppError};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum ExportFormat {
-    /// `F`, `R` and `B` lines of the WireBend-kit.
-    WirebendKitText,
     /// Picture.
     Svg,
     /// Picture in pixels.
@@ -26,13 +24,12 @@ pub enum ExportFormat {
 
 impl ExportFormat {
     /// Every format.
-    pub const ALL: [Self; 5] = [Self::WirebendKitText, Self::Svg, Self::Png, Self::Obj, Self::ObjTube];
+    pub const ALL: [Self; 4] = [Self::Svg, Self::Png, Self::Obj, Self::ObjTube];
 
     /// The name in profiles and on the command line.
     #[must_use]
     pub const fn id(self) -> &'static str {
         match self {
-            Self::WirebendKitText => "wirebend-kit-text",
             Self::Svg => "svg",
             Self::Png => "png",
             Self::Obj => "obj",
@@ -81,7 +78,7 @@ impl Chosen {
     /// Whether a machine runs it: then it is not written of what cannot be made.
     pub fn is_program(&self) -> bool {
         match self {
-            Self::BuiltIn(format) => *format == ExportFormat::WirebendKitText,
+            Self::BuiltIn(_) => false,
             Self::Driver(_, format) => format.program,
         }
     }
@@ -90,7 +87,7 @@ impl Chosen {
     /// canonical signs, is for machines that compensate on their own.
     pub fn is_own(&self) -> bool {
         match self {
-            Self::BuiltIn(format) => *format == ExportFormat::WirebendKitText,
+            Self::BuiltIn(_) => false,
             Self::Driver(_, format) => format.content == Content::Machine,
         }
     }

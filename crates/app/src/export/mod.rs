@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use wirebend_core::units::Length;
 use wirebend_files::document::Job;
-use wirebend_files::write::{self, KitLayout, PictureWire};
+use wirebend_files::write::{self, PictureWire};
 
 use crate::design::DesignInput;
 use crate::output::Output;
@@ -82,7 +82,7 @@ pub(crate) fn export(
     }
     let (format, driver) = (chosen.id().to_owned(), chosen.driver_id().map(str::to_owned));
     let contents = match chosen {
-        Chosen::BuiltIn(format) if request.settings.is_empty() => encode(&mut content, format)?,
+        Chosen::BuiltIn(format) if request.settings.is_empty() => vec![encode(&mut content, format)?],
         Chosen::BuiltIn(format) => return Err(AppError::NoSettings { format: format.id() }),
         Chosen::Driver(driver, format) => {
             by_driver::encode(&mut content, *driver, &format, &request.settings)?
@@ -142,24 +142,7 @@ fn numbered(path: &Path, index: usize, count: usize) -> PathBuf {
     path.with_file_name(name)
 }
 
-fn encode(content: &mut Content, format: ExportFormat) -> Result<Vec<Vec<u8>>, AppError> {
-    if format != ExportFormat::WirebendKitText {
-        return Ok(vec![encode_all(content, format)?]);
-    }
-    let encoded = content.wires.iter().enumerate().map(|(index, wire)| {
-        let steps = wire.compensated.as_deref().ok_or_else(|| AppError::Unwritable {
-            wire: index,
-            format: format.id(),
-            reason: "it could not be compensated; see what `check` says".to_owned(),
-        })?;
-        let design_hash = Some(content.design_hash.clone());
-        let layout = KitLayout { design_hash, convention: content.setup.convention, ..KitLayout::default() };
-        Ok(write::kit(steps, &layout).into_bytes())
-    });
-    encoded.collect()
-}
-
-fn encode_all(content: &mut Content, format: ExportFormat) -> Result<Vec<u8>, AppError> {
+fn encode(content: &mut Content, format: ExportFormat) -> Result<Vec<u8>, AppError> {
     let setup = &content.setup;
     if matches!(format, ExportFormat::Obj | ExportFormat::ObjTube) {
         // A hundredth of the wire's diameter cannot be seen.

@@ -119,7 +119,8 @@ pub fn texts(found: &ExportResponse) -> Vec<String> {
 
 /// Where the drivers of this workspace lie once they are built, and the program that runs them.
 pub fn drivers() -> DriverFolders {
-    let built = ["pensa", "tables", "grbl", "howtomechatronics"].map(wirebend_tests_built::driver);
+    let built =
+        ["pensa", "tables", "grbl", "howtomechatronics", "wirebend-kit"].map(wirebend_tests_built::driver);
     DriverFolders {
         own: Some(vec![built[0].parent().unwrap().to_owned()]),
         program: Some(wirebend_tests_built::driver_child()),

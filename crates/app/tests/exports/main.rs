@@ -13,6 +13,7 @@ mod bounds;
 mod compared;
 mod gcode_bender;
 mod gcode_files;
+mod kit_text;
 mod planned;
 mod points;
 mod scripts;

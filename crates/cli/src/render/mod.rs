@@ -2,16 +2,20 @@
 
 mod compare;
 mod drivers;
+mod live;
 pub(crate) mod number;
 pub(crate) mod plan;
 mod profile;
+mod runs;
 mod simulate;
 mod tables;
 
 use std::io::Write;
 
 use anstyle::{AnsiColor, Style};
-use wirebend_app::{ExportResponse, ImportResponse, NoteReport, Response, SeverityName};
+use wirebend_app::{
+    ExportResponse, ImportResponse, LeftBecause, NoteReport, Response, RunOutcome, RunResponse, SeverityName,
+};
 
 use crate::errors::{WrongUse, exit};
 use crate::requests::Contents;
@@ -38,6 +42,17 @@ pub(crate) fn show(response: &Response, json: bool, contents: Contents) -> anyho
             Response::Plan(found) => plan::plan(&mut err, found)?,
             Response::Export(found) => export(&mut err, found)?,
             Response::Simulate(found) => simulate::simulate(&mut err, found)?,
+            Response::Run(found) => live::run(&mut std::io::stdout().lock(), &mut err, found)?,
+            Response::Jog(found) | Response::Replay(found) => {
+                live::jog(&mut std::io::stdout().lock(), &mut err, found)?;
+            }
+            Response::Ports(found) => live::ports(&mut std::io::stdout().lock(), &mut err, found)?,
+            Response::MachineSettings(found) => {
+                live::machine_settings(&mut std::io::stdout().lock(), &mut err, found)?;
+            }
+            Response::Runs(found) => runs::list(&mut std::io::stdout().lock(), &mut err, found)?,
+            Response::RunsShow(found) => runs::show(&mut std::io::stdout().lock(), found)?,
+            Response::RunsExport(found) => runs::export(&mut err, found)?,
             Response::Dump(found) => {
                 writeln!(std::io::stdout().lock(), "{}", serde_json::to_string_pretty(&found.value)?)?;
             }
@@ -59,7 +74,17 @@ fn status(response: &Response) -> u8 {
         Response::DriverCheck(found) => return if found.kept { exit::DONE } else { exit::FAILURE },
         // Whoever asked to have it accepted has to hear that it is not.
         Response::DriverTrust(found) => return if found.accepted { exit::DONE } else { exit::USAGE },
-        Response::Machines(_)
+        Response::Run(found) => return status_of_run(found),
+        Response::Jog(found) | Response::Replay(found) if found.stopped => return exit::STOPPED,
+        Response::Jog(found) | Response::Replay(found) if found.problem.is_some() => return exit::FAILURE,
+        Response::Jog(_)
+        | Response::Replay(_)
+        | Response::Ports(_)
+        | Response::MachineSettings(_)
+        | Response::Runs(_)
+        | Response::RunsShow(_)
+        | Response::RunsExport(_)
+        | Response::Machines(_)
         | Response::Drivers(_)
         | Response::Materials(_)
         | Response::Import(_)
@@ -72,6 +97,18 @@ fn status(response: &Response) -> u8 {
     if feasible { exit::DONE } else { exit::NOT_FEASIBLE }
 }
 
+/// A wire that failed counts before one that was stopped, and that before what nobody confirmed.
+fn status_of_run(found: &RunResponse) -> u8 {
+    let any = |outcome| found.wires.iter().any(|wire| wire.outcome == outcome);
+    match found.left_because {
+        _ if any(RunOutcome::Failed) => exit::FAILURE,
+        _ if any(RunOutcome::Stopped) => exit::STOPPED,
+        Some(LeftBecause::Declined) => exit::STOPPED,
+        Some(LeftBecause::NobodyAsked) => exit::USAGE,
+        None => exit::DONE,
+    }
+}
+
 /// Whether there were contents to write.
 fn write_contents(response: &Response) -> anyhow::Result<bool> {
     let mut out = std::io::stdout().lock();
@@ -79,6 +116,7 @@ fn write_contents(response: &Response) -> anyhow::Result<bool> {
         Response::Import(found) => &found.contents,
         Response::Plan(found) => &found.contents,
         Response::ProfileNew(found) => &found.contents,
+        Response::RunsExport(found) => &found.contents,
         Response::Export(found) => {
             if found.contents.len() > 1 {
                 let wires = found.contents.len();

@@ -2,25 +2,32 @@
 
 use std::io::Write;
 
-use wirebend_app::SimulateResponse;
+use wirebend_app::{SimulateResponse, SimulationModel};
 
 use super::number::count;
 use super::{notes, written};
 
 pub(super) fn simulate(out: &mut impl Write, found: &SimulateResponse) -> std::io::Result<()> {
     notes(out, &found.notes)?;
+    if found.model == SimulationModel::ClosedForm {
+        writeln!(out, "by formulas alone: there is no simulated machine that made this")?;
+    }
     let several = found.wires.len() > 1;
     for (index, wire) in found.wires.iter().enumerate() {
         if several {
             writeln!(out, "wire {index}")?;
         }
-        let label = "without errors";
-        writeln!(out, "  {label:<15} the worst vertex is {:.3} mm off", wire.worst_systematic_mm)?;
+        if let Some(worst) = wire.worst_machine_mm {
+            let label = "simulated machine";
+            writeln!(out, "  {label:<18} the worst vertex is {worst:.3} mm off")?;
+        }
+        let label = "formulas";
+        writeln!(out, "  {label:<18} the worst vertex is {:.3} mm off", wire.worst_systematic_mm)?;
         if let Some(noise) = &found.noise {
             let runs = count(found.runs as usize, "run", "runs");
             writeln!(
                 out,
-                "  {noise:<15} the worst vertex is {:.2} mm off on average, within {:.2} mm in 95 % of {runs} (seed {})",
+                "  {noise:<18} the worst vertex is {:.2} mm off on average, within {:.2} mm in 95 % of {runs} (seed {})",
                 wire.worst_mean_mm, wire.worst_radius_95_mm, found.seed
             )?;
             let widest = wire.gaps.iter().max_by(|a, b| a.mean_mm.total_cmp(&b.mean_mm));
@@ -28,7 +35,7 @@ pub(super) fn simulate(out: &mut impl Write, found: &SimulateResponse) -> std::i
                 let label = "passes";
                 writeln!(
                     out,
-                    "  {label:<15} farthest apart at vertex {}: {:.2} mm on average, within {:.2} mm in 95 %",
+                    "  {label:<18} farthest apart at vertex {}: {:.2} mm on average, within {:.2} mm in 95 %",
                     gap.vertex, gap.mean_mm, gap.radius_95_mm
                 )?;
             }

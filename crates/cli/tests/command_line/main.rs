@@ -2,16 +2,26 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // a test may stop at what cannot be
 
+#[cfg(target_os = "linux")]
+mod asked;
+#[cfg(target_os = "linux")]
+mod board;
+mod by_hand;
 mod c_drivers;
 mod compare;
 mod driver_settings;
 mod driver_settings_inherited;
 mod drivers;
 mod drivers_refused;
+mod interrupted;
 mod outputs;
 mod profiles;
 mod results;
+mod runs;
+mod simulations;
 mod statuses;
+#[cfg(target_os = "linux")]
+mod stop;
 mod wrong_files;
 
 use std::io::Write;
@@ -54,7 +64,7 @@ fn example(name: &str) -> String {
 fn wirebend() -> PathBuf {
     static DRIVERS: Once = Once::new();
     DRIVERS.call_once(|| {
-        for driver in ["pensa", "tables", "grbl", "howtomechatronics"] {
+        for driver in ["pensa", "tables", "grbl", "howtomechatronics", "wirebend-kit"] {
             let library = wirebend_tests_built::driver(driver);
             assert_eq!(library.parent(), Path::new(env!("CARGO_BIN_EXE_wirebend")).parent());
         }
@@ -74,6 +84,7 @@ fn run_program(program: &Path, folder: &Path, arguments: &[&str], input: &[u8]) 
         .current_dir(folder)
         // The profiles of whoever runs the tests are not part of them.
         .env("XDG_CONFIG_HOME", folder)
+        .env("XDG_DATA_HOME", folder)
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())

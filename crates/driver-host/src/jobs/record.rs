@@ -103,9 +103,16 @@ impl Record {
             }
             What::Stopped { .. } => self.interrupted(at, "stopped".to_owned()),
             What::Fault { error, .. } => self.interrupted(at, error.to_string()),
-            // What ended without a word: the program itself, or the computer.
+            // What ended without a word: the program itself, or the computer. Who only asked has begun nothing.
             What::Connected { .. }
-                if !matches!(before, What::Job(_) | What::Stopped { .. } | What::Fault { .. }) =>
+                if !matches!(
+                    before,
+                    What::Job(_)
+                        | What::Connected { .. }
+                        | What::Decided { .. }
+                        | What::Stopped { .. }
+                        | What::Fault { .. }
+                ) =>
             {
                 self.interrupted(at, "the program was ended".to_owned());
             }

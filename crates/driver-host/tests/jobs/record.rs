@@ -15,6 +15,8 @@ fn a_record_tells_what_became_of_a_wire() {
     super::drive(&mut run);
     assert_eq!(run.record().unwrap().outcome, Outcome::Unfinished);
     drop(run);
+    // Somebody looks how it stands, and leaves it at that.
+    drop(shop.program(json!({}), Box::new(Ticking::default())));
     let mut run = shop.program(json!({}), Box::new(Ticking::default()));
     shop.look_and_start(&mut run);
     super::drive(&mut run);

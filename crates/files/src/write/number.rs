@@ -10,7 +10,7 @@ pub(super) fn fixed(value: f64, decimals: usize) -> String {
 }
 
 /// Whether a written number is zero.
-pub(super) fn is_zero(text: &str) -> bool {
+fn is_zero(text: &str) -> bool {
     text.chars().all(|c| matches!(c, '0' | '.' | ',' | '-'))
 }
 

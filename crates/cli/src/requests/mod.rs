@@ -1,5 +1,7 @@
 //! From arguments to requests.
 
+mod live;
+
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
@@ -11,6 +13,7 @@ use wirebend_app::{
     SimulateRequest,
 };
 
+use crate::args::live::RunsCommand;
 use crate::args::{ChoiceArgs, Command, DesignArgs, DriverCommand, OutputArgs, ProfileCommand, ReadArgs};
 use crate::errors::{BadInput, WrongUse};
 
@@ -91,6 +94,12 @@ pub(crate) fn prepare(command: Command) -> anyhow::Result<Prepared> {
             let (svg, png) = (svg.map(picture), png.map(picture));
             written(Request::Simulate(SimulateRequest { job, noise, runs, seed, svg, png }))
         }
+        Command::Run(args) => written(live::run(args)?),
+        Command::Jog(args) => written(live::jog(args)?),
+        Command::Replay(args) => written(live::replay(args)?),
+        Command::Ports(args) => written(live::ports(args)),
+        Command::MachineSettings(args) => written(live::machine_settings(args)),
+        Command::Runs { command } => live::runs(command.unwrap_or(RunsCommand::List)),
         Command::Dump { stage, design: args, choices: chosen } => {
             written(Request::Dump(DumpRequest { stage, design: design(&args)?, choices: choices(chosen) }))
         }

@@ -1,34 +1,32 @@
-//! `simulate`: a job bent without a machine, with the errors that machines make.
+//! `simulate`: a job bent without a machine: on the simulated machine of its driver where there is one, and many times
+//! by the closed formulas with the errors that machines make.
 
-use std::collections::BTreeMap;
+mod drawing;
+mod kept;
+mod machine;
+
 use std::path::PathBuf;
 
 use nalgebra::Point3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use wirebend_core::bend::{Frame, program_of_path};
-use wirebend_core::compensate::CompensatedProgram;
-use wirebend_core::simulate::{
-    ErrorModel, ErrorTerm, Spread, Trial, fractions, perfect_wire, scheduled_start, simulate as run_trial,
-};
-use wirebend_core::units::{Angle, Length};
+use wirebend_core::simulate::{ErrorModel, ErrorReport, ErrorTerm, perfect_wire, simulate as run_trial};
 use wirebend_files::document::JobWire;
-use wirebend_files::write::PictureWire;
 
 use crate::design::Input;
-use crate::export::{no_fonts, open_job};
-use crate::machine::{Setup, kept_steps, objections, restored};
+use crate::export::open_job;
+use crate::machine::{objections, restored};
 use crate::output::Output;
-use crate::picture::{self, Caption};
 use crate::report::NoteReport;
 use crate::{App, AppError, Progress};
+use drawing::Drawing;
+pub(crate) use kept::KeptWire;
+use machine::on_machine;
 
 /// The most runs of one simulation.
 const MOST_RUNS: u32 = 1_000_000;
 /// The most distances that are kept, a gibibyte of them: one for each vertex and gap and run.
 const MOST_DISTANCES: usize = 1 << 27;
-/// How many of the runs are drawn.
-const DRAWN_RUNS: usize = 25;
 
 /// What to simulate.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -52,7 +50,9 @@ pub struct SimulateRequest {
 pub struct VertexReport {
     /// The vertex.
     pub vertex: u32,
-    /// Where it lies without errors, in mm, from where the design has it.
+    /// How far the simulated machine's wire has it from where the design has it, in mm; null without such a machine.
+    pub machine_mm: Option<f64>,
+    /// The same by the closed formulas, without errors.
     pub systematic_mm: f64,
     /// Mean distance over all runs, in mm.
     pub mean_mm: f64,
@@ -67,6 +67,8 @@ pub struct GapReport {
     pub vertex: u32,
     /// How often the wire comes through.
     pub passes: usize,
+    /// Their largest distance on the simulated machine's wire, in mm; null without such a machine.
+    pub machine_mm: Option<f64>,
     /// Mean of the largest distance, in mm.
     pub mean_mm: f64,
     /// What 95 % of the runs stay within, in mm.
@@ -80,12 +82,24 @@ pub struct SimulatedWire {
     pub vertices: Vec<VertexReport>,
     /// The vertices that are passed more than once.
     pub gaps: Vec<GapReport>,
+    /// The largest `machine_mm` of a vertex.
+    pub worst_machine_mm: Option<f64>,
     /// The largest `systematic_mm`.
     pub worst_systematic_mm: f64,
     /// The largest `mean_mm`.
     pub worst_mean_mm: f64,
     /// The largest `radius_95_mm`.
     pub worst_radius_95_mm: f64,
+}
+
+/// How a wire is simulated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum SimulationModel {
+    /// The machine's driver has run the program on its simulated machine, which bends a wire that gives by physics.
+    SimulatedMachine,
+    /// The formulas of the compensation, the other way round: what is wrong in them is not seen.
+    ClosedForm,
 }
 
 /// What the simulation found. Deviations are taken with the first vertex and the first direction in
@@ -102,9 +116,12 @@ pub struct SimulateResponse {
     pub runs: u32,
     /// Where the random numbers started.
     pub seed: u64,
+    /// With a simulated machine every wire has `machine_mm`. All other figures are those of closed formulas: a
+    /// machine takes too long for many runs.
+    pub model: SimulationModel,
     /// The wires of the job.
     pub wires: Vec<SimulatedWire>,
-    /// What was left out.
+    /// What was left out, and what the simulated machine did that a real one would not survive.
     pub notes: Vec<NoteReport>,
     /// The pictures.
     pub files: Vec<PathBuf>,
@@ -137,15 +154,26 @@ pub(crate) fn simulate(
         let expected = "give fewer runs: the distances of all vertices in all runs do not fit the memory";
         return Err(AppError::Value { name: "--runs", value: runs.to_string(), expected });
     }
+    let mut notes = objections(contents);
+    progress.stage("bending on the simulated machine");
+    let made = on_machine(app, &setup, &job, &mut notes);
     progress.stage("bending");
     let mut drawing = Drawing::default();
     let mut wires = Vec::with_capacity(contents.wires.len());
     for (index, wire) in contents.wires.iter().enumerate() {
         let kept = KeptWire::new(&name, wire, &setup)?;
         let mut done = 0;
-        let bent = |made: &[Point3<f64>]| {
+        let placed = made.as_ref().and_then(|made| made.get(index));
+        let made = placed.and_then(|made| kept.vertices(&made.corners_mm));
+        let by_machine = made.is_some() && request.noise.is_none();
+        if let Some(made) = placed.filter(|_| by_machine) {
+            drawing.run(&kept.wire(&made.wire_mm));
+        }
+        let bent = |bent: &[Point3<f64>]| {
             done += 1;
-            drawing.run(made);
+            if !by_machine {
+                drawing.run(bent);
+            }
             progress.advance(
                 index as u64 * u64::from(runs) + done,
                 contents.wires.len() as u64 * u64::from(runs),
@@ -153,12 +181,14 @@ pub(crate) fn simulate(
         };
         let wrong = |error| AppError::Noise { noise: request.noise.clone().unwrap_or_default(), error };
         let trial = kept.trial(&setup);
-        let perfect = perfect_wire(&trial);
         let report = run_trial(&trial, &errors, runs, request.seed, bent).map_err(wrong)?;
-        wires.push(simulated_wire(wire, &kept, &perfect, &report.deviations, &report.gaps));
+        let perfect = perfect_wire(&trial);
+        let figures = Figures { perfect: &perfect, made: made.as_deref(), report: &report };
+        wires.push(simulated_wire(wire, &kept, &figures));
         drawing.design(kept);
     }
-    let mut notes = objections(contents);
+    let by_machine = wires.iter().all(|wire| wire.worst_machine_mm.is_some()) && !wires.is_empty();
+    let model = if by_machine { SimulationModel::SimulatedMachine } else { SimulationModel::ClosedForm };
     let files = drawing.write(request, &setup, &mut notes)?;
     Ok(SimulateResponse {
         machine: setup.machine_id().to_owned(),
@@ -166,6 +196,7 @@ pub(crate) fn simulate(
         noise: request.noise.clone(),
         runs,
         seed: request.seed,
+        model,
         wires,
         notes,
         files,
@@ -183,83 +214,41 @@ fn noise_model(app: &App, id: &str) -> Result<ErrorModel, AppError> {
     })
 }
 
-/// A wire of a job, made ready to be bent.
-struct KeptWire {
-    start: Frame,
-    design: Vec<Point3<f64>>,
-    fractions: Vec<Vec<f64>>,
-    passes: Vec<Vec<usize>>,
-    program: CompensatedProgram,
-    length: Length,
-    bends: usize,
+/// What one wire came to.
+struct Figures<'a> {
+    perfect: &'a [Point3<f64>],
+    /// Its vertices as the simulated machine made them.
+    made: Option<&'a [Point3<f64>]>,
+    report: &'a ErrorReport,
 }
 
-impl KeptWire {
-    fn new(name: &str, wire: &JobWire, setup: &Setup) -> Result<Self, AppError> {
-        let design: Vec<Point3<f64>> = wire.path_mm.iter().copied().map(Point3::from).collect();
-        let scheduled = kept_steps(&wire.scheduled)?;
-        let nominal = kept_steps(&wire.nominal)?;
-        // The frame in which the design starts is not kept: the path gives it back.
-        let damaged = |error: wirebend_core::bend::PathError| AppError::DamagedJob {
-            name: name.to_owned(),
-            reason: error.to_string(),
-        };
-        let (start, _) = program_of_path(&design, setup.model.straight).map_err(damaged)?;
-        let mut at: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
-        for (k, &vertex) in wire.vertices.iter().enumerate() {
-            at.entry(vertex).or_default().push(k);
-        }
-        Ok(Self {
-            start: scheduled_start(start, &scheduled),
-            fractions: fractions(&design, wire.spans.iter().map(|&[from, to]| from..to)),
-            passes: at.into_values().filter(|passes| passes.len() > 1).collect(),
-            program: CompensatedProgram::kept(kept_steps(&wire.compensated)?),
-            length: nominal.iter().map(|step| step.feed).sum(),
-            bends: nominal.iter().filter(|step| step.bend != Angle::ZERO).count(),
-            design,
-        })
-    }
-
-    fn trial<'a>(&'a self, setup: &'a Setup) -> Trial<'a> {
-        Trial {
-            start: self.start,
-            design: &self.design,
-            fractions: &self.fractions,
-            passes: &self.passes,
-            program: &self.program,
-            compensation: &setup.model.compensation,
-        }
-    }
-}
-
-fn simulated_wire(
-    wire: &JobWire,
-    kept: &KeptWire,
-    perfect: &[Point3<f64>],
-    deviations: &[Spread],
-    gaps: &[Spread],
-) -> SimulatedWire {
+fn simulated_wire(wire: &JobWire, kept: &KeptWire, figures: &Figures) -> SimulatedWire {
+    let Figures { perfect, made, report } = figures;
+    let off = |points: &[Point3<f64>], k: usize| Some((kept.design.get(k)? - points.get(k)?).norm());
     let vertices: Vec<VertexReport> = wire
         .vertices
         .iter()
-        .zip(kept.design.iter().zip(perfect))
-        .zip(deviations)
-        .map(|((&vertex, (design, perfect)), spread)| VertexReport {
+        .zip(&report.deviations)
+        .enumerate()
+        .map(|(k, (&vertex, spread))| VertexReport {
             vertex,
-            systematic_mm: (design - perfect).norm(),
+            machine_mm: made.and_then(|made| off(made, k)),
+            systematic_mm: off(perfect, k).unwrap_or_default(),
             mean_mm: spread.mean.mm(),
             radius_95_mm: spread.radius_95.mm(),
         })
         .collect();
-    let gaps = kept.passes.iter().zip(gaps).map(|(passes, spread)| GapReport {
+    let gaps = kept.passes.iter().zip(&report.gaps).map(|(passes, spread)| GapReport {
         vertex: passes.first().and_then(|&k| wire.vertices.get(k)).copied().unwrap_or_default(),
         passes: passes.len(),
+        machine_mm: made.map(|made| farthest(made, passes)),
         mean_mm: spread.mean.mm(),
         radius_95_mm: spread.radius_95.mm(),
     });
     let worst = |of: fn(&VertexReport) -> f64| vertices.iter().map(of).fold(0.0, f64::max);
     SimulatedWire {
         gaps: gaps.collect(),
+        worst_machine_mm: made.map(|_| worst(|vertex| vertex.machine_mm.unwrap_or_default())),
         worst_systematic_mm: worst(|vertex| vertex.systematic_mm),
         worst_mean_mm: worst(|vertex| vertex.mean_mm),
         worst_radius_95_mm: worst(|vertex| vertex.radius_95_mm),
@@ -267,57 +256,8 @@ fn simulated_wire(
     }
 }
 
-/// The design and some of the wires that were made of it.
-#[derive(Default)]
-struct Drawing {
-    runs: Vec<Vec<Point3<f64>>>,
-    drawn: usize,
-    designs: Vec<KeptWire>,
-}
-
-impl Drawing {
-    fn run(&mut self, made: &[Point3<f64>]) {
-        if self.drawn < DRAWN_RUNS {
-            self.drawn += 1;
-            self.runs.push(made.to_vec());
-        }
-    }
-
-    fn design(&mut self, kept: KeptWire) {
-        self.drawn = 0;
-        self.designs.push(kept);
-    }
-
-    fn write(
-        self,
-        request: &SimulateRequest,
-        setup: &Setup,
-        notes: &mut Vec<NoteReport>,
-    ) -> Result<Vec<PathBuf>, AppError> {
-        if request.svg.is_none() && request.png.is_none() {
-            return Ok(Vec::new());
-        }
-        let caption = Caption {
-            title: format!("{}, simulated", request.job.stem()),
-            machine: setup.machine_name().to_owned(),
-            material: setup.material_name().to_owned(),
-            length: self.designs.iter().map(|wire| wire.length).sum(),
-            bends: self.designs.iter().map(|wire| wire.bends).sum(),
-        };
-        let wire = |wire: KeptWire| PictureWire { points: wire.design, doubled: Vec::new() };
-        let designs = self.designs.into_iter().map(wire).collect();
-        let drawing = picture::draw(caption, designs, self.runs, Vec::new());
-        let mut files = Vec::new();
-        if let Some(output) = &request.svg {
-            files.push(output.save(drawing.as_bytes())?);
-        }
-        if let Some(output) = &request.png {
-            let (pixels, has_fonts) = picture::png(&drawing)?;
-            if !has_fonts {
-                notes.push(no_fonts());
-            }
-            files.push(output.save(&pixels)?);
-        }
-        Ok(files)
-    }
+/// The largest distance between any two of some points.
+fn farthest(points: &[Point3<f64>], some: &[usize]) -> f64 {
+    let points: Vec<&Point3<f64>> = some.iter().filter_map(|&k| points.get(k)).collect();
+    points.iter().flat_map(|a| points.iter().map(move |b| (*a - *b).norm())).fold(0.0, f64::max)
 }

@@ -1,11 +1,15 @@
 //! The arguments.
 
+pub(crate) mod live;
+
 use std::path::PathBuf;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
 use wirebend_app::{DumpStage, Format, LengthUnit, ProfileKind};
+
+use live::{JogArgs, MachineSettingsArgs, PortsArgs, ReplayArgs, RunArgs, RunsCommand};
 
 const AFTER: &str = "\
 Exit status: 0 done · 2 wrong use · 3 bad input · 4 not feasible on this machine (the report is \
@@ -30,6 +34,9 @@ pub struct Cli {
     /// Look for drivers in this folder too, or take this library; they are used once they are trusted
     #[arg(long, value_name = "PATH", global = true, display_order = 103)]
     pub(crate) driver_path: Vec<PathBuf>,
+    /// Keep journals and records of wires in this folder instead of your own
+    #[arg(long, value_name = "FOLDER", global = true, display_order = 104)]
+    pub(crate) runs_folder: Option<PathBuf>,
 }
 
 #[derive(Debug, Subcommand)]
@@ -128,6 +135,33 @@ pub(crate) enum Command {
         /// Replace pictures that are there
         #[arg(long)]
         force: bool,
+    },
+    /// Make a job on its machine; Ctrl-C is STOP
+    #[command(
+        after_help = "Examples:\n  wirebend run cube.wbjob --port sim\n  wirebend run cube.wbjob --port /dev/ttyACM0\n  wirebend run cube.wbjob --port /dev/ttyACM0 --resume"
+    )]
+    Run(RunArgs),
+    /// Move a machine by hand; Ctrl-C is STOP
+    #[command(
+        after_help = "Example:\n  wirebend jog --machine wirebend-kit --port sim:max home f 10 r 90 b -45 --record try.wbmoves"
+    )]
+    Jog(JogArgs),
+    /// Make recorded moves again; Ctrl-C is STOP
+    #[command(after_help = "Example:\n  wirebend replay try.wbmoves --port sim:max")]
+    Replay(ReplayArgs),
+    /// List the ports that a machine can be at
+    #[command(after_help = "Example:\n  wirebend ports --machine wirebend-kit")]
+    Ports(PortsArgs),
+    /// Compare what a machine has stored with its profile, or write it
+    #[command(
+        after_help = "Examples:\n  wirebend machine-settings --machine wirebend-kit --port /dev/ttyACM0\n  wirebend machine-settings --machine wirebend-kit --port /dev/ttyACM0 --write"
+    )]
+    MachineSettings(MachineSettingsArgs),
+    /// Tell what was made, wire by wire
+    #[command(after_help = "Examples:\n  wirebend runs\n  wirebend runs show 3f2a9c81d0b4-0-1")]
+    Runs {
+        #[command(subcommand)]
+        command: Option<RunsCommand>,
     },
     /// Print one stage's value as JSON
     #[command(

@@ -1,0 +1,110 @@
+//! Moves made one after the other, each to its end before the next.
+
+use wirebend_driver_host::api::{Capability, Event};
+use wirebend_driver_host::{Armed, Purpose, SessionError, State};
+use wirebend_profile::{MachineProfile, Resolved};
+
+use super::{Hand, JogResponse, Move};
+use crate::drivers::Signs;
+use crate::live::{At, Connection, Yes, stop_of};
+use crate::run::RunProblem;
+use crate::{App, AppError, LiveProblem, Progress};
+
+/// How many moves are told before they are made.
+const TOLD: usize = 12;
+
+/// Makes moves on a machine. What stops or fails on the way is in the answer, with the moves made before.
+pub(super) fn make(
+    app: &App,
+    machine: &Resolved<MachineProfile>,
+    hand: &Hand,
+    moves: &[Move],
+    mut lines: Vec<String>,
+    progress: &dyn Progress,
+) -> Result<JogResponse, AppError> {
+    let signs = Signs::of(&machine.figures()?);
+    let at = At { profile: &machine.profile, signs, port: hand.port, token: None };
+    let mut connection = app.connect(&at, progress)?;
+    let description = connection.session.driver().description();
+    for (needed, capability) in [
+        (moves.iter().any(|one| *one != Move::Home), Capability::Jog),
+        (moves.contains(&Move::Home), Capability::Home),
+    ] {
+        if needed && !description.can(capability) {
+            let driver = description.id.clone();
+            return Err(LiveProblem::from(SessionError::Unsupported { driver, capability }).into());
+        }
+    }
+    // It counts every move from its reference.
+    let homes = connection.session.state() != State::Homed
+        && moves.first() != Some(&Move::Home)
+        && description.can(Capability::Home);
+    let name = machine.profile.name.as_deref().unwrap_or(&machine.profile.id);
+    lines.insert(0, format!("{name} at {} ({})", connection.port, connection.session.identity()));
+    if homes {
+        lines.push("first it searches its reference: the bend axis moves at once".to_owned());
+    }
+    let told: Vec<String> = moves.iter().take(TOLD).map(ToString::to_string).collect();
+    let more = moves.len().saturating_sub(TOLD);
+    let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+    lines.push(format!("it makes: {}{more}", told.join(", ")));
+    let yes = Yes::ask(progress, lines, "May the machine move?", hand.confirmed)?;
+    let mut made = Vec::new();
+    let ended = (|| {
+        if homes {
+            connection.home(&yes)?;
+        }
+        let mut armed = None;
+        for &one in moves {
+            make_one(&mut connection, signs, one, &mut armed, &yes)?;
+            made.push(one);
+            progress.advance(made.len() as u64, moves.len() as u64);
+        }
+        Ok::<(), LiveProblem>(())
+    })();
+    let (stopped, problem) = match ended {
+        Ok(()) => (false, None),
+        Err(LiveProblem::Stopped { .. }) => (true, None),
+        Err(_) if stop_of(&connection.session).is_some() => (true, None),
+        Err(LiveProblem::Fault(error)) => (false, Some(RunProblem::from(&error))),
+        Err(LiveProblem::Session(error)) => {
+            let (code, message) = (error.code().to_owned(), error.to_string());
+            (false, Some(RunProblem { code, message }))
+        }
+        Err(error) => return Err(error.into()),
+    };
+    Ok(JogResponse {
+        machine: machine.profile.id.clone(),
+        port: connection.port.clone(),
+        identity: connection.session.identity().to_owned(),
+        made,
+        of: moves.len(),
+        stopped,
+        problem,
+        output: None,
+        notes: std::mem::take(&mut connection.hearing.warnings),
+    })
+}
+
+fn make_one(
+    connection: &mut Connection,
+    signs: Signs,
+    one: Move,
+    armed: &mut Option<Armed>,
+    yes: &Yes,
+) -> Result<(), LiveProblem> {
+    let Some(motion) = signs.motion(one) else {
+        // A search for the reference ends what the machine was armed for.
+        *armed = None;
+        return connection.home(yes);
+    };
+    let token = match armed.take() {
+        Some(armed) => armed,
+        None => connection.session.arm(Purpose::ByHand, yes.confirmed()?)?,
+    };
+    connection.hearing.progress.stage(&one.to_string());
+    connection.session.jog(&token, motion)?;
+    while !connection.look("it was moved by hand")?.contains(&Event::Jogged) {}
+    *armed = Some(token);
+    Ok(())
+}

@@ -1,0 +1,129 @@
+//! `jog` and `replay`: moves by hand, and a recorded row of them.
+
+mod making;
+mod moves;
+
+use std::path::PathBuf;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use wirebend_profile::{MachineProfile, Resolved};
+
+use crate::design::Input;
+use crate::output::Output;
+use crate::report::NoteReport;
+use crate::run::RunProblem;
+use crate::{App, AppError, LiveProblem, Progress};
+use making::make;
+pub use moves::{Move, MovesFile};
+
+/// What to move. Nothing moves unless a person says so: here, or when they are asked.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct JogRequest {
+    /// The machine.
+    pub machine: String,
+    /// Where it is; absent, nothing is moved and the ports are told.
+    pub port: Option<String>,
+    /// The moves, in order.
+    pub moves: Vec<Move>,
+    /// Whether the person has said already that the machine may move.
+    #[serde(default)]
+    pub confirmed: bool,
+    /// A file for the moves that were made, to be replayed.
+    pub record: Option<Output>,
+}
+
+/// A recorded row of moves to make again. Nothing moves unless a person says so: here, or when they are asked.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct ReplayRequest {
+    /// The recording.
+    pub file: Input,
+    /// The machine; absent, the one of the recording. Named, it may be another one, or one whose profile has
+    /// changed since.
+    pub machine: Option<String>,
+    /// Where it is; absent, nothing is moved and the ports are told.
+    pub port: Option<String>,
+    /// Whether the person has said already that the machine may move.
+    #[serde(default)]
+    pub confirmed: bool,
+}
+
+/// What was moved.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct JogResponse {
+    /// The machine.
+    pub machine: String,
+    /// Where it was.
+    pub port: String,
+    /// What it says that it is.
+    pub identity: String,
+    /// The moves that were made to their end.
+    pub made: Vec<Move>,
+    /// How many there were to be.
+    pub of: usize,
+    /// Whether it was stopped.
+    pub stopped: bool,
+    /// What failed.
+    pub problem: Option<RunProblem>,
+    /// The recording.
+    pub output: Option<PathBuf>,
+    /// What a person should know.
+    pub notes: Vec<NoteReport>,
+}
+
+pub(crate) fn jog(app: &App, request: &JogRequest, progress: &dyn Progress) -> Result<JogResponse, AppError> {
+    request.record.as_ref().map_or(Ok(()), Output::check)?;
+    if request.moves.is_empty() {
+        let expected = "say what to move, such as f 10, r 90, b 45 or home";
+        return Err(AppError::Value { name: "the row of moves", value: "empty".to_owned(), expected });
+    }
+    request.moves.iter().try_for_each(|one| one.check())?;
+    let machine = app.library.machine(&request.machine)?;
+    let hand = Hand { port: request.port.as_deref(), confirmed: request.confirmed };
+    let mut response = make(app, &machine, &hand, &request.moves, Vec::new(), progress)?;
+    if let Some(output) = &request.record {
+        if response.made.is_empty() {
+            let message = "nothing was moved, and so nothing was recorded".to_owned();
+            response.notes.push(NoteReport { code: "nothing-recorded".into(), count: 1, message });
+        } else {
+            let file = MovesFile::new(&machine, response.made.clone())?;
+            response.output = Some(output.save(&file.to_bytes()?)?);
+        }
+    }
+    Ok(response)
+}
+
+pub(crate) fn replay(
+    app: &App,
+    request: &ReplayRequest,
+    progress: &dyn Progress,
+) -> Result<JogResponse, AppError> {
+    progress.stage("reading");
+    let (name, bytes) = request.file.load()?;
+    let file = MovesFile::open(&name, &bytes)?;
+    let machine = app.library.machine(request.machine.as_ref().unwrap_or(&file.machine))?;
+    let lines = other_machine(&name, &file, &machine, request.machine.is_some())?;
+    let hand = Hand { port: request.port.as_deref(), confirmed: request.confirmed };
+    make(app, &machine, &hand, &file.moves, lines, progress)
+}
+
+/// What a person has to know of a recording from elsewhere, which they have asked for by name.
+fn other_machine(
+    name: &str,
+    file: &MovesFile,
+    machine: &Resolved<MachineProfile>,
+    named: bool,
+) -> Result<Vec<String>, AppError> {
+    let Some(recorded) = file.differs(machine)? else { return Ok(Vec::new()) };
+    if !named {
+        let (file, machine) = (name.to_owned(), machine.profile.id.clone());
+        return Err(LiveProblem::OtherMachine { file, recorded, machine }.into());
+    }
+    Ok(vec![format!("these moves were recorded {recorded}")])
+}
+
+/// Where the machine is, and whether a person has said that it may move.
+struct Hand<'a> {
+    port: Option<&'a str>,
+    confirmed: bool,
+}

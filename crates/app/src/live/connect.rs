@@ -1,0 +1,213 @@
+//! From a machine's profile and a port to a machine that has answered.
+
+use std::time::{Duration, Instant};
+
+use wirebend_driver_host::api::{Capability, Direction, Event, SettingCheck};
+use wirebend_driver_host::{Session, State, StopLine, StopOutcome};
+use wirebend_profile::MachineProfile;
+
+use super::LiveProblem;
+use super::person::Yes;
+use crate::drivers::{Signs, opened};
+use crate::{App, AppError, News, NoteReport, Progress};
+
+/// Longer no machine takes to answer: a board that starts needs a few seconds.
+const PATIENCE: Duration = Duration::from_mins(1);
+/// A driver that does not pass a stop on is ended within a part of this.
+const STOPPING: Duration = Duration::from_millis(300);
+/// Between two looks at a machine that had nothing to tell.
+pub(crate) const PAUSE: Duration = Duration::from_millis(10);
+
+/// A machine at a port.
+pub(crate) struct At<'a> {
+    pub profile: &'a MachineProfile,
+    pub signs: Signs,
+    pub port: Option<&'a str>,
+    /// The token of an earlier arming.
+    pub token: Option<&'a str>,
+}
+
+/// A machine that has answered, and who hears of it.
+pub(crate) struct Connection<'a> {
+    pub session: Session,
+    pub hearing: Hearing<'a>,
+    pub port: String,
+    pub driver_id: String,
+    pub driver_version: String,
+}
+
+/// Who hears of a machine, and what has to be kept of it.
+pub(crate) struct Hearing<'a> {
+    pub progress: &'a dyn Progress,
+    signs: Signs,
+    pub warnings: Vec<NoteReport>,
+    /// What the machine last said of its settings.
+    pub settings: Vec<SettingCheck>,
+}
+
+impl Drop for Hearing<'_> {
+    fn drop(&mut self) {
+        self.progress.disconnected();
+    }
+}
+
+impl App {
+    /// Opens a port and waits for the machine's answer. Nothing moves for it.
+    pub(crate) fn connect<'a>(
+        &self,
+        at: &At,
+        progress: &'a dyn Progress,
+    ) -> Result<Connection<'a>, AppError> {
+        progress.stage("starting the driver");
+        let driver = opened(self, at.profile)?;
+        let (driver_id, driver_version) =
+            (driver.description().id.clone(), driver.description().version.clone());
+        if !driver.description().can(Capability::Live) {
+            let machine = at.profile.id.clone();
+            return Err(LiveProblem::FilesOnly { machine, driver: driver_id }.into());
+        }
+        let Some(port) = at.port else {
+            let listed =
+                if driver.description().can(Capability::Ports) { driver.ports()? } else { Vec::new() };
+            return Err(
+                LiveProblem::NoPort { known: listed.into_iter().map(|port| port.name).collect() }.into()
+            );
+        };
+        let bytes = at.profile.driver.stop_bytes.clone().unwrap_or_default();
+        // The driver tells better what is wrong with a port.
+        let line =
+            StopLine::open(port, &bytes).inspect_err(|error| tracing::warn!("{error}")).unwrap_or(None);
+        progress.stage("connecting");
+        let session = match at.token {
+            Some(token) => Session::connect_resuming(driver, port, token),
+            None => Session::connect(driver, port),
+        };
+        let session = session.map_err(LiveProblem::from)?.with_stop_line(line);
+        progress.connected(&session.stop_handle());
+        tracing::info!("connected to {port}, which has not answered yet");
+        let hearing = Hearing { progress, signs: at.signs, warnings: Vec::new(), settings: Vec::new() };
+        let mut connection =
+            Connection { session, hearing, port: port.to_owned(), driver_id, driver_version };
+        connection.await_answer()?;
+        Ok(connection)
+    }
+}
+
+impl Connection<'_> {
+    fn await_answer(&mut self) -> Result<(), LiveProblem> {
+        let begun = Instant::now();
+        while self.session.state() == State::Disconnected {
+            self.look("it was connected")?;
+            if begun.elapsed() > PATIENCE {
+                return Err(LiveProblem::NoAnswer { port: self.port.clone(), seconds: PATIENCE.as_secs() });
+            }
+        }
+        Ok(())
+    }
+
+    /// Looks once what there is, and waits a moment where there is nothing.
+    pub fn look(&mut self, during: &'static str) -> Result<Vec<Event>, LiveProblem> {
+        look(&mut self.session, &mut self.hearing, during)
+    }
+
+    /// Refuses a machine that is set otherwise than its profile says, unless a person wants it so.
+    pub fn require_settings(&mut self, machine: &str, accept: bool) -> Result<(), LiveProblem> {
+        let settings = self.session.differences().to_vec();
+        if settings.is_empty() || accept {
+            return Ok(());
+        }
+        Err(LiveProblem::SettingsDiffer { machine: machine.to_owned(), port: self.port.clone(), settings })
+    }
+
+    /// Lets the machine find its reference.
+    pub fn home(&mut self, yes: &Yes) -> Result<(), LiveProblem> {
+        home(&mut self.session, &mut self.hearing, yes)
+    }
+}
+
+/// How a stop went, if there was one. A stop is on its way before it is noted how it went: what else fails meanwhile
+/// is its doing.
+pub(crate) fn stop_of(session: &Session) -> Option<StopOutcome> {
+    let begun = Instant::now();
+    while session.last_stop().is_none() && begun.elapsed() < STOPPING {
+        std::thread::sleep(PAUSE);
+    }
+    session.last_stop()
+}
+
+/// Looks once what there is, and waits a moment where there is nothing.
+fn look(
+    session: &mut Session,
+    hearing: &mut Hearing,
+    during: &'static str,
+) -> Result<Vec<Event>, LiveProblem> {
+    let polled = session.poll();
+    if session.last_stop().is_some() || (polled.is_err() && stop_of(session).is_some()) {
+        return Err(LiveProblem::Stopped { during });
+    }
+    let events = polled?;
+    for event in &events {
+        hearing.hear(event);
+        if let Event::Fault { error, .. } = event {
+            return Err(LiveProblem::Fault(error.clone()));
+        }
+    }
+    if session.state() == State::Stopped {
+        return Err(LiveProblem::Stopped { during });
+    }
+    if events.is_empty() {
+        std::thread::sleep(PAUSE);
+    }
+    Ok(events)
+}
+
+/// Lets the machine find its reference.
+pub(crate) fn home(session: &mut Session, hearing: &mut Hearing, yes: &Yes) -> Result<(), LiveProblem> {
+    hearing.progress.stage("homing");
+    tracing::info!("homing");
+    let homing = session.home(&yes.confirmed()?);
+    if homing.is_err() && stop_of(session).is_some() {
+        return Err(LiveProblem::Stopped { during: "it was to search its reference" });
+    }
+    homing?;
+    // How long it may search the driver knows.
+    while session.state() != State::Homed {
+        look(session, hearing, "it searched its reference")?;
+    }
+    Ok(())
+}
+
+impl Hearing<'_> {
+    fn hear(&mut self, event: &Event) {
+        match event {
+            Event::Connected { settings, .. } | Event::SettingsWritten { settings } => {
+                self.settings.clone_from(settings);
+            }
+            Event::Warning(error) => self.warn(&error.code, &error.to_string()),
+            Event::Position(position) => self.position(*position),
+            Event::Console { direction, text } => self.console(*direction, text),
+            _ => {}
+        }
+    }
+
+    pub fn warn(&mut self, code: &str, message: &str) {
+        let known = self.warnings.iter_mut().find(|note| note.code == code && note.message == message);
+        if let Some(note) = known {
+            note.count += 1;
+        } else {
+            let (code, message) = (code.to_owned().into(), message.to_owned());
+            self.warnings.push(NoteReport { code, count: 1, message });
+        }
+        self.progress.news(&News::Warning { code: code.to_owned(), message: message.to_owned() });
+    }
+
+    pub fn position(&self, position: wirebend_driver_host::api::Step) {
+        self.progress.news(&News::Position(self.signs.canonical(position)));
+    }
+
+    pub fn console(&self, direction: Direction, text: &str) {
+        let to_machine = direction == Direction::ToMachine;
+        tracing::debug!("{} {text}", if to_machine { "->" } else { "<-" });
+        self.progress.news(&News::Console { to_machine, text: text.to_owned() });
+    }
+}

@@ -1,0 +1,11 @@
+//! Live machines: from a profile and a port to a machine that has answered, and a person's word before it moves.
+
+mod connect;
+mod news;
+mod person;
+mod problem;
+
+pub(crate) use connect::{At, Connection, Hearing, PAUSE, home, stop_of};
+pub use news::{Decision, Doubt, News};
+pub(crate) use person::Yes;
+pub use problem::LiveProblem;

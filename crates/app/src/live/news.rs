@@ -1,0 +1,93 @@
+//! What a front end hears of a machine, and what it is asked about a step.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::StepReport;
+
+/// Something that happened on a machine, or is about to.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[serde(tag = "news", rename_all = "kebab-case")]
+pub enum News {
+    /// What will happen once a person says yes: lines to read.
+    About {
+        /// The lines.
+        lines: Vec<String>,
+    },
+    /// How far a wire is.
+    Wire {
+        /// Index of the wire, from 0.
+        wire: usize,
+        /// The last step that was made.
+        made: u32,
+        /// The last that the machine has taken.
+        sent: u32,
+        /// How many there are.
+        of: u32,
+        /// Since the wire was begun or taken up, s.
+        elapsed_s: f64,
+        /// What is estimated to be left, s.
+        remaining_s: f64,
+    },
+    /// Where the axes are, in canonical signs.
+    Position(StepReport),
+    /// A line to the machine, or from it.
+    Console {
+        /// Whether it went to the machine.
+        to_machine: bool,
+        /// The line.
+        text: String,
+    },
+    /// Something that a person should know and that ends nothing.
+    Warning {
+        /// A name that stays.
+        code: String,
+        /// For a person.
+        message: String,
+    },
+    /// The machine holds.
+    Paused,
+    /// The machine goes on.
+    Resumed,
+}
+
+/// A step of which nobody knows whether it was made.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct Doubt {
+    /// Index of the wire, from 0.
+    pub wire: usize,
+    /// The step, from 1.
+    pub step: u32,
+    /// How many there are.
+    pub of: u32,
+    /// The last step that was sent: when this one was made, the next ones up to it are in doubt, too.
+    pub last: u32,
+    /// What it was to do to the wire: feed, then rotate, then bend, as designed.
+    pub designed: StepReport,
+    /// What the machine was told.
+    pub told: StepReport,
+}
+
+/// What a person says of a step in doubt.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Decision {
+    /// It was made to its end.
+    Made,
+    /// It was not made.
+    NotMade,
+}
+
+impl std::fmt::Display for Doubt {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { wire, step, of, designed, .. } = self;
+        let StepReport { feed_mm, rotate_deg, bend_deg } = designed;
+        // What is shown as zero has no sign.
+        let shown = |deg: f64| if deg.abs() < 0.05 { 0.0 } else { deg };
+        let (rotate_deg, bend_deg) = (shown(*rotate_deg), shown(*bend_deg));
+        write!(
+            f,
+            "nobody knows whether step {step} of {of} of wire {wire} was made: {feed_mm:.1} mm of wire, turned {rotate_deg:.1}°, bent {bend_deg:.1}°"
+        )
+    }
+}

@@ -1,0 +1,294 @@
+//! Why a machine does not move, or does not any more.
+
+use std::path::PathBuf;
+
+use wirebend_driver_host::SessionError;
+use wirebend_driver_host::api::{DriverError, SettingCheck};
+use wirebend_driver_host::jobs::{JobError, JournalError};
+
+use crate::{Doubt, ErrorKind};
+
+/// Why a machine does not move, or does not any more. The message says what to do.
+#[derive(Debug, thiserror::Error)]
+pub enum LiveProblem {
+    /// No port was named.
+    #[error("say with --port where the machine is; {}", there_are(known))]
+    NoPort {
+        /// What the driver lists.
+        known: Vec<String>,
+    },
+    /// The machine's driver does not move it.
+    #[error(
+        "the driver '{driver}' of '{machine}' writes files and moves nothing: use `wirebend export`, and the machine's own program"
+    )]
+    FilesOnly {
+        /// The machine.
+        machine: String,
+        /// Its driver.
+        driver: String,
+    },
+    /// Nobody is there to be asked.
+    #[error("nobody is here to say whether the machine may move: look that it may, and say --yes")]
+    NotConfirmed,
+    /// A person has said no.
+    #[error("nothing was moved")]
+    Declined,
+    /// A person has stopped it before a wire was begun.
+    #[error("the machine was stopped while {during}: it has to be homed before it moves again")]
+    Stopped {
+        /// What it did.
+        during: &'static str,
+    },
+    /// The machine does not answer.
+    #[error(
+        "the machine at {port} has not answered for {seconds} s: see whether it has power and whether the port is the right one"
+    )]
+    NoAnswer {
+        /// The port.
+        port: String,
+        /// For how long.
+        seconds: u64,
+    },
+    /// The machine or its line failed.
+    #[error("{0}")]
+    Fault(DriverError),
+    /// The session refuses.
+    #[error(transparent)]
+    Session(#[from] SessionError),
+    /// The loop that makes a wire refuses, or its journal cannot be used.
+    #[error(transparent)]
+    Job(#[from] JobError),
+    /// The machine is set otherwise than its profile says.
+    #[error(
+        "the machine is not set as the profile of '{machine}' says, and wires would come out wrong: {}; write them with `wirebend machine-settings --machine {machine} --port {port} --write`, or make wires all the same with --accept-settings",
+        listed(settings)
+    )]
+    SettingsDiffer {
+        /// The machine.
+        machine: String,
+        /// Where it is.
+        port: String,
+        /// Which.
+        settings: Vec<SettingCheck>,
+    },
+    /// A job has fewer wires.
+    #[error("there is no wire {wire}: the job has {count}, numbered from 0")]
+    NoWire {
+        /// The wanted one.
+        wire: usize,
+        /// How many there are.
+        count: usize,
+    },
+    /// The wire was begun before, and is not over.
+    #[error(
+        "wire {wire} of this job was begun on {started} and is not over: {made} of {of} steps are made; go on with `{resume}`, or give it up with `{abandon}`"
+    )]
+    Unfinished {
+        /// The wire.
+        wire: usize,
+        /// When.
+        started: String,
+        /// The last step that was made.
+        made: u32,
+        /// How many there are.
+        of: u32,
+        /// How to go on.
+        resume: String,
+        /// How to give it up.
+        abandon: String,
+    },
+    /// The journal of an interrupted wire cannot be read.
+    #[error("{error}; `{abandon}` sets the journal aside")]
+    DamagedJournal {
+        /// What is wrong.
+        error: JournalError,
+        /// How to give it up.
+        abandon: String,
+    },
+    /// Several wires of a job were interrupted.
+    #[error("several wires of this job are not over ({}): say with --wire which is meant", numbers(wires))]
+    SeveralUnfinished {
+        /// Which.
+        wires: Vec<usize>,
+    },
+    /// Nothing of the job was begun.
+    #[error("no wire of this job was begun: leave out {option}")]
+    NothingBegun {
+        /// What was asked for.
+        option: &'static str,
+    },
+    /// A person has to look at the wire.
+    #[error(
+        "{doubt}; look at the wire, and say `{command}=made` when it was made to its end, or `{command}=not-made` when it was not; of one that was made in part, first bring the wire to where the step begins or ends"
+    )]
+    InDoubt {
+        /// The step.
+        doubt: Box<Doubt>,
+        /// The command without the answer.
+        command: String,
+    },
+    /// The machine and the journal cannot both be right, and nobody has said that it may be stopped.
+    #[error(
+        "{reason}. With `{command}=made` or `{command}=not-made` the machine is stopped, and the answer is taken for the first step in doubt"
+    )]
+    Contradiction {
+        /// What contradicts what.
+        reason: String,
+        /// The command without the answer.
+        command: String,
+    },
+    /// There is no place for journals and records.
+    #[error(
+        "there is no folder of yours to keep journals of wires in: set HOME, or name one with --runs-folder"
+    )]
+    NowhereToRecord,
+    /// The folder of journals and records cannot be used.
+    #[error("{} cannot be used for journals and records: {cause}", folder.display())]
+    RunsFolder {
+        /// The folder.
+        folder: PathBuf,
+        /// Why.
+        cause: std::io::Error,
+    },
+    /// There is no such record.
+    #[error("there is no record '{id}'; see `wirebend runs`")]
+    NoRun {
+        /// The wanted one.
+        id: String,
+    },
+    /// The beginning of an id fits several records.
+    #[error("'{id}' fits several records: {}", known.join(", "))]
+    SeveralRuns {
+        /// The wanted one.
+        id: String,
+        /// Those.
+        known: Vec<String>,
+    },
+    /// A file with moves is not one.
+    #[error("{file}: {reason}; record the moves again with `wirebend jog … --record FILE`")]
+    Moves {
+        /// The file.
+        file: String,
+        /// What is wrong.
+        reason: String,
+    },
+    /// Moves were recorded on another machine, or the machine's profile has changed since.
+    #[error("{file} was recorded {recorded}; to replay it all the same, say --machine {machine}")]
+    OtherMachine {
+        /// The file.
+        file: String,
+        /// On which, as opposed to what there is now.
+        recorded: String,
+        /// The machine.
+        machine: String,
+    },
+}
+
+fn there_are(known: &[String]) -> String {
+    if known.is_empty() {
+        "the driver lists no port".to_owned()
+    } else {
+        format!("there are: {}", known.join(", "))
+    }
+}
+
+fn listed(settings: &[SettingCheck]) -> String {
+    let one = |s: &SettingCheck| format!("{} is {}, not {}", s.name, s.machine, s.expected);
+    settings.iter().map(one).collect::<Vec<_>>().join(", ")
+}
+
+fn numbers(wires: &[usize]) -> String {
+    wires.iter().map(usize::to_string).collect::<Vec<_>>().join(", ")
+}
+
+impl From<JournalError> for LiveProblem {
+    fn from(error: JournalError) -> Self {
+        Self::Job(error.into())
+    }
+}
+
+impl LiveProblem {
+    /// Whose turn it is.
+    pub(crate) fn kind(&self) -> ErrorKind {
+        match self {
+            Self::NoPort { .. }
+            | Self::FilesOnly { .. }
+            | Self::NotConfirmed
+            | Self::NoWire { .. }
+            | Self::Unfinished { .. }
+            | Self::SeveralUnfinished { .. }
+            | Self::NothingBegun { .. }
+            | Self::InDoubt { .. }
+            | Self::Contradiction { .. }
+            | Self::NoRun { .. }
+            | Self::SeveralRuns { .. }
+            | Self::OtherMachine { .. }
+            | Self::Session(SessionError::Unsupported { .. }) => ErrorKind::Usage,
+            Self::Moves { .. }
+            | Self::DamagedJournal { .. }
+            | Self::Job(
+                JobError::Steps { .. }
+                | JobError::OtherWire { .. }
+                | JobError::Journal(JournalError::Damaged { .. } | JournalError::Empty { .. }),
+            ) => ErrorKind::BadInput,
+            Self::Declined | Self::Stopped { .. } => ErrorKind::Stopped,
+            Self::NoAnswer { .. }
+            | Self::Fault(_)
+            | Self::Session(_)
+            | Self::Job(_)
+            | Self::SettingsDiffer { .. }
+            | Self::NowhereToRecord
+            | Self::RunsFolder { .. } => ErrorKind::Failure,
+        }
+    }
+
+    /// A name that stays the same while the wording may change.
+    pub(crate) fn code(&self) -> &'static str {
+        match self {
+            Self::NoPort { .. } => "no-port",
+            Self::FilesOnly { .. } => "files-only",
+            Self::NotConfirmed => "not-confirmed",
+            Self::Declined => "declined",
+            Self::Stopped { .. } => "stopped",
+            Self::NoAnswer { .. } => "no-answer",
+            Self::Fault(_) => "machine-fault",
+            Self::Session(error) => error.code(),
+            Self::Job(error) => job_code(error),
+            Self::SettingsDiffer { .. } => "settings-differ",
+            Self::NoWire { .. } => "no-wire",
+            Self::Unfinished { .. } => "unfinished",
+            Self::DamagedJournal { .. } => "journal-damaged",
+            Self::SeveralUnfinished { .. } => "several-unfinished",
+            Self::NothingBegun { .. } => "nothing-begun",
+            Self::InDoubt { .. } => "in-doubt",
+            Self::Contradiction { .. } => "contradiction",
+            Self::NowhereToRecord => "nowhere-to-record",
+            Self::RunsFolder { .. } => "runs-folder",
+            Self::NoRun { .. } => "no-run",
+            Self::SeveralRuns { .. } => "several-runs",
+            Self::Moves { .. } => "moves",
+            Self::OtherMachine { .. } => "moves-of-another",
+        }
+    }
+}
+
+const fn job_code(error: &JobError) -> &'static str {
+    match error {
+        JobError::Journal(error) => match error {
+            JournalError::Exists { .. } => "journal-exists",
+            JournalError::InUse { .. } => "journal-in-use",
+            JournalError::Empty { .. } => "journal-empty",
+            JournalError::Damaged { .. } => "journal-damaged",
+            JournalError::Impossible { .. } => "journal-impossible",
+            JournalError::Broken { .. } | JournalError::Io { .. } => "journal-io",
+        },
+        JobError::Session(_) => "session",
+        JobError::OtherWire { .. } => "other-wire",
+        JobError::Steps { .. } => "steps",
+        JobError::InDoubt { .. } | JobError::NotInDoubt { .. } => "in-doubt",
+        JobError::AtWork => "at-work",
+        JobError::Contradiction(_) => "contradiction",
+        JobError::Nothing(_) => "nothing",
+        JobError::NotBegun => "not-begun",
+    }
+}

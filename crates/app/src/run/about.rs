@@ -1,0 +1,66 @@
+//! What a person reads before they say yes.
+
+use wirebend_driver_host::api::Capability;
+
+use super::task::Task;
+use crate::AppError;
+use crate::live::Connection;
+
+/// What will happen to a wire. `anew`: it is begun, with new wire and a search for the reference where the machine
+/// has one.
+pub(super) fn about(
+    task: &Task,
+    connection: &Connection,
+    wire: usize,
+    anew: bool,
+) -> Result<Vec<String>, AppError> {
+    let kept = task.wire(wire)?;
+    let (setup, count) = (&task.setup, task.job.contents().wires.len());
+    let identity = connection.session.identity();
+    let said = if identity.is_empty() { String::new() } else { format!(" ({identity})") };
+    let mut lines = vec![format!("{} at {}{said}", setup.machine_name(), connection.port)];
+    let steps = kept.compensated.len();
+    let bends = kept.compensated.iter().filter(|step| step.bend_deg != 0.0).count();
+    let fed: f64 = kept.compensated.iter().map(|step| step.feed_mm).sum();
+    let which = if count > 1 { format!("wire {wire} of {count}") } else { "the wire".to_owned() };
+    lines.push(format!(
+        "{which}: {steps} steps, {bends} bends, {fed:.1} mm are fed; {} on the machine",
+        minutes(kept.time_s)
+    ));
+    if anew {
+        let tail = kept.stock_mm - fed;
+        lines.push(format!(
+            "put in at least {:.0} mm of {}: the last {tail:.0} mm cannot be fed",
+            kept.stock_mm.ceil(),
+            setup.material_name()
+        ));
+    }
+    let (mut head, mut least, mut most) = (0.0_f64, 0.0_f64, 0.0_f64);
+    for step in &kept.compensated {
+        head += step.rotate_deg;
+        (least, most) = (least.min(head), most.max(head));
+    }
+    if most > least {
+        lines.push(format!(
+            "the head turns between {:.1}° and {:.1}°, and ends at {:.1}°",
+            shown(least),
+            shown(most),
+            shown(head)
+        ));
+    }
+    if anew && connection.session.driver().description().can(Capability::Home) {
+        lines.push("first the machine searches its reference: the bend axis moves at once".to_owned());
+    }
+    let objections = task.job.contents().objections.iter();
+    lines.extend(objections.map(|objection| format!("the job was made although {objection}")));
+    Ok(lines)
+}
+
+/// Without the sign of what is shown as zero.
+fn shown(deg: f64) -> f64 {
+    if deg.abs() < 0.05 { 0.0 } else { deg }
+}
+
+fn minutes(seconds: f64) -> String {
+    if seconds < 60.0 { format!("about {seconds:.0} s") } else { format!("about {:.1} min", seconds / 60.0) }
+}

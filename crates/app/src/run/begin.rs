@@ -1,0 +1,91 @@
+//! A job's wires made from their beginning, one after the other.
+
+use wirebend_driver_host::jobs::{Clock, Heading, JobRun, Journal};
+
+use super::about::about;
+use super::making::{Making, Watch};
+use super::report::{LeftBecause, RunOutcome, RunResponse};
+use super::task::Task;
+use crate::live::{Connection, Yes};
+use crate::{AppError, LiveProblem};
+
+impl Task<'_> {
+    /// Makes the wires that were asked for, none of which may be unfinished.
+    pub fn begin(&self) -> Result<RunResponse, AppError> {
+        let wanted = self.wanted();
+        wanted.iter().try_for_each(|&wire| self.require_clear(wire))?;
+        let mut connection = self.app.connect(&self.at(None), self.progress)?;
+        connection.require_settings(self.setup.machine_id(), self.request.accept_settings)?;
+        let mut response = self.response();
+        response.port = Some(connection.port.clone());
+        response.identity = Some(connection.session.identity().to_owned());
+        for (place, &wire) in wanted.iter().enumerate() {
+            let yes = match self.ask(&connection, wire, place == 0) {
+                Ok(yes) => yes,
+                // What is made is made: the answer tells of the rest.
+                Err(AppError::Live(problem)) if place > 0 => {
+                    response.left_because = Some(match problem {
+                        LiveProblem::NotConfirmed => LeftBecause::NobodyAsked,
+                        _ => LeftBecause::Declined,
+                    });
+                    response.left = wanted[place..].to_vec();
+                    break;
+                }
+                Err(error) => return Err(error),
+            };
+            connection = self.make(connection, wire, &yes, &mut response)?;
+            if response.wires.last().is_none_or(|made| made.outcome != RunOutcome::Made) {
+                response.left = wanted[place + 1..].to_vec();
+                break;
+            }
+        }
+        response.notes.append(&mut connection.hearing.warnings);
+        Ok(response)
+    }
+
+    fn ask(&self, connection: &Connection, wire: usize, first: bool) -> Result<Yes, AppError> {
+        let lines = about(self, connection, wire, true)?;
+        let question = if first {
+            "Is the wire in, and may the machine move?"
+        } else {
+            "Is the wire before taken out and new wire in, and may the machine move?"
+        };
+        // The person who said yes with the request could not know when the wire before would be done.
+        Ok(Yes::ask(self.progress, lines, question, first && self.request.confirmed)?)
+    }
+
+    fn make<'c>(
+        &self,
+        connection: Connection<'c>,
+        wire: usize,
+        yes: &Yes,
+        response: &mut RunResponse,
+    ) -> Result<Connection<'c>, AppError> {
+        let Connection { mut session, mut hearing, port, driver_id, driver_version } = connection;
+        if self.request.accept_settings && !session.differences().is_empty() {
+            session.accept_differences(yes.confirmed()?);
+        }
+        let work = self.work(wire)?;
+        let (id, path) = self.folder.next(self.job.hash(), wire)?;
+        let heading = Heading {
+            version: 0, // filled in by the journal
+            job_hash: work.run.job_hash.clone(),
+            design_hash: work.run.design_hash.clone(),
+            name: work.run.name.clone(),
+            wire,
+            steps: work.run.steps,
+            machine: work.run.machine.clone(),
+            driver: driver_id.clone(),
+            driver_version: driver_version.clone(),
+            port: port.clone(),
+            material: self.setup.material_id().to_owned(),
+            stock_mm: work.run.stock_mm,
+        };
+        let journal = Journal::create(&path, heading, self.clock.stamp()).map_err(LiveProblem::from)?;
+        let run = JobRun::new(session, journal, work, Box::new(self.clock)).map_err(LiveProblem::from)?;
+        let (made, session) =
+            Making { task: self, wire, id, run, watch: Watch::default() }.go(&mut hearing, yes, response)?;
+        response.wires.push(made);
+        Ok(Connection { session, hearing, port, driver_id, driver_version })
+    }
+}

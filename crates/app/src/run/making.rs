@@ -1,0 +1,268 @@
+//! The loop that makes one wire, and what becomes of it.
+
+use std::time::{Duration, Instant, SystemTime};
+
+use wirebend_driver_host::api::{Capability, DriverError};
+use wirebend_driver_host::jobs::{JobError, JobRun, Progress as Told, Resume, Standing};
+use wirebend_driver_host::{Session, StoppedBy};
+
+use super::report::{RunOutcome, RunProblem, RunResponse, WireRun};
+use super::task::Task;
+use crate::live::{Hearing, PAUSE, Yes, home, stop_of};
+use crate::simulate::KeptWire;
+use crate::{AppError, LiveProblem, News};
+
+/// How often a front end hears how far the wire is, at least.
+const NEWS: Duration = Duration::from_millis(200);
+/// A program that was away for longer has not watched the machine, as when the computer slept: who said yes then may
+/// have their hands in it now. A second of silence, after which a machine holds, a busy computer has now and then.
+const AWAY: Duration = Duration::from_secs(10);
+
+/// One wire in the making.
+pub(super) struct Making<'t, 'a> {
+    pub task: &'t Task<'a>,
+    pub wire: usize,
+    pub id: String,
+    pub run: JobRun,
+    pub watch: Watch,
+}
+
+/// Whether the program has watched the machine all the time. By the time of day, since that goes on while the
+/// computer sleeps.
+#[derive(Default)]
+pub(super) struct Watch {
+    looked: Option<SystemTime>,
+    /// When it came back.
+    away: Option<Instant>,
+}
+
+impl Watch {
+    fn look(&mut self) {
+        let now = SystemTime::now();
+        let before = self.looked.replace(now);
+        // A clock that was set back says nothing.
+        let gap = before.and_then(|before| now.duration_since(before).ok()).unwrap_or_default();
+        if gap > AWAY {
+            self.away = Some(Instant::now());
+        }
+    }
+
+    /// Whether it was away shortly before.
+    fn was_away(&self) -> bool {
+        self.away.is_some_and(|back| back.elapsed() < AWAY)
+    }
+}
+
+/// What was heard besides what the journal has.
+#[derive(Default)]
+struct Heard {
+    stopped_by: Option<StoppedBy>,
+    fault: Option<DriverError>,
+    corners_mm: Vec<[f64; 3]>,
+}
+
+impl Making<'_, '_> {
+    /// Begins the wire, or goes on with it, and makes it to its end or to where it is interrupted.
+    pub fn go(
+        mut self,
+        hearing: &mut Hearing,
+        yes: &Yes,
+        response: &mut RunResponse,
+    ) -> Result<(WireRun, Session), AppError> {
+        let mut heard = Heard::default();
+        let driven = self.begin(hearing, yes).and_then(|()| self.drive(hearing, &mut heard));
+        // What failed while a stop was on its way is its doing.
+        let made = driven.is_ok() && self.run.account().standing == Standing::Finished;
+        let stop = if made { None } else { stop_of(self.run.session()) };
+        match driven {
+            Ok(()) | Err(AppError::Live(LiveProblem::Stopped { .. })) => {}
+            Err(error @ AppError::Live(LiveProblem::Job(JobError::Journal(_)))) => return Err(error),
+            Err(_) if stop.is_some() => {}
+            Err(AppError::Live(LiveProblem::Fault(error))) => heard.fault = Some(error),
+            Err(error) => {
+                self.keep(response)?;
+                return Err(error);
+            }
+        }
+        // One that ended the driver, or came before the wire was begun, the loop does not know of.
+        let standing = self.run.account().standing;
+        if stop.is_some() && !self.run.account().is_over() && standing != Standing::Stopped {
+            self.run.stop().1.map_err(LiveProblem::from)?;
+        }
+        heard.stopped_by = heard.stopped_by.or(stop.map(|outcome| outcome.by));
+        let deviations_mm = self.deviations(&heard)?;
+        if let Some(deviations) = &deviations_mm {
+            self.run.note_deviations(deviations.clone()).map_err(LiveProblem::from)?;
+        }
+        self.keep(response)?;
+        let report = self.report(&heard, deviations_mm)?;
+        Ok((report, self.run.into_parts().0))
+    }
+
+    fn begin(&mut self, hearing: &mut Hearing, yes: &Yes) -> Result<(), AppError> {
+        match self.run.resume_from() {
+            Resume::GoOn { .. } => self.look_again(hearing)?,
+            _ => {
+                if self.run.session().driver().description().can(Capability::Home) {
+                    home(self.run.session(), hearing, yes)?;
+                }
+            }
+        }
+        hearing.progress.stage("making the wire");
+        self.run.start(yes.confirmed()?).map_err(LiveProblem::from)?;
+        Ok(())
+    }
+
+    /// While a person was asked, nobody has looked: the machine may hold since.
+    fn look_again(&mut self, hearing: &mut Hearing) -> Result<(), AppError> {
+        let begun = Instant::now();
+        while begun.elapsed() < NEWS * 3 {
+            let mut heard = Heard::default();
+            self.look(hearing, &mut heard)?;
+            if let Some(error) = heard.fault {
+                return Err(LiveProblem::Fault(error).into());
+            }
+        }
+        Ok(())
+    }
+
+    fn drive(&mut self, hearing: &mut Hearing, heard: &mut Heard) -> Result<(), AppError> {
+        let mut told = None;
+        while !self.run.is_over() {
+            let holds = self.look(hearing, heard)?;
+            if told.is_none_or(|at: Instant| at.elapsed() > NEWS) {
+                told = Some(Instant::now());
+                self.tell(hearing);
+            }
+            if holds {
+                self.go_on(hearing)?;
+            }
+        }
+        self.tell(hearing);
+        Ok(())
+    }
+
+    /// Lets the loop take one turn; whether the machine has begun to hold.
+    fn look(&mut self, hearing: &mut Hearing, heard: &mut Heard) -> Result<bool, AppError> {
+        self.watch.look();
+        let told = match self.run.advance() {
+            Ok(told) => told,
+            Err(error) => {
+                // What cannot be written down is not made.
+                let _ = self.run.stop();
+                return Err(LiveProblem::from(error).into());
+            }
+        };
+        let mut holds = false;
+        if told.is_empty() {
+            std::thread::sleep(PAUSE);
+        }
+        for one in told {
+            match one {
+                Told::Position(position) => hearing.position(position),
+                Told::Console { direction, text } => hearing.console(direction, &text),
+                Told::Warning(error) => hearing.warn(&error.code, &error.to_string()),
+                Told::Paused => {
+                    holds = true;
+                    hearing.progress.news(&News::Paused);
+                }
+                Told::Resumed => {
+                    holds = false;
+                    hearing.progress.news(&News::Resumed);
+                }
+                Told::Wire { corners_mm, .. } => heard.corners_mm = corners_mm,
+                Told::Stopped { by } => heard.stopped_by = by,
+                Told::Fault { error, .. } => heard.fault = Some(error),
+                Told::Made { n, of } => {
+                    tracing::info!("step {n} of {of} is made");
+                    self.tell(hearing);
+                }
+                Told::Sent { .. } | Told::Finished => {}
+            }
+        }
+        Ok(holds)
+    }
+
+    /// The machine holds by itself: it has not heard of the program for a second.
+    fn go_on(&mut self, hearing: &mut Hearing) -> Result<(), AppError> {
+        let question = "the machine holds: this program was away for a while. May it go on?";
+        if !self.watch.was_away() || hearing.progress.confirm(question) == Some(true) {
+            if self.run.session().last_stop().is_none() {
+                self.run.resume().map_err(LiveProblem::from)?;
+            }
+            return Ok(());
+        }
+        hearing.warn("held", "the machine held, and nobody said that it may go on: it was stopped");
+        self.run.stop().1.map_err(LiveProblem::from)?;
+        Ok(())
+    }
+
+    fn tell(&self, hearing: &Hearing) {
+        let overview = self.run.overview();
+        hearing.progress.news(&News::Wire {
+            wire: self.wire,
+            made: overview.made,
+            sent: overview.sent,
+            of: overview.of,
+            elapsed_s: overview.elapsed.as_secs_f64(),
+            remaining_s: overview.remaining.as_secs_f64(),
+        });
+    }
+
+    fn deviations(&self, heard: &Heard) -> Result<Option<Vec<f64>>, AppError> {
+        if heard.corners_mm.is_empty() {
+            return Ok(None);
+        }
+        let kept = KeptWire::new(&self.task.file, self.task.wire(self.wire)?, &self.task.setup)?;
+        Ok(kept.deviations_mm(&heard.corners_mm))
+    }
+
+    fn keep(&self, response: &mut RunResponse) -> Result<(), AppError> {
+        let path = self.task.folder.path().join(format!("{}.journal", self.id));
+        self.task.keep(self.run.record().as_ref(), &path, self.wire, response)
+    }
+
+    fn report(&self, heard: &Heard, deviations_mm: Option<Vec<f64>>) -> Result<WireRun, AppError> {
+        let account = self.run.account();
+        let outcome = match account.standing {
+            Standing::Finished => RunOutcome::Made,
+            Standing::Abandoned => RunOutcome::Abandoned,
+            Standing::Stopped => RunOutcome::Stopped,
+            _ => RunOutcome::Failed,
+        };
+        let over = account.is_over();
+        let untouched = self.task.untouched(self.wire, &self.id, outcome, account.done)?;
+        let problem = heard.fault.as_ref().map(RunProblem::from);
+        Ok(WireRun {
+            in_doubt: account.in_doubt().map(|steps| [*steps.start(), *steps.end()]),
+            elapsed_s: self.run.overview().elapsed.as_secs_f64(),
+            stopped_by: heard.stopped_by.filter(|_| !over),
+            problem: problem.filter(|_| outcome == RunOutcome::Failed),
+            deviations_mm,
+            // Of a wire of which nothing was sent there is nothing to go on with.
+            resume: (!over && account.sent > 0).then(|| self.task.command(self.wire, "--resume")),
+            ..untouched
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Were a sleep not noticed, a machine would go on by itself under the hands of whoever opens the lid.
+    #[test]
+    fn a_program_that_slept_was_away() {
+        let mut watch = Watch::default();
+        watch.look();
+        watch.look();
+        assert!(!watch.was_away());
+        watch.looked = SystemTime::now().checked_sub(AWAY * 2);
+        watch.look();
+        assert!(watch.was_away());
+        // A clock that was set back is no sleep.
+        let mut watch = Watch { looked: SystemTime::now().checked_add(AWAY * 2), away: None };
+        watch.look();
+        assert!(!watch.was_away());
+    }
+}

@@ -1,0 +1,65 @@
+//! `run`: a job made on its machine, wire by wire, with a journal that outlives whatever happens.
+
+mod about;
+mod begin;
+mod making;
+mod report;
+mod resume;
+mod task;
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::design::Input;
+use crate::output::Output;
+use crate::{App, AppError, Decision, Progress};
+pub use report::{LeftBecause, RunOutcome, RunProblem, RunResponse, WireRun};
+use task::Task;
+
+/// What to make. Nothing moves unless a person says so: here, or when they are asked.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct RunRequest {
+    /// The job.
+    pub job: Input,
+    /// Where the machine is; absent, nothing is made and the ports are told.
+    pub port: Option<String>,
+    /// Index of the one wire to make, from 0; absent, all of them.
+    pub wire: Option<usize>,
+    /// Whether to begin, to go on, or to give up.
+    #[serde(default)]
+    pub how: RunHow,
+    /// Whether the person has said already that the machine may move. It counts for one wire: before the next,
+    /// they are asked.
+    #[serde(default)]
+    pub confirmed: bool,
+    /// Whether to make wires although the machine's settings are not those of its profile.
+    #[serde(default)]
+    pub accept_settings: bool,
+    /// Where the records go besides; those of several wires get numbers.
+    pub record: Option<Output>,
+}
+
+/// What to do with a job's wires.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(tag = "how", rename_all = "kebab-case")]
+pub enum RunHow {
+    /// To make them from their beginning.
+    #[default]
+    Begin,
+    /// To go on with the one that was interrupted.
+    Resume {
+        /// What became of the first step of which nobody knows; absent, a person is asked.
+        decided: Option<Decision>,
+    },
+    /// To give up what was interrupted, so that it can be begun anew. Nothing moves for it.
+    Abandon,
+}
+
+pub(crate) fn run(app: &App, request: &RunRequest, progress: &dyn Progress) -> Result<RunResponse, AppError> {
+    let task = Task::open(app, request, progress)?;
+    match request.how {
+        RunHow::Begin => task.begin(),
+        RunHow::Resume { decided } => task.resume(decided),
+        RunHow::Abandon => task.abandon(),
+    }
+}

@@ -1,0 +1,248 @@
+//! What is to be made, and where its journals are.
+
+use std::path::Path;
+
+use wirebend_driver_host::jobs::{Clock, Entry, Journal, JournalError, Record, SystemClock, What, Work};
+use wirebend_files::document::{Job, JobStep, JobWire};
+
+use super::RunRequest;
+use super::report::{RunOutcome, RunResponse, WireRun};
+use crate::design::Input;
+use crate::drivers::work;
+use crate::export::open_job;
+use crate::live::At;
+use crate::machine::{Setup, objections, restored};
+use crate::output::Output;
+use crate::report::NoteReport;
+use crate::runs::{Kept, RunsFolder, record_bytes};
+use crate::{App, AppError, LiveProblem, Progress, StepReport};
+
+/// A job, its machine, and the journals of its wires.
+pub(super) struct Task<'a> {
+    pub app: &'a App,
+    pub request: &'a RunRequest,
+    pub progress: &'a dyn Progress,
+    pub file: String,
+    pub job: Job,
+    pub setup: Setup,
+    pub folder: RunsFolder,
+    pub clock: SystemClock,
+}
+
+impl<'a> Task<'a> {
+    pub fn open(app: &'a App, request: &'a RunRequest, progress: &'a dyn Progress) -> Result<Self, AppError> {
+        progress.stage("reading");
+        let (file, bytes) = request.job.load()?;
+        let job = open_job(&file, &bytes)?;
+        let setup = restored(&file, job.contents())?;
+        let count = job.contents().wires.len();
+        if let Some(wire) = request.wire.filter(|&wire| wire >= count) {
+            return Err(LiveProblem::NoWire { wire, count }.into());
+        }
+        let folder = RunsFolder::of(app)?;
+        let task = Self { app, request, progress, file, job, setup, folder, clock: SystemClock::default() };
+        for wire in task.wanted() {
+            task.record_output(wire).map_or(Ok(()), |output| output.check())?;
+        }
+        Ok(task)
+    }
+
+    /// The wires that were asked for.
+    pub fn wanted(&self) -> Vec<usize> {
+        self.request.wire.map_or_else(|| (0..self.job.contents().wires.len()).collect(), |wire| vec![wire])
+    }
+
+    pub fn wire(&self, index: usize) -> Result<&JobWire, AppError> {
+        let count = self.job.contents().wires.len();
+        let wire = self.job.contents().wires.get(index);
+        wire.ok_or_else(|| LiveProblem::NoWire { wire: index, count }.into())
+    }
+
+    pub fn work(&self, wire: usize) -> Result<Work, AppError> {
+        work(&self.setup, &self.job, &self.request.job.stem(), wire)
+    }
+
+    /// The machine of the job.
+    pub fn at<'b>(&'b self, token: Option<&'b str>) -> At<'b> {
+        At {
+            profile: &self.setup.machine.profile,
+            signs: self.setup.signs,
+            port: self.request.port.as_deref(),
+            token,
+        }
+    }
+
+    /// The last journal of a wire.
+    pub fn last(&self, wire: usize) -> Result<Option<Kept>, AppError> {
+        Ok(self.folder.of_wire(self.job.hash(), wire)?.pop())
+    }
+
+    /// A command for this job, such as to go on with it.
+    pub fn command(&self, wire: usize, option: &str) -> String {
+        let job = match &self.request.job {
+            Input::File(path) => quoted(&path.display().to_string()),
+            Input::Bytes { .. } => "JOB".to_owned(),
+        };
+        let only =
+            if self.job.contents().wires.len() > 1 { format!(" --wire {wire}") } else { String::new() };
+        let port = match &self.request.port {
+            Some(port) if option != "--abandon" => format!(" --port {}", quoted(port)),
+            _ => String::new(),
+        };
+        format!("wirebend run {job}{port}{only} {option}")
+    }
+
+    /// An answer without a wire yet.
+    pub fn response(&self) -> RunResponse {
+        RunResponse {
+            machine: self.setup.machine_id().to_owned(),
+            material: self.setup.material_id().to_owned(),
+            job_hash: self.job.hash().to_owned(),
+            port: None,
+            identity: None,
+            wires: Vec::new(),
+            left: Vec::new(),
+            left_because: None,
+            notes: objections(self.job.contents()),
+            files: Vec::new(),
+        }
+    }
+
+    /// A wire that nothing was done to this time.
+    pub fn untouched(
+        &self,
+        wire: usize,
+        id: &str,
+        outcome: RunOutcome,
+        made: u32,
+    ) -> Result<WireRun, AppError> {
+        let kept = self.wire(wire)?;
+        Ok(WireRun {
+            wire,
+            id: id.to_owned(),
+            outcome,
+            made,
+            steps: u32::try_from(kept.compensated.len()).unwrap_or(u32::MAX),
+            in_doubt: None,
+            stock_mm: kept.stock_mm,
+            elapsed_s: 0.0,
+            stopped_by: None,
+            problem: None,
+            deviations_mm: None,
+            resume: None,
+        })
+    }
+
+    /// A step of a wire, from 1: as designed, and as the machine is told in canonical signs.
+    pub fn step(&self, wire: usize, n: u32) -> Result<(StepReport, StepReport), AppError> {
+        let index = usize::try_from(n).unwrap_or(usize::MAX).saturating_sub(1);
+        let kept = self.wire(wire)?;
+        let plain = |steps: &[JobStep]| {
+            let JobStep { feed_mm, rotate_deg, bend_deg } =
+                steps.get(index).copied().unwrap_or(JobStep { feed_mm: 0.0, rotate_deg: 0.0, bend_deg: 0.0 });
+            StepReport { feed_mm, rotate_deg, bend_deg }
+        };
+        Ok((plain(&kept.scheduled), plain(&kept.compensated)))
+    }
+
+    fn record_output(&self, wire: usize) -> Option<Output> {
+        let Output { path, force } = self.request.record.clone()?;
+        if self.wanted().len() < 2 {
+            return Some(Output { path, force });
+        }
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let extension = path.extension().map(|e| format!(".{}", e.to_string_lossy())).unwrap_or_default();
+        Some(Output { path: path.with_file_name(format!("{stem}-{}{extension}", wire + 1)), force })
+    }
+
+    /// Writes a record beside its journal, and to where it was asked for.
+    pub fn keep(
+        &self,
+        record: Option<&Record>,
+        journal: &Path,
+        wire: usize,
+        response: &mut RunResponse,
+    ) -> Result<(), AppError> {
+        let Some(record) = record else { return Ok(()) };
+        let path = Record::path_beside(journal);
+        // The journal says the same: what cannot be written beside it is not lost.
+        if let Err(cause) = record.write(&path) {
+            let message = format!("the record {} cannot be written: {cause}", path.display());
+            response.notes.push(NoteReport { code: "no-record".into(), count: 1, message });
+        }
+        if let Some(output) = self.record_output(wire) {
+            response.files.push(output.save(&record_bytes(record)?)?);
+        }
+        Ok(())
+    }
+
+    /// Gives up what was interrupted. Nothing moves.
+    pub fn abandon(&self) -> Result<RunResponse, AppError> {
+        let mut response = self.response();
+        for wire in self.wanted() {
+            let Some(kept) = self.last(wire)? else { continue };
+            match &kept.read {
+                Ok(written) if written.account.is_over() => {}
+                Ok(written) => {
+                    let made = written.account.done;
+                    self.give_up(&kept.path)?;
+                    let record = Journal::read(&kept.path).ok().and_then(|read| Record::of(&read.entries));
+                    self.keep(record.as_ref(), &kept.path, wire, &mut response)?;
+                    response.wires.push(self.untouched(wire, &kept.id, RunOutcome::Abandoned, made)?);
+                }
+                Err(_) => {
+                    let aside = self.folder.set_aside(&kept)?;
+                    let message = format!("the damaged journal was set aside as {}", aside.display());
+                    response.notes.push(NoteReport { code: "set-aside".into(), count: 1, message });
+                    response.wires.push(self.untouched(wire, &kept.id, RunOutcome::Abandoned, 0)?);
+                }
+            }
+        }
+        if response.wires.is_empty() {
+            return Err(LiveProblem::NothingBegun { option: "--abandon" }.into());
+        }
+        Ok(response)
+    }
+
+    pub fn give_up(&self, journal: &Path) -> Result<(), LiveProblem> {
+        Journal::open(journal)?.add(Entry { at: self.clock.stamp(), what: What::Abandoned })?;
+        Ok(())
+    }
+
+    /// Whether a wire may be begun anew. What was begun and never sent a step is given up by itself.
+    pub fn require_clear(&self, wire: usize) -> Result<(), AppError> {
+        let Some(kept) = self.last(wire)? else { return Ok(()) };
+        match kept.read {
+            Ok(written) if written.account.is_over() => Ok(()),
+            Ok(written) if written.account.sent == 0 => Ok(self.give_up(&kept.path)?),
+            Ok(written) => Err(LiveProblem::Unfinished {
+                wire,
+                started: written.entries.first().map(|entry| entry.at.clone()).unwrap_or_default(),
+                made: written.account.done,
+                of: written.account.heading.steps,
+                resume: self.command(wire, "--resume"),
+                abandon: self.command(wire, "--abandon"),
+            }
+            .into()),
+            // Its first line was not written to its end: nothing was sent.
+            Err(JournalError::Empty { .. }) => {
+                self.folder.set_aside(&kept)?;
+                Ok(())
+            }
+            Err(error @ JournalError::Damaged { .. }) => {
+                Err(LiveProblem::DamagedJournal { error, abandon: self.command(wire, "--abandon") }.into())
+            }
+            Err(error) => Err(LiveProblem::from(error).into()),
+        }
+    }
+}
+
+/// A word for a shell.
+fn quoted(word: &str) -> String {
+    let plain = |c: char| c.is_ascii_alphanumeric() || "-_./:=+,@%".contains(c);
+    if !word.is_empty() && word.chars().all(plain) {
+        word.to_owned()
+    } else {
+        format!("'{}'", word.replace('\'', r"'\''"))
+    }
+}

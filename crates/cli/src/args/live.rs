@@ -1,0 +1,188 @@
+//! The arguments of what moves a machine, or asks it.
+
+use std::path::PathBuf;
+
+use clap::{Args, Subcommand, ValueEnum};
+use wirebend_app::{Decision, Move};
+
+/// Where the machine is, and that it may move.
+#[derive(Debug, Args)]
+pub(crate) struct PortArgs {
+    /// Port of the machine, such as /dev/ttyACM0 or COM3, or sim for a simulated one (see `wirebend ports`)
+    #[arg(long, short, value_name = "PORT")]
+    pub port: Option<String>,
+    /// Say that the machine may move, instead of being asked
+    #[arg(long, short)]
+    pub yes: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct RunArgs {
+    /// Job to make, or - for standard input
+    #[arg(value_name = "JOB")]
+    pub job: PathBuf,
+    #[command(flatten)]
+    pub at: PortArgs,
+    /// Make this wire alone, counted from 0
+    #[arg(long, value_name = "N")]
+    pub wire: Option<usize>,
+    /// Go on with what was interrupted; with an answer, say whether the step of which nobody knows was made
+    #[arg(long, value_name = "ANSWER", num_args = 0..=1, require_equals = true, default_missing_value = "ask", conflicts_with = "abandon")]
+    pub resume: Option<Answer>,
+    /// Give up what was interrupted, so that the wire can be begun anew; nothing moves
+    #[arg(long)]
+    pub abandon: bool,
+    /// Make wires although settings of the machine are not those of its profile
+    #[arg(long)]
+    pub accept_settings: bool,
+    /// Write the record of what was made to this file, too
+    #[arg(long, value_name = "FILE")]
+    pub record: Option<PathBuf>,
+    /// Replace a record that is there
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// What a person says of a step in doubt.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Answer {
+    /// Ask me
+    Ask,
+    /// The step was made to its end
+    Made,
+    /// The step was not made
+    NotMade,
+}
+
+impl Answer {
+    pub const fn decision(self) -> Option<Decision> {
+        match self {
+            Self::Ask => None,
+            Self::Made => Some(Decision::Made),
+            Self::NotMade => Some(Decision::NotMade),
+        }
+    }
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct JogArgs {
+    /// Machine, by id (see `wirebend machines`)
+    #[arg(long, short, value_name = "ID")]
+    pub machine: String,
+    #[command(flatten)]
+    pub at: PortArgs,
+    /// Write the moves that were made to this file (.wbmoves), to be replayed
+    #[arg(long, value_name = "FILE")]
+    pub record: Option<PathBuf>,
+    /// Replace a recording that is there
+    #[arg(long)]
+    pub force: bool,
+    /// Moves: f MM, r DEGREES, b DEGREES, home; a number may be below 0
+    #[arg(value_name = "MOVE", required = true, allow_negative_numbers = true)]
+    pub moves: Vec<String>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ReplayArgs {
+    /// Recording to replay, or - for standard input
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    #[command(flatten)]
+    pub at: PortArgs,
+    /// Machine, by id: to replay what was recorded on another one, or before its profile was changed
+    #[arg(long, short, value_name = "ID")]
+    pub machine: Option<String>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct PortsArgs {
+    /// For this machine
+    #[arg(long, short, value_name = "ID", conflicts_with = "driver")]
+    pub machine: Option<String>,
+    /// For the machines of this driver
+    #[arg(long, value_name = "ID")]
+    pub driver: Option<String>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct MachineSettingsArgs {
+    /// Machine, by id (see `wirebend machines`)
+    #[arg(long, short, value_name = "ID")]
+    pub machine: String,
+    #[command(flatten)]
+    pub at: PortArgs,
+    /// Write the settings of the profile to the machine, for good
+    #[arg(long)]
+    pub write: bool,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum RunsCommand {
+    /// List what was made
+    #[command(after_help = "Example:\n  wirebend runs list --json")]
+    List,
+    /// Show one record
+    #[command(after_help = "Example:\n  wirebend runs show 3f2a9c81d0b4-0-1")]
+    Show {
+        /// Its id, or enough of its beginning
+        #[arg(value_name = "ID")]
+        id: String,
+    },
+    /// Write one record as a file
+    #[command(after_help = "Example:\n  wirebend runs export 3f2a9c81d0b4-0-1 -o cube-made.json")]
+    Export {
+        /// Its id, or enough of its beginning
+        #[arg(value_name = "ID")]
+        id: String,
+        #[command(flatten)]
+        output: super::OutputArgs,
+    },
+}
+
+/// Words such as `f 10 r -90 home` as moves.
+pub(crate) fn moves(words: &[String]) -> Result<Vec<Move>, String> {
+    let mut moves = Vec::new();
+    let mut words = words.iter();
+    while let Some(word) = words.next() {
+        if matches!(word.as_str(), "home" | "h") {
+            moves.push(Move::Home);
+            continue;
+        }
+        let mut number = || {
+            let found = words.next().ok_or_else(|| format!("'{word}' needs a number after it"))?;
+            let parsed = found.parse::<f64>().ok().filter(|number| number.is_finite());
+            parsed.ok_or_else(|| format!("'{found}' after '{word}' is no number"))
+        };
+        moves.push(match word.as_str() {
+            "f" | "feed" => Move::Feed { mm: number()? },
+            "r" | "rotate" => Move::Rotate { deg: number()? },
+            "b" | "bend" => Move::Bend { deg: number()? },
+            _ => return Err(format!("'{word}' is no move: expected f MM, r DEGREES, b DEGREES or home")),
+        });
+    }
+    Ok(moves)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Result<Vec<Move>, String> {
+        moves(&text.split(' ').map(str::to_owned).collect::<Vec<_>>())
+    }
+
+    #[test]
+    fn moves_are_a_letter_and_a_number() {
+        let expected =
+            [Move::Feed { mm: 10.0 }, Move::Bend { deg: -45.5 }, Move::Home, Move::Rotate { deg: 90.0 }];
+        assert_eq!(read("f 10 b -45.5 home rotate 90").unwrap(), expected);
+    }
+
+    #[test]
+    fn what_is_no_move_is_named() {
+        for (text, said) in [("x 10", "'x'"), ("f", "needs a number"), ("f ten", "'ten'"), ("b inf", "'inf'")]
+        {
+            assert!(read(text).unwrap_err().contains(said), "{text}");
+        }
+    }
+}

@@ -1,0 +1,140 @@
+//! What machines did, where they can be, and how they are set.
+
+use std::io::Write;
+
+use wirebend_app::{
+    JogResponse, LeftBecause, MachineSettingsResponse, PortsResponse, RunOutcome, RunResponse, SeverityName,
+    StoppedBy, Usb, WireRun,
+};
+
+use super::number::{count, duration};
+use super::tables::table;
+use super::{severity_style, written};
+
+/// The summary of a run: for whoever reads the result.
+pub(super) fn run(out: &mut impl Write, err: &mut impl Write, found: &RunResponse) -> std::io::Result<()> {
+    // Warnings were told when they came; notes were not.
+    super::notes(err, &found.notes)?;
+    for wire in &found.wires {
+        one_wire(out, err, wire)?;
+    }
+    if !found.left.is_empty() {
+        let left: Vec<String> = found.left.iter().map(usize::to_string).collect();
+        let why = match found.left_because {
+            Some(LeftBecause::Declined) => "as you said",
+            Some(LeftBecause::NobodyAsked) => {
+                "because nobody was there to say that the next wire is in: make each with --wire N"
+            }
+            None => "because the wire before them was not made",
+        };
+        writeln!(err, "not begun: wire {}, {why}", left.join(", "))?;
+    }
+    written(err, found.files.iter())
+}
+
+fn one_wire(out: &mut impl Write, err: &mut impl Write, wire: &WireRun) -> std::io::Result<()> {
+    let WireRun { wire: index, id, made, steps, .. } = wire;
+    let took = duration(wire.elapsed_s);
+    let outcome = match wire.outcome {
+        RunOutcome::Made => format!("made in {took}, all {steps} steps"),
+        RunOutcome::MadeBefore => format!("made before, all {steps} steps: nothing was left to do"),
+        RunOutcome::Stopped => format!("stopped with {made} of {steps} steps made"),
+        RunOutcome::Failed => format!("failed with {made} of {steps} steps made"),
+        RunOutcome::Abandoned => format!("given up with {made} of {steps} steps made"),
+    };
+    writeln!(out, "wire {index}: {outcome} (record {id})")?;
+    if let Some(worst) = wire.worst_deviation_mm() {
+        writeln!(out, "  the worst vertex of the simulated wire is {worst:.2} mm off")?;
+    }
+    if let Some(problem) = &wire.problem {
+        let style = severity_style(SeverityName::Error);
+        writeln!(err, "{style}error{style:#}[{}]: {}", problem.code, problem.message)?;
+    }
+    match wire.stopped_by {
+        Some(StoppedBy::EndOfDriver | StoppedBy::NothingMore) => {
+            writeln!(
+                err,
+                "the machine was not told: what it holds in its own memory may still be made; cut its power"
+            )?;
+        }
+        Some(StoppedBy::Host) => {
+            writeln!(err, "STOP was written to the port without an answer: look whether the machine stands")?;
+        }
+        Some(StoppedBy::Driver) | None => {}
+    }
+    if let Some([first, last]) = wire.in_doubt {
+        let which = if first == last { format!("step {first}") } else { format!("steps {first} to {last}") };
+        writeln!(err, "nobody knows whether {which} of {steps} were made: look at the wire")?;
+    }
+    if let Some(resume) = &wire.resume {
+        writeln!(err, "go on with:\n  {resume}")?;
+    }
+    Ok(())
+}
+
+pub(super) fn jog(out: &mut impl Write, err: &mut impl Write, found: &JogResponse) -> std::io::Result<()> {
+    let made = count(found.made.len(), "move", "moves");
+    let stopped = if found.stopped { ", then stopped" } else { "" };
+    writeln!(out, "{made} of {} made{stopped}", found.of)?;
+    if let Some(problem) = &found.problem {
+        let style = severity_style(SeverityName::Error);
+        writeln!(err, "{style}error{style:#}[{}]: {}", problem.code, problem.message)?;
+    }
+    for note in found.notes.iter().filter(|note| note.code == "nothing-recorded") {
+        writeln!(err, "note: {}", note.message)?;
+    }
+    written(err, found.output.iter())
+}
+
+pub(super) fn ports(
+    out: &mut impl Write,
+    err: &mut impl Write,
+    found: &PortsResponse,
+) -> std::io::Result<()> {
+    let rows = found.ports.iter().map(|port| {
+        [
+            port.name.clone(),
+            port.usb
+                .as_ref()
+                .map_or_else(|| "-".to_owned(), |usb| format!("{:04x}:{:04x}", usb.vid, usb.pid)),
+            if port.likely_for.is_empty() { "-".to_owned() } else { port.likely_for.join(", ") },
+            described(&port.description, port.usb.as_ref()),
+        ]
+    });
+    table(out, ["port", "usb", "may well be", "what"], rows)?;
+    found.problems.iter().try_for_each(|problem| writeln!(err, "not asked: {problem}"))
+}
+
+fn described(description: &str, usb: Option<&Usb>) -> String {
+    let serial = usb.and_then(|usb| usb.serial.as_ref());
+    serial.map_or_else(|| description.to_owned(), |serial| format!("{description}, serial number {serial}"))
+}
+
+pub(super) fn machine_settings(
+    out: &mut impl Write,
+    err: &mut impl Write,
+    found: &MachineSettingsResponse,
+) -> std::io::Result<()> {
+    writeln!(out, "{} at {}", found.identity, found.port)?;
+    if found.settings.is_empty() {
+        writeln!(out, "it is set as the profile of '{}' says", found.machine)?;
+    } else {
+        let rows = found.settings.iter().map(|setting| {
+            let matters = if setting.matters { "wires come out wrong" } else { "does not matter" };
+            let matters = if setting.machine == setting.expected { "as it should be" } else { matters };
+            [setting.name.clone(), setting.machine.clone(), setting.expected.clone(), matters.to_owned()]
+        });
+        table(out, ["setting", "machine", "profile", ""], rows)?;
+    }
+    if found.written {
+        return writeln!(err, "the settings were written; home the machine before it moves");
+    }
+    if !found.fits {
+        let (machine, port) = (&found.machine, &found.port);
+        writeln!(
+            err,
+            "write those of the profile with:\n  wirebend machine-settings --machine {machine} --port {port} --write"
+        )?;
+    }
+    Ok(())
+}

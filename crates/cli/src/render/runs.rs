@@ -1,0 +1,81 @@
+//! What was made.
+
+use std::io::Write;
+
+use wirebend_app::{Outcome, RunEntry, RunsExportResponse, RunsResponse, RunsShowResponse};
+
+use super::number::mm;
+use super::tables::table;
+use super::written;
+
+pub(super) fn list(out: &mut impl Write, err: &mut impl Write, found: &RunsResponse) -> std::io::Result<()> {
+    let rows = found.runs.iter().filter(|run| run.problem.is_none()).map(row);
+    table(out, ["id", "begun", "design", "machine", "steps", "outcome", "worst"], rows)?;
+    for run in &found.runs {
+        if let Some(problem) = &run.problem {
+            writeln!(err, "{}: {problem}", run.id)?;
+        }
+    }
+    Ok(())
+}
+
+fn row(run: &RunEntry) -> [String; 7] {
+    let text = |text: &Option<String>| text.clone().unwrap_or_default();
+    let interruptions = match run.interruptions.unwrap_or_default() {
+        0 => String::new(),
+        1 => ", interrupted once".to_owned(),
+        times => format!(", interrupted {times} times"),
+    };
+    [
+        run.id.clone(),
+        text(&run.started),
+        text(&run.name),
+        text(&run.machine),
+        format!("{} of {}", run.made.unwrap_or_default(), run.steps.unwrap_or_default()),
+        format!("{}{interruptions}", run.outcome.map_or("", outcome)),
+        run.worst_deviation_mm.map_or_else(|| "-".to_owned(), |worst| format!("{worst:.2} mm")),
+    ]
+}
+
+const fn outcome(outcome: Outcome) -> &'static str {
+    match outcome {
+        Outcome::Finished => "made",
+        Outcome::Abandoned => "given up",
+        Outcome::Unfinished => "not over",
+    }
+}
+
+pub(super) fn show(out: &mut impl Write, found: &RunsShowResponse) -> std::io::Result<()> {
+    let record = &found.record;
+    let job = &record.job;
+    let mut line = |label: &str, text: &str| writeln!(out, "  {label:<12} {text}");
+    line("record", &found.id)?;
+    line("design", &format!("{} ({})", job.name, job.design_hash))?;
+    line("job", &format!("{}, wire {}", job.job_hash, job.wire))?;
+    line(
+        "machine",
+        &format!("{} at {}, driver {} {}", job.machine, job.port, job.driver, job.driver_version),
+    )?;
+    let stock = job.stock_mm.map(|stock| format!(", {} mm put in", mm(stock))).unwrap_or_default();
+    line("material", &format!("{}{stock}", job.material))?;
+    line("begun", &record.started)?;
+    line("over", record.ended.as_deref().unwrap_or("not yet"))?;
+    line("outcome", &format!("{}, {} of {} steps", outcome(record.outcome), record.made, job.steps))?;
+    for interruption in &record.interruptions {
+        let text = format!("{} after step {}: {}", interruption.at, interruption.after, interruption.what);
+        line("interrupted", &text)?;
+    }
+    for decision in &record.decisions {
+        let made = if decision.made { "made" } else { "not made" };
+        line("decided", &format!("{}: step {} was {made}", decision.at, decision.step))?;
+    }
+    if let Some(deviations) = &record.deviations_mm {
+        let worst = deviations.iter().copied().fold(0.0, f64::max);
+        line("deviation", &format!("the worst vertex is {worst:.2} mm off"))?;
+    }
+    Ok(())
+}
+
+pub(super) fn export(err: &mut impl Write, found: &RunsExportResponse) -> std::io::Result<()> {
+    written(err, found.output.iter())
+}

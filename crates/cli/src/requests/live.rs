@@ -1,0 +1,68 @@
+//! The requests of what moves a machine, or asks it.
+
+use wirebend_app::{
+    JogRequest, MachineSettingsRequest, Output, PortsRequest, ReplayRequest, Request, RunHow, RunRequest,
+    RunsExportRequest, RunsRequest, RunsShowRequest,
+};
+
+use super::{Contents, Prepared, input, place};
+use crate::args::live::{JogArgs, MachineSettingsArgs, PortsArgs, ReplayArgs, RunArgs, RunsCommand, moves};
+use crate::errors::WrongUse;
+
+pub(super) fn run(args: RunArgs) -> anyhow::Result<Request> {
+    let RunArgs { job, at, wire, resume, abandon, accept_settings, record, force } = args;
+    let how = match resume {
+        Some(answer) => RunHow::Resume { decided: answer.decision() },
+        None if abandon => RunHow::Abandon,
+        None => RunHow::Begin,
+    };
+    Ok(Request::Run(RunRequest {
+        job: input(&job)?,
+        port: at.port,
+        wire,
+        how,
+        confirmed: at.yes,
+        accept_settings,
+        record: record.map(|path| Output { path, force }),
+    }))
+}
+
+pub(super) fn jog(args: JogArgs) -> anyhow::Result<Request> {
+    let JogArgs { machine, at, record, force, moves: words } = args;
+    Ok(Request::Jog(JogRequest {
+        machine,
+        port: at.port,
+        moves: moves(&words).map_err(WrongUse)?,
+        confirmed: at.yes,
+        record: record.map(|path| Output { path, force }),
+    }))
+}
+
+pub(super) fn replay(args: ReplayArgs) -> anyhow::Result<Request> {
+    let ReplayArgs { file, at, machine } = args;
+    let file = input(&file)?;
+    Ok(Request::Replay(ReplayRequest { file, machine, port: at.port, confirmed: at.yes }))
+}
+
+pub(super) fn ports(args: PortsArgs) -> Request {
+    let PortsArgs { machine, driver } = args;
+    Request::Ports(PortsRequest { machine, driver })
+}
+
+pub(super) fn machine_settings(args: MachineSettingsArgs) -> Request {
+    let MachineSettingsArgs { machine, at, write } = args;
+    Request::MachineSettings(MachineSettingsRequest { machine, port: at.port, write, confirmed: at.yes })
+}
+
+pub(super) fn runs(command: RunsCommand) -> Prepared {
+    let written = |request| Prepared::Request(Box::new(request), Contents::Written);
+    match command {
+        RunsCommand::List => written(Request::Runs(RunsRequest {})),
+        RunsCommand::Show { id } => written(Request::RunsShow(RunsShowRequest { id })),
+        RunsCommand::Export { id, output } => {
+            let (output, contents) = place(output, true);
+            let request = Request::RunsExport(RunsExportRequest { id, output });
+            Prepared::Request(Box::new(request), contents)
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! Ctrl-C is STOP: in a thread of its own, whatever the program is doing.
+
+use std::io::Write;
+use std::process;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+use anyhow::Context;
+use wirebend_app::{StopHandle, StoppedBy};
+
+use crate::errors::exit;
+
+/// What stops the machine that is connected, if one is; a process has one terminal and one Ctrl-C.
+static HANDLE: Mutex<Option<StopHandle>> = Mutex::new(None);
+static PRESSED: AtomicBool = AtomicBool::new(false);
+
+/// From here on Ctrl-C, and the signal that asks a program to end, stop the machine. A second one ends the program,
+/// but not before the stop is out: signals are handled one after the other.
+pub(crate) fn listen() -> anyhow::Result<()> {
+    ctrlc::set_handler(pressed).context("Ctrl-C cannot be listened to, and without it nothing is moved")
+}
+
+/// Whether a person has asked for a stop.
+pub(crate) fn was_pressed() -> bool {
+    PRESSED.load(Ordering::SeqCst)
+}
+
+/// A machine can be stopped, or none can any more.
+pub(crate) fn connect(handle: Option<&StopHandle>) {
+    let mut kept = HANDLE.lock().unwrap_or_else(PoisonError::into_inner);
+    *kept = handle.cloned();
+    // It was pressed before there was anything to stop.
+    if was_pressed() {
+        stop(kept.as_ref());
+    }
+}
+
+fn pressed() {
+    let before = PRESSED.swap(true, Ordering::SeqCst);
+    let handle = HANDLE.lock().unwrap_or_else(PoisonError::into_inner).clone();
+    if before || handle.is_none() {
+        // Nothing moves, or it was stopped before: a driver ends with the program.
+        process::exit(exit::STOPPED.into());
+    }
+    stop(handle.as_ref());
+}
+
+fn stop(handle: Option<&StopHandle>) {
+    let Some(handle) = handle else { return };
+    let outcome = handle.stop();
+    let said = match outcome.by {
+        StoppedBy::Driver => "STOP was sent to the machine",
+        StoppedBy::Host => {
+            "STOP was written to the port: the driver did not do it; look whether the machine stands"
+        }
+        StoppedBy::NothingMore => "this machine cannot be stopped: it is sent nothing more; cut its power",
+        StoppedBy::EndOfDriver => {
+            "the driver did not pass STOP on and was ended: cut the power of the machine"
+        }
+    };
+    let _ = writeln!(std::io::stderr(), "\n{said} ({} ms)", outcome.took.as_millis());
+}

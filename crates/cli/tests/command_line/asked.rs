@@ -1,0 +1,107 @@
+//! A person at a terminal: they are asked, and what they answer is what happens.
+
+use std::fs::File;
+use std::io::{Read, Write};
+use std::process::{Child, Command, Stdio};
+
+use rustix::process::{Pid, Signal, kill_process};
+
+use crate::board::terminal;
+use crate::runs::Shop;
+use crate::wirebend;
+
+/// The program with a person in front of it.
+struct Asked {
+    child: Child,
+    person: File,
+    seen: String,
+}
+
+impl Asked {
+    fn start(shop: &Shop, arguments: &[&str]) -> Self {
+        let (far, near, _) = terminal();
+        let near = File::from(near);
+        let child = Command::new(wirebend())
+            .args(arguments)
+            .current_dir(shop.path())
+            .env("XDG_CONFIG_HOME", shop.path())
+            .env("XDG_DATA_HOME", shop.path())
+            .stdin(near.try_clone().unwrap())
+            .stdout(Stdio::null())
+            .stderr(near)
+            .spawn()
+            .unwrap();
+        Self { child, person: File::from(far), seen: String::new() }
+    }
+
+    fn sees(&mut self, what: &str) -> &mut Self {
+        while !self.seen.contains(what) {
+            let mut bytes = [0; 1024];
+            // A terminal that nobody has open any more ends with an error.
+            let count = self.person.read(&mut bytes).unwrap_or_default();
+            assert!(count > 0, "{what} is not in {}", self.seen);
+            self.seen.push_str(&String::from_utf8_lossy(&bytes[..count]));
+        }
+        self.seen.clear();
+        self
+    }
+
+    fn says(&mut self, line: &str) -> &mut Self {
+        writeln!(self.person, "{line}").unwrap();
+        self
+    }
+
+    fn status(&mut self) -> Option<i32> {
+        // What it writes must go somewhere, or it waits.
+        let mut rest = Vec::new();
+        let _ = self.person.read_to_end(&mut rest);
+        self.child.wait().unwrap().code()
+    }
+}
+
+const RUN: [&str; 4] = ["run", "a.wbjob", "--port", "sim:max"];
+
+#[test]
+fn a_wire_is_made_at_a_persons_word_and_the_next_at_another() {
+    let shop = Shop::with("two-parts.obj");
+    let mut asked = Asked::start(&shop, &RUN);
+    asked.sees("may the machine move?").says("yes");
+    asked.sees("new wire in").says("y");
+    assert_eq!(asked.status(), Some(0));
+    assert_eq!(shop.list().len(), 2);
+}
+
+#[test]
+fn no_is_no_and_so_is_nothing_and_ctrl_c() {
+    let shop = Shop::cube();
+    for answer in ["n", "", "maybe\nno"] {
+        let mut asked = Asked::start(&shop, &RUN);
+        asked.sees("may the machine move?").says(answer);
+        assert_eq!(asked.status(), Some(130), "{answer:?}");
+    }
+    let mut asked = Asked::start(&shop, &RUN);
+    asked.sees("may the machine move?");
+    let id = Pid::from_raw(i32::try_from(asked.child.id()).unwrap()).unwrap();
+    kill_process(id, Signal::INT).unwrap();
+    assert_eq!(asked.status(), Some(130));
+    assert!(shop.list().is_empty(), "nothing was begun");
+}
+
+/// After a crash a person looks at the wire, and says step by step what they see.
+#[test]
+fn a_person_says_what_became_of_steps_in_doubt() {
+    let shop = Shop::cube();
+    let mut going = crate::interrupted::Going::start(&shop, &["run", "a.wbjob", "--port", "sim:10", "--yes"]);
+    going.until("step 2 of 8 is made");
+    going.send(Signal::KILL);
+    going.end();
+    let mut asked = Asked::start(&shop, &[&RUN[..], &["--resume"]].concat());
+    asked.sees("made to its end?").says("I do not know");
+    assert_eq!(asked.status(), Some(2), "nobody knows, and so nothing moves");
+    let mut asked = Asked::start(&shop, &[&RUN[..], &["--resume"]].concat());
+    asked.sees("made to its end?").says("yes");
+    asked.sees("made to its end?").says("no");
+    asked.sees("go on?").says("yes");
+    assert_eq!(asked.status(), Some(0));
+    assert_eq!(shop.list()[0]["outcome"], "finished");
+}
