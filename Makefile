@@ -35,7 +35,7 @@ BUNNY := examples/bunny.obj --face-edges --double
 HOUSE := examples/house.obj
 
 .PHONY: run
-run: build ## plan the bunny and compare machines; programs for each machine and pictures go to target/run
+run: build ## plan the bunny, compare machines, bend the house on the simulated machine; files go to target/run
 	@mkdir -p $(RUN)
 	@echo; echo "--- the drivers"
 	$(WIREBEND) drivers
@@ -53,6 +53,10 @@ run: build ## plan the bunny and compare machines; programs for each machine and
 	@echo; echo "--- pictures, and the wire as a Pensa with typical errors makes it"
 	$(WIREBEND) export $(BUNNY) --machine wirebend-kit --format svg -o $(RUN)/bunny.svg --force
 	$(WIREBEND) simulate $(RUN)/bunny-pensa.wbjob --noise bend-forming --svg $(RUN)/bunny-made.svg --force
+	@echo; echo "--- the house, made by the simulated machine"
+	$(WIREBEND) plan $(HOUSE) --machine wirebend-kit -o $(RUN)/house.wbjob --force
+	$(WIREBEND) run $(RUN)/house.wbjob --port sim:max --yes --record $(RUN)/house.record.json --force --runs-folder $(RUN)/runs
+	$(WIREBEND) simulate $(RUN)/house.wbjob --svg $(RUN)/house-made.svg --force
 	@echo; ls -l $(RUN)
 
 .PHONY: firmware
