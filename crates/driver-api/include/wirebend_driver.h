@@ -20,7 +20,8 @@
  *     call "encode"                               30 s
  *     call "stop"                                100 ms
  *     any other call                               1 s
- *     poll, close                                500 ms
+ *     poll                                         2 s
+ *     close                                      500 ms
  *
  * Output. The standard output of the process goes where its standard error goes: to the console that the
  * program shows when a driver fails.

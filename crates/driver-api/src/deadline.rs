@@ -10,8 +10,8 @@ pub const OPEN: Duration = Duration::from_secs(2);
 pub const ENCODE: Duration = Duration::from_secs(30);
 /// For any other call.
 pub const CALL: Duration = Duration::from_secs(1);
-/// To look for events.
-pub const POLL: Duration = Duration::from_millis(500);
+/// To look for events. On a busy computer the system alone can take most of a second to read a port.
+pub const POLL: Duration = Duration::from_secs(2);
 /// To pass a stop on.
 pub const STOP: Duration = Duration::from_millis(100);
 /// To close.

@@ -159,8 +159,8 @@ fn the_header_tells_the_deadlines() {
         ("call \"encode\"", deadline::ENCODE, "s"),
         ("call \"stop\"", deadline::STOP, "ms"),
         ("any other call", deadline::CALL, "s"),
-        ("poll, close", deadline::POLL, "ms"),
-        ("poll, close", deadline::CLOSE, "ms"),
+        ("poll", deadline::POLL, "s"),
+        ("close", deadline::CLOSE, "ms"),
     ];
     for (name, duration, unit) in expected {
         let value = if unit == "s" { u128::from(duration.as_secs()) } else { duration.as_millis() };

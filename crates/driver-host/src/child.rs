@@ -7,7 +7,7 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::sync::mpsc::{Receiver, channel};
 use std::thread;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use serde_json::Value;
 use wirebend_driver_api::{DriverError, Reply, SafeTable, TableError, deadline};
@@ -19,6 +19,8 @@ use crate::trust::Fingerprint;
 
 /// The key of a greeting that says which minor version of the boundary the driver was built against.
 pub(crate) const MINOR: &str = "built_against_minor";
+/// How long one look for events may take when there are some.
+const LOOK: Duration = Duration::from_millis(100);
 /// The most events that one request brings.
 const MOST_EVENTS: usize = 64;
 
@@ -142,7 +144,7 @@ fn events(table: &mut SafeTable, refused: &mut Option<Reply>) -> Result<Reply, T
     let begun = Instant::now();
     for count in 0..MOST_EVENTS {
         // What is left is told at the next look: this one has a deadline, and each event may take its time.
-        if count > 0 && begun.elapsed() > deadline::POLL / 5 {
+        if count > 0 && begun.elapsed() > LOOK {
             break;
         }
         match table.poll()? {

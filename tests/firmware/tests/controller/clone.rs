@@ -23,6 +23,8 @@ fn started() -> Uno {
     assert!(said(&mut uno).starts_with("b1,100,2,0,0*"), "machine 2");
     uno.send(&sealed(&format!("S{SESSION}"), NO_SESSION));
     uno.send(&sealed("L", SESSION));
+    assert!(said(&mut uno).contains("v1,48000*"), "48 steps a millimetre");
+    uno.send(&sealed("Q", SESSION));
     assert!(said(&mut uno).contains("t0,0,0,0,0,0,0,2,0,0*"), "at rest, its switch released");
     uno.pins();
     uno

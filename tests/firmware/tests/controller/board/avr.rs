@@ -135,7 +135,9 @@ impl Avr {
             return None;
         }
         // The settings of the peg are multiples of 100 µs in all tests.
-        let width_us = u16::try_from((cycle - risen + 50 * MS / 1000) / (100 * MS / 1000) * 100).unwrap();
+        let width_us = (cycle - risen + 50 * MS / 1000) / (100 * MS / 1000) * 100;
+        // A controller that hangs leaves its pin as it is until it is reset: that is no pulse.
+        let width_us = u16::try_from(width_us).ok()?;
         self.servo_us = Some(width_us);
         Some(What::Servo { width_us })
     }
