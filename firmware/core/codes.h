@@ -17,7 +17,7 @@
 #define WB_REPLY_BOOT 'b' /* Has started; sealed with 65535 */
 #define WB_REPLY_OPEN 'o' /* The session with this id is open; sealed with 65535 */
 #define WB_REPLY_ACCEPTED 'a' /* Every line up to this number is taken; so many more fit */
-#define WB_REPLY_DONE 'd' /* Every line up to this number is made */
+#define WB_REPLY_DONE 'd' /* Every line up to this number is made, or was forgotten by an alarm */
 #define WB_REPLY_FULL 'f' /* No room for the line: to be sent again */
 #define WB_REPLY_REFUSED 'e' /* Not taken; the number that is expected next; the code of the letter that was refused or 0 for a line that cannot be read. Sealed with 65535 when it was a session */
 #define WB_REPLY_STATUS 't' /* How it stands; positions in steps; peg 0 in, 1 out, 2 unknown */

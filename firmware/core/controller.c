@@ -1,9 +1,9 @@
 #include "controller.h"
 
-
 #include "flash.h"
 #include "hal.h"
 #include "motion.h"
+#include "replies.h"
 
 /* Without a valid frame for so long, no other line begins. */
 #define HOST_LOST_TICKS ((uint16_t)(1000000uL / WB_TICK_US))
@@ -71,51 +71,7 @@ uint16_t wb_ticks(struct wb_controller *c)
     return ticks;
 }
 
-/* --- replies */
-
-static void tell(struct wb_controller *c, char letter, uint16_t session, uint32_t one)
-{
-    struct wb_reply reply = wb_reply_begin(c->board, letter, session);
-    wb_reply_unsigned(&reply, one);
-    wb_reply_end(&reply);
-}
-
-static void tell_two(struct wb_controller *c, char letter, uint32_t one, uint32_t two)
-{
-    struct wb_reply reply = wb_reply_begin(c->board, letter, c->session);
-    wb_reply_unsigned(&reply, one);
-    wb_reply_unsigned(&reply, two);
-    wb_reply_end(&reply);
-}
-
-static void tell_versions(struct wb_reply *reply)
-{
-    wb_reply_unsigned(reply, WB_PROTOCOL);
-    wb_reply_unsigned(reply, WB_FIRMWARE);
-    wb_reply_unsigned(reply, WB_MACHINE_ID);
-}
-
-static void tell_boot(struct wb_controller *c)
-{
-    struct wb_reply reply = wb_reply_begin(c->board, WB_REPLY_BOOT, WB_NO_SESSION);
-    tell_versions(&reply);
-    wb_reply_unsigned(&reply, c->reset);
-    wb_reply_unsigned(&reply, c->boots);
-    wb_reply_end(&reply);
-}
-
-static void tell_open(struct wb_controller *c)
-{
-    struct wb_reply reply = wb_reply_begin(c->board, WB_REPLY_OPEN, WB_NO_SESSION);
-    wb_reply_unsigned(&reply, c->session);
-    wb_reply_unsigned(&reply, c->last);
-    wb_reply_unsigned(&reply, c->done);
-    tell_versions(&reply);
-    wb_reply_unsigned(&reply, c->boots);
-    wb_reply_end(&reply);
-}
-
-static uint8_t state(const struct wb_controller *c)
+uint8_t wb_state(const struct wb_controller *c)
 {
     if (c->alarm != WB_ALARM_NONE && c->alarm != WB_ALARM_HOST_LOST) {
         return WB_STATE_ALARM;
@@ -124,34 +80,6 @@ static uint8_t state(const struct wb_controller *c)
         return WB_STATE_HELD;
     }
     return wb_motion_busy(c) ? WB_STATE_RUNNING : WB_STATE_IDLE;
-}
-
-static void tell_status(struct wb_controller *c)
-{
-    int32_t position[WB_AXES];
-    hal_lock(c->board);
-    for (uint8_t axis = 0; axis < WB_AXES; axis++) {
-        position[axis] = c->stepper.position[axis];
-    }
-    hal_unlock(c->board);
-    bool inverted = (wb_setting(&c->settings, WB_SETTING_INVERTED) & WB_INVERTED_SWITCH) != 0;
-    struct wb_reply reply = wb_reply_begin(c->board, WB_REPLY_STATUS, c->session);
-    wb_reply_unsigned(&reply, state(c));
-    wb_reply_unsigned(&reply, c->alarm);
-    for (uint8_t axis = 0; axis < WB_AXES; axis++) {
-        wb_reply_signed(&reply, position[axis]);
-    }
-    wb_reply_unsigned(&reply, c->last);
-    wb_reply_unsigned(&reply, c->done);
-    wb_reply_unsigned(&reply, c->peg);
-    wb_reply_unsigned(&reply, hal_switch_high(c->board) != inverted);
-    wb_reply_unsigned(&reply, c->homed);
-    wb_reply_end(&reply);
-}
-
-static uint32_t room(const struct wb_controller *c)
-{
-    return (uint32_t)(WB_QUEUE - c->queued);
 }
 
 /* --- what the host asks for. Each gives the error with which it is refused, or 0 when it has answered. */
@@ -170,7 +98,7 @@ static uint8_t open_session(struct wb_controller *c, int32_t id)
         c->done = 0;
         c->done_told = true;
     }
-    tell_open(c);
+    wb_tell_open(c);
     return 0;
 }
 
@@ -189,7 +117,7 @@ static uint8_t objection(const struct wb_controller *c, const struct wb_command 
     if (line->letter == WB_COMMAND_HOME) {
         return wb_motion_busy(c) ? WB_ERROR_NOT_IDLE : 0;
     }
-    if (state(c) == WB_STATE_ALARM) {
+    if (wb_state(c) == WB_STATE_ALARM) {
         return WB_ERROR_IN_ALARM;
     }
     if (line->letter == WB_COMMAND_PEG) {
@@ -240,7 +168,7 @@ static uint8_t take(struct wb_controller *c, const struct wb_command *command)
             return error;
         }
         if (c->queued == WB_QUEUE) {
-            tell_two(c, WB_REPLY_FULL, c->last, 0);
+            wb_tell_taken(c, WB_REPLY_FULL);
             return 0;
         }
         if (command->letter == WB_COMMAND_HOME && !leave_alarm(c)) {
@@ -257,31 +185,31 @@ static uint8_t take(struct wb_controller *c, const struct wb_command *command)
         c->queued++;
         c->last = command->n;
     }
-    tell_two(c, WB_REPLY_ACCEPTED, c->last, room(c));
+    wb_tell_taken(c, WB_REPLY_ACCEPTED);
     return 0;
 }
 
 static uint8_t pause(struct wb_controller *c)
 {
-    if (state(c) == WB_STATE_ALARM) {
+    if (wb_state(c) == WB_STATE_ALARM) {
         return WB_ERROR_IN_ALARM;
     }
     c->held = true;
     c->stepper.hold = true;
-    tell_status(c);
+    wb_tell_status(c);
     return 0;
 }
 
 static uint8_t go_on(struct wb_controller *c)
 {
-    if (state(c) == WB_STATE_ALARM) {
+    if (wb_state(c) == WB_STATE_ALARM) {
         return WB_ERROR_IN_ALARM;
     }
     c->held = false;
     c->hold_next = false;
     c->stepper.hold = false;
     c->alarm = WB_ALARM_NONE;
-    tell_status(c);
+    wb_tell_status(c);
     return 0;
 }
 
@@ -298,16 +226,8 @@ static uint8_t head_stands(struct wb_controller *c, int32_t steps)
     }
     c->stepper.position[WB_ROTATE] = steps;
     c->head = steps;
-    tell_status(c);
+    wb_tell_status(c);
     return 0;
-}
-
-static void tell_setting(struct wb_controller *c, uint8_t id)
-{
-    struct wb_reply reply = wb_reply_begin(c->board, WB_REPLY_VALUE, c->session);
-    wb_reply_unsigned(&reply, id);
-    wb_reply_signed(&reply, wb_setting(&c->settings, id));
-    wb_reply_end(&reply);
 }
 
 static uint8_t read_setting(struct wb_controller *c, int32_t id)
@@ -318,7 +238,7 @@ static uint8_t read_setting(struct wb_controller *c, int32_t id)
     if (id < 1 || id > WB_SETTINGS_COUNT) {
         return WB_ERROR_UNKNOWN;
     }
-    tell_setting(c, (uint8_t)id);
+    wb_tell_setting(c, (uint8_t)id);
     return 0;
 }
 
@@ -336,7 +256,7 @@ static uint8_t write_setting(struct wb_controller *c, int32_t id, int32_t value)
     }
     /* Positions in steps may mean something else now. */
     c->homed = false;
-    tell_setting(c, (uint8_t)id);
+    wb_tell_setting(c, (uint8_t)id);
     return 0;
 }
 
@@ -348,7 +268,7 @@ static uint8_t load_defaults(struct wb_controller *c)
     wb_settings_defaults(&c->settings, c->board);
     c->homed = false;
     /* A status may come unasked for this; a setting may not. */
-    tell_setting(c, 1);
+    wb_tell_setting(c, 1);
     return 0;
 }
 
@@ -373,22 +293,11 @@ static uint8_t obey(struct wb_controller *c, const struct wb_command *command)
     case WB_COMMAND_LOAD_DEFAULTS:
         return load_defaults(c);
     case WB_COMMAND_QUERY:
-        tell_status(c);
+        wb_tell_status(c);
         return 0;
     default:
         return take(c, command);
     }
-}
-
-static void refuse(struct wb_controller *c, uint8_t error, char command)
-{
-    /* Who asks for a session is in none, and could not read what is sealed with that of another host. */
-    uint16_t session = command == WB_COMMAND_SESSION ? WB_NO_SESSION : c->session;
-    struct wb_reply reply = wb_reply_begin(c->board, WB_REPLY_REFUSED, session);
-    wb_reply_unsigned(&reply, error);
-    wb_reply_unsigned(&reply, c->last + 1);
-    wb_reply_unsigned(&reply, (uint8_t)command);
-    wb_reply_end(&reply);
 }
 
 static void frame_came(struct wb_controller *c)
@@ -400,7 +309,7 @@ static void frame_came(struct wb_controller *c)
     enum wb_parsed parsed = wb_parse(c->frame.text, &command);
     uint8_t error = parsed == WB_PARSED ? obey(c, &command) : ERROR[parsed];
     if (error) {
-        refuse(c, error, *c->frame.text);
+        wb_tell_refusal(c, error, *c->frame.text);
     }
 }
 
@@ -420,7 +329,7 @@ static bool receive(struct wb_controller *c)
             frame_came(c);
             return c->received_out != c->received_in;
         case WB_FED_DAMAGED:
-            refuse(c, c->session == WB_NO_SESSION ? WB_ERROR_NO_SESSION : WB_ERROR_DAMAGED, 0);
+            wb_tell_refusal(c, c->session == WB_NO_SESSION ? WB_ERROR_NO_SESSION : WB_ERROR_DAMAGED, 0);
             return c->received_out != c->received_in;
         default:
             break;
@@ -446,15 +355,15 @@ static void watch_host(struct wb_controller *c)
 static void tell_news(struct wb_controller *c)
 {
     if (!c->boot_told && hal_send_room(c->board) >= WB_REPLY_MOST) {
-        tell_boot(c);
+        wb_tell_boot(c);
         c->boot_told = true;
     }
     if (!c->alarm_told && hal_send_room(c->board) >= WB_REPLY_MOST) {
-        tell(c, WB_REPLY_ALARM, c->session, c->alarm);
+        wb_tell_one(c, WB_REPLY_ALARM, c->alarm);
         c->alarm_told = true;
     }
     if (!c->done_told && hal_send_room(c->board) >= WB_REPLY_MOST) {
-        tell(c, WB_REPLY_DONE, c->session, c->done);
+        wb_tell_one(c, WB_REPLY_DONE, c->done);
         c->done_told = true;
     }
 }

@@ -85,6 +85,8 @@ void wb_on_tick(struct wb_controller *controller);
 bool wb_on_step(struct wb_controller *controller);
 void wb_on_step_rest(struct wb_controller *controller);
 
+/* What it does: one of the states in codes.h. */
+uint8_t wb_state(const struct wb_controller *controller);
 /* Ticks since the start, over and over. */
 uint16_t wb_ticks(struct wb_controller *controller);
 

@@ -12,7 +12,7 @@ static int32_t side(const struct wb_settings *settings)
     return wb_setting(settings, WB_SETTING_HOME_POSITION) < 0 ? -1 : 1;
 }
 
-static bool pressed(const struct wb_controller *c)
+bool wb_switch_pressed(const struct wb_controller *c)
 {
     bool inverted = (wb_setting(&c->settings, WB_SETTING_INVERTED) & WB_INVERTED_SWITCH) != 0;
     return hal_switch_high(c->board) != inverted;
@@ -32,7 +32,7 @@ bool wb_homing_move(const struct wb_controller *c, uint8_t phase, struct wb_move
         }
         move->steps = -towards * travel;
         move->until = WB_UNTIL_RELEASED;
-        return pressed(c);
+        return wb_switch_pressed(c);
     case WB_SEEKS_FAST:
         move->steps = towards * travel;
         move->until = WB_UNTIL_PRESSED;

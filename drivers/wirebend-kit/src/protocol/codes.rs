@@ -61,7 +61,7 @@ pub enum Reply {
     Open = b'o',
     /// Every line up to this number is taken; so many more fit.
     Accepted = b'a',
-    /// Every line up to this number is made.
+    /// Every line up to this number is made, or was forgotten by an alarm.
     Done = b'd',
     /// No room for the line: to be sent again.
     Full = b'f',
