@@ -51,7 +51,9 @@ fn workspace() -> PathBuf {
     found.unwrap_or_else(|| panic!("{} is in no workspace", package.display())).to_owned()
 }
 
-/// Builds into the folder that the running test itself was built into.
+/// Builds into a folder of its own within that of the running test. In the same folder it would write over
+/// libraries that the run of the tests still links: those of the drivers have no hash in their names, and a
+/// package that is built alone has other features than in the workspace.
 fn build(package: &str, what: &str, file: &str) -> PathBuf {
     let mut built = BUILT.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some(file) = built.get(package) {
@@ -59,16 +61,16 @@ fn build(package: &str, what: &str, file: &str) -> PathBuf {
     }
     let own = std::env::current_exe().unwrap();
     let profile = own.ancestors().skip(1).find(|folder| !folder.ends_with("deps")).unwrap();
-    let target = profile.parent().unwrap();
+    let target = profile.parent().unwrap().join("built");
     let mut cargo = Command::new(env!("CARGO"));
     cargo.current_dir(workspace());
-    cargo.args(["build", "--quiet", "--offline", "--package", package, what, "--target-dir"]).arg(target);
+    cargo.args(["build", "--quiet", "--offline", "--package", package, what, "--target-dir"]).arg(&target);
     if profile.ends_with("release") {
         cargo.arg("--release");
     }
     let done = cargo.output().unwrap();
     assert!(done.status.success(), "{cargo:?}: {}", String::from_utf8_lossy(&done.stderr));
-    let file = profile.join(file);
+    let file = target.join(profile.file_name().unwrap()).join(file);
     assert!(file.is_file(), "{cargo:?} did not make {}", file.display());
     built.insert(package.to_owned(), file.clone());
     file

@@ -27,7 +27,6 @@ mod wrong_files;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::sync::Once;
 
 use serde_json::Value;
 
@@ -60,16 +59,13 @@ fn example(name: &str) -> String {
     root().join("examples").join(name).display().to_string()
 }
 
-/// The program with the drivers that come with it, which Cargo does not know it needs.
+/// The program with the drivers that come with it beside it.
 fn wirebend() -> PathBuf {
-    static DRIVERS: Once = Once::new();
-    DRIVERS.call_once(|| {
-        for driver in ["pensa", "tables", "grbl", "howtomechatronics", "wirebend-kit"] {
-            let library = wirebend_tests_built::driver(driver);
-            assert_eq!(library.parent(), Path::new(env!("CARGO_BIN_EXE_wirebend")).parent());
-        }
-    });
-    PathBuf::from(env!("CARGO_BIN_EXE_wirebend"))
+    let program = wirebend_tests_built::wirebend();
+    for driver in ["pensa", "tables", "grbl", "howtomechatronics", "wirebend-kit"] {
+        assert_eq!(wirebend_tests_built::driver(driver).parent(), program.parent());
+    }
+    program
 }
 
 /// Runs `wirebend` in a folder with words on its standard input.

@@ -1,6 +1,6 @@
 //! Exit statuses, help, and how the program behaves between others.
 
-use crate::{example, run, run_in};
+use crate::{example, run, run_in, wirebend};
 
 #[test]
 fn statuses_tell_whose_turn_it_is() {
@@ -95,7 +95,7 @@ fn a_pipe_carries_a_job_from_plan_to_simulate_and_sees_no_progress_bar() {
 #[test]
 fn a_reader_that_has_enough_is_no_failure() {
     use std::process::{Command, Stdio};
-    let mut child = Command::new(env!("CARGO_BIN_EXE_wirebend"))
+    let mut child = Command::new(wirebend())
         .args(["dump", "wireframe", &example("isogrid.obj")])
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
