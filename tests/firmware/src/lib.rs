@@ -9,12 +9,16 @@
 
 #![cfg(target_os = "linux")]
 
+pub mod board;
 mod built;
 mod error;
 mod fault;
 mod ffi;
+pub mod job;
+pub mod lockstep;
 mod memory;
 mod pty;
+pub mod table;
 mod uno;
 
 pub use built::{firmware, probe};

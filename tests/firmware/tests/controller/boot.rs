@@ -3,8 +3,8 @@
 use wirebend_driver_wirebend_kit::protocol::{Alarm, Reset, State};
 use wirebend_tests_firmware::{Ram, ResetCause};
 
-use crate::board::{Avr, Board, Host, What};
 use crate::talk::{ANSWER_MS, SESSION, Talk};
+use wirebend_tests_firmware::board::{Avr, Board, Host, What};
 
 /// Protocol 1, firmware 1.00, machine 1, the cause, and how often it has started.
 fn boot(cause: u8, boots: u32) -> String {

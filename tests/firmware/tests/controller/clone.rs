@@ -3,7 +3,7 @@
 use wirebend_driver_wirebend_kit::protocol::{NO_SESSION, sealed};
 use wirebend_tests_firmware::{HZ, PinChange, Port, Uno, firmware};
 
-use crate::board::MS;
+use wirebend_tests_firmware::board::MS;
 
 const SESSION: u16 = 5;
 /// D9 and D10: step and direction of the bender; D11: its switch, low when pressed; D2: the servo.

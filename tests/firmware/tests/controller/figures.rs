@@ -4,8 +4,8 @@ use std::process::Command;
 
 use wirebend_tests_firmware::{firmware, vector};
 
-use crate::board::{Avr, Board, HZ, MS};
 use crate::talk::Talk;
+use wirebend_tests_firmware::board::{Avr, Board, HZ, MS};
 
 /// Most of the flash and of the RAM that it may take, bytes; the chip has 32 KB less the boot loader, and 2 KB.
 const FLASH: usize = 24 * 1024;

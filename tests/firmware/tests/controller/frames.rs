@@ -2,8 +2,8 @@
 
 use wirebend_driver_wirebend_kit::protocol::sealed;
 
-use crate::board::{Avr, Board, Host};
 use crate::talk::{SESSION, Talk};
+use wirebend_tests_firmware::board::{Avr, Board, Host};
 
 /// A damaged line and its answers are over by then, ms.
 const OVER_MS: u64 = 6;

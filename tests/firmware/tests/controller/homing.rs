@@ -4,9 +4,9 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use wirebend_driver_wirebend_kit::protocol::{Alarm, State};
 
-use crate::board::{Avr, BEND, Board, HZ, Host, What};
-use crate::table::{EDGE, Switch, Table};
 use crate::talk::Talk;
+use wirebend_tests_firmware::board::{Avr, BEND, Board, HZ, Host, What};
+use wirebend_tests_firmware::table::{EDGE, Switch, Table};
 
 /// Two pulses at most from the edge to where it is taken to be: the switch is read four times in a row.
 const READINGS: i64 = 4;

@@ -1,6 +1,6 @@
 //! Jobs of the examples on both controllers. The whole bunny is made by `make firmware-soak`.
 
-use crate::lockstep::{in_lockstep, lines};
+use wirebend_tests_firmware::lockstep::{in_lockstep, lines};
 
 const CUBE: &str = include_str!("steps/cube.csv");
 const SPRING: &str = include_str!("steps/spring.csv");

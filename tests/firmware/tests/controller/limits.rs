@@ -1,7 +1,7 @@
 //! Soft limits: what would leave the range of an axis is refused before anything moves.
 
-use crate::board::{Avr, Board, Host};
 use crate::talk::Talk;
+use wirebend_tests_firmware::board::{Avr, Board, Host};
 
 /// The ranges of the shipped settings, steps: 155 degrees of 21480 a turn, a turn of the head, 400000 of feed.
 const BEND: i32 = 9248;

@@ -2,9 +2,9 @@
 
 use std::time::Duration;
 
-use crate::board::{Avr, BEND, Board, Host, What};
-use crate::job::Job;
 use crate::talk::{ANSWER_MS, Talk};
+use wirebend_tests_firmware::board::{Avr, BEND, Board, Host, What};
+use wirebend_tests_firmware::job::Job;
 
 fn once<B: Board>() {
     let mut talk = Talk::<B>::homed();

@@ -5,7 +5,6 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // a test may stop at what cannot be
 #![allow(clippy::print_stdout)] // figures, for --nocapture
 
-mod board;
 mod boot;
 mod builds;
 mod clone;
@@ -13,15 +12,12 @@ mod core;
 mod figures;
 mod frames;
 mod homing;
-mod job;
 mod jobs;
 mod limits;
 mod lines;
-mod lockstep;
 mod pulses;
 mod session;
 mod settings;
 mod stop;
-mod table;
 mod talk;
 mod watch;

@@ -1,7 +1,7 @@
 //! The pins, as the motor drivers and the servo see them.
 
-use crate::board::{Avr, HZ, MS, Seen, What};
 use crate::talk::Talk;
+use wirebend_tests_firmware::board::{Avr, HZ, MS, Seen, What};
 
 /// DRV8825, data sheet SLVSA73: a step is high for 1.9 µs or more, a direction stands 650 ns before it. Cycles of
 /// 62.5 ns.

@@ -2,8 +2,8 @@
 
 use wirebend_driver_wirebend_kit::protocol::{Alarm, NO_SESSION, Reset, State};
 
-use crate::board::{Avr, Board, Host};
 use crate::talk::{ANSWER_MS, SESSION, Talk};
+use wirebend_tests_firmware::board::{Avr, Board, Host};
 
 fn before_one<B: Board>() {
     let mut talk = Talk::<B>::new();

@@ -2,8 +2,8 @@
 
 use wirebend_driver_wirebend_kit::protocol::{Reset, SETTINGS, Setting};
 
-use crate::board::{Avr, Board, Host};
 use crate::talk::Talk;
+use wirebend_tests_firmware::board::{Avr, Board, Host};
 
 /// Where the settings stand in the stored bytes: version, machine, 24 numbers of 4 bytes, checksum. The number of
 /// starts is before them.

@@ -2,8 +2,8 @@
 
 use wirebend_driver_wirebend_kit::protocol::{Alarm, State};
 
-use crate::board::{Avr, Board, Host, MS, What};
 use crate::talk::{ANSWER_MS, Talk};
+use wirebend_tests_firmware::board::{Avr, Board, Host, MS, What};
 
 /// The last pulse must come this much after the byte is over at the latest.
 const LATEST: u64 = 20 * MS;

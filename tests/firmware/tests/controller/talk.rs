@@ -2,8 +2,8 @@
 
 use wirebend_driver_wirebend_kit::protocol::{Heard, Lines, NO_SESSION, STOP, Status, sealed};
 
-use crate::board::{Board, MS, Reset};
-use crate::table::{EDGE, Table};
+use wirebend_tests_firmware::board::{Board, MS, Reset};
+use wirebend_tests_firmware::table::{EDGE, Table};
 
 /// Longer than any answer takes, with the lines before it: 128 bytes are over in 11 ms.
 pub const ANSWER_MS: u64 = 20;

@@ -3,8 +3,8 @@
 use wirebend_driver_wirebend_kit::protocol::{Alarm, Reset, State};
 use wirebend_tests_firmware::{HZ, Ram, ResetCause, UnoError};
 
-use crate::board::{Avr, Board, Host, MS, What};
 use crate::talk::{ANSWER_MS, Talk};
+use wirebend_tests_firmware::board::{Avr, Board, Host, MS, What};
 
 /// Feeds of 2 s each.
 const LINES: [&str; 3] = ["M2,12000,0,0", "M3,12000,0,0", "M4,12000,0,0"];

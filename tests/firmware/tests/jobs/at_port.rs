@@ -6,7 +6,7 @@ use std::time::Duration;
 use wirebend_tests_firmware::{OnPty, Options, Pace};
 
 use crate::bender::{Bender, Gears, Moment};
-use crate::board::{Board, MS};
+use wirebend_tests_firmware::board::{Board, MS};
 
 /// A board that has not moved for so long does not go on by itself: it waits for the host for a second at most.
 const STILL: u64 = 1300 * MS;

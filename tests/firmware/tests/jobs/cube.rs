@@ -5,8 +5,8 @@ use wirebend_driver_wirebend_kit::bench::Deviations;
 use wirebend_tests_firmware::{Behind, OnPty, Options};
 
 use crate::bender::{Bender, Gears};
-use crate::board::{Avr, MS};
 use crate::shop::{Shop, example, shared};
+use wirebend_tests_firmware::board::{Avr, MS};
 
 /// The published machine, as fast as its controller can step, so that a cube takes half a minute.
 fn quick() -> Value {

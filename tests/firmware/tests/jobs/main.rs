@@ -6,9 +6,6 @@
 
 mod at_port;
 mod bender;
-#[path = "../controller/board/mod.rs"]
-#[allow(dead_code)] // some of it is for the tests of the controller alone
-mod board;
 mod cube;
 mod interrupted;
 mod shop;

@@ -8,9 +8,9 @@ use rustix::process::Signal;
 
 use crate::at_port::AtPort;
 use crate::bender::Moment;
-use crate::board::Host;
 use crate::interrupted::{GEARS, Job};
 use crate::shop::alone;
+use wirebend_tests_firmware::board::Host;
 
 /// What a person may be made to wait for a stop, the plan says.
 const MOST: Duration = Duration::from_millis(250);

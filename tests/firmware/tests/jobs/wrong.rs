@@ -7,9 +7,9 @@ use wirebend_tests_firmware::{Behind, OnPty, Options, UnoError};
 
 use crate::at_port::AtPort;
 use crate::bender::{Moment, ways};
-use crate::board::{Host, MS};
 use crate::interrupted::{GEARS, Job, MACHINE, coarse};
 use crate::shop::{Running, Shop, example, shared};
+use wirebend_tests_firmware::board::{Host, MS};
 
 type Answer = Box<dyn FnMut(&[u8]) -> Vec<u8> + Send>;
 

@@ -11,10 +11,10 @@ use wirebend_driver_wirebend_kit::bench::{Bench, Bender as Head, Compliance, Mad
 use wirebend_driver_wirebend_kit::protocol::STOP;
 use wirebend_tests_firmware::{BYTE_CYCLES, Behind, UnoError};
 
-use crate::board::{Board, Reset, What};
 use moment::Watch;
 pub use moment::{Moment, Phase};
 pub use pulses::{Pulse, Pulses, lines, net, ways};
+use wirebend_tests_firmware::board::{Board, Reset, What};
 
 /// Where the bend axis stands when the power comes on, degrees: anywhere, but not at zero.
 const BEND_AT_DEG: i32 = -30;

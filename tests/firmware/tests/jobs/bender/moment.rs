@@ -4,7 +4,7 @@ use wirebend_driver_api::Axis;
 
 use super::Bender;
 use super::pulses::{Pulse, lines};
-use crate::board::{Board, MS};
+use wirebend_tests_firmware::board::{Board, MS};
 
 /// What a line does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -7,8 +7,8 @@ use rustix::process::{Signal, kill_process};
 use super::job::{GEARS, Job};
 use crate::at_port::AtPort;
 use crate::bender::{Moment, Phase, lines};
-use crate::board::{Board, HZ, MS, Reset};
 use crate::shop::{Ran, Running};
+use wirebend_tests_firmware::board::{Board, HZ, MS, Reset};
 
 /// How a job is interrupted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -7,8 +7,8 @@ use super::case::{Case, What};
 use super::job::Job;
 use crate::at_port::AtPort;
 use crate::bender::{Pulse, lines, net, ways};
-use crate::board::Board;
 use crate::shop::Ran;
+use wirebend_tests_firmware::board::Board;
 
 /// What the machine has made of a job, by its pulses alone.
 struct Truth {

@@ -7,8 +7,8 @@ use serde_json::{Value, json};
 
 use crate::at_port::AtPort;
 use crate::bender::{Gears, Pulse};
-use crate::board::{Board, Host};
 use crate::shop::{Shop, example};
+use wirebend_tests_firmware::board::{Board, Host};
 
 pub const GEARS: Gears =
     Gears { feed_steps_per_mm: 5.444, rotate_steps_per_turn: 1646, bend_steps_per_turn: 2148 };

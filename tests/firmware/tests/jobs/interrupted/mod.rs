@@ -8,10 +8,10 @@ use std::sync::Mutex;
 use std::time::Instant;
 
 use crate::bender::Phase;
-use crate::board::{Avr, Board, Host};
 use crate::shop::shared;
 use case::{Case, What};
 pub use job::{GEARS, Job, MACHINE, coarse};
+use wirebend_tests_firmware::board::{Avr, Board, Host};
 
 /// Cases that are under way at the same time: most of a case is waiting for the machine.
 const AT_ONCE: usize = 16;

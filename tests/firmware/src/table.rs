@@ -2,15 +2,17 @@
 
 use crate::board::{BEND, Board, Reset, Seen, What};
 
-/// Where the bend axis of a new machine really stands, and the edge of its switch: that of the shipped settings.
-/// Steps from zero.
+/// Where the bend axis of a new machine really stands, steps from zero.
 pub const AT_FIRST: i64 = -3000;
+/// The edge of its switch: that of the shipped settings.
 pub const EDGE: i64 = -9547;
 
 /// Whether the switch reads as pressed with the bend axis at a place, steps.
 pub type Switch = Box<dyn FnMut(i64) -> bool>;
 
+/// A controller with its bend axis and its switch.
 pub struct Table<B> {
+    /// The controller.
     pub board: B,
     switch: Switch,
     /// Where the bend axis really stands, steps from zero.
@@ -23,11 +25,21 @@ pub struct Table<B> {
     pub bytes: Vec<u8>,
 }
 
+impl<B: Board> Default for Table<B> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 impl<B: Board> Table<B> {
+    /// One whose switch is where the shipped settings say.
+    #[must_use]
     pub fn new() -> Self {
         Self::with_switch(Box::new(|bend| bend <= EDGE))
     }
 
+    /// One with another switch.
+    #[must_use]
     pub fn with_switch(switch: Switch) -> Self {
         let (counted, seen, bytes) = ([0; 3], Vec::new(), Vec::new());
         let mut table = Self { board: B::new(), switch, bend: AT_FIRST, counted, seen, bytes };
@@ -56,6 +68,7 @@ impl<B: Board> Table<B> {
         self.run_until(self.board.now() + cycles);
     }
 
+    /// Lets it go on until a cycle.
     pub fn run_until(&mut self, cycle: u64) {
         loop {
             let seen = self.board.run(cycle);
@@ -84,12 +97,14 @@ impl<B: Board> Table<B> {
         self.seen.push(seen);
     }
 
+    /// A reset; what the host has not taken is lost.
     pub fn reset(&mut self, cause: Reset) {
         self.board.reset(cause);
         self.bytes.clear();
     }
 
     /// Pulses since the first power-on.
+    #[must_use]
     pub fn pulses(&self) -> usize {
         self.seen.iter().filter(|seen| matches!(seen.what, What::Pulse { .. })).count()
     }

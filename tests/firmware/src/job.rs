@@ -11,20 +11,30 @@ use crate::table::Table;
 const SLICE_MS: u64 = 1;
 const SESSION: u16 = 0x1234;
 
+/// The shipped line, which is served every millisecond.
 pub struct Job<B> {
+    /// The machine.
     pub table: Table<B>,
+    /// The line to it.
     pub link: Link,
     passed_ms: u64,
+    /// What the line has told since the last [`Job::make`].
     pub news: Vec<News>,
 }
 
 impl<B: Board> Job<B> {
+    /// A line that is being opened.
+    #[must_use]
     pub fn new(table: Table<B>) -> Self {
         let link = Link::new(SESSION, None, Duration::from_millis(500), Duration::ZERO);
         Self { table, link, passed_ms: 0, news: Vec::new() }
     }
 
     /// A homed machine with the settings that were compiled in; its next line has the number 2.
+    ///
+    /// # Panics
+    /// When it does not home.
+    #[must_use]
     pub fn ready() -> Self {
         let mut job = Self::new(Table::new());
         job.link.ask(Ask::LoadDefaults);
@@ -34,6 +44,7 @@ impl<B: Board> Job<B> {
         job
     }
 
+    /// One millisecond.
     pub fn slice(&mut self) {
         self.table.board.send(&self.link.take_bytes());
         self.passed_ms += SLICE_MS;
@@ -44,6 +55,9 @@ impl<B: Board> Job<B> {
     }
 
     /// Until there is such news among those that nobody has taken.
+    ///
+    /// # Panics
+    /// When there is none in time.
     pub fn until(&mut self, most_ms: u64, mut is_it: impl FnMut(&News) -> bool) {
         let end = self.passed_ms + most_ms;
         while !self.news.iter().any(&mut is_it) {
@@ -53,6 +67,9 @@ impl<B: Board> Job<B> {
     }
 
     /// Makes lines `M`, and waits for the end of the last.
+    ///
+    /// # Panics
+    /// When it is not made in time.
     pub fn make(&mut self, lines: &[[i32; 3]]) {
         let mut last = 0;
         for line in lines {

@@ -1,10 +1,13 @@
 //! The core on this computer.
 
+#![allow(clippy::unwrap_used)] // a test may stop at what cannot be
+
 use wirebend_driver_api::Axis;
 use wirebend_driver_wirebend_kit::controller::{Controller, Sight};
 
 use super::{BEND, Board, Reset, Seen, What};
 
+/// The core, started anew.
 pub struct Host(Controller);
 
 impl Board for Host {

@@ -1,8 +1,9 @@
 //! The binary of the board, seen by its pins alone.
 
-use wirebend_tests_firmware::{PinChange, Port, Ram, ResetCause, Uno, firmware};
+#![allow(clippy::unwrap_used)] // a test may stop at what cannot be
 
 use super::{Board, MS, Reset, Seen, What};
+use crate::{PinChange, Port, Ram, ResetCause, Uno, firmware};
 
 /// Step and direction pins of port D, by axis: those of `firmware/machines/wirebend-kit.h`.
 const STEP: [u8; 3] = [2, 4, 3];
@@ -17,7 +18,9 @@ const SERVO_TOLERANCE_US: u64 = 8;
 /// switch has to follow it.
 const LOOK_EVERY: u64 = MS;
 
+/// The board.
 pub struct Avr {
+    /// Its chip.
     pub uno: Uno,
     /// Cycles at which each step pulse and the servo's pulse began, and each direction was set.
     risen: [u64; 3],
@@ -25,8 +28,9 @@ pub struct Avr {
     forward: [bool; 3],
     peg_risen: Option<u64>,
     servo_us: Option<u16>,
-    /// Shortest time that a step pin was high, and from a direction to the next pulse, cycles.
+    /// Shortest time that a step pin was high, cycles.
     pub least_high: u64,
+    /// And from a direction to the next pulse.
     pub least_setup: u64,
     /// Every pulse of the servo: its beginning and width, cycles.
     pub servo: Vec<(u64, u64)>,

@@ -1,5 +1,8 @@
 //! The core on a computer and the binary of the board make the same of a job, pulse by pulse.
 
+#![allow(clippy::unwrap_used)] // a test may stop at what cannot be
+#![allow(clippy::print_stdout)] // figures, for --nocapture
+
 use crate::board::{Avr, Board, Host, MS, Seen, What};
 use crate::job::Job;
 
@@ -10,7 +13,11 @@ const JITTER: u64 = 240;
 /// 500 ms, so two pulses that are closer and alike are of one move.
 const ONE_MOVE: u64 = 20 * MS;
 
-/// Steps of the lines of a job; `steps/README.md` says where they come from.
+/// Steps of the lines of a job, from a file of `tests/controller/steps`.
+///
+/// # Panics
+/// When it is no such file.
+#[must_use]
 pub fn lines(file: &str) -> Vec<[i32; 3]> {
     let rows = file.lines().skip(1).map(|row| row.split(',').map(|n| n.parse().unwrap()).collect::<Vec<_>>());
     rows.map(|row| row.try_into().unwrap()).collect()
@@ -38,6 +45,9 @@ fn jitter(host: &[Seen], avr: &[Seen]) -> u64 {
 }
 
 /// Makes a job on both and compares everything that is seen.
+///
+/// # Panics
+/// At the first difference.
 pub fn in_lockstep(name: &str, lines: &[[i32; 3]]) {
     let (host, avr) = (make::<Host>(lines), make::<Avr>(lines));
     let (host_seen, avr_seen) = (&host.table.seen, &avr.table.seen);
