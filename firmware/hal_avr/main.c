@@ -19,6 +19,9 @@ static uint8_t cause __attribute__((section(".noinit")));
 static uint16_t runs __attribute__((section(".noinit")));
 volatile uint16_t wb_silent_ticks __attribute__((section(".noinit")));
 
+/* What the status register was before the lock. */
+static uint8_t unlocked;
+
 /* First thing: after a reset by the watchdog it goes on with its shortest time. */
 void wb_before_all(void) __attribute__((naked, used, section(".init3")));
 void wb_before_all(void)
@@ -44,13 +47,15 @@ static uint8_t reset_code(void)
 void hal_lock(void *board)
 {
     (void)board;
+    unlocked = SREG;
     cli();
 }
 
+/* Before they are let in for the first time, interrupts stay out. */
 void hal_unlock(void *board)
 {
     (void)board;
-    sei();
+    SREG = unlocked;
 }
 
 uint8_t hal_stored(void *board, uint16_t address)
