@@ -5,6 +5,9 @@ use std::collections::VecDeque;
 use super::{PATIENCE, Time};
 use crate::protocol::{State, Status};
 
+/// What stores something is repeated when nothing is heard of it for so long.
+const STORED_WITHIN: Time = Time::from_millis(600);
+
 /// A request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ask {
@@ -23,6 +26,15 @@ pub enum Ask {
 }
 
 impl Ask {
+    /// What is stored takes some milliseconds a byte, all of the settings a third of a second. A repetition would
+    /// be answered too, and its refusal be taken for that of the next request.
+    const fn patience(self) -> Time {
+        match self {
+            Self::Write(..) | Self::LoadDefaults => STORED_WITHIN,
+            _ => PATIENCE,
+        }
+    }
+
     fn payload(self) -> String {
         match self {
             Self::Pause => "P".to_owned(),
@@ -56,7 +68,7 @@ impl Asks {
         if self.again_at.is_some_and(|at| at > now) {
             return None;
         }
-        self.again_at = Some(now + PATIENCE);
+        self.again_at = Some(now + first.patience());
         Some(first.payload())
     }
 
@@ -92,8 +104,26 @@ impl Asks {
         })
     }
 
-    /// Whether this command waits for its answer; it is not repeated any more.
-    pub fn refused(&mut self, command: u8) -> bool {
-        self.answered(|ask| ask.payload().as_bytes().first() == Some(&command)).is_some()
+    /// The request with this letter that waits for its answer; it is not repeated any more.
+    pub fn refused(&mut self, command: u8) -> Option<Ask> {
+        self.answered(|ask| ask.payload().as_bytes().first() == Some(&command))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Both would be answered, and a refusal of the second be taken for one of the request after it.
+    #[test]
+    fn what_is_being_stored_is_not_asked_for_again() {
+        let mut asks = Asks::default();
+        asks.push(Ask::Write(3, 5));
+        asks.push(Ask::Write(4, 6));
+        assert!(asks.due(Time::ZERO).is_some());
+        assert_eq!(asks.due(STORED_WITHIN / 2), None);
+        assert_eq!(asks.due(STORED_WITHIN).as_deref(), Some("W3,5"));
+        assert_eq!(asks.refused(b'W'), Some(Ask::Write(3, 5)));
+        assert_eq!(asks.refused(b'W'), None, "the next has not been sent");
     }
 }

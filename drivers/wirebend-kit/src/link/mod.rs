@@ -67,6 +67,8 @@ pub enum News {
         command: u8,
         /// Why.
         error: Refusal,
+        /// The request, where it was one.
+        ask: Option<Ask>,
     },
     /// It has stopped, or holds.
     Alarm(Alarm),
@@ -217,7 +219,7 @@ impl Link {
                     self.news.push(News::Open { going_on, fresh });
                 }
                 Greeting::Refused(error) => {
-                    self.news.push(News::Refused { command: b'S', error });
+                    self.news.push(News::Refused { command: b'S', error, ask: None });
                 }
                 Greeting::Wait => {}
             }
@@ -285,11 +287,14 @@ impl Link {
     fn refused(&mut self, error: Refusal, next: u32, command: Option<u8>, now: Time) {
         match (error, command) {
             (Refusal::Damaged | Refusal::Gap, _) => self.queue.go_back(next, now),
-            (_, Some(command)) if self.asks.refused(command) || self.queue.refused(command, next) => {
-                self.news.push(News::Refused { command, error });
+            (_, Some(command)) => {
+                let ask = self.asks.refused(command);
+                // Else it answers a repetition of what has been answered.
+                if ask.is_some() || self.queue.refused(command, next) {
+                    self.news.push(News::Refused { command, error, ask });
+                }
             }
-            // An answer to a repetition of what has been answered.
-            (_, _) => {}
+            (_, None) => {}
         }
     }
 

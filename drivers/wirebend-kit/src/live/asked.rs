@@ -23,7 +23,7 @@ impl Machine {
             self.link.stop(now);
             self.doing = Doing::Homing(Homing::Stopping);
         } else {
-            self.renew(session_id(), now);
+            self.renew(session_id(self.link.session()), now);
             self.doing = Doing::Homing(Homing::Opening);
         }
         Ok(())
@@ -39,7 +39,7 @@ impl Machine {
         }
         self.require_rest("make a wire")?;
         self.require_homed()?;
-        let token = Token { session: session_id(), boots: self.boots, after: run.after };
+        let token = Token { session: session_id(self.link.session()), boots: self.boots, after: run.after };
         self.renew(token.session, now);
         self.token = Some(token);
         let rotate_at = steps(run.rotate_at_deg * self.rotate_steps_per_deg());
@@ -121,6 +121,7 @@ impl Machine {
                 self.link.ask(Ask::Write(setting.id, value));
             }
         }
+        self.unwritten.clear();
         self.read_settings();
         self.homed = false;
         self.doing = Doing::Writing;

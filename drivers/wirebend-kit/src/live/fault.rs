@@ -2,7 +2,7 @@
 
 use wirebend_driver_api::{DriverError, SettingCheck};
 
-use crate::protocol::{Alarm, Refusal, VERSION, Versions};
+use crate::protocol::{Alarm, Refusal, SETTINGS, VERSION, Versions};
 
 pub(super) fn identity(versions: Option<Versions>) -> String {
     match versions {
@@ -77,7 +77,7 @@ pub(super) fn other_host() -> DriverError {
     DriverError::new(
         "other-session",
         "the machine has lines of another session that it has not made",
-        "resume the job that they belong to, or stop the machine and connect again",
+        "resume the job that they belong to, or press the reset button of the board, and connect again",
     )
 }
 
@@ -129,6 +129,15 @@ pub(super) fn host_lost() -> DriverError {
         "host-lost",
         "the machine has heard nothing for a second and holds after its step",
         "look at the cable, then let it go on",
+    )
+}
+
+pub(super) fn not_stored(id: u8, value: i32, error: Refusal) -> DriverError {
+    let name = SETTINGS.iter().find(|setting| setting.id == id).map_or("a setting", |setting| setting.name);
+    DriverError::new(
+        "not-stored",
+        format!("the machine does not take {value} for '{name}': {}", error.meaning()),
+        "correct the driver's settings in the machine's profile, and write them again",
     )
 }
 

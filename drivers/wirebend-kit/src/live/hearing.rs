@@ -33,12 +33,17 @@ impl Machine {
             News::Done(n) => self.done(n),
             News::Status(status) => self.stands(status),
             News::Answered(Ask::Head(_)) => self.head_unknown = false,
+            News::Answered(Ask::Write(id, _)) => drop(self.unwritten.remove(&id)),
             News::Answered(_) => {}
             News::Setting { id, value } => {
                 let index = usize::from(id).wrapping_sub(1);
                 self.read.get_mut(index).into_iter().for_each(|read| *read = Some(value));
             }
-            News::Refused { command, error } => self.refused(command, error, now),
+            // In the first of two rounds it may be.
+            News::Refused { error, ask: Some(Ask::Write(id, value)), .. } => {
+                self.unwritten.insert(id, (value, error));
+            }
+            News::Refused { command, error, .. } => self.refused(command, error, now),
             News::Alarm(alarm) => self.alarmed(alarm, now),
             News::Silent => self.lose(fault::silent(self.doing == Doing::Connecting)),
         }
@@ -176,8 +181,6 @@ impl Machine {
         match (command, self.doing) {
             // Told with the settings.
             (b'C', _) if error == Refusal::Settings => {}
-            // In the first of two rounds.
-            (b'W', Doing::Writing) => {}
             (b'S', Doing::Homing(Homing::Opening)) if error == Refusal::NotIdle => {
                 self.link.stop(now);
                 self.doing = Doing::Homing(Homing::Stopping);
@@ -199,7 +202,7 @@ impl Machine {
         }
         match self.doing {
             Doing::Homing(Homing::Stopping) => {
-                self.renew(session_id(), now);
+                self.renew(session_id(self.link.session()), now);
                 self.doing = Doing::Homing(Homing::Opening);
                 return;
             }
@@ -267,6 +270,9 @@ impl Machine {
             }
             Doing::Writing if read => {
                 self.doing = Doing::Nothing;
+                for (id, (value, error)) in std::mem::take(&mut self.unwritten) {
+                    self.report(Event::Warning(fault::not_stored(id, value, error)));
+                }
                 let settings = self.checks();
                 self.report(Event::SettingsWritten { settings });
             }

@@ -1,6 +1,6 @@
 //! The machine as the program sees it: what it is asked, and what it reports. Knows no port and no clock.
 
-use std::collections::VecDeque;
+use std::collections::{BTreeMap, VecDeque};
 use std::hash::{BuildHasher, Hasher, RandomState};
 use std::rc::Rc;
 use std::time::Duration;
@@ -9,8 +9,11 @@ use wirebend_driver_api::Event;
 
 use super::wire::{Token, Wire};
 use crate::link::Link;
-use crate::protocol::{Alarm, SETTINGS, Status, Versions};
+use crate::protocol::{Alarm, Refusal, SETTINGS, Status, Versions};
 use crate::settings::Settings;
+
+/// 0 and 65535 are nobody's.
+const LAST_SESSION: u16 = 0xFFFE;
 
 /// What it is busy with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -69,6 +72,8 @@ pub(super) struct Machine {
     pub(super) boots: u32,
     /// The controller's settings as far as they were read; nothing where it says that they are damaged.
     pub(super) read: [Option<i32>; SETTINGS.len()],
+    /// Values that it would not take.
+    pub(super) unwritten: BTreeMap<u8, (i32, Refusal)>,
     pub(super) status: Option<Status>,
     pub(super) told: Option<[i32; 3]>,
     /// The controller has started since it was told where the head stands.
@@ -83,7 +88,12 @@ impl Machine {
     pub fn new(settings: Rc<Settings>, resume: Option<&str>, now: Duration) -> Self {
         let token = resume.and_then(Token::parse);
         let boot = Duration::try_from_secs_f64(settings.boot_s).unwrap_or_default();
-        let link = Link::new(session_id(), token.map(|token| token.session), boot, now);
+        let link = Link::new(
+            session_id(token.map(|token| token.session)),
+            token.map(|token| token.session),
+            boot,
+            now,
+        );
         Self {
             settings,
             link,
@@ -93,6 +103,7 @@ impl Machine {
             versions: None,
             boots: 0,
             read: [None; SETTINGS.len()],
+            unwritten: BTreeMap::new(),
             status: None,
             told: None,
             head_unknown: false,
@@ -131,8 +142,24 @@ impl Machine {
     }
 }
 
-/// One that neither this program nor another is likely to have taken before.
-pub(super) fn session_id() -> u16 {
+/// One that neither this program nor another is likely to have taken before, and never that of before.
+pub(super) fn session_id(before: Option<u16>) -> u16 {
     let random = RandomState::new().build_hasher().finish();
-    u16::try_from(1 + random % 0xFFFD).unwrap_or(1)
+    let id = u16::try_from(1 + random % u64::from(LAST_SESSION)).unwrap_or(1);
+    if Some(id) == before { id % LAST_SESSION + 1 } else { id }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_session_is_never_that_of_before_nor_nobodys() {
+        for before in [1, 2, LAST_SESSION] {
+            for _ in 0..200_000 {
+                let id = session_id(Some(before));
+                assert!(id != before && (1..=LAST_SESSION).contains(&id), "{id}");
+            }
+        }
+    }
 }
