@@ -116,7 +116,7 @@ impl Progress for Terminal {
                 let style = render::severity_style(SeverityName::Warning);
                 self.say(&format!("{style}warning{style:#}: {message}"));
             }
-            News::Paused if !self.json => self.say("the machine holds"),
+            News::Paused { .. } if !self.json => self.say("the machine holds"),
             News::Resumed if !self.json => self.say("the machine goes on"),
             _ => {}
         }

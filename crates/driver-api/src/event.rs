@@ -36,7 +36,11 @@ pub enum Event {
     /// A jog is over.
     Jogged,
     /// The machine holds.
-    Paused,
+    Paused {
+        /// Why. Since 1.1.
+        #[serde(default)]
+        by: PausedBy,
+    },
     /// The machine goes on.
     Resumed,
     /// The machine has stopped.
@@ -85,6 +89,20 @@ pub enum Event {
     #[serde(other)]
     #[schemars(skip)]
     Unknown,
+}
+
+/// Why a machine holds.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum PausedBy {
+    /// The program has asked for it.
+    Program,
+    /// The machine has not heard of the program for too long.
+    Silence,
+    /// Something at the machine, such as a button or a door; or nobody can tell. A person has to say whether it
+    /// may go on.
+    #[default]
+    Machine,
 }
 
 /// Where a machine is in a session that was begun before, in the numbers of the wire's steps.

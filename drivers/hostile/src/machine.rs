@@ -10,7 +10,7 @@ use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
-use wirebend_driver_api::{Batch, Call, DriverError, Event, GoingOn, Sent};
+use wirebend_driver_api::{Batch, Call, DriverError, Event, GoingOn, PausedBy, Sent};
 
 /// How many steps it takes ahead.
 const ROOM: u32 = 3;
@@ -40,6 +40,8 @@ enum How {
     /// The controller starts anew, and has forgotten everything.
     Reset,
     ResetAfter,
+    /// Somebody presses the button of the machine: it makes the step, and holds.
+    Hold,
     /// The driver is gone.
     Crash,
     CrashAfter,
@@ -119,7 +121,7 @@ impl Machine {
             Call::Send(batch) => return self.send(&batch),
             Call::Pause => {
                 self.holds = true;
-                self.events.push_back(Event::Paused);
+                self.events.push_back(Event::Paused { by: PausedBy::Program });
             }
             Call::Resume => {
                 self.holds = false;
@@ -151,7 +153,7 @@ impl Machine {
         let identity = "a machine in a file".to_owned();
         self.events.push_back(Event::Connected { identity, settings: Vec::new(), homed: false, going_on });
         if self.holds {
-            self.events.push_back(Event::Paused);
+            self.events.push_back(Event::Paused { by: PausedBy::Silence });
         }
     }
 
@@ -198,6 +200,10 @@ impl Machine {
         match how {
             None => self.events.push_back(Event::Done { n }),
             Some(How::Crash | How::CrashAfter) => std::process::abort(),
+            Some(How::Hold) => {
+                self.holds = true;
+                self.events.extend([Event::Done { n }, Event::Paused { by: PausedBy::Machine }]);
+            }
             Some(How::Unplug | How::UnplugAfter) => self.fault(n, "unplugged"),
             Some(How::Reset | How::ResetAfter) => {
                 self.kept.session = None;

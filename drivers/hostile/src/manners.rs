@@ -11,7 +11,10 @@ pub(crate) const DESCRIPTION: &str = r#"{"id": "hostile", "name": "Hostile", "ve
 "description": "Misbehaves on demand, for tests.",
 "capabilities": ["export", "live", "jog", "home", "pause", "resume", "stop", "ports", "settings"],
 "formats": [{"id": "hostile-text", "name": "Text", "extensions": ["txt"], "content": "design"}],
-"settings_schema": {"type": "object", "properties": {}, "additionalProperties": false}}"#;
+"settings_schema": {"type": "object", "additionalProperties": false, "properties": {
+    "machine": {"type": "string", "description": "File that the machine is kept in."},
+    "faults": {"type": "array", "items": {"type": "object"}, "description": "What goes wrong, and at which step."},
+    "alone": {"type": "integer", "description": "Steps that it makes while nobody is there."}}}}"#;
 
 /// What the machine's settings are at a moment; one that differs at first keeps to it when they are written.
 fn settings(when: &str) -> Value {

@@ -2,6 +2,7 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use wirebend_driver_host::api::PausedBy;
 
 use crate::StepReport;
 
@@ -46,7 +47,10 @@ pub enum News {
         message: String,
     },
     /// The machine holds.
-    Paused,
+    Paused {
+        /// Why.
+        by: PausedBy,
+    },
     /// The machine goes on.
     Resumed,
 }

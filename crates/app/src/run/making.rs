@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant, SystemTime};
 
-use wirebend_driver_host::api::{Capability, DriverError};
+use wirebend_driver_host::api::{Capability, DriverError, PausedBy};
 use wirebend_driver_host::jobs::{JobError, JobRun, Progress as Told, Resume, Standing};
 use wirebend_driver_host::{Session, StoppedBy};
 
@@ -129,21 +129,24 @@ impl Making<'_, '_> {
     fn drive(&mut self, hearing: &mut Hearing, heard: &mut Heard) -> Result<(), AppError> {
         let mut told = None;
         while !self.run.is_over() {
-            let holds = self.look(hearing, heard)?;
+            let hold = self.look(hearing, heard)?;
             if told.is_none_or(|at: Instant| at.elapsed() > NEWS) {
                 told = Some(Instant::now());
                 self.tell(hearing);
             }
-            if holds {
-                self.go_on(hearing)?;
+            match hold {
+                Some(PausedBy::Silence) => self.go_on(hearing, self.watch.was_away())?,
+                Some(PausedBy::Machine) => self.go_on(hearing, true)?,
+                // Whoever asked for it lets it go on.
+                Some(PausedBy::Program) | None => {}
             }
         }
         self.tell(hearing);
         Ok(())
     }
 
-    /// Lets the loop take one turn; whether the machine has begun to hold.
-    fn look(&mut self, hearing: &mut Hearing, heard: &mut Heard) -> Result<bool, AppError> {
+    /// Lets the loop take one turn; why the machine holds, if it has begun to.
+    fn look(&mut self, hearing: &mut Hearing, heard: &mut Heard) -> Result<Option<PausedBy>, AppError> {
         self.watch.look();
         let told = match self.run.advance() {
             Ok(told) => told,
@@ -153,7 +156,7 @@ impl Making<'_, '_> {
                 return Err(LiveProblem::from(error).into());
             }
         };
-        let mut holds = false;
+        let mut hold = None;
         if told.is_empty() {
             std::thread::sleep(PAUSE);
         }
@@ -162,12 +165,12 @@ impl Making<'_, '_> {
                 Told::Position(position) => hearing.position(position),
                 Told::Console { direction, text } => hearing.console(direction, &text),
                 Told::Warning(error) => hearing.warn(&error.code, &error.to_string()),
-                Told::Paused => {
-                    holds = true;
-                    hearing.progress.news(&News::Paused);
+                Told::Paused { by } => {
+                    hold = Some(by);
+                    hearing.progress.news(&News::Paused { by });
                 }
                 Told::Resumed => {
-                    holds = false;
+                    hold = None;
                     hearing.progress.news(&News::Resumed);
                 }
                 Told::Wire { corners_mm, .. } => heard.corners_mm = corners_mm,
@@ -180,20 +183,28 @@ impl Making<'_, '_> {
                 Told::Sent { .. } | Told::Finished => {}
             }
         }
-        Ok(holds)
+        Ok(hold)
     }
 
-    /// The machine holds by itself: it has not heard of the program for a second.
-    fn go_on(&mut self, hearing: &mut Hearing) -> Result<(), AppError> {
-        let question = "the machine holds: this program was away for a while. May it go on?";
-        if !self.watch.was_away() || hearing.progress.confirm(question) == Some(true) {
-            if self.run.session().last_stop().is_none() {
+    /// The machine holds, and nobody has asked this program for it.
+    fn go_on(&mut self, hearing: &mut Hearing, ask: bool) -> Result<(), AppError> {
+        let question = if self.watch.was_away() {
+            "the machine holds: this program was away for a while. May it go on?"
+        } else {
+            "the machine was made to hold at the machine itself. May it go on?"
+        };
+        match if ask { hearing.progress.confirm(question) } else { Some(true) } {
+            Some(true) if self.run.session().last_stop().is_none() => {
                 self.run.resume().map_err(LiveProblem::from)?;
             }
-            return Ok(());
+            Some(true) => {}
+            // Whoever made it hold is there, and lets it go on at the machine.
+            None if !self.watch.was_away() => {}
+            Some(false) | None => {
+                hearing.warn("held", "the machine held, and nobody said that it may go on: it was stopped");
+                self.run.stop().1.map_err(LiveProblem::from)?;
+            }
         }
-        hearing.warn("held", "the machine held, and nobody said that it may go on: it was stopped");
-        self.run.stop().1.map_err(LiveProblem::from)?;
         Ok(())
     }
 

@@ -1,14 +1,15 @@
 //! A person at a terminal: they are asked, and what they answer is what happens.
 
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{Read, Write};
 use std::process::{Child, Command, Stdio};
 
 use rustix::process::{Pid, Signal, kill_process};
+use serde_json::json;
 
 use crate::board::terminal;
 use crate::runs::Shop;
-use crate::wirebend;
+use crate::{example, wirebend};
 
 /// The program with a person in front of it.
 struct Asked {
@@ -104,4 +105,34 @@ fn a_person_says_what_became_of_steps_in_doubt() {
     asked.sees("go on?").says("yes");
     assert_eq!(asked.status(), Some(0));
     assert_eq!(shop.list()[0]["outcome"], "finished");
+}
+
+/// Whoever opened the door of a machine, or pressed its button, may be at it still.
+#[test]
+fn a_machine_that_was_made_to_hold_goes_on_at_a_persons_word() {
+    for (answer, status, outcome) in [("yes", 0, "finished"), ("no", 130, "unfinished")] {
+        let shop = Shop::cube();
+        let driver = shop.path().join("mine/hostile.so");
+        fs::create_dir(shop.path().join("mine")).unwrap();
+        fs::copy(wirebend_tests_built::driver("hostile"), &driver).unwrap();
+        let settings = json!({"machine": shop.path().join("kept"), "faults": [{"at": 2, "how": "hold"}]});
+        let profile = json!({"schema_version": 1, "kind": "machine", "id": "held", "inherits": "wirebend-kit",
+            "driver": {"id": "hostile", "settings": settings}, "export": {"native": "hostile-text"}});
+        fs::create_dir_all(shop.path().join("wirebend/machines")).unwrap();
+        fs::write(shop.path().join("wirebend/machines/held.json"), profile.to_string()).unwrap();
+        let mine = ["--driver-path", "mine"];
+        let hash =
+            shop.run(&["driver", "trust", "mine/hostile.so", "--json"]).ended(2).json()["sha256"].clone();
+        shop.run(&["driver", "trust", "mine/hostile.so", "--sha256", hash.as_str().unwrap()]).ended(0);
+        let plan = ["plan", &example("cube-8-edges.obj"), "-m", "held", "-o", "held.wbjob"];
+        shop.run(&[&plan[..], &mine].concat()).ended(0);
+        let run = ["run", "held.wbjob", "--port", "anywhere", "--yes"];
+        let mut asked = Asked::start(&shop, &[&run[..], &mine].concat());
+        asked.sees("made to hold at the machine itself. May it go on?").says(answer);
+        assert_eq!(asked.status(), Some(status), "{answer}");
+        assert_eq!(shop.list()[0]["outcome"], outcome);
+        let made = fs::read_to_string(shop.path().join("kept")).unwrap();
+        let expected = if answer == "yes" { r#""made":[1,2,3,4,5,6,7,8]"# } else { r#""made":[1,2]"# };
+        assert!(made.contains(expected), "{made}");
+    }
 }

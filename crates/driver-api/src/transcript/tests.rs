@@ -6,7 +6,7 @@ use std::time::Duration;
 use serde_json::{Value, json};
 
 use super::{Answered, Conversation, TranscriptError, run_folder, run_text, told};
-use crate::{ArmedReply, Call, DriverError, Event, Sent, Step};
+use crate::{ArmedReply, Call, DriverError, Event, PausedBy, Sent, Step};
 
 #[derive(Default)]
 struct Echo {
@@ -19,7 +19,7 @@ impl Conversation for Echo {
     fn receive(&mut self, bytes: &[u8], _now: Duration) {
         match bytes {
             b"ready\r\n" => self.events.push_back(Event::Homed),
-            b"busy\r\n" => self.events.push_back(Event::Paused),
+            b"busy\r\n" => self.events.push_back(Event::Paused { by: PausedBy::Program }),
             b"\x07" => self.events.push_back(Event::Jogged),
             _ => self.events.push_back(Event::Position(Step { feed_mm: 1.0, ..Step::default() })),
         }

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use wirebend_driver_api::{Direction, DriverError, Step};
+use wirebend_driver_api::{Direction, DriverError, PausedBy, Step};
 
 use super::account::Standing;
 use crate::session::{State, StoppedBy};
@@ -34,7 +34,10 @@ pub enum Progress {
     /// Something that a person should know and that ends nothing.
     Warning(DriverError),
     /// The machine holds.
-    Paused,
+    Paused {
+        /// Why.
+        by: PausedBy,
+    },
     /// The machine goes on.
     Resumed,
     /// The wire as a simulated machine made it, mm, in the frame of the turtle at its start.

@@ -179,10 +179,10 @@ impl JobRun {
                 self.note(What::Finished)?;
                 told.push(Progress::Finished);
             }
-            Event::Paused => {
+            Event::Paused { by } => {
                 self.note(What::Paused)?;
                 self.pace.holds(now);
-                told.push(Progress::Paused);
+                told.push(Progress::Paused { by });
             }
             Event::Resumed => {
                 self.note(What::Resumed)?;

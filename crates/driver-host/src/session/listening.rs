@@ -52,7 +52,7 @@ impl Session {
                 }
             }
             Event::SettingsWritten { settings } => self.differences = differences(settings),
-            Event::Paused => self.holds = true,
+            Event::Paused { .. } => self.holds = true,
             Event::Resumed => self.holds = false,
             _ => {}
         }

@@ -146,7 +146,7 @@ impl State {
             }
             (Event::Connected { homed: false, .. }, Self::Disconnected) => Self::Connected,
             (Event::Finished, Self::Running) => Self::Done,
-            (Event::Paused, Self::Running) => Self::Paused,
+            (Event::Paused { .. }, Self::Running) => Self::Paused,
             (Event::Resumed, Self::Paused) => Self::Running,
             (Event::Stopped { .. }, Self::Disconnected | Self::Faulted) => self,
             (Event::Stopped { .. }, _) => Self::Stopped,

@@ -11,6 +11,7 @@ use std::time::Duration;
 
 use serde_json::{Value, json};
 use shop::{STEPS, Shop, TURNS, home, work, yes};
+use wirebend_driver_host::api::PausedBy;
 use wirebend_driver_host::jobs::{
     Clock, ContradictionKind, Entry, JobError, JobRun, Journal, Outcome, Progress, Resume, Settled, Standing,
     What,
@@ -240,7 +241,7 @@ fn a_pause_is_told_and_ends_at_a_word() {
     run.advance().unwrap();
     run.pause().unwrap();
     let told = run.advance().unwrap();
-    assert!(told.contains(&Progress::Paused), "{told:?}");
+    assert!(told.contains(&Progress::Paused { by: PausedBy::Program }), "{told:?}");
     let made = shop.made().len();
     run.advance().unwrap();
     assert_eq!((shop.made().len(), run.overview().standing), (made, Standing::Paused));

@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 use std::rc::Rc;
 
-use wirebend_driver_api::{Batch, DriverError, Event, Run, Sent};
+use wirebend_driver_api::{Batch, DriverError, Event, PausedBy, Run, Sent};
 
 use super::protocol::{Phase, Protocol};
 use super::status::State;
@@ -221,8 +221,9 @@ impl Protocol {
         let Phase::Making(making) = &mut self.phase else { return };
         match (state, making.hold) {
             (State::Hold { at_rest: true } | State::Door { at_rest: true }, Hold::No | Hold::Asked) => {
+                let asked = making.hold == Hold::Asked;
                 making.hold = Hold::Held;
-                self.event(Event::Paused);
+                self.event(Event::Paused { by: if asked { PausedBy::Program } else { PausedBy::Machine } });
             }
             (State::Idle | State::Run, Hold::Held | Hold::Resuming) => {
                 making.hold = Hold::No;

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use wirebend_driver_api::{DriverError, Event, GoingOn, SettingCheck, Step};
+use wirebend_driver_api::{DriverError, Event, GoingOn, PausedBy, SettingCheck, Step};
 
 use super::fault;
 use super::machine::{Doing, Halt, Homing, Machine, session_id};
@@ -153,12 +153,14 @@ impl Machine {
             return;
         }
         self.held = held;
-        if held && status.alarm == Alarm::HostLost {
+        let silence = status.alarm == Alarm::HostLost;
+        if held && silence {
             self.report(Event::Warning(fault::host_lost()));
         }
         // A stop ends a hold without going on.
         if held {
-            self.report(Event::Paused);
+            let by = if silence { PausedBy::Silence } else { PausedBy::Program };
+            self.report(Event::Paused { by });
         } else if status.state != State::Alarm {
             self.report(Event::Resumed);
         }

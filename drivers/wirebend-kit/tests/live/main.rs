@@ -7,7 +7,7 @@ mod table;
 
 use serde_json::json;
 use table::Table;
-use wirebend_driver_api::{Axis, Event, Motion, Step};
+use wirebend_driver_api::{Axis, Event, Motion, PausedBy, Step};
 
 #[test]
 fn a_machine_is_met_homed_and_armed() {
@@ -137,7 +137,7 @@ fn a_pause_holds_and_is_left() {
     table.send(&cube(true));
     table.until(|event| matches!(event, Event::Done { n: 1 }));
     table.session.pause().unwrap();
-    table.until(|event| *event == Event::Paused);
+    table.until(|event| *event == Event::Paused { by: PausedBy::Program });
     let stands = table.position();
     table.session.resume().unwrap();
     table.until(|event| *event == Event::Resumed);

@@ -1,7 +1,7 @@
 //! What can be said of any row of acts and reports.
 
 use proptest::prelude::*;
-use wirebend_driver_api::{DriverError, GoingOn};
+use wirebend_driver_api::{DriverError, GoingOn, PausedBy};
 
 use super::*;
 
@@ -21,7 +21,7 @@ fn events() -> Vec<Event> {
         Event::Done { n: 1 },
         Event::Finished,
         Event::Jogged,
-        Event::Paused,
+        Event::Paused { by: PausedBy::Program },
         Event::Resumed,
         Event::Stopped { homed: true },
         Event::SettingsWritten { settings: Vec::new() },
