@@ -52,7 +52,9 @@ pub(crate) fn machine_settings(
 ) -> Result<MachineSettingsResponse, AppError> {
     let machine = app.library.machine(&request.machine)?;
     let signs = Signs::of(&machine.figures()?);
-    let at = At { profile: &machine.profile, signs, port: request.port.as_deref(), token: None };
+    let port = request.port.as_deref();
+    // A simulated machine is set as its profile says: there is nothing to compare.
+    let at = At { profile: &machine.profile, signs, port, or_simulated: false, token: None };
     let mut connection = app.connect(&at, progress)?;
     let description = connection.session.driver().description();
     if request.write && !description.can(Capability::Settings) {

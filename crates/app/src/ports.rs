@@ -30,6 +30,8 @@ pub struct PortEntry {
     pub drivers: Vec<String>,
     /// Those that guess that one of their machines is there. Several kinds of machines have the same chip.
     pub likely_for: Vec<String>,
+    /// No machine is at it: a driver computes one. The first is taken where no port is named.
+    pub simulated: bool,
 }
 
 /// The ports.
@@ -82,10 +84,10 @@ fn require_ports(driver: &OpenDriver, machine: &str) -> Result<(), LiveProblem> 
 impl PortsResponse {
     fn add(&mut self, driver: &OpenDriver) -> Result<(), wirebend_driver_host::HostError> {
         let id = &driver.description().id;
-        for Port { name, description, usb, likely } in driver.ports()? {
+        for Port { name, description, usb, likely, simulated } in driver.ports()? {
             let place = self.ports.iter().position(|port| port.name == name).unwrap_or_else(|| {
                 let (drivers, likely_for) = (Vec::new(), Vec::new());
-                self.ports.push(PortEntry { name, description, usb, drivers, likely_for });
+                self.ports.push(PortEntry { name, description, usb, drivers, likely_for, simulated });
                 self.ports.len() - 1
             });
             let port = &mut self.ports[place];

@@ -25,6 +25,9 @@ pub struct Port {
     /// of machines have the same chip.
     #[serde(default)]
     pub likely: bool,
+    /// No machine is at it: the driver computes one. The first of a list is taken where no port is named.
+    #[serde(default)]
+    pub simulated: bool,
 }
 
 /// What a USB device says of itself.

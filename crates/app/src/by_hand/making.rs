@@ -23,7 +23,7 @@ pub(super) fn make(
     progress: &dyn Progress,
 ) -> Result<JogResponse, AppError> {
     let signs = Signs::of(&machine.figures()?);
-    let at = At { profile: &machine.profile, signs, port: hand.port, token: None };
+    let at = At { profile: &machine.profile, signs, port: hand.port, or_simulated: true, token: None };
     let mut connection = app.connect(&at, progress)?;
     let description = connection.session.driver().description();
     for (needed, capability) in [
@@ -41,6 +41,7 @@ pub(super) fn make(
         && description.can(Capability::Home);
     let name = machine.profile.name.as_deref().unwrap_or(&machine.profile.id);
     lines.insert(0, format!("{name} at {} ({})", connection.port, connection.session.identity()));
+    lines.splice(1..1, connection.why_here());
     if homes {
         lines.push("first it searches its reference: the bend axis moves at once".to_owned());
     }

@@ -22,7 +22,7 @@ pub use moves::{Move, MovesFile};
 pub struct JogRequest {
     /// The machine.
     pub machine: String,
-    /// Where it is; absent, nothing is moved and the ports are told.
+    /// Where it is; absent, the machine that its driver simulates is taken, if it has one.
     pub port: Option<String>,
     /// The moves, in order.
     pub moves: Vec<Move>,
@@ -41,7 +41,7 @@ pub struct ReplayRequest {
     /// The machine; absent, the one of the recording. Named, it may be another one, or one whose profile has
     /// changed since.
     pub machine: Option<String>,
-    /// Where it is; absent, nothing is moved and the ports are told.
+    /// Where it is; absent, the machine that its driver simulates is taken, if it has one.
     pub port: Option<String>,
     /// Whether the person has said already that the machine may move.
     #[serde(default)]

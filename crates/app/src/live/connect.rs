@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use wirebend_driver_host::api::{Capability, Direction, Event, SettingCheck};
-use wirebend_driver_host::{Session, State, StopLine, StopOutcome};
+use wirebend_driver_host::{OpenDriver, Session, State, StopLine, StopOutcome};
 use wirebend_profile::MachineProfile;
 
 use super::LiveProblem;
@@ -23,6 +23,8 @@ pub(crate) struct At<'a> {
     pub profile: &'a MachineProfile,
     pub signs: Signs,
     pub port: Option<&'a str>,
+    /// Where no port is named, the machine that its driver simulates is taken.
+    pub or_simulated: bool,
     /// The token of an earlier arming.
     pub token: Option<&'a str>,
 }
@@ -32,6 +34,8 @@ pub(crate) struct Connection<'a> {
     pub session: Session,
     pub hearing: Hearing<'a>,
     pub port: String,
+    /// Nobody has named the port: it is the simulated machine's.
+    pub unnamed: bool,
     pub driver_id: String,
     pub driver_version: String,
 }
@@ -66,34 +70,47 @@ impl App {
             let machine = at.profile.id.clone();
             return Err(LiveProblem::FilesOnly { machine, driver: driver_id }.into());
         }
-        let Some(port) = at.port else {
-            let listed =
-                if driver.description().can(Capability::Ports) { driver.ports()? } else { Vec::new() };
-            return Err(
-                LiveProblem::NoPort { known: listed.into_iter().map(|port| port.name).collect() }.into()
-            );
+        let port = match at.port {
+            Some(port) => port.to_owned(),
+            None => port_of_simulated(&driver, at.or_simulated)?,
         };
         let bytes = at.profile.driver.stop_bytes.clone().unwrap_or_default();
         // The driver tells better what is wrong with a port.
         let line =
-            StopLine::open(port, &bytes).inspect_err(|error| tracing::warn!("{error}")).unwrap_or(None);
+            StopLine::open(&port, &bytes).inspect_err(|error| tracing::warn!("{error}")).unwrap_or(None);
         progress.stage("connecting");
         let session = match at.token {
-            Some(token) => Session::connect_resuming(driver, port, token),
-            None => Session::connect(driver, port),
+            Some(token) => Session::connect_resuming(driver, &port, token),
+            None => Session::connect(driver, &port),
         };
         let session = session.map_err(LiveProblem::from)?.with_stop_line(line);
         progress.connected(&session.stop_handle());
         tracing::info!("connected to {port}, which has not answered yet");
         let hearing = Hearing { progress, signs: at.signs, warnings: Vec::new(), settings: Vec::new() };
-        let mut connection =
-            Connection { session, hearing, port: port.to_owned(), driver_id, driver_version };
+        let unnamed = at.port.is_none();
+        let mut connection = Connection { session, hearing, port, unnamed, driver_id, driver_version };
         connection.await_answer()?;
         Ok(connection)
     }
 }
 
+fn port_of_simulated(driver: &OpenDriver, or_simulated: bool) -> Result<String, AppError> {
+    let listed = if driver.description().can(Capability::Ports) { driver.ports()? } else { Vec::new() };
+    let simulated = listed.iter().find(|port| port.simulated && or_simulated);
+    if let Some(port) = simulated {
+        return Ok(port.name.clone());
+    }
+    Err(LiveProblem::NoPort { known: listed.into_iter().map(|port| port.name).collect() }.into())
+}
+
 impl Connection<'_> {
+    /// For whoever has named no port.
+    pub fn why_here(&self) -> Option<String> {
+        let what =
+            "it is the simulated machine, since no port was named: `wirebend ports` tells where others are";
+        self.unnamed.then(|| what.to_owned())
+    }
+
     fn await_answer(&mut self) -> Result<(), LiveProblem> {
         let begun = Instant::now();
         while self.session.state() == State::Disconnected {

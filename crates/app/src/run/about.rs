@@ -19,6 +19,7 @@ pub(super) fn about(
     let identity = connection.session.identity();
     let said = if identity.is_empty() { String::new() } else { format!(" ({identity})") };
     let mut lines = vec![format!("{} at {}{said}", setup.machine_name(), connection.port)];
+    lines.extend(connection.why_here());
     let steps = kept.compensated.len();
     let bends = kept.compensated.iter().filter(|step| step.bend_deg != 0.0).count();
     let fed: f64 = kept.compensated.iter().map(|step| step.feed_mm).sum();

@@ -61,7 +61,7 @@ impl Task<'_> {
         yes: &Yes,
         response: &mut RunResponse,
     ) -> Result<Connection<'c>, AppError> {
-        let Connection { mut session, mut hearing, port, driver_id, driver_version } = connection;
+        let Connection { mut session, mut hearing, port, unnamed, driver_id, driver_version } = connection;
         if self.request.accept_settings && !session.differences().is_empty() {
             session.accept_differences(yes.confirmed()?);
         }
@@ -86,6 +86,6 @@ impl Task<'_> {
         let (made, session) =
             Making { task: self, wire, id, run, watch: Watch::default() }.go(&mut hearing, yes, response)?;
         response.wires.push(made);
-        Ok(Connection { session, hearing, port, driver_id, driver_version })
+        Ok(Connection { session, hearing, port, unnamed, driver_id, driver_version })
     }
 }

@@ -21,7 +21,7 @@ use task::Task;
 pub struct RunRequest {
     /// The job.
     pub job: Input,
-    /// Where the machine is; absent, nothing is made and the ports are told.
+    /// Where the machine is; absent, the machine that its driver simulates is taken, if it has one.
     pub port: Option<String>,
     /// Index of the one wire to make, from 0; absent, all of them.
     pub wire: Option<usize>,

@@ -68,6 +68,7 @@ impl<'a> Task<'a> {
             profile: &self.setup.machine.profile,
             signs: self.setup.signs,
             port: self.request.port.as_deref(),
+            or_simulated: true,
             token,
         }
     }

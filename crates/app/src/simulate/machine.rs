@@ -42,7 +42,7 @@ impl<'a> Simulator<'a> {
             return Ok(None);
         }
         drop(driver);
-        let at = At { profile, signs: setup.signs, port: Some(PORT), token: None };
+        let at = At { profile, signs: setup.signs, port: Some(PORT), or_simulated: false, token: None };
         Ok(Some(Self { connection: app.connect(&at, &NoProgress)?, setup }))
     }
 

@@ -8,7 +8,7 @@ use wirebend_app::{Decision, Move};
 /// Where the machine is, and that it may move.
 #[derive(Debug, Args)]
 pub(crate) struct PortArgs {
-    /// Port of the machine, such as /dev/ttyACM0 or COM3, or sim for a simulated one (see `wirebend ports`)
+    /// Port of the machine, such as /dev/ttyACM0 or COM3 (see `wirebend ports`); where none is named, a simulated machine makes the wire
     #[arg(long, short, value_name = "PORT")]
     pub port: Option<String>,
     /// Say that the machine may move, instead of being asked

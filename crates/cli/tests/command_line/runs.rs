@@ -121,6 +121,24 @@ fn a_job_is_made_and_recorded() {
     assert_eq!(ids, [json!(id), json!(format!("{}2", &id[..id.len() - 1]))]);
 }
 
+/// The machine that is there before anybody has bought one. A machine that cannot be simulated has to be named.
+#[test]
+fn where_no_port_is_named_the_simulated_machine_makes_the_wire() {
+    let shop = Shop::cube();
+    // What will happen is said before anybody is asked.
+    for arguments in [&["run", "a.wbjob"][..], &["jog", "-m", "wirebend-kit", "home"]] {
+        let said = shop.run(arguments).ended(2).err;
+        assert!(said.contains("WireBend-kit at sim (WireBend-kit, firmware"), "{said}");
+        assert!(said.contains("the simulated machine, since no port was named"), "{said}");
+    }
+    for arguments in
+        [&["machine-settings", "-m", "wirebend-kit"][..], &["jog", "-m", "grbl-bender", "--yes", "home"]]
+    {
+        let said = shop.run(arguments).ended(2).err;
+        assert!(said.contains("say with --port where the machine is"), "{said}");
+    }
+}
+
 #[test]
 fn a_person_reads_what_will_happen_and_what_did() {
     let shop = Shop::cube();
@@ -146,10 +164,8 @@ fn what_is_not_confirmed_does_not_move() {
 }
 
 #[test]
-fn a_port_has_to_be_named_and_be_there() {
+fn a_port_that_is_named_has_to_be_there() {
     let shop = Shop::cube();
-    let said = shop.run(&["run", "a.wbjob", "--yes"]).ended(2).err;
-    assert!(said.contains("--port") && said.contains("sim:max"), "{said}");
     let said = shop.run(&["run", "a.wbjob", "--yes", "--port", "/dev/nowhere"]).ended(5).err;
     assert!(said.contains("/dev/nowhere"), "{said}");
     let said = shop.run(&["run", "a.wbjob", "--yes", "--port", "sim:never"]).ended(5).err;

@@ -43,7 +43,7 @@ fn described(found: SerialPortInfo) -> Port {
 }
 
 fn plain(name: String, description: &str) -> Port {
-    Port { name, description: description.to_owned(), usb: None, likely: false }
+    Port { name, description: description.to_owned(), ..Port::default() }
 }
 
 fn of_usb(name: String, usb: UsbPortInfo) -> Port {
@@ -59,6 +59,7 @@ fn of_usb(name: String, usb: UsbPortInfo) -> Port {
         description,
         usb: Some(Usb { vid, pid, manufacturer, product, serial }),
         likely: known.is_some(),
+        simulated: false,
     }
 }
 

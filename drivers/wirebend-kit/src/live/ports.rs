@@ -15,6 +15,7 @@ pub(crate) fn ports() -> Result<Vec<Port>, DriverError> {
         description: description.to_owned(),
         usb: None,
         likely: false,
+        simulated: true,
     }));
     Ok(ports)
 }
