@@ -12,9 +12,20 @@ const MAY_KNOW: &[(&str, &[&str])] = &[
     ("crates/profile", &[]),
     ("crates/files", &["crates/core", "crates/profile"]),
     ("crates/driver-api", &[]),
-    ("crates/driver-host", &["crates/driver-api", "tests/built"]),
+    ("crates/journal", &[]),
+    ("crates/driver-host", &["crates/driver-api", "crates/journal", "tests/built"]),
     ("drivers/*", &["crates/driver-api"]),
-    ("crates/app", &["crates/core", "crates/profile", "crates/files", "crates/driver-host", "tests/built"]),
+    (
+        "crates/app",
+        &[
+            "crates/core",
+            "crates/profile",
+            "crates/files",
+            "crates/journal",
+            "crates/driver-host",
+            "tests/built",
+        ],
+    ),
     ("crates/cli", &["crates/app", "tests/built"]),
     ("src-tauri", &["crates/app"]),
     // What tests load or start, not link; only for tests and benchmarks.

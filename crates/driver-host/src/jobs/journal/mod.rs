@@ -1,16 +1,14 @@
 //! The journal of a wire: a file to which lines are only added, each on the disk before anything else happens.
 
 mod entry;
-mod line;
 mod reading;
 #[cfg(test)]
 mod tests;
 
-use std::fs::{self, File, OpenOptions, TryLockError};
-use std::io::{self, Read, Seek, SeekFrom, Write};
+use std::io;
 use std::path::{Path, PathBuf};
-use std::thread;
-use std::time::Duration;
+
+use wirebend_journal::{Lines, Log, LogError};
 
 use super::account::Account;
 pub use entry::{Entry, Heading, What};
@@ -74,14 +72,25 @@ pub enum JournalError {
     },
 }
 
+impl From<LogError> for JournalError {
+    fn from(error: LogError) -> Self {
+        match error {
+            LogError::Exists { path } => Self::Exists { path },
+            LogError::InUse { path } => Self::InUse { path },
+            LogError::Empty { path } => Self::Empty { path },
+            LogError::Damaged { path, line, what } => Self::Damaged { path, line, what },
+            LogError::Broken { path } => Self::Broken { path },
+            LogError::Io { path, doing, cause } => Self::Io { path, doing, cause },
+        }
+    }
+}
+
 /// A journal that is being written. It is locked: no other process has it at the same time. The lock ends with
 /// the process, however that ends.
 #[derive(Debug)]
 pub struct Journal {
-    file: File,
-    path: PathBuf,
+    log: Log,
     written: Written,
-    broken: bool,
 }
 
 impl Journal {
@@ -90,42 +99,22 @@ impl Journal {
     /// # Errors
     /// [`JournalError::Exists`], [`JournalError::Io`].
     pub fn create(path: &Path, heading: Heading, at: String) -> Result<Self, JournalError> {
-        let failed = |doing| move |cause| io_error(path, doing, cause);
-        let made = OpenOptions::new().read(true).write(true).create_new(true).open(path);
-        let file = made.map_err(|cause| match cause.kind() {
-            io::ErrorKind::AlreadyExists => JournalError::Exists { path: path.to_owned() },
-            _ => io_error(path, "made", cause),
-        })?;
-        lock(&file, path)?;
         let heading = Heading { version: entry::VERSION, ..heading };
         let first = Entry { at, what: What::Job(heading) };
-        let account = counted_first(&first)?;
-        let (line, chain) = line::Chain::default().line(&body(&first)?);
-        let mut file = file;
-        file.write_all(line.as_bytes()).and_then(|()| file.sync_all()).map_err(failed("written"))?;
-        keep_name(path).map_err(failed("written"))?;
-        let written = Written { entries: vec![first], account, torn: false, chain, length: line.len() };
-        Ok(Self { file, path: path.to_owned(), written, broken: false })
+        let account =
+            reading::counted(None, &first.what).map_err(|what| JournalError::Impossible { what })?;
+        let log = Log::create(path, &body(&first)?)?;
+        Ok(Self { log, written: Written { entries: vec![first], account, torn: false } })
     }
 
     /// Takes a journal up again. A last line that was not written to its end is taken away.
     ///
     /// # Errors
-    /// [`JournalError`]; the file is as it was then.
+    /// [`JournalError`]; the whole lines of the file are as they were then.
     pub fn open(path: &Path) -> Result<Self, JournalError> {
-        let failed = |doing| move |cause| io_error(path, doing, cause);
-        let opened = OpenOptions::new().read(true).write(true).open(path);
-        let mut file = opened.map_err(failed("opened"))?;
-        lock(&file, path)?;
-        let mut bytes = Vec::new();
-        file.read_to_end(&mut bytes).map_err(failed("read"))?;
-        let written = understood(path, &bytes)?;
-        let length = written.length as u64;
-        if written.torn {
-            file.set_len(length).and_then(|()| file.sync_all()).map_err(failed("written"))?;
-        }
-        file.seek(SeekFrom::Start(length)).map_err(failed("read"))?;
-        Ok(Self { file, path: path.to_owned(), written, broken: false })
+        let (log, lines) = Log::open(path)?;
+        let written = understood(path, &lines)?;
+        Ok(Self { log, written })
     }
 
     /// Reads a journal without taking it up: another process may be writing it.
@@ -133,8 +122,7 @@ impl Journal {
     /// # Errors
     /// [`JournalError::Empty`], [`JournalError::Damaged`], [`JournalError::Io`].
     pub fn read(path: &Path) -> Result<Written, JournalError> {
-        let bytes = fs::read(path).map_err(|cause| io_error(path, "read", cause))?;
-        understood(path, &bytes)
+        understood(path, &Log::read(path)?)
     }
 
     /// Adds an entry. When this returns it is on the disk.
@@ -143,20 +131,10 @@ impl Journal {
     /// [`JournalError::Impossible`] when it contradicts what is there: nothing is written. [`JournalError::Io`]
     /// when the disk is full or gone: from then on [`JournalError::Broken`].
     pub fn add(&mut self, entry: Entry) -> Result<(), JournalError> {
-        if self.broken {
-            return Err(JournalError::Broken { path: self.path.clone() });
-        }
         let account = reading::counted(Some(self.written.account.clone()), &entry.what)
             .map_err(|what| JournalError::Impossible { what })?;
-        let (line, chain) = self.written.chain.line(&body(&entry)?);
-        let done = self.file.write_all(line.as_bytes()).and_then(|()| self.file.sync_data());
-        done.map_err(|cause| {
-            self.broken = true;
-            io_error(&self.path, "written", cause)
-        })?;
+        self.log.add(&body(&entry)?)?;
         self.written.account = account;
-        self.written.chain = chain;
-        self.written.length += line.len();
         self.written.entries.push(entry);
         Ok(())
     }
@@ -176,62 +154,15 @@ impl Journal {
     /// The file.
     #[must_use]
     pub fn path(&self) -> &Path {
-        &self.path
+        self.log.path()
     }
 }
 
-impl Drop for Journal {
-    /// Closing alone does not end the lock while a process that was started in the same moment has the file, too.
-    fn drop(&mut self) {
-        // What cannot be unlocked is unlocked when the process ends.
-        let _ = self.file.unlock();
-    }
-}
-
-/// A process that was just killed may have been starting another, which has its files until it runs.
-const PATIENCE: [Duration; 5] = [Duration::from_millis(20); 5];
-
-fn lock(file: &File, path: &Path) -> Result<(), JournalError> {
-    let mut patience = PATIENCE.into_iter();
-    loop {
-        match file.try_lock() {
-            Ok(()) => return Ok(()),
-            Err(TryLockError::Error(cause)) => return Err(io_error(path, "locked", cause)),
-            Err(TryLockError::WouldBlock) => match patience.next() {
-                Some(moment) => thread::sleep(moment),
-                None => return Err(JournalError::InUse { path: path.to_owned() }),
-            },
-        }
-    }
-}
-
-fn understood(path: &Path, bytes: &[u8]) -> Result<Written, JournalError> {
-    reading::read(bytes).map_err(|unreadable| match unreadable {
-        None => JournalError::Empty { path: path.to_owned() },
-        Some((line, what)) => JournalError::Damaged { path: path.to_owned(), line, what },
-    })
-}
-
-fn counted_first(first: &Entry) -> Result<Account, JournalError> {
-    reading::counted(None, &first.what).map_err(|what| JournalError::Impossible { what })
+fn understood(path: &Path, lines: &Lines) -> Result<Written, JournalError> {
+    let damaged = |(line, what)| JournalError::Damaged { path: path.to_owned(), line, what };
+    Written::of(lines).map_err(damaged)
 }
 
 fn body(entry: &Entry) -> Result<String, JournalError> {
     serde_json::to_string(entry).map_err(|error| JournalError::Impossible { what: error.to_string() })
-}
-
-fn io_error(path: &Path, doing: &'static str, cause: io::Error) -> JournalError {
-    JournalError::Io { path: path.to_owned(), doing, cause }
-}
-
-/// A file whose name is lost in a power cut is lost itself.
-fn keep_name(path: &Path) -> io::Result<()> {
-    #[cfg(unix)]
-    if let Some(folder) = path.parent() {
-        let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-        File::open(folder)?.sync_all()?;
-    }
-    #[cfg(not(unix))]
-    let _ = path; // other systems do not let a folder be written out
-    Ok(())
 }

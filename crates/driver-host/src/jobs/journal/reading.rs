@@ -1,7 +1,8 @@
-//! From the bytes of a journal to what happened.
+//! From the entries of a journal to what happened.
+
+use wirebend_journal::Lines;
 
 use super::entry::{Entry, VERSION, What};
-use super::line::Chain;
 use crate::jobs::account::Account;
 
 /// A journal that has been read.
@@ -14,42 +15,23 @@ pub struct Written {
     /// The last line was not written to its end, and counts for nothing: what it says had not happened yet when
     /// it was being written, or was not known to have.
     pub torn: bool,
-    pub(super) chain: Chain,
-    /// How many bytes the whole lines have.
-    pub(super) length: usize,
 }
 
-/// Why it cannot be read: the line, from 1, and what is wrong. `None` when there is not one whole line.
-pub(super) type Unreadable = Option<(usize, String)>;
-
-pub(super) fn read(bytes: &[u8]) -> Result<Written, Unreadable> {
-    let mut chain = Chain::default();
-    let mut entries: Vec<Entry> = Vec::new();
-    let mut account = None;
-    let mut length = 0;
-    let mut rest = bytes;
-    while let Some(end) = rest.iter().position(|byte| *byte == b'\n') {
-        let (line, number) = (&rest[..end], entries.len() + 1);
-        // Where a file was made longer and not filled any more, a power cut leaves zeros; only at its end.
-        if line.contains(&0) && !rest[end + 1..].contains(&b'\n') {
-            break;
+impl Written {
+    /// Counts the entries; or gives the line, from 1, and what is wrong with it.
+    pub(super) fn of(lines: &Lines) -> Result<Self, (usize, String)> {
+        let mut entries: Vec<Entry> = Vec::new();
+        let mut account = None;
+        for (index, body) in lines.entries.iter().enumerate() {
+            let damaged = |what| (index + 1, what);
+            let entry: Entry = serde_json::from_str(body)
+                .map_err(|error| damaged(format!("its entry cannot be read: {error}")))?;
+            account = Some(counted(account, &entry.what).map_err(damaged)?);
+            entries.push(entry);
         }
-        let (entry, next) = entry_of(&chain, line).map_err(|what| Some((number, what)))?;
-        account = Some(counted(account, &entry.what).map_err(|what| Some((number, what)))?);
-        entries.push(entry);
-        chain = next;
-        length += end + 1;
-        rest = &rest[end + 1..];
+        let account = account.ok_or_else(|| (1, "there is no line".to_owned()))?;
+        Ok(Self { entries, account, torn: lines.torn })
     }
-    let account = account.ok_or(None)?;
-    Ok(Written { entries, account, torn: !rest.is_empty(), chain, length })
-}
-
-fn entry_of(chain: &Chain, line: &[u8]) -> Result<(Entry, Chain), String> {
-    let text = std::str::from_utf8(line).map_err(|_| "it is no text".to_owned())?;
-    let (body, next) = chain.body(text)?;
-    let entry = serde_json::from_str(body).map_err(|error| format!("its entry cannot be read: {error}"))?;
-    Ok((entry, next))
 }
 
 /// The account after one more entry.

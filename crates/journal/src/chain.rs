@@ -12,7 +12,7 @@ const HEX: usize = 32;
 
 /// The number and the hash of the last line; of none at the start.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub(super) struct Chain {
+pub(crate) struct Chain {
     pub number: u64,
     hash: String,
 }
