@@ -69,6 +69,50 @@ fn merging_drops_what_collapses_and_what_repeats() {
     assert_eq!(w.vertex(VertexId(0)).unwrap().position, Point3::new(10., 0., 0.));
 }
 
+/// Click after click of a person who traces, as one strand: from a corner, through two points, back to another.
+#[test]
+fn a_strand_joins_what_is_there_by_way_of_what_is_new() {
+    let mut w = square();
+    let points = [Point3::new(0., 0., 5.), Point3::new(10., 10., 5.)];
+    let (from, to) = (Some(VertexId(0)), Some(VertexId(2)));
+    w.apply(&Edit::Draw { from, through: points.to_vec(), to }).unwrap();
+    let drawn: Vec<(u32, u32)> = w.edges().skip(4).map(|(_, edge)| (edge.a.0, edge.b.0)).collect();
+    assert_eq!(drawn, [(0, 4), (4, 5), (5, 2)]);
+    // One point alone, and an edge alone.
+    w.apply(&Edit::Draw { from: None, through: vec![Point3::origin()], to: None }).unwrap();
+    assert!(w.incident(VertexId(6)).is_empty());
+    w.apply(&Edit::Draw { from: Some(VertexId(6)), through: vec![], to }).unwrap();
+    assert_eq!(w.incident(VertexId(6)).len(), 1);
+    for (from, to, error) in [
+        (None, None, EditError::Nothing),
+        (from, from, EditError::Loop(VertexId(0))),
+        (from, Some(VertexId(1)), EditError::Connected(VertexId(0), VertexId(1))),
+        (from, Some(VertexId(9)), EditError::Wireframe(WireframeError::NoVertex(VertexId(9)))),
+    ] {
+        assert_eq!(w.apply(&Edit::Draw { from, through: vec![], to }), Err(error));
+    }
+}
+
+/// What was copied elsewhere comes with its supports, under ids of its own.
+#[test]
+fn a_piece_is_pasted_whole_or_not_at_all() {
+    let mut w = square();
+    let piece = [
+        Vertex::at(Point3::new(1., 2., 3.)),
+        Vertex { support: true, ..Vertex::at(Point3::new(4., 5., 6.)) },
+    ];
+    w.apply(&Edit::Paste { vertices: piece.to_vec(), edges: vec![(1, 0)] }).unwrap();
+    assert_eq!(w.vertex(VertexId(5)), Some(piece[1]));
+    assert_eq!(w.edge(EdgeId(4)), Some(Edge { a: VertexId(5), b: VertexId(4) }));
+    for (edge, error) in
+        [((0, 2), EditError::NoPlace { place: 2, count: 2 }), ((1, 1), EditError::Loop(VertexId(7)))]
+    {
+        let paste = Edit::Paste { vertices: piece.to_vec(), edges: vec![(0, 1), edge] };
+        assert_eq!(w.apply(&paste), Err(error));
+    }
+    assert_eq!((w.vertex_count(), w.edge_count()), (6, 5));
+}
+
 #[test]
 fn a_mirror_copy_shares_what_lies_on_the_plane() {
     let mut w = square();
@@ -154,6 +198,13 @@ fn any_edit() -> impl Strategy<Value = Edit> {
     prop_oneof![
         point().prop_map(|position| Edit::AddVertex { position }),
         (v(), v()).prop_map(|(a, b)| Edit::Connect { a, b }),
+        (prop::option::of(v()), prop::collection::vec(point(), 0..4), prop::option::of(v()))
+            .prop_map(|(from, through, to)| Edit::Draw { from, through, to }),
+        (prop::collection::vec(point(), 0..4), prop::collection::vec((0..4_usize, 0..4_usize), 0..4))
+            .prop_map(|(points, edges)| Edit::Paste {
+                vertices: points.into_iter().map(Vertex::at).collect(),
+                edges
+            }),
         (some(), prop::collection::vec((0..12_u32).prop_map(EdgeId), 0..3))
             .prop_map(|(vertices, edges)| Edit::Delete { vertices, edges }),
         (some(), point()).prop_map(|(vertices, by)| Edit::Move { vertices, by: by.coords }),

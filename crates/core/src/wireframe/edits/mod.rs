@@ -1,6 +1,7 @@
 //! Edits as values: what a person asks for, resolved against a wireframe into a [`Delta`].
 
 mod copies;
+mod drawing;
 mod placement;
 mod topology;
 
@@ -37,6 +38,23 @@ pub enum Edit {
     AddVertex {
         /// Where.
         position: Point3<f64>,
+    },
+    /// Draws a strand: edges from a vertex that is there through new vertices to one that is there. Without new
+    /// ones it joins the two; without ends and with one new vertex it adds that alone.
+    Draw {
+        /// The vertex that it begins at; none: at the first new one.
+        from: Option<VertexId>,
+        /// New vertices in order.
+        through: Vec<Point3<f64>>,
+        /// The vertex that it ends at; none: at the last new one.
+        to: Option<VertexId>,
+    },
+    /// Adds a piece: vertices, and edges between them.
+    Paste {
+        /// The vertices.
+        vertices: Vec<super::Vertex>,
+        /// Edges by the places of their vertices in the list, from 0.
+        edges: Vec<(usize, usize)>,
     },
     /// Joins two vertices by an edge.
     Connect {
@@ -153,6 +171,20 @@ pub enum EditError {
     /// A transform that flattens or is not finite.
     #[error("the transform is not invertible: it would flatten the wireframe")]
     Singular,
+    /// A strand that goes nowhere.
+    #[error("a strand takes a vertex to begin at or a point to go through")]
+    Nothing,
+    /// More than can be drawn at once.
+    #[error("{0} vertices or edges are too many: at most 1 000 000 can be added at once")]
+    TooMuch(usize),
+    /// A pasted edge names a vertex that is not in the piece.
+    #[error("an edge of the piece ends at its vertex {place}, but it has {count}, counted from 0")]
+    NoPlace {
+        /// What it names.
+        place: usize,
+        /// How many there are.
+        count: usize,
+    },
     /// More copies than fit.
     #[error("an array of {0} copies is too large: at most 1 000 000 vertices can be added at once")]
     ArrayCount(u32),
@@ -169,6 +201,8 @@ impl Edit {
             Self::AddVertex { position } => {
                 draft.add_vertex(super::Vertex::at(*position))?;
             }
+            Self::Draw { from, through, to } => drawing::strand(&mut draft, *from, through, *to)?,
+            Self::Paste { vertices, edges } => drawing::piece(&mut draft, vertices, edges)?,
             Self::Connect { a, b } => topology::connect(&mut draft, *a, *b)?,
             Self::Delete { vertices, edges } => topology::delete(&mut draft, vertices, edges)?,
             Self::Move { vertices, by } => placement::shift(&mut draft, vertices, by)?,
