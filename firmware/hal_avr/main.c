@@ -14,9 +14,10 @@ static uint8_t cause __attribute__((section(".noinit")));
 /* The Uno's boot loader clears the cause before this program sees it. What the last run has left in the RAM tells
  * a hang then: RUNS, and about as many ticks as the watchdog waits. A hang with interrupts off, in which no tick
  * comes, looks like the reset pin. */
-#define RUNS 0x5AC3u
-#define HUNG_TICKS 700u
-static uint16_t runs __attribute__((section(".noinit")));
+#define RUNS 0x5AC3961Eu /* long enough not to be what a RAM without power comes up with */
+#define HUNG_TICKS_LEAST 700u
+#define HUNG_TICKS_MOST 1400u
+static uint32_t runs __attribute__((section(".noinit")));
 volatile uint16_t wb_silent_ticks __attribute__((section(".noinit")));
 
 /* What the status register was before the lock. */
@@ -33,7 +34,7 @@ void wb_before_all(void)
 
 static uint8_t reset_code(void)
 {
-    bool hung = runs == RUNS && wb_silent_ticks >= HUNG_TICKS;
+    bool hung = runs == RUNS && wb_silent_ticks >= HUNG_TICKS_LEAST && wb_silent_ticks <= HUNG_TICKS_MOST;
     if ((cause & 1u << WDRF) || (cause == 0 && hung)) {
         return WB_RESET_WATCHDOG;
     }

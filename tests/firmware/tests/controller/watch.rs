@@ -147,7 +147,8 @@ fn a_hang_is_told_although_the_boot_loader_clears_the_cause() {
         talk.table.board.uno.reset(ResetCause::PowerOn, Ram::Scrambled(seed));
         talk.table.board.uno.forget_reset_cause();
         talk.after_reset();
-        assert!(talk.taken()[0].starts_with("b1,100,1,1,"), "noise {seed}");
+        let boot = talk.taken();
+        assert!(boot[0].starts_with("b1,100,1,1,"), "noise {seed}: {boot:?}");
     }
 }
 
