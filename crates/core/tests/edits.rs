@@ -6,7 +6,7 @@ use nalgebra::{Affine3, Matrix4, Point3, Unit, Vector3};
 use proptest::prelude::*;
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::{
-    Edge, EdgeId, Edit, EditError, MergeAt, MirrorMode, StaleDelta, Vertex, VertexId, Wireframe,
+    Delta, Edge, EdgeId, Edit, EditError, MergeAt, MirrorMode, StaleDelta, Vertex, VertexId, Wireframe,
     WireframeError,
 };
 
@@ -259,5 +259,11 @@ proptest! {
             w.commit(delta).unwrap();
             prop_assert_eq!(&w, state);
         }
+        // All of them as one.
+        let whole = deltas.iter().fold(Delta::none(&states[0]), Delta::then);
+        w.commit(&whole.inverse()).unwrap();
+        prop_assert_eq!(&w, &states[0]);
+        w.commit(&whole).unwrap();
+        prop_assert_eq!(Some(&w), states.last());
     }
 }

@@ -63,6 +63,31 @@ impl Delta {
         }
     }
 
+    /// The difference that changes nothing.
+    #[must_use]
+    pub const fn none(wireframe: &Wireframe) -> Self {
+        let next = wireframe.next_ids();
+        Self { vertices: BTreeMap::new(), edges: BTreeMap::new(), next: (next, next) }
+    }
+
+    /// This difference and then another as one. The other has to be made for what this one leads to.
+    #[must_use]
+    pub fn then(mut self, other: &Self) -> Self {
+        fn follow<K: Ord + Copy, T: Copy + PartialEq>(
+            first: &mut BTreeMap<K, Change<T>>,
+            then: &BTreeMap<K, Change<T>>,
+        ) {
+            for (&id, change) in then {
+                first.entry(id).and_modify(|whole| whole.after = change.after).or_insert(*change);
+            }
+            first.retain(|_, change| change.before != change.after);
+        }
+        follow(&mut self.vertices, &other.vertices);
+        follow(&mut self.edges, &other.edges);
+        self.next.1 = other.next.1;
+        self
+    }
+
     /// Whether nothing changes.
     #[must_use]
     pub fn is_empty(&self) -> bool {
