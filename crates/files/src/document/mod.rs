@@ -3,6 +3,8 @@
 //! Both are JSON with a format, a version and no unknown keys; each value type here is also the
 //! source of a JSON Schema under `schema/`.
 
+mod change;
+mod change_file;
 mod error;
 mod hash;
 mod ids;
@@ -15,6 +17,7 @@ mod snapshot;
 mod stencil;
 mod version;
 
+pub use change::{DocumentChange, StaleChange, Swap};
 pub use error::DocumentError;
 pub use hash::sha256_hex;
 pub use ids::{Pin, PinTarget};

@@ -1,0 +1,141 @@
+//! A change of a document as one line of JSON.
+
+use std::collections::BTreeMap;
+
+use nalgebra::Point3;
+use serde::{Deserialize, Serialize};
+use wirebend_core::wireframe::{Change, Delta, Edge, EdgeId, NextIds, Vertex, VertexId};
+
+use super::change::{DocumentChange, Swap};
+use super::ids::{Pin, PinFile};
+use super::snapshot::ProfileSnapshot;
+use super::stencil::{StencilFile, StencilSource};
+use crate::read::LengthUnit;
+
+/// Before and after.
+type Pair<T> = [Option<T>; 2];
+/// x, y and z in mm, and whether it is a support.
+type VertexPart = (f64, f64, f64, bool);
+/// Its two vertices.
+type EdgePart = (u32, u32);
+
+#[derive(Debug, Default, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+struct ChangeFile {
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    vertices: Vec<(u32, Pair<VertexPart>)>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    edges: Vec<(u32, Pair<EdgePart>)>,
+    /// Of the next vertex and the next edge, before and after.
+    next: [(u32, u32); 2],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stencil: Option<Pair<StencilFile>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    machine: Option<Pair<ProfileSnapshot>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    material: Option<Pair<ProfileSnapshot>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    doublings: Option<[Vec<u32>; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    start: Option<Pair<u32>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pins: Option<[Vec<PinFile>; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    notes: Option<[String; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    units: Option<[LengthUnit; 2]>,
+}
+
+impl DocumentChange {
+    /// The change as JSON without an end of line. [`DocumentChange::of_json`] gives the same change, bit for bit.
+    ///
+    /// # Errors
+    /// When a stencil cannot be packed.
+    pub fn to_json(&self) -> Result<String, String> {
+        let pack = |stencil: &Option<StencilSource>| {
+            stencil.as_ref().map(StencilFile::pack).transpose().map_err(|error| error.to_string())
+        };
+        let stencil =
+            self.stencil.as_ref().map(|swap| Ok::<_, String>([pack(&swap.before)?, pack(&swap.after)?]));
+        let file = ChangeFile {
+            vertices: parts(&self.wireframe.vertices, |id| id.0, vertex_part),
+            edges: parts(&self.wireframe.edges, |id| id.0, |edge| (edge.a.0, edge.b.0)),
+            next: [self.wireframe.next.0, self.wireframe.next.1].map(|next| (next.vertex, next.edge)),
+            stencil: stencil.transpose()?,
+            machine: pair(self.machine.as_deref(), Clone::clone),
+            material: pair(self.material.as_deref(), Clone::clone),
+            doublings: pair(self.doublings.as_deref(), |edges| edges.iter().map(|id| id.0).collect()),
+            start: pair(self.start.as_deref(), |start| start.map(|id| id.0)),
+            pins: pair(self.pins.as_deref(), |pins| pins.iter().map(PinFile::from).collect()),
+            notes: pair(self.notes.as_deref(), Clone::clone),
+            units: pair(self.units.as_deref(), |units| *units),
+        };
+        serde_json::to_string(&file).map_err(|error| error.to_string())
+    }
+
+    /// Reads a change.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn of_json(text: &str) -> Result<Self, String> {
+        let file: ChangeFile = serde_json::from_str(text).map_err(|error| error.to_string())?;
+        let next = file.next.map(|(vertex, edge)| NextIds { vertex, edge });
+        let wireframe = Delta {
+            vertices: changes(file.vertices, VertexId, vertex_of),
+            edges: changes(file.edges, EdgeId, |(a, b)| Edge { a: VertexId(a), b: VertexId(b) }),
+            next: (next[0], next[1]),
+        };
+        let unpack = |stencil: Option<StencilFile>| {
+            stencil.map(|file| file.unpack("this change")).transpose().map_err(|error| error.to_string())
+        };
+        let stencil = file.stencil.map(|[before, after]| {
+            Ok::<_, String>(Box::new(Swap { before: unpack(before)?, after: unpack(after)? }))
+        });
+        Ok(Self {
+            wireframe,
+            stencil: stencil.transpose()?,
+            machine: swap(file.machine, |machine| machine),
+            material: swap(file.material, |material| material),
+            doublings: swap(file.doublings, |edges: Vec<u32>| edges.into_iter().map(EdgeId).collect()),
+            start: swap(file.start, |start| start.map(VertexId)),
+            pins: swap(file.pins, |pins: Vec<PinFile>| pins.into_iter().map(Pin::from).collect()),
+            notes: swap(file.notes, |notes| notes),
+            units: swap(file.units, |units| units),
+        })
+    }
+}
+
+fn vertex_part(vertex: &Vertex) -> VertexPart {
+    let Vertex { position: at, support } = vertex;
+    (at.x, at.y, at.z, *support)
+}
+
+fn vertex_of((x, y, z, support): VertexPart) -> Vertex {
+    Vertex { position: Point3::new(x, y, z), support }
+}
+
+fn parts<K: Copy, T, U>(
+    changes: &BTreeMap<K, Change<T>>,
+    id: impl Fn(K) -> u32,
+    part: impl Fn(&T) -> U,
+) -> Vec<(u32, Pair<U>)> {
+    let both = |change: &Change<T>| [change.before.as_ref().map(&part), change.after.as_ref().map(&part)];
+    changes.iter().map(|(&key, change)| (id(key), both(change))).collect()
+}
+
+fn changes<K: Ord, T, U>(
+    parts: Vec<(u32, Pair<U>)>,
+    id: impl Fn(u32) -> K,
+    of: impl Fn(U) -> T,
+) -> BTreeMap<K, Change<T>> {
+    let change = |[before, after]: Pair<U>| Change { before: before.map(&of), after: after.map(&of) };
+    parts.into_iter().map(|(key, pair)| (id(key), change(pair))).collect()
+}
+
+fn pair<T, U>(swap: Option<&Swap<T>>, part: impl Fn(&T) -> U) -> Option<[U; 2]> {
+    swap.map(|swap| [part(&swap.before), part(&swap.after)])
+}
+
+fn swap<T, U>(pair: Option<[U; 2]>, of: impl Fn(U) -> T) -> Option<Box<Swap<T>>> {
+    pair.map(|[before, after]| Box::new(Swap { before: of(before), after: of(after) }))
+}
