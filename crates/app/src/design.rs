@@ -158,6 +158,11 @@ pub(crate) struct Opened {
 }
 
 impl Opened {
+    /// A design that is open already.
+    pub const fn of(name: String, document: Document) -> Self {
+        Self { name, format: Format::Wirebend, document, notes: Vec::new() }
+    }
+
     /// The design, if it has a wireframe to work on.
     pub fn with_wireframe(self) -> Result<Self, AppError> {
         if self.document.wireframe.edge_count() == 0 && self.document.stencil.is_some() {

@@ -10,7 +10,7 @@ use wirebend_files::read::ReadError;
 use wirebend_profile::{Kind, ProfileError};
 
 use crate::report::PlanReport;
-use crate::{DriverProblem, LiveProblem};
+use crate::{DriverProblem, EditorError, LiveProblem};
 
 /// Whose turn it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -63,6 +63,12 @@ pub enum AppError {
         /// What is wrong.
         error: BadErrorTerm,
     },
+    /// The open design cannot be changed like this, or not be kept safe.
+    #[error(transparent)]
+    Editor(#[from] EditorError),
+    /// A design that was never saved is to be saved without a name.
+    #[error("the design has no file yet: say where to save it")]
+    NoFile,
     /// A number is outside what makes sense.
     #[error("{name} is {value}: {expected}")]
     Value {
@@ -307,6 +313,8 @@ impl AppError {
                 ProfileError::Unknown { .. } | ProfileError::UnknownId { .. } | ProfileError::Abstract { .. },
             )
             | Self::Value { .. }
+            | Self::NoFile
+            | Self::Editor(_)
             | Self::NoMachine { .. }
             | Self::IdTaken { .. }
             | Self::SeveralKinds { .. }
@@ -351,6 +359,8 @@ impl AppError {
             Self::SeveralKinds { .. } => "several-kinds",
             Self::OtherKind { .. } => "other-kind",
             Self::OpenParent { .. } => "open-parent",
+            Self::NoFile => "no-file",
+            Self::Editor(error) => error.code(),
             Self::NoMachine { .. } => "no-machine",
             Self::OnlyStencil { .. } => "only-stencil",
             Self::NoVertex { .. } => "no-vertex",

@@ -12,6 +12,7 @@ mod compare;
 mod design;
 mod drivers;
 mod dump;
+mod editor;
 mod error;
 mod export;
 mod import;
@@ -45,6 +46,10 @@ pub use drivers::{
     DriverTrustRequest, DriverTrustResponse, DriversRequest, DriversResponse, RuleReport,
 };
 pub use dump::{DumpRequest, DumpResponse, DumpStage};
+pub use editor::{
+    DesignState, DesignView, EdgeView, EditRequest, Editor, EditorError, LiveCheck, MergePlace, Moved,
+    PastedVertex, Placed, Unsaved, VertexView, ViewChange, WireFigures,
+};
 pub use error::{AppError, ErrorKind};
 pub use export::{ExportFormat, ExportRequest, ExportResponse};
 pub use import::{ImportRequest, ImportResponse};

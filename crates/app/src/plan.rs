@@ -128,6 +128,16 @@ impl App {
         let machine = machine.ok_or_else(|| AppError::NoMachine { known: self.machine_ids() })?;
         let material = choices.material.clone().or_else(|| named(&document.material));
         let setup = self.setup(&machine, material.as_deref())?;
+        Self::plan_with(opened, setup, choices, progress)
+    }
+
+    /// Plans every wire of a design on a machine with a wire in it.
+    pub(crate) fn plan_with(
+        opened: Opened,
+        setup: Setup,
+        choices: &PlanChoices,
+        progress: &dyn Progress,
+    ) -> Result<Planned, AppError> {
         let mut opened = opened;
         opened.notes.extend(estimated_springback(&setup));
         let document = &opened.document;

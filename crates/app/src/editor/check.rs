@@ -1,0 +1,117 @@
+//! What the checks say of the open design, as it is or as it would be while a person drags.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use wirebend_core::checks::Diagnostic;
+use wirebend_core::wireframe::{Edit, VertexId};
+use wirebend_files::document::Document;
+
+use super::{Editor, EditorError};
+use crate::design::Opened;
+use crate::plan::{PlanChoices, Planned};
+use crate::report::{DiagnosticReport, WireReport};
+use crate::{App, AppError, NoProgress};
+
+/// A vertex that is being dragged, and where it is.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Moved {
+    /// Which.
+    pub vertex: u32,
+    /// Where, mm.
+    pub at_mm: [f64; 3],
+}
+
+/// What the status bar shows of a wire.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct WireFigures {
+    /// Designed length, mm; null where there is no route.
+    pub length_mm: Option<f64>,
+    /// Stock to load, mm.
+    pub stock_mm: Option<f64>,
+    /// How many steps bend the wire.
+    pub bends: Option<usize>,
+    /// Time on the machine, s.
+    pub time_s: Option<f64>,
+    /// Price of the designed length.
+    pub cost: Option<f64>,
+    /// Of the cost.
+    pub currency: Option<String>,
+    /// Mass, g.
+    pub mass_g: Option<f64>,
+    /// The vertices in the order of the walk.
+    pub route: Vec<u32>,
+}
+
+/// What the checks say.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct LiveCheck {
+    /// Whether the machine can make it.
+    pub feasible: bool,
+    /// Errors first.
+    pub diagnostics: Vec<DiagnosticReport>,
+    /// One for each part that is not joined to others.
+    pub wires: Vec<WireFigures>,
+}
+
+impl Editor {
+    /// Checks the design on its machine, with some vertices elsewhere than they are. Nothing is changed.
+    ///
+    /// # Errors
+    /// [`AppError::NoMachine`] where none is chosen; [`EditorError`] when a vertex is not there or goes nowhere.
+    pub fn check(&mut self, app: &App, moved: &[Moved]) -> Result<LiveCheck, AppError> {
+        let document = &self.document;
+        let mut wireframe = document.wireframe.clone();
+        for &Moved { vertex, at_mm } in moved {
+            let edit = Edit::Place { vertex: VertexId(vertex), position: at_mm.into() };
+            wireframe.apply(&edit).map_err(EditorError::from)?;
+        }
+        let machine = document.machine.as_ref().map(|machine| machine.id.clone());
+        let machine = machine.ok_or_else(|| AppError::NoMachine { known: app.machine_ids() })?;
+        let material = document.material.as_ref().map(|material| material.id.clone());
+        let names = (machine, material);
+        let setup = match self.setup.take().filter(|(asked, _)| *asked == names) {
+            Some((_, setup)) => setup,
+            None => app.setup(&names.0, names.1.as_deref())?,
+        };
+        // The stencil is no part of what is bent.
+        let document = Document {
+            doublings: document.doublings.clone(),
+            start: document.start,
+            ..Document::new(wireframe)
+        };
+        let opened = Opened::of(self.name.clone(), document);
+        let planned = App::plan_with(opened, setup, &PlanChoices::default(), &NoProgress)?;
+        let check = LiveCheck::of(&planned);
+        self.setup = Some((names, planned.setup));
+        Ok(check)
+    }
+}
+
+impl LiveCheck {
+    fn of(planned: &Planned) -> Self {
+        let of_wires = planned.wires.iter().flat_map(|wire| &wire.diagnostics);
+        let mut all: Vec<&Diagnostic> = planned.design.iter().chain(of_wires).collect();
+        all.sort_by_key(|diagnostic| diagnostic.severity);
+        Self {
+            feasible: planned.feasible(),
+            diagnostics: all.into_iter().map(DiagnosticReport::from).collect(),
+            wires: planned.report().wires().iter().map(WireFigures::of).collect(),
+        }
+    }
+}
+
+impl WireFigures {
+    fn of(wire: &WireReport) -> Self {
+        Self {
+            length_mm: wire.route.as_ref().map(|route| route.length_mm),
+            stock_mm: wire.compensated.as_ref().map(|program| program.stock_mm),
+            bends: wire.program.as_ref().map(|program| program.bends),
+            time_s: wire.time_s,
+            cost: wire.cost,
+            currency: wire.currency.clone(),
+            mass_g: wire.mass_g,
+            route: wire.route.as_ref().map(|route| route.vertices.clone()).unwrap_or_default(),
+        }
+    }
+}

@@ -1,0 +1,251 @@
+//! The open design: what a person works on, its history, and the journal by which it outlives the program.
+//!
+//! A front end draws [`Editor::view`], sends an [`EditRequest`] when a person has done something, and asks
+//! [`Editor::check`] while they are dragging. Every change is on the disk before it is answered, or the answer says that
+//! it is not.
+
+mod check;
+mod error;
+mod history;
+mod keeping;
+mod request;
+mod view;
+
+use std::path::{Path, PathBuf};
+
+use wirebend_core::units::Length;
+use wirebend_core::wireframe::{EdgeId, VertexId, Wireframe};
+use wirebend_files::document::{Document, DocumentChange, ProfileSnapshot, save_atomically};
+
+pub use check::{LiveCheck, Moved, WireFigures};
+pub use error::EditorError;
+use history::{Done, History};
+use keeping::Keeping;
+pub use keeping::Unsaved;
+pub use request::{EditRequest, MergePlace, PastedVertex, Placed};
+pub use view::{DesignState, DesignView, EdgeView, VertexView, ViewChange};
+
+use crate::design::{DesignInput, default_weld_mm};
+use crate::machine::Setup;
+use crate::output::file_name;
+use crate::report::NoteReport;
+use crate::{App, AppError, Progress};
+
+/// A machine, and the wire in it unless it is the machine's own.
+type Names = (String, Option<String>);
+
+/// What a new design is called.
+const UNTITLED: &str = "untitled";
+
+/// The open design.
+#[derive(Debug)]
+pub struct Editor {
+    document: Document,
+    history: History,
+    /// The file that it was opened from or saved to.
+    file: Option<PathBuf>,
+    name: String,
+    /// The state that the file has.
+    saved: u64,
+    keeping: Option<Keeping>,
+    /// Machine and material as the stages want them, and by which names they were asked for.
+    setup: Option<(Names, Setup)>,
+    /// Why changes are not kept safe any more.
+    unkept: Option<String>,
+}
+
+impl Editor {
+    /// An empty design for a machine. Unsaved changes are kept in a folder, if one is given.
+    ///
+    /// # Errors
+    /// [`AppError`] when there is no such machine, or the folder cannot be written.
+    pub fn new(app: &App, machine: Option<&str>, keep_in: Option<&Path>) -> Result<Self, AppError> {
+        let mut document = Document::new(Wireframe::new());
+        if let Some(machine) = machine {
+            let setup = app.setup(machine, None)?;
+            (document.machine, document.material) = snapshots(&setup)?;
+        }
+        Self::begin(document, None, UNTITLED.to_owned(), keep_in)
+    }
+
+    /// Opens a design: a `.wirebend` document, or any file that can be read. What was merged, ignored or assumed is
+    /// told.
+    ///
+    /// # Errors
+    /// [`AppError`] when it cannot be read, or the folder cannot be written.
+    pub fn open(
+        input: &DesignInput,
+        keep_in: Option<&Path>,
+        progress: &dyn Progress,
+    ) -> Result<(Self, Vec<NoteReport>), AppError> {
+        let opened = input.open(progress)?;
+        let own = opened.format == wirebend_files::read::Format::Wirebend;
+        let path = match &input.input {
+            crate::Input::File(path) => Some(path.clone()),
+            crate::Input::Bytes { .. } => None,
+        };
+        let name = path.as_deref().map_or(opened.name, file_name);
+        // What was imported has no document of its own yet.
+        let editor = Self::begin(opened.document, path.filter(|_| own), name, keep_in)?;
+        Ok((editor, opened.notes))
+    }
+
+    /// Takes up a design that was open when the program or the computer stopped.
+    ///
+    /// # Errors
+    /// [`EditorError`] when its journal is damaged or in use.
+    pub fn restore(journal: &Path) -> Result<Self, EditorError> {
+        let (keeping, restored) = Keeping::take_up(journal)?;
+        let keeping::Restored { document, history, file, name, saved, .. } = restored;
+        Ok(Self { document, history, file, name, saved, keeping: Some(keeping), setup: None, unkept: None })
+    }
+
+    /// The designs in a folder that no file has, last changed first; and what could not be read of it.
+    #[must_use]
+    pub fn unsaved(folder: &Path) -> (Vec<Unsaved>, Vec<String>) {
+        keeping::unsaved(folder)
+    }
+
+    fn begin(
+        document: Document,
+        file: Option<PathBuf>,
+        name: String,
+        keep_in: Option<&Path>,
+    ) -> Result<Self, AppError> {
+        let keeping = keep_in.map(|folder| Keeping::begin(folder, &document, file.as_deref(), &name));
+        let (keeping, history) = (keeping.transpose()?, History::default());
+        Ok(Self { document, history, file, name, saved: 0, keeping, setup: None, unkept: None })
+    }
+
+    /// Makes a change, and tells what is to be drawn anew. A request that changes nothing is no change.
+    ///
+    /// # Errors
+    /// [`AppError`]; the design is as it was.
+    pub fn edit(&mut self, app: &App, request: &EditRequest) -> Result<ViewChange, AppError> {
+        let Some(change) = self.change(app, request)?.filter(|change| !change.is_empty()) else {
+            return Ok(self.changed(&DocumentChange::of_wireframe(self.unchanged())));
+        };
+        let done = Done { label: request.label(), change: change.clone() };
+        self.history.make(&mut self.document, done.clone()).map_err(EditorError::from)?;
+        self.keep(|keeping| keeping.done(&done));
+        Ok(self.changed(&change))
+    }
+
+    /// Undoes the last change; none where there is nothing to undo.
+    ///
+    /// # Errors
+    /// [`EditorError::Stale`], which a history of its own does not bring about.
+    pub fn undo(&mut self) -> Result<Option<ViewChange>, EditorError> {
+        let Some(change) = self.history.undo(&mut self.document)? else { return Ok(None) };
+        self.keep(Keeping::undone);
+        Ok(Some(self.changed(&change)))
+    }
+
+    /// Does again what was undone last; none where nothing was.
+    ///
+    /// # Errors
+    /// [`EditorError::Stale`], which a history of its own does not bring about.
+    pub fn redo(&mut self) -> Result<Option<ViewChange>, EditorError> {
+        let Some(change) = self.history.redo(&mut self.document)? else { return Ok(None) };
+        self.keep(Keeping::redone);
+        Ok(Some(self.changed(&change)))
+    }
+
+    /// Writes the `.wirebend` document, whole or not at all: to a file, or to the one that it has.
+    ///
+    /// # Errors
+    /// [`AppError::NoFile`] where it has none and none is named, [`AppError::Document`] when it cannot be written.
+    pub fn save(&mut self, file: Option<&Path>) -> Result<PathBuf, AppError> {
+        let path = file.map(Path::to_owned).or_else(|| self.file.clone()).ok_or(AppError::NoFile)?;
+        save_atomically(&path, &self.document.to_bytes()?)?;
+        (self.name, self.saved, self.file) = (file_name(&path), self.history.state(), Some(path.clone()));
+        self.keep(|keeping| keeping.saved(&path));
+        Ok(path)
+    }
+
+    /// Closes the design. What is not saved is gone: a front end asks before.
+    ///
+    /// # Errors
+    /// [`EditorError`] when the journal cannot be deleted; it is offered again then.
+    pub fn close(self) -> Result<(), EditorError> {
+        self.keeping.map_or(Ok(()), Keeping::end)
+    }
+
+    /// Whether there is something that the file has not.
+    #[must_use]
+    pub fn is_changed(&self) -> bool {
+        self.history.state() != self.saved
+    }
+
+    /// The design.
+    #[must_use]
+    pub const fn document(&self) -> &Document {
+        &self.document
+    }
+
+    /// What cannot be written down has been done all the same: [`DesignState::unkept`] tells a person to save.
+    fn keep(&mut self, add: impl FnOnce(&mut Keeping) -> Result<(), EditorError>) {
+        if let Some(Err(error)) = self.keeping.as_mut().map(add) {
+            tracing::error!("{error}");
+            self.unkept = Some(error.to_string());
+        }
+    }
+
+    fn change(&self, app: &App, request: &EditRequest) -> Result<Option<DocumentChange>, AppError> {
+        let document = &self.document;
+        let weld = Length::from_mm(default_weld_mm()).unwrap_or_default();
+        if let Some(edits) = request.of_wireframe(weld)? {
+            let mut scratch = document.wireframe.clone();
+            let mut delta = self.unchanged();
+            for edit in &edits {
+                delta = delta.then(&scratch.apply(edit).map_err(EditorError::from)?);
+            }
+            return Ok(Some(DocumentChange::of_edit(document, delta)));
+        }
+        Ok(match request {
+            EditRequest::Doublings { edges } => {
+                let missing = edges.iter().find(|&&edge| document.wireframe.edge(EdgeId(edge)).is_none());
+                if let Some(&edge) = missing {
+                    return Err(EditorError::NoEdge(edge).into());
+                }
+                document.set_doublings(edges.iter().copied().map(EdgeId).collect())
+            }
+            EditRequest::Start { vertex } => {
+                let start = vertex.map(VertexId);
+                if let Some(missing) = start.filter(|&id| document.wireframe.vertex(id).is_none()) {
+                    return Err(EditorError::NoVertex(missing.0).into());
+                }
+                document.set_start(start)
+            }
+            EditRequest::Machine { machine, material } => {
+                let (machine, material) = snapshots(&app.setup(machine, material.as_deref())?)?;
+                let changed = document.set_material(material).map(|change| change.material);
+                let change = document.set_machine(machine);
+                match (change, changed.flatten()) {
+                    (Some(change), material) => Some(DocumentChange { material, ..change }),
+                    (None, material) => material.map(|material| DocumentChange {
+                        material: Some(material),
+                        ..DocumentChange::of_wireframe(self.unchanged())
+                    }),
+                }
+            }
+            EditRequest::Notes { text } => document.set_notes(text.clone()),
+            EditRequest::Units { units } => document.set_units(*units),
+            EditRequest::RemoveStencil {} => document.set_stencil(None),
+            _ => None,
+        })
+    }
+
+    fn unchanged(&self) -> wirebend_core::wireframe::Delta {
+        wirebend_core::wireframe::Delta::none(&self.document.wireframe)
+    }
+}
+
+/// A machine and its wire as a document keeps them.
+fn snapshots(setup: &Setup) -> Result<(Option<ProfileSnapshot>, Option<ProfileSnapshot>), AppError> {
+    let snapshot = |id: &str, snapshot| Some(ProfileSnapshot { id: id.to_owned(), snapshot });
+    Ok((
+        snapshot(setup.machine_id(), serde_json::to_value(&setup.machine)?),
+        snapshot(setup.material_id(), serde_json::to_value(&setup.material)?),
+    ))
+}

@@ -1,0 +1,57 @@
+//! Checks while a person drags: the same as after they have let go, and nothing is changed by asking.
+
+use serde_json::json;
+use wirebend_app::{
+    AppError, CheckRequest, DesignInput, Editor, Moved, NoProgress, PlanChoices, Request, Response,
+};
+
+use crate::{app, edit, example, open};
+
+#[test]
+fn a_check_while_dragging_is_that_of_the_place_where_it_is_let_go() {
+    let mut editor = open("cube-8-edges.obj");
+    let before = editor.document().clone();
+    let still = editor.check(&app(), &[]).unwrap();
+    assert!(still.feasible && still.diagnostics.is_empty(), "{still:?}");
+    // A corner that comes too near its neighbour.
+    let dragged = [Moved { vertex: 1, at_mm: [10.0, 2.0, 1.0] }];
+    let check = editor.check(&app(), &dragged).unwrap();
+    assert!(!check.feasible);
+    assert!(check.diagnostics.iter().any(|d| d.code == "edge_too_short" && d.edge.is_some()), "{check:?}");
+    assert_eq!(editor.document(), &before, "nothing was changed by asking");
+    edit(&mut editor, &json!({"edit": "place", "positions": [{"vertex": 1, "at_mm": [10.0, 2.0, 1.0]}]}));
+    assert_eq!(editor.check(&app(), &[]).unwrap(), check);
+    editor.undo().unwrap();
+    assert_eq!(editor.check(&app(), &[]).unwrap(), still);
+    assert!(editor.check(&app(), &[Moved { vertex: 99, at_mm: [0.0; 3] }]).is_err());
+}
+
+/// The window and the command line say the same of a file.
+#[test]
+fn it_says_what_the_command_says() {
+    for name in ["bunny.wirebend", "cube.obj", "house.obj", "two-parts.obj", "spring.obj"] {
+        let file = if name == "bunny.wirebend" { example("bunny.obj") } else { example(name) };
+        let mut input = DesignInput::file(file);
+        input.face_edges = name == "bunny.wirebend";
+        let (mut editor, _) = Editor::open(&input, None, &NoProgress).unwrap();
+        edit(&mut editor, &json!({"edit": "machine", "machine": "wirebend-kit", "material": null}));
+        let choices = PlanChoices { machine: Some("wirebend-kit".into()), ..PlanChoices::default() };
+        let request = Request::Check(CheckRequest { design: input, choices });
+        let Response::Check(said) = app().run(&request, &NoProgress).unwrap() else { panic!("{name}") };
+        let check = editor.check(&app(), &[]).unwrap();
+        assert_eq!((check.feasible, check.diagnostics), (said.feasible, said.diagnostics), "{name}");
+    }
+}
+
+#[test]
+fn another_machine_is_checked_at_once_and_without_one_nothing_is() {
+    let mut editor = open("house.obj");
+    let kit = editor.check(&app(), &[]).unwrap();
+    edit(&mut editor, &json!({"edit": "machine", "machine": "pensa-diwire-pro", "material": null}));
+    let pensa = editor.check(&app(), &[]).unwrap();
+    assert_ne!(kit.wires[0].time_s, pensa.wires[0].time_s);
+    editor.undo().unwrap();
+    assert_eq!(editor.check(&app(), &[]).unwrap(), kit);
+    let mut bare = Editor::new(&app(), None, None).unwrap();
+    assert!(matches!(bare.check(&app(), &[]), Err(AppError::NoMachine { .. })));
+}
