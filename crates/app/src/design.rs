@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use wirebend_core::units::Length;
 use wirebend_files::document::{Document, SourceFile, sha256_hex};
-use wirebend_files::read::{Format, LengthUnit, ReadOptions, read, read_file};
+use wirebend_files::read::{DEFAULT_TOLERANCE_MM, Format, LengthUnit, ReadOptions, read, read_file};
 
 use crate::export::is_job;
 use crate::output::file_name;
@@ -71,6 +71,12 @@ pub struct DesignInput {
     /// Centreline radius of the bends of a table that does not say, in mm.
     #[serde(default)]
     pub clr_mm: Option<f64>,
+    /// How far straight edges may be from the curves of a drawing, in mm.
+    #[serde(default = "default_tolerance_mm")]
+    pub tolerance_mm: f64,
+    /// The layers of a drawing to read; empty: all that are not hidden.
+    #[serde(default)]
+    pub layers: Vec<String>,
 }
 
 fn format_by_name<'de, D: serde::Deserializer<'de>>(deserializer: D) -> Result<Option<Format>, D::Error> {
@@ -87,6 +93,10 @@ pub(crate) const fn default_weld_mm() -> f64 {
     1e-3
 }
 
+const fn default_tolerance_mm() -> f64 {
+    DEFAULT_TOLERANCE_MM
+}
+
 impl DesignInput {
     /// A file, read with the defaults.
     #[must_use]
@@ -99,6 +109,8 @@ impl DesignInput {
             weld_mm: default_weld_mm(),
             face_edges: false,
             clr_mm: None,
+            tolerance_mm: default_tolerance_mm(),
+            layers: Vec::new(),
         }
     }
 
@@ -126,11 +138,13 @@ impl DesignInput {
             weld: length("--weld", self.weld_mm)?,
             face_edges: self.face_edges,
             clr: self.clr_mm.map(|clr| length("--clr", clr)).transpose()?,
+            tolerance: length("--tolerance", positive("--tolerance", self.tolerance_mm)?)?,
+            layers: self.layers.clone(),
             ..ReadOptions::default()
         };
         let imported = read(bytes, &name, self.format, &options)?;
         if imported.document.is_some() && !self.reads_plainly() {
-            let options = "--scale, --units, --weld, --face-edges and --clr";
+            let options = "--scale, --units, --weld, --face-edges, --clr, --tolerance and --layer";
             return Err(AppError::Settled { name, options, instead: "import the original again" });
         }
         let notes: Vec<NoteReport> = imported.notes.iter().map(NoteReport::from).collect();

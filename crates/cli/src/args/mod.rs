@@ -91,7 +91,7 @@ pub(crate) enum Command {
     },
     /// Write what a machine, another program or a person reads
     #[command(
-        after_help = "Examples:\n  wirebend export cube.wbjob -o cube.txt\n  wirebend export examples/house.obj --machine pensa-diwire-pro -o house.dsw\n  wirebend export examples/spring.obj --machine wirebend-kit --format svg -o spring.svg\n  wirebend export examples/house.obj --machine grbl-bender --set mode=absolute -o house.nc"
+        after_help = "Examples:\n  wirebend export cube.wbjob -o cube.txt\n  wirebend export examples/house.obj --machine pensa-diwire-pro -o house.dsw\n  wirebend export examples/spring.obj --machine wirebend-kit --format svg -o spring.svg\n  wirebend export examples/house.obj --machine grbl-bender --set mode=absolute -o house.nc\n  wirebend export cube.wbjob --format template-pdf --set paper=letter -o cube.pdf"
     )]
     Export {
         #[command(flatten)]
@@ -101,7 +101,7 @@ pub(crate) enum Command {
         /// Format to write (see `wirebend machines` and `wirebend drivers`); the machine's own if absent
         #[arg(long, short = 'f', value_name = "FORMAT")]
         format: Option<String>,
-        /// Setting of the driver that writes the format, over the one of the machine's profile
+        /// Setting of the format's driver, over the machine's profile; of a PDF, paper=letter
         #[arg(long = "set", value_name = "KEY=VALUE", value_parser = parse_setting)]
         settings: Vec<(String, serde_json::Value)>,
         #[command(flatten)]
@@ -286,6 +286,12 @@ pub(crate) struct ReadArgs {
     /// Centreline radius of the bends of a table that does not say, in mm
     #[arg(long, value_name = "RADIUS")]
     pub clr: Option<f64>,
+    /// Make curves of a drawing straight edges that are no farther from them than this, in mm
+    #[arg(long, value_name = "DISTANCE", default_value_t = 0.1)]
+    pub tolerance: f64,
+    /// Read this layer of a drawing only, by name; may be given again
+    #[arg(long = "layer", value_name = "NAME")]
+    pub layers: Vec<String>,
 }
 
 /// What to work on.

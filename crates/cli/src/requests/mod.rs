@@ -167,9 +167,18 @@ fn input(file: &Path) -> anyhow::Result<Input> {
 }
 
 fn design(args: &DesignArgs) -> anyhow::Result<DesignInput> {
-    let ReadArgs { from, scale, units, weld, face_edges, clr } = args.read;
-    let input = input(&args.file)?;
-    Ok(DesignInput { input, format: from, scale, units, weld_mm: weld, face_edges, clr_mm: clr })
+    let ReadArgs { from, scale, units, weld, face_edges, clr, tolerance, layers } = &args.read;
+    Ok(DesignInput {
+        input: input(&args.file)?,
+        format: *from,
+        scale: *scale,
+        units: *units,
+        weld_mm: *weld,
+        face_edges: *face_edges,
+        clr_mm: *clr,
+        tolerance_mm: *tolerance,
+        layers: layers.clone(),
+    })
 }
 
 fn choices(args: ChoiceArgs) -> PlanChoices {

@@ -1,9 +1,12 @@
-//! Smooth curves as few straight pieces and arcs, to a tolerance that the caller gives.
+//! Smooth curves as few straight pieces and arcs, and arcs and splines as points, to a tolerance that the caller
+//! gives.
 
 mod arc_fit;
+mod flatten;
 mod simplify;
 
 pub use arc_fit::{Piece, fit_arcs};
+pub use flatten::{EllipticArc, Spline, SplineError};
 pub use simplify::simplify;
 
 use nalgebra::{Point3, Vector3};

@@ -74,8 +74,8 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
     })?;
     let mut drawing = Drawing::default();
     if let Some(word) = &assembly.unit {
-        drawing.units = LengthUnit::from_word(word);
-        if drawing.units.is_none() && options.units.is_none() {
+        drawing.unit_mm = LengthUnit::from_word(word).map(LengthUnit::mm);
+        if drawing.unit_mm.is_none() && options.units.is_none() {
             let help = "choose the unit yourself when importing";
             return Err(source.syntax(
                 Place::File,

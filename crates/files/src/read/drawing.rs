@@ -22,8 +22,8 @@ pub(crate) struct Drawing {
     pub(crate) supports: Vec<u32>,
     pub(crate) edges: Vec<(u32, u32)>,
     pub(crate) faces: Vec<Vec<u32>>,
-    /// The unit that the file names.
-    pub(crate) units: Option<LengthUnit>,
+    /// How many millimetres the unit is that the file names.
+    pub(crate) unit_mm: Option<f64>,
     pub(crate) notes: Notes,
 }
 
@@ -39,13 +39,14 @@ impl Drawing {
         source: Source<'_>,
         options: &ReadOptions,
     ) -> Result<Imported, ReadError> {
-        let unit = options.units.or(self.units);
-        match (options.units, self.units) {
+        match (options.units.map(LengthUnit::mm), self.unit_mm) {
             (None, None) => self.notes.add(NoteKind::UnitsAssumed, 1),
-            (Some(ours), Some(theirs)) if ours != theirs => self.notes.add(NoteKind::UnitsOverridden, 1),
+            (Some(ours), Some(theirs)) if (ours - theirs).abs() > 1e-12 * theirs => {
+                self.notes.add(NoteKind::UnitsOverridden, 1);
+            }
             _ => {}
         }
-        let factor = unit.unwrap_or_default().mm() * options.scale;
+        let factor = self.factor(options);
         for point in &mut self.points {
             point.coords *= factor;
         }
@@ -78,6 +79,11 @@ impl Drawing {
             document: None,
             notes: self.notes.into_vec(),
         })
+    }
+
+    /// From numbers of the file to millimetres: the person's unit, else the file's, else none; and the scale.
+    pub(crate) fn factor(&self, options: &ReadOptions) -> f64 {
+        options.units.map(LengthUnit::mm).or(self.unit_mm).unwrap_or(1.0) * options.scale
     }
 
     /// Of each point whether an edge ends at it.

@@ -168,6 +168,78 @@ pub enum ReadError {
         /// The scale.
         scale: f64,
     },
+    /// A tolerance that no curve can be followed to.
+    #[error("a tolerance of {tolerance_mm} mm makes no sense; it must be {least} mm or more", least = super::options::LEAST_TOLERANCE_MM)]
+    Tolerance {
+        /// The tolerance.
+        tolerance_mm: f64,
+    },
+    /// Layers are asked of a format that has none.
+    #[error("{file}: a file of format {format} has no layers; leave the layers away")]
+    NoLayers {
+        /// The file.
+        file: String,
+        /// Its format.
+        format: super::Format,
+    },
+    /// A layer is asked for that the file does not have.
+    #[error("{file}: there is no layer {name}; its layers are {have}")]
+    NoSuchLayer {
+        /// The file.
+        file: String,
+        /// What was asked for, shortened.
+        name: String,
+        /// The layers that there are, shortened.
+        have: String,
+    },
+    /// A block, an object or an element that holds itself.
+    #[error("{file}{place}: {what} {name} holds itself; export the file again, with its parts resolved")]
+    Loop {
+        /// The file.
+        file: String,
+        /// Where.
+        place: Place,
+        /// Of which kind it is.
+        what: &'static str,
+        /// Its name, shortened.
+        name: String,
+    },
+    /// Parts within parts, deeper than any program nests them.
+    #[error("{file}{place}: {what} more than {limit} deep; export the file again, with its parts resolved")]
+    TooDeep {
+        /// The file.
+        file: String,
+        /// Where.
+        place: Place,
+        /// What is nested.
+        what: &'static str,
+        /// How deep it is read at most.
+        limit: usize,
+    },
+    /// Geometry that is in another file.
+    #[error("{file}{place}: the geometry is in another file, {name}, which is not read; {help}")]
+    Elsewhere {
+        /// The file.
+        file: String,
+        /// Where.
+        place: Place,
+        /// The other file, shortened.
+        name: String,
+        /// What to do.
+        help: &'static str,
+    },
+    /// Geometry in a way that is not read.
+    #[error("{file}{place}: {what} is not read; {help}")]
+    Unsupported {
+        /// The file.
+        file: String,
+        /// Where.
+        place: Place,
+        /// What it is.
+        what: String,
+        /// What to do.
+        help: &'static str,
+    },
     /// A project document that cannot be opened.
     #[error(transparent)]
     Document(#[from] DocumentError),
@@ -201,6 +273,13 @@ impl ReadError {
             Self::Stencil { .. } => "read-stencil",
             Self::NoCorner { .. } => "read-no-corner",
             Self::Scale { .. } => "read-scale",
+            Self::Tolerance { .. } => "read-tolerance",
+            Self::NoLayers { .. } => "read-no-layers",
+            Self::NoSuchLayer { .. } => "read-no-such-layer",
+            Self::Loop { .. } => "read-loop",
+            Self::TooDeep { .. } => "read-too-deep",
+            Self::Elsewhere { .. } => "read-elsewhere",
+            Self::Unsupported { .. } => "read-unsupported",
             Self::Document(error) => error.code(),
             Self::Library { .. } => "read-library",
         }
@@ -216,7 +295,11 @@ impl ReadError {
             | Self::TooMany { place, .. }
             | Self::Truncated { place, .. }
             | Self::Wireframe { place, .. }
-            | Self::NoCorner { place, .. } => place,
+            | Self::NoCorner { place, .. }
+            | Self::Loop { place, .. }
+            | Self::TooDeep { place, .. }
+            | Self::Elsewhere { place, .. }
+            | Self::Unsupported { place, .. } => place,
             Self::Document(error) => return error.line(),
             _ => return None,
         };

@@ -16,6 +16,14 @@ pub enum Format {
     Stl,
     /// PLY, ASCII or binary: faces are a stencil, edges a wireframe.
     Ply,
+    /// 3MF: a stencil.
+    ThreeMf,
+    /// glTF, as text or binary (`.glb`): triangles are a stencil, lines a wireframe.
+    Gltf,
+    /// DXF, ASCII or binary: the lines and curves of a drawing.
+    Dxf,
+    /// SVG: the outlines of a drawing, in the plane z = 0.
+    Svg,
     /// A table of points: one polyline.
     Xyz,
     /// Assembly-instances JSON: a frame with supports.
@@ -34,10 +42,14 @@ pub enum Format {
 
 impl Format {
     /// Every format.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 14] = [
         Self::Obj,
         Self::Stl,
         Self::Ply,
+        Self::ThreeMf,
+        Self::Gltf,
+        Self::Dxf,
+        Self::Svg,
         Self::Xyz,
         Self::Assembly,
         Self::Pwf,
@@ -54,6 +66,10 @@ impl Format {
             Self::Obj => "obj",
             Self::Stl => "stl",
             Self::Ply => "ply",
+            Self::ThreeMf => "3mf",
+            Self::Gltf => "gltf",
+            Self::Dxf => "dxf",
+            Self::Svg => "svg",
             Self::Xyz => "xyz",
             Self::Assembly => "assembly",
             Self::Pwf => "pwf",
@@ -71,6 +87,10 @@ impl Format {
             Self::Obj => "Wavefront OBJ",
             Self::Stl => "STL mesh",
             Self::Ply => "PLY mesh",
+            Self::ThreeMf => "3MF model",
+            Self::Gltf => "glTF model",
+            Self::Dxf => "DXF drawing",
+            Self::Svg => "SVG drawing",
             Self::Xyz => "XYZ point table",
             Self::Assembly => "assembly-instances JSON",
             Self::Pwf => "FrameFab PWF",
@@ -88,6 +108,10 @@ impl Format {
             Self::Obj => &["obj"],
             Self::Stl => &["stl"],
             Self::Ply => &["ply"],
+            Self::ThreeMf => &["3mf"],
+            Self::Gltf => &["glb", "gltf"],
+            Self::Dxf => &["dxf"],
+            Self::Svg => &["svg"],
             Self::Xyz => &["xyz", "csv", "tsv", "txt"],
             Self::Assembly => &["json"],
             Self::Pwf => &["pwf"],
@@ -149,10 +173,25 @@ pub fn detect(name: &str, bytes: &[u8]) -> Result<Format, ReadError> {
     }
 }
 
+/// The binary formats that begin with a word of their own.
+fn by_magic(bytes: &[u8]) -> Option<Format> {
+    if super::dxf::is_binary(bytes) {
+        return Some(Format::Dxf);
+    }
+    if bytes.starts_with(b"glTF") {
+        return Some(Format::Gltf);
+    }
+    // An archive without a model gets the error of the reader.
+    bytes.starts_with(b"PK\x03\x04").then_some(Format::ThreeMf)
+}
+
 /// The format that the content looks like.
 fn sniff(bytes: &[u8]) -> Option<Format> {
     if bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r") {
         return Some(Format::Ply);
+    }
+    if let Some(format) = by_magic(bytes) {
+        return Some(format);
     }
     if super::stl::is_binary(bytes) {
         return Some(Format::Stl);
@@ -166,7 +205,16 @@ fn sniff(bytes: &[u8]) -> Option<Format> {
         if text.contains("\"wirebend\"") || text.contains("\"wbjob\"") {
             return Some(Format::Wirebend);
         }
-        return text.contains("\"node_list\"").then_some(Format::Assembly);
+        if text.contains("\"node_list\"") {
+            return Some(Format::Assembly);
+        }
+        return text.contains("\"asset\"").then_some(Format::Gltf);
+    }
+    if text.trim_start().starts_with('<') {
+        return text.contains("<svg").then_some(Format::Svg);
+    }
+    if super::dxf::looks_like(&text) {
+        return Some(Format::Dxf);
     }
     let mut points = 0;
     for (_, line) in lines(&text).filter(|(_, line)| !line.trim().is_empty()) {

@@ -6,20 +6,25 @@
 mod assembly;
 mod columns;
 mod drawing;
+mod dxf;
 mod error;
 mod format;
+mod gltf;
 mod kit;
 mod lra;
 mod note;
 mod obj;
 mod options;
+mod outline;
 mod pensa;
 mod ply;
 mod program;
 mod pwf;
 mod stl;
+mod svg;
 mod table;
 mod text;
+mod threemf;
 mod xyz;
 
 use std::io::Read;
@@ -31,7 +36,7 @@ use wirebend_core::wireframe::Wireframe;
 pub use error::{Place, ReadError};
 pub use format::{Format, UnknownName, detect};
 pub use note::{Note, NoteKind};
-pub use options::{LengthUnit, ReadOptions};
+pub use options::{DEFAULT_TOLERANCE_MM, LengthUnit, ReadOptions};
 pub use program::{ImportedProgram, wireframe_of_path};
 
 use crate::document::Document;
@@ -68,11 +73,22 @@ pub fn read(
     if !(options.scale > 0.0 && options.scale.is_finite()) {
         return Err(ReadError::Scale { scale: options.scale });
     }
+    if options.tolerance.mm() < options::LEAST_TOLERANCE_MM {
+        return Err(ReadError::Tolerance { tolerance_mm: options.tolerance.mm() });
+    }
     let source = Source { name };
-    match format.map_or_else(|| detect(name, bytes), Ok)? {
+    let format = format.map_or_else(|| detect(name, bytes), Ok)?;
+    if !options.layers.is_empty() && !matches!(format, Format::Dxf | Format::Svg) {
+        return Err(ReadError::NoLayers { file: name.to_owned(), format });
+    }
+    match format {
         Format::Obj => obj::read(bytes, source, options),
         Format::Stl => stl::read(bytes, source, options),
         Format::Ply => ply::read(bytes, source, options),
+        Format::ThreeMf => threemf::read(bytes, source, options),
+        Format::Gltf => gltf::read(bytes, source, options),
+        Format::Dxf => dxf::read(bytes, source, options),
+        Format::Svg => svg::read(bytes, source, options),
         Format::Xyz => xyz::read(bytes, source, options),
         Format::Assembly => assembly::read(bytes, source, options),
         Format::Pwf => pwf::read(bytes, source, options),
@@ -95,14 +111,14 @@ pub fn read(
     }
 }
 
-/// The bytes of a file, up to 64 MiB; up to 512 MiB for the mesh formats STL and PLY.
+/// The bytes of a file, up to 64 MiB; up to 512 MiB for the mesh formats STL, PLY, 3MF and glTF.
 ///
 /// # Errors
 /// [`ReadError::Io`] and [`ReadError::TooLarge`].
 pub fn read_file(path: &Path) -> Result<Vec<u8>, ReadError> {
     const MIB: u64 = 1 << 20;
     let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
-    let mesh = ["stl", "ply"].iter().any(|mesh| extension.eq_ignore_ascii_case(mesh));
+    let mesh = ["stl", "ply", "3mf", "glb", "gltf"].iter().any(|mesh| extension.eq_ignore_ascii_case(mesh));
     let limit = if mesh { 512 * MIB } else { 64 * MIB };
     let name = path.display().to_string();
     let io = |error| ReadError::Io { file: name.clone(), error };

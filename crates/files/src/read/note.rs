@@ -57,6 +57,46 @@ pub enum NoteKind {
     NegativeAngles,
     /// Rotations that no bend follows.
     RotationsUnused,
+    /// Faces with a corner twice.
+    FacesCollapsed,
+    /// The size of the page gives the scale of a drawing.
+    PageScale,
+    /// A drawing is measured in pixels.
+    PixelScale,
+    /// The y axis of the file points down.
+    AxisDown,
+    /// The y axis of the file points up in space.
+    AxisUp,
+    /// Arcs, circles, ellipses and splines.
+    CurvesFlattened,
+    /// Splines that are given by points on them alone.
+    FitPointsJoined,
+    /// Insertions of blocks, uses of elements, components of objects.
+    BlocksExploded,
+    /// Elements that are invisible, or on layers that are off or frozen.
+    HiddenIgnored,
+    /// Elements on layers that were not asked for.
+    OtherLayersIgnored,
+    /// Elements of the paper space, around the drawing.
+    PaperIgnored,
+    /// Texts.
+    TextsIgnored,
+    /// Hatches and fills.
+    HatchesIgnored,
+    /// Dimensions and leaders.
+    DimensionsIgnored,
+    /// Faces, surfaces and solids of a drawing.
+    SurfacesIgnored,
+    /// Pictures.
+    ImagesIgnored,
+    /// Filters, masks, clip paths and markers: what they hide is read, what they add is not.
+    FiltersIgnored,
+    /// Style sheets.
+    StylesIgnored,
+    /// References to other files or to what is not there.
+    ReferencesIgnored,
+    /// Elements of a drawing of a kind that is not read.
+    ElementsIgnored,
 }
 
 /// One thing that a reader did, and how many times.
@@ -99,6 +139,26 @@ impl NoteKind {
             Self::EndsOnBend => "ends-on-bend",
             Self::NegativeAngles => "negative-angles",
             Self::RotationsUnused => "rotations-unused",
+            Self::FacesCollapsed => "faces-collapsed",
+            Self::PageScale => "page-scale",
+            Self::PixelScale => "pixel-scale",
+            Self::AxisDown => "axis-down",
+            Self::AxisUp => "axis-up",
+            Self::CurvesFlattened => "curves-flattened",
+            Self::FitPointsJoined => "fit-points-joined",
+            Self::BlocksExploded => "blocks-exploded",
+            Self::HiddenIgnored => "hidden-ignored",
+            Self::OtherLayersIgnored => "other-layers-ignored",
+            Self::PaperIgnored => "paper-ignored",
+            Self::TextsIgnored => "texts-ignored",
+            Self::HatchesIgnored => "hatches-ignored",
+            Self::DimensionsIgnored => "dimensions-ignored",
+            Self::SurfacesIgnored => "surfaces-ignored",
+            Self::ImagesIgnored => "images-ignored",
+            Self::FiltersIgnored => "filters-ignored",
+            Self::StylesIgnored => "styles-ignored",
+            Self::ReferencesIgnored => "references-ignored",
+            Self::ElementsIgnored => "elements-ignored",
         }
     }
 
@@ -147,6 +207,47 @@ impl NoteKind {
             Self::RotationsUnused => {
                 ("rotation at the end without effect ignored", "rotations at the end without effect ignored")
             }
+            Self::FacesCollapsed => ("face without area dropped", "faces without area dropped"),
+            Self::PageScale => ("the size of the page, in mm or the like, gives the scale", ""),
+            Self::PixelScale => ("no size in mm or the like: 96 px are taken as an inch", ""),
+            Self::AxisDown => {
+                ("y points down in the file: the drawing is mirrored so that it looks the same with y up", "")
+            }
+            Self::AxisUp => ("y is up in the file: the model is turned about x so that z is up", ""),
+            Self::CurvesFlattened => (
+                "curve made straight edges within the tolerance",
+                "curves made straight edges within the tolerance",
+            ),
+            Self::FitPointsJoined => (
+                "spline without control points: its fit points are joined by straight edges",
+                "splines without control points: their fit points are joined by straight edges",
+            ),
+            Self::BlocksExploded => {
+                ("block or part put in where it is used", "blocks or parts put in where they are used")
+            }
+            Self::HiddenIgnored => ("hidden element left out", "hidden elements left out"),
+            Self::OtherLayersIgnored => {
+                ("element on another layer left out", "elements on other layers left out")
+            }
+            Self::PaperIgnored => {
+                ("element of the paper layout left out", "elements of the paper layout left out")
+            }
+            Self::TextsIgnored => ("text ignored", "texts ignored"),
+            Self::HatchesIgnored => ("hatch ignored", "hatches ignored"),
+            Self::DimensionsIgnored => ("dimension or leader ignored", "dimensions or leaders ignored"),
+            Self::SurfacesIgnored => ("face, surface or solid ignored", "faces, surfaces or solids ignored"),
+            Self::ImagesIgnored => ("picture ignored", "pictures ignored"),
+            Self::FiltersIgnored => {
+                ("filter, mask, clip path or marker ignored", "filters, masks, clip paths or markers ignored")
+            }
+            Self::StylesIgnored => {
+                ("style sheet ignored: what it hides is read", "style sheets ignored: what they hide is read")
+            }
+            Self::ReferencesIgnored => (
+                "reference to another file or a missing element ignored",
+                "references to other files or missing elements ignored",
+            ),
+            Self::ElementsIgnored => ("other element ignored", "other elements ignored"),
         }
     }
 }

@@ -7,6 +7,9 @@ use super::error::{Place, ReadError};
 /// The most vertices, faces, edges or steps that a file may hold.
 pub(crate) const LIMIT: usize = 5_000_000;
 
+/// The most parts that blocks, uses and components may bring in: a few lines of a file can ask for any number.
+const LIMIT_WITHIN: usize = 250_000;
+
 /// A file's name, for errors, and the errors that readers have in common.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Source<'a> {
@@ -29,6 +32,18 @@ impl Source<'_> {
         ReadError::Syntax { file: self.file(), place, found: excerpt(found), expected, help }
     }
 
+    /// What a parser says of a text, as it says it.
+    pub(crate) fn refused(
+        self,
+        place: Place,
+        message: &impl ToString,
+        expected: &'static str,
+        help: &'static str,
+    ) -> ReadError {
+        let (found, expected) = (message.to_string(), expected.into());
+        ReadError::Syntax { file: self.file(), place, found, expected, help }
+    }
+
     pub(crate) fn empty(self, expected: &'static str) -> ReadError {
         ReadError::Empty { file: self.file(), expected }
     }
@@ -43,10 +58,19 @@ impl Source<'_> {
 
     /// Refuses the one that is too many.
     pub(crate) fn room(self, place: Place, count: usize, what: &'static str) -> Result<(), ReadError> {
-        if count < LIMIT {
+        self.room_of(LIMIT, place, count, what)
+    }
+
+    /// Refuses the one that is too many of the parts that parts hold.
+    pub(crate) fn room_within(self, place: Place, count: usize, what: &'static str) -> Result<(), ReadError> {
+        self.room_of(LIMIT_WITHIN, place, count, what)
+    }
+
+    fn room_of(self, limit: usize, place: Place, count: usize, what: &'static str) -> Result<(), ReadError> {
+        if count < limit {
             return Ok(());
         }
-        Err(ReadError::TooMany { file: self.file(), place, what, limit: LIMIT })
+        Err(ReadError::TooMany { file: self.file(), place, what, limit })
     }
 
     /// A finite number.

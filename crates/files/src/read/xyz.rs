@@ -7,7 +7,7 @@ use super::drawing::Drawing;
 use super::error::ReadError;
 use super::format::Format;
 use super::note::NoteKind;
-use super::options::ReadOptions;
+use super::options::{LengthUnit, ReadOptions};
 use super::table::Table;
 use super::text::{Source, decode};
 
@@ -39,7 +39,7 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
     let (Some(&first), Some(&last)) = (drawing.points.first(), drawing.points.last()) else {
         return Err(source.empty("points"));
     };
-    let factor = options.units.or(drawing.units).unwrap_or_default().mm() * options.scale;
+    let factor = drawing.factor(options);
     let closed = drawing.points.len() > 3 && (last - first).norm() * factor <= options.weld.mm();
     if closed {
         drawing.points.pop();
@@ -58,7 +58,7 @@ fn columns(table: &Table<'_>, source: Source<'_>, drawing: &mut Drawing) -> Resu
         return Ok([0, 1, 2]);
     };
     drawing.notes.add(NoteKind::HeaderSkipped, 1);
-    drawing.units = header.iter().find_map(|column| column.unit);
+    drawing.unit_mm = header.iter().find_map(|column| column.unit).map(LengthUnit::mm);
     let named = ["x", "y", "z"].map(|name| table.column(&[name]));
     if let [Some(x), Some(y), Some(z)] = named {
         drawing.notes.add(NoteKind::ColumnsIgnored, header.len() - 3);

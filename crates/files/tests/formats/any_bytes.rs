@@ -29,7 +29,10 @@ fn valid_files() -> Vec<(Format, Vec<u8>)> {
     frame.truncate(frame.len());
     let document =
         Document::new(read(b"F 10\nB 90\nF 10", "a.txt", None, &ReadOptions::default()).unwrap().wireframe);
-    vec![
+    let drawings = super::broken_drawings::small_files()
+        .into_iter()
+        .map(|(name, bytes)| (detect(name, &bytes).unwrap(), bytes));
+    let mut files = vec![
         text(Format::Obj, "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1/1/1 2//2 3 -1\nl 1 2 3\nvn 0 0 1\n"),
         (Format::Stl, stl),
         text(
@@ -49,7 +52,9 @@ fn valid_files() -> Vec<(Format, Vec<u8>)> {
         text(Format::Lra, "L,R,A,CLR\n10,0,90,5\n20,-,45,5\n30\n"),
         text(Format::Lra, "D_mm,Rabs_deg,A_deg,CLR_mm\n10,350,90,5\n37.85,10,45,5\n71.78\n"),
         (Format::Wirebend, document.to_bytes().unwrap()),
-    ]
+    ];
+    files.extend(drawings);
+    files
 }
 
 #[test]

@@ -281,11 +281,20 @@ fn formats_are_told_by_name_and_by_content() {
     assert_eq!(told("-", "v 1 2 3\nl 1 1\np 1 1\n"), Some(Format::Obj));
     assert_eq!(told("-", "v 1 2 3\np 1 1\n"), Some(Format::Pwf));
     assert_eq!(told("-", "ply\nformat ascii 1.0\n"), Some(Format::Ply));
+    assert_eq!(told("a.GLB", ""), Some(Format::Gltf));
+    assert_eq!(told("a.3mf", ""), Some(Format::ThreeMf));
+    assert_eq!(told("-", "PK\u{3}\u{4}"), Some(Format::ThreeMf));
+    assert_eq!(told("-", "glTF"), Some(Format::Gltf));
+    assert_eq!(told("a.json", "{\"asset\": {}}"), Some(Format::Assembly));
+    assert_eq!(told("-", "{\"asset\": {}}"), Some(Format::Gltf));
+    assert_eq!(told("-", "999\nby hand\n  0\r\nSECTION\r\n"), Some(Format::Dxf));
+    assert_eq!(told("a.txt", "<?xml version=\"1.0\"?>\n<svg/>"), Some(Format::Svg));
+    assert_eq!(told("-", "<html/>"), None);
     assert_eq!(told("-", "solid x\nendsolid\n"), Some(Format::Stl));
     assert_eq!(import("notes.txt", "Dear diary").unwrap_err().code(), "read-unknown-format");
     let error = import("notes.doc", "Dear diary").unwrap_err();
-    expect!["read-unknown-format: notes.doc: this is none of the known formats (obj, stl, ply, xyz, assembly, pwf, wirebend-kit, pensa, lra, wirebend); name the format or export one of these"].assert_eq(&format!("{}: {error}", error.code()));
-    expect![[r#""dxf" is no format that can be read; they are obj, stl, ply, xyz, assembly, pwf, wirebend-kit, pensa, lra, wirebend"#]].assert_eq(&"dxf".parse::<Format>().unwrap_err().to_string());
+    expect!["read-unknown-format: notes.doc: this is none of the known formats (obj, stl, ply, 3mf, gltf, dxf, svg, xyz, assembly, pwf, wirebend-kit, pensa, lra, wirebend); name the format or export one of these"].assert_eq(&format!("{}: {error}", error.code()));
+    expect![[r#""step" is no format that can be read; they are obj, stl, ply, 3mf, gltf, dxf, svg, xyz, assembly, pwf, wirebend-kit, pensa, lra, wirebend"#]].assert_eq(&"step".parse::<Format>().unwrap_err().to_string());
     assert_eq!("Pensa".parse(), Ok(Format::Pensa));
 }
 

@@ -4,15 +4,23 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 // As UPDATE_EXPECT=1 writes them.
 #![allow(clippy::needless_raw_string_hashes)]
+// Files are put together from lines; what that costs does not matter here.
+#![allow(clippy::format_collect)]
 
 mod any_bytes;
+mod broken_drawings;
+mod broken_models;
 mod documents;
+mod drawn;
+mod dxf;
 mod errors;
 mod meshes;
+mod models;
 mod pictures;
 mod programs;
 mod real_files;
 mod round_trips;
+mod svg;
 mod tables;
 
 use std::path::PathBuf;

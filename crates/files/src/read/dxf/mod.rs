@@ -1,0 +1,278 @@
+//! DXF, ASCII or binary: the lines and curves of a drawing.
+//!
+//! LINE, LWPOLYLINE, POLYLINE (plane and in space, with bulges), ARC, CIRCLE, ELLIPSE, SPLINE and HELIX are read,
+//! in blocks, too. All else is counted. The groups are read here and not by a crate, since those that there are drop
+//! what they do not know in silence and cannot name the line of a wrong number.
+//!
+//! Coordinates are right-handed with z up, as in the file. Entities with an extrusion have axes of their own: one of
+//! 0, 0, -1 mirrors x.
+
+mod blocks;
+mod entity;
+mod pairs;
+mod record;
+mod spline;
+
+use nalgebra::{Affine3, Point3};
+
+use self::blocks::{Block, Content, Entity, Plotter};
+use self::entity::{Corner, Shape, affine, bulged, shape};
+use self::pairs::{BINARY, Pairs};
+use self::record::{Record, Records};
+use super::Imported;
+use super::drawing::Drawing;
+use super::error::{Place, ReadError};
+use super::format::Format;
+use super::note::NoteKind;
+use super::options::ReadOptions;
+use super::outline::{Outline, Pen};
+use super::text::{Source, decode, lines};
+
+/// Whether the bytes begin as every binary file does.
+pub(super) fn is_binary(bytes: &[u8]) -> bool {
+    bytes.starts_with(BINARY)
+}
+
+/// Whether a text begins with a section, behind comments.
+pub(super) fn looks_like(text: &str) -> bool {
+    let mut lines = lines(text).map(|(_, line)| line.trim());
+    loop {
+        match (lines.next(), lines.next()) {
+            (Some("999"), Some(_)) => {}
+            (code, value) => return code == Some("0") && value == Some("SECTION"),
+        }
+    }
+}
+
+/// Reads a drawing; what is in no section of entities or blocks is looked at for units and layers only.
+pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> Result<Imported, ReadError> {
+    let text = if is_binary(bytes) { "".into() } else { decode(bytes) };
+    let pairs = if is_binary(bytes) { Pairs::binary(bytes, source) } else { Pairs::text(&text, source) };
+    let mut records = Records::new(source, pairs)?;
+    let mut scan = Scan::new(source, options.units.is_some());
+    while let Some(record) = records.next()? {
+        if record.kind == "EOF" {
+            break;
+        }
+        scan.record(&record)?;
+    }
+    let content = scan.finish()?;
+    let drawing = Drawing { unit_mm: scan.unit_mm, ..Drawing::default() };
+    let pen = Pen::new(source, drawing, options);
+    let mut plotter = Plotter::new(pen, &content, &options.layers)?;
+    plotter.draw(&content.entities, &Affine3::identity(), None)?;
+    plotter.pen.drawing.finish(Format::Dxf, source, options)
+}
+
+/// Millimetres of the values of `$INSUNITS`; 0 is no unit.
+fn unit_mm(value: i64) -> Option<f64> {
+    const UNITS: [f64; 17] = [
+        0.0,
+        25.4,
+        304.8,
+        1_609_344.0,
+        1.0,
+        10.0,
+        1e3,
+        1e6,
+        25.4e-6,
+        25.4e-3,
+        914.4,
+        1e-7,
+        1e-6,
+        1e-3,
+        1e2,
+        1e4,
+        1e5,
+    ];
+    // The foot of the United States' surveys is 1200/3937 m.
+    let survey = (value == 21).then_some(1.2e6 / 3937.0);
+    usize::try_from(value).ok().and_then(|value| UNITS.get(value).copied()).or(survey)
+}
+
+/// Goes through the records of a file.
+struct Scan<'a> {
+    source: Source<'a>,
+    /// The section, in upper case, and where it began.
+    section: Option<(String, Place)>,
+    unit_mm: Option<f64>,
+    /// Whether the person says the unit, so that one that nobody knows is no error.
+    unit_given: bool,
+    content: Content,
+    /// The block that is open: its name and itself.
+    block: Option<(String, Block)>,
+    /// The polyline whose vertices follow.
+    polyline: Option<Polyline>,
+    count: usize,
+}
+
+/// A polyline of old: the entity that it becomes, and its vertices so far.
+struct Polyline {
+    entity: Entity,
+    corners: Vec<Corner>,
+    closed: bool,
+    in_space: bool,
+    map: Affine3<f64>,
+    elevation: f64,
+}
+
+impl<'a> Scan<'a> {
+    fn new(source: Source<'a>, unit_given: bool) -> Self {
+        Self {
+            source,
+            section: None,
+            unit_mm: None,
+            unit_given,
+            content: Content::default(),
+            block: None,
+            polyline: None,
+            count: 0,
+        }
+    }
+
+    fn record(&mut self, record: &Record<'_>) -> Result<(), ReadError> {
+        match record.kind.as_str() {
+            "SECTION" => return self.begin(record),
+            "ENDSEC" => {
+                self.end_polyline();
+                self.end_block();
+                self.section = None;
+                return Ok(());
+            }
+            _ => {}
+        }
+        match self.section.as_ref().map(|(name, _)| name.as_str()) {
+            Some("TABLES") if record.kind == "LAYER" => self.layer(record),
+            Some("BLOCKS") => match record.kind.as_str() {
+                "BLOCK" => {
+                    self.end_block();
+                    let name = record.text(2).ok_or_else(|| record.lacks(2))?.to_lowercase();
+                    // A block of 4 is another file, one of 8 laid over.
+                    let (base, elsewhere) = (record.point(10)?, record.flag(4 | 8)?);
+                    self.block = Some((name, Block { base, elsewhere, entities: Vec::new() }));
+                    Ok(())
+                }
+                "ENDBLK" => {
+                    self.end_polyline();
+                    self.end_block();
+                    Ok(())
+                }
+                _ => self.entity(record),
+            },
+            Some("ENTITIES") => self.entity(record),
+            _ => Ok(()),
+        }
+    }
+
+    fn begin(&mut self, record: &Record<'_>) -> Result<(), ReadError> {
+        let name = record.text(2).ok_or_else(|| record.lacks(2))?.to_ascii_uppercase();
+        if name == "HEADER" {
+            let mut pairs = record.pairs.iter();
+            let variable = pairs.find(|pair| pair.code == 9 && pair.text() == "$INSUNITS");
+            if let (Some(_), Some(value)) = (variable, pairs.next()) {
+                let unit = unit_mm(value.whole(self.source)?);
+                if unit.is_none() && !self.unit_given {
+                    let help = "choose the unit yourself when importing";
+                    let (place, expected) = (value.place.clone(), "a unit from 1 to 16, 21 or 0 for none");
+                    return Err(self.source.syntax(place, &value.text(), expected, help));
+                }
+                self.unit_mm = unit.filter(|unit| *unit > 0.0);
+            }
+        }
+        self.section = Some((name, record.place.clone()));
+        Ok(())
+    }
+
+    /// A negative colour is a layer that is off, a flag of 1 one that is frozen.
+    fn layer(&mut self, record: &Record<'_>) -> Result<(), ReadError> {
+        let name = record.text(2).ok_or_else(|| record.lacks(2))?.to_lowercase();
+        let on = record.whole(62)?.unwrap_or(7) >= 0 && !record.flag(1)?;
+        self.content.layers.insert(name, on);
+        Ok(())
+    }
+
+    fn entity(&mut self, record: &Record<'_>) -> Result<(), ReadError> {
+        self.source.room(record.place.clone(), self.count, "entities")?;
+        self.count += 1;
+        match (record.kind.as_str(), &mut self.polyline) {
+            ("VERTEX", Some(polyline)) => return polyline.vertex(record),
+            ("SEQEND", _) => {
+                self.end_polyline();
+                return Ok(());
+            }
+            _ => self.end_polyline(),
+        }
+        let paper = record.whole(67)? == Some(1);
+        let invisible = record.whole(60)? == Some(1);
+        let hidden = if paper { Some(NoteKind::PaperIgnored) } else { None };
+        let hidden = hidden.or(invisible.then_some(NoteKind::HiddenIgnored));
+        let layer = record.text(8).map_or_else(|| "0".to_owned(), |name| name.to_lowercase());
+        let place = record.place.clone();
+        if record.kind != "POLYLINE" {
+            let shape = shape(record)?;
+            self.put(Entity { place, layer, hidden, shape });
+            return Ok(());
+        }
+        // 16 and 64 are meshes.
+        let meshed = record.flag(16 | 64)?;
+        let kind = if meshed { NoteKind::SurfacesIgnored } else { NoteKind::PointsIgnored };
+        let (closed, in_space) = (record.flag(1)?, record.flag(8)?);
+        let map = if in_space { Affine3::identity() } else { affine(&record.axes()?) };
+        let entity = Entity { place, layer, hidden, shape: Shape::Ignored(kind) };
+        let (corners, elevation) = (Vec::new(), record.real(30)?.unwrap_or_default());
+        self.polyline = Some(Polyline { entity, corners, closed, in_space, map, elevation });
+        Ok(())
+    }
+
+    fn put(&mut self, entity: Entity) {
+        match &mut self.block {
+            Some((_, block)) => block.entities.push(entity),
+            // Nothing stands between blocks but what belongs to none.
+            None => self.content.entities.push(entity),
+        }
+    }
+
+    /// A polyline without vertices is counted as a point.
+    fn end_polyline(&mut self) {
+        let Some(mut polyline) = self.polyline.take() else { return };
+        let meshed = matches!(polyline.entity.shape, Shape::Ignored(NoteKind::SurfacesIgnored));
+        let outline = if polyline.in_space {
+            Outline::polyline(polyline.corners.iter().map(|(point, _)| *point), polyline.closed)
+        } else {
+            bulged(&polyline.corners, polyline.closed)
+        };
+        if let (false, Some(outline)) = (meshed, outline) {
+            polyline.entity.shape = Shape::Outline(outline.mapped(&polyline.map));
+        }
+        self.put(polyline.entity);
+    }
+
+    fn end_block(&mut self) {
+        if let Some((name, block)) = self.block.take() {
+            self.content.blocks.insert(name, block);
+        }
+    }
+
+    /// # Errors
+    /// [`ReadError::Truncated`] when a section has no end.
+    fn finish(&mut self) -> Result<Content, ReadError> {
+        if let Some((name, place)) = &self.section {
+            let announced = format!("section {name} begins");
+            return Err(self.source.truncated(place.clone(), announced, "it has no ENDSEC".into()));
+        }
+        Ok(std::mem::take(&mut self.content))
+    }
+}
+
+impl Polyline {
+    /// Vertices of 16 steer a curve that others, of 8, follow.
+    fn vertex(&mut self, record: &Record<'_>) -> Result<(), ReadError> {
+        if record.flag(16)? {
+            return Ok(());
+        }
+        let point = record.point(10)?;
+        let z = if self.in_space { point.z } else { self.elevation };
+        self.corners.push((Point3::new(point.x, point.y, z), record.real(42)?.unwrap_or_default()));
+        Ok(())
+    }
+}

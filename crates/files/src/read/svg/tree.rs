@@ -1,0 +1,125 @@
+//! The elements of an SVG file, by id and by line.
+
+use std::borrow::Cow;
+use std::collections::HashMap;
+
+use roxmltree::{Document, Error, Node, ParsingOptions};
+
+use super::super::error::{Place, ReadError};
+use super::super::text::{LIMIT, Source};
+
+/// How many bytes entities may become.
+const MOST_EXPANDED: usize = 64 << 20;
+/// How many entities a file may declare; programs that draw declare a dozen.
+const MOST_ENTITIES: usize = 256;
+/// How many attributes an element may have, by their equals signs; those of a path or a style are a few.
+const MOST_EQUALS: usize = 10_000;
+const HELP: &str = "export the file again as plain SVG, or correct the line";
+
+/// The elements.
+pub(super) struct Tree<'a, 'input> {
+    pub(super) source: Source<'a>,
+    pub(super) document: &'a Document<'input>,
+    by_id: HashMap<&'a str, Node<'a, 'input>>,
+    /// Where each line begins.
+    lines: Vec<usize>,
+}
+
+/// Parses the text. Entities of other files are not resolved, and those within may not grow without end.
+///
+/// # Errors
+/// [`ReadError::Syntax`] with the line, [`ReadError::TooMany`].
+pub(super) fn parse<'input>(text: &'input str, source: Source<'_>) -> Result<Document<'input>, ReadError> {
+    let references = text.bytes().filter(|byte| *byte == b'&').count();
+    if expanded(text).is_none_or(|most| most.saturating_mul(references) > MOST_EXPANDED) {
+        let (file, what) = (source.name.to_owned(), "a text that entities make so long".to_owned());
+        return Err(ReadError::Unsupported { file, place: Place::File, what, help: HELP });
+    }
+    // The parser compares each attribute of an element with all before it.
+    let most = text.split('<').map(|tag| tag.bytes().filter(|byte| *byte == b'=').count()).max();
+    if most.is_some_and(|most| most > MOST_EQUALS) {
+        let what = "attributes of one element";
+        return Err(ReadError::TooMany {
+            file: source.name.to_owned(),
+            place: Place::File,
+            what,
+            limit: MOST_EQUALS,
+        });
+    }
+    let nodes_limit = u32::try_from(LIMIT).unwrap_or(u32::MAX);
+    let options = ParsingOptions { allow_dtd: true, nodes_limit, entity_resolver: None };
+    Document::parse_with_options(text, options).map_err(|error| match error {
+        Error::NodesLimitReached => {
+            let file = source.name.to_owned();
+            ReadError::TooMany { file, place: Place::File, what: "elements", limit: LIMIT }
+        }
+        error => {
+            let place = Place::Line(error.pos().row as usize);
+            source.refused(place, &error, "an XML text with an svg element", HELP)
+        }
+    })
+}
+
+/// How many bytes one reference may become; none where there are too many entities to tell.
+fn expanded(text: &str) -> Option<usize> {
+    let (mut longest, mut nested) = (0, 1);
+    for (k, (at, keyword)) in text.match_indices("<!ENTITY").enumerate() {
+        let rest = &text[at + keyword.len()..];
+        let value = rest.find(['"', '\'']).map_or("", |open| {
+            let (quote, value) = rest[open..].split_at(1);
+            value.split(quote).next().unwrap_or_default()
+        });
+        longest = longest.max(value.len());
+        if value.contains('&') {
+            // The parser stops a reference that holds more.
+            nested = 256;
+        }
+        if k == MOST_ENTITIES {
+            return None;
+        }
+    }
+    Some(longest * nested)
+}
+
+impl<'a, 'input> Tree<'a, 'input> {
+    pub(super) fn new(document: &'a Document<'input>, source: Source<'a>) -> Self {
+        let elements = document.descendants().filter(Node::is_element);
+        // Of elements with one id the first has it.
+        let by_id = elements.rev().filter_map(|node| Some((node.attribute("id")?, node))).collect();
+        let ends = document.input_text().bytes().enumerate().filter(|(_, byte)| *byte == b'\n');
+        let lines = std::iter::once(0).chain(ends.map(|(at, _)| at + 1)).collect();
+        Self { source, document, by_id, lines }
+    }
+
+    pub(super) fn by_id(&self, id: &str) -> Option<Node<'a, 'input>> {
+        self.by_id.get(id).copied()
+    }
+
+    /// The line where an element begins.
+    pub(super) fn place(&self, node: Node<'_, '_>) -> Place {
+        Place::Line(self.lines.partition_point(|&begin| begin <= node.range().start))
+    }
+
+    /// A wrong value of an attribute.
+    pub(super) fn refuse(&self, node: Node<'_, '_>, name: &str, what: &str) -> ReadError {
+        let found = node.attribute(name).unwrap_or_default();
+        let expected = format!("another value of {name} ({what})");
+        self.source.syntax(self.place(node), found, expected, HELP)
+    }
+
+    pub(super) fn unsupported(&self, node: Node<'_, '_>, what: &str, help: &'static str) -> ReadError {
+        let (file, place) = (self.source.name.to_owned(), self.place(node));
+        ReadError::Unsupported { file, place, what: what.to_owned(), help }
+    }
+}
+
+/// A property, from the style attribute or else from one of its own.
+pub(super) fn property<'a>(node: Node<'a, '_>, name: &str) -> Option<Cow<'a, str>> {
+    let in_style = node.attribute("style").and_then(|style| {
+        let mut pairs = style.split(';').filter_map(|pair| pair.split_once(':'));
+        pairs.rfind(|(key, _)| key.trim() == name).map(|(_, value)| value.trim())
+    });
+    in_style
+        .or_else(|| node.attribute(name))
+        .map(|value| value.trim().trim_end_matches("!important").trim().into())
+}
