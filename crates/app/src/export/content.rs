@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use nalgebra::Point3;
 use wirebend_core::bend::Step;
 use wirebend_core::units::{Angle, Length};
-use wirebend_files::write::Mark;
+use wirebend_files::write::{Mark, PictureWire};
 
 use super::{ExportRequest, is_job, open_job};
 use crate::drivers::Stages;
@@ -37,6 +37,10 @@ impl Wire {
         }
     }
 
+    pub fn picture(&self) -> PictureWire {
+        PictureWire { points: self.path.clone(), doubled: self.doubled.clone() }
+    }
+
     pub fn bend_count(&self) -> usize {
         self.nominal.iter().filter(|step| step.bend != Angle::ZERO).count()
     }
@@ -54,7 +58,7 @@ pub(super) struct Content {
     pub notes: Vec<NoteReport>,
     pub feasible: bool,
     /// What the checks say; a job was feasible, or its maker knew.
-    report: Option<Box<PlanReport>>,
+    pub report: Option<Box<PlanReport>>,
 }
 
 impl Content {

@@ -20,11 +20,28 @@ pub enum ExportFormat {
     Obj,
     /// The bent wire as a surface.
     ObjTube,
+    /// Template at 1:1 for a browser or a cutter.
+    TemplateSvg,
+    /// Template at 1:1 for CAD.
+    TemplateDxf,
+    /// Template at 1:1 on pages to print.
+    TemplatePdf,
+    /// What a person takes to the machine.
+    JobSheet,
 }
 
 impl ExportFormat {
     /// Every format.
-    pub const ALL: [Self; 4] = [Self::Svg, Self::Png, Self::Obj, Self::ObjTube];
+    pub const ALL: [Self; 8] = [
+        Self::Svg,
+        Self::Png,
+        Self::Obj,
+        Self::ObjTube,
+        Self::TemplateSvg,
+        Self::TemplateDxf,
+        Self::TemplatePdf,
+        Self::JobSheet,
+    ];
 
     /// The name in profiles and on the command line.
     #[must_use]
@@ -34,6 +51,22 @@ impl ExportFormat {
             Self::Png => "png",
             Self::Obj => "obj",
             Self::ObjTube => "obj-tube",
+            Self::TemplateSvg => "template-svg",
+            Self::TemplateDxf => "template-dxf",
+            Self::TemplatePdf => "template-pdf",
+            Self::JobSheet => "job-sheet",
+        }
+    }
+
+    /// How the names of its files end.
+    #[must_use]
+    pub const fn extension(self) -> &'static str {
+        match self {
+            Self::Svg | Self::TemplateSvg => "svg",
+            Self::Png => "png",
+            Self::Obj | Self::ObjTube => "obj",
+            Self::TemplateDxf => "dxf",
+            Self::TemplatePdf | Self::JobSheet => "pdf",
         }
     }
 

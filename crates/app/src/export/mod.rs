@@ -3,6 +3,9 @@
 mod by_driver;
 mod content;
 mod format;
+mod print;
+mod sheet;
+mod template;
 
 use std::path::{Path, PathBuf};
 
@@ -11,7 +14,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use wirebend_core::units::Length;
 use wirebend_files::document::Job;
-use wirebend_files::write::{self, PictureWire};
+use wirebend_files::write;
 
 use crate::design::DesignInput;
 use crate::output::Output;
@@ -22,6 +25,7 @@ use crate::{App, AppError, Progress};
 use content::{Content, Wire};
 use format::Chosen;
 pub use format::ExportFormat;
+use print::Print;
 
 /// What to export.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -32,7 +36,8 @@ pub struct ExportRequest {
     pub choices: PlanChoices,
     /// The format; absent, the machine's default.
     pub format: Option<String>,
-    /// Settings of the driver that writes the format, over those of the machine's profile.
+    /// Settings of the driver that writes the format, over those of the machine's profile; or of what is printed: its
+    /// `paper` (`a4` or `letter`), and the `date` on a job sheet instead of today's.
     #[serde(default)]
     pub settings: Map<String, Value>,
     /// Where it goes; absent, it is returned. Several wires go to files with numbers.
@@ -82,8 +87,10 @@ pub(crate) fn export(
     }
     let (format, driver) = (chosen.id().to_owned(), chosen.driver_id().map(str::to_owned));
     let contents = match chosen {
-        Chosen::BuiltIn(format) if request.settings.is_empty() => vec![encode(&mut content, format)?],
-        Chosen::BuiltIn(format) => return Err(AppError::NoSettings { format: format.id() }),
+        Chosen::BuiltIn(format) => {
+            let print = Print::asked(format, &request.settings)?;
+            vec![encode(&mut content, format, &print)?]
+        }
         Chosen::Driver(driver, format) => {
             by_driver::encode(&mut content, *driver, &format, &request.settings)?
         }
@@ -142,30 +149,51 @@ fn numbered(path: &Path, index: usize, count: usize) -> PathBuf {
     path.with_file_name(name)
 }
 
-fn encode(content: &mut Content, format: ExportFormat) -> Result<Vec<u8>, AppError> {
-    let setup = &content.setup;
-    if matches!(format, ExportFormat::Obj | ExportFormat::ObjTube) {
-        // A hundredth of the wire's diameter cannot be seen.
-        let diameter = setup.model.wire.diameter;
-        let chord = Length::from_mm(diameter.mm() / 100.0).unwrap_or_default();
-        let lines: Vec<_> = content
-            .wires
-            .iter()
-            .map(|wire| write::centreline(&wire.path, setup.model.bend_radius, chord))
-            .collect();
-        let tightened: usize = lines.iter().map(|line| line.tightened.len()).sum();
-        let radius = Length::from_mm(diameter.mm() / 2.0).unwrap_or_default();
-        let tube = (format == ExportFormat::ObjTube).then_some(write::Tube { radius, sides: 12 });
-        let text = write::obj(&lines, tube);
-        if tightened > 0 {
-            content.notes.push(NoteReport {
-                code: "bends-tightened".into(),
-                count: tightened,
-                message: format!("{tightened} bends are drawn tighter than the machine makes them: their edges are too short"),
-            });
+fn encode(content: &mut Content, format: ExportFormat, print: &Print) -> Result<Vec<u8>, AppError> {
+    match format {
+        ExportFormat::Obj | ExportFormat::ObjTube => Ok(model(content, format == ExportFormat::ObjTube)),
+        ExportFormat::TemplateSvg | ExportFormat::TemplateDxf | ExportFormat::TemplatePdf => {
+            template::encode(content, format, print)
         }
-        return Ok(text.into_bytes());
+        ExportFormat::JobSheet => Ok(sheet::encode(content, print)),
+        ExportFormat::Svg | ExportFormat::Png => picture(content, format == ExportFormat::Png),
     }
+}
+
+/// The bent wire in space, as lines or with its surface.
+fn model(content: &mut Content, tube: bool) -> Vec<u8> {
+    let setup = &content.setup;
+    let diameter = setup.model.wire.diameter;
+    let chord = chord(diameter);
+    let lines: Vec<_> = content
+        .wires
+        .iter()
+        .map(|wire| write::centreline(&wire.path, setup.model.bend_radius, chord))
+        .collect();
+    let tightened: usize = lines.iter().map(|line| line.tightened.len()).sum();
+    let radius = Length::from_mm(diameter.mm() / 2.0).unwrap_or_default();
+    let text = write::obj(&lines, tube.then_some(write::Tube { radius, sides: 12 }));
+    content.notes.extend(bends_tightened(tightened));
+    text.into_bytes()
+}
+
+/// How far a chord may leave an arc: a hundredth of the wire's diameter cannot be seen.
+fn chord(diameter: Length) -> Length {
+    Length::from_mm(diameter.mm() / 100.0).unwrap_or_default()
+}
+
+fn bends_tightened(count: usize) -> Option<NoteReport> {
+    (count > 0).then(|| NoteReport {
+        code: "bends-tightened".into(),
+        count,
+        message: format!(
+            "{count} bends are drawn tighter than the machine makes them: their edges are too short"
+        ),
+    })
+}
+
+fn picture(content: &mut Content, png: bool) -> Result<Vec<u8>, AppError> {
+    let setup = &content.setup;
     let caption = Caption {
         title: content.title.clone(),
         machine: setup.machine_name().to_owned(),
@@ -173,10 +201,9 @@ fn encode(content: &mut Content, format: ExportFormat) -> Result<Vec<u8>, AppErr
         length: content.wires.iter().flat_map(|wire| &wire.nominal).map(|step| step.feed).sum(),
         bends: content.wires.iter().map(Wire::bend_count).sum(),
     };
-    let wire = |wire: &Wire| PictureWire { points: wire.path.clone(), doubled: wire.doubled.clone() };
-    let wires = content.wires.iter().map(wire).collect();
+    let wires = content.wires.iter().map(Wire::picture).collect();
     let drawing = picture::draw(caption, wires, Vec::new(), std::mem::take(&mut content.marks));
-    if format == ExportFormat::Svg {
+    if !png {
         return Ok(drawing.into_bytes());
     }
     let (pixels, has_fonts) = picture::png(&drawing)?;

@@ -16,6 +16,7 @@ mod gcode_files;
 mod kit_text;
 mod planned;
 mod points;
+mod printed;
 mod scripts;
 mod serial_words;
 mod signs;

@@ -16,12 +16,14 @@ mod dxf;
 mod errors;
 mod meshes;
 mod models;
+mod pdf_files;
 mod pictures;
 mod programs;
 mod real_files;
 mod round_trips;
 mod svg;
 mod tables;
+mod templates;
 
 use std::path::PathBuf;
 

@@ -130,7 +130,7 @@ pub(super) fn px(value: f64) -> String {
 }
 
 /// Text inside XML; what XML cannot hold becomes a replacement character.
-pub(super) fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {
         match c {

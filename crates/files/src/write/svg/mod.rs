@@ -9,10 +9,11 @@ mod wire;
 use nalgebra::Point3;
 use wirebend_core::units::Length;
 
+pub(super) use element::escape;
 pub use view::View;
+pub(super) use view::{Projection, is_finite};
 
 use element::Page;
-use view::Projection;
 
 /// What is drawn, in mm.
 #[derive(Debug, Clone, PartialEq)]

@@ -39,10 +39,10 @@ impl View {
 }
 
 /// A part of the page: left, top, right, bottom.
-pub(super) type Area = [f64; 4];
+pub(crate) type Area = [f64; 4];
 
 /// A parallel projection that fits everything into an area.
-pub(super) struct Projection {
+pub(crate) struct Projection {
     pub(super) view: View,
     /// Pixels a millimetre in the plane of the page.
     pub(super) scale: f64,
@@ -54,7 +54,7 @@ pub(super) struct Projection {
 
 impl Projection {
     /// `None` when there is no finite point. A single point is put in the middle.
-    pub(super) fn fit(view: View, points: impl Iterator<Item = Point3<f64>>, area: Area) -> Option<Self> {
+    pub(crate) fn fit(view: View, points: impl Iterator<Item = Point3<f64>>, area: Area) -> Option<Self> {
         let axes = view.axes();
         let mut least = [f64::INFINITY; 3];
         let mut most = [f64::NEG_INFINITY; 3];
@@ -81,7 +81,7 @@ impl Projection {
     }
 
     /// The place of a point on the page.
-    pub(super) fn at(&self, point: Point3<f64>) -> [f64; 2] {
+    pub(crate) fn at(&self, point: Point3<f64>) -> [f64; 2] {
         let along = |k: usize| (self.axes[k].dot(&point.coords) - self.centre[k]) * self.scale;
         [self.middle[0] + along(0), self.middle[1] - along(1)]
     }
@@ -99,6 +99,6 @@ impl Projection {
     }
 }
 
-pub(super) fn is_finite(point: &Point3<f64>) -> bool {
+pub(crate) fn is_finite(point: &Point3<f64>) -> bool {
     point.coords.iter().all(|c| c.is_finite())
 }

@@ -1,0 +1,59 @@
+//! The table of steps.
+
+use super::flow::{Flow, SMALL};
+use super::{Pen, SheetStep, Type, fixed};
+
+const ROW: f64 = 4.4;
+const LETTERS: Type = Type { size: 3.0, bold: false, grey: 0.0 };
+/// Where the columns end, as fractions of the width: number, three as designed, three as told, and what has run.
+const ENDS: [f64; 8] = [0.06, 0.20, 0.33, 0.46, 0.61, 0.74, 0.87, 1.0];
+const NAMES: [&str; 8] = ["n", "feed mm", "rotate °", "bend °", "feed mm", "rotate °", "bend °", "run mm"];
+
+/// Every step, with the names of the columns on each page.
+pub(super) fn table(flow: &mut Flow, heading: &str, steps: &[SheetStep]) {
+    flow.heading(heading, 2.0 * ROW + 6.0);
+    flow.text("Feed, then rotate, then bend; counted from 0, as the checks count. Rotations and bends that the machine is told are in its own signs; what has run is the wire that has been fed after the step.", SMALL);
+    flow.gap(1.0);
+    names(flow);
+    let mut run = 0.0;
+    for (index, step) in steps.iter().enumerate() {
+        if !flow.fits(ROW) {
+            flow.next_page();
+            names(flow);
+        }
+        run += step.told.unwrap_or(step.designed)[0];
+        let three = |values: [f64; 3]| values.map(|value| fixed(value, 3));
+        let designed = three(step.designed);
+        let told = step.told.map_or_else(|| ["–", "–", "–"].map(str::to_owned), three);
+        let mut cells = vec![index.to_string()];
+        cells.extend(designed);
+        cells.extend(told);
+        cells.push(fixed(run, 3));
+        let [left, bottom, right, top] = flow.take(ROW);
+        if index % 2 == 1 {
+            flow.page().fill([left, bottom, right, top], 0.95);
+        }
+        for (cell, end) in cells.iter().zip(ENDS) {
+            let x = left + (right - left) * end - 1.0;
+            flow.page().text_to([x, bottom + 1.2], cell, LETTERS);
+        }
+    }
+}
+
+fn names(flow: &mut Flow) {
+    let [left, bottom, right, _] = flow.take(2.0 * ROW);
+    let kind = LETTERS.bold();
+    let at = |end: f64| left + (right - left) * end - 1.0;
+    for (group, first, last) in [("as designed", 0, 3), ("as told to the machine", 3, 6)] {
+        flow.page().text_to([at(ENDS[last]), bottom + ROW + 1.0], group, SMALL);
+        flow.page().line(
+            [at(ENDS[first]) + 3.0, bottom + ROW],
+            [at(ENDS[last]), bottom + ROW],
+            Pen::new(0.15, 0.6),
+        );
+    }
+    for (name, end) in NAMES.into_iter().zip(ENDS) {
+        flow.page().text_to([at(end), bottom + 1.0], name, kind);
+    }
+    flow.page().line([left, bottom], [right, bottom], Pen::new(0.2, 0.0));
+}
