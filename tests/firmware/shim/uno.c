@@ -114,6 +114,8 @@ struct uno *uno_new(const char *elf)
 	return uno;
 }
 
+#define SLEEP 0x9588 /* the instruction */
+
 static void after_reset(struct uno *uno, uint8_t mcusr)
 {
 	/* Step pins are INT0 and INT1: while one is low, simavr would look at it every cycle. */
@@ -157,7 +159,12 @@ int uno_run_until(struct uno *uno, uint64_t cycle)
 		int watchdog = avr->run != uno->run;
 		uint8_t mcusr = avr->data[REG_MCUSR];
 		uint32_t pc = avr->pc;
+		uint64_t before = avr->cycle;
+		/* The run that falls asleep jumps as far as it sleeps, and may wake up in it. */
+		int slept = avr->state == cpu_Sleeping || (avr->flash[pc] | avr->flash[pc + 1] << 8) == SLEEP;
 		int state = avr_run(avr);
+		if (slept)
+			uno->asleep += avr->cycle - before;
 		if (watchdog) {
 			uno->watchdog_resets++;
 			after_reset(uno, mcusr | WDRF);
@@ -184,6 +191,7 @@ uint64_t uno_cycle(const struct uno *uno) { return uno->avr->cycle; }
 uint32_t uno_crashed_at(const struct uno *uno) { return uno->crashed_at; }
 uint64_t uno_overruns(const struct uno *uno) { return uno->overruns; }
 uint64_t uno_lost_sending(const struct uno *uno) { return uno->lost_sending; }
+uint64_t uno_asleep(const struct uno *uno) { return uno->asleep; }
 uint64_t uno_watchdog_resets(const struct uno *uno) { return uno->watchdog_resets; }
 uint8_t *uno_data(struct uno *uno) { return uno->avr->data; }
 struct vector_time uno_vector_time(const struct uno *uno, uint8_t v) { return uno->vector[v].time; }

@@ -29,7 +29,7 @@ struct uno {
 	elf_firmware_t elf;
 	struct list pins, sent, wire;
 	size_t wire_next;
-	uint64_t sending_until /* cycle */, overruns, lost_sending, watchdog_resets;
+	uint64_t sending_until /* cycle */, overruns, lost_sending, watchdog_resets, asleep /* cycles */;
 	uint8_t input_mask[PORTS], input_level[PORTS], shown[PORTS];
 	uint32_t crashed_at; /* byte address */
 	uint8_t oc2a;

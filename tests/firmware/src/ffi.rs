@@ -48,6 +48,7 @@ unsafe extern "C" {
     fn uno_crashed_at(uno: *const Shim) -> u32;
     fn uno_overruns(uno: *const Shim) -> u64;
     fn uno_lost_sending(uno: *const Shim) -> u64;
+    fn uno_asleep(uno: *const Shim) -> u64;
     fn uno_watchdog_resets(uno: *const Shim) -> u64;
     fn uno_data(uno: *mut Shim) -> *mut u8;
     fn uno_vector_time(uno: *const Shim, vector: u8) -> ShimTime;
@@ -134,6 +135,11 @@ impl Controller {
     pub(crate) fn lost_sending(&self) -> u64 {
         // SAFETY: see `reset`.
         unsafe { uno_lost_sending(self.0.as_ptr()) }
+    }
+
+    pub(crate) fn asleep(&self) -> u64 {
+        // SAFETY: see `reset`.
+        unsafe { uno_asleep(self.0.as_ptr()) }
     }
 
     pub(crate) fn watchdog_resets(&self) -> u64 {

@@ -199,6 +199,12 @@ impl Uno {
         self.controller.lost_sending()
     }
 
+    /// Cycles that it has slept since the first power-on.
+    #[must_use]
+    pub fn asleep(&self) -> u64 {
+        self.controller.asleep()
+    }
+
     /// Every change of an output on ports B, C and D since the last call, in the order of time.
     pub fn pins(&mut self) -> Vec<PinChange> {
         self.controller.take_pins()

@@ -118,3 +118,21 @@ fn the_step_interrupt() {
     assert!(to_pulse < 160, "{to_pulse} cycles to the pulse");
     assert!(talk.table.board.uno.overruns() == 0 && whole < 10 * MS);
 }
+
+/// A controller that waits takes no power for it, and is simulated fast.
+#[test]
+fn a_controller_that_has_nothing_to_do_sleeps() {
+    let mut talk = Talk::<Avr>::homed();
+    for (doing, least_percent) in [("nothing", 95), ("a line", 50)] {
+        if doing == "a line" {
+            talk.say("M2,6000,0,0");
+        }
+        let uno = &talk.table.board.uno;
+        let (begun, slept) = (uno.cycle(), uno.asleep());
+        talk.wait(500);
+        let uno = &talk.table.board.uno;
+        let percent = (uno.asleep() - slept) * 100 / (uno.cycle() - begun);
+        println!("{doing}: asleep {percent} % of the time");
+        assert!(percent >= least_percent, "{doing}: {percent} %");
+    }
+}
