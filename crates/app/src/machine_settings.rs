@@ -6,7 +6,7 @@ use wirebend_driver_host::SessionError;
 use wirebend_driver_host::api::{Capability, Event, SettingCheck};
 
 use crate::drivers::Signs;
-use crate::live::{At, Yes};
+use crate::live::{At, Unnamed, Yes};
 use crate::report::NoteReport;
 use crate::{App, AppError, LiveProblem, Progress};
 
@@ -54,7 +54,7 @@ pub(crate) fn machine_settings(
     let signs = Signs::of(&machine.figures()?);
     let port = request.port.as_deref();
     // A simulated machine is set as its profile says: there is nothing to compare.
-    let at = At { profile: &machine.profile, signs, port, or_simulated: false, token: None };
+    let at = At { profile: &machine.profile, signs, port, unnamed: Unnamed::Refuse, token: None };
     let mut connection = app.connect(&at, progress)?;
     let description = connection.session.driver().description();
     if request.write && !description.can(Capability::Settings) {

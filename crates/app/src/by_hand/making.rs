@@ -6,7 +6,7 @@ use wirebend_profile::{MachineProfile, Resolved};
 
 use super::{Hand, JogResponse, Move};
 use crate::drivers::Signs;
-use crate::live::{At, Connection, Yes, stop_of};
+use crate::live::{At, Connection, Unnamed, Yes, stop_of};
 use crate::run::RunProblem;
 use crate::{App, AppError, LiveProblem, Progress};
 
@@ -23,7 +23,8 @@ pub(super) fn make(
     progress: &dyn Progress,
 ) -> Result<JogResponse, AppError> {
     let signs = Signs::of(&machine.figures()?);
-    let at = At { profile: &machine.profile, signs, port: hand.port, or_simulated: true, token: None };
+    let at =
+        At { profile: &machine.profile, signs, port: hand.port, unnamed: Unnamed::Simulate, token: None };
     let mut connection = app.connect(&at, progress)?;
     let description = connection.session.driver().description();
     for (needed, capability) in [

@@ -23,10 +23,21 @@ pub(crate) struct At<'a> {
     pub profile: &'a MachineProfile,
     pub signs: Signs,
     pub port: Option<&'a str>,
-    /// Where no port is named, the machine that its driver simulates is taken.
-    pub or_simulated: bool,
+    /// What to do where no port is named.
+    pub unnamed: Unnamed<'a>,
     /// The token of an earlier arming.
     pub token: Option<&'a str>,
+}
+
+/// What to do where no port is named.
+#[derive(Clone, Copy)]
+pub(crate) enum Unnamed<'a> {
+    /// A person has to name one.
+    Refuse,
+    /// The machine that the driver simulates is taken, if it has one.
+    Simulate,
+    /// The same where the wire was begun on it: a wire of a real machine is not finished by another.
+    SimulateAgain(&'a str),
 }
 
 /// A machine that has answered, and who hears of it.
@@ -72,7 +83,7 @@ impl App {
         }
         let port = match at.port {
             Some(port) => port.to_owned(),
-            None => port_of_simulated(&driver, at.or_simulated)?,
+            None => port_of_simulated(&driver, at.unnamed)?,
         };
         let bytes = at.profile.driver.stop_bytes.clone().unwrap_or_default();
         // The driver tells better what is wrong with a port.
@@ -94,9 +105,13 @@ impl App {
     }
 }
 
-fn port_of_simulated(driver: &OpenDriver, or_simulated: bool) -> Result<String, AppError> {
+fn port_of_simulated(driver: &OpenDriver, unnamed: Unnamed) -> Result<String, AppError> {
     let listed = if driver.description().can(Capability::Ports) { driver.ports()? } else { Vec::new() };
-    let simulated = listed.iter().find(|port| port.simulated && or_simulated);
+    let simulated = listed.iter().find(|port| match unnamed {
+        Unnamed::Refuse => false,
+        Unnamed::Simulate => port.simulated,
+        Unnamed::SimulateAgain(begun_at) => port.simulated && port.name == begun_at,
+    });
     if let Some(port) = simulated {
         return Ok(port.name.clone());
     }

@@ -5,7 +5,7 @@ mod news;
 mod person;
 mod problem;
 
-pub(crate) use connect::{At, Connection, Hearing, PAUSE, home, stop_of};
+pub(crate) use connect::{At, Connection, Hearing, PAUSE, Unnamed, home, stop_of};
 pub use news::{Decision, Doubt, News};
 pub(crate) use person::Yes;
 pub use problem::LiveProblem;

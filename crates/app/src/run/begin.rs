@@ -6,7 +6,7 @@ use super::about::about;
 use super::making::{Making, Watch};
 use super::report::{LeftBecause, RunOutcome, RunResponse};
 use super::task::Task;
-use crate::live::{Connection, Yes};
+use crate::live::{Connection, Unnamed, Yes};
 use crate::{AppError, LiveProblem};
 
 impl Task<'_> {
@@ -14,7 +14,7 @@ impl Task<'_> {
     pub fn begin(&self) -> Result<RunResponse, AppError> {
         let wanted = self.wanted();
         wanted.iter().try_for_each(|&wire| self.require_clear(wire))?;
-        let mut connection = self.app.connect(&self.at(None), self.progress)?;
+        let mut connection = self.app.connect(&self.at(None, Unnamed::Simulate), self.progress)?;
         connection.require_settings(self.setup.machine_id(), self.request.accept_settings)?;
         let mut response = self.response();
         response.port = Some(connection.port.clone());

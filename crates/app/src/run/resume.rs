@@ -9,7 +9,7 @@ use super::about::about;
 use super::making::{Making, Watch};
 use super::report::{RunOutcome, RunResponse};
 use super::task::Task;
-use crate::live::{Connection, Yes};
+use crate::live::{Connection, Unnamed, Yes};
 use crate::runs::Kept;
 use crate::{AppError, Decision, Doubt, LiveProblem};
 
@@ -23,8 +23,11 @@ impl Task<'_> {
         let Some((wire, kept)) = self.interrupted(&mut response)? else { return Ok(response) };
         // From here on nobody else has it.
         let journal = Journal::open(&kept.path).map_err(LiveProblem::from)?;
-        let token = kept.read.ok().and_then(|written| written.account.token);
-        let mut connection = self.app.connect(&self.at(token.as_deref()), self.progress)?;
+        let account = kept.read.ok().map(|written| written.account);
+        let token = account.as_ref().and_then(|account| account.token.as_deref());
+        let begun_at = account.as_ref().map_or("", |account| account.heading.port.as_str());
+        let at = self.at(token, Unnamed::SimulateAgain(begun_at));
+        let mut connection = self.app.connect(&at, self.progress)?;
         connection.require_settings(self.setup.machine_id(), self.request.accept_settings)?;
         response.port = Some(connection.port.clone());
         response.identity = Some(connection.session.identity().to_owned());

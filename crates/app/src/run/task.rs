@@ -10,7 +10,7 @@ use super::report::{RunOutcome, RunResponse, WireRun};
 use crate::design::Input;
 use crate::drivers::work;
 use crate::export::open_job;
-use crate::live::At;
+use crate::live::{At, Unnamed};
 use crate::machine::{Setup, objections, restored};
 use crate::output::Output;
 use crate::report::NoteReport;
@@ -63,12 +63,12 @@ impl<'a> Task<'a> {
     }
 
     /// The machine of the job.
-    pub fn at<'b>(&'b self, token: Option<&'b str>) -> At<'b> {
+    pub fn at<'b>(&'b self, token: Option<&'b str>, unnamed: Unnamed<'b>) -> At<'b> {
         At {
             profile: &self.setup.machine.profile,
             signs: self.setup.signs,
             port: self.request.port.as_deref(),
-            or_simulated: true,
+            unnamed,
             token,
         }
     }

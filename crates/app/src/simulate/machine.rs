@@ -5,7 +5,7 @@ use wirebend_driver_host::{Purpose, State};
 use wirebend_files::document::Job;
 
 use crate::drivers::{opened, work};
-use crate::live::{At, Connection, Yes};
+use crate::live::{At, Connection, Unnamed, Yes};
 use crate::machine::Setup;
 use crate::report::NoteReport;
 use crate::simulate::KeptWire;
@@ -42,7 +42,7 @@ impl<'a> Simulator<'a> {
             return Ok(None);
         }
         drop(driver);
-        let at = At { profile, signs: setup.signs, port: Some(PORT), or_simulated: false, token: None };
+        let at = At { profile, signs: setup.signs, port: Some(PORT), unnamed: Unnamed::Refuse, token: None };
         Ok(Some(Self { connection: app.connect(&at, &NoProgress)?, setup }))
     }
 

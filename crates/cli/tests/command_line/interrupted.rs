@@ -7,6 +7,7 @@ use std::process::{Child, ChildStderr, Command, Stdio};
 
 use rustix::process::{Pid, Signal, kill_process};
 use serde_json::{Value, json};
+use wirebend_journal::Log;
 
 use crate::runs::Shop;
 use crate::{assert_fits, wirebend};
@@ -203,4 +204,31 @@ fn a_wire_that_is_being_made_is_left_alone() {
     }
     going.send(Signal::INT);
     assert_eq!(going.end().0, Some(130));
+}
+
+/// Half of a wire that lies in a real machine is not finished by a simulated one.
+#[test]
+fn a_wire_goes_on_where_it_was_begun_or_where_a_person_says() {
+    let shop = Shop::cube();
+    let mut going = Going::start(&shop, &RUN);
+    going.until("step 2 of 8 is made");
+    going.send(Signal::KILL);
+    going.end();
+    // It was begun on a simulated machine, and so it may go on there.
+    let asked = shop.run(&["run", "a.wbjob", "--yes", "--resume"]).ended(2).err;
+    assert!(asked.contains("--resume=made"), "{asked}");
+    // Were it begun at a real one, somebody would have to name that.
+    let journal = shop.journal();
+    let text = std::fs::read_to_string(&journal).unwrap();
+    std::fs::remove_file(&journal).unwrap();
+    let mut lines = text.lines().map(|line| serde_json::from_str::<Value>(line).unwrap()["entry"].clone());
+    let mut heading = lines.next().unwrap();
+    heading["port"] = json!("/dev/ttyACM0");
+    let mut log = Log::create(&journal, &heading.to_string()).unwrap();
+    lines.for_each(|entry| log.add(&entry.to_string()).unwrap());
+    drop(log);
+    let before = std::fs::read(&journal).unwrap();
+    let refused = shop.run(&["run", "a.wbjob", "--yes", "--resume=made"]).ended(2).err;
+    assert!(refused.contains("say with --port where the machine is"), "{refused}");
+    assert_eq!(std::fs::read(&journal).unwrap(), before, "nothing was decided");
 }
