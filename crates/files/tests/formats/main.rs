@@ -13,6 +13,7 @@ mod broken_models;
 mod documents;
 mod drawn;
 mod dxf;
+mod dxf_splines;
 mod errors;
 mod meshes;
 mod models;
