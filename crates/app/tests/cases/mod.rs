@@ -91,21 +91,29 @@ impl Case {
     }
 }
 
-/// Has a design or a job written, with settings for the driver, although checks may object.
+/// Has a design or a job written, with settings for the format, although checks may object.
 pub fn export(
     design: DesignInput,
     choices: PlanChoices,
     format: &str,
     settings: &Value,
 ) -> Result<ExportResponse, AppError> {
-    let request = ExportRequest {
+    exported(ExportRequest { despite_errors: true, ..asked(design, choices, format, settings) })
+}
+
+/// A request for what checks do not object to.
+pub fn asked(design: DesignInput, choices: PlanChoices, format: &str, settings: &Value) -> ExportRequest {
+    ExportRequest {
         design,
         choices,
         format: Some(format.to_owned()),
         settings: settings.as_object().cloned().unwrap_or_else(Map::new),
         output: None,
-        despite_errors: true,
-    };
+        despite_errors: false,
+    }
+}
+
+pub fn exported(request: ExportRequest) -> Result<ExportResponse, AppError> {
     match run(&Request::Export(request))? {
         Response::Export(found) => Ok(*found),
         other => panic!("an export answered {other:?}"),

@@ -2,8 +2,7 @@
 
 use serde_json::{Value, json};
 use wirebend_app::{
-    App, AppError, DesignInput, ExportFormat, ExportRequest, ExportResponse, Input, NoProgress, PlanChoices,
-    PlanRequest, Request, Response,
+    AppError, DesignInput, ExportFormat, ExportResponse, Input, PlanChoices, PlanRequest, Request, Response,
 };
 use wirebend_core::bend::Step;
 use wirebend_files::document::Job;
@@ -15,29 +14,13 @@ const MACHINE: &str = "table-bender";
 const RADIUS_MM: f64 = 4.5;
 const PRINTED: [&str; 4] = ["template-svg", "template-dxf", "template-pdf", "job-sheet"];
 
-fn run(request: &Request) -> Result<Response, AppError> {
-    thread_local!(static APP: App = App::new(&[]).unwrap());
-    APP.with(|app| app.run(request, &NoProgress))
-}
-
 fn printed(
     design: DesignInput,
     choices: PlanChoices,
     format: &str,
     settings: &Value,
 ) -> Result<ExportResponse, AppError> {
-    let request = ExportRequest {
-        design,
-        choices,
-        format: Some(format.to_owned()),
-        settings: settings.as_object().cloned().unwrap_or_default(),
-        output: None,
-        despite_errors: false,
-    };
-    match run(&Request::Export(request))? {
-        Response::Export(found) => Ok(*found),
-        other => panic!("{other:?}"),
-    }
+    cases::exported(cases::asked(design, choices, format, settings))
 }
 
 fn house(format: &str, settings: &Value) -> Result<ExportResponse, AppError> {
@@ -55,7 +38,7 @@ fn designed(case: &Case) -> Vec<Vec<Step>> {
         make_job,
         despite_errors,
     };
-    let Ok(Response::Plan(found)) = run(&Request::Plan(request)) else { panic!("no plan") };
+    let Ok(Response::Plan(found)) = cases::run(&Request::Plan(request)) else { panic!("no plan") };
     let job = Job::open(&found.contents, "job").unwrap();
     let steps = |wire: &wirebend_files::document::JobWire| {
         wire.nominal.iter().map(|&step| Step::try_from(step).unwrap()).collect()
@@ -143,7 +126,7 @@ fn a_job_is_printed_like_its_design() {
         make_job: true,
         despite_errors: false,
     };
-    let Ok(Response::Plan(plan)) = run(&Request::Plan(request)) else { panic!("no plan") };
+    let Ok(Response::Plan(plan)) = cases::run(&Request::Plan(request)) else { panic!("no plan") };
     let job = DesignInput {
         input: Input::Bytes { name: "house.wbjob".into(), bytes: plan.contents },
         ..DesignInput::file(cases::root())
