@@ -83,16 +83,7 @@ fn every_part_is_written_down() {
         document.set_notes("a\n\"b\"\u{2028}".into()),
         document.set_units(LengthUnit::Inch),
     ] {
-        let part = part.unwrap();
-        all = DocumentChange {
-            wireframe: all.wireframe,
-            stencil: all.stencil.or(part.stencil),
-            machine: all.machine.or(part.machine),
-            material: all.material.or(part.material),
-            notes: all.notes.or(part.notes),
-            units: all.units.or(part.units),
-            ..all
-        };
+        all = all.and(part.unwrap());
     }
     let text = all.to_json().unwrap();
     assert!(!text.contains('\n'));

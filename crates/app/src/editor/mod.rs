@@ -219,15 +219,8 @@ impl Editor {
             }
             EditRequest::Machine { machine, material } => {
                 let (machine, material) = snapshots(&app.setup(machine, material.as_deref())?)?;
-                let changed = document.set_material(material).map(|change| change.material);
-                let change = document.set_machine(machine);
-                match (change, changed.flatten()) {
-                    (Some(change), material) => Some(DocumentChange { material, ..change }),
-                    (None, material) => material.map(|material| DocumentChange {
-                        material: Some(material),
-                        ..DocumentChange::of_wireframe(self.unchanged())
-                    }),
-                }
+                let parts = [document.set_machine(machine), document.set_material(material)];
+                parts.into_iter().flatten().reduce(DocumentChange::and)
             }
             EditRequest::Notes { text } => document.set_notes(text.clone()),
             EditRequest::Units { units } => document.set_units(*units),

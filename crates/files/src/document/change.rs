@@ -51,6 +51,14 @@ macro_rules! parts {
                 Self { wireframe: self.wireframe.inverse(), $($part: back(self.$part.as_deref()),)* }
             }
 
+            /// The same with the parts of another change that it leaves as they are. Both are for the same document, and
+            /// one at most changes its wireframe.
+            #[must_use]
+            pub fn and(self, other: Self) -> Self {
+                let wireframe = if self.wireframe.is_empty() { other.wireframe } else { self.wireframe };
+                Self { wireframe, $($part: self.$part.or(other.$part),)* }
+            }
+
             /// Whether nothing changes.
             #[must_use]
             pub fn is_empty(&self) -> bool {
