@@ -21,7 +21,8 @@ use task::Task;
 pub struct RunRequest {
     /// The job.
     pub job: Input,
-    /// Where the machine is; absent, the machine that its driver simulates is taken, if it has one.
+    /// Where the machine is; absent, the machine that its driver simulates is taken, if it has one. A wire goes on
+    /// there only where it was begun on it.
     pub port: Option<String>,
     /// Index of the one wire to make, from 0; absent, all of them.
     pub wire: Option<usize>,
