@@ -36,6 +36,7 @@ mod position;
 mod profile;
 mod resolve;
 mod schema;
+mod shape;
 mod shipped;
 mod sourced;
 
@@ -57,4 +58,5 @@ pub use noise::{AngleError, LengthError, NoiseProfile, NoiseTag, RatioError};
 pub use profile::{Profile, to_text};
 pub use resolve::Resolved;
 pub use schema::{schema, schema_files};
+pub use shape::{Part, Shape, Solid};
 pub use sourced::{Reference, Sign, Sourced};

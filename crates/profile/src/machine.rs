@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
 use crate::profile::{is_default, layer};
+use crate::shape::Shape;
 use crate::sourced::{Reference, Sign, Sourced};
 
 /// The `kind` of a machine profile.
@@ -78,6 +79,9 @@ pub struct MachineProfile {
     /// Time model beyond the rates of the axes.
     #[serde(default, skip_serializing_if = "is_default")]
     pub time: Time,
+    /// What the machine looks like, and what a wire can hit.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shapes: Option<Vec<Shape>>,
     /// Id of the noise profile that simulations of this machine use.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub error: Option<String>,

@@ -64,6 +64,7 @@ impl Profile for MachineProfile {
         self.sign_faults(&mut faults);
         self.peg_faults(&mut faults);
         self.id_faults(&mut faults);
+        self.shapes.iter().flatten().for_each(|shape| shape.faults(&mut faults));
         faults
     }
 

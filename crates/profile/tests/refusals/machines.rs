@@ -152,3 +152,38 @@ fn figures_of_an_open_profile_name_what_is_missing() {
     "#]]
     .assert_eq(&messages(&[error]));
 }
+
+/// A body without size would be neither seen nor hit.
+#[test]
+fn a_body_of_a_machine_has_a_size_and_a_direction() {
+    let shape = |solid: &str, axis: &str| {
+        child(&format!(
+            "\"shapes\": [{{ \"name\": \"arm\", \"part\": \"head\", \"solid\": {solid}, \"at_mm\": [0, 0, 0], \
+             \"axis\": {axis}, \"source\": \"test\", \"measured\": false }}]"
+        ))
+    };
+    let flat = shape("{ \"box\": { \"size_mm\": [1, 0, 1] } }", "[0, 0, 1]");
+    refuse(
+        "mine.json",
+        &flat,
+        expect![[r#"
+            profile-rule: mine.json:6: shapes is 0, expected sizes of 'arm' above 0; correct the value
+        "#]],
+    );
+    let nowhere = shape("{ \"cylinder\": { \"radius_mm\": 1, \"length_mm\": 2 } }", "[0, 0, 0]");
+    refuse(
+        "mine.json",
+        &nowhere,
+        expect![[r#"
+            profile-rule: mine.json:6: shapes is an axis without direction, expected a direction for the axis of 'arm' that is not 0 0 0; correct the value
+        "#]],
+    );
+    let unknown = shape("{ \"sphere\": { \"radius_mm\": 1 } }", "[0, 0, 1]");
+    refuse(
+        "mine.json",
+        &unknown,
+        expect![[r#"
+            profile-shape: mine.json:6: unknown variant `sphere`, expected `box` or `cylinder` (column 63); see the JSON Schema in machine-profiles/schema/
+        "#]],
+    );
+}
