@@ -4,8 +4,9 @@ use std::path::PathBuf;
 
 use schemars::JsonSchema;
 use serde::Deserialize;
+use wirebend_core::mesh::Stencil;
 use wirebend_core::units::Length;
-use wirebend_files::document::{Document, SourceFile, sha256_hex};
+use wirebend_files::document::{Document, SourceFile, StencilSource, sha256_hex};
 use wirebend_files::read::{DEFAULT_TOLERANCE_MM, Format, LengthUnit, ReadOptions, read, read_file};
 
 use crate::export::is_job;
@@ -124,6 +125,15 @@ impl DesignInput {
         self.open_bytes(name, &bytes)
     }
 
+    /// Reads the surface.
+    pub(crate) fn stencil(&self, progress: &dyn Progress) -> Result<(Stencil, Vec<NoteReport>), AppError> {
+        let opened = self.open(progress)?;
+        match opened.document.stencil {
+            Some(StencilSource::Embedded(stencil)) => Ok((stencil, opened.notes)),
+            _ => Err(AppError::NoSurface { name: opened.name }),
+        }
+    }
+
     /// Whether no option asks to read other than as the file says.
     pub(crate) fn reads_plainly(&self) -> bool {
         let plain = Self::file(PathBuf::new());
@@ -154,7 +164,7 @@ impl DesignInput {
         let document = match imported.document {
             Some(document) => *document,
             None => Document {
-                stencil: imported.stencil.map(wirebend_files::document::StencilSource::Embedded),
+                stencil: imported.stencil.map(StencilSource::Embedded),
                 source: Some(SourceFile { file: name.clone(), sha256: sha256_hex(bytes) }),
                 ..Document::new(imported.wireframe)
             },

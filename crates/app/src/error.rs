@@ -13,7 +13,8 @@ use crate::report::PlanReport;
 use crate::{DriverProblem, EditorError, LiveProblem};
 
 /// Whose turn it is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
 pub enum ErrorKind {
     /// The command was given in a way that cannot be followed.
     Usage,
@@ -69,6 +70,31 @@ pub enum AppError {
     /// A design that was never saved is to be saved without a name.
     #[error("the design has no file yet: say where to save it")]
     NoFile,
+    /// There is no example of this id.
+    #[error("there is no example '{id}'; known: {known}")]
+    NoExample {
+        /// The wanted one.
+        id: String,
+        /// All.
+        known: String,
+    },
+    /// A profile that comes with the program is to be changed.
+    #[error(
+        "'{id}' comes with the program and stays as it is: copy it to a profile of your own, and change that"
+    )]
+    ShippedProfile {
+        /// The profile.
+        id: String,
+    },
+    /// There is no folder for a person's own profiles.
+    #[error("there is no home folder for profiles of your own: set HOME, and start again")]
+    NoOwnFolder,
+    /// A file without a surface is to be traced on.
+    #[error("{name} holds no surface to trace on: open it as a wireframe")]
+    NoSurface {
+        /// The input.
+        name: String,
+    },
     /// A number is outside what makes sense.
     #[error("{name} is {value}: {expected}")]
     Value {
@@ -314,6 +340,9 @@ impl AppError {
             )
             | Self::Value { .. }
             | Self::NoFile
+            | Self::NoExample { .. }
+            | Self::ShippedProfile { .. }
+            | Self::NoOwnFolder
             | Self::Editor(_)
             | Self::NoMachine { .. }
             | Self::IdTaken { .. }
@@ -335,6 +364,7 @@ impl AppError {
             | Self::Springback { .. }
             | Self::Noise { .. }
             | Self::OnlyStencil { .. }
+            | Self::NoSurface { .. }
             | Self::StartWithoutEdge { .. }
             | Self::DamagedJob { .. }
             | Self::NoVertex { .. } => ErrorKind::BadInput,
@@ -360,6 +390,10 @@ impl AppError {
             Self::OtherKind { .. } => "other-kind",
             Self::OpenParent { .. } => "open-parent",
             Self::NoFile => "no-file",
+            Self::NoExample { .. } => "no-example",
+            Self::ShippedProfile { .. } => "shipped-profile",
+            Self::NoOwnFolder => "no-own-folder",
+            Self::NoSurface { .. } => "no-surface",
             Self::Editor(error) => error.code(),
             Self::NoMachine { .. } => "no-machine",
             Self::OnlyStencil { .. } => "only-stencil",

@@ -10,6 +10,7 @@ mod catalogue;
 mod commands;
 mod compare;
 mod design;
+mod desk;
 mod drivers;
 mod dump;
 mod editor;
@@ -21,6 +22,7 @@ mod machine;
 mod machine_settings;
 mod output;
 mod picture;
+mod places;
 mod plan;
 mod ports;
 mod profile_check;
@@ -41,6 +43,7 @@ pub use compare::{
     Change, CompareRequest, CompareResponse, MachineSide, Objections, OtherSide, WireDiagnostic, WireStep,
 };
 pub use design::{DesignInput, Input};
+pub use desk::*;
 pub use drivers::{
     DriverCheckRequest, DriverCheckResponse, DriverEntry, DriverFolders, DriverProblem, DriverState,
     DriverTrustRequest, DriverTrustResponse, DriversRequest, DriversResponse, RuleReport,
@@ -56,6 +59,7 @@ pub use import::{ImportRequest, ImportResponse};
 pub use live::{Decision, Doubt, LiveProblem, News};
 pub use machine_settings::{MachineSettingsRequest, MachineSettingsResponse};
 pub use output::Output;
+pub use places::Places;
 pub use plan::{CheckRequest, CheckResponse, PlanChoices, PlanRequest, PlanResponse};
 pub use ports::{PortEntry, PortsRequest, PortsResponse};
 pub use profile_check::{FileVerdict, ProfileCheckRequest, ProfileCheckResponse};

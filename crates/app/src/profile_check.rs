@@ -46,6 +46,14 @@ pub struct ProfileCheckResponse {
 }
 
 impl App {
+    /// Refuses the text of a profile that cannot be used, with the first of its faults.
+    pub(crate) fn require_profile(&self, file: &str, text: &str) -> Result<(), AppError> {
+        match self.library.check(file, text) {
+            Ok(checked) => Ok(self.asked_of_drivers(&checked, file, text).map(drop)?),
+            Err(errors) => errors.into_iter().next().map_or(Ok(()), |error| Err(error.into())),
+        }
+    }
+
     /// Asks of a machine's profile what only drivers know: whether somebody writes its formats, and whether its
     /// driver takes its settings, with those that it inherits. Gives what could not be asked, and why.
     pub(crate) fn asked_of_drivers(

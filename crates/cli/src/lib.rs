@@ -11,12 +11,10 @@ mod stop;
 mod terminal;
 
 use std::io::{IsTerminal, Write};
-use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{CommandFactory, FromArgMatches};
-use etcetera::BaseStrategy;
-use wirebend_app::{App, DriverFolders, Request};
+use wirebend_app::{Places, Request};
 
 pub use args::Cli;
 pub use errors::{error_schema, exit};
@@ -79,9 +77,9 @@ fn run(cli: Cli) -> anyhow::Result<u8> {
             return Ok(exit::DONE);
         }
     };
-    let app = App::new(&profile_folders(profiles))?
-        .with_drivers(driver_folders(driver_path))
-        .with_runs(runs_folder.or_else(own_runs));
+    let own = Places::of_person();
+    let runs = runs_folder.or_else(|| own.runs.clone());
+    let app = Places { profiles, drivers: driver_path, runs, ..own }.app()?;
     for refused in app.refused_profiles() {
         tracing::warn!("{refused}");
     }
@@ -97,31 +95,4 @@ fn run(cli: Cli) -> anyhow::Result<u8> {
 /// What may move a machine, so that a stop has to be at hand.
 const fn is_live(request: &Request) -> bool {
     matches!(request, Request::Run(_) | Request::Jog(_) | Request::Replay(_) | Request::MachineSettings(_))
-}
-
-/// Where journals and records are kept unless a folder is named; `None` without a home.
-fn own_runs() -> Option<PathBuf> {
-    etcetera::choose_base_strategy().ok().map(|home| home.data_dir().join("wirebend").join("runs"))
-}
-
-/// The folder of the person's own profiles, whether it is there or not; `None` without a home.
-fn own_folder() -> Option<PathBuf> {
-    etcetera::choose_base_strategy().ok().map(|home| home.config_dir().join("wirebend"))
-}
-
-/// The person's own drivers and the list of those that they trust, and what was named on the command line.
-fn driver_folders(named: Vec<PathBuf>) -> DriverFolders {
-    let own = own_folder();
-    DriverFolders {
-        user: own.as_ref().map(|folder| folder.join("drivers")).filter(|folder| folder.is_dir()),
-        trusted: own.map(|folder| folder.join("trusted-drivers.json")),
-        named,
-        ..DriverFolders::default()
-    }
-}
-
-/// The person's own profiles, and those named on the command line.
-fn profile_folders(named: Vec<PathBuf>) -> Vec<PathBuf> {
-    let own = own_folder().filter(|folder| folder.is_dir());
-    own.into_iter().chain(named).collect()
 }

@@ -13,9 +13,10 @@ mod view;
 
 use std::path::{Path, PathBuf};
 
+use wirebend_core::mesh::Stencil;
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::{EdgeId, VertexId, Wireframe};
-use wirebend_files::document::{Document, DocumentChange, ProfileSnapshot, save_atomically};
+use wirebend_files::document::{Document, DocumentChange, ProfileSnapshot, StencilSource, save_atomically};
 
 pub use check::{LiveCheck, Moved, WireFigures};
 pub use error::EditorError;
@@ -25,7 +26,7 @@ pub use keeping::Unsaved;
 pub use request::{EditRequest, MergePlace, PastedVertex, Placed};
 pub use view::{DesignState, DesignView, EdgeView, VertexView, ViewChange};
 
-use crate::design::{DesignInput, default_weld_mm};
+use crate::design::{DesignInput, Opened, default_weld_mm};
 use crate::machine::Setup;
 use crate::output::file_name;
 use crate::report::NoteReport;
@@ -78,7 +79,33 @@ impl Editor {
         keep_in: Option<&Path>,
         progress: &dyn Progress,
     ) -> Result<(Self, Vec<NoteReport>), AppError> {
-        let opened = input.open(progress)?;
+        Self::begun_with(input.open(progress)?, input, keep_in)
+    }
+
+    /// The same for a machine and a material, where the file names none.
+    ///
+    /// # Errors
+    /// As [`Editor::open`], and when there is no such machine or material.
+    pub fn open_for(
+        app: &App,
+        input: &DesignInput,
+        machine: Option<(&str, Option<&str>)>,
+        keep_in: Option<&Path>,
+        progress: &dyn Progress,
+    ) -> Result<(Self, Vec<NoteReport>), AppError> {
+        let mut opened = input.open(progress)?;
+        if let Some((machine, material)) = machine.filter(|_| opened.document.machine.is_none()) {
+            let setup = app.setup(machine, material)?;
+            (opened.document.machine, opened.document.material) = snapshots(&setup)?;
+        }
+        Self::begun_with(opened, input, keep_in)
+    }
+
+    fn begun_with(
+        opened: Opened,
+        input: &DesignInput,
+        keep_in: Option<&Path>,
+    ) -> Result<(Self, Vec<NoteReport>), AppError> {
         let own = opened.format == wirebend_files::read::Format::Wirebend;
         let path = match &input.input {
             crate::Input::File(path) => Some(path.clone()),
@@ -125,8 +152,12 @@ impl Editor {
         let Some(change) = self.change(app, request)?.filter(|change| !change.is_empty()) else {
             return Ok(self.changed(&DocumentChange::of_wireframe(self.unchanged())));
         };
-        let done = Done { label: request.label(), change: change.clone() };
-        self.history.make(&mut self.document, done.clone()).map_err(EditorError::from)?;
+        Ok(self.make(request.label(), change)?)
+    }
+
+    fn make(&mut self, label: String, change: DocumentChange) -> Result<ViewChange, EditorError> {
+        let done = Done { label, change: change.clone() };
+        self.history.make(&mut self.document, done.clone())?;
         self.keep(|keeping| keeping.done(&done));
         Ok(self.changed(&change))
     }
@@ -161,6 +192,22 @@ impl Editor {
         (self.name, self.saved, self.file) = (file_name(&path), self.history.state(), Some(path.clone()));
         self.keep(|keeping| keeping.saved(&path));
         Ok(path)
+    }
+
+    /// Puts a surface into the design to trace on, instead of the one that it has.
+    ///
+    /// # Errors
+    /// [`EditorError::Stale`], which a history of its own does not bring about.
+    pub(crate) fn put_stencil(&mut self, stencil: Stencil) -> Result<ViewChange, EditorError> {
+        match self.document.set_stencil(Some(StencilSource::Embedded(stencil))) {
+            Some(change) => self.make("stencil".to_owned(), change),
+            None => Ok(self.changed(&DocumentChange::of_wireframe(self.unchanged()))),
+        }
+    }
+
+    /// Calls a design that no file has by another name.
+    pub(crate) fn rename(&mut self, name: &str) {
+        name.clone_into(&mut self.name);
     }
 
     /// Closes the design. What is not saved is gone: a front end asks before.

@@ -58,6 +58,41 @@ impl ExportFormat {
         }
     }
 
+    /// The name for people.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Svg => "Picture (SVG)",
+            Self::Png => "Picture (PNG)",
+            Self::Obj => "Bent wire, centreline (OBJ)",
+            Self::ObjTube => "Bent wire, surface (OBJ)",
+            Self::TemplateSvg => "Template at 1:1 (SVG)",
+            Self::TemplateDxf => "Template at 1:1 (DXF)",
+            Self::TemplatePdf => "Template at 1:1 on pages (PDF)",
+            Self::JobSheet => "Job sheet (PDF)",
+        }
+    }
+
+    /// The JSON Schema of what can be set; `None` where nothing can.
+    #[must_use]
+    pub fn settings_schema(self) -> Option<serde_json::Value> {
+        let paper = serde_json::json!({
+            "type": "string", "title": "Paper", "enum": ["a4", "letter"], "default": "a4",
+        });
+        let date = serde_json::json!({
+            "type": "string", "title": "Date", "description": "On the sheet; absent: today's.",
+        });
+        match self {
+            Self::TemplatePdf => {
+                Some(serde_json::json!({ "type": "object", "properties": { "paper": paper } }))
+            }
+            Self::JobSheet => Some(serde_json::json!({
+                "type": "object", "properties": { "paper": paper, "date": date },
+            })),
+            _ => None,
+        }
+    }
+
     /// How the names of its files end.
     #[must_use]
     pub const fn extension(self) -> &'static str {

@@ -23,7 +23,7 @@ struct Simulator<'a> {
 }
 
 /// What it made.
-pub(super) struct Made {
+pub(crate) struct Made {
     /// Points along the middle of the wire, mm, in the frame of the turtle at its start, in the machine's signs.
     pub wire_mm: Vec<[f64; 3]>,
     /// Its ends and corners, in the same frame.
@@ -84,7 +84,7 @@ impl<'a> Simulator<'a> {
 }
 
 /// Every wire of a job as the simulated machine makes it; `None`, with a note that says why, where that cannot be.
-pub(super) fn on_machine(
+pub(crate) fn on_machine(
     app: &App,
     setup: &Setup,
     job: &Job,

@@ -21,7 +21,7 @@ use crate::report::NoteReport;
 use crate::{App, AppError, Progress};
 use drawing::Drawing;
 pub(crate) use kept::KeptWire;
-use machine::on_machine;
+pub(crate) use machine::on_machine;
 
 /// The most runs of one simulation.
 const MOST_RUNS: u32 = 1_000_000;

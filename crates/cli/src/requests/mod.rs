@@ -147,7 +147,8 @@ fn profile_place(output: Option<PathBuf>) -> Result<(ProfilePlace, Contents), Wr
         Some(path) => (ProfilePlace::File(path), Contents::Written),
         None => {
             let homeless = "there is no home folder with profiles of your own: name a file with -o";
-            let folder = crate::own_folder().ok_or_else(|| WrongUse(homeless.to_owned()))?;
+            let folder =
+                wirebend_app::Places::of_person().own.ok_or_else(|| WrongUse(homeless.to_owned()))?;
             (ProfilePlace::Folder(folder), Contents::Written)
         }
     })

@@ -1,0 +1,239 @@
+//! The open design: opening, editing, checking, saving.
+
+use std::path::PathBuf;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use wirebend_files::document::DocumentError;
+
+use super::{Desk, RecentEntry};
+use crate::report::NoteReport;
+use crate::{
+    AppError, DesignInput, DesignView, EditRequest, Editor, Input, LiveCheck, Moved, Progress, Unsaved,
+    ViewChange,
+};
+
+/// What a window needs when it opens.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct Start {}
+
+/// What there is when a window opens.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct Started {
+    /// The version of the program.
+    pub version: String,
+    /// The open design.
+    pub design: DesignView,
+    /// Designs that were open when the program or the computer stopped, last changed first.
+    pub unsaved: Vec<Unsaved>,
+    /// What was open before.
+    pub recent: Vec<RecentEntry>,
+    /// What a person should know at once, such as profiles of theirs that cannot be used.
+    pub warnings: Vec<String>,
+}
+
+/// Begins an empty design.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct NewDesign {
+    /// Its machine; absent, that of the design before.
+    pub machine: Option<String>,
+}
+
+/// Opens a file as the design: a wireframe, a drawing, a program, or a stencil to trace on.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct OpenDesign {
+    /// The file and how to read it.
+    pub design: DesignInput,
+}
+
+/// Opens an example.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct OpenExample {
+    /// Its id.
+    pub id: String,
+}
+
+/// What was opened.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct DesignOpened {
+    /// The design.
+    pub design: DesignView,
+    /// What was merged, ignored or assumed while reading.
+    pub notes: Vec<NoteReport>,
+    /// What was open before.
+    pub recent: Vec<RecentEntry>,
+}
+
+/// Puts the surface of a file into the design, to trace on.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct PutStencil {
+    /// The file and how to read it.
+    pub design: DesignInput,
+}
+
+/// What a change made of the design.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct EditMade {
+    /// What is to be drawn anew; null where there was nothing to undo or to redo.
+    pub change: Option<ViewChange>,
+    /// What was merged, ignored or assumed while reading.
+    pub notes: Vec<NoteReport>,
+}
+
+/// Makes a change.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct EditDesign {
+    /// Which.
+    pub request: EditRequest,
+}
+
+/// Undoes the last change.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct Undo {}
+
+/// Does again what was undone last.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct Redo {}
+
+/// Saves the design as a `.wirebend` document.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct SaveDesign {
+    /// Where; absent, where it was opened or saved before.
+    pub path: Option<PathBuf>,
+}
+
+/// Checks the design on its machine, with some vertices elsewhere than they are.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct CheckDesign {
+    /// Vertices that are being dragged.
+    #[serde(default)]
+    pub moved: Vec<Moved>,
+}
+
+/// Closes the design; what is not saved is gone. An empty one takes its place.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct CloseDesign {}
+
+/// Takes up a design that was open when the program or the computer stopped.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct RestoreUnsaved {
+    /// Its journal.
+    pub journal: PathBuf,
+}
+
+/// Throws away a design that was open when the program or the computer stopped.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct DiscardUnsaved {
+    /// Its journal.
+    pub journal: PathBuf,
+}
+
+/// Empties the list of what was open before.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct ClearRecent {}
+
+impl Desk {
+    pub(super) fn start(&self, _: &Start, _: &dyn Progress) -> Result<Started, AppError> {
+        let (unsaved, mut warnings) =
+            self.keep_in().map(|folder| Editor::unsaved(&folder)).unwrap_or_default();
+        warnings.extend(self.app().refused_profiles().iter().map(ToString::to_string));
+        Ok(Started {
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            design: self.open().view(),
+            unsaved,
+            recent: self.recent(),
+            warnings,
+        })
+    }
+
+    pub(super) fn new_design(&self, asked: &NewDesign, _: &dyn Progress) -> Result<DesignOpened, AppError> {
+        let machine = asked.machine.clone().or_else(|| self.open().state().machine);
+        let editor = Editor::new(&self.app(), machine.as_deref(), self.keep_in().as_deref())?;
+        self.replace(editor, Vec::new())
+    }
+
+    pub(super) fn open_design(
+        &self,
+        asked: &OpenDesign,
+        progress: &dyn Progress,
+    ) -> Result<DesignOpened, AppError> {
+        let before = self.open().state();
+        let machine = before.machine.as_deref().map(|machine| (machine, before.material.as_deref()));
+        let (editor, notes) =
+            Editor::open_for(&self.app(), &asked.design, machine, self.keep_in().as_deref(), progress)?;
+        if let Input::File(path) = &asked.design.input {
+            self.remember(path);
+        }
+        self.replace(editor, notes)
+    }
+
+    pub(super) fn put_stencil(
+        &self,
+        asked: &PutStencil,
+        progress: &dyn Progress,
+    ) -> Result<EditMade, AppError> {
+        let (stencil, notes) = asked.design.stencil(progress)?;
+        let change = self.open().put_stencil(stencil)?;
+        Ok(EditMade { change: Some(change), notes })
+    }
+
+    pub(super) fn edit(&self, asked: &EditDesign, _: &dyn Progress) -> Result<EditMade, AppError> {
+        let change = self.open().edit(&self.app(), &asked.request)?;
+        Ok(EditMade { change: Some(change), notes: Vec::new() })
+    }
+
+    pub(super) fn undo(&self, _: &Undo, _: &dyn Progress) -> Result<EditMade, AppError> {
+        Ok(EditMade { change: self.open().undo()?, notes: Vec::new() })
+    }
+
+    pub(super) fn redo(&self, _: &Redo, _: &dyn Progress) -> Result<EditMade, AppError> {
+        Ok(EditMade { change: self.open().redo()?, notes: Vec::new() })
+    }
+
+    pub(super) fn check(&self, asked: &CheckDesign, _: &dyn Progress) -> Result<LiveCheck, AppError> {
+        self.open().check(&self.app(), &asked.moved)
+    }
+
+    pub(super) fn save(&self, asked: &SaveDesign, _: &dyn Progress) -> Result<DesignOpened, AppError> {
+        let mut open = self.open();
+        let path = open.save(asked.path.as_deref())?;
+        self.remember(&path);
+        Ok(DesignOpened { design: open.view(), notes: Vec::new(), recent: self.recent() })
+    }
+
+    pub(super) fn close(&self, _: &CloseDesign, progress: &dyn Progress) -> Result<DesignOpened, AppError> {
+        self.new_design(&NewDesign { machine: None }, progress)
+    }
+
+    pub(super) fn restore(&self, asked: &RestoreUnsaved, _: &dyn Progress) -> Result<DesignOpened, AppError> {
+        self.replace(Editor::restore(&asked.journal)?, Vec::new())
+    }
+
+    pub(super) fn discard(
+        &self,
+        asked: &DiscardUnsaved,
+        progress: &dyn Progress,
+    ) -> Result<Started, AppError> {
+        // Only what is offered can be thrown away: a window names no other file.
+        let offered = self.keep_in().map(|folder| Editor::unsaved(&folder).0).unwrap_or_default();
+        if let Some(unsaved) = offered.iter().find(|unsaved| unsaved.journal == asked.journal) {
+            std::fs::remove_file(&unsaved.journal).map_err(|error| {
+                AppError::Document(DocumentError::Save { path: unsaved.journal.display().to_string(), error })
+            })?;
+        }
+        self.start(&Start {}, progress)
+    }
+
+    pub(super) fn clear_recent(&self, _: &ClearRecent, progress: &dyn Progress) -> Result<Started, AppError> {
+        self.forget_recent();
+        self.start(&Start {}, progress)
+    }
+
+    /// Puts another design on the desk; the one before is closed.
+    pub(super) fn replace(&self, editor: Editor, notes: Vec<NoteReport>) -> Result<DesignOpened, AppError> {
+        let design = editor.view();
+        let before = std::mem::replace(&mut *self.open(), editor);
+        before.close()?;
+        Ok(DesignOpened { design, notes, recent: self.recent() })
+    }
+}

@@ -1,0 +1,120 @@
+//! The examples that a newcomer opens first.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::{DesignOpened, Desk, OpenExample};
+use crate::design::DesignInput;
+use crate::{AppError, Editor, Input, NoProgress, Progress};
+
+/// Asks for the examples.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct ExamplesRequest {}
+
+/// An example.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct ExampleEntry {
+    /// What [`OpenExample`] takes.
+    pub id: String,
+    /// Its name.
+    pub name: String,
+    /// What there is to see.
+    pub description: String,
+    /// Its lines for a small picture, mm.
+    pub lines_mm: Vec<[[f64; 3]; 2]>,
+}
+
+/// The examples.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct ExamplesResponse {
+    /// Simple ones first.
+    pub examples: Vec<ExampleEntry>,
+}
+
+struct Example {
+    id: &'static str,
+    name: &'static str,
+    description: &'static str,
+    file: &'static str,
+    bytes: &'static [u8],
+    face_edges: bool,
+    stencil: bool,
+}
+
+macro_rules! examples {
+    ($($id:literal, $name:literal, $file:literal, $face_edges:literal, $stencil:literal, $description:literal;)*) => {
+        const EXAMPLES: &[Example] = &[$(Example {
+            id: $id,
+            name: $name,
+            description: $description,
+            file: $file,
+            bytes: include_bytes!(concat!("../../../../examples/", $file)),
+            face_edges: $face_edges,
+            stencil: $stencil,
+        },)*];
+    };
+}
+
+examples! {
+    "cube", "Cube", "cube-8-edges.obj", false, false, "Eight edges, bent in one go: everything is green.";
+    "house", "House", "house.obj", false, false, "Flat and in space: the first thing to bend.";
+    "phone-stand", "Phone stand", "phone-stand.obj", false, false, "Something to use on the same day.";
+    "cup-holder", "Cup holder", "cup-holder.obj", false, false, "Two rings and the wire between them.";
+    "spring", "Spring", "spring.obj", false, false, "Many small bends, each with a turn.";
+    "bunny", "Bunny", "bunny.obj", true, false, "22 odd vertices: no single wire, until edges are doubled.";
+    "teapot", "Teapot", "teapot.obj", true, false, "A large mesh as a wireframe.";
+    "truss", "Truss", "truss-1.obj", false, false, "A structure of tetrahedra.";
+    "bunny-stencil", "Bunny to trace", "bunny.obj", false, true, "A surface to trace a wireframe of your own on.";
+}
+
+impl Example {
+    fn input(&self) -> DesignInput {
+        let name = self.file.to_owned();
+        let input = Input::Bytes { name, bytes: self.bytes.to_vec() };
+        DesignInput { input, face_edges: self.face_edges, ..DesignInput::file(std::path::PathBuf::new()) }
+    }
+
+    fn lines_mm(&self) -> Result<Vec<[[f64; 3]; 2]>, AppError> {
+        // What is only a surface is drawn by the edges of its faces.
+        let input = DesignInput { face_edges: self.face_edges || self.stencil, ..self.input() };
+        let wireframe = input.open(&NoProgress)?.document.wireframe;
+        let at = |id| Some(wireframe.vertex(id)?.position.coords.into());
+        Ok(wireframe.edges().filter_map(|(_, edge)| Some([at(edge.a)?, at(edge.b)?])).collect())
+    }
+}
+
+impl Desk {
+    pub(super) fn examples(
+        &self,
+        _: &ExamplesRequest,
+        _: &dyn Progress,
+    ) -> Result<ExamplesResponse, AppError> {
+        let entry = |example: &Example| {
+            Ok(ExampleEntry {
+                id: example.id.to_owned(),
+                name: example.name.to_owned(),
+                description: example.description.to_owned(),
+                lines_mm: example.lines_mm()?,
+            })
+        };
+        Ok(ExamplesResponse { examples: EXAMPLES.iter().map(entry).collect::<Result<_, AppError>>()? })
+    }
+
+    pub(super) fn open_example(
+        &self,
+        asked: &OpenExample,
+        progress: &dyn Progress,
+    ) -> Result<DesignOpened, AppError> {
+        let known = || EXAMPLES.iter().map(|example| example.id).collect::<Vec<_>>().join(", ");
+        let example = EXAMPLES
+            .iter()
+            .find(|example| example.id == asked.id)
+            .ok_or_else(|| AppError::NoExample { id: asked.id.clone(), known: known() })?;
+        let before = self.open().state();
+        let machine = before.machine.as_deref().map(|machine| (machine, before.material.as_deref()));
+        let (mut editor, notes) =
+            Editor::open_for(&self.app(), &example.input(), machine, self.keep_in().as_deref(), progress)?;
+        editor.rename(example.name);
+        self.replace(editor, notes)
+    }
+}

@@ -1,0 +1,140 @@
+//! What a window works with: the open design, what was open before, and the machines. Asked by name, answered with
+//! plain values; what it tells unasked goes to a [`Listener`].
+//!
+//! Everything that a window may ask is declared once, in [`Ask`]. Its answers are those of the commands where a command
+//! does the same.
+
+mod about;
+mod asks;
+mod design;
+mod error;
+mod examples;
+mod exports;
+mod look;
+mod machines;
+mod mesh;
+mod program;
+mod recent;
+
+use std::path::PathBuf;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, RwLock};
+
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use crate::{App, AppError, Editor, Places};
+pub use about::{AboutRequest, AboutResponse};
+pub use asks::{ASKS, Ask, ask_schemas};
+pub use design::{
+    CheckDesign, ClearRecent, CloseDesign, DesignOpened, DiscardUnsaved, EditDesign, EditMade, NewDesign,
+    OpenDesign, OpenExample, PutStencil, Redo, RestoreUnsaved, SaveDesign, Start, Started, Undo,
+};
+pub use error::Refusal;
+pub use examples::{ExampleEntry, ExamplesRequest, ExamplesResponse};
+pub use exports::{
+    ExportDesign, ExportPreview, ExportsRequest, ExportsResponse, FormatEntry, SaveJob, SavedJob,
+};
+pub use look::{LookRequest, LookResponse, Seen};
+pub use machines::{
+    ChangeSettings, CompareDesign, CopyMachine, MachineViewRequest, MachineViewResponse, SettingValue,
+    SettingsChanged,
+};
+pub use program::{
+    MadeRequest, MadeResponse, MadeWire, PlayedStep, PlayedWire, ProgramRequest, ProgramResponse,
+};
+pub use recent::RecentEntry;
+
+/// What a desk tells unasked.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(tag = "tell", content = "value", rename_all = "kebab-case")]
+pub enum Tell {
+    /// How far long work is.
+    Work(Work),
+}
+
+/// Hears what a desk tells unasked. Called from any thread.
+pub trait Listener: Send + Sync {
+    /// Something is told.
+    fn hear(&self, tell: &Tell);
+}
+
+/// How far long work is.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct Work {
+    /// What was asked for.
+    pub ask: String,
+    /// A word or two for a person.
+    pub stage: String,
+    /// So many things are done.
+    pub done: u64,
+    /// Of so many; 0 where that is not known.
+    pub of: u64,
+}
+
+/// What a window works with.
+pub struct Desk {
+    places: Places,
+    app: RwLock<Arc<App>>,
+    open: Mutex<Editor>,
+    listener: Arc<dyn Listener>,
+}
+
+impl Desk {
+    /// A desk with an empty design on it.
+    ///
+    /// # Errors
+    /// [`AppError`] when a shipped profile is damaged, or unsaved changes cannot be kept safe.
+    pub fn new(places: Places, listener: Arc<dyn Listener>) -> Result<Self, AppError> {
+        let app = places.app()?;
+        let open = Editor::new(&app, first_machine(&app).as_deref(), keep_in(&places).as_deref())?;
+        Ok(Self { places, app: RwLock::new(Arc::new(app)), open: Mutex::new(open), listener })
+    }
+
+    /// The profiles and drivers as they were when they were last read.
+    pub(crate) fn app(&self) -> Arc<App> {
+        Arc::clone(&self.app.read().unwrap_or_else(PoisonError::into_inner))
+    }
+
+    /// Reads profiles and drivers again.
+    pub(crate) fn reload(&self) -> Result<(), AppError> {
+        let app = Arc::new(self.places.app()?);
+        *self.app.write().unwrap_or_else(PoisonError::into_inner) = app;
+        Ok(())
+    }
+
+    /// The open design. A change is made whole or not at all, so that nothing is left half done where a thread died.
+    pub(crate) fn open(&self) -> MutexGuard<'_, Editor> {
+        self.open.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Stops the machine, whatever else is going on; from any thread.
+    pub fn stop(&self) {}
+
+    pub(crate) fn tell(&self, tell: &Tell) {
+        self.listener.hear(tell);
+    }
+
+    pub(crate) const fn places(&self) -> &Places {
+        &self.places
+    }
+
+    fn keep_in(&self) -> Option<PathBuf> {
+        keep_in(&self.places)
+    }
+}
+
+/// Where changes that no file has are kept.
+fn keep_in(places: &Places) -> Option<PathBuf> {
+    places.state.as_ref().map(|state| state.join("unsaved"))
+}
+
+/// The machine of a new design: the first that its driver simulates is not known before a driver runs, so that it is the one
+/// that this program has the firmware of, by the only mark that a profile has of it: its own stop bytes.
+fn first_machine(app: &App) -> Option<String> {
+    let stops = |id: &String| {
+        let profile = app.library.machine(id).ok()?.profile;
+        profile.driver.stop_bytes.filter(|bytes| !bytes.is_empty())
+    };
+    let ids = app.machine_ids();
+    ids.iter().rfind(|id| stops(id).is_some()).or_else(|| ids.first()).cloned()
+}
