@@ -1,4 +1,4 @@
-//! JSON Schemas of profiles, documents, and of what `wirebend --json` prints.
+//! JSON Schemas of profiles, documents, and of what `wirebend --json` prints and a window asks.
 
 use anyhow::Result;
 
@@ -14,6 +14,9 @@ pub(super) fn files() -> Result<Vec<CommittedFile>> {
     }
     for (command, schema) in wirebend_app::response_schemas() {
         files.push(schema_file(command, &schema)?);
+    }
+    for (name, schema) in wirebend_app::ask_schemas() {
+        files.push(schema_file(name, &schema)?);
     }
     for (message, schema) in wirebend_driver_api::message_schemas() {
         let text = serde_json::to_string_pretty(&schema)? + "\n";

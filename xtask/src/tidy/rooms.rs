@@ -29,6 +29,7 @@ const MAY_KNOW: &[(&str, &[&str])] = &[
     // Its tests write journals as an earlier run would have left them.
     ("crates/cli", &["crates/app", "crates/journal", "tests/built"]),
     ("src-tauri", &["crates/app"]),
+    ("tests/loopback", &["crates/app"]),
     // What tests load or start, not link; only for tests and benchmarks.
     ("tests/built", &[]),
     ("tests/firmware", &["drivers/wirebend-kit", "crates/driver-api", "tests/built"]),
