@@ -1,0 +1,51 @@
+//! What the editor asks, passed on.
+
+use std::sync::Arc;
+
+use tauri::State;
+use tauri::ipc::{Channel, Response};
+use wirebend_app::{Desk, Refusal};
+
+use crate::Telling;
+
+type Shared<'a> = State<'a, Arc<Desk>>;
+
+/// Runs what may take long on a thread of its own, so that nothing else waits for it.
+async fn blocking<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static) -> tauri::Result<T> {
+    Ok(tauri::async_runtime::spawn_blocking(work).await?)
+}
+
+/// Why nothing came back.
+fn failed(error: &tauri::Error) -> Refusal {
+    tracing::error!("{error}");
+    Refusal::failure(format!("the program failed on this: {error}; its log file tells more"))
+}
+
+/// Asks the desk; the answer is its JSON as it is.
+#[tauri::command]
+pub(crate) async fn ask(desk: Shared<'_>, ask: serde_json::Value) -> Result<Response, Refusal> {
+    let desk = Arc::clone(&desk);
+    let answered = blocking(move || desk.ask_value(ask)).await.map_err(|error| failed(&error))?;
+    answered.map(|answer| Response::new(answer.get().to_owned()))
+}
+
+/// Stops the machine.
+#[tauri::command]
+pub(crate) async fn stop(desk: Shared<'_>) -> Result<(), Refusal> {
+    let desk = Arc::clone(&desk);
+    blocking(move || desk.stop()).await.map_err(|error| failed(&error))
+}
+
+/// The stencil of the open design, as bytes.
+#[tauri::command]
+pub(crate) async fn stencil_mesh(desk: Shared<'_>) -> Result<Response, Refusal> {
+    let desk = Arc::clone(&desk);
+    let bytes = blocking(move || desk.stencil_mesh()).await.map_err(|error| failed(&error))?;
+    Ok(Response::new(bytes))
+}
+
+/// From now on what the desk tells goes to this channel.
+#[tauri::command]
+pub(crate) fn listen(telling: State<'_, Arc<Telling>>, channel: Channel<serde_json::Value>) {
+    telling.to(channel);
+}

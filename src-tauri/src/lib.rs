@@ -1,0 +1,93 @@
+//! The window: it passes what the editor asks on to [`wirebend_app::Desk`], and what that tells back to the editor.
+//! Nothing is decided or computed here.
+
+mod adapters;
+mod dialogs;
+mod files;
+mod log;
+mod surroundings;
+mod telling;
+
+use std::process::ExitCode;
+use std::sync::Arc;
+
+use anyhow::Context;
+use tauri::{Manager, Runtime};
+use tauri_plugin_window_state::StateFlags;
+use wirebend_app::{Desk, Places};
+
+pub use files::FilesToOpen;
+pub use telling::Telling;
+
+/// Runs the program with the arguments of the process.
+#[must_use]
+pub fn main() -> ExitCode {
+    // The process of a driver is this program too, and knows of nothing else.
+    let mut words = std::env::args_os().skip(1);
+    if words.next().is_some_and(|word| word == wirebend_app::CHILD_COMMAND) {
+        return wirebend_app::child_main(&words.collect::<Vec<_>>());
+    }
+    surroundings::prepare();
+    let places = Places::of_person();
+    let _log = log::begin(places.state.as_deref());
+    match run(places) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            tracing::error!("{error:#}");
+            eprintln!("wirebend-kit: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(places: Places) -> anyhow::Result<()> {
+    let telling = Arc::new(Telling::default());
+    let desk = Desk::new(places, Arc::clone(&telling) as _).context("the program cannot start")?;
+    let builder = tauri::Builder::default()
+        // It has to be the first: a second process is over before it does anything else.
+        .plugin(tauri_plugin_single_instance::init(|app, words, folder| {
+            files::open_later(app, files::named(&words, std::path::Path::new(&folder)));
+            if let Some(window) = app.get_webview_window("main") {
+                let _ = window.unminimize();
+                let _ = window.set_focus();
+            }
+        }))
+        .plugin(tauri_plugin_dialog::init())
+        .plugin(tauri_plugin_window_state::Builder::new().with_state_flags(kept()).build());
+    let words: Vec<String> = std::env::args().collect();
+    let folder = std::env::current_dir().unwrap_or_default();
+    let app = with_adapters(builder, desk, telling, FilesToOpen::new(files::named(&words, &folder)))
+        .setup(|app| {
+            if let Some(window) = app.get_webview_window("main") {
+                surroundings::stop_by_key(app.handle(), &window)?;
+            }
+            Ok(())
+        })
+        .build(tauri::generate_context!())
+        .context("the window cannot be opened")?;
+    app.run(|app, event| files::asked_by_system(app, &event));
+    Ok(())
+}
+
+/// Where the window was and how large; not that it was hidden.
+fn kept() -> StateFlags {
+    StateFlags::POSITION | StateFlags::SIZE | StateFlags::MAXIMIZED
+}
+
+/// Everything that the editor may ask for.
+pub fn with_adapters<R: Runtime>(
+    builder: tauri::Builder<R>,
+    desk: Desk,
+    telling: Arc<Telling>,
+    files: FilesToOpen,
+) -> tauri::Builder<R> {
+    builder.manage(Arc::new(desk)).manage(telling).manage(files).invoke_handler(tauri::generate_handler![
+        adapters::ask,
+        adapters::stop,
+        adapters::stencil_mesh,
+        adapters::listen,
+        dialogs::pick_file,
+        dialogs::pick_save,
+        files::files_to_open,
+    ])
+}
