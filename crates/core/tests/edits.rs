@@ -4,7 +4,7 @@
 
 use nalgebra::{Affine3, Matrix4, Point3, Unit, Vector3};
 use proptest::prelude::*;
-use wirebend_core::units::Length;
+use wirebend_core::units::{Angle, Length};
 use wirebend_core::wireframe::{
     Delta, Edge, EdgeId, Edit, EditError, MergeAt, MirrorMode, StaleDelta, Vertex, VertexId, Wireframe,
     WireframeError,
@@ -194,6 +194,7 @@ fn any_edit() -> impl Strategy<Value = Edit> {
     let v = || (0..12_u32).prop_map(VertexId);
     let some = || prop::collection::btree_set((0..12_u32).prop_map(VertexId), 0..5).prop_map(Vec::from_iter);
     let point = || prop::array::uniform3(-50..50_i32).prop_map(|c| Point3::from(c.map(f64::from)));
+    let edges = || prop::collection::btree_set((0..12_u32).prop_map(EdgeId), 0..6).prop_map(Vec::from_iter);
     let weld = Just(Length::from_mm(1.5).unwrap());
     prop_oneof![
         point().prop_map(|position| Edit::AddVertex { position }),
@@ -229,6 +230,15 @@ fn any_edit() -> impl Strategy<Value = Edit> {
         }),
         (some(), any::<bool>()).prop_map(|(vertices, support)| Edit::SetSupport { vertices, support }),
         weld.prop_map(|tolerance| Edit::Weld { tolerance }),
+        edges().prop_map(|edges| Edit::Detach { edges }),
+        (edges(), 0.0..60.0_f64)
+            .prop_map(|(edges, tolerance)| Edit::Straighten { edges, tolerance: mm(tolerance) }),
+        (edges(), 0.0..60.0_f64, 1.0..180.0_f64).prop_map(|(edges, tolerance, step)| Edit::Round {
+            edges,
+            tolerance: mm(tolerance),
+            step: Angle::from_deg(step).unwrap(),
+            least_edge: mm(1.0)
+        }),
     ]
 }
 

@@ -20,7 +20,7 @@ pub(super) fn check(design: &Design, found: &mut Vec<Diagnostic>) {
                 source: "the weld tolerance".to_owned(),
             }),
             message: format!("vertices {first} and {id} are {apart:.4} apart but not joined"),
-            help: "merge them, or weld the wireframe with a larger tolerance".to_owned(),
+            help: "merge them; where two wires are meant to touch there, leave them".to_owned(),
         });
     }
 }

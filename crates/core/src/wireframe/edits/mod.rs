@@ -1,15 +1,21 @@
 //! Edits as values: what a person asks for, resolved against a wireframe into a [`Delta`].
 
+mod chain;
 mod copies;
+mod detach;
 mod drawing;
+mod error;
 mod placement;
+mod smoothing;
 mod topology;
 
 use nalgebra::{Affine3, Point3, Unit, Vector3};
 
 use super::delta::{Delta, Draft};
-use super::graph::{EdgeId, VertexId, Wireframe, WireframeError};
-use crate::units::Length;
+use super::graph::{EdgeId, VertexId, Wireframe};
+use crate::units::{Angle, Length};
+
+pub use error::EditError;
 
 /// Where the vertex goes that others are merged into.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -142,52 +148,33 @@ pub enum Edit {
         /// How close.
         tolerance: Length,
     },
-}
-
-/// Why an edit cannot be made. The wireframe is untouched.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum EditError {
-    /// A vertex, an edge end or a position is wrong.
-    #[error(transparent)]
-    Wireframe(#[from] WireframeError),
-    /// An edge is not there.
-    #[error("there is no edge {0}")]
-    NoEdge(EdgeId),
-    /// A vertex is listed twice.
-    #[error("vertex {0} is listed twice")]
-    Repeated(VertexId),
-    /// An edge from a vertex to itself.
-    #[error("vertex {0} cannot be connected to itself")]
-    Loop(VertexId),
-    /// The two vertices are joined already.
-    #[error("vertices {0} and {1} are connected already")]
-    Connected(VertexId, VertexId),
-    /// A split outside the edge.
-    #[error("an edge is split between its ends: {0} is not more than 0 and less than 1")]
-    SplitAt(f64),
-    /// Fewer than two vertices to merge.
-    #[error("merging takes at least 2 vertices, {0} given")]
-    MergeCount(usize),
-    /// A transform that flattens or is not finite.
-    #[error("the transform is not invertible: it would flatten the wireframe")]
-    Singular,
-    /// A strand that goes nowhere.
-    #[error("a strand takes a vertex to begin at or a point to go through")]
-    Nothing,
-    /// More than can be drawn at once.
-    #[error("{0} vertices or edges are too many: at most 1 000 000 can be added at once")]
-    TooMuch(usize),
-    /// A pasted edge names a vertex that is not in the piece.
-    #[error("an edge of the piece ends at its vertex {place}, but it has {count}, counted from 0")]
-    NoPlace {
-        /// What it names.
-        place: usize,
-        /// How many there are.
-        count: usize,
+    /// Gives edges vertices of their own wherever others stay, at the same places: what was one wire becomes two that
+    /// touch. Where nothing stays, nothing changes.
+    Detach {
+        /// Which.
+        edges: Vec<EdgeId>,
     },
-    /// More copies than fit.
-    #[error("an array of {0} copies is too large: at most 1 000 000 vertices can be added at once")]
-    ArrayCount(u32),
+    /// Takes those vertices out of a chain that are within a tolerance of a straight line. Its ends stay; inner
+    /// vertices with other edges go onto the line, supports stay where they are.
+    Straighten {
+        /// The chain, in any order.
+        edges: Vec<EdgeId>,
+        /// How far a vertex may be from the line.
+        tolerance: Length,
+    },
+    /// Draws a chain anew as lines and arcs, with the vertices of an arc on it. Its ends, inner vertices with other
+    /// edges and supports stay where they are and divide it.
+    Round {
+        /// The chain, in any order.
+        edges: Vec<EdgeId>,
+        /// How far the chain may be from its lines and arcs.
+        tolerance: Length,
+        /// How far an edge goes round at most, more than 0 and up to 180°: what the wire is bent at each vertex. An arc
+        /// has two edges or more.
+        step: Angle,
+        /// No edge of an arc is shorter; there are fewer then.
+        least_edge: Length,
+    },
 }
 
 impl Edit {
@@ -223,6 +210,11 @@ impl Edit {
                 copies::array(&mut draft, vertices, step, *count, *weld)?;
             }
             Self::SetSupport { vertices, support } => placement::set_support(&mut draft, vertices, *support)?,
+            Self::Detach { edges } => detach::detach(&mut draft, edges)?,
+            Self::Straighten { edges, tolerance } => smoothing::straighten(&mut draft, edges, *tolerance)?,
+            Self::Round { edges, tolerance, step, least_edge } => {
+                smoothing::round(&mut draft, edges, *tolerance, *step, *least_edge)?;
+            }
             Self::Weld { tolerance } => return Ok(wireframe.weld(*tolerance).0),
         }
         Ok(draft.finish())
@@ -261,6 +253,20 @@ fn check_listed(draft: &Draft, vertices: &[VertexId]) -> Result<(), EditError> {
         draft.position(vertex)?;
         if !seen.insert(vertex) {
             return Err(EditError::Repeated(vertex));
+        }
+    }
+    Ok(())
+}
+
+/// Each edge must exist and be listed once.
+fn check_edges(draft: &Draft, edges: &[EdgeId]) -> Result<(), EditError> {
+    let mut seen = std::collections::BTreeSet::new();
+    for &edge in edges {
+        if draft.edge(edge).is_none() {
+            return Err(EditError::NoEdge(edge));
+        }
+        if !seen.insert(edge) {
+            return Err(EditError::RepeatedEdge(edge));
         }
     }
     Ok(())
