@@ -19,6 +19,12 @@ pub enum EditorError {
     /// A tolerance that is none.
     #[error("{0} mm is no tolerance: give a length of 0 or more")]
     Tolerance(f64),
+    /// A shortest edge that is none.
+    #[error("{0} mm is no length of an edge: give the shortest that an arc may be made of, or 0")]
+    LeastEdge(f64),
+    /// A step that is no angle.
+    #[error("{0}° is no step along an arc: give an angle of more than 0° and at most 180°")]
+    ArcStep(f64),
     /// A matrix that is no transform.
     #[error("this matrix is no transform: its numbers have to be finite, and its last row 0 0 0 1")]
     Matrix,
@@ -75,7 +81,12 @@ impl EditorError {
     #[must_use]
     pub const fn code(&self) -> &'static str {
         match self {
-            Self::Edit(_) | Self::Normal | Self::Tolerance(_) | Self::Matrix => "edit",
+            Self::Edit(_)
+            | Self::Normal
+            | Self::Tolerance(_)
+            | Self::LeastEdge(_)
+            | Self::ArcStep(_)
+            | Self::Matrix => "edit",
             Self::NoEdge(_) => "no-edge",
             Self::NoVertex(_) => "no-vertex",
             Self::Stale(_) => "stale",

@@ -4,19 +4,20 @@
 //! [`Editor::check`] while they are dragging. Every change is on the disk before it is answered, or the answer says that
 //! it is not.
 
+mod changing;
 mod check;
 mod error;
 mod history;
 mod keeping;
 mod request;
+mod resolving;
 mod view;
 
 use std::path::{Path, PathBuf};
 
 use wirebend_core::mesh::Stencil;
-use wirebend_core::units::Length;
-use wirebend_core::wireframe::{EdgeId, VertexId, Wireframe};
-use wirebend_files::document::{Document, DocumentChange, ProfileSnapshot, StencilSource, save_atomically};
+use wirebend_core::wireframe::{Delta, Wireframe};
+use wirebend_files::document::{Document, DocumentChange, StencilSource, save_atomically};
 
 pub use check::{LiveCheck, Moved, WireFigures};
 pub use error::EditorError;
@@ -26,7 +27,7 @@ pub use keeping::Unsaved;
 pub use request::{EditRequest, MergePlace, PastedVertex, Placed};
 pub use view::{DesignState, DesignView, EdgeView, VertexView, ViewChange};
 
-use crate::design::{DesignInput, Opened, default_weld_mm};
+use crate::design::{DesignInput, Opened};
 use crate::machine::Setup;
 use crate::output::file_name;
 use crate::report::NoteReport;
@@ -64,7 +65,7 @@ impl Editor {
         let mut document = Document::new(Wireframe::new());
         if let Some(machine) = machine {
             let setup = app.setup(machine, None)?;
-            (document.machine, document.material) = snapshots(&setup)?;
+            (document.machine, document.material) = changing::snapshots(&setup)?;
         }
         Self::begin(document, None, UNTITLED.to_owned(), keep_in)
     }
@@ -96,7 +97,7 @@ impl Editor {
         let mut opened = input.open(progress)?;
         if let Some((machine, material)) = machine.filter(|_| opened.document.machine.is_none()) {
             let setup = app.setup(machine, material)?;
-            (opened.document.machine, opened.document.material) = snapshots(&setup)?;
+            (opened.document.machine, opened.document.material) = changing::snapshots(&setup)?;
         }
         Self::begun_with(opened, input, keep_in)
     }
@@ -149,7 +150,9 @@ impl Editor {
     /// # Errors
     /// [`AppError`]; the design is as it was.
     pub fn edit(&mut self, app: &App, request: &EditRequest) -> Result<ViewChange, AppError> {
-        let Some(change) = self.change(app, request)?.filter(|change| !change.is_empty()) else {
+        let Some(change) =
+            changing::change(&self.document, app, request)?.filter(|change| !change.is_empty())
+        else {
             return Ok(self.changed(&DocumentChange::of_wireframe(self.unchanged())));
         };
         Ok(self.make(request.label(), change)?)
@@ -238,54 +241,7 @@ impl Editor {
         }
     }
 
-    fn change(&self, app: &App, request: &EditRequest) -> Result<Option<DocumentChange>, AppError> {
-        let document = &self.document;
-        let weld = Length::from_mm(default_weld_mm()).unwrap_or_default();
-        if let Some(edits) = request.of_wireframe(weld)? {
-            let mut scratch = document.wireframe.clone();
-            let mut delta = self.unchanged();
-            for edit in &edits {
-                delta = delta.then(&scratch.apply(edit).map_err(EditorError::from)?);
-            }
-            return Ok(Some(DocumentChange::of_edit(document, delta)));
-        }
-        Ok(match request {
-            EditRequest::Doublings { edges } => {
-                let missing = edges.iter().find(|&&edge| document.wireframe.edge(EdgeId(edge)).is_none());
-                if let Some(&edge) = missing {
-                    return Err(EditorError::NoEdge(edge).into());
-                }
-                document.set_doublings(edges.iter().copied().map(EdgeId).collect())
-            }
-            EditRequest::Start { vertex } => {
-                let start = vertex.map(VertexId);
-                if let Some(missing) = start.filter(|&id| document.wireframe.vertex(id).is_none()) {
-                    return Err(EditorError::NoVertex(missing.0).into());
-                }
-                document.set_start(start)
-            }
-            EditRequest::Machine { machine, material } => {
-                let (machine, material) = snapshots(&app.setup(machine, material.as_deref())?)?;
-                let parts = [document.set_machine(machine), document.set_material(material)];
-                parts.into_iter().flatten().reduce(DocumentChange::and)
-            }
-            EditRequest::Notes { text } => document.set_notes(text.clone()),
-            EditRequest::Units { units } => document.set_units(*units),
-            EditRequest::RemoveStencil {} => document.set_stencil(None),
-            _ => None,
-        })
+    fn unchanged(&self) -> Delta {
+        Delta::none(&self.document.wireframe)
     }
-
-    fn unchanged(&self) -> wirebend_core::wireframe::Delta {
-        wirebend_core::wireframe::Delta::none(&self.document.wireframe)
-    }
-}
-
-/// A machine and its wire as a document keeps them.
-fn snapshots(setup: &Setup) -> Result<(Option<ProfileSnapshot>, Option<ProfileSnapshot>), AppError> {
-    let snapshot = |id: &str, snapshot| Some(ProfileSnapshot { id: id.to_owned(), snapshot });
-    Ok((
-        snapshot(setup.machine_id(), serde_json::to_value(&setup.machine)?),
-        snapshot(setup.material_id(), serde_json::to_value(&setup.material)?),
-    ))
 }

@@ -60,11 +60,23 @@ pub fn every_edit() -> Vec<(Value, &'static str)> {
         (json!({"edit": "array", "vertices": [0, 1], "step": turn, "count": 3}), "array"),
         (json!({"edit": "support", "vertices": [5], "support": true}), "fix support"),
         (json!({"edit": "weld", "tolerance_mm": 31}), "weld"),
+        (json!({"edit": "detach", "edges": [0, 1]}), "detach 2 edges"),
+        (json!({"edit": "straighten", "edges": [0, 1], "tolerance_mm": 40}), "straighten"),
         (json!({"edit": "doublings", "edges": [0, 4]}), "doubled edges"),
         (json!({"edit": "start", "vertex": 6}), "start of the wire"),
         (json!({"edit": "machine", "machine": "pensa-diwire-pro", "material": "steel-3mm"}), "machine"),
         (json!({"edit": "notes", "text": "for the window"}), "notes"),
         (json!({"edit": "units", "units": "inch"}), "units"),
+        (
+            json!({"edit": "several", "label": "split at vertex 2", "edits": [{"edit": "doublings", "edges": [1]},
+            {"edit": "detach", "edges": [0, 2]}, {"edit": "start", "vertex": 8}, {"edit": "delete", "edges": [1]}]}),
+            "split at vertex 2",
+        ),
+        (
+            json!({"edit": "several", "label": "round a side", "edits": [{"edit": "delete", "edges": [4, 7]},
+            {"edit": "round", "edges": [0, 3, 5], "tolerance_mm": 16, "step_deg": 20, "least_edge_mm": 5}]}),
+            "round a side",
+        ),
     ]
 }
 
@@ -94,6 +106,23 @@ fn every_edit_is_one_thing_to_undo() {
     }
 }
 
+/// Three sides of a face are most of a square, whose corners lie on a circle of radius 21.2 mm.
+#[test]
+fn a_chain_is_rounded_to_the_step_and_the_shortest_edge() {
+    let mut editor = open("cube.obj");
+    edit(&mut editor, &json!({"edit": "delete", "edges": [4, 7]}));
+    let round = json!({"edit": "round", "edges": [0, 3, 5], "tolerance_mm": 16, "step_deg": 20});
+    let change = edit(&mut editor, &round);
+    assert_eq!(change.state.undo.as_deref(), Some("round"));
+    assert_eq!(editor.view().edges.len(), 7 + 14, "270 degrees in steps of 20");
+    editor.undo().unwrap();
+    let mut shorter = round.clone();
+    shorter["least_edge_mm"] = json!(12);
+    edit(&mut editor, &shorter);
+    // 2 · 21.21 · sin(135°/8) = 12.3 mm, and of a ninth of it 11.0 mm.
+    assert_eq!(editor.view().edges.len(), 7 + 8);
+}
+
 #[test]
 fn what_changes_nothing_is_nothing_to_undo() {
     let mut editor = open("cube.obj");
@@ -104,6 +133,9 @@ fn what_changes_nothing_is_nothing_to_undo() {
         json!({"edit": "start", "vertex": null}),
         json!({"edit": "remove-stencil"}),
         json!({"edit": "machine", "machine": "wirebend-kit", "material": null}),
+        json!({"edit": "detach", "edges": (0..12).collect::<Vec<_>>()}),
+        json!({"edit": "several", "label": "there and back", "edits": [{"edit": "start", "vertex": 1},
+            {"edit": "start", "vertex": null}]}),
     ] {
         let change = edit(&mut editor, &request);
         assert_eq!(change.state, before, "{request}");
@@ -130,6 +162,21 @@ fn what_cannot_be_done_is_said_and_changes_nothing() {
             "no direction",
         ),
         (json!({"edit": "weld", "tolerance_mm": -1}), "edit", "-1 mm"),
+        (json!({"edit": "detach", "edges": [0, 77]}), "edit", "no edge 77"),
+        (json!({"edit": "straighten", "edges": [0], "tolerance_mm": 1}), "edit", "at least 2 edges"),
+        (json!({"edit": "straighten", "edges": [0, 1], "tolerance_mm": -3}), "edit", "-3 mm"),
+        (
+            json!({"edit": "round", "edges": [0, 1], "tolerance_mm": 1, "step_deg": 10, "least_edge_mm": -2}),
+            "edit",
+            "-2 mm",
+        ),
+        (json!({"edit": "round", "edges": [0, 1], "tolerance_mm": 1, "step_deg": 0}), "edit", "0°"),
+        (
+            json!({"edit": "several", "label": "both", "edits": [{"edit": "start", "vertex": 1},
+                {"edit": "delete", "edges": [77]}]}),
+            "edit",
+            "no edge 77",
+        ),
         (json!({"edit": "doublings", "edges": [0, 99]}), "no-edge", "99"),
         (json!({"edit": "start", "vertex": 50}), "no-vertex", "50"),
         (json!({"edit": "machine", "machine": "no-such", "material": null}), "profile-unknown", "no-such"),
@@ -163,6 +210,11 @@ fn any_step() -> impl Strategy<Value = Option<Value>> {
         1 => prop::collection::btree_set(id(), 2..4)
             .prop_map(|some| json!({"edit": "merge", "vertices": some, "at": "first"})),
         1 => (id(), 0.1..0.9_f64).prop_map(|(edge, at)| json!({"edit": "split", "edge": edge, "at": at})),
+        1 => prop::collection::btree_set(id(), 1..4).prop_map(|some| json!({"edit": "detach", "edges": some})),
+        1 => (prop::collection::btree_set(id(), 2..4), 0.0..200.0_f64).prop_map(|(some, tolerance)| {
+            let straighten = json!({"edit": "straighten", "edges": some, "tolerance_mm": tolerance});
+            json!({"edit": "several", "label": "both", "edits": [straighten, {"edit": "start", "vertex": null}]})
+        }),
         1 => prop::collection::btree_set(id(), 0..3).prop_map(|some| json!({"edit": "doublings", "edges": some})),
         1 => prop::option::of(id()).prop_map(|vertex| json!({"edit": "start", "vertex": vertex})),
         1 => "[a-z]{0,8}".prop_map(|text| json!({"edit": "notes", "text": text})),
