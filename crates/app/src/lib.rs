@@ -50,8 +50,8 @@ pub use drivers::{
 };
 pub use dump::{DumpRequest, DumpResponse, DumpStage};
 pub use editor::{
-    DesignState, DesignView, EdgeView, EditRequest, Editor, EditorError, LiveCheck, MergePlace, Moved,
-    PastedVertex, Placed, Unsaved, VertexView, ViewChange, WireFigures,
+    DesignState, DesignView, EdgeView, EditRequest, Editor, EditorError, Fix, FixChange, FixPreview,
+    LiveCheck, MergePlace, Moved, PastedVertex, Placed, Unsaved, VertexView, ViewChange, WireFigures,
 };
 pub use error::{AppError, ErrorKind};
 pub use export::{ExportFormat, ExportRequest, ExportResponse};

@@ -52,6 +52,11 @@ pub(super) fn change(
     })
 }
 
+/// The difference that changes nothing.
+pub(super) fn unchanged(document: &Document) -> DocumentChange {
+    DocumentChange::of_wireframe(Delta::none(&document.wireframe))
+}
+
 /// Changes one after the other as one.
 fn several(document: &Document, app: &App, requests: &[EditRequest]) -> Result<DocumentChange, AppError> {
     let mut last = document.clone();

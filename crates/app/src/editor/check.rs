@@ -6,8 +6,9 @@ use wirebend_core::checks::Diagnostic;
 use wirebend_core::wireframe::{Edit, VertexId};
 use wirebend_files::document::Document;
 
-use super::{Editor, EditorError};
+use super::{Editor, EditorError, Names};
 use crate::design::Opened;
+use crate::machine::Setup;
 use crate::plan::{PlanChoices, Planned};
 use crate::report::{DiagnosticReport, WireReport};
 use crate::{App, AppError, NoProgress};
@@ -60,36 +61,44 @@ impl Editor {
     /// # Errors
     /// [`AppError::NoMachine`] where none is chosen; [`EditorError`] when a vertex is not there or goes nowhere.
     pub fn check(&mut self, app: &App, moved: &[Moved]) -> Result<LiveCheck, AppError> {
-        let document = &self.document;
-        let mut wireframe = document.wireframe.clone();
+        let mut document = self.planned_part();
         for &Moved { vertex, at_mm } in moved {
             let edit = Edit::Place { vertex: VertexId(vertex), position: at_mm.into() };
-            wireframe.apply(&edit).map_err(EditorError::from)?;
+            document.wireframe.apply(&edit).map_err(EditorError::from)?;
         }
-        let machine = document.machine.as_ref().map(|machine| machine.id.clone());
-        let machine = machine.ok_or_else(|| AppError::NoMachine { known: app.machine_ids() })?;
-        let material = document.material.as_ref().map(|material| material.id.clone());
-        let names = (machine, material);
-        let setup = match self.setup.take().filter(|(asked, _)| *asked == names) {
-            Some((_, setup)) => setup,
-            None => app.setup(&names.0, names.1.as_deref())?,
-        };
-        // The stencil is no part of what is bent.
-        let document = Document {
-            doublings: document.doublings.clone(),
-            start: document.start,
-            ..Document::new(wireframe)
-        };
+        let (names, setup) = self.take_setup(app)?;
         let opened = Opened::of(self.name.clone(), document);
         let planned = App::plan_with(opened, setup, &PlanChoices::default(), &NoProgress)?;
         let check = LiveCheck::of(&planned);
         self.setup = Some((names, planned.setup));
         Ok(check)
     }
+
+    /// Machine and material of the design, which are to be put back.
+    pub(super) fn take_setup(&mut self, app: &App) -> Result<(Names, Setup), AppError> {
+        let machine = self.document.machine.as_ref().map(|machine| machine.id.clone());
+        let machine = machine.ok_or_else(|| AppError::NoMachine { known: app.machine_ids() })?;
+        let material = self.document.material.as_ref().map(|material| material.id.clone());
+        let names = (machine, material);
+        let setup = match self.setup.take().filter(|(asked, _)| *asked == names) {
+            Some((_, setup)) => setup,
+            None => app.setup(&names.0, names.1.as_deref())?,
+        };
+        Ok((names, setup))
+    }
+
+    /// What is planned of the design: the stencil is no part of what is bent.
+    pub(super) fn planned_part(&self) -> Document {
+        Document {
+            doublings: self.document.doublings.clone(),
+            start: self.document.start,
+            ..Document::new(self.document.wireframe.clone())
+        }
+    }
 }
 
 impl LiveCheck {
-    fn of(planned: &Planned) -> Self {
+    pub(super) fn of(planned: &Planned) -> Self {
         let of_wires = planned.wires.iter().flat_map(|wire| &wire.diagnostics);
         let mut all: Vec<&Diagnostic> = planned.design.iter().chain(of_wires).collect();
         all.sort_by_key(|diagnostic| diagnostic.severity);

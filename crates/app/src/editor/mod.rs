@@ -7,6 +7,7 @@
 mod changing;
 mod check;
 mod error;
+mod fixes;
 mod history;
 mod keeping;
 mod request;
@@ -16,11 +17,12 @@ mod view;
 use std::path::{Path, PathBuf};
 
 use wirebend_core::mesh::Stencil;
-use wirebend_core::wireframe::{Delta, Wireframe};
+use wirebend_core::wireframe::Wireframe;
 use wirebend_files::document::{Document, DocumentChange, StencilSource, save_atomically};
 
 pub use check::{LiveCheck, Moved, WireFigures};
 pub use error::EditorError;
+pub use fixes::{Fix, FixChange, FixPreview};
 use history::{Done, History};
 use keeping::Keeping;
 pub use keeping::Unsaved;
@@ -153,7 +155,7 @@ impl Editor {
         let Some(change) =
             changing::change(&self.document, app, request)?.filter(|change| !change.is_empty())
         else {
-            return Ok(self.changed(&DocumentChange::of_wireframe(self.unchanged())));
+            return Ok(self.changed(&changing::unchanged(&self.document)));
         };
         Ok(self.make(request.label(), change)?)
     }
@@ -204,7 +206,7 @@ impl Editor {
     pub(crate) fn put_stencil(&mut self, stencil: Stencil) -> Result<ViewChange, EditorError> {
         match self.document.set_stencil(Some(StencilSource::Embedded(stencil))) {
             Some(change) => self.make("stencil".to_owned(), change),
-            None => Ok(self.changed(&DocumentChange::of_wireframe(self.unchanged()))),
+            None => Ok(self.changed(&changing::unchanged(&self.document))),
         }
     }
 
@@ -239,9 +241,5 @@ impl Editor {
             tracing::error!("{error}");
             self.unkept = Some(error.to_string());
         }
-    }
-
-    fn unchanged(&self) -> Delta {
-        Delta::none(&self.document.wireframe)
     }
 }

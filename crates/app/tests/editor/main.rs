@@ -5,6 +5,7 @@
 
 mod checks;
 mod edits;
+mod fixes;
 mod kept;
 
 use std::path::{Path, PathBuf};

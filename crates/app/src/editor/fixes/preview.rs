@@ -1,0 +1,69 @@
+//! What to draw of a fix before it is made.
+
+use schemars::JsonSchema;
+use serde::Serialize;
+use wirebend_core::wireframe::{Edge, VertexId};
+use wirebend_files::document::{Document, DocumentChange};
+
+use super::super::{EditRequest, Moved};
+
+/// What a fix would change in the drawing. Positions in mm.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
+pub struct FixPreview {
+    /// Vertices at their new places.
+    pub moved: Vec<Moved>,
+    /// Edges that would be laid twice.
+    pub doubled: Vec<u32>,
+    /// Edges that would go.
+    pub gone_edges: Vec<u32>,
+    /// Lines that would be new.
+    pub new_edges: Vec<[[f64; 3]; 2]>,
+    /// Edges that would be detached from the others: the wires that are split off.
+    pub detached: Vec<Vec<u32>>,
+}
+
+impl FixPreview {
+    pub(super) fn of(document: &Document, edit: &EditRequest, change: &DocumentChange) -> Self {
+        let wireframe = &document.wireframe;
+        let mut preview = Self::default();
+        for (id, change) in &change.wireframe.vertices {
+            if let (Some(before), Some(after)) = (change.before, change.after)
+                && before.position != after.position
+            {
+                preview.moved.push(Moved { vertex: id.0, at_mm: after.position.coords.into() });
+            }
+        }
+        let was = |id: VertexId| wireframe.vertex(id).map(|vertex| vertex.position);
+        let is = |id: VertexId| match change.wireframe.vertices.get(&id) {
+            Some(change) => change.after.map(|vertex| vertex.position),
+            None => was(id),
+        };
+        let drawn = |edge: Edge| Some([is(edge.a)?, is(edge.b)?]);
+        for (id, change) in &change.wireframe.edges {
+            match (change.before, change.after) {
+                (Some(_), None) => preview.gone_edges.push(id.0),
+                // An edge that only got vertices of its own is where it was.
+                (before, Some(after)) => {
+                    let before = before.and_then(|edge| Some([was(edge.a)?, was(edge.b)?]));
+                    let line = drawn(after).filter(|line| Some(*line) != before);
+                    preview.new_edges.extend(line.map(|line| line.map(|point| point.coords.into())));
+                }
+                (None, None) => {}
+            }
+        }
+        if let Some(doublings) = &change.doublings {
+            let new = doublings.after.iter().filter(|id| !doublings.before.contains(id));
+            preview.doubled = new.map(|id| id.0).collect();
+        }
+        preview.detached = detached(edit);
+        preview
+    }
+}
+
+fn detached(edit: &EditRequest) -> Vec<Vec<u32>> {
+    match edit {
+        EditRequest::Detach { edges } => vec![edges.clone()],
+        EditRequest::Several { edits, .. } => edits.iter().flat_map(detached).collect(),
+        _ => Vec::new(),
+    }
+}
