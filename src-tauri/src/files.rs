@@ -46,13 +46,14 @@ pub(crate) fn named(words: &[String], folder: &Path) -> Vec<PathBuf> {
 }
 
 /// The files that were named before the editor was there.
+#[allow(clippy::needless_pass_by_value, reason = "a command is given its state by value")]
 #[tauri::command]
 pub(crate) fn files_to_open(files: State<'_, FilesToOpen>) -> Vec<PathBuf> {
     files.take()
 }
 
 /// Opens files once the editor is there.
-pub(crate) fn open_later<R: Runtime>(app: &AppHandle<R>, files: Vec<PathBuf>) {
+pub(crate) fn open_later<R: Runtime>(app: &AppHandle<R>, files: &[PathBuf]) {
     let waiting = app.state::<FilesToOpen>();
     for file in files.iter().filter(|file| waiting.add(file)) {
         if let Err(error) = app.emit("open-file", file) {
@@ -65,7 +66,7 @@ pub(crate) fn open_later<R: Runtime>(app: &AppHandle<R>, files: Vec<PathBuf>) {
 pub(crate) fn asked_by_system<R: Runtime>(app: &AppHandle<R>, event: &tauri::RunEvent) {
     #[cfg(any(target_os = "macos", target_os = "ios"))]
     if let tauri::RunEvent::Opened { urls } = event {
-        open_later(app, urls.iter().filter_map(|url| url.to_file_path().ok()).collect());
+        open_later(app, &urls.iter().filter_map(|url| url.to_file_path().ok()).collect::<Vec<_>>());
     }
     #[cfg(not(any(target_os = "macos", target_os = "ios")))]
     let _ = (app, event);

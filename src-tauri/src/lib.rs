@@ -34,7 +34,6 @@ pub fn main() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             tracing::error!("{error:#}");
-            eprintln!("wirebend-kit: {error:#}");
             ExitCode::FAILURE
         }
     }
@@ -46,7 +45,7 @@ fn run(places: Places) -> anyhow::Result<()> {
     let builder = tauri::Builder::default()
         // It has to be the first: a second process is over before it does anything else.
         .plugin(tauri_plugin_single_instance::init(|app, words, folder| {
-            files::open_later(app, files::named(&words, std::path::Path::new(&folder)));
+            files::open_later(app, &files::named(&words, std::path::Path::new(&folder)));
             if let Some(window) = app.get_webview_window("main") {
                 let _ = window.unminimize();
                 let _ = window.set_focus();

@@ -101,7 +101,8 @@ fn a_stop_is_always_answered() {
 #[test]
 fn files_of_the_command_line_are_handed_over_once() {
     let window = window(vec![PathBuf::from("/here/a.wirebend")]);
-    let files = |window: &Window| window.invoke("files_to_open", json!({})).unwrap().deserialize::<Value>().unwrap();
+    let files =
+        |window: &Window| window.invoke("files_to_open", json!({})).unwrap().deserialize::<Value>().unwrap();
     assert_eq!(files(&window), json!(["/here/a.wirebend"]));
     assert_eq!(files(&window), json!([]));
 }

@@ -5,6 +5,7 @@
 
 mod http;
 
+use std::io::Write;
 use std::net::{Ipv4Addr, SocketAddr};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -48,17 +49,17 @@ fn main() -> ExitCode {
     if words.next().is_some_and(|word| word == wirebend_app::CHILD_COMMAND) {
         return wirebend_app::child_main(&words.collect::<Vec<_>>());
     }
+    tracing_subscriber::fmt().with_writer(std::io::stderr).with_max_level(tracing::Level::WARN).init();
     match serve(Arguments::parse()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("wirebend-loopback: {error:#}");
+            tracing::error!("{error:#}");
             ExitCode::FAILURE
         }
     }
 }
 
 fn serve(arguments: Arguments) -> Result<()> {
-    tracing_subscriber::fmt().with_writer(std::io::stderr).with_max_level(tracing::Level::WARN).init();
     let Arguments { dist, home, port } = arguments;
     anyhow::ensure!(
         dist.join("index.html").is_file(),
@@ -79,7 +80,7 @@ fn serve(arguments: Arguments) -> Result<()> {
     let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(2).enable_io().build()?;
     runtime.block_on(async {
         let listener = tokio::net::TcpListener::bind(SocketAddr::from((Ipv4Addr::LOCALHOST, port))).await?;
-        println!("http://{}/?token={token}", listener.local_addr()?);
+        writeln!(std::io::stdout(), "http://{}/?token={token}", listener.local_addr()?)?;
         let served = http::Served { desk, told: sender, token: token.into(), dist, files };
         axum::serve(listener, http::router(Arc::new(served))).await?;
         Ok(())
@@ -91,5 +92,5 @@ fn token() -> Result<String> {
     let mut bytes = [0_u8; 16];
     getrandom::fill(&mut bytes)
         .map_err(|error| anyhow::anyhow!("this computer has no random numbers: {error}"))?;
-    Ok(bytes.iter().map(|byte| format!("{byte:02x}")).collect())
+    Ok(format!("{:032x}", u128::from_be_bytes(bytes)))
 }
