@@ -10,7 +10,7 @@ use wirebend_files::read::ReadError;
 use wirebend_profile::{Kind, ProfileError};
 
 use crate::report::PlanReport;
-use crate::{DriverProblem, EditorError, LiveProblem};
+use crate::{DriverProblem, EditorError, LiveProblem, OperatorError};
 
 /// Whose turn it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, schemars::JsonSchema)]
@@ -196,6 +196,9 @@ pub enum AppError {
     /// A machine does not move, or does not any more.
     #[error(transparent)]
     Live(#[from] LiveProblem),
+    /// An operator does not do what it was told.
+    #[error(transparent)]
+    Operator(#[from] OperatorError),
     /// A machine's program was asked for in the format of another machine.
     #[error(
         "{format} is no format of '{machine}', whose programs are compensated for that machine alone: plan the wireframe for a machine that reads it, or choose one of {known}"
@@ -332,6 +335,7 @@ impl AppError {
         match self {
             Self::Driver(problem) => problem.kind(),
             Self::Live(problem) => problem.kind(),
+            Self::Operator(problem) => problem.kind(),
             Self::Document(DocumentError::Save { .. } | DocumentError::Write(_))
             | Self::Picture(_)
             | Self::Json(_) => ErrorKind::Failure,
@@ -402,6 +406,7 @@ impl AppError {
             Self::NoSettings { .. } => "no-settings",
             Self::Driver(problem) => problem.code(),
             Self::Live(problem) => problem.code(),
+            Self::Operator(problem) => problem.code(),
             Self::OtherMachine { .. } => "other-machine",
             Self::FormatOfAnother { .. } => "format-of-another",
             Self::Settled { .. } => "settled",

@@ -20,6 +20,7 @@ mod import;
 mod live;
 mod machine;
 mod machine_settings;
+mod operator;
 mod output;
 mod picture;
 mod places;
@@ -58,6 +59,10 @@ pub use export::{ExportFormat, ExportRequest, ExportResponse};
 pub use import::{ImportRequest, ImportResponse};
 pub use live::{Decision, Doubt, LiveProblem, News};
 pub use machine_settings::{MachineSettingsRequest, MachineSettingsResponse};
+pub use operator::{
+    Answer, ConnectRequest, MachineState, Operator, OperatorError, OperatorEvent, OperatorListener, Order,
+    OrderName, Phase, Question, QuestionKind, Unfinished, WireState,
+};
 pub use output::Output;
 pub use places::Places;
 pub use plan::{CheckRequest, CheckResponse, PlanChoices, PlanRequest, PlanResponse};
@@ -67,7 +72,7 @@ pub use profile_explain::{
     AncestorReport, OverriddenReport, ProfileExplainRequest, ProfileExplainResponse, ValueReport,
 };
 pub use profile_new::{ProfileNewRequest, ProfileNewResponse, ProfilePlace};
-pub use progress::{NoProgress, Progress};
+pub use progress::{NoProgress, Progress, Wish};
 pub use report::{
     CompensatedReport, DiagnosticReport, NoteReport, PlanReport, ProgramReport, RouteReport, SeverityName,
     StepReport, WireReport, WireframeReport,

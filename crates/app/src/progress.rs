@@ -4,6 +4,15 @@ use wirebend_driver_host::StopHandle;
 
 use crate::{Decision, Doubt, News};
 
+/// What a person wants of a wire that is being made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Wish {
+    /// The machine holds.
+    Pause,
+    /// It goes on after that.
+    Resume,
+}
+
 /// Hears what is being done. Called from the thread that runs the command.
 ///
 /// What moves a machine asks here first. The defaults are those of a front end without a person: nobody hears,
@@ -21,6 +30,10 @@ pub trait Progress {
     }
     /// Asks a person, who looks at the wire, what became of a step. `None`: nobody is there, or nobody knows.
     fn decide(&self, _doubt: &Doubt) -> Option<Decision> {
+        None
+    }
+    /// What a person wants of the wire that is being made, once: asked at every turn of the loop.
+    fn wish(&self) -> Option<Wish> {
         None
     }
     /// A machine can be stopped by this from now on, from any thread, whatever the command is doing. A front end

@@ -224,6 +224,22 @@ fn a_stop_from_elsewhere_is_noticed_before_the_next_motion() {
     assert_eq!(session.state(), State::Stopped);
 }
 
+/// Between a person's yes and the search: it was for a machine that nobody had stopped.
+#[test]
+fn a_machine_that_was_stopped_is_not_homed_at_a_word_of_before() {
+    let mut session = homed();
+    assert_eq!(session.stop_handle().stop().by, StoppedBy::Driver);
+    assert!(matches!(session.home(&yes()), Err(SessionError::Stale)));
+    assert_eq!(session.poll().unwrap(), [], "it does not search its reference");
+    assert_eq!(session.state(), State::Stopped);
+    // At a new word it is, and the stop is history.
+    assert_eq!(session.take_stop().map(|stop| stop.by), Some(StoppedBy::Driver));
+    assert_eq!((session.last_stop(), session.state()), (None, State::Stopped));
+    session.home(&yes()).unwrap();
+    session.poll().unwrap();
+    assert_eq!(session.state(), State::Homed);
+}
+
 #[test]
 fn a_driver_that_only_writes_files_has_no_session() {
     let trust = TrustStore::open("none.json".as_ref()).unwrap();

@@ -10,6 +10,8 @@ use crate::live::{At, Connection, Unnamed, Yes, stop_of};
 use crate::run::RunProblem;
 use crate::{App, AppError, LiveProblem, Progress};
 
+/// What a person is asked before moves by hand.
+pub(crate) const QUESTION: &str = "May the machine move?";
 /// How many moves are told before they are made.
 const TOLD: usize = 12;
 
@@ -19,51 +21,25 @@ pub(super) fn make(
     machine: &Resolved<MachineProfile>,
     hand: &Hand,
     moves: &[Move],
-    mut lines: Vec<String>,
+    more: Vec<String>,
     progress: &dyn Progress,
 ) -> Result<JogResponse, AppError> {
     let signs = Signs::of(&machine.figures()?);
     let at =
         At { profile: &machine.profile, signs, port: hand.port, unnamed: Unnamed::Simulate, token: None };
     let mut connection = app.connect(&at, progress)?;
-    let description = connection.session.driver().description();
-    for (needed, capability) in [
-        (moves.iter().any(|one| *one != Move::Home), Capability::Jog),
-        (moves.contains(&Move::Home), Capability::Home),
-    ] {
-        if needed && !description.can(capability) {
-            let driver = description.id.clone();
-            return Err(LiveProblem::from(SessionError::Unsupported { driver, capability }).into());
-        }
-    }
+    require(&connection, moves)?;
     // It counts every move from its reference.
     let homes = connection.session.state() != State::Homed
         && moves.first() != Some(&Move::Home)
-        && description.can(Capability::Home);
-    let name = machine.profile.name.as_deref().unwrap_or(&machine.profile.id);
-    lines.insert(0, format!("{name} at {} ({})", connection.port, connection.session.identity()));
-    lines.splice(1..1, connection.why_here());
-    if homes {
-        lines.push("first it searches its reference: the bend axis moves at once".to_owned());
-    }
-    let told: Vec<String> = moves.iter().take(TOLD).map(ToString::to_string).collect();
-    let more = moves.len().saturating_sub(TOLD);
-    let more = if more > 0 { format!(" and {more} more") } else { String::new() };
-    lines.push(format!("it makes: {}{more}", told.join(", ")));
-    let yes = Yes::ask(progress, lines, "May the machine move?", hand.confirmed)?;
+        && connection.can_home();
+    let lines = lines(&connection, machine, moves, more, homes);
+    let yes = Yes::ask(progress, lines, QUESTION, hand.confirmed)?;
     let mut made = Vec::new();
-    let ended = (|| {
-        if homes {
-            connection.home(&yes)?;
-        }
-        let mut armed = None;
-        for &one in moves {
-            make_one(&mut connection, signs, one, &mut armed, &yes)?;
-            made.push(one);
-            progress.advance(made.len() as u64, moves.len() as u64);
-        }
-        Ok::<(), LiveProblem>(())
-    })();
+    let ended = make_all(&mut connection, signs, moves, homes, &yes, |one| {
+        made.push(one);
+        progress.advance(made.len() as u64, moves.len() as u64);
+    });
     let (stopped, problem) = match ended {
         Ok(()) => (false, None),
         Err(LiveProblem::Stopped { .. }) => (true, None),
@@ -86,6 +62,63 @@ pub(super) fn make(
         output: None,
         notes: std::mem::take(&mut connection.hearing.warnings),
     })
+}
+
+/// Refuses moves that the machine's driver does not know at all.
+pub(crate) fn require(connection: &Connection, moves: &[Move]) -> Result<(), LiveProblem> {
+    let description = connection.session.driver().description();
+    for (needed, capability) in [
+        (moves.iter().any(|one| *one != Move::Home), Capability::Jog),
+        (moves.contains(&Move::Home), Capability::Home),
+    ] {
+        if needed && !description.can(capability) {
+            let driver = description.id.clone();
+            return Err(SessionError::Unsupported { driver, capability }.into());
+        }
+    }
+    Ok(())
+}
+
+/// What a person reads before moves are made. `more`: what else they have to know of them.
+pub(crate) fn lines(
+    connection: &Connection,
+    machine: &Resolved<MachineProfile>,
+    moves: &[Move],
+    more: Vec<String>,
+    homes: bool,
+) -> Vec<String> {
+    let name = machine.profile.name.as_deref().unwrap_or(&machine.profile.id);
+    let mut lines = vec![format!("{name} at {} ({})", connection.port, connection.session.identity())];
+    lines.extend(connection.why_here());
+    lines.extend(more);
+    if homes {
+        lines.push("first it searches its reference: the bend axis moves at once".to_owned());
+    }
+    let told: Vec<String> = moves.iter().take(TOLD).map(ToString::to_string).collect();
+    let more = moves.len().saturating_sub(TOLD);
+    let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+    lines.push(format!("it makes: {}{more}", told.join(", ")));
+    lines
+}
+
+/// Makes moves one after the other, and tells each that was made to its end.
+pub(crate) fn make_all(
+    connection: &mut Connection,
+    signs: Signs,
+    moves: &[Move],
+    homes: bool,
+    yes: &Yes,
+    mut made: impl FnMut(Move),
+) -> Result<(), LiveProblem> {
+    if homes {
+        connection.home(yes)?;
+    }
+    let mut armed = None;
+    for &one in moves {
+        make_one(connection, signs, one, &mut armed, yes)?;
+        made(one);
+    }
+    Ok(())
 }
 
 fn make_one(

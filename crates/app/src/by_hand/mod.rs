@@ -15,6 +15,7 @@ use crate::report::NoteReport;
 use crate::run::RunProblem;
 use crate::{App, AppError, LiveProblem, Progress};
 use making::make;
+pub(crate) use making::{QUESTION, lines, make_all, require};
 pub use moves::{Move, MovesFile};
 
 /// What to move. Nothing moves unless a person says so: here, or when they are asked.
@@ -105,6 +106,19 @@ pub(crate) fn replay(
     let lines = other_machine(&name, &file, &machine, request.machine.is_some())?;
     let hand = Hand { port: request.port.as_deref(), confirmed: request.confirmed };
     make(app, &machine, &hand, &file.moves, lines, progress)
+}
+
+/// The moves of a recording for a machine that is connected, and what a person has to know of them. `named`: whether they
+/// have said that the recording may be of another machine.
+pub(crate) fn moves_of(
+    file: &Input,
+    machine: &Resolved<MachineProfile>,
+    named: bool,
+) -> Result<(Vec<Move>, Vec<String>), AppError> {
+    let (name, bytes) = file.load()?;
+    let file = MovesFile::open(&name, &bytes)?;
+    let lines = other_machine(&name, &file, machine, named)?;
+    Ok((file.moves, lines))
 }
 
 /// What a person has to know of a recording from elsewhere, which they have asked for by name.

@@ -7,7 +7,7 @@ use wirebend_profile::MachineFigures;
 use crate::{Move, StepReport};
 
 /// The signs of a machine.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Signs(Convention);
 
 impl Signs {

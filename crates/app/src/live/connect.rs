@@ -45,6 +45,9 @@ pub(crate) struct Connection<'a> {
     pub session: Session,
     pub hearing: Hearing<'a>,
     pub port: String,
+    /// The program's own way to the port. As long as a copy is kept, the port is not closed for good, and a board at it
+    /// is not reset when it is opened again.
+    pub line: Option<StopLine>,
     /// Nobody has named the port: it is the simulated machine's.
     pub unnamed: bool,
     pub driver_id: String,
@@ -94,12 +97,12 @@ impl App {
             Some(token) => Session::connect_resuming(driver, &port, token),
             None => Session::connect(driver, &port),
         };
-        let session = session.map_err(LiveProblem::from)?.with_stop_line(line);
+        let session = session.map_err(LiveProblem::from)?.with_stop_line(line.clone());
         progress.connected(&session.stop_handle());
         tracing::info!("connected to {port}, which has not answered yet");
         let hearing = Hearing { progress, signs: at.signs, warnings: Vec::new(), settings: Vec::new() };
         let unnamed = at.port.is_none();
-        let mut connection = Connection { session, hearing, port, unnamed, driver_id, driver_version };
+        let mut connection = Connection { session, hearing, port, line, unnamed, driver_id, driver_version };
         connection.await_answer()?;
         Ok(connection)
     }
@@ -118,12 +121,17 @@ fn port_of_simulated(driver: &OpenDriver, unnamed: Unnamed) -> Result<String, Ap
     Err(LiveProblem::NoPort { known: listed.into_iter().map(|port| port.name).collect() }.into())
 }
 
-impl Connection<'_> {
+impl<'a> Connection<'a> {
     /// For whoever has named no port.
     pub fn why_here(&self) -> Option<String> {
         let what =
             "it is the simulated machine, since no port was named: `wirebend ports` tells where others are";
         self.unnamed.then(|| what.to_owned())
+    }
+
+    /// Whether the machine can search its reference.
+    pub fn can_home(&self) -> bool {
+        self.session.driver().description().can(Capability::Home)
     }
 
     fn await_answer(&mut self) -> Result<(), LiveProblem> {
@@ -142,13 +150,54 @@ impl Connection<'_> {
         look(&mut self.session, &mut self.hearing, during)
     }
 
+    /// The same for a machine of which nothing was ordered. That it was stopped before is known.
+    pub fn look_at_rest(&mut self) -> Result<(), LiveProblem> {
+        let stopped = self.session.state() == State::Stopped;
+        match self.look("it was at rest") {
+            Err(LiveProblem::Stopped { .. }) if stopped && self.session.last_stop().is_none() => Ok(()),
+            looked => looked.map(drop),
+        }
+    }
+
+    /// Waits until the machine says that it has stopped, since it cannot be asked to home before; not for longer than
+    /// `patience`, nor for one of which nothing is wanted any more.
+    pub fn await_stopped(&mut self, patience: Duration, unwanted: impl Fn() -> bool) {
+        let begun = Instant::now();
+        while begun.elapsed() < patience && !unwanted() {
+            let Ok(events) = self.session.poll() else { return };
+            for event in &events {
+                self.hearing.hear(event);
+                match event {
+                    Event::Stopped { .. } => return,
+                    Event::Fault { error, .. } => return self.hearing.warn(&error.code, &error.to_string()),
+                    _ => {}
+                }
+            }
+            if events.is_empty() {
+                std::thread::sleep(PAUSE);
+            }
+        }
+    }
+
     /// Refuses a machine that is set otherwise than its profile says, unless a person wants it so.
-    pub fn require_settings(&mut self, machine: &str, accept: bool) -> Result<(), LiveProblem> {
-        let settings = self.session.differences().to_vec();
+    pub fn require_settings(&self, machine: &str, accept: bool) -> Result<(), LiveProblem> {
+        // Those that were accepted for a wire before, too: each is made at a word of its own.
+        let settings: Vec<_> = self.hearing.settings.iter().filter(|one| one.matters).cloned().collect();
         if settings.is_empty() || accept {
             return Ok(());
         }
         Err(LiveProblem::SettingsDiffer { machine: machine.to_owned(), port: self.port.clone(), settings })
+    }
+
+    /// Lends the session to what makes a wire. The connection is lost where that does not give it back.
+    pub fn through<T>(
+        self,
+        make: impl FnOnce(Session, &mut Hearing<'a>) -> (Option<Session>, T),
+    ) -> (Option<Self>, T) {
+        let Self { session, mut hearing, port, line, unnamed, driver_id, driver_version } = self;
+        let (session, made) = make(session, &mut hearing);
+        let again = |session| Self { session, hearing, port, line, unnamed, driver_id, driver_version };
+        (session.map(again), made)
     }
 
     /// Lets the machine find its reference.
@@ -196,6 +245,7 @@ fn look(
 /// Lets the machine find its reference.
 pub(crate) fn home(session: &mut Session, hearing: &mut Hearing, yes: &Yes) -> Result<(), LiveProblem> {
     hearing.progress.stage("homing");
+    hearing.progress.news(&News::Homing);
     tracing::info!("homing");
     let homing = session.home(&yes.confirmed()?);
     if homing.is_err() && stop_of(session).is_some() {

@@ -15,6 +15,8 @@ pub enum News {
         /// The lines.
         lines: Vec<String>,
     },
+    /// The machine searches its reference: it moves.
+    Homing,
     /// How far a wire is.
     Wire {
         /// Index of the wire, from 0.

@@ -1,18 +1,16 @@
 //! What a person reads before they say yes.
 
-use wirebend_driver_host::api::Capability;
-
 use super::task::Task;
 use crate::AppError;
 use crate::live::Connection;
 
-/// What will happen to a wire. `anew`: it is begun, with new wire and a search for the reference where the machine
-/// has one.
-pub(super) fn about(
+/// What will happen to a wire. `anew`: it is begun, with new wire. `homes`: the machine searches its reference first.
+pub(crate) fn about(
     task: &Task,
     connection: &Connection,
     wire: usize,
     anew: bool,
+    homes: bool,
 ) -> Result<Vec<String>, AppError> {
     let kept = task.wire(wire)?;
     let (setup, count) = (&task.setup, task.job.contents().wires.len());
@@ -49,7 +47,7 @@ pub(super) fn about(
             shown(head)
         ));
     }
-    if anew && connection.session.driver().description().can(Capability::Home) {
+    if homes {
         lines.push("first the machine searches its reference: the bend axis moves at once".to_owned());
     }
     let objections = task.job.contents().objections.iter();

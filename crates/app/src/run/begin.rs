@@ -1,6 +1,6 @@
 //! A job's wires made from their beginning, one after the other.
 
-use wirebend_driver_host::jobs::{Clock, Heading, JobRun, Journal};
+use wirebend_driver_host::jobs::{Clock, Heading, JobRun, Journal, Work};
 
 use super::about::about;
 use super::making::{Making, Watch};
@@ -33,7 +33,12 @@ impl Task<'_> {
                 }
                 Err(error) => return Err(error),
             };
-            connection = self.make(connection, wire, &yes, &mut response)?;
+            let homes = connection.can_home();
+            let (back, made) = self.make(connection, wire, homes, &yes, &mut response);
+            made?;
+            // It is given back where the wire was made or interrupted.
+            let Some(back) = back else { return Ok(response) };
+            connection = back;
             if response.wires.last().is_none_or(|made| made.outcome != RunOutcome::Made) {
                 response.left = wanted[place + 1..].to_vec();
                 break;
@@ -44,7 +49,7 @@ impl Task<'_> {
     }
 
     fn ask(&self, connection: &Connection, wire: usize, first: bool) -> Result<Yes, AppError> {
-        let lines = about(self, connection, wire, true)?;
+        let lines = about(self, connection, wire, true, connection.can_home())?;
         let question = if first {
             "Is the wire in, and may the machine move?"
         } else {
@@ -54,16 +59,38 @@ impl Task<'_> {
         Ok(Yes::ask(self.progress, lines, question, first && self.request.confirmed)?)
     }
 
-    fn make<'c>(
+    /// Makes a wire from its beginning. `homes`: the machine searches its reference first. The connection is given
+    /// back unless the loop could not be begun with it.
+    pub fn make<'c>(
         &self,
-        connection: Connection<'c>,
+        mut connection: Connection<'c>,
         wire: usize,
+        homes: bool,
         yes: &Yes,
         response: &mut RunResponse,
-    ) -> Result<Connection<'c>, AppError> {
-        let Connection { mut session, mut hearing, port, unnamed, driver_id, driver_version } = connection;
-        if self.request.accept_settings && !session.differences().is_empty() {
-            session.accept_differences(yes.confirmed()?);
+    ) -> (Option<Connection<'c>>, Result<(), AppError>) {
+        let (id, journal, work) = match self.prepare(&mut connection, wire, yes) {
+            Ok(prepared) => prepared,
+            Err(error) => return (Some(connection), Err(error)),
+        };
+        connection.through(|session, hearing| {
+            let run = match JobRun::new(session, journal, work, Box::new(self.clock)) {
+                Ok(run) => run,
+                Err(error) => return (None, Err(LiveProblem::from(error).into())),
+            };
+            let making = Making { task: self, wire, id, homes, run, watch: Watch::default() };
+            making.go(hearing, yes, response)
+        })
+    }
+
+    fn prepare(
+        &self,
+        connection: &mut Connection,
+        wire: usize,
+        yes: &Yes,
+    ) -> Result<(String, Journal, Work), AppError> {
+        if self.request.accept_settings && !connection.session.differences().is_empty() {
+            connection.session.accept_differences(yes.confirmed()?);
         }
         let work = self.work(wire)?;
         let (id, path) = self.folder.next(self.job.hash(), wire)?;
@@ -75,17 +102,13 @@ impl Task<'_> {
             wire,
             steps: work.run.steps,
             machine: work.run.machine.clone(),
-            driver: driver_id.clone(),
-            driver_version: driver_version.clone(),
-            port: port.clone(),
+            driver: connection.driver_id.clone(),
+            driver_version: connection.driver_version.clone(),
+            port: connection.port.clone(),
             material: self.setup.material_id().to_owned(),
             stock_mm: work.run.stock_mm,
         };
         let journal = Journal::create(&path, heading, self.clock.stamp()).map_err(LiveProblem::from)?;
-        let run = JobRun::new(session, journal, work, Box::new(self.clock)).map_err(LiveProblem::from)?;
-        let (made, session) =
-            Making { task: self, wire, id, run, watch: Watch::default() }.go(&mut hearing, yes, response)?;
-        response.wires.push(made);
-        Ok(Connection { session, hearing, port, unnamed, driver_id, driver_version })
+        Ok((id, journal, work))
     }
 }

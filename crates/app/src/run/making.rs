@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant, SystemTime};
 
-use wirebend_driver_host::api::{Capability, DriverError, PausedBy};
+use wirebend_driver_host::api::{DriverError, PausedBy};
 use wirebend_driver_host::jobs::{JobError, JobRun, Progress as Told, Resume, Standing};
 use wirebend_driver_host::{Session, StoppedBy};
 
@@ -10,7 +10,7 @@ use super::report::{RunOutcome, RunProblem, RunResponse, WireRun};
 use super::task::Task;
 use crate::live::{Hearing, PAUSE, Yes, home, stop_of};
 use crate::simulate::KeptWire;
-use crate::{AppError, LiveProblem, News};
+use crate::{AppError, LiveProblem, News, Wish};
 
 /// How often a front end hears how far the wire is, at least.
 const NEWS: Duration = Duration::from_millis(200);
@@ -23,6 +23,8 @@ pub(super) struct Making<'t, 'a> {
     pub task: &'t Task<'a>,
     pub wire: usize,
     pub id: String,
+    /// Whether the machine searches its reference before it begins or takes the wire up.
+    pub homes: bool,
     pub run: JobRun,
     pub watch: Watch,
 }
@@ -62,13 +64,28 @@ struct Heard {
 }
 
 impl Making<'_, '_> {
-    /// Begins the wire, or goes on with it, and makes it to its end or to where it is interrupted.
+    /// Begins the wire, or goes on with it, and makes it to its end or to where it is interrupted. The session is
+    /// given back whatever becomes of it.
     pub fn go(
         mut self,
         hearing: &mut Hearing,
         yes: &Yes,
         response: &mut RunResponse,
-    ) -> Result<(WireRun, Session), AppError> {
+    ) -> (Option<Session>, Result<(), AppError>) {
+        let made = self.make(hearing, yes, response).map(|made| response.wires.push(made));
+        (Some(self.into_session()), made)
+    }
+
+    pub fn into_session(self) -> Session {
+        self.run.into_parts().0
+    }
+
+    fn make(
+        &mut self,
+        hearing: &mut Hearing,
+        yes: &Yes,
+        response: &mut RunResponse,
+    ) -> Result<WireRun, AppError> {
         let mut heard = Heard::default();
         let driven = self.begin(hearing, yes).and_then(|()| self.drive(hearing, &mut heard));
         // What failed while a stop was on its way is its doing.
@@ -95,18 +112,14 @@ impl Making<'_, '_> {
             self.run.note_deviations(deviations.clone()).map_err(LiveProblem::from)?;
         }
         self.keep(response)?;
-        let report = self.report(&heard, deviations_mm)?;
-        Ok((report, self.run.into_parts().0))
+        self.report(&heard, deviations_mm)
     }
 
     fn begin(&mut self, hearing: &mut Hearing, yes: &Yes) -> Result<(), AppError> {
         match self.run.resume_from() {
             Resume::GoOn { .. } => self.look_again(hearing)?,
-            _ => {
-                if self.run.session().driver().description().can(Capability::Home) {
-                    home(self.run.session(), hearing, yes)?;
-                }
-            }
+            _ if self.homes => home(self.run.session(), hearing, yes)?,
+            _ => {}
         }
         hearing.progress.stage("making the wire");
         self.run.start(yes.confirmed()?).map_err(LiveProblem::from)?;
@@ -129,6 +142,9 @@ impl Making<'_, '_> {
     fn drive(&mut self, hearing: &mut Hearing, heard: &mut Heard) -> Result<(), AppError> {
         let mut told = None;
         while !self.run.is_over() {
+            if let Some(wish) = hearing.progress.wish() {
+                self.grant(wish, hearing);
+            }
             let hold = self.look(hearing, heard)?;
             if told.is_none_or(|at: Instant| at.elapsed() > NEWS) {
                 told = Some(Instant::now());
@@ -143,6 +159,19 @@ impl Making<'_, '_> {
         }
         self.tell(hearing);
         Ok(())
+    }
+
+    /// What cannot be granted now ends nothing: a driver that failed over it is heard of at the next turn.
+    fn grant(&mut self, wish: Wish, hearing: &mut Hearing) {
+        let granted = match wish {
+            Wish::Pause => self.run.pause(),
+            Wish::Resume => self.run.resume(),
+        };
+        if let Err(error) = granted.map_err(LiveProblem::from)
+            && self.run.session().last_stop().is_none()
+        {
+            hearing.warn(error.code(), &error.to_string());
+        }
     }
 
     /// Lets the loop take one turn; why the machine holds, if it has begun to.
@@ -193,11 +222,12 @@ impl Making<'_, '_> {
         } else {
             "the machine was made to hold at the machine itself. May it go on?"
         };
-        match if ask { hearing.progress.confirm(question) } else { Some(true) } {
-            Some(true) if self.run.session().last_stop().is_none() => {
-                self.run.resume().map_err(LiveProblem::from)?;
-            }
-            Some(true) => {}
+        let said = if ask { hearing.progress.confirm(question) } else { Some(true) };
+        if self.run.session().last_stop().is_some() {
+            return Ok(());
+        }
+        match said {
+            Some(true) => self.run.resume().map_err(LiveProblem::from)?,
             // Whoever made it hold is there, and lets it go on at the machine.
             None if !self.watch.was_away() => {}
             Some(false) | None => {
@@ -228,7 +258,8 @@ impl Making<'_, '_> {
         Ok(kept.deviations_mm(&heard.corners_mm))
     }
 
-    fn keep(&self, response: &mut RunResponse) -> Result<(), AppError> {
+    /// Writes the record.
+    pub fn keep(&self, response: &mut RunResponse) -> Result<(), AppError> {
         let path = self.task.folder.path().join(format!("{}.journal", self.id));
         self.task.keep(self.run.record().as_ref(), &path, self.wire, response)
     }

@@ -13,8 +13,9 @@ use serde::Deserialize;
 use crate::design::Input;
 use crate::output::Output;
 use crate::{App, AppError, Decision, Progress};
+pub(crate) use about::about;
 pub use report::{LeftBecause, RunOutcome, RunProblem, RunResponse, WireRun};
-use task::Task;
+pub(crate) use task::Task;
 
 /// What to make. Nothing moves unless a person says so: here, or when they are asked.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -57,7 +58,7 @@ pub enum RunHow {
 }
 
 pub(crate) fn run(app: &App, request: &RunRequest, progress: &dyn Progress) -> Result<RunResponse, AppError> {
-    let task = Task::open(app, request, progress)?;
+    let task = Task::open(app, request.clone(), progress)?;
     match request.how {
         RunHow::Begin => task.begin(),
         RunHow::Resume { decided } => task.resume(decided),

@@ -2,69 +2,136 @@
 
 use std::time::Instant;
 
-use wirebend_driver_host::api::Capability;
 use wirebend_driver_host::jobs::{JobRun, Journal, Resume, Settled};
 
 use super::about::about;
 use super::making::{Making, Watch};
-use super::report::{RunOutcome, RunResponse};
+use super::report::{RunOutcome, RunResponse, WireRun};
 use super::task::Task;
 use crate::live::{Connection, Unnamed, Yes};
-use crate::runs::Kept;
 use crate::{AppError, Decision, Doubt, LiveProblem};
 
 /// How long a stop may take to be told.
 const STOPPING: std::time::Duration = std::time::Duration::from_secs(2);
 
+/// A wire that is not over, with its journal.
+pub(crate) struct Interrupted {
+    wire: usize,
+    id: String,
+    journal: Journal,
+}
+
+impl Interrupted {
+    /// What the machine calls the session in which it may still be.
+    pub fn token(&self) -> Option<String> {
+        self.journal.account().token.clone()
+    }
+
+    /// The port at which it was begun.
+    pub fn begun_at(&self) -> String {
+        self.journal.account().heading.port.clone()
+    }
+}
+
+/// What is to be done with an interrupted wire.
+enum Settling {
+    /// It goes on, as a person has said.
+    GoOn(Yes),
+    /// Nothing moves.
+    Nothing(Box<WireRun>),
+}
+
 impl Task<'_> {
     /// Goes on with the wire that was interrupted; says so when there is none.
     pub fn resume(&self, decided: Option<Decision>) -> Result<RunResponse, AppError> {
         let mut response = self.response();
-        let Some((wire, kept)) = self.interrupted(&mut response)? else { return Ok(response) };
-        // From here on nobody else has it.
-        let journal = Journal::open(&kept.path).map_err(LiveProblem::from)?;
-        let account = kept.read.ok().map(|written| written.account);
-        let token = account.as_ref().and_then(|account| account.token.as_deref());
-        let begun_at = account.as_ref().map_or("", |account| account.heading.port.as_str());
-        let at = self.at(token, Unnamed::SimulateAgain(begun_at));
-        let mut connection = self.app.connect(&at, self.progress)?;
-        connection.require_settings(self.setup.machine_id(), self.request.accept_settings)?;
+        let Some(interrupted) = self.interrupted(&mut response)? else { return Ok(response) };
+        let (token, begun_at) = (interrupted.token(), interrupted.begun_at());
+        let at = self.at(token.as_deref(), Unnamed::SimulateAgain(&begun_at));
+        let connection = self.app.connect(&at, self.progress)?;
+        let (connection, ended) = self.go_on(connection, interrupted, true, decided, &mut response);
+        ended?;
+        if let Some(mut connection) = connection {
+            response.notes.append(&mut connection.hearing.warnings);
+        }
+        Ok(response)
+    }
+
+    /// Goes on with a wire through a connection, which is given back unless the loop could not be begun with it.
+    /// Where the machine may still be in the wire, that has to be one with the token of its journal. `homes`: the
+    /// machine, if it can, searches its reference where it is not in the wire any more.
+    pub fn go_on<'c>(
+        &self,
+        connection: Connection<'c>,
+        interrupted: Interrupted,
+        homes: bool,
+        decided: Option<Decision>,
+        response: &mut RunResponse,
+    ) -> (Option<Connection<'c>>, Result<(), AppError>) {
+        let Interrupted { wire, id, journal } = interrupted;
+        let homes = homes && connection.can_home();
+        let ready = connection
+            .require_settings(self.setup.machine_id(), self.request.accept_settings)
+            .map_err(AppError::from)
+            .and_then(|()| Ok((about(self, &connection, wire, false, false)?, self.work(wire)?)));
+        let (mut lines, work) = match ready {
+            Ok(ready) => ready,
+            Err(error) => return (Some(connection), Err(error)),
+        };
+        let begun_at = &journal.account().heading.port;
+        if *begun_at != connection.port {
+            lines.push(format!("it was begun at {begun_at}"));
+        }
         response.port = Some(connection.port.clone());
         response.identity = Some(connection.session.identity().to_owned());
-        let homes = connection.session.driver().description().can(Capability::Home);
-        let lines = about(self, &connection, wire, false)?;
-        let Connection { session, mut hearing, .. } = connection;
-        let work = self.work(wire)?;
-        let run = JobRun::new(session, journal, work, Box::new(self.clock)).map_err(LiveProblem::from)?;
-        let mut making = Making { task: self, wire, id: kept.id, run, watch: Watch::default() };
-        // What was said with the request was said of the first step in doubt alone.
-        let mut decided = decided;
+        connection.through(|session, hearing| {
+            let run = match JobRun::new(session, journal, work, Box::new(self.clock)) {
+                Ok(run) => run,
+                Err(error) => return (None, Err(LiveProblem::from(error).into())),
+            };
+            let mut making = Making { task: self, wire, id, homes, run, watch: Watch::default() };
+            match self.settle(&mut making, lines, decided) {
+                Ok(Settling::GoOn(yes)) => making.go(hearing, &yes, response),
+                Ok(Settling::Nothing(made)) => {
+                    // That it is made may have been written down just now.
+                    let kept = making.keep(response);
+                    response.wires.push(*made);
+                    (Some(making.into_session()), kept)
+                }
+                Err(error) => (Some(making.into_session()), Err(error)),
+            }
+        })
+    }
+
+    /// What has to be known before the wire goes on: what was made, and a person's yes.
+    fn settle(
+        &self,
+        making: &mut Making,
+        mut lines: Vec<String>,
+        mut decided: Option<Decision>,
+    ) -> Result<Settling, AppError> {
         let yes = loop {
             match making.run.resume_from() {
                 Resume::Contradiction(contradiction) => {
-                    self.stop_contradiction(&mut making, &contradiction.to_string(), decided.is_some())?;
+                    self.stop_contradiction(making, &contradiction.to_string(), decided.is_some())?;
                 }
-                Resume::Ask { in_doubt, last } => {
-                    self.decide(&mut making, in_doubt, last, decided.take())?;
-                }
+                // What was said with the request was said of the first step in doubt alone.
+                Resume::Ask { in_doubt, last } => self.decide(making, in_doubt, last, decided.take())?,
                 Resume::Nothing(settled) => {
-                    response.wires.push(self.settled(&mut making, settled)?);
-                    return Ok(response);
+                    return Ok(Settling::Nothing(Box::new(self.settled(making, settled)?)));
                 }
                 Resume::GoOn { from, done } => {
-                    let mut lines = lines;
                     lines.push(format!(
                         "the machine still is in this wire, and has made {done} steps: it goes on at step {from} without homing"
                     ));
                     break self.ask_again(lines)?;
                 }
                 Resume::TakeUp { from } => {
-                    let mut lines = lines;
                     lines.push(format!(
                         "{} steps are made: it goes on at step {from}; leave the wire as it is",
                         from - 1
                     ));
-                    if homes {
+                    if making.homes {
                         lines.push("first the machine searches its reference: see that the wire is out of the way of the bend axis".to_owned());
                     }
                     break self.ask_again(lines)?;
@@ -74,11 +141,7 @@ impl Task<'_> {
         if self.request.accept_settings && !making.run.session().differences().is_empty() {
             making.run.session().accept_differences(yes.confirmed()?);
         }
-        let (made, session) = making.go(&mut hearing, &yes, &mut response)?;
-        response.wires.push(made);
-        drop(session);
-        response.notes.append(&mut hearing.warnings);
-        Ok(response)
+        Ok(Settling::GoOn(yes))
     }
 
     fn ask_again(&self, lines: Vec<String>) -> Result<Yes, LiveProblem> {
@@ -86,7 +149,8 @@ impl Task<'_> {
     }
 
     /// The wire that is not over. When none is, those that are made are told.
-    fn interrupted(&self, response: &mut RunResponse) -> Result<Option<(usize, Kept)>, AppError> {
+    /// From here on nobody else has it.
+    pub fn interrupted(&self, response: &mut RunResponse) -> Result<Option<Interrupted>, AppError> {
         let (mut open, mut over) = (Vec::new(), Vec::new());
         for wire in self.wanted() {
             let Some(kept) = self.last(wire)? else { continue };
@@ -115,7 +179,8 @@ impl Task<'_> {
             let abandon = self.command(wire, "--abandon");
             return Err(LiveProblem::DamagedJournal { error, abandon }.into());
         }
-        Ok(Some((wire, kept)))
+        let journal = Journal::open(&kept.path).map_err(LiveProblem::from)?;
+        Ok(Some(Interrupted { wire, id: kept.id, journal }))
     }
 
     /// A person looks whether a step was made.
@@ -152,10 +217,12 @@ impl Task<'_> {
         {
             std::thread::sleep(crate::live::PAUSE);
         }
+        // A person has asked for this one, and so it ends nothing that follows.
+        let _ = making.run.session().take_stop();
         Ok(())
     }
 
-    fn settled(&self, making: &mut Making, settled: Settled) -> Result<super::WireRun, AppError> {
+    fn settled(&self, making: &mut Making, settled: Settled) -> Result<WireRun, AppError> {
         if settled == Settled::AllMade {
             // Nothing moves: that the wire is made is written down.
             let nothing = Yes::where_nothing_moves().confirmed()?;

@@ -18,9 +18,9 @@ use crate::runs::{Kept, RunsFolder, record_bytes};
 use crate::{App, AppError, LiveProblem, Progress, StepReport};
 
 /// A job, its machine, and the journals of its wires.
-pub(super) struct Task<'a> {
+pub(crate) struct Task<'a> {
     pub app: &'a App,
-    pub request: &'a RunRequest,
+    pub request: RunRequest,
     pub progress: &'a dyn Progress,
     pub file: String,
     pub job: Job,
@@ -30,7 +30,7 @@ pub(super) struct Task<'a> {
 }
 
 impl<'a> Task<'a> {
-    pub fn open(app: &'a App, request: &'a RunRequest, progress: &'a dyn Progress) -> Result<Self, AppError> {
+    pub fn open(app: &'a App, request: RunRequest, progress: &'a dyn Progress) -> Result<Self, AppError> {
         progress.stage("reading");
         let (file, bytes) = request.job.load()?;
         let job = open_job(&file, &bytes)?;

@@ -166,6 +166,13 @@ impl Session {
         self.arming.stopped()
     }
 
+    /// The same, and forgets it: whoever goes on with the session has heard of it. What it ended stays ended.
+    #[must_use]
+    pub fn take_stop(&mut self) -> Option<StopOutcome> {
+        self.notice_stop();
+        self.arming.take_stopped()
+    }
+
     /// What stops the machine from any thread, whatever this one is doing.
     #[must_use]
     pub fn stop_handle(&self) -> StopHandle {

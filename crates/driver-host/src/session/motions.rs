@@ -15,8 +15,13 @@ impl Session {
     pub fn home(&mut self, _confirmed: &Confirmed) -> Result<(), SessionError> {
         self.require(Capability::Home)?;
         self.may(Act::Home)?;
-        // What was reported before is not about this search.
+        // What was reported before is not about this search; but a stop that comes only to light now came after the
+        // person's yes.
+        let (known, before) = (self.known, self.state);
         self.poll()?;
+        if self.known != known || (self.state == State::Stopped && before != State::Stopped) {
+            return Err(SessionError::Stale);
+        }
         let next = self.may(Act::Home)?;
         let called = self.motion("homing", &Call::Home);
         self.faulting(called)?;

@@ -63,6 +63,11 @@ impl Arming {
         *self.stopped.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
+    /// The same, once.
+    pub fn take_stopped(&self) -> Option<StopOutcome> {
+        self.stopped.lock().unwrap_or_else(PoisonError::into_inner).take()
+    }
+
     fn note(&self, outcome: StopOutcome) {
         *self.stopped.lock().unwrap_or_else(PoisonError::into_inner) = Some(outcome);
     }

@@ -1,0 +1,98 @@
+//! Homing, and moves by hand.
+
+use std::time::Instant;
+
+use super::event::{OperatorEvent, QuestionKind};
+use super::leave::Leave;
+use super::order::OrderName;
+use super::post::Post;
+use super::state::Phase;
+use crate::by_hand::{QUESTION, lines, make_all, moves_of, require};
+use crate::design::Input;
+use crate::live::Yes;
+use crate::{AppError, Move};
+
+impl Post<'_> {
+    pub fn home(&mut self) -> Result<(), AppError> {
+        self.move_by_hand(OrderName::Home, &[Move::Home], Vec::new(), false)
+    }
+
+    pub fn jog(&mut self, moves: &[Move], record: bool) -> Result<(), AppError> {
+        if moves.is_empty() {
+            let expected = "say what to move, such as a feed of 10 mm";
+            return Err(AppError::Value { name: "the row of moves", value: "empty".to_owned(), expected });
+        }
+        moves.iter().try_for_each(|one| one.check())?;
+        self.move_by_hand(OrderName::Jog, moves, Vec::new(), record)
+    }
+
+    pub fn replay(&mut self, file: &Input, other_machine: bool) -> Result<(), AppError> {
+        let (moves, more) = moves_of(file, &self.machine, other_machine)?;
+        // Many moves at one word: a leave for moves one by one is none for them.
+        self.leave = None;
+        self.move_by_hand(OrderName::Replay, &moves, more, false)
+    }
+
+    fn move_by_hand(
+        &mut self,
+        order: OrderName,
+        moves: &[Move],
+        more: Vec<String>,
+        record: bool,
+    ) -> Result<(), AppError> {
+        let at_reference = self.at_reference;
+        let connection = self.connected(order)?;
+        require(connection, moves)?;
+        // A recording counts from the reference.
+        let homes = order == OrderName::Replay
+            && !at_reference
+            && moves.first() != Some(&Move::Home)
+            && connection.can_home();
+        let yes = self.leave_to_move(order, moves, more, homes)?;
+        self.armed = None;
+        let (signs, shared) = (self.signs, self.shared);
+        shared.enter(if order == OrderName::Home { Phase::Homing } else { Phase::Moving });
+        // Until they are where a wire begins again.
+        let mut at_reference = at_reference || homes;
+        let connection = self.connected(order)?;
+        let made = make_all(connection, signs, moves, homes, &yes, |made| {
+            at_reference = match made {
+                Move::Home => true,
+                Move::Feed { .. } => at_reference,
+                Move::Rotate { .. } | Move::Bend { .. } => false,
+            };
+            if record {
+                shared.record(made);
+            }
+            shared.hear(&OperatorEvent::Jogged { made });
+            shared.catch_up();
+        });
+        // One that was not made to its end has turned something.
+        self.at_reference = at_reference && made.is_ok();
+        made?;
+        self.leave = Some(Leave::new(yes, Instant::now()));
+        Ok(())
+    }
+
+    /// A person's word that the machine may be moved, which holds for a while. Nobody is asked where nothing moves.
+    fn leave_to_move(
+        &mut self,
+        order: OrderName,
+        moves: &[Move],
+        more: Vec<String>,
+        homes: bool,
+    ) -> Result<Yes, AppError> {
+        if self.is_simulated() {
+            return Ok(Yes::where_nothing_moves());
+        }
+        if let Some(yes) = self.leave.take().and_then(|leave| leave.holds(Instant::now())) {
+            return Ok(yes);
+        }
+        let machine = self.machine.clone();
+        let mut about = lines(self.connected(order)?, &machine, moves, more, homes);
+        if moves.contains(&Move::Home) {
+            about.push("to search its reference it moves the bend axis at once".to_owned());
+        }
+        self.ask(QuestionKind::Move, about, QUESTION)
+    }
+}

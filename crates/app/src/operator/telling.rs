@@ -1,0 +1,64 @@
+//! What the commands tell and ask goes through what both threads share: the state follows from it, and a person answers.
+
+use wirebend_driver_host::StopHandle;
+
+use super::event::{OperatorEvent, QuestionKind};
+use super::order::Answer;
+use super::shared::Shared;
+use super::state::{Phase, WireState};
+use crate::{Decision, Doubt, News, Progress, Wish};
+
+impl Progress for Shared {
+    fn stage(&self, name: &str) {
+        self.change(|state| state.doing = Some(name.to_owned()));
+    }
+
+    fn advance(&self, _done: u64, _of: u64) {}
+
+    fn news(&self, news: &News) {
+        match news {
+            // It is told with the question.
+            News::About { lines } => return self.about(lines.clone()),
+            News::Position(position) => self.change_untold(|state| state.position = Some(*position)),
+            &News::Wire { wire, made, sent, of, elapsed_s, remaining_s } => {
+                let figures = WireState { wire, made, sent, of, elapsed_s, remaining_s };
+                self.change_untold(|state| state.wire = Some(figures));
+                if self.state().phase != Phase::Holding {
+                    self.enter(Phase::Making);
+                }
+            }
+            News::Homing => self.enter(Phase::Homing),
+            News::Paused { .. } => self.enter(Phase::Holding),
+            News::Resumed => self.enter(Phase::Making),
+            News::Console { .. } | News::Warning { .. } => {}
+        }
+        self.hear(&OperatorEvent::News(news.clone()));
+    }
+
+    fn confirm(&self, question: &str) -> Option<bool> {
+        self.ask(QuestionKind::GoOn, None, question, None);
+        Some(self.answered(None) == Some(Answer::Yes))
+    }
+
+    fn decide(&self, doubt: &Doubt) -> Option<Decision> {
+        let question = "Look at the wire: was this step made to its end?";
+        self.ask(QuestionKind::Doubt, Some(vec![doubt.to_string()]), question, Some(doubt.clone()));
+        match self.answered(None)? {
+            Answer::Made => Some(Decision::Made),
+            Answer::NotMade => Some(Decision::NotMade),
+            Answer::Yes | Answer::No => None,
+        }
+    }
+
+    fn wish(&self) -> Option<Wish> {
+        self.wished()
+    }
+
+    fn connected(&self, stop: &StopHandle) {
+        self.can_be_stopped(stop);
+    }
+
+    fn disconnected(&self) {
+        self.is_lost();
+    }
+}

@@ -1,0 +1,179 @@
+//! A wire: armed, started, gone on with, given up.
+
+use super::error::OperatorError;
+use super::event::{OperatorEvent, QuestionKind};
+use super::order::OrderName;
+use super::post::Post;
+use super::state::{Phase, WireState};
+use super::unfinished::Unfinished;
+use crate::design::Input;
+use crate::live::{Connection, Unnamed, Yes};
+use crate::run::{Task, about};
+use crate::{AppError, Decision, LiveProblem, RunHow, RunRequest, RunResponse};
+
+/// A wire to which a person has said yes.
+pub(super) struct ArmedWire<'a> {
+    task: Task<'a>,
+    wire: usize,
+    yes: Yes,
+}
+
+impl ArmedWire<'_> {
+    /// Nothing of it is made.
+    pub fn state(&self) -> WireState {
+        let kept = self.task.wire(self.wire).ok();
+        WireState {
+            wire: self.wire,
+            made: 0,
+            sent: 0,
+            of: kept.map_or(0, |kept| u32::try_from(kept.compensated.len()).unwrap_or(u32::MAX)),
+            elapsed_s: 0.0,
+            remaining_s: kept.map_or(0.0, |kept| kept.time_s),
+        }
+    }
+}
+
+impl<'a> Post<'a> {
+    /// Checks a wire and asks; nothing moves.
+    pub fn arm(&mut self, job: Input, wire: usize, accept_settings: bool) -> Result<(), AppError> {
+        self.armed = None;
+        let task = self.task(job, wire, RunHow::Begin, accept_settings)?;
+        task.require_clear(wire).inspect_err(|_| self.look_for_unfinished(&task, wire))?;
+        let homes = self.homes_first();
+        let connection = self.connected(OrderName::Arm)?;
+        connection.require_settings(task.setup.machine_id(), accept_settings)?;
+        let lines = about(&task, connection, wire, true, homes)?;
+        let question = "Is the wire in, and may the machine move once it is started?";
+        let yes = self.ask(QuestionKind::Arm, lines, question)?;
+        // Whoever has asked for a wire has their hands at the machine.
+        self.leave = None;
+        self.armed = Some(ArmedWire { task, wire, yes });
+        Ok(())
+    }
+
+    pub fn start(&mut self) -> Result<(), AppError> {
+        let homes = self.homes_first();
+        let phase = self.shared.state().phase;
+        let not_now = OperatorError::NotNow { order: OrderName::Start, phase };
+        let ArmedWire { task, wire, yes } = self.armed.take().ok_or_else(|| not_now.clone())?;
+        // Another program may have begun it meanwhile.
+        task.require_clear(wire)?;
+        let connection = self.connection.take().ok_or(not_now)?;
+        let mut response = task.response();
+        response.port = Some(connection.port.clone());
+        response.identity = Some(connection.session.identity().to_owned());
+        self.at_reference = false;
+        let (connection, made) = task.make(connection, wire, homes, &yes, &mut response);
+        self.connection = connection;
+        self.tell_run(&task, wire, response);
+        made
+    }
+
+    /// Goes on through the connection that there is, or through a new one where that has failed: there the machine
+    /// may still be in the wire.
+    pub fn resume_run(
+        &mut self,
+        job: Input,
+        wire: usize,
+        decided: Option<Decision>,
+        accept_settings: bool,
+    ) -> Result<(), AppError> {
+        self.armed = None;
+        let task = self.task(job, wire, RunHow::Resume { decided }, accept_settings)?;
+        let mut response = task.response();
+        let Some(interrupted) = task.interrupted(&mut response)? else {
+            self.tell_run(&task, wire, response);
+            return Ok(());
+        };
+        let state = self.shared.state();
+        if let (None, Some(port)) = (&self.named, &state.port)
+            && interrupted.begun_at() != *port
+        {
+            let (begun_at, port) = (interrupted.begun_at(), port.clone());
+            return Err(OperatorError::BegunElsewhere { wire, begun_at, port }.into());
+        }
+        if self.is_out_of_order() {
+            // So a stop is kept until there is something to stop.
+            self.shared.enter(Phase::Connecting);
+            // The port is kept open meanwhile, lest a board be reset.
+            self.connection = None;
+            if let Some(line) = &self.line {
+                line.share();
+            }
+            let (token, begun_at) = (interrupted.token(), interrupted.begun_at());
+            let at = task.at(token.as_deref(), Unnamed::SimulateAgain(&begun_at));
+            let connection = self.app.connect(&at, self.shared)?;
+            self.is_connected(connection);
+        }
+        let not_now = OperatorError::NotNow { order: OrderName::ResumeRun, phase: state.phase };
+        let connection = self.connection.take().ok_or(not_now)?;
+        let homes = !self.at_reference;
+        (self.leave, self.at_reference) = (None, false);
+        let (connection, made) = task.go_on(connection, interrupted, homes, decided, &mut response);
+        self.connection = connection;
+        if self.is_in_a_wire() {
+            // Without a yes the machine is left where it is: it holds, and is asked anew when it is to go on.
+            self.connection = None;
+            self.tell_run(&task, wire, response);
+            return match made {
+                Err(AppError::Live(LiveProblem::Declined)) => Err(OperatorError::LeftInWire { wire }.into()),
+                made => made,
+            };
+        }
+        self.tell_run(&task, wire, response);
+        made
+    }
+
+    pub fn abandon(&mut self, job: Input, wire: usize) -> Result<(), AppError> {
+        let task = self.task(job, wire, RunHow::Abandon, false)?;
+        let response = task.abandon()?;
+        self.tell_run(&task, wire, response);
+        Ok(())
+    }
+
+    /// A job for this machine, as this connection can make it.
+    fn task(
+        &self,
+        job: Input,
+        wire: usize,
+        how: RunHow,
+        accept_settings: bool,
+    ) -> Result<Task<'a>, AppError> {
+        let port = self.named.clone();
+        let request =
+            RunRequest { job, port, wire: Some(wire), how, confirmed: false, accept_settings, record: None };
+        let task = Task::open(self.app, request, self.shared)?;
+        let (planned, wanted) = (&task.setup.machine.profile, &self.machine.profile);
+        if planned.id != wanted.id {
+            let (name, planned, wanted) = (task.file.clone(), planned.id.clone(), wanted.id.clone());
+            return Err(AppError::OtherMachine { name, planned, wanted });
+        }
+        if planned.driver != wanted.driver || task.setup.signs != self.signs {
+            return Err(OperatorError::ProfileChanged { machine: wanted.id.clone() }.into());
+        }
+        Ok(task)
+    }
+
+    /// Whether a wire begins with the search for the reference: not where that was just found.
+    fn homes_first(&self) -> bool {
+        !self.at_reference && self.connection.as_ref().is_some_and(Connection::can_home)
+    }
+
+    fn tell_run(&mut self, task: &Task, wire: usize, mut response: RunResponse) {
+        if let Some(connection) = &mut self.connection {
+            response.notes.append(&mut connection.hearing.warnings);
+        }
+        if let Some(problem) = response.wires.last().and_then(|made| made.problem.clone()) {
+            self.shared.problem(problem);
+        }
+        if !response.wires.is_empty() {
+            self.shared.hear(&OperatorEvent::RunEnded(Box::new(response)));
+        }
+        self.look_for_unfinished(task, wire);
+    }
+
+    fn look_for_unfinished(&self, task: &Task, wire: usize) {
+        let unfinished = Unfinished::of_wire(self.app, task.job.hash(), wire);
+        self.shared.change(|state| state.unfinished = unfinished);
+    }
+}

@@ -1,0 +1,187 @@
+//! Machines, lines and drivers that fail.
+
+use serde_json::json;
+use wirebend_app::{Answer, Decision, Order, OrderName, Outcome, Phase, QuestionKind, RunOutcome};
+
+use crate::shop::{Seat, Shop};
+
+fn connected(shop: &Shop) -> Seat {
+    let seat = shop.connect("odd", Some("anywhere"));
+    seat.until_phase(Phase::Connected);
+    seat
+}
+
+const ALL: [u64; 8] = [1, 2, 3, 4, 5, 6, 7, 8];
+
+/// The controller starts anew in the middle of a wire: what was sent and not reported a person looks at.
+#[test]
+fn a_wire_is_finished_after_a_reset_with_doubts_asked_one_by_one() {
+    for (how, made) in [("reset", false), ("reset-after", true)] {
+        let shop = Shop::faulty(3, how);
+        let (seat, job) = (connected(&shop), shop.cube("odd"));
+        seat.start(&job);
+        let (code, _) = seat.until_problem();
+        assert_eq!(code, "reset");
+        let run = seat.until_run();
+        assert_eq!((run.wires[0].outcome, run.wires[0].made), (RunOutcome::Failed, 2), "{how}");
+        let failed = seat.until_phase(Phase::Failed);
+        let left = failed.unfinished.unwrap();
+        assert_eq!((left.made, left.of, left.in_doubt.unwrap()[0]), (2, 8, 3));
+        assert!(failed.can.contains(&OrderName::ResumeRun) && !failed.can.contains(&OrderName::Arm));
+        seat.resume(&job);
+        let asked = seat.says(if made { Answer::Made } else { Answer::NotMade });
+        assert_eq!((asked.kind, asked.doubt.unwrap().step), (QuestionKind::Doubt, 3));
+        if made {
+            assert_eq!(seat.says(Answer::NotMade).doubt.unwrap().step, 4);
+        }
+        let asked = seat.says(Answer::Yes);
+        assert_eq!(asked.kind, QuestionKind::GoOn);
+        // The same happens at step 3 to whoever makes that again.
+        if !made {
+            assert_eq!(seat.until_problem().0, "reset");
+            continue;
+        }
+        assert_eq!(seat.until_run().wires[0].outcome, RunOutcome::Made);
+        seat.until_phase(Phase::Ready);
+        assert_eq!(shop.made(), ALL, "each step was made once");
+        let record = shop.record();
+        assert_eq!((record.outcome, record.decisions.len()), (Outcome::Finished, 2));
+    }
+}
+
+/// The driver dies; the machine still is in the wire, and goes on in it without a doubt.
+#[test]
+fn a_wire_goes_on_in_the_machine_when_its_driver_has_died() {
+    let shop = Shop::faulty(3, "crash-after");
+    let (seat, job) = (connected(&shop), shop.cube("odd"));
+    seat.start(&job);
+    seat.until_problem();
+    assert_eq!(seat.until_run().wires[0].outcome, RunOutcome::Failed);
+    seat.until_phase(Phase::Failed);
+    // Without a yes the machine is left in it.
+    seat.resume(&job);
+    let asked = seat.says(Answer::No);
+    assert!(asked.lines.iter().any(|line| line.contains("still is in this wire")), "{:?}", asked.lines);
+    assert_eq!(seat.until_problem().0, "left-in-wire");
+    seat.until_phase(Phase::Failed);
+    seat.resume(&job);
+    seat.says(Answer::Yes);
+    assert_eq!(seat.until_run().wires[0].outcome, RunOutcome::Made);
+    seat.until_phase(Phase::Ready);
+    assert_eq!(shop.made(), ALL);
+}
+
+/// The cable is pulled, and the window closed. The machine waits in its wire: it takes in nobody who does not know of that,
+/// and goes on with it.
+#[test]
+fn a_machine_that_is_unplugged_is_told_and_goes_on_in_a_new_window() {
+    let shop = Shop::faulty(5, "unplug-after");
+    let (seat, job) = (connected(&shop), shop.cube("odd"));
+    seat.start(&job);
+    let (code, message) = seat.until_problem();
+    assert_eq!(code, "unplugged");
+    assert!(message.contains("connect again"), "{message}");
+    seat.until_phase(Phase::Failed);
+    drop(seat);
+    let seat = shop.connect("odd", Some("anywhere"));
+    seat.until_problem();
+    let failed = seat.until_phase(Phase::Failed);
+    assert_eq!(failed.unfinished.map(|left| (left.made, left.of)), Some((4, 8)));
+    seat.resume(&job);
+    assert_eq!(seat.says(Answer::Yes).kind, QuestionKind::GoOn);
+    assert_eq!(seat.until_run().wires[0].outcome, RunOutcome::Made);
+    assert_eq!(shop.made(), ALL);
+}
+
+/// What is said with the order is not asked again.
+#[test]
+fn a_doubt_is_decided_with_the_order() {
+    let shop = Shop::faulty(8, "reset-after");
+    let (seat, job) = (connected(&shop), shop.cube("odd"));
+    seat.start(&job);
+    seat.until_problem();
+    seat.until_phase(Phase::Failed);
+    let decided = Some(Decision::Made);
+    seat.operator
+        .order(Order::ResumeRun { job: job.clone(), wire: 0, decided, accept_settings: false })
+        .unwrap();
+    // It was the last: nothing moves, and nobody is asked.
+    assert_eq!(seat.until_run().wires[0].outcome, RunOutcome::MadeBefore);
+    assert_eq!(shop.record().outcome, Outcome::Finished);
+    assert_eq!(shop.made(), ALL);
+}
+
+/// Whoever has pressed the machine's own button may be at it still.
+#[test]
+fn a_machine_that_was_made_to_hold_goes_on_at_a_persons_word() {
+    for (answer, outcome) in [(Answer::Yes, RunOutcome::Made), (Answer::No, RunOutcome::Stopped)] {
+        let shop = Shop::faulty(2, "hold");
+        let (seat, job) = (connected(&shop), shop.cube("odd"));
+        seat.start(&job);
+        seat.until_phase(Phase::Holding);
+        let asked = seat.says(answer);
+        assert_eq!(asked.kind, QuestionKind::GoOn);
+        assert!(asked.question.contains("at the machine itself"), "{}", asked.question);
+        assert_eq!(seat.until_run().wires[0].outcome, outcome);
+    }
+    // A stop is an answer, too.
+    let shop = Shop::faulty(2, "hold");
+    let (seat, job) = (connected(&shop), shop.cube("odd"));
+    seat.start(&job);
+    seat.until_question();
+    assert!(seat.operator.stop());
+    assert_eq!(seat.until_run().wires[0].outcome, RunOutcome::Stopped);
+    seat.until_phase(Phase::Stopped);
+    assert_eq!(shop.made(), [1, 2]);
+}
+
+/// A driver that dies while it is asked to move: nothing hangs, and what to do is said.
+#[test]
+fn a_driver_that_dies_is_told() {
+    for conduct in ["home-exit", "home-hang"] {
+        let shop = Shop::odd(conduct, |_| json!({}));
+        let seat = connected(&shop);
+        seat.order(&json!({"order": "home"}));
+        seat.says(Answer::Yes);
+        let (_, message) = seat.until_problem();
+        assert!(message.contains("hostile"), "{message}");
+        let failed = seat.until_phase(Phase::Failed);
+        assert!(!failed.can.contains(&OrderName::Jog));
+    }
+    let shop = Shop::odd("connect-exit", |_| json!({}));
+    let seat = shop.connect("odd", Some("anywhere"));
+    seat.until_problem();
+    assert_eq!(
+        seat.until_phase(Phase::Failed).can,
+        [OrderName::ResumeRun, OrderName::Abandon, OrderName::Disconnect]
+    );
+    // A machine that there is not.
+    let seat = shop.connect("nobody", None);
+    assert!(seat.until_problem().1.contains("nobody"));
+    assert!(seat.until_phase(Phase::Failed).can.is_empty());
+}
+
+#[test]
+fn a_wire_is_not_made_with_other_settings_unasked() {
+    let shop = Shop::odd("connect-differ", |_| json!({}));
+    let (seat, job) = (shop.connect("odd", Some("anywhere")), shop.cube("odd"));
+    let state = seat.until_phase(Phase::Connected);
+    assert_eq!((state.settings[0].machine.as_str(), state.settings[0].expected.as_str()), ("80", "40"));
+    for _ in 0..2 {
+        seat.arm(&job);
+        assert_eq!(seat.until_problem().0, "settings-differ");
+        seat.until_phase(Phase::Connected);
+        seat.operator.order(Order::Arm { job: job.clone(), wire: 0, accept_settings: true }).unwrap();
+        seat.says(Answer::No);
+        seat.until_phase(Phase::Connected);
+    }
+    seat.operator.order(Order::Arm { job: job.clone(), wire: 0, accept_settings: true }).unwrap();
+    seat.says(Answer::Yes);
+    seat.until_phase(Phase::Armed);
+    seat.order(&json!({"order": "start"}));
+    assert_eq!(seat.until_run().wires[0].outcome, RunOutcome::Made);
+    seat.until_phase(Phase::Ready);
+    // That it was accepted for one says nothing of the next.
+    seat.arm(&job);
+    assert_eq!(seat.until_problem().0, "settings-differ");
+}

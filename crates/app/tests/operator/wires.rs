@@ -1,0 +1,162 @@
+//! Wires: armed, started, paused, made; declined; gone on with by the command line.
+
+use serde_json::json;
+use wirebend_app::{
+    Answer, Decision, Move, News, OperatorEvent, Order, OrderName, Outcome, Phase, QuestionKind, RunHow,
+    RunOutcome,
+};
+
+use crate::shop::Shop;
+
+#[test]
+fn a_wire_is_armed_started_paused_and_made() {
+    let shop = Shop::new();
+    let (seat, job) = (shop.simulated("sim:max"), shop.cube("wirebend-kit"));
+    seat.home();
+    seat.arm(&job);
+    let question = seat.says(Answer::No);
+    assert_eq!(question.kind, QuestionKind::Arm);
+    // 8 edges of 30 mm; 7 bends; 225 mm of wire and 400 mm that cannot be fed.
+    for said in ["8 steps, 7 bends", "put in at least 625 mm", "between 0.0° and 90.0°"] {
+        assert!(question.lines.iter().any(|line| line.contains(said)), "{said}: {:?}", question.lines);
+    }
+    // It was homed just now.
+    assert!(!question.lines.iter().any(|line| line.contains("reference")), "{:?}", question.lines);
+    assert_eq!(seat.until_phase(Phase::Ready).question, None);
+    assert_eq!(seat.refused(Order::Start).0, "not-now");
+
+    seat.arm(&job);
+    seat.says(Answer::Yes);
+    let armed = seat.until_phase(Phase::Armed);
+    assert!(armed.can.contains(&OrderName::Start) && armed.can.contains(&OrderName::Disarm));
+    assert_eq!(armed.wire.map(|wire| (wire.made, wire.of)), Some((0, 8)));
+    seat.order(&json!({"order": "disarm"}));
+    seat.until_phase(Phase::Ready);
+
+    seat.start(&job);
+    assert_eq!(seat.until_phase(Phase::Making).can, [OrderName::Pause]);
+    seat.until_made(2);
+    seat.order(&json!({"order": "pause"}));
+    let holding = seat.until_phase(Phase::Holding);
+    assert_eq!(holding.can, [OrderName::Resume]);
+    assert_eq!(seat.refused(Order::Home).0, "not-now");
+    seat.order(&json!({"order": "resume"}));
+    seat.until_phase(Phase::Making);
+    let made = seat.until_run();
+    assert_eq!((made.wires[0].outcome, made.wires[0].made), (RunOutcome::Made, 8));
+    let worst = made.wires[0].worst_deviation_mm().unwrap();
+    assert!(worst < 0.5, "the pause is not seen in the wire: {worst} mm");
+    let ready = seat.until_phase(Phase::Ready);
+    assert_eq!((ready.unfinished, ready.wire.map(|wire| wire.made)), (None, Some(8)));
+    let record = shop.record();
+    assert_eq!((record.outcome, record.made, record.interruptions.len()), (Outcome::Finished, 8, 0));
+
+    // A second piece on the same connection: the head was left turned, and so it homes first.
+    seat.arm(&job);
+    let question = seat.says(Answer::Yes);
+    assert!(question.lines.iter().any(|line| line.contains("searches its reference")));
+    seat.until_phase(Phase::Armed);
+    seat.order(&json!({"order": "start"}));
+    seat.until_phase(Phase::Homing);
+    assert_eq!(seat.until_run().wires[0].outcome, RunOutcome::Made);
+}
+
+/// Nothing of a wire is left armed when the machine was moved since.
+#[test]
+fn a_move_by_hand_disarms() {
+    let shop = Shop::new();
+    let (seat, job) = (shop.simulated("sim:max"), shop.cube("wirebend-kit"));
+    seat.home();
+    seat.arm(&job);
+    seat.says(Answer::Yes);
+    seat.until_phase(Phase::Armed);
+    seat.operator.order(Order::Jog { moves: vec![Move::Rotate { deg: 20.0 }], record: false }).unwrap();
+    seat.until_phase(Phase::Ready);
+    assert_eq!(seat.refused(Order::Start).0, "not-now");
+}
+
+#[test]
+fn what_is_no_wire_of_this_machine_is_refused() {
+    let shop = Shop::new();
+    let seat = shop.simulated("sim:max");
+    let arm = |job, wire| seat.operator.order(Order::Arm { job, wire, accept_settings: false }).unwrap();
+    arm(shop.cube("wirebend-kit"), 1);
+    assert_eq!(seat.until_problem().0, "no-wire");
+    seat.until_phase(Phase::Connected);
+    arm(shop.cube("howtomechatronics"), 0);
+    let (code, message) = seat.until_problem();
+    assert_eq!(code, "other-machine");
+    assert!(message.contains("'howtomechatronics', not 'wirebend-kit'"), "{message}");
+    seat.until_phase(Phase::Connected);
+    let job = shop.cube("wirebend-kit");
+    let given_up = Order::Abandon { job: job.clone(), wire: 0 };
+    seat.operator.order(given_up).unwrap();
+    assert_eq!(seat.until_problem().0, "nothing-begun");
+    seat.until_phase(Phase::Connected);
+    seat.resume(&job);
+    assert_eq!(seat.until_problem().0, "nothing-begun");
+}
+
+/// The journals are the same: what the window has begun the command line goes on with, and the other way round.
+#[test]
+fn an_interrupted_wire_is_gone_on_with_wherever_a_person_likes() {
+    let shop = Shop::new();
+    let job = shop.cube("wirebend-kit");
+    let seat = shop.simulated("sim:10");
+    seat.start(&job);
+    seat.until_made(2);
+    drop(seat);
+    let made = shop.run(&job, "sim:max", RunHow::Resume { decided: Some(Decision::NotMade) }).unwrap();
+    assert_eq!(made.wires[0].outcome, RunOutcome::Made);
+    assert_eq!(shop.record().outcome, Outcome::Finished);
+
+    // Nobody is there to say that a second one may go on: it is stopped where nobody can be asked.
+    let shop = Shop::new();
+    let seat = shop.simulated("sim:10");
+    seat.start(&job);
+    seat.until_made(1);
+    drop(seat);
+    let asked = shop.run(&job, "sim:10", RunHow::Resume { decided: None }).unwrap_err();
+    assert_eq!(asked.code(), "in-doubt");
+    // A new window offers it by itself.
+    let seat = shop.connect("wirebend-kit", Some("sim:10"));
+    let left = seat.until_phase(Phase::Connected).unfinished.unwrap();
+    assert_eq!((left.wire, left.of, left.in_doubt.is_some()), (0, 8, true));
+    seat.arm(&job);
+    assert_eq!(seat.until_problem().0, "unfinished");
+    seat.until_phase(Phase::Connected);
+    seat.operator.order(Order::Abandon { job: job.clone(), wire: 0 }).unwrap();
+    assert_eq!(seat.until_run().wires[0].outcome, RunOutcome::Abandoned);
+    assert_eq!(seat.until_state(|state| state.unfinished.is_none() && !state.busy).phase, Phase::Connected);
+    seat.arm(&job);
+    seat.says(Answer::No);
+}
+
+/// Half of a wire that lies in a real machine is not finished by a simulated one.
+#[test]
+fn a_wire_of_a_real_machine_does_not_go_on_where_nobody_has_named_one() {
+    let shop = Shop::new();
+    let job = shop.cube("wirebend-kit");
+    let seat = shop.simulated("sim:10");
+    seat.start(&job);
+    seat.until_made(1);
+    drop(seat);
+    let seat = shop.connect("wirebend-kit", None);
+    assert_eq!(seat.until_phase(Phase::Connected).port.as_deref(), Some("sim"));
+    seat.resume(&job);
+    let (code, message) = seat.until_problem();
+    assert_eq!(code, "begun-elsewhere");
+    assert!(message.contains("sim:10"), "{message}");
+}
+
+/// What is asked of the line is told: the console can be read.
+#[test]
+fn the_console_is_told() {
+    let shop = Shop::odd("hostile", |_| json!({}));
+    let job = shop.cube("odd");
+    let seat = shop.connect("odd", Some("anywhere"));
+    seat.until_phase(Phase::Connected);
+    seat.start(&job);
+    seat.until(|event| matches!(event, OperatorEvent::News(News::Wire { made: 8, .. })).then_some(()));
+    assert_eq!(seat.until_run().wires[0].outcome, RunOutcome::Made);
+}
