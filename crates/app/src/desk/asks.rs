@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
 
 use super::{Desk, Tell, Work};
-use crate::{AppError, Progress, Refusal};
+use crate::{AppError, OperatorEvent, Progress, Refusal};
 
 macro_rules! asks {
     ($($(#[$doc:meta])* $name:ident($request:ty) -> $response:ty = $run:expr, $word:literal;)*) => {
@@ -42,11 +42,12 @@ macro_rules! asks {
             let told = vec![
                 ("refusal", tells.subschema_for::<Refusal>()),
                 ("work", tells.subschema_for::<Work>()),
+                ("operator", tells.subschema_for::<OperatorEvent>()),
             ];
             [
-                ("asks.requests", object("Requests", &asked, requests.take_definitions(true))),
-                ("asks.responses", object("Responses", &answered, responses.take_definitions(true))),
-                ("asks.tells", object("Tells", &told, tells.take_definitions(true))),
+                ("asks.requests", object("Requests", &asked, &requests.take_definitions(true))),
+                ("asks.responses", object("Responses", &answered, &responses.take_definitions(true))),
+                ("asks.tells", object("Tells", &told, &tells.take_definitions(true))),
             ]
         }
     };
@@ -55,7 +56,7 @@ macro_rules! asks {
 fn object(
     title: &str,
     keys: &[(&str, schemars::Schema)],
-    definitions: serde_json::Map<String, serde_json::Value>,
+    definitions: &serde_json::Map<String, serde_json::Value>,
 ) -> serde_json::Value {
     let names: Vec<&str> = keys.iter().map(|(name, _)| *name).collect();
     let properties: serde_json::Map<String, serde_json::Value> =
@@ -105,6 +106,8 @@ asks! {
     Redo(super::Redo) -> super::EditMade = Desk::redo, "redo";
     /// Checks the design on its machine.
     Check(super::CheckDesign) -> crate::LiveCheck = Desk::check, "check";
+    /// What would mend what the checks say, each tried beforehand.
+    Fixes(super::FixesRequest) -> super::FixesResponse = Desk::fixes, "fixes";
     /// The program of the design, as it is played.
     Program(super::ProgramRequest) -> super::ProgramResponse = Desk::program, "program";
     /// The design as the machine makes it.
@@ -141,6 +144,20 @@ asks! {
     /// The ports that a machine can be at.
     Ports(crate::PortsRequest) -> crate::PortsResponse =
         |desk, request, progress| crate::ports::ports(&desk.app(), request, progress), "ports";
+    /// Connects the machine.
+    Connect(super::ConnectMachine) -> super::MachineNow = Desk::connect, "connect";
+    /// Says what the machine is to do.
+    Order(super::OrderMachine) -> super::MachineNow = Desk::order, "order";
+    /// Answers what the machine's operator asks.
+    Answer(super::AnswerMachine) -> super::MachineNow = Desk::answer_machine, "answer";
+    /// How the machine stands.
+    MachineState(super::MachineStateRequest) -> super::MachineNow = Desk::machine_state, "machine-state";
+    /// The moves that were recorded.
+    Recorded(super::RecordedRequest) -> super::Recorded = Desk::recorded, "recorded";
+    /// Forgets the moves that were recorded.
+    ClearRecording(super::ClearRecording) -> super::Recorded = Desk::clear_recording, "clear-recording";
+    /// Writes the moves that were recorded.
+    SaveRecording(super::SaveRecording) -> super::SavedRecording = Desk::save_recording, "save-recording";
     /// What was made.
     Runs(crate::RunsRequest) -> crate::RunsResponse =
         |desk, request, progress| crate::runs::list(&desk.app(), request, progress), "runs";
@@ -205,7 +222,7 @@ impl Progress for Heard<'_> {
     fn stage(&self, name: &str) {
         // What is asked while a person drags is over before it could be shown.
         if self.word != "check" {
-            *self.stage.borrow_mut() = name.to_owned();
+            name.clone_into(&mut self.stage.borrow_mut());
             self.tell(0, 0);
         }
     }

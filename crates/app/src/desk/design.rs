@@ -9,7 +9,7 @@ use wirebend_files::document::DocumentError;
 use super::{Desk, RecentEntry};
 use crate::report::NoteReport;
 use crate::{
-    AppError, DesignInput, DesignView, EditRequest, Editor, Input, LiveCheck, Moved, Progress, Unsaved,
+    AppError, DesignInput, DesignView, EditRequest, Editor, Fix, Input, LiveCheck, Moved, Progress, Unsaved,
     ViewChange,
 };
 
@@ -110,6 +110,17 @@ pub struct CheckDesign {
     pub moved: Vec<Moved>,
 }
 
+/// Asks what would mend what the checks say.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct FixesRequest {}
+
+/// What would mend what the checks say.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct FixesResponse {
+    /// In the order of the diagnostics, the best of each first.
+    pub fixes: Vec<Fix>,
+}
+
 /// Closes the design; what is not saved is gone. An empty one takes its place.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 pub struct CloseDesign {}
@@ -192,6 +203,10 @@ impl Desk {
 
     pub(super) fn check(&self, asked: &CheckDesign, _: &dyn Progress) -> Result<LiveCheck, AppError> {
         self.open().check(&self.app(), &asked.moved)
+    }
+
+    pub(super) fn fixes(&self, _: &FixesRequest, _: &dyn Progress) -> Result<FixesResponse, AppError> {
+        Ok(FixesResponse { fixes: self.open().fixes(&self.app())? })
     }
 
     pub(super) fn save(&self, asked: &SaveDesign, _: &dyn Progress) -> Result<DesignOpened, AppError> {

@@ -4,6 +4,12 @@
 //! Everything that a window may ask is declared once, in [`Ask`]. Its answers are those of the commands where a command
 //! does the same.
 
+#![allow(
+    clippy::unnecessary_wraps,
+    clippy::unused_self,
+    reason = "everything that can be asked has one shape"
+)]
+
 mod about;
 mod asks;
 mod design;
@@ -13,21 +19,24 @@ mod exports;
 mod look;
 mod machines;
 mod mesh;
+mod operating;
 mod program;
 mod recent;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, RwLock};
 
 use schemars::JsonSchema;
 use serde::Serialize;
+use wirebend_files::document::DocumentError;
 
-use crate::{App, AppError, Editor, Places};
+use crate::{App, AppError, Editor, Operator, OperatorEvent, Places};
 pub use about::{AboutRequest, AboutResponse};
 pub use asks::{ASKS, Ask, ask_schemas};
 pub use design::{
-    CheckDesign, ClearRecent, CloseDesign, DesignOpened, DiscardUnsaved, EditDesign, EditMade, NewDesign,
-    OpenDesign, OpenExample, PutStencil, Redo, RestoreUnsaved, SaveDesign, Start, Started, Undo,
+    CheckDesign, ClearRecent, CloseDesign, DesignOpened, DiscardUnsaved, EditDesign, EditMade, FixesRequest,
+    FixesResponse, NewDesign, OpenDesign, OpenExample, PutStencil, Redo, RestoreUnsaved, SaveDesign, Start,
+    Started, Undo,
 };
 pub use error::Refusal;
 pub use examples::{ExampleEntry, ExamplesRequest, ExamplesResponse};
@@ -39,17 +48,23 @@ pub use machines::{
     ChangeSettings, CompareDesign, CopyMachine, MachineViewRequest, MachineViewResponse, SettingValue,
     SettingsChanged,
 };
+pub use operating::{
+    AnswerMachine, ClearRecording, ConnectMachine, MachineNow, MachineOrder, MachineStateRequest,
+    OrderMachine, Recorded, RecordedRequest, SaveRecording, SavedRecording,
+};
 pub use program::{
     MadeRequest, MadeResponse, MadeWire, PlayedStep, PlayedWire, ProgramRequest, ProgramResponse,
 };
 pub use recent::RecentEntry;
 
 /// What a desk tells unasked.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 #[serde(tag = "tell", content = "value", rename_all = "kebab-case")]
 pub enum Tell {
     /// How far long work is.
     Work(Work),
+    /// Something of the connected machine.
+    Operator(Box<OperatorEvent>),
 }
 
 /// Hears what a desk tells unasked. Called from any thread.
@@ -76,6 +91,7 @@ pub struct Desk {
     places: Places,
     app: RwLock<Arc<App>>,
     open: Mutex<Editor>,
+    operator: Mutex<Option<Arc<Operator>>>,
     listener: Arc<dyn Listener>,
 }
 
@@ -87,7 +103,8 @@ impl Desk {
     pub fn new(places: Places, listener: Arc<dyn Listener>) -> Result<Self, AppError> {
         let app = places.app()?;
         let open = Editor::new(&app, first_machine(&app).as_deref(), keep_in(&places).as_deref())?;
-        Ok(Self { places, app: RwLock::new(Arc::new(app)), open: Mutex::new(open), listener })
+        let (app, operator) = (RwLock::new(Arc::new(app)), Mutex::new(None));
+        Ok(Self { places, app, open: Mutex::new(open), operator, listener })
     }
 
     /// The profiles and drivers as they were when they were last read.
@@ -99,6 +116,8 @@ impl Desk {
     pub(crate) fn reload(&self) -> Result<(), AppError> {
         let app = Arc::new(self.places.app()?);
         *self.app.write().unwrap_or_else(PoisonError::into_inner) = app;
+        // What it knows of its machine is of before.
+        self.open().forget_setup();
         Ok(())
     }
 
@@ -106,9 +125,6 @@ impl Desk {
     pub(crate) fn open(&self) -> MutexGuard<'_, Editor> {
         self.open.lock().unwrap_or_else(PoisonError::into_inner)
     }
-
-    /// Stops the machine, whatever else is going on; from any thread.
-    pub fn stop(&self) {}
 
     pub(crate) fn tell(&self, tell: &Tell) {
         self.listener.hear(tell);
@@ -137,4 +153,12 @@ fn first_machine(app: &App) -> Option<String> {
     };
     let ids = app.machine_ids();
     ids.iter().rfind(|id| stops(id).is_some()).or_else(|| ids.first()).cloned()
+}
+
+/// Makes the folder of a file where it is missing.
+fn make_folder_of(file: &Path) -> Result<(), AppError> {
+    let Some(folder) = file.parent() else { return Ok(()) };
+    std::fs::create_dir_all(folder).map_err(|error| {
+        AppError::Document(DocumentError::Save { path: folder.display().to_string(), error })
+    })
 }

@@ -3,6 +3,7 @@
 use nalgebra::Point3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use wirebend_core::compensate::CompensatedProgram;
 use wirebend_core::estimate::TimeModel;
 use wirebend_core::plan::WirePlan;
 use wirebend_core::simulate::{perfect_wire, scheduled_start};
@@ -145,13 +146,11 @@ impl Desk {
             let kept = KeptWire::new(&planned.opened.name, wire, &planned.setup)?;
             let made = made.as_ref().and_then(|made| made.get(index));
             let placed = made.and_then(|made| Some((made, kept.vertices(&made.corners_mm)?)));
-            let (vertices, wire_mm) = match placed {
-                Some((made, vertices)) => (vertices, kept.wire(&made.wire_mm)),
-                None => {
-                    by_machine = false;
-                    (perfect_wire(&kept.trial(&planned.setup)), Vec::new())
-                }
-            };
+            by_machine &= placed.is_some();
+            let (vertices, wire_mm) = placed.map_or_else(
+                || (perfect_wire(&kept.trial(&planned.setup)), Vec::new()),
+                |(made, vertices)| (vertices, kept.wire(&made.wire_mm)),
+            );
             let deviations_mm: Vec<f64> =
                 kept.design.iter().zip(&vertices).map(|(design, made)| (design - made).norm()).collect();
             let ends = wire.spans.iter().map(|&[_, end]| end);
@@ -174,7 +173,7 @@ fn array(point: Point3<f64>) -> [f64; 3] {
 fn played(plan: &WirePlan, time: &TimeModel) -> Option<PlayedWire> {
     let (nominal, scheduled) = (plan.nominal.as_ref()?, plan.scheduled.as_ref()?);
     let route = plan.route.as_ref()?;
-    let told = plan.compensated.as_ref().map(|program| program.steps());
+    let told = plan.compensated.as_ref().map(CompensatedProgram::steps);
     let steps = scheduled.steps.iter().zip(&nominal.spans).enumerate().map(|(index, (step, span))| {
         let told = told.and_then(|told| told.get(index));
         let moved = told.unwrap_or(step);

@@ -161,10 +161,10 @@ impl Editor {
     }
 
     fn make(&mut self, label: String, change: DocumentChange) -> Result<ViewChange, EditorError> {
-        let done = Done { label, change: change.clone() };
+        let done = Done { label, change };
         self.history.make(&mut self.document, done.clone())?;
         self.keep(|keeping| keeping.done(&done));
-        Ok(self.changed(&change))
+        Ok(self.changed(&done.change))
     }
 
     /// Undoes the last change; none where there is nothing to undo.
@@ -208,6 +208,11 @@ impl Editor {
             Some(change) => self.make("stencil".to_owned(), change),
             None => Ok(self.changed(&changing::unchanged(&self.document))),
         }
+    }
+
+    /// Profiles have changed: machine and material are looked up anew.
+    pub(crate) fn forget_setup(&mut self) {
+        self.setup = None;
     }
 
     /// Calls a design that no file has by another name.
