@@ -1,0 +1,68 @@
+import { Button } from "../../shared/Button";
+import { count, percent, time } from "../../shared/format";
+import { Slider, Select } from "../../shared/inputs";
+import { NumberField } from "../../shared/NumberField";
+import { useLengths } from "../../shared/unit";
+import { machineSeconds, screenSeconds, type Speeds } from "../../state/clock";
+import { back, forward, reset, scrub, setSpeed, SPEED, useSpeeds } from "../../state/player";
+import { chooseWire, showDesignAgain, togglePlay, usePlayback, useProgram } from "../../state/program";
+import { spoken } from "./steps";
+
+const LIVE = "A machine is making the wire.";
+
+/** Playing, sliding, speeds. */
+export function Player() {
+  const { played, step, playing, live } = usePlayback();
+  const { program, wire } = useProgram();
+  const speeds = useSpeeds();
+  const { length } = useLengths();
+  const one = program?.wires[wire];
+  if (!program || !one) return null;
+  const seconds = one.steps.map((part) => part.seconds);
+  const total = seconds.length;
+  const why = live ? LIVE : null;
+  const names: readonly (readonly [keyof Speeds, string])[] = [
+    ["feed", "Feed ×"],
+    ["rotate", "Rotate ×"],
+    ["bend", "Bend ×"],
+    ["all", "All ×"],
+  ];
+  return (
+    <div className="stack">
+      {program.wires.length > 1 && (
+        <Select
+          aria-label="Wire"
+          value={String(wire)}
+          onChoose={(chosen) => chooseWire(Number(chosen))}
+          choices={program.wires.map((each, index) => ({ value: String(index), label: `Wire ${index} · ${count(each.steps.length, "step")}`, why }))}
+        />
+      )}
+      <div className="row animate-transport">
+        <Button icon="reset" aria-label="To the beginning" title="To the beginning" why={why} onClick={reset} />
+        <Button icon="previous" aria-label="Step back" title="Step back" why={why} onClick={back} />
+        <Button kind="primary" icon={playing ? "pause" : "play"} aria-label={playing ? "Pause" : "Play"} title={playing ? "Pause (Space)" : "Play (Space)"} why={why} onClick={togglePlay} />
+        <Button icon="next" aria-label="Step forward" title="Step forward" why={why} onClick={forward} />
+        <span className="grow animate-figures">
+          <span>{percent(total > 0 ? step / total : 0)}</span>
+          <span className="muted">
+            {time(machineSeconds(seconds, step))} / {one.time_s === null ? "–" : time(one.time_s)}
+          </span>
+        </span>
+      </div>
+      <Slider label="Position in the program" value={step} min={0} max={total} step={0.01} text={spoken(one, Math.min(Math.floor(step), total - 1), length)} onChange={scrub} />
+      <div className="animate-speeds" role="group" aria-label="Speed of what is shown">
+        {names.map(([key, name]) => (
+          <NumberField key={key} label={`${name} speed`} prefix={name} kind="number" value={speeds[key]} min={SPEED.least} max={SPEED.most} onCommit={(value) => setSpeed(key, value)} />
+        ))}
+      </div>
+      <div className="row">
+        <span className="grow muted small">plays in {time(screenSeconds(seconds, 0, speeds))}</span>
+        {played && !live && (
+          <Button kind="link" onClick={showDesignAgain}>
+            Back to the design
+          </Button>
+        )}
+      </div>
+    </div>
+  );
+}

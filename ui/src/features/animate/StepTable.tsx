@@ -1,0 +1,82 @@
+import { type KeyboardEvent, useEffect, useId, useRef } from "react";
+import { Rows, type RowsHandle } from "../../shared/Rows";
+import { useLengths } from "../../shared/unit";
+import { stepOf } from "../../state/clock";
+import { useDesign } from "../../state/design";
+import { goTo, usePlayback, useProgram } from "../../state/program";
+import { namedSteps, spoken, stepRow } from "./steps";
+
+/** px. */
+const ROW = 38;
+const HEIGHT = ROW * 7;
+
+/** Every step: as designed, and under it what the machine is told. */
+export function StepTable() {
+  const { program, wire } = useProgram();
+  const { unit, name, length } = useLengths();
+  const check = useDesign((design) => design.check);
+  const rows = useRef<RowsHandle>(null);
+  const id = useId();
+  const one = program?.wires[wire];
+  const total = one?.steps.length ?? 0;
+  // Not the place within it: that is another one at every picture.
+  const current = usePlayback(({ played, step }) => (played ? stepOf(total, step) : -1));
+  useEffect(() => {
+    if (current >= 0) rows.current?.reveal(current);
+  }, [current]);
+  if (!program || !one) return null;
+  const named = new Set(namedSteps(check?.diagnostics ?? [], program.wires.length));
+  const keys = (event: KeyboardEvent) => {
+    const moves: Partial<Record<string, number>> = { ArrowDown: current + 1, ArrowUp: current - 1, PageDown: current + 6, PageUp: current - 6, Home: 0, End: total - 1 };
+    const to = moves[event.key];
+    if (to === undefined) return;
+    event.preventDefault();
+    event.stopPropagation();
+    void goTo(Math.min(Math.max(to, 0), total - 1));
+  };
+  return (
+    <div className="step-table" onKeyDown={keys}>
+      <div className="step-row step-head" aria-hidden="true">
+        <span>Step</span>
+        <span>Feed, {name}</span>
+        <span>Rotate, °</span>
+        <span>Bend, °</span>
+      </div>
+      <Rows
+        ref={rows}
+        role="listbox"
+        aria-label="Steps"
+        aria-activedescendant={current >= 0 ? `${id}-${current}` : undefined}
+        count={total}
+        rowHeight={ROW}
+        height={HEIGHT}
+        render={(index) => {
+          const row = stepRow(one, index, unit);
+          if (!row) return null;
+          return (
+            <div
+              key={index}
+              id={`${id}-${index}`}
+              role="option"
+              aria-selected={index === current}
+              className={`step-row${named.has(index) ? " named" : ""}`}
+              onClick={() => void goTo(index)}
+            >
+              <span className="step-number" aria-hidden="true">
+                {row.number}
+              </span>
+              {row.designed.map((figure, part) => (
+                <span key={part} className="step-figure" aria-hidden="true">
+                  {figure}
+                  <small>{row.told?.[part] ?? ""}</small>
+                </span>
+              ))}
+              <span className="visually-hidden">{spoken(one, index, length)}</span>
+            </div>
+          );
+        }}
+      />
+      <p className="muted small">As designed; in grey what the machine is told.</p>
+    </div>
+  );
+}

@@ -1,0 +1,69 @@
+/** The steps of a wire as a table, and what is said of them. */
+
+import type { DiagnosticReport, MadeResponse, PlayedWire } from "../../generated/responses";
+import { angle, count, lengthNumber, number, time, type DisplayUnit } from "../../shared/format";
+
+type Motion = PlayedWire["steps"][number]["designed"];
+
+export interface StepRow {
+  /** From 1, as the machine counts. */
+  readonly number: number;
+  /** Feed, rotate, bend; in the units that the head of the table names. */
+  readonly designed: readonly [string, string, string];
+  /** Null where the wire is not compensated. */
+  readonly told: readonly [string, string, string] | null;
+  readonly vertex: number | null;
+}
+
+/** A zero has no sign, and an angle that nothing turns by is a dash. */
+function motion({ feed_mm, rotate_deg, bend_deg }: Motion, unit: DisplayUnit): readonly [string, string, string] {
+  const turn = (deg: number) => (Math.abs(deg) < 0.05 ? "–" : number(deg));
+  return [lengthNumber(feed_mm, unit), turn(rotate_deg), turn(bend_deg)];
+}
+
+export function stepRow(wire: PlayedWire, index: number, unit: DisplayUnit): StepRow | null {
+  const step = wire.steps[index];
+  if (!step) return null;
+  return {
+    number: index + 1,
+    designed: motion(step.designed, unit),
+    told: step.told ? motion(step.told, unit) : null,
+    vertex: step.vertex,
+  };
+}
+
+/** What a step does, in words, for those who do not see it. */
+export function spoken(wire: PlayedWire, index: number, shown: (mm: number) => string): string {
+  const step = wire.steps[index];
+  if (!step) return "";
+  const { feed_mm, rotate_deg, bend_deg } = step.designed;
+  const parts = [`feed ${shown(feed_mm)}`];
+  if (Math.abs(rotate_deg) >= 0.05) parts.push(`rotate ${angle(rotate_deg)}`);
+  if (Math.abs(bend_deg) >= 0.05) parts.push(`bend ${angle(bend_deg)}`);
+  return `step ${index + 1} of ${wire.steps.length}: ${parts.join(", ")}`;
+}
+
+/** Steps that a diagnostic names, each once, ascending. Only for a design of one wire is it known whose steps they are. */
+export function namedSteps(diagnostics: readonly DiagnosticReport[], wires: number): readonly number[] {
+  if (wires !== 1) return [];
+  const steps = diagnostics.flatMap(({ step, severity }) => (severity === "error" && typeof step === "number" ? [step] : []));
+  return [...new Set(steps)].toSorted((a, b) => a - b);
+}
+
+/** "worst vertex 0.08 mm"; null before it is known. In inches two more digits than elsewhere: it is small. */
+export function worst(made: MadeResponse | null, wire: number, unit: DisplayUnit): string | null {
+  const mm = made?.wires[wire]?.worst_mm;
+  if (mm === undefined) return null;
+  return unit === "inch" ? `worst vertex ${number(mm / 25.4, 4)} in` : `worst vertex ${number(mm, 2)} mm`;
+}
+
+/** The header of the section: time of all wires, or what there is instead. */
+export function phrase(wires: readonly { readonly time_s: number | null }[], without: number): string {
+  if (wires.length === 0) return without > 0 ? "no program: see Check" : "nothing to make";
+  const known = wires.every(({ time_s }) => time_s !== null);
+  const seconds = wires.reduce((all, { time_s }) => all + (time_s ?? 0), 0);
+  const parts = wires.length > 1 ? [count(wires.length, "wire")] : [];
+  if (known) parts.push(time(seconds));
+  if (without > 0) parts.push(`${without} without a program`);
+  return parts.join(" · ");
+}

@@ -1,0 +1,92 @@
+import { Button } from "../../shared/Button";
+import { count, money, signed, time } from "../../shared/format";
+import { useLengths } from "../../shared/unit";
+import { useDesign } from "../../state/design";
+import { applyFix, showFix, useFixes } from "../../state/fixes";
+import type { Fix } from "../../generated/responses";
+import { totals } from "./totals";
+
+/** What changes, in a line: "+601.4 mm · +$1.20 · +2:10". */
+function useChange(): (fix: Fix) => string {
+  const { length } = useLengths();
+  return ({ change, errors_after }) => {
+    const parts = [
+      change.length_mm !== null && Math.abs(change.length_mm) >= 0.05 && signed(change.length_mm, length),
+      change.cost !== null && Math.abs(change.cost) >= 0.005 && signed(change.cost, (value) => money(value, change.currency)),
+      change.time_s !== null && Math.abs(change.time_s) >= 0.5 && signed(change.time_s, time),
+      errors_after === 0 ? "then it can be made" : `then ${count(errors_after, "error")}`,
+    ];
+    return parts.filter(Boolean).join(" · ");
+  };
+}
+
+/** Before and after, while a fix is shown in the view. */
+function Figures({ fix }: { readonly fix: Fix }) {
+  const check = useDesign((design) => design.check);
+  const { length, long } = useLengths();
+  const { change } = fix;
+  const now = totals(check);
+  const row = (name: string, before: number | null, by: number | null, shown: (value: number) => string) => {
+    if (before === null && by === null) return null;
+    const known = before !== null && by !== null;
+    // What was not known before has no difference: then only what is known is said.
+    return (
+      <tr key={name}>
+        <th scope="row">{name}</th>
+        <td>{before === null ? "\u2013" : shown(before)}</td>
+        <td>{known ? shown(before + by) : by !== null && before === null ? signed(by, shown) : "\u2013"}</td>
+      </tr>
+    );
+  };
+  const errors = check?.diagnostics.filter(({ severity }) => severity === "error").length ?? 0;
+  return (
+    <table className="before-after">
+      <thead>
+        <tr>
+          <td />
+          <th scope="col">now</th>
+          <th scope="col">with the fix</th>
+        </tr>
+      </thead>
+      <tbody>
+        {row("Wire", now.length_mm, change.length_mm, length)}
+        {row("Stock", now.stock_mm, change.stock_mm, long)}
+        {row("Time", now.time_s, change.time_s, time)}
+        {row("Cost", now.cost, change.cost, (value) => money(value, change.currency ?? now.currency))}
+        <tr>
+          <th scope="row">Errors</th>
+          <td>{errors}</td>
+          <td>{fix.errors_after}</td>
+        </tr>
+      </tbody>
+    </table>
+  );
+}
+
+/** Changes that would mend it, each tried on a copy before: shown in the view, and made with one click that undo takes back. */
+export function FixList({ fixes }: { readonly fixes: readonly Fix[] }) {
+  const shown = useFixes((store) => store.shown);
+  const change = useChange();
+  return (
+    <ul className="fixes">
+      {fixes.map((fix, index) => {
+        const now = shown === fix;
+        return (
+          <li key={index} className="fix">
+            <div className="fix-title">{fix.title}</div>
+            <div className="muted">{change(fix)}</div>
+            {now && <Figures fix={fix} />}
+            <div className="row">
+              <Button small pressed={now} onClick={() => showFix(now ? null : fix)}>
+                Preview
+              </Button>
+              <Button small kind="primary" onClick={() => void applyFix(fix)}>
+                Apply
+              </Button>
+            </div>
+          </li>
+        );
+      })}
+    </ul>
+  );
+}

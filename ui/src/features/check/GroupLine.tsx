@@ -1,0 +1,105 @@
+import { useState } from "react";
+import type { DiagnosticReport } from "../../generated/responses";
+import { Button } from "../../shared/Button";
+import { Mark } from "../../shared/Mark";
+import { useUnit } from "../../shared/unit";
+import { fixesOf, useFixes } from "../../state/fixes";
+import { highlight, select } from "../../state/selection";
+import { frame } from "../../state/view";
+import { placesOf } from "../viewport/marks";
+import { FixList } from "./FixList";
+import { figuresOf, type Group, sourceOf, TONES, titleOf, valueText, whatOf } from "./texts";
+
+/** More places than these are not listed one by one. */
+const MOST = 40;
+
+function placesOfAll(reports: readonly DiagnosticReport[]): { vertices: number[]; edges: number[] } {
+  const all = reports.map(placesOf);
+  return { vertices: all.flatMap(({ vertices }) => vertices), edges: all.flatMap(({ edges }) => edges) };
+}
+
+function show(reports: readonly DiagnosticReport[]): void {
+  const { vertices, edges } = placesOfAll(reports);
+  select(vertices, edges);
+  if (vertices.length + edges.length > 0) frame(vertices, edges);
+}
+
+function point(reports: readonly DiagnosticReport[]): void {
+  const { vertices, edges } = placesOfAll(reports);
+  highlight(vertices, edges);
+}
+
+/** One of several places of a kind: with its value, and its own fixes. */
+function Member({ report }: { readonly report: DiagnosticReport }) {
+  const [open, setOpen] = useState(false);
+  const unit = useUnit();
+  const fixes = fixesOf(report, useFixes((store) => store.fixes));
+  return (
+    <li onPointerEnter={() => point([report])} onPointerLeave={() => highlight()}>
+      <div className="member">
+        <button type="button" className="check-what" onClick={() => show([report])} onFocus={() => point([report])} onBlur={() => highlight()}>
+          {whatOf(report)}
+        </button>
+        <span className="muted">{valueText(report.value, report.unit, unit)}</span>
+        {fixes.length > 0 && (
+          <Button kind="link" aria-expanded={open} onClick={() => setOpen(!open)}>
+            Fix…
+          </Button>
+        )}
+      </div>
+      {open && <FixList fixes={fixes} />}
+    </li>
+  );
+}
+
+/** Diagnostics of a kind: what, value and limit, one action. */
+export function GroupLine({ group }: { readonly group: Group }) {
+  const { reports, severity } = group;
+  const unit = useUnit();
+  const [open, setOpen] = useState(false);
+  const all = useFixes((store) => store.fixes);
+  const [first] = reports;
+  const single = reports.length === 1 && first !== undefined;
+  const fixes = single ? fixesOf(first, all) : [];
+  const fixable = single ? fixes.length > 0 : reports.some((report) => fixesOf(report, all).length > 0);
+  const places = placesOfAll(reports);
+  const somewhere = places.vertices.length + places.edges.length > 0;
+  const action = fixable ? "Fix…" : single ? (somewhere ? "Show" : null) : "List";
+  const folds = action !== "Show";
+  return (
+    <li className="line" onPointerEnter={() => point(reports)} onPointerLeave={() => highlight()}>
+      <Mark tone={TONES[severity]} />
+      <div className="line-what">
+        {somewhere ? (
+          <button type="button" className="check-what" onClick={() => show(reports)} onFocus={() => point(reports)} onBlur={() => highlight()}>
+            {titleOf(group)}
+          </button>
+        ) : (
+          titleOf(group)
+        )}
+      </div>
+      <div className="line-sub" title={sourceOf(group)}>{figuresOf(group, unit)}</div>
+      {action && (
+        <div className="line-action">
+          <Button kind="link" aria-expanded={folds ? open : undefined} onClick={() => (folds ? setOpen(!open) : show(reports))}>
+            {folds && open ? "Close" : action}
+          </Button>
+        </div>
+      )}
+      {open && folds && (
+        <div className="line-more">
+          {single && <FixList fixes={fixes} />}
+          {!single && (
+            <ul className="members">
+              {reports.slice(0, MOST).map((report, index) => (
+                <Member key={index} report={report} />
+              ))}
+              {reports.length > MOST && <li className="muted">and {reports.length - MOST} more</li>}
+            </ul>
+          )}
+          {single && first.unit && first.help && <p className="muted small">{first.help}.</p>}
+        </div>
+      )}
+    </li>
+  );
+}

@@ -1,0 +1,50 @@
+import { useMemo } from "react";
+import { count } from "../../shared/format";
+import { Part, Section } from "../../shared/Section";
+import { useLengths } from "../../shared/unit";
+import { useDesign } from "../../state/design";
+import { edgesOf, isEmpty, useSelection, verticesOf } from "../../state/selection";
+import { lengthOf } from "./geometry";
+import { Operations } from "./Operations";
+import { Position } from "./Position";
+import { Route } from "./Route";
+import { VertexTable } from "./VertexTable";
+import "./edit.css";
+
+function Selected() {
+  const design = useDesign();
+  const selection = useSelection();
+  const { length } = useLengths();
+  const text = useMemo(() => {
+    if (isEmpty(selection)) return null;
+    const [vertices, edges] = [verticesOf(selection, design), edgesOf(selection, design)];
+    return [count(vertices.length, "vertex", "vertices"), count(edges.length, "edge"), edges.length > 0 && length(lengthOf(edges, design))].filter(Boolean).join(" · ");
+  }, [selection, design, length]);
+  return <p role="status">{text ?? <span className="muted">Nothing is selected. Click in the view, or drag a box.</span>}</p>;
+}
+
+/** What is selected, in figures that can be typed over, and what can be done with it. */
+export function EditSection() {
+  const vertices = useDesign((design) => design.vertices.size);
+  const edges = useDesign((design) => design.edges.size);
+  const phrase = vertices === 0 ? "empty" : `${count(vertices, "vertex", "vertices")} · ${count(edges, "edge")}`;
+  return (
+    <Section id="edit" title="Edit" phrase={phrase}>
+      <Part title="Selection">
+        <Selected />
+        <Position />
+      </Part>
+      <Part title="Operations">
+        <Operations />
+      </Part>
+      <Part title="Wire">
+        <Route />
+      </Part>
+      {vertices > 0 && (
+        <Part title="Vertices">
+          <VertexTable />
+        </Part>
+      )}
+    </Section>
+  );
+}

@@ -1,0 +1,89 @@
+import { useState } from "react";
+import type { Axis, Vec3 } from "../../scene/interface";
+import { Button } from "../../shared/Button";
+import { Checkbox } from "../../shared/inputs";
+import { NumberField } from "../../shared/NumberField";
+import { run } from "../../state/commands";
+import { useDesign } from "../../state/design";
+import { moveBy, place, support } from "../../state/operations";
+import { useSelection, verticesOf } from "../../state/selection";
+import { useView } from "../../state/view";
+import { AXES, axisIndex } from "./geometry";
+
+function with_(at: Vec3, axis: Axis, value: number): Vec3 {
+  const changed: [number, number, number] = [...at];
+  changed[axisIndex(axis)] = value;
+  return changed;
+}
+
+function Fields({ at, change, label, onEnter }: { readonly at: Vec3; readonly change: (at: Vec3) => void; readonly label: string; readonly onEnter?: () => void }) {
+  return (
+    <div className="three">
+      {AXES.map((axis) => (
+        <NumberField
+          key={axis}
+          label={`${label}, ${axis.toUpperCase()}`}
+          prefix={axis.toUpperCase()}
+          value={at[axisIndex(axis)]}
+          onCommit={(value) => change(with_(at, axis, value))}
+          {...(onEnter ? { onEnter } : {})}
+        />
+      ))}
+    </div>
+  );
+}
+
+function MoveBy() {
+  const [by, setBy] = useState<Vec3>([0, 0, 0]);
+  const still = by.every((value) => value === 0);
+  return (
+    <>
+      <Fields at={by} change={setBy} label="Move by" />
+      <div className="row">
+        <Button
+          className="grow"
+          why={still ? "Type how far first" : null}
+          onClick={() => {
+            void moveBy(by);
+            setBy([0, 0, 0]);
+          }}
+        >
+          Move by this
+        </Button>
+      </div>
+    </>
+  );
+}
+
+/** Begins to move the selection with the pointer, along one axis. */
+function grab(axis: Axis): void {
+  run("move");
+  useView.getState().handle?.lockAxis(axis);
+}
+
+/** Where one vertex is, or how far several are to go. */
+export function Position() {
+  const design = useDesign();
+  const selection = useSelection();
+  const ids = verticesOf(selection, design);
+  const [one] = ids;
+  const vertex = ids.length === 1 && one !== undefined ? design.vertices.get(one) : undefined;
+  if (ids.length === 0) return null;
+  const supports = ids.filter((id) => design.vertices.get(id)?.support).length;
+  return (
+    <>
+      {vertex ? <Fields key={vertex.id} at={vertex.at} label={`Vertex ${vertex.id}`} change={(at) => void place(vertex.id, at)} /> : <MoveBy />}
+      <div className="row">
+        <span className="muted grow">Move with the pointer along</span>
+        {AXES.map((axis) => (
+          <Button key={axis} small onClick={() => grab(axis)} title={`G, then ${axis.toUpperCase()}`}>
+            {axis.toUpperCase()}
+          </Button>
+        ))}
+      </div>
+      <Checkbox checked={supports === ids.length} onChange={(fixed) => void support(fixed)}>
+        {ids.length === 1 ? "Support: the design holds this vertex fixed" : `Supports: ${supports} of ${ids.length} are fixed`}
+      </Checkbox>
+    </>
+  );
+}

@@ -1,0 +1,101 @@
+import { useEffect, useMemo, useRef } from "react";
+import { NumberField } from "../../shared/NumberField";
+import { Rows, type RowsHandle } from "../../shared/Rows";
+import { useLengths } from "../../shared/unit";
+import { useDesign } from "../../state/design";
+import { place } from "../../state/operations";
+import { highlight, select, useSelection } from "../../state/selection";
+import { frame } from "../../state/view";
+import { marksOf } from "../viewport/marks";
+import { AXES, axisIndex, degrees } from "./geometry";
+
+const ROW = 30;
+const HEIGHT = 300;
+
+/** All vertices with their places; a cell is typed over, a number of a vertex selects and frames it. */
+export function VertexTable() {
+  const design = useDesign();
+  const selected = useSelection((selection) => selection.vertices);
+  const { name } = useLengths();
+  const rows = useRef<RowsHandle>(null);
+  const list = useMemo(() => [...design.vertices.values()].sort((a, b) => a.id - b.id), [design.vertices]);
+  const wrong = useMemo(() => marksOf(design.check).odd, [design.check]);
+  const degree = useMemo(() => degrees(design), [design.edges]);
+  const places = useMemo(() => new Map(list.map(({ id }, index) => [id, index])), [list]);
+  const only = selected.size === 1 ? [...selected][0] : undefined;
+  useEffect(() => {
+    const index = only === undefined ? undefined : places.get(only);
+    if (index !== undefined) rows.current?.reveal(index);
+    // Only a new selection moves the list, not every change of a place.
+  }, [only]);
+  return (
+    <div role="table" aria-label="Vertices" aria-rowcount={list.length + 1} className="vertices">
+      <div role="row" className="vertex-row head" aria-rowindex={1}>
+        <span role="columnheader">Vertex</span>
+        {AXES.map((axis) => (
+          <span key={axis} role="columnheader">
+            {axis.toUpperCase()}, {name}
+          </span>
+        ))}
+        <span role="columnheader">Edges</span>
+      </div>
+      <Rows
+        ref={rows}
+        role="rowgroup"
+        count={list.length}
+        rowHeight={ROW}
+        height={HEIGHT}
+        render={(index) => {
+          const vertex = list[index];
+          if (!vertex) return null;
+          const { id, at } = vertex;
+          const meet = degree.get(id) ?? 0;
+          return (
+            <div
+              key={id}
+              role="row"
+              aria-rowindex={index + 2}
+              aria-selected={selected.has(id)}
+              className="vertex-row"
+              style={{ height: ROW }}
+              onPointerEnter={() => highlight([id])}
+              onPointerLeave={() => highlight()}
+            >
+              <span role="rowheader">
+                <button
+                  type="button"
+                  className="vertex-id"
+                  title="Select and frame"
+                  onClick={() => {
+                    select([id]);
+                    frame([id], []);
+                  }}
+                >
+                  {id}
+                  {vertex.support && <span className="muted" title="Support"> ▪</span>}
+                </button>
+              </span>
+              {AXES.map((axis) => (
+                <span key={axis} role="cell">
+                  <NumberField
+                    label={`Vertex ${id}, ${axis.toUpperCase()}`}
+                    value={at[axisIndex(axis)]}
+                    onCommit={(value) => {
+                      const to: [number, number, number] = [...at];
+                      to[axisIndex(axis)] = value;
+                      void place(id, to);
+                    }}
+                  />
+                </span>
+              ))}
+              <span role="cell" className={wrong.has(id) ? "odd" : "muted"} title={meet % 2 === 1 ? "Odd" : undefined}>
+                {meet}
+                {meet % 2 === 1 && <span className="visually-hidden"> (odd)</span>}
+              </span>
+            </div>
+          );
+        }}
+      />
+    </div>
+  );
+}

@@ -1,0 +1,104 @@
+import { useState } from "react";
+import type { Axis, Vec3 } from "../../scene/interface";
+import { Field } from "../../shared/Field";
+import { Segmented } from "../../shared/inputs";
+import { NumberField } from "../../shared/NumberField";
+import { useDesign } from "../../state/design";
+import { array, largest, selectedVertices, transform } from "../../state/operations";
+import { useSelection } from "../../state/selection";
+import { AxisField, Do } from "./forms";
+import { AXES, axisIndex, boundsOf, rotation, scaling, translation } from "./geometry";
+
+type Kind = "step" | "turn";
+type About = "origin" | "middle";
+
+const ABOUT = [
+  { value: "origin", label: "Origin" },
+  { value: "middle", label: "Selection" },
+] as const;
+
+/** Copies in a row, or around an axis. */
+export function ArrayForm() {
+  const [kind, setKind] = useState<Kind>("step");
+  const [count, setCount] = useState(3);
+  const [by, setBy] = useState<Vec3>([50, 0, 0]);
+  const [axis, setAxis] = useState<Axis>("z");
+  const [deg, setDeg] = useState(90);
+  const [along, setAlong] = useState(0);
+  const [about, setAbout] = useState<About>("origin");
+  const make = () => {
+    const middle = boundsOf(selectedVertices(), useDesign.getState())?.centre ?? [0, 0, 0];
+    void array(kind === "step" ? translation(by) : rotation(axis, deg, about === "origin" ? [0, 0, 0] : middle, along), count);
+  };
+  return (
+    <>
+      <Field label="Copies">{({ id }) => <NumberField id={id} kind="whole" label="Copies" value={count} min={1} max={1000} onCommit={setCount} />}</Field>
+      <Field label="Each">
+        {() => (
+          <Segmented<Kind>
+            label="Each copy"
+            choices={[
+              { value: "step", label: "Moved" },
+              { value: "turn", label: "Turned" },
+            ]}
+            value={kind}
+            onChoose={setKind}
+          />
+        )}
+      </Field>
+      {kind === "step" ? (
+        <div className="three">
+          {AXES.map((name) => (
+            <NumberField
+              key={name}
+              label={`From copy to copy, ${name.toUpperCase()}`}
+              prefix={name.toUpperCase()}
+              value={by[axisIndex(name)]}
+              onCommit={(value) => {
+                const next: [number, number, number] = [...by];
+                next[axisIndex(name)] = value;
+                setBy(next);
+              }}
+            />
+          ))}
+        </div>
+      ) : (
+        <>
+          <AxisField label="About" value={axis} onChoose={setAxis} />
+          <Field label="Through">{() => <Segmented<About> label="The axis goes through" choices={ABOUT} value={about} onChoose={setAbout} />}</Field>
+          <Field label="By">{({ id }) => <NumberField id={id} kind="angle" label="By" value={deg} onCommit={setDeg} />}</Field>
+          <Field label="And along">{({ id }) => <NumberField id={id} label="And along the axis" value={along} onCommit={setAlong} />}</Field>
+        </>
+      )}
+      <Do command="array" onDo={make}>
+        Make {count === 1 ? "1 copy" : `${count} copies`}
+      </Do>
+    </>
+  );
+}
+
+/** To a size of the largest side, or by a factor. */
+export function ScaleForm() {
+  const [about, setAbout] = useState<About>("middle");
+  const [factor, setFactor] = useState(1);
+  useDesign();
+  useSelection();
+  const now = largest();
+  const make = () => {
+    if (!now) return;
+    void transform(scaling(factor, about === "origin" ? [0, 0, 0] : now.centre));
+    setFactor(1);
+  };
+  return (
+    <>
+      <Field label="Size" hint={now ? `Along ${now.axis.toUpperCase()}, the largest side.` : "Select more than one vertex to scale."}>
+        {({ id }) => <NumberField id={id} label="Size" value={now && now.size * factor} min={0.001} onCommit={(mm) => now && setFactor(mm / now.size)} why={now ? null : "Nothing is selected that has a size"} />}
+      </Field>
+      <Field label="Factor">{({ id }) => <NumberField id={id} kind="number" label="Factor" value={factor} min={1e-4} max={1e4} onCommit={setFactor} />}</Field>
+      <Field label="About">{() => <Segmented<About> label="What stays where it is" choices={ABOUT} value={about} onChoose={setAbout} />}</Field>
+      <Do command="scale" onDo={make}>
+        Scale
+      </Do>
+    </>
+  );
+}

@@ -1,0 +1,152 @@
+import { type ReactNode, useState } from "react";
+import type { Axis } from "../../scene/interface";
+import { Button } from "../../shared/Button";
+import { Field } from "../../shared/Field";
+import { Checkbox, Segmented, Select } from "../../shared/inputs";
+import { NumberField } from "../../shared/NumberField";
+import { useWhyNot } from "../../state/commands";
+import { useDesign } from "../../state/design";
+import type { CommandId } from "../../state/keys";
+import { extrude, merge, mirror, round, selectedVertices, split, straighten } from "../../state/operations";
+import { AXES, axisIndex, boundsOf } from "./geometry";
+
+export const AXIS_CHOICES = AXES.map((axis) => ({ value: axis, label: axis.toUpperCase() }));
+
+/** The button of a form: what it does, or why it cannot. */
+export function Do({ command, onDo, children }: { readonly command: CommandId; readonly onDo: () => void; readonly children: ReactNode }) {
+  const why = useWhyNot(command);
+  return (
+    <div className="row end">
+      {why && <span className="muted small grow">{why}.</span>}
+      <Button why={why} onClick={onDo}>
+        {children}
+      </Button>
+    </div>
+  );
+}
+
+export function AxisField({ label, value, onChoose }: { readonly label: string; readonly value: Axis; readonly onChoose: (axis: Axis) => void }) {
+  return <Field label={label}>{() => <Segmented label={label} choices={AXIS_CHOICES} value={value} onChoose={onChoose} />}</Field>;
+}
+
+export function SplitForm() {
+  const [at, setAt] = useState(0.5);
+  return (
+    <>
+      <Field label="At" hint="Of the edge, from its first vertex.">
+        {({ id }) => <NumberField id={id} kind="percent" label="At" value={at} min={0.001} max={0.999} onCommit={setAt} />}
+      </Field>
+      <Do command="split" onDo={() => void split(at)}>
+        Split
+      </Do>
+    </>
+  );
+}
+
+export function MergeForm() {
+  const [at, setAt] = useState<"first" | "last" | "centre">("centre");
+  return (
+    <>
+      <Field label="Where">
+        {(ids) => (
+          <Select
+            {...ids}
+            choices={[
+              { value: "centre", label: "In the middle of all" },
+              { value: "first", label: "At the one selected first" },
+              { value: "last", label: "At the one selected last" },
+            ]}
+            value={at}
+            onChoose={setAt}
+          />
+        )}
+      </Field>
+      <Do command="merge" onDo={() => void merge(at)}>
+        Merge
+      </Do>
+    </>
+  );
+}
+
+export function ExtrudeForm() {
+  const [axis, setAxis] = useState<Axis>("z");
+  const [by, setBy] = useState(20);
+  return (
+    <>
+      <AxisField label="Along" value={axis} onChoose={setAxis} />
+      <Field label="Length">{({ id }) => <NumberField id={id} label="Length" value={by} onCommit={setBy} />}</Field>
+      <Do command="extrude" onDo={() => void extrude(axis, by, false)}>
+        Extrude
+      </Do>
+    </>
+  );
+}
+
+export function MirrorForm() {
+  const [axis, setAxis] = useState<Axis>("x");
+  const [through, setThrough] = useState<"origin" | "middle" | "side">("origin");
+  const [copy, setCopy] = useState(true);
+  const design = useDesign();
+  const planeAt = () => {
+    const bounds = boundsOf(selectedVertices(), design);
+    if (!bounds || through === "origin") return 0;
+    return (through === "middle" ? bounds.centre : bounds.low)[axisIndex(axis)];
+  };
+  return (
+    <>
+      <AxisField label="Across" value={axis} onChoose={setAxis} />
+      <Field label="Plane">
+        {(ids) => (
+          <Select
+            {...ids}
+            choices={[
+              { value: "origin", label: "Through the origin" },
+              { value: "middle", label: "Through the middle of the selection" },
+              { value: "side", label: "Along the near side of the selection" },
+            ]}
+            value={through}
+            onChoose={setThrough}
+          />
+        )}
+      </Field>
+      <Checkbox checked={copy} onChange={setCopy}>
+        Keep the original: add the image
+      </Checkbox>
+      <Do command="mirror" onDo={() => void mirror(axis, planeAt(), copy)}>
+        Mirror
+      </Do>
+    </>
+  );
+}
+
+export function StraightenForm() {
+  const [tolerance, setTolerance] = useState(1);
+  return (
+    <>
+      <Field label="Tolerance" hint="How far a vertex may be from the straight line.">
+        {({ id }) => <NumberField id={id} label="Tolerance" value={tolerance} min={0} onCommit={setTolerance} />}
+      </Field>
+      <Do command="straighten" onDo={() => void straighten(tolerance)}>
+        Straighten
+      </Do>
+    </>
+  );
+}
+
+export function RoundForm() {
+  const [tolerance, setTolerance] = useState(1);
+  const [step, setStep] = useState(15);
+  return (
+    <>
+      <Field label="Tolerance" hint="How far the chain may be from its arcs.">
+        {({ id }) => <NumberField id={id} label="Tolerance" value={tolerance} min={0} onCommit={setTolerance} />}
+      </Field>
+      <Field label="Step" hint="What the wire is bent at each vertex of an arc, at most.">
+        {({ id }) => <NumberField id={id} kind="angle" label="Step" value={step} min={1} max={90} onCommit={setStep} />}
+      </Field>
+      <Do command="round" onDo={() => void round(tolerance, step)}>
+        Round
+      </Do>
+    </>
+  );
+}

@@ -1,0 +1,38 @@
+import type { FormatEntry } from "../../generated/responses";
+import { Button } from "../../shared/Button";
+import { setSettings, settingsOf, useExports } from "../../state/exports";
+import { Fold } from "../machine/Fold";
+import { SettingsForm } from "../machine/settings/SettingsForm";
+import { changedKeys } from "../machine/settings/values";
+import { count } from "../../shared/format";
+
+/** What can be set for this one export, over what the machine's profile says. */
+export function FormatSettings({ format }: { readonly format: FormatEntry }) {
+  const settings = useExports((store) => store.settings);
+  // The generated type does not say that some formats have nothing to set.
+  const schema = format.settings_schema as { readonly properties?: object } | null;
+  const fields = Object.keys(schema?.properties ?? {}).length;
+  if (!schema || fields === 0) return null;
+  const values = settingsOf(format, settings);
+  const own = settings.has(format.id);
+  const changed = own ? changedKeys(withDefaults(schema, format.settings), withDefaults(schema, values)).length : 0;
+  return (
+    <Fold key={format.id} title="Settings of this export" phrase={changed > 0 ? `${count(changed, "change")} from the profile` : count(fields, "setting")}>
+      <SettingsForm idPrefix={`export-${format.id}`} schema={schema} values={values} onChange={(changedTo) => setSettings(format.id, changedTo)} />
+      {changed > 0 && (
+        <div className="row end">
+          <Button onClick={() => setSettings(format.id, format.settings)}>As the profile says</Button>
+        </div>
+      )}
+    </Fold>
+  );
+}
+
+/** What is not set has the default of the schema. */
+function withDefaults(schema: { readonly properties?: object }, values: Readonly<Record<string, unknown>>): Readonly<Record<string, unknown>> {
+  const all = Object.entries(schema.properties ?? {}).flatMap(([key, property]: [string, unknown]) => {
+    const given = typeof property === "object" && property !== null && "default" in property ? property.default : undefined;
+    return given === undefined ? [] : [[key, given] as const];
+  });
+  return { ...Object.fromEntries(all), ...values };
+}

@@ -1,0 +1,95 @@
+import { useState } from "react";
+import type { FormatEntry } from "../../generated/responses";
+import { platform, Refused } from "../../platform";
+import { Button } from "../../shared/Button";
+import { Field } from "../../shared/Field";
+import { TextInput } from "../../shared/inputs";
+import { Line } from "../../shared/Line";
+import { useDesign } from "../../state/design";
+import { useExports, write } from "../../state/exports";
+import { beside, fileName } from "./groups";
+
+/** Where the file goes, and writing it. A file that is there is replaced only when a person says so. */
+export function WriteFile({ format }: { readonly format: FormatEntry }) {
+  const state = useDesign((design) => design.state);
+  const { written, preview } = useExports();
+  const suggested = beside(state?.file ?? null, fileName(state?.name ?? "", format.extension));
+  const [typed, setTyped] = useState<string | null>(null);
+  /** A path that the system's dialog has asked about. */
+  const [agreed, setAgreed] = useState<string | null>(null);
+  const [busy, setBusy] = useState(false);
+  const [problem, setProblem] = useState<{ message: string; exists: boolean } | null>(null);
+  const path = typed ?? (state?.file ? suggested : "");
+  const go = async (to: string, force: boolean) => {
+    setBusy(true);
+    setProblem(null);
+    try {
+      await write(to, force);
+    } catch (error) {
+      const exists = error instanceof Refused && error.refusal.code === "exists";
+      setProblem({ message: error instanceof Error ? error.message : String(error), exists });
+    } finally {
+      setBusy(false);
+    }
+  };
+  const browse = async (thenWrite: boolean) => {
+    const picked = await platform.pickSave(fileName(state?.name ?? "", format.extension), { name: format.name, extensions: [format.extension] });
+    if (picked === null) return;
+    setTyped(picked);
+    setAgreed(picked);
+    setProblem(null);
+    if (thenWrite) await go(picked, true);
+  };
+  const refused = preview?.format === format.id ? preview.refused : null;
+  const why = busy ? "It is being written." : refused ? refused.message : null;
+  const done = written?.format === format.id ? written.files : [];
+  return (
+    <div className="stack">
+      <Field label="File">
+        {(ids) => (
+          <span className="row">
+            <TextInput
+              {...ids}
+              value={path}
+              placeholder="choose a place"
+              onChange={(event) => {
+                setTyped(event.currentTarget.value);
+                setProblem(null);
+              }}
+            />
+            <Button icon="folder" aria-label="Browse" title="Browse" onClick={() => void browse(false)} />
+          </span>
+        )}
+      </Field>
+      {problem && (
+        <ul role="alert">
+          <Line
+            tone="error"
+            what={problem.exists ? "There is such a file" : "It was not written"}
+            sub={problem.exists ? "It is kept unless you say that it may be replaced." : problem.message}
+            action={
+              problem.exists && (
+                <Button kind="link" onClick={() => void go(path, true)}>
+                  Replace
+                </Button>
+              )
+            }
+          />
+        </ul>
+      )}
+      <div className="row end">
+        <Button kind="primary" why={why} onClick={() => void (path === "" ? browse(true) : go(path, path === agreed))}>
+          {path === "" ? "Write…" : "Write"}
+        </Button>
+      </div>
+      <div aria-live="polite">
+        {done.map((file) => (
+          <p key={file} className="written">
+            <span className="muted">Written: </span>
+            <span className="selectable">{file}</span>
+          </p>
+        ))}
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,50 @@
+import { useEffect } from "react";
+import { count } from "../../shared/format";
+import { Section } from "../../shared/Section";
+import { useUnit } from "../../shared/unit";
+import { useDesign } from "../../state/design";
+import { needMachines, useMachines } from "../../state/machines";
+import { Drivers, waits } from "./Drivers";
+import { misfit } from "./fit";
+import { Fold } from "./Fold";
+import { MachineList } from "./MachineList";
+import { Materials } from "./Materials";
+import { ThisMachine } from "./ThisMachine";
+import "./machine.css";
+
+/** Machine, wire, settings, drivers. */
+export function MachineSection() {
+  const { machine, material } = useDesign((design) => design.state) ?? { machine: null, material: null };
+  const { machines, materials, views, drivers } = useMachines();
+  const waiting = drivers?.drivers.filter(waits).length ?? 0;
+  const unit = useUnit();
+  useEffect(needMachines, []);
+  const entry = machines?.find(({ id }) => id === machine) ?? null;
+  const wire = materials?.find(({ id }) => id === material) ?? null;
+  const name = entry?.name ?? machine ?? "none chosen";
+  const wrong = wire ? misfit(wire, entry, unit) : null;
+  const problem = machine ? (views.get(machine)?.driver_problem ?? null) : null;
+  return (
+    <Section
+      id="machine"
+      title="Machine"
+      phrase={problem ? `${name}: driver cannot be used` : wrong ? `${name}: wire does not fit` : name}
+      tone={problem ? "error" : wrong ? "warning" : null}
+    >
+      <Fold title="Machines" phrase={machines ? `${machines.length} to choose from` : ""} start>
+        <MachineList place="panel" />
+      </Fold>
+      {machine && (
+        <Fold title="This machine" phrase={name}>
+          <ThisMachine id={machine} />
+        </Fold>
+      )}
+      <Fold title="Wire" phrase={wire?.name ?? material ?? "none chosen"}>
+        <Materials />
+      </Fold>
+      <Fold title="Drivers" phrase={waiting > 0 ? `${waiting} not accepted` : drivers ? count(drivers.drivers.length, "driver") : ""}>
+        <Drivers />
+      </Fold>
+    </Section>
+  );
+}

@@ -1,0 +1,76 @@
+import { describe, expect, it } from "vitest";
+import type { MachineSide, Objections, OtherSide, WireDiagnostic } from "../../generated/responses";
+import { differences, figures } from "./differences";
+
+const side: MachineSide = {
+  bends: 176,
+  cost: 23.5,
+  currency: "USD",
+  errors: 4,
+  feasible: false,
+  feeds: 177,
+  machine: "wirebend-kit",
+  mass_g: 225,
+  material: "aluminium-6061-t6-3mm",
+  name: "WireBend-kit",
+  stock_mm: 12_220,
+  time_s: 3130,
+  warnings: 0,
+};
+
+const diagnostic = (code: string): WireDiagnostic => ({ code, help: "", message: `${code} here`, severity: "error", wire: 0 });
+const objections = (...codes: string[]): Objections => ({ diagnostics: codes.map(diagnostic), edges: [], steps: [], vertices: [] });
+
+const other = (given: Partial<OtherSide>): OtherSide => ({
+  ...side,
+  machine: "pensa",
+  change: { bends: 0, cost: 0, mass_g: 0, stock_mm: 0, time_s: 0 },
+  newly_feasible: objections(),
+  newly_infeasible: objections(),
+  ...given,
+});
+
+describe("differences", () => {
+  it("puts the same kind together, what gets better first", () => {
+    const to = other({
+      newly_feasible: objections("edge_too_short", "edge_too_short", "bend_too_sharp", "edge_too_short", "edge_too_short"),
+      newly_infeasible: objections("rotation_out_of_range"),
+    });
+    expect(differences(side, to)).toEqual([
+      { tone: "fine", what: "4 short edges become feasible", sub: null },
+      { tone: "fine", what: "1 sharp bend becomes feasible", sub: null },
+      { tone: "error", what: "1 rotation out of range becomes infeasible", sub: "rotation_out_of_range here" },
+    ]);
+  });
+
+  it("says first whether it can be made at all, where that changes", () => {
+    const to = other({ feasible: true, errors: 0, newly_feasible: objections("edge_too_short") });
+    expect(differences(side, to)[0]).toEqual({ tone: "fine", what: "It can be made", sub: null });
+    const back = differences({ ...side, feasible: true }, other({ newly_infeasible: objections("edge_too_short") }));
+    expect(back[0]?.tone).toBe("error");
+  });
+
+  it("does not count what is true of the whole", () => {
+    expect(differences(side, other({ newly_infeasible: objections("wire_does_not_fit") }))[0]?.what).toBe("The wire does not fit");
+  });
+
+  it("says that nothing changes", () => {
+    expect(differences(side, other({}))).toEqual([{ tone: "warning", what: "The same 4 errors on both", sub: null }]);
+    expect(differences({ ...side, feasible: true }, other({ feasible: true }))).toEqual([{ tone: "fine", what: "It can be made on both", sub: null }]);
+  });
+
+  it("names a kind that it does not know by its code", () => {
+    expect(differences(side, other({ newly_feasible: objections("peg_hits_wire") }))[0]?.what).toBe("1 peg hits wire becomes feasible");
+  });
+});
+
+describe("figures", () => {
+  it("shows before and after, once where they look the same, and leaves out what is not known", () => {
+    const to = other({ time_s: 2285, stock_mm: 12_220.2, bends: null, cost: 20, currency: "EUR" });
+    expect(figures(side, to, "mm")).toEqual([
+      ["Time", "52:10 → 38:05"],
+      ["Stock", "12.22 m"],
+      ["Cost", "€20.00"],
+    ]);
+  });
+});

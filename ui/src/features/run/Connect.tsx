@@ -1,0 +1,60 @@
+import { useEffect, useState } from "react";
+import { Button } from "../../shared/Button";
+import { Field } from "../../shared/Field";
+import { Select } from "../../shared/inputs";
+import { Line } from "../../shared/Line";
+import { useDesign } from "../../state/design";
+import { connect, loadPorts, useRun } from "../../state/run";
+import { Ended } from "./Ended";
+import { guess, portPhrase } from "./phrases";
+
+/** Choosing a port, and connecting. */
+export function Connect() {
+  const machine = useDesign((design) => design.state?.machine ?? null);
+  const { ports, portProblem, ordering, state } = useRun();
+  const [chosen, setChosen] = useState<string | null>(null);
+  useEffect(() => {
+    if (machine) void loadPorts();
+    setChosen(null);
+  }, [machine]);
+  const known = ports ?? [];
+  const port = known.find(({ name }) => name === chosen)?.name ?? guess(known);
+  const why = !machine ? "Choose a machine first." : ordering ? "The machine is being connected." : known.length === 0 ? (portProblem ?? "There is no port.") : port === null ? "Choose a port." : null;
+  const simulated = known.find(({ name }) => name === port)?.simulated ?? false;
+  return (
+    <div className="stack">
+      {state?.problem && (
+        <ul role="alert">
+          <Line tone="error" what="The machine failed" sub={<span className="lines">{state.problem.message}</span>} />
+        </ul>
+      )}
+      <Ended />
+      <Field label="Port" stacked hint={simulated ? "Nothing moves: the machine is computed." : null}>
+        {(ids) => (
+          <span className="row">
+            <Select
+              {...ids}
+              value={port ?? ""}
+              onChoose={setChosen}
+              choices={[
+                ...(port === null ? [{ value: "", label: ports === null ? "looking…" : known.length === 0 ? "none" : "choose" }] : []),
+                ...known.map((each) => ({ value: each.name, label: portPhrase(each) })),
+              ]}
+            />
+            <Button icon="reset" aria-label="Look for ports again" title="Look for ports again" why={machine ? null : "Choose a machine first."} onClick={() => void loadPorts()} />
+          </span>
+        )}
+      </Field>
+      {portProblem && (
+        <ul>
+          <Line tone={known.length > 0 ? "warning" : "info"} what={known.length > 0 ? "A driver could not be asked" : "There is no port for this machine"} sub={portProblem} />
+        </ul>
+      )}
+      <div className="row end">
+        <Button kind="primary" why={why} onClick={() => void connect(port)}>
+          Connect
+        </Button>
+      </div>
+    </div>
+  );
+}

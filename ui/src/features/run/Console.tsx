@@ -1,0 +1,72 @@
+import { useEffect, useMemo, useRef, useState } from "react";
+import { Button } from "../../shared/Button";
+import { count } from "../../shared/format";
+import { TextInput } from "../../shared/inputs";
+import { asText, filtered } from "../../state/console";
+import { clearConsole, useRun } from "../../state/run";
+import { Fold } from "../machine/Fold";
+
+/** px from the end at which new lines still scroll along. */
+const NEAR_END = 24;
+
+/** What is said to the machine and what it says. */
+export function Console() {
+  const many = useRun((run) => run.console.length);
+  return (
+    <Fold title="Console" phrase={many === 0 ? "empty" : count(many, "line")}>
+      <Lines />
+    </Fold>
+  );
+}
+
+function Lines() {
+  const lines = useRun((run) => run.console);
+  const [filter, setFilter] = useState("");
+  const [copied, setCopied] = useState(false);
+  const box = useRef<HTMLDivElement>(null);
+  const atEnd = useRef(true);
+  const shown = useMemo(() => filtered(lines, filter), [lines, filter]);
+  useEffect(() => {
+    if (atEnd.current && box.current) box.current.scrollTop = box.current.scrollHeight;
+  }, [shown]);
+  const copy = async () => {
+    await navigator.clipboard.writeText(asText(shown));
+    setCopied(true);
+    window.setTimeout(() => setCopied(false), 1500);
+  };
+  const none = shown.length === 0 ? "There is nothing to copy." : null;
+  return (
+    <div className="stack">
+      <div className="row">
+        <TextInput aria-label="Filter lines" placeholder="Filter" value={filter} onChange={(event) => setFilter(event.currentTarget.value)} />
+        <Button small icon="copy" why={none} onClick={() => void copy()}>
+          {copied ? "Copied" : "Copy"}
+        </Button>
+        <Button small why={lines.length === 0 ? "It is empty." : null} onClick={clearConsole}>
+          Clear
+        </Button>
+      </div>
+      <div
+        ref={box}
+        className="console selectable"
+        role="log"
+        aria-label="Lines to and from the machine"
+        tabIndex={0}
+        onScroll={(event) => {
+          const { scrollTop, scrollHeight, clientHeight } = event.currentTarget;
+          atEnd.current = scrollHeight - scrollTop - clientHeight < NEAR_END;
+        }}
+      >
+        {shown.map((line) => (
+          <div key={line.id} className={line.toMachine ? "to-machine" : undefined}>
+            <span className="console-way" aria-label={line.toMachine ? "to the machine" : "from the machine"} role="img">
+              {line.toMachine ? "›" : "‹"}
+            </span>
+            {line.text}
+          </div>
+        ))}
+        {shown.length === 0 && <div className="muted">{lines.length === 0 ? "Nothing was said yet." : "No line fits the filter."}</div>}
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,73 @@
+import { useState } from "react";
+import { Button } from "../../shared/Button";
+import { angle } from "../../shared/format";
+import { NumberField } from "../../shared/NumberField";
+import { Part } from "../../shared/Section";
+import { useLengths } from "../../shared/unit";
+import { order } from "../../state/run";
+import type { MachineState, Move } from "../../state/operator";
+import { buttons } from "./buttons";
+import { movePhrase } from "./phrases";
+import { useProspect } from "./prospect";
+import { Recording } from "./Recording";
+
+type Axis = "feed" | "bend" | "rotate";
+
+/** mm and degrees. */
+const START: Readonly<Record<Axis, number>> = { feed: 10, bend: 45, rotate: 90 };
+const AXES: readonly (readonly [Axis, string, string])[] = [
+  ["feed", "F", "Feed"],
+  ["bend", "B", "Bend"],
+  ["rotate", "R", "Rotate"],
+];
+
+const moveOf = (axis: Axis, by: number): Move => (axis === "feed" ? { move: "feed", mm: by } : { move: axis, deg: by });
+
+/** Moving the machine axis by axis. */
+export function Manual({ state }: { readonly state: MachineState }) {
+  const [by, setBy] = useState(START);
+  const [record, setRecord] = useState(false);
+  const { length, unit } = useLengths();
+  const why = buttons(state, useProspect()).jog;
+  const { position } = state;
+  const jog = (axis: Axis, sign: 1 | -1) => {
+    if (!why) void order({ order: "jog", moves: [moveOf(axis, sign * by[axis])], record });
+  };
+  const at: Readonly<Record<Axis, string>> = {
+    feed: position ? length(position.feed_mm) : "–",
+    bend: position ? angle(position.bend_deg) : "–",
+    rotate: position ? angle(position.rotate_deg) : "–",
+  };
+  return (
+    <Part
+      title="Manual"
+      aside={
+        <Button small icon="record" pressed={record} title="Keep the moves that are made, to make them again" onClick={() => setRecord(!record)}>
+          Record
+        </Button>
+      }
+    >
+      <div className="manual">
+        {AXES.map(([axis, letter, name]) => (
+          <div key={axis} className="manual-axis" role="group" aria-label={name}>
+            <NumberField
+              label={`${name} by`}
+              prefix={letter}
+              kind={axis === "feed" ? "length" : "angle"}
+              value={by[axis]}
+              min={0}
+              onCommit={(value) => setBy((before) => ({ ...before, [axis]: value }))}
+              onEnter={() => jog(axis, 1)}
+            />
+            <div className="row">
+              <Button className="grow" small icon="minus" aria-label={`${movePhrase(moveOf(axis, -by[axis]), unit)}`} title={movePhrase(moveOf(axis, -by[axis]), unit)} why={why} onClick={() => jog(axis, -1)} />
+              <Button className="grow" small icon="plus" aria-label={`${movePhrase(moveOf(axis, by[axis]), unit)}`} title={movePhrase(moveOf(axis, by[axis]), unit)} why={why} onClick={() => jog(axis, 1)} />
+            </div>
+            <span className="manual-at muted small">at {at[axis]}</span>
+          </div>
+        ))}
+      </div>
+      <Recording state={state} record={record} />
+    </Part>
+  );
+}

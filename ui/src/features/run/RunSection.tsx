@@ -1,0 +1,36 @@
+import { useEffect } from "react";
+import { Section } from "../../shared/Section";
+import { isOpen, takeUp, useRun } from "../../state/run";
+import { phrase } from "./buttons";
+import { Connect } from "./Connect";
+import { Console } from "./Console";
+import { Manual } from "./Manual";
+import { QuestionDialog } from "./QuestionDialog";
+import { Session } from "./Session";
+import { Wire } from "./Wire";
+import "./run.css";
+
+/** The machine itself: connecting, moving, making. */
+export function RunSection() {
+  const state = useRun((run) => run.state);
+  useEffect(() => void takeUp(), []);
+  const connected = isOpen(state);
+  const tone = state?.phase === "failed" ? "error" : state?.phase === "stopped" || state?.unfinished ? "warning" : null;
+  return (
+    <>
+      <Section id="run" title="Run" phrase={phrase(state)} tone={tone}>
+        {connected && state ? (
+          <>
+            <Session state={state} />
+            <Wire state={state} />
+            <Manual state={state} />
+          </>
+        ) : (
+          <Connect />
+        )}
+        <Console />
+      </Section>
+      <QuestionDialog />
+    </>
+  );
+}

@@ -1,0 +1,43 @@
+import { useState } from "react";
+import { Button } from "../../shared/Button";
+import { Mark } from "../../shared/Mark";
+import { order } from "../../state/run";
+import type { Unfinished } from "../../state/operator";
+import type { RunButtons } from "./buttons";
+import { unfinishedPhrase } from "./phrases";
+
+/** A wire that was interrupted: going on with it, or giving it up. */
+export function UnfinishedCard({ unfinished, all, accept }: { readonly unfinished: Unfinished; readonly all: RunButtons; readonly accept: boolean }) {
+  const [leaving, setLeaving] = useState(false);
+  const { job_hash, wire, name } = unfinished;
+  return (
+    <div className="unfinished stack" role="group" aria-label="Interrupted wire">
+      <p>
+        <Mark tone="warning" />{" "}
+        <strong>
+          {name ? `“${name}”, ` : ""}wire {wire} was interrupted
+        </strong>
+      </p>
+      <p className="muted">{leaving ? "Once it is given up, nobody can go on with it. Nothing moves for it." : unfinishedPhrase(unfinished)}</p>
+      <div className="row end">
+        {leaving ? (
+          <>
+            <Button onClick={() => setLeaving(false)}>Keep it</Button>
+            <Button kind="danger" why={all.abandon} onClick={() => void order({ order: "abandon", job_hash, wire })}>
+              Give it up
+            </Button>
+          </>
+        ) : (
+          <>
+            <Button why={all.abandon} onClick={() => setLeaving(true)}>
+              Give up…
+            </Button>
+            <Button kind="primary" why={all.resumeRun} onClick={() => void order({ order: "resume-run", job_hash, wire, accept_settings: accept })}>
+              Resume…
+            </Button>
+          </>
+        )}
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,50 @@
+import { describe, expect, it } from "vitest";
+import type { PortEntry } from "../../generated/responses";
+import type { Unfinished, WireRun } from "../../state/operator";
+import { endedPhrase, guess, movePhrase, portPhrase, progressPhrase, unfinishedPhrase } from "./phrases";
+
+const port = (name: string, given: Partial<PortEntry> = {}): PortEntry => ({ name, description: "", usb: null, drivers: ["wirebend-kit"], likely_for: [], simulated: false, ...given });
+const SIM = port("sim", { simulated: true, description: "simulated machine, in real time" });
+const UNO = port("/dev/ttyACM0", { description: "Arduino Uno", likely_for: ["wirebend-kit"] });
+
+describe("ports", () => {
+  it("says what is there, and which is probably meant", () => {
+    expect(portPhrase(UNO)).toBe("/dev/ttyACM0 · Arduino Uno · probably this one");
+    expect(portPhrase(SIM)).toBe("sim · simulated machine, in real time");
+    expect(portPhrase(port("COM3"))).toBe("COM3");
+  });
+
+  it("guesses a likely port, else the simulated machine, and never a port of which nothing is known", () => {
+    expect(guess([port("/dev/ttyS0"), SIM, UNO])).toBe("/dev/ttyACM0");
+    expect(guess([port("/dev/ttyS0"), SIM])).toBe("sim");
+    expect(guess([port("/dev/ttyS0")])).toBeNull();
+  });
+});
+
+describe("wires", () => {
+  const unfinished = (made: number, in_doubt: Unfinished["in_doubt"] = null): Unfinished => ({ id: "1", job_hash: "", name: "House", wire: 0, port: "sim", started: "", made, of: 31, in_doubt });
+
+  it("tells how far one is", () => {
+    expect(progressPhrase({ wire: 0, made: 14, sent: 16, of: 31, elapsed_s: 130, remaining_s: 65 })).toBe("step 14 of 31 · 2:10, 1:05 left");
+    expect(unfinishedPhrase(unfinished(14))).toBe("Step 14 of 31 is made.");
+    expect(unfinishedPhrase(unfinished(14, [15, 15]))).toBe("Step 14 of 31 is made; of step 15 nobody knows.");
+    expect(unfinishedPhrase(unfinished(0, [1, 3]))).toBe("No step of 31 is made; of steps 1 to 3 nobody knows.");
+  });
+
+  const run: WireRun = { id: "1", resume: null, stock_mm: 700, stopped_by: null, wire: 0, outcome: "made", made: 31, steps: 31, in_doubt: null, elapsed_s: 192, problem: null, deviations_mm: [0.02, 0.08] };
+
+  it("tells what became of one", () => {
+    expect(endedPhrase(run, "mm")).toEqual({ tone: "fine", what: "The wire is made, in 3:12", sub: "Worst vertex 0.08 mm from the design." });
+    expect(endedPhrase({ ...run, deviations_mm: null }, "mm").sub).toBeNull();
+    expect(endedPhrase({ ...run, outcome: "stopped", made: 14 }, "mm").what).toBe("Stopped after step 14 of 31");
+    expect(endedPhrase({ ...run, outcome: "failed", made: 3, problem: { code: "line", message: "The line is cut." } }, "mm")).toMatchObject({ tone: "error", sub: "The line is cut." });
+  });
+});
+
+describe("movePhrase", () => {
+  it("says moves with their units", () => {
+    expect(movePhrase({ move: "feed", mm: -10 }, "mm")).toBe("Feed −10.0 mm");
+    expect(movePhrase({ move: "rotate", deg: 90 }, "mm")).toBe("Rotate 90.0°");
+    expect(movePhrase({ move: "home" }, "mm")).toBe("Home");
+  });
+});

@@ -1,0 +1,70 @@
+/** What is said of ports, wires and moves. */
+
+import type { PortEntry } from "../../generated/responses";
+import { angle, type DisplayUnit, length, number, time } from "../../shared/format";
+import type { Tone } from "../../shared/Mark";
+import type { Move, Unfinished, WireRun, WireState } from "../../state/operator";
+
+/** "/dev/ttyACM0 · Arduino Uno · probably this one". */
+export function portPhrase({ name, description, usb, likely_for, simulated }: PortEntry): string {
+  const what = simulated ? description || "simulated machine" : description || (usb?.product ?? "");
+  const parts = [name, what, likely_for.length > 0 && !simulated ? "probably this one" : ""];
+  return parts.filter((part) => part !== "").join(" · ");
+}
+
+/** The port that is tried unless a person says another: a likely one, else the simulated machine; an unlikely one never. */
+export function guess(ports: readonly PortEntry[]): string | null {
+  const likely = ports.find(({ likely_for, simulated }) => !simulated && likely_for.length > 0);
+  return (likely ?? ports.find(({ simulated }) => simulated))?.name ?? null;
+}
+
+/** "step 14 of 31 · 2:10, 1:05 left". */
+export function progressPhrase({ made, of, elapsed_s, remaining_s }: WireState): string {
+  return `step ${made} of ${of} · ${time(elapsed_s)}, ${time(remaining_s)} left`;
+}
+
+function doubtful(steps: readonly [number, number] | null | undefined): string {
+  if (!steps) return "";
+  const [first, last] = steps;
+  return first === last ? `; of step ${first} nobody knows` : `; of steps ${first} to ${last} nobody knows`;
+}
+
+/** "Step 14 of 31 is made; of step 15 nobody knows". */
+export function unfinishedPhrase({ made, of, in_doubt }: Unfinished): string {
+  return `${made === 0 ? "No step" : `Step ${made}`} of ${of} is made${doubtful(in_doubt)}.`;
+}
+
+/** What became of a wire. */
+export function endedPhrase(run: WireRun, unit: DisplayUnit): { readonly tone: Tone; readonly what: string; readonly sub: string | null } {
+  const { outcome, made, steps, elapsed_s, problem, deviations_mm } = run;
+  const sub = problem?.message ?? null;
+  switch (outcome) {
+    case "made": {
+      const worst = deviations_mm ? Math.max(0, ...deviations_mm) : null;
+      const off = worst === null ? null : `Worst vertex ${unit === "inch" ? `${number(worst / 25.4, 4)} in` : `${number(worst, 2)} mm`} from the design.`;
+      return { tone: "fine", what: `The wire is made, in ${time(elapsed_s)}`, sub: sub ?? off };
+    }
+    case "made-before":
+      return { tone: "fine", what: "The wire was made before", sub };
+    case "stopped":
+      return { tone: "warning", what: `Stopped after step ${made} of ${steps}`, sub: sub ?? "Home the machine, then go on with the wire or give it up." };
+    case "failed":
+      return { tone: "error", what: `Failed after step ${made} of ${steps}`, sub };
+    case "abandoned":
+      return { tone: "info", what: `Given up after step ${made} of ${steps}`, sub };
+  }
+}
+
+/** "Feed 10.0 mm". */
+export function movePhrase(move: Move, unit: DisplayUnit): string {
+  switch (move.move) {
+    case "home":
+      return "Home";
+    case "feed":
+      return `Feed ${length(move.mm, unit)}`;
+    case "rotate":
+      return `Rotate ${angle(move.deg)}`;
+    case "bend":
+      return `Bend ${angle(move.deg)}`;
+  }
+}

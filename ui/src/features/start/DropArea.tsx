@@ -1,0 +1,21 @@
+import { Icon } from "../../shared/icons";
+import { useFiles } from "../../state/files";
+import "./start.css";
+
+/** Shown while a file is held over the window, and while one is read. */
+export function DropArea() {
+  const { over, busy } = useFiles();
+  return (
+    <>
+      {over && (
+        <div className="drop-area">
+          <Icon name="file" size={20} />
+          Drop to open
+        </div>
+      )}
+      <div className="reading" role="status" data-shown={busy !== null}>
+        {busy && `Reading ${busy}…`}
+      </div>
+    </>
+  );
+}

@@ -1,0 +1,59 @@
+import { Button } from "../../shared/Button";
+import { run } from "../../state/commands";
+import { useDesign } from "../../state/design";
+import { openExample, useFiles } from "../../state/files";
+import { useView } from "../../state/view";
+import { useNeededExamples } from "./examples";
+import { Picture } from "./Picture";
+import "./start.css";
+
+/** Those that show most at first glance. */
+const SHOWN = ["house", "phone-stand", "bunny"];
+
+function Cards() {
+  const examples = useNeededExamples();
+  const shown = SHOWN.flatMap((id) => examples?.find((example) => example.id === id) ?? []);
+  return (
+    <ul className="start-cards">
+      {(examples ? shown : SHOWN.map(() => null)).map((example, index) => (
+        <li key={example?.id ?? index}>
+          {example ? (
+            <button type="button" className="card" onClick={() => void openExample(example.id, example.name)}>
+              <Picture lines={example.lines_mm} width={176} height={120} />
+              <span className="card-name">{example.name}</span>
+            </button>
+          ) : (
+            <div className="card" aria-hidden="true" />
+          )}
+        </li>
+      ))}
+    </ul>
+  );
+}
+
+/** What there is to do while the design is empty. It goes as soon as there is something, or a tool is taken up. */
+export function EmptyState() {
+  const empty = useDesign(({ vertices, stencil, state }) => state !== null && vertices.size === 0 && stencil === null);
+  const drawing = useView(({ tool }) => tool !== "select");
+  const busy = useFiles((files) => files.busy);
+  if (!empty || drawing) return null;
+  return (
+    <div className="start" aria-busy={busy !== null}>
+      <h2>Drop a model or a drawing here</h2>
+      <p className="muted">STL, OBJ, PLY, 3MF or glTF to trace on or to bend along its edges; SVG and DXF drawings; tables of bends.</p>
+      <div className="row">
+        <Button kind="primary" icon="folder" onClick={() => run("open")}>
+          Open…
+        </Button>
+        <Button icon="draw" onClick={() => run("tool-draw")}>
+          Draw on a plane
+        </Button>
+      </div>
+      <div className="start-or muted small">or begin with an example</div>
+      <Cards />
+      <Button kind="link" onClick={() => run("examples")}>
+        All examples
+      </Button>
+    </div>
+  );
+}

@@ -1,0 +1,71 @@
+import { useLayoutEffect, useRef, useState } from "react";
+import { Button } from "../../shared/Button";
+import { useDesign } from "../../state/design";
+import { dismissHints, goToHint, useHints } from "../../state/hints";
+import "./start.css";
+
+interface Hint {
+  readonly title: string;
+  readonly text: string;
+  /** Beside what it stands. */
+  readonly beside: string;
+  readonly side: "right" | "left" | "below";
+}
+
+const HINTS: readonly Hint[] = [
+  { title: "Bring a shape", text: "Trace on a model, draw on a plane, or open a drawing. Each tool has a key; ? lists them all.", beside: ".toolbar", side: "right" },
+  { title: "Choose the machine and the wire", text: "They decide what can be bent. They stay in sight up here, and can be changed at any time.", beside: ".top-made", side: "below" },
+  { title: "See what has to be fixed", text: "Check tells what the machine cannot make and why. Click a line to see the place; a fix shows what it would change.", beside: "#section-check", side: "left" },
+  { title: "Take it to the machine", text: "Animate plays the bending, Export writes the program, Run moves the machine. STOP is always at the top right: Ctrl Space.", beside: "#section-run", side: "left" },
+];
+
+/** Four steps of a first look around: beside what they are about, in nobody's way. */
+export function Hints() {
+  const step = useHints((hints) => hints.step);
+  const ready = useDesign(({ state }) => state !== null);
+  const hint = step === null ? undefined : HINTS[step];
+  if (!ready || step === null || !hint) return null;
+  return <Bubble key={step} hint={hint} step={step} />;
+}
+
+function Bubble({ hint, step }: { readonly hint: Hint; readonly step: number }) {
+  const bubble = useRef<HTMLDivElement>(null);
+  const [at, setAt] = useState<{ left: number; top: number } | null>(null);
+  useLayoutEffect(() => {
+    const place = () => {
+      const from = document.querySelector(hint.beside)?.getBoundingClientRect();
+      const own = bubble.current?.getBoundingClientRect();
+      if (!from || !own) return;
+      const wanted = {
+        right: { left: from.right + 12, top: from.top + 8 },
+        left: { left: from.left - own.width - 12, top: from.top },
+        below: { left: from.left, top: from.bottom + 10 },
+      }[hint.side];
+      setAt({ left: Math.max(8, Math.min(wanted.left, window.innerWidth - own.width - 8)), top: Math.max(8, Math.min(wanted.top, window.innerHeight - own.height - 8)) });
+    };
+    place();
+    const watch = new ResizeObserver(place);
+    watch.observe(document.body);
+    return () => watch.disconnect();
+  }, [hint]);
+  const last = step === HINTS.length - 1;
+  return (
+    <div ref={bubble} className={`hint ${hint.side}`} role="note" aria-label="First steps" style={at ? { left: at.left, top: at.top } : { visibility: "hidden" }}>
+      <strong>{hint.title}</strong>
+      <p>{hint.text}</p>
+      <div className="row">
+        <span className="muted small grow">
+          {step + 1} of {HINTS.length}
+        </span>
+        {!last && (
+          <Button kind="quiet" small onClick={dismissHints}>
+            Skip
+          </Button>
+        )}
+        <Button kind="primary" small onClick={() => (last ? dismissHints() : goToHint(step + 1))}>
+          {last ? "Done" : "Next"}
+        </Button>
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,55 @@
+import { Dialog } from "../../shared/Dialog";
+import { KEYS } from "../../state/keys";
+import { useUi } from "../../state/ui";
+
+const GROUPS = ["Tools", "View", "Edit", "File", "Machine", "Help"] as const;
+
+const POINTER: readonly (readonly [string, string])[] = [
+  ["Turn the view", "Middle or right button; Alt and left"],
+  ["Shift the view", "Shift and middle button"],
+  ["Nearer, farther", "Wheel"],
+  ["Select in a box", "Drag on nothing"],
+  ["Add to the selection", "Shift"],
+  ["Select connected", "Double click"],
+  ["Without snapping", "Ctrl while moving"],
+];
+
+/** All keys, from the same table that they work by. */
+export function KeysDialog() {
+  const shown = useUi(({ dialog }) => dialog === "keys");
+  if (!shown) return null;
+  return (
+    <Dialog title="Keys" wide onClose={() => useUi.getState().showDialog(null)}>
+      <div className="keys">
+        {GROUPS.map((group) => (
+          <section key={group} className="keys-group">
+            <h3>{group}</h3>
+            <dl>
+              {KEYS.filter((entry) => entry.group === group).map(({ command, label, keys }) => (
+                <div key={command} className="keys-row">
+                  <dt>{label}</dt>
+                  <dd>
+                    {keys.map((key) => (
+                      <kbd key={key}>{key.replace("Escape", "Esc").replaceAll("+", " ")}</kbd>
+                    ))}
+                  </dd>
+                </div>
+              ))}
+            </dl>
+          </section>
+        ))}
+        <section className="keys-group">
+          <h3>Pointer</h3>
+          <dl>
+            {POINTER.map(([label, how]) => (
+              <div key={label} className="keys-row">
+                <dt>{label}</dt>
+                <dd className="muted">{how}</dd>
+              </div>
+            ))}
+          </dl>
+        </section>
+      </div>
+    </Dialog>
+  );
+}

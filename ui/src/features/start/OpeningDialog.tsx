@@ -1,0 +1,140 @@
+import { useEffect, useState } from "react";
+import type { DesignInput, LengthUnit } from "../../generated/requests";
+import type { LookResponse } from "../../generated/responses";
+import { platform } from "../../platform";
+import { Button } from "../../shared/Button";
+import { Dialog } from "../../shared/Dialog";
+import { Field } from "../../shared/Field";
+import { count, roughly } from "../../shared/format";
+import { Select, TextInput } from "../../shared/inputs";
+import { NumberField } from "../../shared/NumberField";
+import { useLengths } from "../../shared/unit";
+import { useDesign } from "../../state/design";
+import { baseName, isDrawing, openAs, type Opening, type Use, useFiles } from "../../state/files";
+import { told } from "../../state/problems";
+import { likeness } from "./likeness";
+
+const UNITS: readonly { value: LengthUnit; label: string }[] = [
+  { value: "mm", label: "Millimetres" },
+  { value: "cm", label: "Centimetres" },
+  { value: "m", label: "Metres" },
+  { value: "inch", label: "Inches" },
+];
+
+const USES: readonly { use: Use; title: string; text: string }[] = [
+  { use: "stencil", title: "Trace on it", text: "The surface is a stencil: you draw the wire on it." },
+  { use: "edges", title: "Bend along its edges", text: "The edges of its faces become the wireframe." },
+  { use: "both", title: "Both", text: "Its edges as the wireframe, its surface as the stencil." },
+];
+
+/** How a file is to be read, asked once: its unit, with the size that comes out, and what becomes of it. */
+export function OpeningDialog() {
+  const opening = useFiles((files) => files.opening);
+  return opening ? <Asking key={opening.path} opening={opening} /> : null;
+}
+
+function Asking({ opening }: { readonly opening: Opening }) {
+  const { path, purpose } = opening;
+  const [look, setLook] = useState<LookResponse>(opening.look);
+  const [units, setUnits] = useState<LengthUnit>("mm");
+  const [scale, setScale] = useState(1);
+  const [layers, setLayers] = useState("");
+  const [tolerance, setTolerance] = useState(0.1);
+  const [use, setUse] = useState<Use>("stencil");
+  const [busy, setBusy] = useState(false);
+  const filled = useDesign(({ vertices }) => vertices.size > 0);
+  const { length, bare, name } = useLengths();
+  const surface = look.faces > 0 && look.seen !== "document";
+  const drawing = isDrawing(opening.look.format);
+  const close = () => useFiles.setState({ opening: null });
+
+  const design: DesignInput = {
+    input: { file: path },
+    ...(opening.look.asks_units ? { units } : {}),
+    ...(scale === 1 ? {} : { scale }),
+    ...(drawing ? { tolerance_mm: tolerance, layers: layers.split(",").map((layer) => layer.trim()).filter(Boolean) } : {}),
+  };
+  const asked = JSON.stringify(design);
+  useEffect(() => {
+    let current = true;
+    const timer = setTimeout(() => {
+      void told(platform.ask("look", { design: JSON.parse(asked) as DesignInput })).then((seen) => current && seen && setLook(seen));
+    }, 150);
+    return () => {
+      current = false;
+      clearTimeout(timer);
+    };
+  }, [asked]);
+
+  const size = look.size_mm;
+  const like = size && likeness(Math.max(...size));
+  const chosen: Use | null = purpose === "stencil" ? "stencil" : surface ? use : null;
+  const submit = async () => {
+    setBusy(true);
+    await openAs(design, chosen);
+    setBusy(false);
+  };
+  return (
+    <Dialog
+      title={`Open ${baseName(path)}`}
+      onClose={close}
+      actions={
+        <>
+          <Button onClick={close}>Cancel</Button>
+          <Button kind="primary" data-first why={busy ? "Reading the file" : null} onClick={() => void submit()}>
+            {chosen === "stencil" && filled ? "Put it into this design" : "Open"}
+          </Button>
+        </>
+      }
+    >
+      <p className="muted">
+        {[look.faces > 0 && `${roughly(look.faces)} faces`, look.edges > 0 && `${count(look.edges, "edge")}, ${count(look.vertices, "vertex", "vertices")}`].filter(Boolean).join(" · ") || "Nothing is in it."}
+      </p>
+      {opening.look.asks_units && (
+        <Field label="Unit" hint="This format does not say what its numbers measure.">
+          {(ids) => <Select {...ids} choices={UNITS} value={units} onChoose={setUnits} />}
+        </Field>
+      )}
+      {opening.look.seen !== "document" && <Field label="Scale">{({ id }) => <NumberField id={id} kind="number" label="Scale" value={scale} min={1e-6} max={1e6} onCommit={setScale} />}</Field>}
+      {size && (
+        <p className="opening-size" role="status">
+          <strong>
+            {bare(size[0])} × {bare(size[1])} × {length(size[2])}
+          </strong>
+          {like && <span className="muted">, {like}</span>}
+        </p>
+      )}
+      {drawing && (
+        <>
+          <Field label="Layers" hint="Names with commas between them; empty: all that are not hidden.">
+            {(ids) => <TextInput {...ids} value={layers} placeholder="all" onChange={(event) => setLayers(event.currentTarget.value)} />}
+          </Field>
+          <Field label="Tolerance" hint={`How far straight edges may be from a drawn curve, ${name}.`}>
+            {({ id }) => <NumberField id={id} label="Tolerance" value={tolerance} min={0.001} max={100} onCommit={setTolerance} />}
+          </Field>
+        </>
+      )}
+      {surface && purpose === "design" && (
+        <fieldset className="uses">
+          <legend className="muted">What becomes of its surface</legend>
+          {USES.map(({ use: value, title, text }) => (
+            <label key={value} className="use">
+              <input type="radio" name="use" checked={use === value} onChange={() => setUse(value)} />
+              <span>
+                <strong>{title}</strong>
+                <span className="muted">{text}</span>
+              </span>
+            </label>
+          ))}
+        </fieldset>
+      )}
+      {look.notes.length > 0 && (
+        <ul className="muted small">
+          {look.notes.map(({ code, message }) => (
+            <li key={code + message}>{message}</li>
+          ))}
+        </ul>
+      )}
+    </Dialog>
+  );
+}

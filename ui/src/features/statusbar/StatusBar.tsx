@@ -1,0 +1,61 @@
+import { count } from "../../shared/format";
+import { Icon } from "../../shared/icons";
+import { Bar } from "../../shared/inputs";
+import { Mark } from "../../shared/Mark";
+import { useUnit } from "../../shared/unit";
+import { useDesign } from "../../state/design";
+import { useProblems } from "../../state/problems";
+import { useUi } from "../../state/ui";
+import { useWork } from "../../state/work";
+import { checksPhrase, figures, savedPhrase, workPhrase } from "./figures";
+import "./statusbar.css";
+
+/** Figures of the design, and how things stand. */
+export function StatusBar() {
+  const { check, state } = useDesign();
+  const unit = useUnit();
+  const messages = useProblems((problems) => problems.problems.length);
+  const showSection = useUi((ui) => ui.showSection);
+  const checks = checksPhrase(check);
+  const saved = savedPhrase(state);
+  return (
+    <footer className="status-bar" aria-label="Status">
+      <dl className="status-figures">
+        {figures(check, unit).map(({ name, value, title }) => (
+          <div key={name} title={title}>
+            <dt>{name}</dt>
+            <dd>{value}</dd>
+          </div>
+        ))}
+      </dl>
+      <Underway />
+      {saved.warning && (
+        <span className="status-part warning" role="alert" title={saved.warning}>
+          <Icon name="warning" /> changes are not kept safe: save
+        </span>
+      )}
+      <span className="status-part">{saved.text}</span>
+      {messages > 0 && <span className="status-part">{count(messages, "message")}</span>}
+      {checks && (
+        <button type="button" className={`status-part status-checks ${checks.tone}`} title="Show the checks" onClick={() => showSection("check")}>
+          <Mark tone={checks.tone} />
+          <span>{checks.text}</span>
+        </button>
+      )}
+    </footer>
+  );
+}
+
+/** Long work that is going on. */
+function Underway() {
+  const works = useWork((store) => store.works);
+  const work = [...works.values()].findLast(({ stage, of }) => stage !== "" || of > 0);
+  if (!work) return null;
+  const phrase = workPhrase(work.ask, work.stage);
+  return (
+    <span className="status-part status-work" title={work.stage}>
+      <span>{phrase}</span>
+      <Bar done={work.done} of={work.of} label={phrase} />
+    </span>
+  );
+}

@@ -1,0 +1,84 @@
+import { describe, expect, it } from "vitest";
+import type { DiagnosticReport, LiveCheck, WireFigures } from "../../generated/responses";
+import type { DesignState } from "../../state/design";
+import { checksPhrase, figures, savedPhrase, workPhrase } from "./figures";
+
+const wire = (given: Partial<WireFigures> = {}): WireFigures => ({
+  bends: 176,
+  cost: 23.5,
+  currency: "USD",
+  length_mm: 11_821.4,
+  mass_g: 226,
+  route: [],
+  stock_mm: 12_221.4,
+  time_s: 3130,
+  ...given,
+});
+
+const check = (wires: WireFigures[], diagnostics: DiagnosticReport[] = [], feasible = true): LiveCheck => ({ wires, diagnostics, feasible });
+const values = (all: ReturnType<typeof figures>) => all.map(({ value }) => value);
+
+describe("figures", () => {
+  it("shows one wire", () => {
+    expect(values(figures(check([wire()]), "mm"))).toEqual(["11.82 m", "12.22 m", "176", "52:10", "$23.50"]);
+  });
+
+  it("adds wires up, and does not show a sum that is not one", () => {
+    const all = figures(check([wire({ length_mm: 100, time_s: 60, currency: "EUR" }), wire({ length_mm: 50.5, time_s: null })]), "mm");
+    expect(values(all).slice(0, 1)).toEqual(["150.5 mm"]);
+    expect(values(all).slice(3)).toEqual(["–", "–"]);
+    expect(all[0]?.title).toBe("Designed length of all 2 wires, doubled edges counted twice");
+  });
+
+  it("has nothing to show before the first check", () => {
+    expect(values(figures(null, "mm"))).toEqual(["–", "–", "–", "–", "–"]);
+  });
+});
+
+const state = (given: Partial<DesignState>): DesignState => ({
+  changed: false,
+  doublings: [],
+  file: "/there/bunny.wirebend",
+  machine: null,
+  material: null,
+  name: "bunny",
+  next: [0, 0],
+  notes: "",
+  redo: null,
+  start: null,
+  undo: null,
+  units: "mm",
+  unkept: null,
+  ...given,
+});
+
+describe("savedPhrase", () => {
+  it("says what a file has, and passes on that nothing is kept", () => {
+    expect(savedPhrase(state({})).text).toBe("saved");
+    expect(savedPhrase(state({ changed: true })).text).toBe("unsaved changes");
+    expect(savedPhrase(state({ file: null })).text).toBe("not saved yet");
+    expect(savedPhrase(state({ unkept: "the disk is full" })).warning).toBe("the disk is full");
+  });
+});
+
+const found = (severity: DiagnosticReport["severity"]): DiagnosticReport => ({ code: "x", help: "", message: "", severity });
+
+describe("checksPhrase", () => {
+  it("counts what has to be fixed, then what is worth a look", () => {
+    expect(checksPhrase(check([], [found("error"), found("warning"), found("error")], false))).toEqual({ text: "2 to fix", tone: "error" });
+    expect(checksPhrase(check([], [found("warning"), found("info")]))).toEqual({ text: "1 warning", tone: "warning" });
+    expect(checksPhrase(check([], [found("info")]))).toEqual({ text: "all checks fine", tone: "fine" });
+    expect(checksPhrase(null)).toBeNull();
+  });
+
+  it("does not call fine what is not feasible", () => {
+    expect(checksPhrase(check([], [], false))?.tone).toBe("error");
+  });
+});
+
+describe("workPhrase", () => {
+  it("knows what it is called, else says the stage", () => {
+    expect(workPhrase("made", "x")).toBe("Bending on the simulated machine");
+    expect(workPhrase("other", "counting")).toBe("counting");
+  });
+});

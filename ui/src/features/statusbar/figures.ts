@@ -1,0 +1,76 @@
+/** The figures of all wires together, as the status bar shows them. */
+
+import type { LiveCheck, WireFigures } from "../../generated/responses";
+import type { DesignState } from "../../state/design";
+import { count, type DisplayUnit, longLength, money, number, time } from "../../shared/format";
+
+export interface Figure {
+  readonly name: string;
+  readonly value: string;
+  /** What the name stands for, for those who ask. */
+  readonly title: string;
+}
+
+/** Null where some wire does not have it: a sum of the others would be a wrong figure. */
+function sum(wires: readonly WireFigures[], of: (wire: WireFigures) => number | null): number | null {
+  let all = 0;
+  for (const wire of wires) {
+    const value = of(wire);
+    if (value === null) return null;
+    all += value;
+  }
+  return wires.length > 0 ? all : null;
+}
+
+export function figures(check: LiveCheck | null, unit: DisplayUnit): readonly Figure[] {
+  const wires = check?.wires ?? [];
+  const currencies = new Set(wires.map(({ currency }) => currency));
+  const shown = (value: number | null, how: (value: number) => string): string => (value === null ? "–" : how(value));
+  const cost = currencies.size === 1 ? sum(wires, (wire) => wire.cost) : null;
+  const several = wires.length > 1 ? ` of all ${wires.length} wires` : "";
+  return [
+    { name: "Wire", value: shown(sum(wires, (wire) => wire.length_mm), (mm) => longLength(mm, unit)), title: `Designed length${several}, doubled edges counted twice` },
+    { name: "Stock", value: shown(sum(wires, (wire) => wire.stock_mm), (mm) => longLength(mm, unit)), title: `Wire to load${several}: all feeds and the tail` },
+    { name: "Bends", value: shown(sum(wires, (wire) => wire.bends), (many) => number(many, 0)), title: `Bends${several}` },
+    { name: "Time", value: shown(sum(wires, (wire) => wire.time_s), time), title: `Estimated time on the machine${several}` },
+    { name: "Cost", value: shown(cost, (value) => money(value, wires[0]?.currency ?? null)), title: `Price of the wire${several}` },
+  ];
+}
+
+/** Whether everything is kept in a file; a warning where even what is not saved cannot be kept safe. */
+export function savedPhrase(state: DesignState | null): { readonly text: string; readonly warning: string | null } {
+  if (!state) return { text: "", warning: null };
+  const text = state.changed ? "unsaved changes" : state.file === null ? "not saved yet" : "saved";
+  return { text, warning: state.unkept };
+}
+
+/** "3 to fix", "2 to look at", "all checks fine"; null before the first answer. */
+export function checksPhrase(check: LiveCheck | null): { readonly text: string; readonly tone: "error" | "warning" | "fine" } | null {
+  if (!check) return null;
+  const of = (severity: string) => check.diagnostics.filter((diagnostic) => diagnostic.severity === severity).length;
+  const [errors, warnings] = [of("error"), of("warning")];
+  if (errors > 0) return { text: `${errors} to fix`, tone: "error" };
+  if (!check.feasible) return { text: "not feasible", tone: "error" };
+  if (warnings > 0) return { text: `${count(warnings, "warning")}`, tone: "warning" };
+  return { text: "all checks fine", tone: "fine" };
+}
+
+/** What long work is called, by what was asked for. */
+const ASKS: Readonly<Record<string, string>> = {
+  program: "Making the program",
+  made: "Bending on the simulated machine",
+  compare: "Comparing machines",
+  exports: "Asking what can be written",
+  export: "Making the file",
+  "save-job": "Writing the job",
+  open: "Opening",
+  look: "Reading",
+  "open-example": "Opening",
+  "put-stencil": "Reading the stencil",
+  drivers: "Asking drivers",
+  "machine-view": "Asking the driver",
+  fixes: "Looking for ways to mend it",
+  ports: "Looking for ports",
+};
+
+export const workPhrase = (ask: string, stage: string): string => ASKS[ask] ?? (stage === "" ? ask : stage);

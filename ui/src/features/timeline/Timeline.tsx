@@ -1,0 +1,80 @@
+import type { KeyboardEvent } from "react";
+import { Button } from "../../shared/Button";
+import { number, percent, time } from "../../shared/format";
+import { useLengths } from "../../shared/unit";
+import { machineSeconds, stepOf } from "../../state/clock";
+import { useDesign } from "../../state/design";
+import { back, forward, reset, scrub, useSpeeds } from "../../state/player";
+import { goTo, makeProgram, showDesignAgain, togglePlay, usePlayback, useProgram, useStale } from "../../state/program";
+import { namedSteps, spoken } from "../animate/steps";
+import { Track } from "./Track";
+import "./timeline.css";
+
+const LIVE = "A machine is making the wire.";
+
+/** The program under the view; nothing without one. */
+export function Timeline() {
+  const { program, wire, asking } = useProgram();
+  const { played, step, playing, live } = usePlayback();
+  const stale = useStale();
+  const speeds = useSpeeds();
+  const { length } = useLengths();
+  const check = useDesign((design) => design.check);
+  const one = program?.wires[wire];
+  if (!program || !one) return null;
+  const total = one.steps.length;
+  const why = live ? LIVE : null;
+  const at = Math.max(stepOf(total, step), 0);
+  const keys = (event: KeyboardEvent) => {
+    const moves: Partial<Record<string, () => void>> = {
+      ArrowRight: forward,
+      ArrowUp: forward,
+      ArrowLeft: back,
+      ArrowDown: back,
+      PageUp: () => void goTo(Math.min(Math.floor(step) + 10, total)),
+      PageDown: () => void goTo(Math.max(Math.ceil(step) - 10, 0)),
+      Home: reset,
+      End: () => void goTo(total),
+      " ": togglePlay,
+    };
+    const move = moves[event.key];
+    if (!move || event.ctrlKey || event.altKey || event.metaKey) return;
+    event.preventDefault();
+    event.stopPropagation();
+    move();
+  };
+  return (
+    <section className="timeline" aria-label="Timeline">
+      <Button icon="previous" aria-label="Step back" title="Step back" why={why} onClick={back} />
+      <Button kind="primary" icon={playing ? "pause" : "play"} aria-label={playing ? "Pause" : "Play"} title={playing ? "Pause (Space)" : "Play (Space)"} why={why} onClick={togglePlay} />
+      <Button icon="next" aria-label="Step forward" title="Step forward" why={why} onClick={forward} />
+      <Track
+        value={step}
+        of={total}
+        text={spoken(one, at, length)}
+        ticks={namedSteps(check?.diagnostics ?? [], program.wires.length)}
+        off={live}
+        onChange={scrub}
+        onKeyDown={keys}
+      />
+      <span className="timeline-step">
+        {live ? "making · " : ""}step {live ? Math.round(step) : at + 1} / {total} · {percent(total > 0 ? step / total : 0)}
+      </span>
+      <span className="timeline-time muted">{time(machineSeconds(one.steps.map((each) => each.seconds), step))}</span>
+      {stale && !live ? (
+        <Button small why={asking ? "The program is being made." : null} title="The design has changed since the program was made" onClick={() => void makeProgram()}>
+          Update
+        </Button>
+      ) : (
+        <span className="timeline-speeds muted">
+          feed ×{number(speeds.feed * speeds.all, digits(speeds.feed * speeds.all))} · bend ×{number(speeds.bend * speeds.all, digits(speeds.bend * speeds.all))} · rotate ×
+          {number(speeds.rotate * speeds.all, digits(speeds.rotate * speeds.all))}
+        </span>
+      )}
+      {played && !live && <Button kind="quiet" icon="close" aria-label="Back to the design" title="Back to the design" onClick={showDesignAgain} />}
+    </section>
+  );
+}
+
+/** A whole number needs none. */
+const digits = (value: number): number => (Math.abs(value - Math.round(value)) < 0.005 ? 0 : 1);

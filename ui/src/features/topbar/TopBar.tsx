@@ -1,0 +1,60 @@
+import { Button } from "../../shared/Button";
+import { MenuBar } from "../../shared/Menu";
+import { Tooltip } from "../../shared/Tooltip";
+import { edit, useDesign } from "../../state/design";
+import { run, useWhyNot } from "../../state/commands";
+import { keyOf } from "../../state/keys";
+import { useUnit } from "../../shared/unit";
+import { MachinePicker } from "../machine/MachinePicker";
+import { MaterialPicker } from "../machine/MaterialPicker";
+import { StopButton } from "../run/StopButton";
+import { menus } from "./menus";
+import "./topbar.css";
+
+function Back({ command }: { readonly command: "undo" | "redo" }) {
+  const state = useDesign((design) => design.state);
+  const why = useWhyNot(command);
+  const label = `${command === "undo" ? "Undo" : "Redo"} ${(command === "undo" ? state?.undo : state?.redo) ?? ""}`.trim();
+  return (
+    <Tooltip text={why ?? label} keys={keyOf(command)} side="below">
+      <Button kind="quiet" icon={command} aria-label={label} why={why} onClick={() => run(command)} />
+    </Tooltip>
+  );
+}
+
+/** What is open, the menus, and what the wire is made with: never out of sight. */
+export function TopBar() {
+  const state = useDesign((design) => design.state);
+  const unit = useUnit();
+  const name = state?.name || "New design";
+  return (
+    <header className="top-bar">
+      <h1 className="top-name" title={state?.file ?? "Not saved yet"}>
+        <span className="ellipsis">{name}</span>
+        {state?.changed && (
+          <span className="top-dot" title="Unsaved changes">
+            <span className="visually-hidden">, unsaved changes</span>
+          </span>
+        )}
+      </h1>
+      <MenuBar menus={menus} />
+      <div className="row top-back">
+        <Back command="undo" />
+        <Back command="redo" />
+      </div>
+      <div className="row top-made">
+        <MachinePicker />
+        <MaterialPicker />
+        <Button
+          kind="quiet"
+          aria-label={`${unit === "mm" ? "mm" : "in"}, the unit of lengths: change it`}
+          title={unit === "mm" ? "Show lengths in inches" : "Show lengths in millimetres"}
+          onClick={() => void edit({ edit: "units", units: unit === "mm" ? "inch" : "mm" })}
+        >
+          {unit === "mm" ? "mm" : "in"}
+        </Button>
+      </div>
+      <StopButton />
+    </header>
+  );
+}

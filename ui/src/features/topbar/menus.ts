@@ -1,0 +1,93 @@
+import type { MenuItem } from "../../shared/Menu";
+import { run, whyNot } from "../../state/commands";
+import { useDesign } from "../../state/design";
+import { clearRecent, openPath, useFiles } from "../../state/files";
+import { type CommandId, keyOf } from "../../state/keys";
+import { edit } from "../../state/design";
+import { type Theme, useUi } from "../../state/ui";
+import { useView } from "../../state/view";
+
+const RULE: MenuItem = { kind: "rule" };
+
+function item(label: string, command: CommandId): MenuItem {
+  return { kind: "item", label, keys: keyOf(command), why: whyNot(command), run: () => run(command) };
+}
+
+function recent(): MenuItem {
+  const entries = useFiles.getState().recent;
+  if (entries.length === 0) return { kind: "menu", label: "Open recent", items: [], why: "Nothing was open before" };
+  const items: MenuItem[] = entries.map(({ name, path, there }) => ({
+    kind: "item",
+    label: name,
+    why: there ? null : `${path} is no longer there`,
+    run: () => void openPath(path),
+  }));
+  return { kind: "menu", label: "Open recent", items: [...items, RULE, { kind: "item", label: "Clear the list", run: () => void clearRecent() }] };
+}
+
+const file = (): MenuItem[] => [
+  item("New", "new"),
+  item("Open…", "open"),
+  item("Open stencil…", "open-stencil"),
+  recent(),
+  item("Examples…", "examples"),
+  RULE,
+  item("Save", "save"),
+  item("Save as…", "save-as"),
+  item("Save job…", "save-job"),
+  RULE,
+  item("Quit", "quit"),
+];
+
+function editing(): MenuItem[] {
+  const { state } = useDesign.getState();
+  return [
+    item(state?.undo ? `Undo ${state.undo}` : "Undo", "undo"),
+    item(state?.redo ? `Redo ${state.redo}` : "Redo", "redo"),
+    RULE,
+    item("Cut", "cut"),
+    item("Copy", "copy"),
+    item("Paste", "paste"),
+    item("Duplicate", "duplicate"),
+    item("Delete", "delete"),
+    RULE,
+    item("Select all", "select-all"),
+    item("Select connected", "select-connected"),
+    item("Invert selection", "invert"),
+    RULE,
+    item("Straighten…", "straighten"),
+    item("Round…", "round"),
+    item("Mirror…", "mirror"),
+    item("Array…", "array"),
+    item("Scale…", "scale"),
+  ];
+}
+
+function viewing(): MenuItem[] {
+  const { theme, setTheme } = useUi.getState();
+  const inch = useDesign.getState().state?.units === "inch";
+  const themed = (value: Theme, label: string): MenuItem => ({ kind: "item", label, checked: theme === value, radio: true, run: () => setTheme(value) });
+  const unit = (units: "mm" | "inch", label: string): MenuItem => ({ kind: "item", label, checked: (units === "inch") === inch, radio: true, run: () => void edit({ edit: "units", units }) });
+  return [
+    item("Front", "view-front"),
+    item("Right", "view-right"),
+    item("Top", "view-top"),
+    item("Perspective", "view-perspective"),
+    RULE,
+    item("Frame the selection", "frame"),
+    item("Frame all", "frame-all"),
+    RULE,
+    { kind: "item", label: "Annotations", checked: useView.getState().annotations, run: () => run("annotations") },
+    { kind: "menu", label: "Theme", items: [themed("system", "As the system"), themed("dark", "Dark"), themed("light", "Light")] },
+    { kind: "menu", label: "Lengths", items: [unit("mm", "Millimetres"), unit("inch", "Inches")] },
+  ];
+}
+
+const help = (): MenuItem[] => [item("Keys", "keys"), item("First steps", "hints"), RULE, item("About WireBend-kit", "about")];
+
+export const menus = [
+  { label: "File", items: file },
+  { label: "Edit", items: editing },
+  { label: "View", items: viewing },
+  { label: "Help", items: help },
+];

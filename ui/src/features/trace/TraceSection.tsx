@@ -1,0 +1,122 @@
+import { Button } from "../../shared/Button";
+import { Field } from "../../shared/Field";
+import { count, percent, roughly } from "../../shared/format";
+import { Checkbox, Segmented, Slider } from "../../shared/inputs";
+import { NumberField } from "../../shared/NumberField";
+import { Part, Section } from "../../shared/Section";
+import { run } from "../../state/commands";
+import { edit, useDesign } from "../../state/design";
+import { useFiles } from "../../state/files";
+import { keyOf } from "../../state/keys";
+import { chooseTool, type PlaneName, SNAP_KINDS, toggleSnap, useView } from "../../state/view";
+import type { SnapKind } from "../../scene/interface";
+import { Strand } from "./Strand";
+
+const SNAPS: Readonly<Record<SnapKind, string>> = {
+  vertex: "Vertices",
+  "stencil-vertex": "Corners of the stencil",
+  "stencil-edge": "Edges of the stencil",
+  edge: "Edges (splits them)",
+  surface: "Surface of the stencil",
+  grid: "Grid",
+  plane: "Anywhere on the plane",
+};
+
+function Stencil() {
+  const stencil = useDesign((design) => design.stencil);
+  const { stencilShown, stencilOpacity } = useView();
+  if (!stencil) {
+    return (
+      <div className="stack">
+        <p className="muted">A stencil is a model to trace a wireframe on. It is looked at, never bent.</p>
+        <div className="row">
+          <Button icon="folder" onClick={() => run("open-stencil")}>
+            Open stencil…
+          </Button>
+        </div>
+      </div>
+    );
+  }
+  return (
+    <div className="stack">
+      <Field label="Opacity">
+        {() => <Slider label="Opacity of the stencil" value={stencilOpacity} min={0.05} onChange={(value) => useView.setState({ stencilOpacity: value })} text={percent(stencilOpacity)} />}
+      </Field>
+      <div className="row wrap">
+        <Button icon={stencilShown ? "shown" : "hidden"} onClick={() => useView.setState({ stencilShown: !stencilShown })}>
+          {stencilShown ? "Hide" : "Show"}
+        </Button>
+        <Button icon="folder" onClick={() => run("open-stencil")}>
+          Another…
+        </Button>
+        <Button icon="trash" onClick={() => void edit({ edit: "remove-stencil" })}>
+          Remove
+        </Button>
+      </div>
+    </div>
+  );
+}
+
+/** The surface that is traced on, what clicks snap to, and the strand that is being drawn. */
+export function TraceSection() {
+  const stencil = useDesign((design) => design.stencil);
+  const { tool, snapKinds, grid, reach, plane, planeOffset } = useView();
+  const name = useFiles((files) => files.stencilName);
+  const triangles = stencil ? stencil.triangles.length / 3 : 0;
+  const phrase = stencil ? `${name ? `${name} · ` : ""}${roughly(triangles)} ${triangles === 1 ? "triangle" : "triangles"}` : "no stencil";
+  return (
+    <Section id="trace" title="Trace" phrase={phrase}>
+      <Part title="Stencil" aside={stencil && <span className="muted">{count(triangles, "triangle")}</span>}>
+        <Stencil />
+      </Part>
+      <Part title="Strand">
+        <div className="row wrap">
+          <Button icon="trace" pressed={tool === "trace"} onClick={() => chooseTool("trace")} title={`Trace (${keyOf("tool-trace")})`}>
+            Trace
+          </Button>
+          <Button icon="draw" pressed={tool === "draw"} onClick={() => chooseTool("draw")} title={`Draw on a plane (${keyOf("tool-draw")})`}>
+            Draw on a plane
+          </Button>
+        </div>
+        <Strand />
+        {tool === "draw" && (
+          <>
+            <Field label="Plane">
+              {() => (
+                <Segmented<PlaneName>
+                  label="Plane"
+                  choices={[
+                    { value: "xy", label: "XY" },
+                    { value: "xz", label: "XZ" },
+                    { value: "yz", label: "YZ" },
+                  ]}
+                  value={plane}
+                  onChoose={(value) => useView.setState({ plane: value })}
+                />
+              )}
+            </Field>
+            <Field label="Offset">{({ id }) => <NumberField id={id} label="Offset of the plane" value={planeOffset} onCommit={(mm) => useView.setState({ planeOffset: mm })} />}</Field>
+          </>
+        )}
+      </Part>
+      <Part title="Clicks snap to">
+        <div>
+          {SNAP_KINDS.map((kind) => (
+            <Checkbox
+              key={kind}
+              checked={snapKinds.has(kind)}
+              onChange={() => toggleSnap(kind)}
+              why={(kind === "surface" || kind.startsWith("stencil")) && !stencil ? "There is no stencil" : null}
+            >
+              {SNAPS[kind]}
+            </Checkbox>
+          ))}
+        </div>
+        <Field label="Grid">{({ id }) => <NumberField id={id} label="Grid" value={grid} min={0.1} max={1000} onCommit={(mm) => useView.setState({ grid: mm })} />}</Field>
+        <Field label="Reach" hint="How near the pointer has to be, in pixels.">
+          {({ id }) => <NumberField id={id} kind="whole" label="Reach" value={reach} min={4} max={60} onCommit={(px) => useView.setState({ reach: px })} />}
+        </Field>
+      </Part>
+    </Section>
+  );
+}

@@ -1,0 +1,64 @@
+import type { SnapKind } from "../../scene/interface";
+import { count } from "../../shared/format";
+import { useLengths } from "../../shared/unit";
+import { useDesign } from "../../state/design";
+import { usePlayback } from "../../state/program";
+import { useView } from "../../state/view";
+import { distance } from "../edit/geometry";
+import { Mark } from "../../shared/Mark";
+import { useMemo } from "react";
+import { marksOf } from "./marks";
+import "./viewport.css";
+
+/** What a click would snap to, as it is named before the click. */
+export const SNAP_NAMES: Readonly<Record<SnapKind, string>> = {
+  vertex: "Vertex",
+  "stencil-vertex": "Corner of the stencil",
+  "stencil-edge": "Edge of the stencil",
+  edge: "On an edge: splits it",
+  surface: "On the stencil",
+  grid: "Grid",
+  plane: "On the plane",
+};
+
+/** What is under the pointer, in words and figures. */
+export function HoverCard() {
+  const hovered = useView((view) => view.hovered);
+  const playing = usePlayback(({ played }) => played !== null);
+  const { vertices, edges, check } = useDesign();
+  const { bare, name, length } = useLengths();
+  const marks = useMemo(() => marksOf(check), [check]);
+  if (!hovered || playing) return null;
+  let title = "";
+  let sub = "";
+  let verdict = null;
+  const at = (place: readonly [number, number, number]) => `x ${bare(place[0])}   y ${bare(place[1])}   z ${bare(place[2])} ${name}`;
+  if (hovered.kind === "vertex") {
+    const vertex = vertices.get(hovered.id);
+    if (!vertex) return null;
+    let degree = 0;
+    for (const { a, b } of edges.values()) degree += Number(a === hovered.id) + Number(b === hovered.id);
+    title = `Vertex ${hovered.id} · ${count(degree, "edge")}${degree % 2 === 1 ? " (odd)" : ""}${vertex.support ? " · support" : ""}`;
+    sub = at(vertex.at);
+    verdict = marks.vertices.get(hovered.id) ?? null;
+  } else if (hovered.kind === "edge") {
+    const edge = edges.get(hovered.id);
+    const [a, b] = [edge && vertices.get(edge.a), edge && vertices.get(edge.b)];
+    if (!edge || !a || !b) return null;
+    title = `Edge ${hovered.id} · ${length(distance(a.at, b.at))}`;
+    sub = `vertex ${edge.a} to ${edge.b}${marks.doubled.has(hovered.id) ? " · doubled" : ""}`;
+    verdict = marks.edges.get(hovered.id) ?? null;
+  } else {
+    title = SNAP_NAMES[hovered.snap];
+    sub = at(hovered.at);
+  }
+  return (
+    <div className="hover-card" style={{ "--x": `${hovered.x}px`, "--y": `${hovered.y}px` } as Record<string, string>}>
+      <strong>
+        {(verdict === "error" || verdict === "warning") && <Mark tone={verdict} />}
+        {title}
+      </strong>
+      <span className="muted">{sub}</span>
+    </div>
+  );
+}

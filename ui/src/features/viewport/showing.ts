@@ -1,0 +1,81 @@
+import type { DiagnosticReport } from "../../generated/responses";
+import type { Viewport as Scene } from "../../scene/viewport";
+import { valueText } from "../check/texts";
+import { useUnitStore } from "../../shared/unit";
+import { useDesign } from "../../state/design";
+import { useFiles } from "../../state/files";
+import { shownTheme } from "../../state/opening";
+import { usePlayback } from "../../state/program";
+import { useSelection } from "../../state/selection";
+import { useUi } from "../../state/ui";
+import { planeOf, useView } from "../../state/view";
+import { labelsOf, marksOf } from "./marks";
+
+/** Calls `apply` now and whenever what `pick` gives has changed. */
+function follow<S>(store: { getState(): S; subscribe(hear: (state: S) => void): () => void }, pick: (state: S) => readonly unknown[], apply: (state: S) => void): () => void {
+  let before: readonly unknown[] | null = null;
+  const look = (state: S) => {
+    const now = pick(state);
+    if (before?.every((value, index) => Object.is(value, now[index]))) return;
+    before = now;
+    apply(state);
+  };
+  look(store.getState());
+  return store.subscribe(look);
+}
+
+/** Keeps the view showing what the stores have, without drawing React anew; the function that is returned ends it. */
+export function show(scene: Scene): () => void {
+  const labels = () => {
+    const { check, vertices, edges } = useDesign.getState();
+    const { unit } = useUnitStore.getState();
+    const figure = (report: DiagnosticReport) => (report.unit ? valueText(report.value, report.unit, unit) : null);
+    scene.setLabels(useView.getState().annotations && !usePlayback.getState().played ? labelsOf(check, { vertices, edges }, figure) : []);
+  };
+  const theme = () => scene.setTheme(shownTheme(useUi.getState().theme));
+  const system = window.matchMedia("(prefers-color-scheme: light)");
+  system.addEventListener("change", theme);
+  const ends = [
+    () => system.removeEventListener("change", theme),
+    follow(useDesign, ({ vertices, edges }) => [vertices, edges], (design) => scene.setDesign(design)),
+    follow(useDesign, ({ check }) => [check], ({ check }) => scene.setMarks(marksOf(check))),
+    follow(useDesign, ({ check, vertices }) => [check, vertices], labels),
+    follow(useDesign, ({ stencil }) => [stencil], ({ stencil }) => scene.setStencil(stencil)),
+    follow(useSelection, ({ vertices, edges }) => [vertices, edges], (selection) => scene.setSelection(selection)),
+    follow(useSelection, ({ highlight }) => [highlight], ({ highlight }) => scene.setHighlight(highlight.vertices, highlight.edges)),
+    follow(useView, ({ tool }) => [tool], ({ tool }) => {
+      scene.setTool(tool);
+      // Whoever begins to draw on nothing has chosen the view: it does not turn to the first edge.
+      if (tool !== "select" && useDesign.getState().vertices.size === 0) scene.frame();
+    }),
+    follow(useView, ({ snapKinds, grid, reach }) => [snapKinds, grid, reach], ({ snapKinds, grid, reach }) => scene.setSnap({ kinds: snapKinds, grid, reach })),
+    follow(useView, ({ tool, plane, planeOffset }) => [tool, plane, planeOffset], ({ plane, planeOffset }) => scene.setPlane(planeOf(plane, planeOffset))),
+    follow(useView, ({ stencilShown, stencilOpacity }) => [stencilShown, stencilOpacity], (view) => scene.setStencilShown(view.stencilShown, view.stencilOpacity)),
+    follow(useView, ({ preview }) => [preview], ({ preview }) => scene.setPreview(preview)),
+    follow(useView, ({ annotations }) => [annotations], labels),
+    follow(useUnitStore, ({ unit }) => [unit], ({ unit }) => {
+      scene.setUnits(unit);
+      labels();
+    }),
+    follow(useUi, (ui) => [ui.theme], theme),
+    follow(usePlayback, ({ played }) => [played], ({ played }) => {
+      scene.play(played);
+      labels();
+    }),
+    follow(usePlayback, ({ played, step, shown }) => [played, step, shown], ({ played, step, shown }) => {
+      if (played) scene.setTime(step, shown);
+    }),
+    follow(usePlayback, ({ played, live, step }) => [played, live, live ? step : 0], ({ live, step }) => scene.setProgress(live ? Math.floor(step) : null)),
+    useFiles.subscribe(({ opened }, before) => {
+      // What is opened comes after this, in the same turn of the design's store.
+      if (opened !== before.opened) justOpened = true;
+    }),
+    useDesign.subscribe(({ vertices, stencil }, before) => {
+      if (!justOpened || (vertices === before.vertices && stencil === before.stencil)) return;
+      justOpened = vertices.size === 0 && stencil === null;
+      if (!justOpened) scene.frame();
+    }),
+  ];
+  let justOpened = false;
+  return () => ends.forEach((end) => end());
+}

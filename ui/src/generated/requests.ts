@@ -1,0 +1,868 @@
+/* Made by `make generate` from crates/app/schema. Do not edit. */
+
+/**
+ * What a person says to a question.
+ */
+export type Answer = "yes" | "no" | "made" | "not-made";
+/**
+ * A change that a person asks for. Lengths in mm, vertices and edges by their ids.
+ */
+export type EditRequest =
+  | {
+      edit: "draw";
+      /**
+       * The vertex that it begins at; none: at the first new one.
+       */
+      from?: number | null;
+      /**
+       * New vertices in order, mm.
+       */
+      through_mm?: [number, number, number][];
+      /**
+       * The vertex that it ends at; none: at the last new one.
+       */
+      to?: number | null;
+    }
+  | {
+      /**
+       * Its edges by the places of their vertices in the list, from 0.
+       */
+      edges: [number, number][];
+      edit: "paste";
+      /**
+       * Its vertices.
+       */
+      vertices: PastedVertex[];
+    }
+  | {
+      /**
+       * Edges.
+       */
+      edges?: number[];
+      edit: "delete";
+      /**
+       * Vertices.
+       */
+      vertices?: number[];
+    }
+  | {
+      /**
+       * How far, mm.
+       *
+       * @minItems 3
+       * @maxItems 3
+       */
+      by_mm: [number, number, number];
+      edit: "move";
+      /**
+       * Which.
+       */
+      vertices: number[];
+    }
+  | {
+      edit: "place";
+      /**
+       * Vertices and their positions, mm.
+       */
+      positions: Placed[];
+    }
+  | {
+      /**
+       * Where: more than 0 (its first vertex), less than 1 (its second).
+       */
+      at: number;
+      /**
+       * Which.
+       */
+      edge: number;
+      edit: "split";
+    }
+  | {
+      at: MergePlace;
+      edit: "merge";
+      /**
+       * Which.
+       */
+      vertices: number[];
+    }
+  | {
+      edit: "transform";
+      /**
+       * On positions in mm.
+       *
+       * @minItems 4
+       * @maxItems 4
+       */
+      matrix: [
+        [number, number, number, number],
+        [number, number, number, number],
+        [number, number, number, number],
+        [number, number, number, number]
+      ];
+      /**
+       * Which.
+       */
+      vertices: number[];
+    }
+  | {
+      /**
+       * Whether the image is added; otherwise the vertices themselves are moved.
+       */
+      copy: boolean;
+      edit: "mirror";
+      /**
+       * The normal of the plane, of any length.
+       *
+       * @minItems 3
+       * @maxItems 3
+       */
+      normal: [number, number, number];
+      /**
+       * A point of the plane, mm.
+       *
+       * @minItems 3
+       * @maxItems 3
+       */
+      point_mm: [number, number, number];
+      /**
+       * Which.
+       */
+      vertices: number[];
+    }
+  | {
+      /**
+       * How many copies are added.
+       */
+      count: number;
+      edit: "array";
+      /**
+       * From each copy to the next.
+       *
+       * @minItems 4
+       * @maxItems 4
+       */
+      step: [
+        [number, number, number, number],
+        [number, number, number, number],
+        [number, number, number, number],
+        [number, number, number, number]
+      ];
+      /**
+       * Which.
+       */
+      vertices: number[];
+    }
+  | {
+      edit: "support";
+      /**
+       * Fixed or free.
+       */
+      support: boolean;
+      /**
+       * Which.
+       */
+      vertices: number[];
+    }
+  | {
+      edit: "weld";
+      /**
+       * How close, mm.
+       */
+      tolerance_mm: number;
+    }
+  | {
+      /**
+       * Which.
+       */
+      edges: number[];
+      edit: "detach";
+    }
+  | {
+      /**
+       * The chain, in any order.
+       */
+      edges: number[];
+      edit: "straighten";
+      /**
+       * How far a vertex may be from the line, mm.
+       */
+      tolerance_mm: number;
+    }
+  | {
+      /**
+       * The chain, in any order.
+       */
+      edges: number[];
+      edit: "round";
+      /**
+       * No edge of an arc is shorter, mm.
+       */
+      least_edge_mm?: number;
+      /**
+       * How far an edge goes round an arc at most, degrees: what the wire is bent at each of its vertices.
+       */
+      step_deg: number;
+      /**
+       * How far the chain may be from its lines and arcs, mm.
+       */
+      tolerance_mm: number;
+    }
+  | {
+      /**
+       * Which.
+       */
+      edges: number[];
+      edit: "doublings";
+    }
+  | {
+      edit: "start";
+      /**
+       * Where.
+       */
+      vertex?: number | null;
+    }
+  | {
+      edit: "machine";
+      /**
+       * Its id.
+       */
+      machine: string;
+      /**
+       * The material's id.
+       */
+      material?: string | null;
+    }
+  | {
+      edit: "notes";
+      /**
+       * The text.
+       */
+      text: string;
+    }
+  | {
+      edit: "units";
+      units: LengthUnit;
+    }
+  | {
+      edit: "remove-stencil";
+    }
+  | {
+      edit: "several";
+      /**
+       * The changes; each finds the design as the ones before it have left it.
+       */
+      edits: EditRequest[];
+      /**
+       * What a menu calls them together, after "Undo".
+       */
+      label: string;
+    };
+/**
+ * Where the vertex goes that others are merged into.
+ */
+export type MergePlace = "first" | "last" | "centre";
+/**
+ * What the numbers of a file measure.
+ */
+export type LengthUnit = "mm" | "cm" | "m" | "inch";
+/**
+ * What a profile describes.
+ */
+export type Kind = "machine" | "material" | "noise";
+/**
+ * Where the bytes come from.
+ */
+export type Input =
+  | {
+      file: string;
+    }
+  | {
+      bytes: {
+        /**
+         * The bytes.
+         */
+        bytes: number[];
+        /**
+         * The name.
+         */
+        name: string;
+      };
+    };
+/**
+ * What a window orders. A stop is none of these: it is always possible.
+ */
+export type MachineOrder =
+  | {
+      order: "home";
+    }
+  | {
+      /**
+       * The moves, in order.
+       */
+      moves: Move[];
+      order: "jog";
+      /**
+       * Whether those that are made are kept for a recording.
+       */
+      record?: boolean;
+    }
+  | {
+      /**
+       * Whether to make it although the machine's settings are not those of its profile.
+       */
+      accept_settings?: boolean;
+      /**
+       * Whether to make it although a check says that it cannot be made.
+       */
+      despite_errors?: boolean;
+      order: "arm";
+      /**
+       * Index of the wire, from 0.
+       */
+      wire: number;
+    }
+  | {
+      order: "disarm";
+    }
+  | {
+      order: "start";
+    }
+  | {
+      order: "pause";
+    }
+  | {
+      order: "resume";
+    }
+  | {
+      /**
+       * Whether to make it although the machine's settings are not those of its profile.
+       */
+      accept_settings?: boolean;
+      /**
+       * What became of the first step of which nobody knows; absent, a person is asked.
+       */
+      decided?: Decision | null;
+      /**
+       * Hash of its job.
+       */
+      job_hash: string;
+      order: "resume-run";
+      /**
+       * Index of the wire, from 0.
+       */
+      wire: number;
+    }
+  | {
+      /**
+       * Hash of its job.
+       */
+      job_hash: string;
+      order: "abandon";
+      /**
+       * Index of the wire, from 0.
+       */
+      wire: number;
+    }
+  | {
+      /**
+       * The recording.
+       */
+      file: string;
+      order: "replay";
+      /**
+       * Whether to make them although they were recorded on another machine, or before its profile was changed.
+       */
+      other_machine?: boolean;
+    }
+  | {
+      order: "disconnect";
+    };
+/**
+ * One axis by an amount, in canonical signs, or the search for the reference.
+ */
+export type Move =
+  | {
+      move: "home";
+    }
+  | {
+      /**
+       * By so much; below 0 back into the machine.
+       */
+      mm: number;
+      move: "feed";
+    }
+  | {
+      /**
+       * By so much, right-handed about the direction of travel.
+       */
+      deg: number;
+      move: "rotate";
+    }
+  | {
+      /**
+       * By so much.
+       */
+      deg: number;
+      move: "bend";
+    };
+/**
+ * What a person says of a step in doubt.
+ */
+export type Decision = "made" | "not-made";
+
+export interface Requests {
+  about: AboutRequest;
+  answer: AnswerMachine;
+  "change-settings": ChangeSettings;
+  check: CheckDesign;
+  "clear-recent": ClearRecent;
+  "clear-recording": ClearRecording;
+  close: CloseDesign;
+  compare: CompareDesign;
+  connect: ConnectMachine;
+  "copy-machine": CopyMachine;
+  discard: DiscardUnsaved;
+  drivers: DriversRequest;
+  edit: EditDesign;
+  examples: ExamplesRequest;
+  "explain-profile": ProfileExplainRequest;
+  export: ExportDesign;
+  exports: ExportsRequest;
+  fixes: FixesRequest;
+  look: LookRequest;
+  "machine-state": MachineStateRequest;
+  "machine-view": MachineViewRequest;
+  machines: MachinesRequest;
+  made: MadeRequest;
+  materials: MaterialsRequest;
+  new: NewDesign;
+  open: OpenDesign;
+  "open-example": OpenExample;
+  order: OrderMachine;
+  ports: PortsRequest;
+  program: ProgramRequest;
+  "put-stencil": PutStencil;
+  recorded: RecordedRequest;
+  redo: Redo;
+  restore: RestoreUnsaved;
+  runs: RunsRequest;
+  "runs-show": RunsShowRequest;
+  save: SaveDesign;
+  "save-job": SaveJob;
+  "save-recording": SaveRecording;
+  start: Start;
+  "trust-driver": DriverTrustRequest;
+  undo: Undo;
+}
+/**
+ * Asks what this program is.
+ */
+export interface AboutRequest {}
+/**
+ * Answers what was asked.
+ */
+export interface AnswerMachine {
+  answer: Answer;
+  /**
+   * The number of the question.
+   */
+  question: number;
+}
+/**
+ * Changes the driver's settings in a profile of the person's own.
+ */
+export interface ChangeSettings {
+  /**
+   * The machine.
+   */
+  machine: string;
+  /**
+   * All settings that the profile is to set; what is left out is its parent's, or the driver's default.
+   */
+  settings: {
+    [k: string]: unknown;
+  };
+}
+/**
+ * Checks the design on its machine, with some vertices elsewhere than they are.
+ */
+export interface CheckDesign {
+  /**
+   * Vertices that are being dragged.
+   */
+  moved?: Moved[];
+}
+/**
+ * A vertex that is being dragged, and where it is.
+ */
+export interface Moved {
+  /**
+   * Where, mm.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  at_mm: [number, number, number];
+  /**
+   * Which.
+   */
+  vertex: number;
+}
+/**
+ * Empties the list of what was open before.
+ */
+export interface ClearRecent {}
+/**
+ * Forgets the moves that were recorded.
+ */
+export interface ClearRecording {}
+/**
+ * Closes the design; what is not saved is gone. An empty one takes its place.
+ */
+export interface CloseDesign {}
+/**
+ * Plans the open design for other machines and says what changes.
+ */
+export interface CompareDesign {
+  /**
+   * The other machines.
+   */
+  against: string[];
+}
+/**
+ * Connects the machine of the open design. One that was connected before is let go.
+ */
+export interface ConnectMachine {
+  /**
+   * Where it is; absent, the machine that its driver simulates is taken, if it has one.
+   */
+  port?: string | null;
+}
+/**
+ * Writes a profile of the person's own that inherits from a machine.
+ */
+export interface CopyMachine {
+  /**
+   * The id of the new one.
+   */
+  id: string;
+  /**
+   * The machine.
+   */
+  machine: string;
+  /**
+   * Its name.
+   */
+  name: string;
+}
+/**
+ * Throws away a design that was open when the program or the computer stopped.
+ */
+export interface DiscardUnsaved {
+  /**
+   * Its journal.
+   */
+  journal: string;
+}
+/**
+ * Asks for the drivers.
+ */
+export interface DriversRequest {}
+/**
+ * Makes a change.
+ */
+export interface EditDesign {
+  request: EditRequest;
+}
+/**
+ * A vertex of a piece.
+ */
+export interface PastedVertex {
+  /**
+   * Where it is, mm.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  at_mm: [number, number, number];
+  /**
+   * Whether the design holds it fixed.
+   */
+  support?: boolean;
+}
+/**
+ * A vertex and where it goes.
+ */
+export interface Placed {
+  /**
+   * Where, mm.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  at_mm: [number, number, number];
+  /**
+   * Which.
+   */
+  vertex: number;
+}
+/**
+ * Asks for the examples.
+ */
+export interface ExamplesRequest {}
+/**
+ * What to explain.
+ */
+export interface ProfileExplainRequest {
+  /**
+   * The profile.
+   */
+  id: string;
+  /**
+   * Its kind, where several kinds have a profile with this id.
+   */
+  kind?: Kind | null;
+}
+/**
+ * Writes the open design, or shows what would be written.
+ */
+export interface ExportDesign {
+  /**
+   * Whether to write a program although a check says that it cannot be made.
+   */
+  despite_errors?: boolean;
+  /**
+   * The format.
+   */
+  format: string;
+  /**
+   * Where it goes; absent, its beginning is returned.
+   */
+  output?: Output | null;
+  /**
+   * Its settings, over those of the machine's profile.
+   */
+  settings?: {
+    [k: string]: unknown;
+  };
+}
+/**
+ * A file to write a result to.
+ */
+export interface Output {
+  /**
+   * Whether a file that is there may be replaced.
+   */
+  force?: boolean;
+  /**
+   * The file.
+   */
+  path: string;
+}
+/**
+ * Asks what can be written for the machine of the open design.
+ */
+export interface ExportsRequest {}
+/**
+ * Asks what would mend what the checks say.
+ */
+export interface FixesRequest {}
+/**
+ * What to look into.
+ */
+export interface LookRequest {
+  design: DesignInput;
+}
+/**
+ * A design and how to read it. A `.wirebend` document is taken as it is.
+ */
+export interface DesignInput {
+  /**
+   * Centreline radius of the bends of a table that does not say, in mm.
+   */
+  clr_mm?: number | null;
+  /**
+   * Whether the edges of faces are the wireframe.
+   */
+  face_edges?: boolean;
+  /**
+   * Its format, where name and contents do not tell.
+   */
+  format?: string | null;
+  input: Input;
+  /**
+   * The layers of a drawing to read; empty: all that are not hidden.
+   */
+  layers?: string[];
+  /**
+   * Factor on all coordinates, after units.
+   */
+  scale?: number;
+  /**
+   * How far straight edges may be from the curves of a drawing, in mm.
+   */
+  tolerance_mm?: number;
+  /**
+   * The unit of the coordinates, where the file does not say.
+   */
+  units?: LengthUnit | null;
+  /**
+   * Vertices closer than this become one, in mm.
+   */
+  weld_mm?: number;
+}
+/**
+ * Asks how the machine stands.
+ */
+export interface MachineStateRequest {}
+/**
+ * Asks for one machine.
+ */
+export interface MachineViewRequest {
+  /**
+   * Its id.
+   */
+  machine: string;
+}
+/**
+ * Asks for the machines.
+ */
+export interface MachinesRequest {}
+/**
+ * Asks how the machine makes the open design.
+ */
+export interface MadeRequest {}
+/**
+ * Asks for the materials.
+ */
+export interface MaterialsRequest {}
+/**
+ * Begins an empty design.
+ */
+export interface NewDesign {
+  /**
+   * Its machine; absent, that of the design before.
+   */
+  machine?: string | null;
+}
+/**
+ * Opens a file as the design: a wireframe, a drawing, a program, or a stencil to trace on.
+ */
+export interface OpenDesign {
+  design: DesignInput;
+}
+/**
+ * Opens an example.
+ */
+export interface OpenExample {
+  /**
+   * Its id.
+   */
+  id: string;
+}
+/**
+ * Says what the connected machine is to do.
+ */
+export interface OrderMachine {
+  request: MachineOrder;
+}
+/**
+ * Asks for the ports.
+ */
+export interface PortsRequest {
+  /**
+   * For the machines of this driver; absent, of every driver.
+   */
+  driver?: string | null;
+  /**
+   * For this machine; absent, for every machine.
+   */
+  machine?: string | null;
+}
+/**
+ * Asks for the program of the open design.
+ */
+export interface ProgramRequest {}
+/**
+ * Puts the surface of a file into the design, to trace on.
+ */
+export interface PutStencil {
+  design: DesignInput;
+}
+/**
+ * Asks for the moves that were recorded.
+ */
+export interface RecordedRequest {}
+/**
+ * Does again what was undone last.
+ */
+export interface Redo {}
+/**
+ * Takes up a design that was open when the program or the computer stopped.
+ */
+export interface RestoreUnsaved {
+  /**
+   * Its journal.
+   */
+  journal: string;
+}
+/**
+ * Asks for the records of what was made.
+ */
+export interface RunsRequest {}
+/**
+ * Asks for one record.
+ */
+export interface RunsShowRequest {
+  /**
+   * Its id, or enough of its beginning.
+   */
+  id: string;
+}
+/**
+ * Saves the design as a `.wirebend` document.
+ */
+export interface SaveDesign {
+  /**
+   * Where; absent, where it was opened or saved before.
+   */
+  path?: string | null;
+}
+/**
+ * Plans the open design and writes the job.
+ */
+export interface SaveJob {
+  /**
+   * Whether to make a job although a check says that it cannot be made.
+   */
+  despite_errors?: boolean;
+  output: Output;
+}
+/**
+ * Writes the moves that were recorded.
+ */
+export interface SaveRecording {
+  output: Output;
+}
+/**
+ * What a window needs when it opens.
+ */
+export interface Start {}
+/**
+ * Which library to accept. Whoever accepts it has to name its hash, which this command tells when it is
+ * not named: then nothing is accepted and nothing is run.
+ */
+export interface DriverTrustRequest {
+  /**
+   * The library.
+   */
+  library: string;
+  /**
+   * Its SHA-256.
+   */
+  sha256?: string | null;
+}
+/**
+ * Undoes the last change.
+ */
+export interface Undo {}

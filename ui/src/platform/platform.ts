@@ -1,0 +1,52 @@
+import type { Requests } from "../generated/requests";
+import type { Responses } from "../generated/responses";
+import type { Tells } from "../generated/tells";
+
+/** Something that can be asked of the Rust side. */
+export type AskName = keyof Requests & keyof Responses;
+
+/** What is told unasked. */
+export type Told = { [K in Exclude<keyof Tells, "refusal">]: { tell: K; value: Tells[K] } }[Exclude<keyof Tells, "refusal">];
+
+/** Why something came to nothing: shown with its message; code by the code, never by the text. */
+export class Refused extends Error {
+  readonly refusal: Tells["refusal"];
+
+  constructor(refusal: Tells["refusal"]) {
+    super(refusal.message);
+    this.refusal = refusal;
+  }
+}
+
+/** A kind of files in a dialog. */
+export interface FileKind {
+  readonly name: string;
+  /** Without the dot. */
+  readonly extensions: readonly string[];
+}
+
+/** What the surroundings of the window do: the Rust side, dialogs, dropped files, closing. */
+export interface Platform {
+  /** Rejects with `Refused`. */
+  ask<K extends AskName>(name: K, request: Requests[K]): Promise<Responses[K]>;
+  /** The stencil of the open design: see `Desk::stencil_mesh`. Empty without one. */
+  stencilMesh(): Promise<ArrayBuffer>;
+  /** Hears what is told; the function that is returned ends it. */
+  listen(hear: (told: Told) => void): () => void;
+  /** A file to open; null where the person has chosen none. */
+  pickFile(kinds: readonly FileKind[]): Promise<string | null>;
+  /** A file to write; null where the person has chosen none. The dialog has asked whether it may be replaced. */
+  pickSave(suggested: string, kind: FileKind): Promise<string | null>;
+  /** Hears of files that are dropped on the window, by their paths; `over` while they are above it. */
+  onDrop(hear: (drop: { kind: "over" } | { kind: "left" } | { kind: "dropped"; paths: string[] }) => void): () => void;
+  /** Hears of files that the system asks to open: by a double click, or by an argument. */
+  onOpen(hear: (path: string) => void): () => void;
+  /** Asked before the window closes: true lets it. */
+  onClose(mayClose: () => Promise<boolean>): () => void;
+  /** Closes the window without asking. */
+  close(): Promise<void>;
+  /** The title of the window. */
+  setTitle(title: string): void;
+  /** Stops the machine, whatever else is going on. Does not wait for other asks. */
+  stop(): Promise<void>;
+}

@@ -1,0 +1,28 @@
+import { expect, it } from "vitest";
+import { gridSpacing, spacingText } from "./grid_spacing";
+
+it.each([
+  // A cell of 10 mm is 9 pixels at 10/9 mm a pixel: below that it is fine enough.
+  [1.12, 100],
+  [1.1, 10],
+  [0.2, 10],
+  [0.1, 1],
+  [20, 1000],
+])("at %f mm a pixel has lines every %i mm", (pixel, mm) => {
+  expect(gridSpacing(pixel, "mm").mm).toBeCloseTo(mm);
+});
+
+it("fades fine lines in as they come apart", () => {
+  expect(gridSpacing(1.1, "mm").fine).toBeLessThan(0.02);
+  expect(gridSpacing(0.12, "mm").fine).toBeGreaterThan(0.95);
+});
+
+it("counts in inches for those who do", () => {
+  const spacing = gridSpacing(0.3, "inch");
+  expect(spacing.mm).toBeCloseTo(25.4);
+  expect(spacingText(spacing, "inch")).toBe("1 in");
+});
+
+it("is not finer than the grid that is drawn on", () => {
+  expect(gridSpacing(0.1, "mm", 5).mm).toBe(5);
+});

@@ -1,0 +1,31 @@
+/** How far apart the lines of the grid are, so that they are neither a fog nor missing. */
+
+export type Units = "mm" | "inch";
+
+export const MM_PER_INCH = 25.4;
+
+export interface Spacing {
+  /** mm. Every tenth line is stronger. */
+  readonly mm: number;
+  /** 0 to 1: how strong the fine lines are; at 0 they go, and the stronger ones become the fine ones. */
+  readonly fine: number;
+}
+
+/** Fine lines are at least this far apart, CSS pixels. */
+const NARROWEST = 9;
+
+/** `pixel`: mm a CSS pixel where it is looked at. Powers of ten of the unit, at least `least` mm. */
+export function gridSpacing(pixel: number, units: Units, least = 0): Spacing {
+  const unit = units === "inch" ? MM_PER_INCH : 1;
+  const power = Math.ceil(Math.log10((NARROWEST * pixel) / unit) - 1e-9);
+  const mm = Math.max(unit * 10 ** Math.max(power, -1), least);
+  const apart = Math.log10(mm / pixel / NARROWEST);
+  return { mm, fine: Math.min(Math.max(apart, 0), 1) };
+}
+
+/** What the lines that can be seen stand for, as it is written. */
+export function spacingText({ mm, fine }: Spacing, units: Units): string {
+  const shown = fine < 0.3 ? mm * 10 : mm;
+  const value = units === "inch" ? shown / MM_PER_INCH : shown;
+  return `${Number(value.toPrecision(3))} ${units === "inch" ? "in" : "mm"}`;
+}

@@ -1,0 +1,314 @@
+/** What is in the picture, put together: the tools and the viewport change it, and it draws itself. */
+
+import { Group, Scene, type Object3D, type WebGLRenderer } from "three";
+import { Backdrop } from "./backdrop";
+import { Camera } from "./camera";
+import { DesignLayer, EDGE_STYLE, NO_MARKS } from "./design_layer";
+import { type Change, DrawnDesign } from "./drawn_design";
+import { Gizmo } from "./gizmo";
+import type { Handle } from "./gizmo_parts";
+import { facing, Grid } from "./grid";
+import { gridSpacing, type Spacing, type Units } from "./grid_spacing";
+import type {
+  DrawingPlane,
+  Layer,
+  Moved,
+  Preview,
+  SceneDesign,
+  SceneMarks,
+  SceneStencil,
+  Selection,
+  SnapSettings,
+  Tool,
+  Vec3,
+} from "./interface";
+import { Labels } from "./labels";
+import { axes, framing, pixelAtTarget } from "./orbit";
+import { Playback } from "./playback";
+import type { Projection } from "./projection";
+import { SelectionLayer } from "./selection_layer";
+import { paint, shared } from "./shading";
+import { Stencil } from "./stencil";
+import { type Sign, Symbols } from "./symbols";
+import { type Theme, THEMES } from "./theme";
+import { type TubeLook, Tubes } from "./tubes";
+import { ballAround, middle } from "./vec";
+
+/** A line over the picture: a rubber band, an axis that is locked. */
+export interface Guide {
+  readonly from: Vec3;
+  readonly to: Vec3;
+  readonly look: TubeLook;
+}
+
+const DEFAULT_SNAP: SnapSettings = {
+  kinds: new Set(["vertex", "stencil-vertex", "stencil-edge", "edge", "surface", "grid", "plane"]),
+  grid: 10,
+  reach: 10,
+};
+
+export class Stage {
+  readonly camera = new Camera();
+  readonly design = new DrawnDesign();
+  theme: Theme = THEMES.dark;
+  tool: Tool = "select";
+  snap: SnapSettings = DEFAULT_SNAP;
+  /** Null for the ground. */
+  plane: DrawingPlane | null = null;
+  units: Units = "mm";
+  spacing: Spacing = { mm: 10, fine: 1 };
+  private readonly uniforms = shared();
+  private readonly world = new Scene();
+  private readonly above = new Scene();
+  private readonly designed = new Group();
+  private readonly backdrop = new Backdrop(this.uniforms);
+  private readonly grid = new Grid(this.uniforms);
+  readonly stencil = new Stencil(this.uniforms);
+  private readonly layer = new DesignLayer(this.uniforms, this.theme);
+  readonly selected = new SelectionLayer(this.uniforms);
+  private readonly preview = new Tubes(this.uniforms, { ...EDGE_STYLE, radius: 0.9, most: 2.4, dash: 11, flat: true });
+  private readonly guides = new Tubes(this.uniforms, { radius: 100, least: 0.9, most: 0.9, dash: 9, flat: true, above: true });
+  private readonly symbols = new Symbols(this.uniforms);
+  private readonly gizmo = new Gizmo(this.uniforms);
+  readonly playback = new Playback(this.uniforms, this.theme);
+  readonly labels: Labels;
+  private readonly layers = new Map<Layer, Group>();
+  private marks: SceneMarks = NO_MARKS;
+  /** Edges that a fix would take away, by id. */
+  private removed: ReadonlySet<number> = new Set();
+  private readonly signs = new Map<string, readonly Sign[]>();
+  private readonly lines = new Map<string, readonly Guide[]>();
+  private handle: Handle | null = null;
+  private seen: Projection | null = null;
+
+  /** `overlay`: for texts over the picture; `changed`: it has to be drawn again. */
+  constructor(
+    overlay: HTMLElement,
+    private readonly changed: () => void,
+  ) {
+    this.labels = new Labels(overlay, this.theme);
+    // What collides does so on the machine; tolerances are of the design.
+    for (const [name, parent] of [
+      ["collisions", this.playback.group],
+      ["tolerances", this.designed],
+    ] as const) {
+      const group = new Group();
+      group.name = name;
+      this.layers.set(name, group);
+      parent.add(group);
+    }
+    this.designed.add(this.layer.group, this.selected.outlines.mesh, this.preview.mesh, this.stencil.group);
+    this.world.add(this.backdrop.mesh, this.grid.mesh, this.designed, this.playback.group);
+    this.above.add(this.guides.mesh, this.gizmo.mesh, this.symbols.mesh);
+    this.gizmo.mesh.renderOrder = 1;
+    this.symbols.mesh.renderOrder = 2;
+    this.paint(this.theme);
+  }
+
+  get projection(): Projection {
+    this.seen ??= this.camera.update();
+    return this.seen;
+  }
+
+  get playing(): boolean {
+    return this.playback.group.visible;
+  }
+
+  /** Where the gizmo is: amid what would move; null where it is not shown. */
+  get gizmoAt(): Vec3 | null {
+    if (this.tool !== "select" || this.playing) return null;
+    const places = this.placesOf(this.selected.selection);
+    return places.length > 0 ? middle(places) : null;
+  }
+
+  viewMoved(): void {
+    this.seen = null;
+    this.changed();
+  }
+
+  setDesign(design: SceneDesign): void {
+    this.redraw(this.design.update(design));
+    this.bound();
+  }
+
+  setMarks(marks: SceneMarks): void {
+    this.marks = marks;
+    this.layer.mark(this.design, marks, this.removed);
+    this.reselect();
+  }
+
+  setPreview(preview: Preview | null): void {
+    const edges = preview?.edges ?? [];
+    this.removed = preview?.removed ?? new Set();
+    this.preview.count = edges.length;
+    edges.forEach(([from, to], row) => this.preview.set(row, from, to, { colour: this.theme.acted }));
+    this.layer.mark(this.design, this.marks, this.removed);
+    this.changed();
+  }
+
+  setStencil(stencil: SceneStencil | null): void {
+    this.stencil.show(stencil);
+    this.bound();
+    this.changed();
+  }
+
+  /** Shows vertices elsewhere while they are dragged. */
+  move(moved: readonly Moved[]): void {
+    this.redraw(this.design.move(moved));
+  }
+
+  select(selection: Selection): void {
+    this.selected.selection = selection;
+    this.reselect();
+  }
+
+  hover(hovered: Selection): void {
+    this.selected.hovered = hovered;
+    this.reselect();
+  }
+
+  highlight(highlight: Selection): void {
+    this.selected.highlight = highlight;
+    this.reselect();
+  }
+
+  /** Signs and lines of one owner, instead of those that it had. */
+  mark(owner: string, signs: readonly Sign[], lines: readonly Guide[] = []): void {
+    if (signs.length === 0 && lines.length === 0 && !this.signs.has(owner) && !this.lines.has(owner)) return;
+    this.signs.set(owner, signs);
+    this.lines.set(owner, lines);
+    this.changed();
+  }
+
+  activate(handle: Handle | null): void {
+    if (JSON.stringify(handle) === JSON.stringify(this.handle)) return;
+    this.handle = handle;
+    this.changed();
+  }
+
+  /** Objects of a feature, which are disposed of here when others take their place. */
+  setLayer(name: Layer, objects: readonly Object3D[]): void {
+    const group = this.layers.get(name);
+    for (const object of group?.children.slice() ?? []) if (!objects.includes(object)) disposeOf(object);
+    group?.clear();
+    if (objects.length > 0) group?.add(...objects);
+    this.changed();
+  }
+
+  paint(theme: Theme): void {
+    this.theme = theme;
+    paint(this.uniforms, theme);
+    this.layer.paint(this.design, theme);
+    this.stencil.paint(theme);
+    this.gizmo.paint(theme);
+    this.playback.paint(theme);
+    this.labels.paint(theme);
+    this.symbols.halo = theme.halo;
+    for (let row = 0; row < this.preview.count; row += 1) this.preview.style(row, { colour: theme.acted });
+    this.reselect();
+  }
+
+  /** Looks at these vertices and edges, or at everything there is. */
+  frame(selection: Selection | null): void {
+    const { camera } = this;
+    const chosen = selection ? this.placesOf(selection) : [];
+    const played = this.playback.places;
+    const places = played ?? (chosen.length > 0 ? chosen : this.everything());
+    camera.orbit = framing(camera.orbit, places, camera.aspect);
+    this.viewMoved();
+  }
+
+  /** Whether there is something to look at. */
+  get empty(): boolean {
+    return this.design.vertices.length === 0 && this.stencil.ball === null;
+  }
+
+  /** After what is played has begun or ended. */
+  bound(): void {
+    this.designed.visible = !this.playing;
+    const ball = ballAround(this.playback.places ?? this.everything());
+    this.camera.ball = ball ?? { centre: [0, 0, 0], radius: 100 };
+    this.viewMoved();
+  }
+
+  draw(renderer: WebGLRenderer): void {
+    const { camera, theme } = this;
+    const { projection } = this;
+    const { width, height } = camera;
+    this.uniforms.ratio.value = renderer.getPixelRatio();
+    camera.describe(this.uniforms);
+    // A machine is not a thicket: depth has to help less.
+    this.uniforms.fade.value.z = theme.fade * (this.playing ? 0.45 : 1);
+    this.layGrid(height);
+    const signs = this.playing ? [] : this.selected.signs(this.design, this.marks.start, theme);
+    this.symbols.show([...signs, ...[...this.signs.values()].flat()]);
+    const lines = [...this.lines.values()].flat();
+    this.guides.count = lines.length;
+    lines.forEach(({ from, to, look }, row) => this.guides.set(row, from, to, look));
+    this.gizmo.show(this.gizmoAt, this.handle);
+    renderer.info.reset();
+    renderer.clear();
+    renderer.render(this.world, camera.three);
+    renderer.clearDepth();
+    renderer.render(this.above, camera.three);
+    if (width > 0) this.labels.place(projection, !this.playing);
+  }
+
+  dispose(): void {
+    for (const name of this.layers.keys()) this.setLayer(name, []);
+    for (const part of [
+      this.backdrop,
+      this.grid,
+      this.stencil,
+      this.layer,
+      this.selected,
+      this.preview,
+      this.guides,
+      this.symbols,
+      this.gizmo,
+      this.playback,
+    ])
+      part.dispose();
+    this.labels.show([]);
+  }
+
+  private placesOf(selection: Selection): Vec3[] {
+    return [...this.design.moving(selection)].map((id) => this.design.place(id)).filter((at) => at !== null);
+  }
+
+  private redraw(change: Change): void {
+    this.layer.sync(this.design, change);
+    this.reselect();
+  }
+
+  private reselect(): void {
+    this.selected.sync(this.design, this.layer, this.theme);
+    this.changed();
+  }
+
+  private everything(): Vec3[] {
+    return [...this.design.at, ...this.stencil.places];
+  }
+
+  private layGrid(height: number): void {
+    const { camera, units } = this;
+    const { orbit, ball } = camera;
+    const drawing = this.tool === "draw" && !this.playing;
+    const least = drawing ? this.snap.grid : 0;
+    this.spacing = gridSpacing(pixelAtTarget(orbit, height), units, least);
+    const back = axes(orbit).back;
+    const ground = facing(back, orbit.orthographic);
+    // The machine stands on the ground; a design is wherever it was drawn.
+    const low = this.playing ? this.playback.ground : 0;
+    const plane = drawing && this.plane ? this.plane : { ...ground, origin: [0, 0, low] as Vec3 };
+    this.grid.show(plane, orbit.target, Math.max(orbit.distance * 1.6, ball.radius), this.spacing, this.theme, drawing);
+  }
+}
+
+function disposeOf(object: Object3D): void {
+  object.traverse((part) => {
+    const { geometry, material } = part as { geometry?: { dispose(): void }; material?: { dispose(): void } | { dispose(): void }[] };
+    geometry?.dispose();
+    for (const one of material ? [material].flat() : []) one.dispose();
+  });
+}

@@ -1,0 +1,147 @@
+/** Tracing on a surface and drawing on a plane: where the next click would go is shown before it, and strands grow click by click. */
+
+import { GROUND } from "./grid";
+import type { SceneListener, SnapKind } from "./interface";
+import type { Overlay } from "./overlay";
+import type { Place, ToolHandler } from "./pointer";
+import { inDirections, snap, type SnapTarget } from "./snap";
+import type { Guide, Stage } from "./stage";
+import { Strand } from "./strand";
+import { SNAP_SHAPES, type Sign } from "./symbols";
+
+/** Clicks nearer than this are one, CSS pixels. */
+const ONE_PLACE = 4;
+
+/** What a flat part can begin and end at, and the plane itself. */
+const ON_PLANE: ReadonlySet<SnapKind> = new Set(["vertex", "edge", "grid", "plane"]);
+
+export class TraceTool implements ToolHandler {
+  private readonly strand: Strand;
+  private last: Place | null = null;
+  private hovered = "";
+
+  constructor(
+    private readonly stage: Stage,
+    private readonly listener: SceneListener,
+    private readonly overlay: Overlay,
+  ) {
+    this.strand = new Strand(
+      (stroke) => listener.stroke(stroke),
+      () => this.show(),
+      () => listener.strandEnded(),
+    );
+  }
+
+  hover(at: Place | null): void {
+    this.last = at;
+    this.overlay.cursor("crosshair");
+    this.show();
+  }
+
+  press(at: Place): void {
+    this.hover(at);
+  }
+
+  drag(at: Place): void {
+    this.hover(at);
+  }
+
+  release(at: Place): void {
+    this.last = at;
+    const target = this.target();
+    const { end } = this.strand;
+    const seen = [end, target].map((one) => one && this.stage.projection.seen(one.at));
+    const apart = seen[0] && seen[1] ? Math.hypot(seen[0].x - seen[1].x, seen[0].y - seen[1].y) : Infinity;
+    // The second click of a double one asks for nothing.
+    if (apart < ONE_PLACE && target?.vertex === undefined) return;
+    // Who makes the stroke tells why it could not be made; the strand is over then.
+    if (target) this.strand.click(target).catch(() => undefined);
+    this.show();
+  }
+
+  double(): void {
+    // Each of its clicks was taken already.
+  }
+
+  context(): void {
+    this.cancel();
+  }
+
+  abort(): void {
+    this.last = null;
+    this.show();
+  }
+
+  key(event: KeyboardEvent): boolean {
+    return (event.key === "Escape" || event.key === "Enter") && this.cancel();
+  }
+
+  /** Ends the strand; whether there was one. */
+  cancel(): boolean {
+    return this.strand.cancel();
+  }
+
+  /** With another tool. */
+  leave(): void {
+    this.cancel();
+    this.last = null;
+    this.show();
+  }
+
+  /** The strand does not go on from a vertex that was undone. */
+  designChanged(): void {
+    const { end } = this.strand;
+    const { design } = this.stage;
+    if (end?.kind === "vertex") {
+      const at = design.place(end.id);
+      if (at) this.strand.end = { ...end, at };
+      else this.cancel();
+    } else if (end?.kind === "edge" && design.edgeRow(end.id) === undefined) {
+      this.cancel();
+    }
+    this.show();
+  }
+
+  private target(): SnapTarget | null {
+    const { last, stage } = this;
+    if (!last || stage.playing) return null;
+    const { end } = this.strand;
+    const drawing = stage.tool === "draw";
+    // A vertex that the design has not shown yet would be taken for one that is not there.
+    const kinds = new Set(
+      [...stage.snap.kinds].filter((kind) => (!drawing || ON_PLANE.has(kind)) && (!last.ctrl || kind === "surface" || kind === "plane")),
+    );
+    const without = {
+      vertices: new Set(end?.kind === "vertex" ? [end.id] : []),
+      edges: new Set(end?.kind === "edge" ? [end.id] : []),
+    };
+    const place = {
+      design: stage.design,
+      projection: stage.projection,
+      stencil: drawing || !stage.stencil.ball ? null : stage.stencil,
+      plane: stage.plane,
+      without,
+    };
+    if (!last.shift || !end) return snap(place, { ...stage.snap, kinds }, last.x, last.y);
+    const free = snap(place, { ...stage.snap, kinds: new Set(["plane"]) }, last.x, last.y);
+    return free && { kind: "plane", at: inDirections(stage.plane ?? GROUND, end.at, free.at) };
+  }
+
+  private show(): void {
+    const { stage } = this;
+    const { end } = this.strand;
+    const target = this.target();
+    const { acted } = stage.theme;
+    const signs: Sign[] = [];
+    const lines: Guide[] = [];
+    if (end) signs.push({ at: end.at, shape: "dot", colour: acted, radius: 9 });
+    if (target) signs.push({ at: target.at, shape: SNAP_SHAPES[target.kind], colour: acted, radius: 8.5 });
+    if (end && target) lines.push({ from: end.at, to: target.at, look: { colour: acted } });
+    stage.mark("trace", signs, lines);
+    const key = target ? `${target.kind} ${target.at.join()}` : "";
+    if (key === this.hovered) return;
+    this.hovered = key;
+    const seen = target && stage.projection.seen(target.at);
+    this.listener.hovered(target && seen ? { kind: "snap", snap: target.kind, at: target.at, x: seen.x, y: seen.y } : null);
+  }
+}

@@ -1,0 +1,335 @@
+/** The view of a design: what the editor's panels call. See `interface.ts` for what it tells. */
+
+import { type Object3D, WebGLRenderer } from "three";
+import { Frames } from "./frames";
+import { spacingText, type Units } from "./grid_spacing";
+import type {
+  Axis,
+  DrawingPlane,
+  Layer,
+  Played,
+  Preview,
+  SceneDesign,
+  SceneLabel,
+  SceneListener,
+  SceneMarks,
+  SceneStencil,
+  Selection,
+  Shown,
+  SnapSettings,
+  Tool,
+} from "./interface";
+import { looking, type Orbit, type ViewName } from "./orbit";
+import { Overlay } from "./overlay";
+import { Pointer, type ToolHandler } from "./pointer";
+import { SelectTool } from "./select_tool";
+import { Stage } from "./stage";
+import { type ThemeName, THEMES } from "./theme";
+import { TraceTool } from "./trace_tool";
+
+export interface ViewportOptions {
+  /** Smooth edges; without a graphics card they cost most of the time. */
+  readonly antialias?: boolean;
+  /** What the view is called for a screen reader. */
+  readonly label?: string;
+}
+
+/** As it is told: "Front". */
+const shownName = (view: ViewName): string => (view[0] ?? "").toUpperCase() + view.slice(1);
+
+/** More pixels than these cannot be told apart, and cost time. */
+const MOST_RATIO = 2;
+
+export class Viewport {
+  readonly canvas = document.createElement("canvas");
+  private readonly overlay = new Overlay(this.canvas);
+  private readonly renderer: WebGLRenderer;
+  private readonly stage: Stage;
+  private readonly frames: Frames;
+  private readonly pointer: Pointer;
+  private readonly selecting: SelectTool;
+  private readonly tracing: TraceTool;
+  private readonly resized: ResizeObserver;
+  private readonly stop = new AbortController();
+  private framed = false;
+  private view_: ViewName = "perspective";
+  private ratio = 0;
+  private beforePlay: { orbit: Orbit; view: ViewName } | null = null;
+
+  constructor(
+    private readonly host: HTMLElement,
+    private readonly listener: SceneListener,
+    options: ViewportOptions = {},
+  ) {
+    const { canvas } = this;
+    this.renderer = new WebGLRenderer({ canvas, antialias: options.antialias ?? true, powerPreference: "high-performance" });
+    this.renderer.autoClear = false;
+    this.renderer.info.autoReset = false;
+    this.frames = new Frames(
+      () => this.pointer.work(),
+      () => this.draw(),
+    );
+    this.stage = new Stage(this.overlay.element, () => this.frames.request());
+    this.selecting = new SelectTool(this.stage, listener, this.overlay);
+    this.tracing = new TraceTool(this.stage, listener, this.overlay);
+    this.pointer = new Pointer(
+      canvas,
+      this.stage.camera,
+      () => this.handler,
+      () => this.frames.schedule(),
+      (turned) => this.viewMoved(turned),
+    );
+    canvas.tabIndex = 0;
+    canvas.setAttribute("role", "application");
+    canvas.setAttribute("aria-label", options.label ?? "View of the design");
+    Object.assign(canvas.style, { display: "block", width: "100%", height: "100%", touchAction: "none", outlineOffset: "-2px" });
+    if (getComputedStyle(host).position === "static") host.style.position = "relative";
+    host.append(canvas, this.overlay.element);
+    const { signal } = this.stop;
+    // Restored by three.js itself, which needs the event not to end there.
+    canvas.addEventListener("webglcontextlost", (event) => event.preventDefault(), { signal });
+    canvas.addEventListener("webglcontextrestored", () => this.frames.request(), { signal });
+    this.resized = new ResizeObserver(() => {
+      this.resize();
+      // A canvas that gets another size is empty: it would flicker if the picture came with the next frame.
+      this.frames.now();
+    });
+    this.resized.observe(host);
+    this.overlay.paint(this.stage.theme);
+    this.resize();
+  }
+
+  /** All of the design, whenever any of it has changed: what is the same object is not drawn again. Ends what a drop has left shown. */
+  setDesign(design: SceneDesign): void {
+    this.stage.setDesign(design);
+    this.tracing.designChanged();
+    this.frameFirst();
+  }
+
+  setMarks(marks: SceneMarks): void {
+    this.stage.setMarks(marks);
+  }
+
+  setSelection(selection: Selection): void {
+    this.stage.select(selection);
+  }
+
+  /** Pointed at elsewhere: hovered or focused in a list. */
+  setHighlight(vertices: Iterable<number>, edges: Iterable<number>): void {
+    this.stage.highlight({ vertices: new Set(vertices), edges: new Set(edges) });
+  }
+
+  setPreview(preview: Preview | null): void {
+    this.stage.setPreview(preview);
+  }
+
+  setStencil(stencil: SceneStencil | null): void {
+    this.stage.setStencil(stencil);
+    this.frameFirst();
+  }
+
+  /** `opacity` from 0 to 1. */
+  setStencilShown(shown: boolean, opacity: number): void {
+    this.stage.stencil.group.visible = shown;
+    this.stage.stencil.opacity = opacity;
+    this.frames.request();
+  }
+
+  setTool(tool: Tool): void {
+    if (tool === this.stage.tool) return;
+    this.selecting.cancel();
+    this.selecting.hover(null);
+    this.tracing.leave();
+    this.stage.tool = tool;
+    this.overlay.cursor(tool === "select" ? "default" : "crosshair");
+    this.frames.request();
+  }
+
+  setSnap(snap: SnapSettings): void {
+    this.stage.snap = snap;
+    this.frames.request();
+  }
+
+  /** Null for the ground. */
+  setPlane(plane: DrawingPlane | null): void {
+    this.stage.plane = plane;
+    this.frames.request();
+  }
+
+  /** None switches them off. */
+  setLabels(labels: readonly SceneLabel[]): void {
+    this.stage.labels.show(labels);
+    this.frames.request();
+  }
+
+  setTheme(theme: ThemeName): void {
+    this.stage.paint(THEMES[theme]);
+    this.overlay.paint(THEMES[theme]);
+    this.frames.request();
+  }
+
+  setUnits(units: Units): void {
+    this.stage.units = units;
+    this.frames.request();
+  }
+
+  /** Objects of three.js; the viewport disposes of them when others are given. */
+  setLayer(name: Layer, objects: readonly Object3D[]): void {
+    this.stage.setLayer(name, objects);
+  }
+
+  /** Locks what is being moved to an axis; the same again, or null, frees it. */
+  lockAxis(axis: Axis | null): void {
+    this.selecting.lock(axis);
+  }
+
+  /** Moves the selection with the pointer until a click; whether there is a selection to move. */
+  startGrab(): boolean {
+    return this.stage.tool === "select" && this.selecting.startGrab();
+  }
+
+  /** While something is moved or a strand is open, its keys; whether this was one. Call it before the editor's own keys. */
+  handleKey(event: KeyboardEvent): boolean {
+    return this.stage.tool === "select" ? this.selecting.key(event) : this.tracing.key(event);
+  }
+
+  /** Ends a strand, gives up a drag or a box; whether there was one. */
+  cancel(): boolean {
+    return this.stage.tool === "select" ? this.selecting.cancel() : this.tracing.cancel();
+  }
+
+  view(name: ViewName): void {
+    const { camera } = this.stage;
+    camera.orbit = looking(camera.orbit, name);
+    this.named(name);
+    this.stage.viewMoved();
+  }
+
+  /** Looks at these, or at everything. */
+  frame(selection?: Selection): void {
+    this.framed = true;
+    this.stage.frame(selection ?? null);
+  }
+
+  /** Shows a wire on its machine instead of the design; null goes back to the view before. */
+  play(played: Played | null): void {
+    const { camera, playback } = this.stage;
+    const begins = played !== null && !this.stage.playing;
+    const ends = played === null && this.stage.playing;
+    if (begins) {
+      this.cancel();
+      this.selecting.hover(null);
+      this.beforePlay = { orbit: camera.orbit, view: this.view_ };
+    }
+    playback.play(played);
+    this.stage.bound();
+    if (begins) {
+      camera.orbit = looking(camera.orbit, "perspective");
+      this.named("perspective");
+      this.stage.frame(null);
+    }
+    if (ends && this.beforePlay) {
+      camera.orbit = this.beforePlay.orbit;
+      this.named(this.beforePlay.view);
+      this.stage.viewMoved();
+    }
+    this.frames.request();
+  }
+
+  /** Step with its fraction, from 0 to the number of steps. The clock is the caller's. */
+  setTime(step: number, shown: Shown): void {
+    this.stage.playback.setTime(step, shown);
+    this.frames.request();
+  }
+
+  /** So many steps of what is played were really made; null or 0 for none. */
+  setProgress(steps: number | null): void {
+    this.stage.playback.setProgress(steps ?? 0);
+    this.frames.request();
+  }
+
+  /** A PNG of what is seen, with its labels. */
+  async capture(): Promise<Blob> {
+    this.frames.now();
+    const { canvas } = this;
+    // Read at once: what a canvas of WebGL shows is gone after this turn.
+    const picture = document.createElement("canvas");
+    [picture.width, picture.height] = [canvas.width, canvas.height];
+    const context = picture.getContext("2d");
+    context?.drawImage(canvas, 0, 0);
+    if (context) this.stage.labels.draw(context, this.stage.projection, this.renderer.getPixelRatio());
+    const blob = await new Promise<Blob | null>((done) => picture.toBlob(done, "image/png"));
+    if (!blob) throw new Error("the view is too large for a picture: make the window smaller");
+    return blob;
+  }
+
+  /** Draw calls of the last frame, and frames drawn since the start. */
+  get stats(): { drawCalls: number; frames: number } {
+    return { drawCalls: this.renderer.info.render.calls, frames: this.frames.drawn };
+  }
+
+  /** CSS pixels in the viewport of a place of the design; null where it is behind the eye. */
+  screen(at: readonly [number, number, number]): { x: number; y: number } | null {
+    const seen = this.stage.projection.seen(at);
+    return seen.depth > 0 || this.stage.camera.orbit.orthographic ? { x: seen.x, y: seen.y } : null;
+  }
+
+  dispose(): void {
+    this.stop.abort();
+    this.resized.disconnect();
+    this.pointer.dispose();
+    this.frames.dispose();
+    this.stage.dispose();
+    this.renderer.dispose();
+    // A window has few contexts: without this it is kept until the canvas is collected.
+    this.renderer.forceContextLoss();
+    this.canvas.remove();
+    this.overlay.element.remove();
+  }
+
+  private get handler(): ToolHandler {
+    return this.stage.tool === "select" || this.stage.playing ? this.selecting : this.tracing;
+  }
+
+  private draw(): void {
+    if (this.stage.camera.width < 2 || this.stage.camera.height < 2 || this.renderer.getContext().isContextLost()) return;
+    this.stage.draw(this.renderer);
+    this.overlay.grid(`Grid ${spacingText(this.stage.spacing, this.stage.units)}`);
+  }
+
+  private resize(): void {
+    const { clientWidth, clientHeight } = this.host;
+    const { camera } = this.stage;
+    [camera.width, camera.height] = [clientWidth, clientHeight];
+    this.followRatio();
+    this.renderer.setSize(clientWidth, clientHeight, false);
+    this.stage.viewMoved();
+    this.frameFirst();
+  }
+
+  /** The window may go to another screen without changing its size. */
+  private followRatio(): void {
+    const ratio = window.devicePixelRatio;
+    if (ratio === this.ratio) return;
+    this.ratio = ratio;
+    this.renderer.setPixelRatio(Math.min(ratio, MOST_RATIO));
+    matchMedia(`(resolution: ${ratio}dppx)`).addEventListener("change", () => this.resize(), { once: true, signal: this.stop.signal });
+  }
+
+  /** The first thing there is to see, once there is room to see it. */
+  private frameFirst(): void {
+    if (this.framed || this.stage.empty || this.stage.camera.width < 2) return;
+    this.frame();
+  }
+
+  private viewMoved(turned: boolean): void {
+    if (turned) this.named("perspective");
+    this.stage.viewMoved();
+  }
+
+  private named(view: ViewName): void {
+    if (view === this.view_) return;
+    this.view_ = view;
+    this.listener.viewChanged(shownName(view));
+  }
+}

@@ -1,0 +1,76 @@
+// @vitest-environment happy-dom
+import { act } from "react";
+import { createRoot, type Root } from "react-dom/client";
+import { afterEach, beforeEach, expect, it } from "vitest";
+import { MenuBar } from "./Menu";
+
+Object.assign(globalThis, { IS_REACT_ACT_ENVIRONMENT: true });
+
+let host: HTMLElement;
+let root: Root;
+let ran: string[];
+
+const item = (label: string, why: string | null = null) => ({ kind: "item" as const, label, why, run: () => void ran.push(label) });
+
+beforeEach(() => {
+  ran = [];
+  host = document.createElement("div");
+  document.body.append(host);
+  root = createRoot(host);
+  const menus = [
+    { label: "File", items: () => [item("New"), item("Save", "Nothing to save"), { kind: "menu" as const, label: "Recent", items: [item("a.obj"), item("b.obj")] }] },
+    { label: "Edit", items: () => [item("Undo")] },
+  ];
+  act(() => root.render(<MenuBar menus={menus} />));
+});
+afterEach(() => {
+  act(() => root.unmount());
+  host.remove();
+});
+
+const focused = () => document.activeElement?.textContent;
+function press(...keys: string[]): void {
+  for (const key of keys) act(() => void document.activeElement?.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true })));
+}
+function open(): void {
+  act(() => host.querySelector<HTMLElement>(".menu-head")?.focus());
+  press("ArrowDown");
+}
+
+it("goes down, around and across with the arrows", () => {
+  open();
+  expect(focused()).toBe("New");
+  press("ArrowUp");
+  expect(focused()).toBe("Recent");
+  press("ArrowDown", "ArrowDown");
+  expect(focused()).toBe("Save");
+  press("ArrowLeft");
+  expect(focused()).toBe("Undo");
+});
+
+it("opens what is inside, and comes back to where that hangs", () => {
+  open();
+  press("End", "ArrowRight");
+  expect(focused()).toBe("a.obj");
+  press("ArrowDown", "ArrowLeft");
+  expect(focused()).toBe("Recent");
+  expect(host.querySelectorAll("[role=menu]").length).toBe(1);
+});
+
+it("runs what is chosen and closes, but not what cannot be used", () => {
+  open();
+  press("ArrowDown");
+  act(() => (document.activeElement as HTMLElement).click());
+  expect(ran).toEqual([]);
+  press("Home");
+  act(() => (document.activeElement as HTMLElement).click());
+  expect(ran).toEqual(["New"]);
+  expect(host.querySelector("[role=menu]")).toBeNull();
+});
+
+it("closes with Escape and gives the focus back", () => {
+  open();
+  press("Escape");
+  expect(focused()).toBe("File");
+  expect(host.querySelector("[role=menu]")).toBeNull();
+});

@@ -1,0 +1,85 @@
+// @vitest-environment happy-dom
+import { act } from "react";
+import { createRoot, type Root } from "react-dom/client";
+import { afterEach, beforeEach, describe, expect, it } from "vitest";
+import { NumberField } from "./NumberField";
+import { useUnitStore } from "./unit";
+
+Object.assign(globalThis, { IS_REACT_ACT_ENVIRONMENT: true });
+
+let host: HTMLElement;
+let root: Root;
+let committed: number[];
+
+beforeEach(() => {
+  host = document.createElement("div");
+  document.body.append(host);
+  root = createRoot(host);
+  committed = [];
+});
+afterEach(() => {
+  act(() => root.unmount());
+  host.remove();
+  useUnitStore.setState({ unit: "mm" });
+});
+
+function show(props: Partial<Parameters<typeof NumberField>[0]> = {}): HTMLInputElement {
+  act(() => root.render(<NumberField label="X" value={10} onCommit={(value) => committed.push(value)} {...props} />));
+  const field = host.querySelector("input");
+  if (!field) throw new Error("no field");
+  return field;
+}
+
+function type(field: HTMLInputElement, text: string, key = "Enter"): void {
+  act(() => {
+    // React listens to the setter of the prototype.
+    Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value")?.set?.call(field, text);
+    field.dispatchEvent(new Event("input", { bubbles: true }));
+  });
+  act(() => void field.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true })));
+}
+
+describe("a field for a length", () => {
+  it("shows the unit of the design and reads any", () => {
+    useUnitStore.setState({ unit: "inch" });
+    const field = show({ value: 25.4 });
+    expect(field.value).toBe("1.000");
+    expect(field.getAttribute("aria-label")).toBe("X, in");
+    type(field, "12 mm");
+    expect(committed).toEqual([12]);
+  });
+
+  it("keeps what makes no sense to itself, and says so", () => {
+    const field = show();
+    type(field, "twelve");
+    expect(committed).toEqual([]);
+    expect(field.getAttribute("aria-invalid")).toBe("true");
+    act(() => void field.dispatchEvent(new FocusEvent("focusout", { bubbles: true })));
+    expect(field.value).toBe("10.0");
+  });
+
+  it("refuses what is outside its limits", () => {
+    type(show({ min: 0, max: 20 }), "-3");
+    expect(committed).toEqual([]);
+  });
+
+  it("takes back what was typed with Escape", () => {
+    const field = show();
+    type(field, "99", "Escape");
+    expect(field.value).toBe("10.0");
+    expect(committed).toEqual([]);
+  });
+
+  it("steps with the arrows, by ten with Shift, not beyond its limits", () => {
+    const field = show({ max: 15 });
+    act(() => void field.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowDown", bubbles: true })));
+    act(() => void field.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowUp", shiftKey: true, bubbles: true })));
+    expect(committed).toEqual([9, 15]);
+  });
+
+  it("does not change by itself: leaving a field that shows rounded digits is no edit", () => {
+    const field = show({ value: 10.04 });
+    type(field, "10.0", "Enter");
+    expect(committed).toEqual([]);
+  });
+});

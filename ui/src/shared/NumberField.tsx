@@ -1,0 +1,137 @@
+import { type KeyboardEvent, useEffect, useRef, useState } from "react";
+import "./controls.css";
+import { type DisplayUnit, lengthNumber, number, unitName } from "./format";
+import { parseAngle, parseLength, parseNumber } from "./parse";
+import { useUnit } from "./unit";
+
+export type Quantity = "length" | "angle" | "number" | "percent" | "whole";
+
+interface Kind {
+  readonly unit: string;
+  show(value: number): string;
+  read(text: string): number | null;
+  /** What an arrow key adds. */
+  readonly step: number;
+}
+
+/** How a quantity is shown and read. Lengths in mm, angles in degrees, percent as a share of 1. */
+export function quantity(kind: Quantity, unit: DisplayUnit): Kind {
+  const plain = (text: string) => text.replace(/\u202f/g, "");
+  switch (kind) {
+    case "length":
+      return { unit: unitName(unit), show: (mm) => plain(lengthNumber(mm, unit)), read: (text) => parseLength(text, unit), step: unit === "inch" ? 2.54 : 1 };
+    case "angle":
+      return { unit: "°", show: (deg) => plain(number(deg)), read: parseAngle, step: 1 };
+    case "percent":
+      return {
+        unit: "%",
+        show: (share) => plain(number(share * 100, Number.isInteger(Math.round(share * 1e6) / 1e4) ? 0 : 1)),
+        read: (text) => {
+          const value = parseNumber(text.replace(/%\s*$/, ""));
+          return value === null ? null : value / 100;
+        },
+        step: 0.01,
+      };
+    case "whole":
+      return {
+        unit: "",
+        show: (value) => plain(number(value, 0)),
+        read: (text) => {
+          const value = parseNumber(text);
+          return value !== null && Number.isInteger(value) ? value : null;
+        },
+        step: 1,
+      };
+    case "number":
+      return { unit: "", show: (value) => plain(String(Number(value.toPrecision(6))).replace("-", "\u2212")), read: parseNumber, step: 0.1 };
+  }
+}
+
+export interface NumberFieldProps {
+  /** Read aloud; the visible label may be a letter in the field. */
+  readonly label: string;
+  /** A letter or word in front, such as "X". */
+  readonly prefix?: string;
+  readonly kind?: Quantity;
+  /** null: nothing in common, or not known; the field is empty. */
+  readonly value: number | null;
+  /** Called with Enter, by leaving the field, and by the arrow keys; not while a person types. */
+  readonly onCommit: (value: number) => void;
+  readonly min?: number;
+  readonly max?: number;
+  readonly placeholder?: string;
+  readonly why?: string | null | undefined;
+  readonly id?: string;
+  readonly "aria-describedby"?: string | undefined;
+  /** Enter is pressed, after `onCommit`. */
+  readonly onEnter?: () => void;
+}
+
+/** A number with its unit. Reads "12.5", "12,5", "1/2 in", "12 mm"; Esc takes back what was typed; arrows step, by ten with Shift. */
+export function NumberField({ label, prefix, kind = "length", value, onCommit, min = -Infinity, max = Infinity, placeholder, why, id, onEnter, ...rest }: NumberFieldProps) {
+  const how = quantity(kind, useUnit());
+  const shown = value === null ? "" : how.show(value);
+  const [typed, setTyped] = useState<string | null>(null);
+  const field = useRef<HTMLInputElement>(null);
+  useEffect(() => setTyped(null), [shown]);
+
+  const read = typed === null ? value : how.read(typed);
+  const outside = read !== null && (read < min || read > max);
+  const wrong = typed !== null && typed.trim() !== "" && (read === null || outside);
+  const limits = outside ? `from ${Number.isFinite(min) ? how.show(min) : "any"} to ${Number.isFinite(max) ? how.show(max) : "any"}` : "a number";
+
+  const commit = () => {
+    if (typed === null || typed === shown) return setTyped(null);
+    if (read !== null && !outside) onCommit(read);
+    else if (typed.trim() !== "") return;
+    setTyped(null);
+  };
+  const keys = (event: KeyboardEvent) => {
+    if (event.key === "Enter") {
+      commit();
+      if (!wrong) onEnter?.();
+    } else if (event.key === "Escape" && typed !== null) {
+      event.stopPropagation();
+      setTyped(null);
+    } else if ((event.key === "ArrowUp" || event.key === "ArrowDown") && read !== null) {
+      event.preventDefault();
+      const step = how.step * (event.shiftKey ? 10 : 1) * (event.key === "ArrowUp" ? 1 : -1);
+      const next = Math.min(max, Math.max(min, read + step));
+      setTyped(null);
+      onCommit(next);
+    }
+  };
+  return (
+    <span className={wrong ? "number-field wrong" : "number-field"} data-off={why ? true : undefined} title={why ?? (wrong ? `Expected ${limits}` : undefined)}>
+      {prefix && (
+        <span className="number-prefix" aria-hidden="true">
+          {prefix}
+        </span>
+      )}
+      <input
+        {...rest}
+        id={id}
+        ref={field}
+        type="text"
+        inputMode="decimal"
+        autoComplete="off"
+        spellCheck={false}
+        aria-label={id === undefined ? (how.unit ? `${label}, ${how.unit}` : label) : undefined}
+        aria-invalid={wrong || undefined}
+        readOnly={Boolean(why)}
+        aria-disabled={why ? true : undefined}
+        value={typed ?? shown}
+        placeholder={placeholder}
+        onFocus={(event) => event.currentTarget.select()}
+        onChange={(event) => !why && setTyped(event.currentTarget.value)}
+        onBlur={() => (wrong ? setTyped(null) : commit())}
+        onKeyDown={keys}
+      />
+      {how.unit && (
+        <span className="number-unit" aria-hidden="true">
+          {how.unit}
+        </span>
+      )}
+    </span>
+  );
+}

@@ -1,0 +1,94 @@
+import { describe, expect, it } from "vitest";
+import { ago, angle, count, length, longLength, money, number, percent, roughly, signed, time } from "./format";
+import { parseAngle, parseLength, parseNumber } from "./parse";
+
+const thin = (text: string) => text.replaceAll("_", "\u202f").replaceAll("-", "\u2212");
+
+describe("figures as a person reads them", () => {
+  it.each([
+    [11821.44, "11_821.4"],
+    [999.95, "1000.0"],
+    [1234567, "1_234_567.0"],
+    [-35, "-35.0"],
+    [-0.04, "0.0"],
+    [Number.NaN, "\u2013"],
+  ])("%f is %s", (value, text) => expect(number(value)).toBe(thin(text)));
+
+  it("shows lengths with the digits that a machine can make", () => {
+    expect(length(601.42, "mm")).toBe("601.4 mm");
+    expect(length(25.4, "inch")).toBe("1.000 in");
+    expect(longLength(12_220, "mm")).toBe("12.22 m");
+    expect(longLength(9_999, "mm")).toBe("9999.0 mm");
+    expect(longLength(3657.6, "inch")).toBe("12.00 ft");
+  });
+
+  it("shows angles, shares, counts and differences", () => {
+    expect(angle(-151.26)).toBe(thin("-151.3°"));
+    expect(percent(0.374)).toBe("37 %");
+    expect([count(1, "vertex", "vertices"), count(57, "vertex", "vertices"), count(0, "edge")]).toEqual(["1 vertex", "57 vertices", "0 edges"]);
+    expect(signed(601.4, (mm) => length(mm, "mm"))).toBe("+601.4 mm");
+    expect(signed(-2, (mm) => length(mm, "mm"))).toBe(thin("-2.0 mm"));
+    expect([roughly(812), roughly(3400), roughly(69451), roughly(1_250_000)]).toEqual(["812", "3.4k", "69k", "1.3M"]);
+  });
+
+  it.each([
+    [42, "0:42"],
+    [3130, "52:10"],
+    [3599.6, "1 h 00"],
+    [3725, "1 h 02"],
+  ])("%f seconds are %s", (seconds, text) => expect(time(seconds)).toBe(text));
+
+  it("puts the sign of a currency in front, its name behind", () => {
+    expect(money(1.2, "USD")).toBe("$1.20");
+    expect(money(-1.2, "EUR")).toBe(thin("-€1.20"));
+    expect(money(23.5, "CHF")).toBe("23.50 CHF");
+    expect(money(3, null)).toBe("3.00");
+  });
+
+  it("says how long ago", () => {
+    expect([0, 12, 320, 7200, 90_000, 180_000].map(ago)).toEqual(["now", "12 s ago", "5 min ago", "2 h ago", "1 day ago", "2 days ago"]);
+  });
+});
+
+describe("figures as a person types them", () => {
+  it.each([
+    ["12.5", 12.5],
+    ["12,5", 12.5],
+    [" 1/2 ", 0.5],
+    ["1 1/2", 1.5],
+    ["-1 1/2", -1.5],
+    ["\u22123", -3],
+    ["1\u202f250.5", 1250.5],
+    ["1.250,5", 1250.5],
+    ["1,250.5", 1250.5],
+    [".5", 0.5],
+    ["1e3", 1000],
+    ["", null],
+    ["abc", null],
+    ["1/0", null],
+    ["1.2.3", null],
+    ["--1", null],
+  ])("%j", (text, value) => expect(parseNumber(text)).toBe(value));
+
+  it.each([
+    ["12", "mm", 12],
+    ["12 mm", "inch", 12],
+    ["1/2 in", "mm", 12.7],
+    ['1/2"', "mm", 12.7],
+    ["2", "inch", 50.8],
+    ["1.5cm", "mm", 15],
+    ["1 m", "mm", 1000],
+    ["2 ft", "mm", 609.6],
+    ["3 apples", "mm", null],
+    ["mm", "mm", null],
+  ] as const)("%j shown in %s", (text, unit, mm) => {
+    const read = parseLength(text, unit);
+    if (mm === null) expect(read).toBeNull();
+    else expect(read).toBeCloseTo(mm, 9);
+  });
+
+  it("reads angles", () => {
+    expect([parseAngle("45"), parseAngle("45,5°"), parseAngle("-90 deg"), parseAngle("x")]).toEqual([45, 45.5, -90, null]);
+    expect(parseAngle("1 rad")).toBeCloseTo(57.29578, 5);
+  });
+});

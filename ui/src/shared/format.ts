@@ -1,0 +1,98 @@
+/** How figures are shown and read. Lengths are mm inside and everywhere else. */
+
+/** What lengths are shown in. */
+export type DisplayUnit = "mm" | "inch";
+
+const MM_PER_INCH = 25.4;
+const THIN = "\u202f";
+const MINUS = "\u2212";
+
+/** A number with thousands apart: "11 821.4"; never "−0.0". */
+export function number(value: number, digits = 1): string {
+  if (!Number.isFinite(value)) return "\u2013";
+  const [whole = "", part] = Math.abs(value).toFixed(digits).split(".");
+  const apart = whole.length > 4 ? whole.replace(/\B(?=(\d{3})+$)/g, THIN) : whole;
+  const text = part === undefined ? apart : `${apart}.${part}`;
+  return value < 0 && /[1-9]/.test(text) ? MINUS + text : text;
+}
+
+/** The digits that a length is shown with. */
+export function lengthDigits(unit: DisplayUnit): number {
+  return unit === "inch" ? 3 : 1;
+}
+
+/** mm as a number of the unit, without the unit: for columns and fields that name it. */
+export function lengthNumber(mm: number, unit: DisplayUnit): string {
+  return number(unit === "inch" ? mm / MM_PER_INCH : mm, lengthDigits(unit));
+}
+
+export function unitName(unit: DisplayUnit): string {
+  return unit === "inch" ? "in" : "mm";
+}
+
+/** "601.4 mm", "23.677 in". */
+export function length(mm: number, unit: DisplayUnit): string {
+  return `${lengthNumber(mm, unit)} ${unitName(unit)}`;
+}
+
+/** Wire and stock: "12.22 m" from 10 m on, feet from 10 ft on. */
+export function longLength(mm: number, unit: DisplayUnit): string {
+  if (unit === "inch") return Math.abs(mm) < 120 * MM_PER_INCH ? length(mm, unit) : `${number(mm / MM_PER_INCH / 12, 2)} ft`;
+  return Math.abs(mm) < 10_000 ? length(mm, unit) : `${number(mm / 1000, 2)} m`;
+}
+
+/** "151.3°". */
+export function angle(deg: number): string {
+  return `${number(deg)}°`;
+}
+
+/** Seconds as "0:42", "52:10", "1 h 02". */
+export function time(seconds: number): string {
+  if (!Number.isFinite(seconds)) return "\u2013";
+  const whole = Math.round(Math.abs(seconds));
+  const two = (value: number) => String(value).padStart(2, "0");
+  const text = whole < 3600 ? `${Math.floor(whole / 60)}:${two(whole % 60)}` : `${Math.floor(whole / 3600)} h ${two(Math.floor((whole % 3600) / 60))}`;
+  return seconds < 0 && whole > 0 ? MINUS + text : text;
+}
+
+const SIGNS: Readonly<Record<string, string>> = { USD: "$", EUR: "€", GBP: "£", JPY: "¥" };
+
+/** "$1.20"; a currency without a sign of its own behind it: "1.20 CHF". */
+export function money(value: number, currency: string | null): string {
+  const text = number(Math.abs(value), 2);
+  const sign = value < 0 && /[1-9]/.test(text) ? MINUS : "";
+  const before = currency === null ? "" : SIGNS[currency];
+  return before === undefined ? `${sign}${text} ${currency}` : `${sign}${before}${text}`;
+}
+
+/** A share of 1: "37 %". */
+export function percent(share: number, digits = 0): string {
+  return `${number(share * 100, digits)} %`;
+}
+
+/** "1 edge", "13 edges". */
+export function count(many: number, one: string, more = `${one}s`): string {
+  return `${number(many, 0)} ${many === 1 ? one : more}`;
+}
+
+/** With a plus in front of what is not negative, for differences. */
+export function signed(value: number, shown: (value: number) => string): string {
+  const text = shown(value);
+  return text.startsWith(MINUS) ? text : `+${text}`;
+}
+
+/** "3.4k", "69k", "1.2M": for counts that nobody reads to the last digit. */
+export function roughly(many: number): string {
+  if (many < 1000) return String(many);
+  if (many < 999_500) return `${number(many / 1000, many < 10_000 ? 1 : 0)}k`;
+  return `${number(many / 1e6, 1)}M`;
+}
+
+/** How long ago, of seconds: "now", "12 s ago", "5 min ago", "3 h ago", "2 days ago". */
+export function ago(seconds: number): string {
+  if (seconds < 2) return "now";
+  if (seconds < 60) return `${Math.floor(seconds)} s ago`;
+  if (seconds < 3600) return `${Math.floor(seconds / 60)} min ago`;
+  if (seconds < 86_400) return `${Math.floor(seconds / 3600)} h ago`;
+  return `${count(Math.floor(seconds / 86_400), "day")} ago`;
+}

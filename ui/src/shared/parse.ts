@@ -1,0 +1,49 @@
+import type { DisplayUnit } from "./format";
+
+/** mm of one of what people write behind a number. */
+const LENGTHS: Readonly<Record<string, number>> = {
+  mm: 1,
+  cm: 10,
+  m: 1000,
+  in: 25.4,
+  inch: 25.4,
+  inches: 25.4,
+  '"': 25.4,
+  "\u2033": 25.4,
+  ft: 304.8,
+  "'": 304.8,
+  "\u2032": 304.8,
+};
+
+/** "12.5", "12,5", "1/2", "1 1/2", "1 250,5", "−3"; null for what is no number. */
+export function parseNumber(text: string): number | null {
+  const plain = text.replace(/\u2212/g, "-").trim();
+  const fraction = /^([+-]?)(?:(\d+)[\s\u202f]+)?(\d+)\s*\/\s*(\d+)$/.exec(plain);
+  if (fraction) {
+    const [, sign, whole = "0", above, below] = fraction;
+    const value = Number(whole) + Number(above) / Number(below);
+    return Number.isFinite(value) ? (sign === "-" ? -value : value) : null;
+  }
+  // Of a comma and a dot the last is the decimal sign; the other one sets thousands apart.
+  const tight = plain.replace(/[\s\u202f\u2009']/g, "");
+  const decimal = tight.lastIndexOf(",") > tight.lastIndexOf(".") ? "," : ".";
+  const other = decimal === "," ? "." : ",";
+  const number = tight.replaceAll(other, "").replace(decimal, ".");
+  return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(number) ? Number(number) : null;
+}
+
+/** A length in mm; a number without a unit is in the unit that is shown. */
+export function parseLength(text: string, unit: DisplayUnit): number | null {
+  const [, before = "", word = ""] = /^(.*?)\s*([a-z]+|["'\u2032\u2033])?$/i.exec(text.trim()) ?? [];
+  const value = parseNumber(before);
+  const factor = word === "" ? (unit === "inch" ? 25.4 : 1) : LENGTHS[word.toLowerCase()];
+  return value === null || factor === undefined ? null : value * factor;
+}
+
+/** An angle in degrees: "45", "45°", "45 deg", "0.5 rad". */
+export function parseAngle(text: string): number | null {
+  const [, before = "", word = ""] = /^(.*?)\s*(°|deg|degrees|rad)?$/i.exec(text.trim()) ?? [];
+  const value = parseNumber(before);
+  if (value === null) return null;
+  return word.toLowerCase() === "rad" ? (value * 180) / Math.PI : value;
+}

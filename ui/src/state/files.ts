@@ -1,0 +1,209 @@
+import { create } from "zustand";
+import type { DesignInput } from "../generated/requests";
+import type { DesignOpened, LookResponse, RecentEntry, Started, Unsaved } from "../generated/responses";
+import { type FileKind, platform } from "../platform";
+import { applyChange, showDesign, useDesign } from "./design";
+import { tell, told } from "./problems";
+import { useView } from "./view";
+
+/** What a file is opened for: as the design, or as the surface that is traced on. */
+export type Purpose = "design" | "stencil";
+
+/** A file that was looked into, and what is still open about it. */
+export interface Opening {
+  readonly path: string;
+  readonly purpose: Purpose;
+  readonly look: LookResponse;
+}
+
+interface FilesStore {
+  readonly version: string;
+  readonly recent: readonly RecentEntry[];
+  /** Designs that were open when the program or the computer stopped; empty once a person has chosen. */
+  readonly unsaved: readonly Unsaved[];
+  readonly opening: Opening | null;
+  /** A changed design is about to be replaced: what the person says. */
+  readonly leaving: ((say: "save" | "drop" | "stay") => void) | null;
+  /** What is being read. */
+  readonly busy: string | null;
+  /** Whether something is dragged over the window. */
+  readonly over: boolean;
+  /** The file of the stencil, as far as this window has opened it. */
+  readonly stencilName: string | null;
+  /** How many designs were opened: changes with each. */
+  readonly opened: number;
+}
+
+export const useFiles = create<FilesStore>()(() => ({ version: "", recent: [], unsaved: [], opening: null, leaving: null, busy: null, over: false, stencilName: null, opened: 0 }));
+
+export const MODELS: FileKind = { name: "Models", extensions: ["stl", "obj", "ply", "3mf", "glb", "gltf"] };
+const DESIGNS: FileKind = { name: "WireBend documents", extensions: ["wirebend"] };
+const DRAWINGS: FileKind = { name: "Drawings", extensions: ["svg", "dxf"] };
+const TABLES: FileKind = { name: "Tables and programs", extensions: ["xyz", "csv", "tsv", "txt", "lra", "ybc", "pwf", "dsw", "diw", "json"] };
+const ALL: FileKind = {
+  name: "Everything that can be opened",
+  extensions: [DESIGNS, MODELS, DRAWINGS, TABLES].flatMap(({ extensions }) => extensions),
+};
+
+/** What a file of the design is called, without the folder and the extension of what it was read from. */
+function stem(): string {
+  const name = useDesign.getState().state?.name || "design";
+  const extension = ALL.extensions.find((known) => name.toLowerCase().endsWith(`.${known}`));
+  return extension ? name.slice(0, -extension.length - 1) || name : name;
+}
+
+export const baseName = (path: string): string => path.split(/[\\/]/).at(-1) ?? path;
+
+/** Takes up what the program has open. */
+export async function start(): Promise<void> {
+  const started = await told(platform.ask("start", {}));
+  if (!started) return;
+  const { version, recent, unsaved, design, warnings } = started;
+  useFiles.setState({ version, recent, unsaved });
+  for (const warning of warnings) tell("warning", warning, "start");
+  await showDesign(design, []);
+}
+
+/** True when the design may be replaced: it is saved, or the person gives it up. */
+export async function mayLeave(): Promise<boolean> {
+  if (!useDesign.getState().state?.changed) return true;
+  // One question at a time: the first is answered by staying.
+  useFiles.getState().leaving?.("stay");
+  const say = await new Promise<"save" | "drop" | "stay">((answer) => useFiles.setState({ leaving: answer }));
+  useFiles.setState({ leaving: null });
+  return say === "save" ? save() : say === "drop";
+}
+
+async function opened(asked: Promise<DesignOpened>, name: string): Promise<boolean> {
+  useFiles.setState({ busy: name });
+  const answer = await told(asked);
+  useFiles.setState({ busy: null });
+  if (!answer) return false;
+  useFiles.setState(({ opened }) => ({ recent: answer.recent, stencilName: null, opened: opened + 1 }));
+  await showDesign(answer.design, answer.notes);
+  return true;
+}
+
+/** Opens a file, or asks first how it is to be read. */
+export async function openPath(path: string, purpose: Purpose = "design"): Promise<void> {
+  useFiles.setState({ busy: baseName(path) });
+  const look = await told(platform.ask("look", { design: { input: { file: path } } }));
+  useFiles.setState({ busy: null });
+  if (!look) return;
+  if (look.seen === "job") {
+    tell("error", `${baseName(path)} is a job: it is run, not edited. Open the design that it was made of.`, "is-a-job");
+  } else if (needsAnswers(look, purpose)) {
+    useFiles.setState({ opening: { path, purpose, look } });
+  } else if (await mayLeave()) {
+    await opened(platform.ask("open", { design: { input: { file: path } } }), baseName(path));
+  }
+}
+
+/** Whether a person has to say how a file is read: its unit, or what becomes of its surface. */
+export function needsAnswers({ seen, asks_units, format }: Pick<LookResponse, "seen" | "asks_units" | "format">, purpose: Purpose): boolean {
+  if (seen === "document") return purpose === "stencil";
+  return purpose === "stencil" || seen === "stencil" || seen === "both" || asks_units || isDrawing(format);
+}
+
+/** Formats that have layers, and curves that become straight edges. */
+export function isDrawing(format: string): boolean {
+  return format === "dxf" || format === "svg";
+}
+
+/** What becomes of a surface. */
+export type Use = "stencil" | "edges" | "both";
+
+/** Opens what was looked into as the person says; false where it came to nothing, and the question stays. */
+export async function openAs(design: DesignInput, use: Use | null): Promise<boolean> {
+  const { opening } = useFiles.getState();
+  const name = opening ? baseName(opening.path) : "";
+  if (use === "stencil" && useDesign.getState().vertices.size > 0) {
+    // The wires that are there are kept: the surface comes under them.
+    useFiles.setState({ busy: name });
+    const made = await told(platform.ask("put-stencil", { design }));
+    useFiles.setState({ busy: null });
+    if (!made?.change) return false;
+    useFiles.setState({ opening: null, stencilName: name });
+    useDesign.setState({ notes: made.notes });
+    await applyChange(made.change);
+    useView.getState().handle?.frame();
+    return true;
+  }
+  if (!(await mayLeave())) return false;
+  const done = await opened(platform.ask("open", { design: { ...design, face_edges: use === "edges" || use === "both" } }), name);
+  if (!done) return false;
+  useFiles.setState({ opening: null, stencilName: name });
+  if (use === "edges" && useDesign.getState().stencil) {
+    const made = await told(platform.ask("edit", { request: { edit: "remove-stencil" } }));
+    if (made?.change) await applyChange(made.change);
+  }
+  return true;
+}
+
+export async function pickDesign(): Promise<void> {
+  const path = await told(platform.pickFile([ALL, DESIGNS, MODELS, DRAWINGS, TABLES]));
+  if (path) await openPath(path);
+}
+
+export async function pickStencil(): Promise<void> {
+  const path = await told(platform.pickFile([MODELS]));
+  if (path) await openPath(path, "stencil");
+}
+
+export async function newDesign(): Promise<boolean> {
+  return (await mayLeave()) && opened(platform.ask("new", {}), "new design");
+}
+
+export async function openExample(id: string, name: string): Promise<boolean> {
+  return (await mayLeave()) && opened(platform.ask("open-example", { id }), name);
+}
+
+/** Saves where it was saved before, or where the person says; false where it is not saved. */
+export async function save(): Promise<boolean> {
+  const { state } = useDesign.getState();
+  return state?.file ? saveTo(null) : saveAs();
+}
+
+export async function saveAs(): Promise<boolean> {
+  const path = await told(platform.pickSave(`${stem()}.wirebend`, DESIGNS));
+  return path ? saveTo(path) : false;
+}
+
+async function saveTo(path: string | null): Promise<boolean> {
+  const answer = await told(platform.ask("save", { path }));
+  if (!answer) return false;
+  useFiles.setState({ recent: answer.recent });
+  // Only name, file and what is saved have changed; the vertices and edges that are shown stay.
+  useDesign.setState({ state: answer.design.state });
+  return true;
+}
+
+export async function restore(journal: string): Promise<void> {
+  if (!(await mayLeave())) return;
+  if (await opened(platform.ask("restore", { journal }), "unsaved design")) useFiles.setState({ unsaved: [] });
+}
+
+function took(started: Started | null): void {
+  if (started) useFiles.setState({ unsaved: started.unsaved, recent: started.recent });
+}
+
+export async function discard(journal: string): Promise<void> {
+  took(await told(platform.ask("discard", { journal })));
+}
+
+export async function clearRecent(): Promise<void> {
+  const started = await told(platform.ask("clear-recent", {}));
+  if (started) useFiles.setState({ recent: started.recent });
+}
+
+export async function quit(): Promise<void> {
+  if (await mayLeave()) await platform.close();
+}
+
+/** Plans the design and writes it as a job; a design that cannot be made is refused, with the reason. */
+export async function saveJob(): Promise<void> {
+  const path = await told(platform.pickSave(`${stem()}.wbjob`, { name: "Jobs", extensions: ["wbjob"] }));
+  if (!path) return;
+  const saved = await told(platform.ask("save-job", { output: { path, force: true } }));
+  if (saved) tell("info", `The job is in ${saved.file}.`, "job-saved");
+}

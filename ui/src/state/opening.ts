@@ -1,0 +1,57 @@
+import { platform } from "../platform";
+import { useUnitStore } from "../shared/unit";
+import { designReplaced } from "./commands";
+import { useDesign } from "./design";
+import { mayLeave, openPath, start, useFiles } from "./files";
+import { listenToKeys } from "./pressing";
+import { tell } from "./problems";
+import { type Theme, useUi } from "./ui";
+import { listen } from "./work";
+
+const light = () => window.matchMedia("(prefers-color-scheme: light)");
+
+/** The theme that is shown: the system's where the person has chosen none. */
+export function shownTheme(theme: Theme): "dark" | "light" {
+  if (theme !== "system") return theme;
+  return light().matches ? "light" : "dark";
+}
+
+function paint(): void {
+  document.documentElement.dataset.theme = shownTheme(useUi.getState().theme);
+}
+
+async function openDropped(paths: readonly string[]): Promise<void> {
+  const [first, ...others] = paths;
+  if (!first) return;
+  if (others.length > 0) tell("info", `Only the first of ${paths.length} files is opened: one design is open at a time.`, "one-file");
+  await openPath(first);
+}
+
+/** Brings the window to life; the function that is returned ends it. */
+export function open(): () => void {
+  paint();
+  const system = light();
+  system.addEventListener("change", paint);
+  const ends = [
+    () => system.removeEventListener("change", paint),
+    useUi.subscribe(paint),
+    listen(),
+    listenToKeys(),
+    useDesign.subscribe(({ state }, before) => {
+      if (state === before.state || !state) return;
+      useUnitStore.setState({ unit: state.units === "inch" ? "inch" : "mm" });
+      platform.setTitle(`${state.changed ? "\u2022 " : ""}${state.name || "New design"} \u2013 WireBend-kit`);
+    }),
+    platform.onDrop((drop) => {
+      useFiles.setState({ over: drop.kind === "over" });
+      if (drop.kind === "dropped") void openDropped(drop.paths);
+    }),
+    platform.onOpen((path) => void openPath(path)),
+    platform.onClose(mayLeave),
+    useFiles.subscribe(({ opened }, { opened: before }) => {
+      if (opened !== before) designReplaced();
+    }),
+  ];
+  void start();
+  return () => ends.forEach((end) => end());
+}

@@ -1,0 +1,74 @@
+// @vitest-environment happy-dom
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+
+const ran: string[] = [];
+vi.mock("./commands", () => ({ run: (id: string) => ran.push(id) }));
+const { listenToKeys } = await import("./pressing");
+const { useView } = await import("./view");
+
+let end = () => {};
+beforeEach(() => {
+  ran.length = 0;
+  document.body.innerHTML = "";
+  useView.setState({ handle: null });
+  end = listenToKeys();
+});
+afterEach(() => end());
+
+function press(key: string, target: EventTarget = document.body, held: KeyboardEventInit = {}): KeyboardEvent {
+  const event = new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true, ...held });
+  target.dispatchEvent(event);
+  return event;
+}
+
+function add(html: string): Element {
+  document.body.innerHTML = html;
+  const element = document.body.querySelector("[data-target]");
+  if (!element) throw new Error("nothing to press on");
+  return element;
+}
+
+describe("keys of the window", () => {
+  it("do what the table says, and nothing else of the browser", () => {
+    expect(press("g").defaultPrevented).toBe(true);
+    expect(press("Tab").defaultPrevented).toBe(false);
+    expect(ran).toEqual(["move"]);
+  });
+
+  it("are letters in a field, where saving still works", () => {
+    const field = add('<input type="text" data-target>');
+    press("g", field);
+    press("z", field, { ctrlKey: true });
+    press("s", field, { ctrlKey: true });
+    expect(ran).toEqual(["save"]);
+  });
+
+  it("stop the machine wherever the focus is, also under a question, also while composing, once a press", () => {
+    const field = add('<dialog open><input type="text" data-target></dialog>');
+    press(" ", field, { ctrlKey: true, isComposing: true });
+    press(" ", field, { ctrlKey: true, repeat: true });
+    press("Delete");
+    expect(ran).toEqual(["stop"]);
+  });
+
+  it("leave Space to a button that has the focus", () => {
+    press(" ", add("<button data-target>Arm</button>"));
+    expect(ran).toEqual([]);
+    press(" ");
+    expect(ran).toEqual(["play"]);
+  });
+
+  it("belong to a move while there is one", () => {
+    const taken: string[] = [];
+    const handle = { handleKey: (event: KeyboardEvent) => taken.push(event.key) > 0 } as unknown as NonNullable<ReturnType<typeof useView.getState>["handle"]>;
+    useView.setState({ handle });
+    press("x");
+    expect([taken, ran]).toEqual([["x"], []]);
+  });
+
+  it("repeat only where that makes sense", () => {
+    press("x", document.body, { repeat: true });
+    press("z", document.body, { repeat: true, ctrlKey: true });
+    expect(ran).toEqual(["undo"]);
+  });
+});

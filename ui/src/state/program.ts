@@ -1,0 +1,219 @@
+import { create } from "zustand";
+import type { MachineViewResponse, MadeResponse, ProgramResponse } from "../generated/responses";
+import type { Played, Shown } from "../scene/interface";
+import { playedWire } from "./played";
+import { type DesignStore, useDesign } from "./design";
+import { useFiles } from "./files";
+import { useMachines, viewOf } from "./machines";
+import { told } from "./problems";
+import { asking } from "./work";
+
+/** What a program is of: another one has to be made when any of this is another. */
+interface Basis {
+  readonly vertices: DesignStore["vertices"];
+  readonly edges: DesignStore["edges"];
+  /** Machine, material, doublings and start as one text. */
+  readonly choices: string;
+  /** How often profiles were changed. */
+  readonly profiles: number;
+}
+
+interface ProgramStore {
+  /** The program that was asked for last; null before, and where there is none. */
+  readonly program: ProgramResponse | null;
+  readonly basis: Basis | null;
+  readonly asking: boolean;
+  /** Why there is none. */
+  readonly problem: string | null;
+  /** The machine as it was when the program was made. */
+  readonly machine: MachineViewResponse | null;
+  /** The wire that is shown, from 0, in the order of `program.wires`. */
+  readonly wire: number;
+  /** How the machine makes it, asked for on demand; of the same basis as the program. */
+  readonly made: MadeResponse | null;
+  readonly askingMade: boolean;
+}
+
+const NONE: ProgramStore = {
+  program: null,
+  basis: null,
+  asking: false,
+  problem: null,
+  machine: null,
+  wire: 0,
+  made: null,
+  askingMade: false,
+};
+
+export const useProgram = create<ProgramStore>()(() => NONE);
+
+/** What the view plays. */
+interface PlaybackStore {
+  /** Null: the view shows the design. */
+  readonly played: Played | null;
+  /** Step with its fraction, from 0 to the number of steps. */
+  readonly step: number;
+  readonly shown: Shown;
+  readonly playing: boolean;
+  /** The steps are those that a machine makes just now: nobody plays them. */
+  readonly live: boolean;
+}
+
+export const usePlayback = create<PlaybackStore>()(() => ({
+  played: null,
+  step: 0,
+  shown: "designed",
+  playing: false,
+  live: false,
+}));
+
+function basisNow(): Basis {
+  const { vertices, edges, state } = useDesign.getState();
+  const choices = JSON.stringify([state?.machine, state?.material, state?.doublings, state?.start]);
+  return { vertices, edges, choices, profiles: useMachines.getState().changes };
+}
+
+function same(a: Basis | null, b: Basis): boolean {
+  return a !== null && a.vertices === b.vertices && a.edges === b.edges && a.choices === b.choices && a.profiles === b.profiles;
+}
+
+/** Whether the design or its machine has changed since the program was made. Draws anew when that changes. */
+export function useStale(): boolean {
+  useDesign();
+  useMachines((machines) => machines.changes);
+  const basis = useProgram((program) => program.basis);
+  return basis !== null && !same(basis, basisNow());
+}
+
+/** Whether the program is that of the design as it is. */
+export const isUpToDate = (): boolean => same(useProgram.getState().basis, basisNow());
+
+/** Brings the program up to date; true when there is one. */
+export async function makeProgram(): Promise<boolean> {
+  const basis = basisNow();
+  const { state } = useDesign.getState();
+  // The design itself may not be here yet, such as when a machine is at work while the window is loaded.
+  if (!state) return false;
+  const { machine } = state;
+  if (same(useProgram.getState().basis, basis)) return useProgram.getState().program !== null;
+  if (useProgram.getState().asking) return false;
+  useProgram.setState({ asking: true });
+  try {
+    const [program, view] = await Promise.all([asking("program", {}), machine ? viewOf(machine) : null]);
+    const wire = Math.min(useProgram.getState().wire, Math.max(program.wires.length - 1, 0));
+    useProgram.setState({ program, machine: view, basis, wire, made: null, problem: null });
+  } catch (error) {
+    const problem = error instanceof Error ? error.message : String(error);
+    useProgram.setState({ program: null, machine: null, basis, made: null, problem });
+  } finally {
+    useProgram.setState({ asking: false });
+  }
+  const { played, step } = usePlayback.getState();
+  if (played) show(step);
+  return (useProgram.getState().program?.wires.length ?? 0) > 0;
+}
+
+/** Asks how the machine makes it, which may take a while; true when it is known. */
+export async function simulate(): Promise<boolean> {
+  if (!(await makeProgram()) || useProgram.getState().askingMade) return false;
+  const { basis, made } = useProgram.getState();
+  if (made) return true;
+  useProgram.setState({ askingMade: true });
+  const answer = await told(asking("made", {}));
+  useProgram.setState({ askingMade: false });
+  // What was asked of another design is no answer for this one.
+  if (!answer || useProgram.getState().basis !== basis) return false;
+  useProgram.setState({ made: answer });
+  const { played, step } = usePlayback.getState();
+  if (played) show(step);
+  return true;
+}
+
+/** A machine makes a wire of a design that is not open any more: there is nothing to show of it. */
+let notOurs = false;
+
+/** Forgets the program, such as that of a design that was closed. */
+export function forgetProgram(): void {
+  notOurs = usePlayback.getState().live;
+  useProgram.setState({ ...NONE });
+  showDesignAgain();
+}
+
+export function chooseWire(wire: number): void {
+  useProgram.setState({ wire });
+  if (usePlayback.getState().played) show(0);
+}
+
+/** Shows the wire in the view, at a position. Without a program nothing is shown. */
+export function show(step: number): void {
+  const { program, machine, made, wire } = useProgram.getState();
+  const played = program ? playedWire(program, wire, machine, made) : null;
+  if (!played) return showDesignAgain();
+  const shown = made ? usePlayback.getState().shown : "designed";
+  usePlayback.setState({ played, shown, step: Math.min(Math.max(step, 0), played.steps.length) });
+}
+
+/** The view shows the design again. */
+export function showDesignAgain(): void {
+  usePlayback.setState({ played: null, step: 0, playing: false, live: false });
+}
+
+export async function chooseShown(shown: Shown): Promise<void> {
+  if (shown !== "designed" && !(await simulate())) return;
+  usePlayback.setState({ shown });
+  if (!usePlayback.getState().played) show(0);
+}
+
+/** Something that the person does with the program: a job in the view of a running machine is left alone. */
+export async function goTo(step: number): Promise<void> {
+  if (usePlayback.getState().live || !(await makeProgram())) return;
+  usePlayback.setState({ playing: false });
+  show(step);
+}
+
+export async function play(): Promise<void> {
+  if (usePlayback.getState().live || !(await makeProgram())) return;
+  const { played, step } = usePlayback.getState();
+  if (!played) show(0);
+  else if (step >= played.steps.length) show(0);
+  usePlayback.setState({ playing: usePlayback.getState().played !== null });
+}
+
+export function pause(): void {
+  usePlayback.setState({ playing: false });
+}
+
+/** What the key for it does. */
+export function togglePlay(): void {
+  if (usePlayback.getState().playing) pause();
+  else void play();
+}
+
+/** Shows how far a machine is with a wire. */
+export async function showLive(wire: number, made: number): Promise<void> {
+  if (notOurs) return;
+  if (!usePlayback.getState().live) {
+    usePlayback.setState({ playing: false });
+    if (!isUpToDate() && !(await makeProgram())) return;
+    useProgram.setState({ wire });
+    show(made);
+  }
+  const steps = usePlayback.getState().played?.steps.length ?? 0;
+  usePlayback.setState({ live: true, step: Math.min(made, steps) });
+}
+
+/** The machine is done with the wire: the person may play it. */
+export function endLive(): void {
+  notOurs = false;
+  if (usePlayback.getState().live) usePlayback.setState({ live: false });
+}
+
+useFiles.subscribe(({ opened }, { opened: before }) => {
+  if (opened !== before) forgetProgram();
+});
+
+// The view goes back to the design as soon as that is another one: a person wants to see what they change.
+useDesign.subscribe(() => {
+  const { played, live } = usePlayback.getState();
+  if (played && !live && !useProgram.getState().asking && !isUpToDate()) showDesignAgain();
+});

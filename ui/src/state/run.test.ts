@@ -1,0 +1,116 @@
+// @vitest-environment happy-dom
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+
+const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(async () => {}), listen: vi.fn() }));
+vi.mock("../platform", () => ({ platform, Refused: class Refused extends Error {} }));
+
+import { useProblems } from "./problems";
+import { answer, hearOperator, isOpen, order, stop, useRun } from "./run";
+import type { MachineState, Question } from "./operator";
+
+const state = (given: Partial<MachineState> = {}): MachineState => ({
+  phase: "ready",
+  machine: "wirebend-kit",
+  port: "sim",
+  simulated: true,
+  identity: null,
+  driver: null,
+  position: null,
+  settings: [],
+  wire: null,
+  can: ["home"],
+  busy: false,
+  doing: null,
+  question: null,
+  recorded: 0,
+  problem: null,
+  unfinished: null,
+  ...given,
+});
+
+beforeEach(() => {
+  vi.useFakeTimers();
+  useRun.setState({ state: null, question: null, console: [], recorded: [], ended: null, ordering: false });
+  useProblems.setState({ problems: [] });
+  platform.ask.mockReset();
+});
+afterEach(() => {
+  vi.useRealTimers();
+});
+
+describe("hearOperator", () => {
+  it("takes the state, and what changes of it between", () => {
+    hearOperator({ event: "state", ...state({ phase: "moving" }) });
+    hearOperator({ event: "news", news: "position", feed_mm: 10, rotate_deg: 90, bend_deg: 0 });
+    expect(useRun.getState().state).toMatchObject({ phase: "moving", position: { feed_mm: 10, rotate_deg: 90, bend_deg: 0 } });
+    expect(useRun.getState().state).not.toHaveProperty("event");
+  });
+
+  it("collects lines of the console for a moment, in their order", () => {
+    hearOperator({ event: "news", news: "console", to_machine: true, text: "M1" });
+    hearOperator({ event: "news", news: "console", to_machine: false, text: "ok" });
+    expect(useRun.getState().console).toEqual([]);
+    vi.runAllTimers();
+    expect(useRun.getState().console.map(({ text }) => text)).toEqual(["M1", "ok"]);
+  });
+
+  it("shows a question until it is answered, whoever answers it, and not one that another has replaced", () => {
+    hearOperator({ event: "question", id: 7, kind: "move", lines: [], question: "May it move?", doubt: null });
+    expect(useRun.getState().question?.id).toBe(7);
+    hearOperator({ event: "answered", id: 6, answer: "no" });
+    expect(useRun.getState().question?.id).toBe(7);
+    hearOperator({ event: "answered", id: 7, answer: "yes" });
+    expect(useRun.getState().question).toBeNull();
+  });
+
+  it("takes the question that a state has, and that it has none", () => {
+    const question: Question = { id: 8, kind: "arm", lines: ["5 steps"], question: "Arm?", doubt: null };
+    hearOperator({ event: "state", ...state({ question }) });
+    expect(useRun.getState().question?.id).toBe(8);
+    hearOperator({ event: "state", ...state({ question: null }) });
+    expect(useRun.getState().question).toBeNull();
+  });
+
+  it("tells problems and warnings to the person", () => {
+    hearOperator({ event: "problem", code: "no-answer", message: "It does not answer." });
+    hearOperator({ event: "news", news: "warning", code: "slow", message: "It is slow." });
+    expect(useProblems.getState().problems.map(({ severity, code }) => [severity, code])).toEqual([
+      ["error", "no-answer"],
+      ["warning", "slow"],
+    ]);
+  });
+});
+
+describe("orders", () => {
+  it("takes the state that comes back; a refusal is told and changes nothing", async () => {
+    platform.ask.mockResolvedValueOnce({ state: state({ phase: "homing" }) });
+    expect(await order({ order: "home" })).toBe(true);
+    expect(useRun.getState()).toMatchObject({ ordering: false, state: { phase: "homing" } });
+    platform.ask.mockRejectedValueOnce(new Error("Wait until it is homed."));
+    expect(await order({ order: "start" })).toBe(false);
+    expect(useRun.getState()).toMatchObject({ ordering: false, state: { phase: "homing" } });
+    expect(useProblems.getState().problems[0]?.message).toBe("Wait until it is homed.");
+  });
+
+  it("answers a question by its number", async () => {
+    platform.ask.mockResolvedValueOnce({ state: state() });
+    await answer(7, "not-made");
+    expect(platform.ask).toHaveBeenCalledWith("answer", { question: 7, answer: "not-made" });
+  });
+
+  it("stops without waiting for an order that is on its way", () => {
+    platform.ask.mockReturnValueOnce(new Promise(() => {}));
+    void order({ order: "home" });
+    stop();
+    expect(platform.stop).toHaveBeenCalledOnce();
+  });
+});
+
+describe("isOpen", () => {
+  it("is so while there may be something to stop", () => {
+    expect(isOpen(null)).toBe(false);
+    expect(isOpen(state({ phase: "connecting" }))).toBe(true);
+    expect(isOpen(state({ phase: "failed" }))).toBe(true);
+    expect(isOpen(state({ phase: "closed" }))).toBe(false);
+  });
+});

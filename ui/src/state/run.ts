@@ -1,0 +1,195 @@
+import { create } from "zustand";
+import type { MachineNow, PortEntry } from "../generated/responses";
+import { platform } from "../platform";
+import { type ConsoleLine, withLines } from "./console";
+import { useDesign } from "./design";
+import { tell, told } from "./problems";
+import { endLive, showLive } from "./program";
+import { type Answer, type MachineState, type Move, operatorEvent, type OperatorEvent, type Order, type Question, type WireRun } from "./operator";
+import { asking, hear } from "./work";
+
+interface RunStore {
+  /** How the machine stands; null as long as none was connected. */
+  readonly state: MachineState | null;
+  readonly question: Question | null;
+  readonly console: readonly ConsoleLine[];
+  /** Moves that were made by hand and are kept. */
+  readonly recorded: readonly Move[];
+  /** What became of the wire that was made last. */
+  readonly ended: WireRun | null;
+  /** Null before they are known. */
+  readonly ports: readonly PortEntry[] | null;
+  readonly portProblem: string | null;
+  /** An order is on its way. */
+  readonly ordering: boolean;
+}
+
+export const useRun = create<RunStore>()(() => ({
+  state: null,
+  question: null,
+  console: [],
+  recorded: [],
+  ended: null,
+  ports: null,
+  portProblem: null,
+  ordering: false,
+}));
+
+/** Whether there is a session, so that there may be something to stop. */
+export const isOpen = (state: MachineState | null): boolean => state !== null && state.phase !== "closed";
+
+/** How many states were told: an answer that one has overtaken is older than what is known. */
+let heard = 0;
+
+/** Takes up the state of an answer, unless a newer one was told while it was on its way. */
+function standAsAnswered(state: MachineState | null, before: number): void {
+  if (heard === before) stand(state);
+}
+
+function stand(state: MachineState | null): void {
+  useRun.setState(({ question }) => ({ state, question: state?.question === undefined ? question : state.question }));
+  if (state?.wire && (state.phase === "making" || state.phase === "holding")) void showLive(state.wire.wire, state.wire.made);
+  else endLive();
+}
+
+/** Lines come faster than they can be drawn: they are collected for a moment. */
+let collected: Omit<ConsoleLine, "id">[] = [];
+const COLLECT_MS = 60;
+
+function collect(line: Omit<ConsoleLine, "id">): void {
+  collected.push(line);
+  if (collected.length > 1) return;
+  window.setTimeout(() => {
+    const lines = collected;
+    collected = [];
+    useRun.setState((run) => ({ console: withLines(run.console, lines) }));
+  }, COLLECT_MS);
+}
+
+export function clearConsole(): void {
+  useRun.setState({ console: [] });
+}
+
+/** Hears what the operator tells. */
+export function hearOperator(event: OperatorEvent): void {
+  switch (event.event) {
+    case "state": {
+      const { event: _, ...state } = event;
+      heard += 1;
+      return stand(state);
+    }
+    case "question": {
+      const { event: _, ...question } = event;
+      return useRun.setState({ question });
+    }
+    case "answered":
+      return useRun.setState(({ question }) => ({ question: question?.id === event.id ? null : question }));
+    case "jogged":
+      return void loadRecorded();
+    case "run-ended":
+      return useRun.setState({ ended: event.wires.at(-1) ?? null });
+    case "stopped":
+      if (event.driver_ended) tell("warning", "The machine was stopped by ending its driver. Connect it again.", "driver-ended");
+      return;
+    case "problem":
+      return tell("error", event.message, event.code);
+    case "news":
+      return hearNews(event);
+  }
+}
+
+function hearNews(news: Extract<OperatorEvent, { event: "news" }>): void {
+  const { state } = useRun.getState();
+  switch (news.news) {
+    case "console":
+      return collect({ toMachine: news.to_machine, text: news.text });
+    case "warning":
+      return tell("warning", news.message, news.code);
+    case "wire": {
+      const { event: _, news: __, ...wire } = news;
+      return state ? stand({ ...state, wire }) : undefined;
+    }
+    case "position": {
+      const { feed_mm, rotate_deg, bend_deg } = news;
+      return state ? useRun.setState({ state: { ...state, position: { feed_mm, rotate_deg, bend_deg } } }) : undefined;
+    }
+    case "about":
+    case "paused":
+    case "resumed":
+      // They come with the question, and with the state.
+      return;
+  }
+}
+
+hear((heard) => {
+  const event = operatorEvent(heard);
+  if (event) hearOperator(event);
+});
+
+/** Takes up what the Rust side knows, such as after the window was loaded anew. */
+export async function takeUp(): Promise<void> {
+  const before = heard;
+  try {
+    standAsAnswered((await platform.ask("machine-state", {})).state, before);
+  } catch {
+    // Nothing is connected that could be taken up; connecting says why it cannot be.
+  }
+}
+
+/** Asks for the ports that the machine of the design can be at. */
+export async function loadPorts(): Promise<void> {
+  const machine = useDesign.getState().state?.machine ?? null;
+  try {
+    const { ports, problems } = await asking("ports", { machine });
+    useRun.setState({ ports, portProblem: problems.length > 0 ? problems.join(" ") : null });
+  } catch (error) {
+    useRun.setState({ ports: [], portProblem: error instanceof Error ? error.message : String(error) });
+  }
+}
+
+async function ordered(asked: Promise<MachineNow>): Promise<boolean> {
+  const before = heard;
+  useRun.setState({ ordering: true });
+  const now = await told(asked);
+  useRun.setState({ ordering: false });
+  if (now) standAsAnswered(now.state, before);
+  return now !== null;
+}
+
+/** `port` null: the simulated machine. */
+export function connect(port: string | null): Promise<boolean> {
+  useRun.setState({ ended: null, recorded: [] });
+  return ordered(platform.ask("connect", { port }));
+}
+
+export function order(what: Order): Promise<boolean> {
+  if (what.order === "start" || what.order === "resume-run") useRun.setState({ ended: null });
+  return ordered(platform.ask("order", { request: what }));
+}
+
+export function answer(question: number, what: Answer): Promise<boolean> {
+  return ordered(platform.ask("answer", { question, answer: what }));
+}
+
+/** Which moves are kept is for the operator to say. */
+async function loadRecorded(): Promise<void> {
+  const recorded = await told(platform.ask("recorded", {}));
+  if (recorded) useRun.setState({ recorded: recorded.moves });
+}
+
+export async function clearRecording(): Promise<void> {
+  const left = await told(platform.ask("clear-recording", {}));
+  if (left) useRun.setState({ recorded: left.moves });
+}
+
+/** Writes the recorded moves; null where that came to nothing. */
+export async function saveRecording(path: string): Promise<string | null> {
+  // The dialog has asked whether a file that is there may be replaced.
+  const saved = await told(platform.ask("save-recording", { output: { path, force: true } }));
+  return saved?.file ?? null;
+}
+
+/** Stops the machine. Waits for nothing else. */
+export function stop(): void {
+  void told(platform.stop());
+}

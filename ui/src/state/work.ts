@@ -1,0 +1,67 @@
+import { create } from "zustand";
+import type { Requests } from "../generated/requests";
+import type { Responses } from "../generated/responses";
+import type { Work } from "../generated/tells";
+import { type AskName, platform, type Told } from "../platform";
+
+interface Underway extends Work {
+  /** Asks for it that wait for an answer here. 0: asked elsewhere, so that its end is not known. */
+  readonly waiting: number;
+  /** When it was heard of last, ms. */
+  readonly heard: number;
+}
+
+interface WorkStore {
+  /** By what was asked for. */
+  readonly works: ReadonlyMap<string, Underway>;
+}
+
+export const useWork = create<WorkStore>()(() => ({ works: new Map() }));
+
+/** Work that nobody here waits for counts as done when nothing was heard of it for so long. */
+const SILENCE_MS = 3000;
+
+function change(ask: string, to: (before: Underway | undefined) => Underway | null): void {
+  useWork.setState(({ works }) => {
+    const changed = new Map(works);
+    const work = to(works.get(ask));
+    if (work) changed.set(ask, work);
+    else changed.delete(ask);
+    return { works: changed };
+  });
+}
+
+/** Asks for something that may take long: what is heard of it is shown until the answer is there. */
+export async function asking<K extends AskName>(ask: K, request: Requests[K]): Promise<Responses[K]> {
+  const begin = { ask, stage: "", done: 0, of: 0, waiting: 0, heard: Date.now() };
+  change(ask, (before = begin) => ({ ...before, waiting: before.waiting + 1 }));
+  try {
+    return await platform.ask(ask, request);
+  } finally {
+    change(ask, (before) => (before && before.waiting > 1 ? { ...before, waiting: before.waiting - 1 } : null));
+  }
+}
+
+/** Hears how far something is. */
+export function hearWork(work: Work): void {
+  change(work.ask, (before) => ({ ...work, waiting: before?.waiting ?? 0, heard: Date.now() }));
+  window.setTimeout(() => {
+    change(work.ask, (before) => (before && before.waiting === 0 && Date.now() - before.heard >= SILENCE_MS ? null : (before ?? null)));
+  }, SILENCE_MS + 50);
+}
+
+type Heard = (told: Told) => void;
+
+/** Everything that is told unasked goes to all of these. */
+const hearers = new Set<Heard>([(told) => told.tell === "work" && hearWork(told.value)]);
+
+/** Hears more of what is told; the function that is returned ends it. */
+export function hear(heard: Heard): () => void {
+  hearers.add(heard);
+  return () => void hearers.delete(heard);
+}
+
+/** Begins to listen; once, as long as the window is open. The function that is returned ends it. */
+export function listen(): () => void {
+  return platform.listen((told) => hearers.forEach((heard) => heard(told)));
+}

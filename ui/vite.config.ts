@@ -1,0 +1,10 @@
+import react from "@vitejs/plugin-react";
+import { defineConfig } from "vitest/config";
+
+// WebKitGTK 2.40 is the oldest engine that shows this window.
+export default defineConfig({
+  plugins: [react()],
+  clearScreen: false,
+  build: { target: "safari16", chunkSizeWarningLimit: 1500 },
+  test: { include: ["src/**/*.test.{ts,tsx}"] },
+});
