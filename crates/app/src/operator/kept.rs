@@ -125,3 +125,30 @@ impl Kept {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::operator::{OrderName, Question, QuestionKind};
+
+    /// Were it still to be carried out, a machine would move because of what was said before somebody stopped it.
+    #[test]
+    fn a_stop_throws_away_what_was_ordered_and_answers_with_no() {
+        let mut kept = Kept::new(MachineState::connecting("kit".to_owned(), None));
+        (kept.order, kept.wish, kept.answer) = (Some(Order::Home), Some(Wish::Resume), Some(Answer::Yes));
+        kept.state.question = Some(Question {
+            id: 1,
+            kind: QuestionKind::Move,
+            lines: Vec::new(),
+            question: String::new(),
+            doubt: None,
+        });
+        kept.stop_begins();
+        kept.withdraw();
+        assert_eq!((&kept.order, kept.wish, kept.answer), (&None, None, Some(Answer::No)));
+        assert_eq!(kept.state.phase, Phase::Stopping);
+        kept.state.question = None;
+        let error = kept.may(&Order::Home).unwrap_err();
+        assert_eq!(error, OperatorError::NotNow { order: OrderName::Home, phase: Phase::Stopping });
+    }
+}

@@ -2,8 +2,7 @@
 
 use serde_json::json;
 use wirebend_app::{
-    Answer, Decision, Move, News, OperatorEvent, Order, OrderName, Outcome, Phase, QuestionKind, RunHow,
-    RunOutcome,
+    Answer, Decision, Move, Order, OrderName, Outcome, Phase, QuestionKind, RunHow, RunOutcome,
 };
 
 use crate::shop::Shop;
@@ -149,14 +148,23 @@ fn a_wire_of_a_real_machine_does_not_go_on_where_nobody_has_named_one() {
     assert!(message.contains("sim:10"), "{message}");
 }
 
-/// What is asked of the line is told: the console can be read.
+/// On a machine that was not homed the start of a wire does it; a person reads that before.
 #[test]
-fn the_console_is_told() {
+fn a_wire_finds_its_reference_where_nobody_has_homed() {
     let shop = Shop::odd("hostile", |_| json!({}));
     let job = shop.cube("odd");
     let seat = shop.connect("odd", Some("anywhere"));
     seat.until_phase(Phase::Connected);
-    seat.start(&job);
-    seat.until(|event| matches!(event, OperatorEvent::News(News::Wire { made: 8, .. })).then_some(()));
+    seat.arm(&job);
+    let question = seat.says(Answer::Yes);
+    assert!(
+        question.lines.iter().any(|line| line.contains("searches its reference")),
+        "{:?}",
+        question.lines
+    );
+    seat.until_phase(Phase::Armed);
+    seat.order(&json!({"order": "start"}));
+    seat.until_phase(Phase::Homing);
+    seat.until_made(8);
     assert_eq!(seat.until_run().wires[0].outcome, RunOutcome::Made);
 }
