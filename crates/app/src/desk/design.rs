@@ -190,6 +190,9 @@ impl Desk {
 
     pub(super) fn edit(&self, asked: &EditDesign, _: &dyn Progress) -> Result<EditMade, AppError> {
         let change = self.open().edit(&self.app(), &asked.request)?;
+        if let EditRequest::Machine { machine, .. } = &asked.request {
+            self.remember_machine(machine);
+        }
         Ok(EditMade { change: Some(change), notes: Vec::new() })
     }
 

@@ -57,6 +57,9 @@ pub use program::{
 };
 pub use recent::RecentEntry;
 
+/// The machine that nobody has chosen.
+const FIRST_MACHINE: &str = "wirebend-kit";
+
 /// What a desk tells unasked.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 #[serde(tag = "tell", content = "value", rename_all = "kebab-case")]
@@ -102,7 +105,7 @@ impl Desk {
     /// [`AppError`] when a shipped profile is damaged, or unsaved changes cannot be kept safe.
     pub fn new(places: Places, listener: Arc<dyn Listener>) -> Result<Self, AppError> {
         let app = places.app()?;
-        let open = Editor::new(&app, first_machine(&app).as_deref(), keep_in(&places).as_deref())?;
+        let open = Editor::new(&app, first_machine(&app, &places).as_deref(), keep_in(&places).as_deref())?;
         let (app, operator) = (RwLock::new(Arc::new(app)), Mutex::new(None));
         Ok(Self { places, app, open: Mutex::new(open), operator, listener })
     }
@@ -144,15 +147,12 @@ fn keep_in(places: &Places) -> Option<PathBuf> {
     places.state.as_ref().map(|state| state.join("unsaved"))
 }
 
-/// The machine of a new design: the first that its driver simulates is not known before a driver runs, so that it is the one
-/// that this program has the firmware of, by the only mark that a profile has of it: its own stop bytes.
-fn first_machine(app: &App) -> Option<String> {
-    let stops = |id: &String| {
-        let profile = app.library.machine(id).ok()?.profile;
-        profile.driver.stop_bytes.filter(|bytes| !bytes.is_empty())
-    };
+/// The machine of the first design: the one that was chosen last, else the one that this program has the firmware of.
+fn first_machine(app: &App, places: &Places) -> Option<String> {
     let ids = app.machine_ids();
-    ids.iter().rfind(|id| stops(id).is_some()).or_else(|| ids.first()).cloned()
+    let known = |id: String| ids.contains(&id).then_some(id);
+    let last = recent::last_machine(places).and_then(known);
+    last.or_else(|| known(FIRST_MACHINE.to_owned())).or_else(|| ids.first().cloned())
 }
 
 /// Makes the folder of a file where it is missing.

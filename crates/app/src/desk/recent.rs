@@ -6,7 +6,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_files::document::save_atomically;
 
-use super::Desk;
+use super::{Desk, make_folder_of};
+use crate::Places;
 use crate::output::file_name;
 
 /// How many are kept.
@@ -26,44 +27,56 @@ pub struct RecentEntry {
 /// The list as a file.
 #[derive(Debug, Default, Serialize, Deserialize)]
 struct Recent {
+    #[serde(default)]
     files: Vec<PathBuf>,
+    /// The machine that was chosen last.
+    #[serde(default)]
+    machine: Option<String>,
+}
+
+fn file_in(places: &Places) -> Option<PathBuf> {
+    places.state.as_ref().map(|state| state.join("recent.json"))
+}
+
+/// A list that cannot be read is none: nothing depends on it.
+fn read(places: &Places) -> Recent {
+    let bytes = file_in(places).and_then(|file| std::fs::read(file).ok());
+    bytes.and_then(|bytes| serde_json::from_slice(&bytes).ok()).unwrap_or_default()
+}
+
+/// The machine that was chosen last, at an earlier start maybe.
+pub(super) fn last_machine(places: &Places) -> Option<String> {
+    read(places).machine
 }
 
 impl Desk {
-    fn recent_file(&self) -> Option<PathBuf> {
-        self.places().state.as_ref().map(|state| state.join("recent.json"))
-    }
-
-    /// The files that were open, last first. A list that cannot be read is none: nothing depends on it.
+    /// The files that were open, last first.
     pub(super) fn recent(&self) -> Vec<RecentEntry> {
-        let read = self.recent_file().and_then(|file| std::fs::read(file).ok());
-        let list: Recent = read.and_then(|bytes| serde_json::from_slice(&bytes).ok()).unwrap_or_default();
         let entry = |path: PathBuf| RecentEntry { name: file_name(&path), there: path.is_file(), path };
-        list.files.into_iter().map(entry).collect()
+        read(self.places()).files.into_iter().map(entry).collect()
     }
 
     /// Puts a file at the head of the list.
     pub(super) fn remember(&self, path: &Path) {
         let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
-        let others = self.recent().into_iter().map(|entry| entry.path).filter(|other| *other != path);
-        self.write_recent(std::iter::once(path.clone()).chain(others).take(MOST).collect());
+        let before = read(self.places());
+        let others = before.files.into_iter().filter(|other| *other != path);
+        let files = std::iter::once(path.clone()).chain(others).take(MOST).collect();
+        self.write_recent(&Recent { files, ..before });
+    }
+
+    pub(super) fn remember_machine(&self, machine: &str) {
+        self.write_recent(&Recent { machine: Some(machine.to_owned()), ..read(self.places()) });
     }
 
     pub(super) fn forget_recent(&self) {
-        self.write_recent(Vec::new());
+        self.write_recent(&Recent { files: Vec::new(), ..read(self.places()) });
     }
 
-    fn write_recent(&self, files: Vec<PathBuf>) {
-        let Some(file) = self.recent_file() else { return };
-        let written = file
-            .parent()
-            .map_or(Ok(()), std::fs::create_dir_all)
-            .map_err(|error| error.to_string())
-            .and_then(|()| {
-                let bytes =
-                    serde_json::to_vec_pretty(&Recent { files }).map_err(|error| error.to_string())?;
-                save_atomically(&file, &bytes).map_err(|error| error.to_string())
-            });
+    fn write_recent(&self, recent: &Recent) {
+        let Some(file) = file_in(self.places()) else { return };
+        let written = make_folder_of(&file)
+            .and_then(|()| Ok(save_atomically(&file, &serde_json::to_vec_pretty(recent)?)?));
         if let Err(error) = written {
             tracing::warn!("the list of recent files was not written: {error}");
         }

@@ -148,4 +148,8 @@ fn a_machine_is_compared_before_it_is_chosen() {
     let changed = window.ask("edit", edit);
     assert_eq!(changed["change"]["state"]["machine"], "pensa-diwire-pro");
     assert_eq!(changed["change"]["state"]["undo"], "machine");
+    // The next start begins with it.
+    let Window { home, .. } = window;
+    let state = Window::at(home).ask("start", json!({}))["design"]["state"].clone();
+    assert_eq!(state["machine"], "pensa-diwire-pro");
 }
