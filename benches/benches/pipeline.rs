@@ -6,11 +6,15 @@
 use std::f64::consts::TAU;
 use std::hint::black_box;
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::time::Duration;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use nalgebra::Point3;
-use wirebend_app::{App, DesignInput, Input, NoProgress, PlanChoices, PlanRequest, Request, Response};
+use wirebend_app::{
+    App, DesignInput, Desk, Input, Listener, NoProgress, Places, PlanChoices, PlanRequest, Request, Response,
+    Tell,
+};
 use wirebend_core::route::{RouteOptions, doubling, route};
 use wirebend_core::wireframe::{Vertex, VertexId, Wireframe};
 use wirebend_files::read::{ReadOptions, read};
@@ -74,6 +78,30 @@ fn whole_pipeline(c: &mut Criterion) {
     group.finish();
 }
 
+/// What a window asks while a person drags a vertex of 1000 edges: text in, text out.
+fn live_check(c: &mut Criterion) {
+    struct Nobody;
+    impl Listener for Nobody {
+        fn hear(&self, _: &Tell) {}
+    }
+    let desk = Desk::new(Places::default(), Arc::new(Nobody)).unwrap();
+    let bytes = wirebend_files::document::Document::new(column(34, 10)).to_bytes().unwrap();
+    let open = serde_json::json!({
+        "ask": "open",
+        "design": { "input": { "bytes": { "name": "column.wirebend", "bytes": bytes } } },
+    });
+    desk.ask_json(&open.to_string()).unwrap();
+    let mut turn = 0.0_f64;
+    c.bench_function("live-check/column-1000-edges", |b| {
+        b.iter(|| {
+            turn += 0.1;
+            let at = [150.0 + turn.sin(), turn.cos(), 600.0];
+            let check = serde_json::json!({ "ask": "check", "moved": [{ "vertex": 100, "at_mm": at }] });
+            desk.ask_json(black_box(&check.to_string())).unwrap()
+        });
+    });
+}
+
 fn euler_path_and_doubling(c: &mut Criterion) {
     let mut group = c.benchmark_group("euler");
     group.measurement_time(Duration::from_secs(5));
@@ -97,5 +125,5 @@ fn euler_path_and_doubling(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, whole_pipeline, euler_path_and_doubling);
+criterion_group!(benches, whole_pipeline, live_check, euler_path_and_doubling);
 criterion_main!(benches);

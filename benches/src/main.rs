@@ -30,6 +30,12 @@ fn main() -> Result<()> {
     row("column of 1000 edges: the same", criterion_ms(&root, "plan/column-1000-edges")?, 5.0);
     row("`wirebend plan` of the bunny, as a process", process_ms(&program, &root)?, 60.0);
 
+    row(
+        "live check of 1000 edges, 95 of 100 within",
+        criterion_p95_ms(&root, "live-check/column-1000-edges")?,
+        16.0,
+    );
+
     row("start of a driver's process", criterion_ms(&root, "driver/start")?, 50.0);
     let (here, there) = ("driver-encode-1000/in-process", "driver-encode-1000/child-process");
     let (here, there) = (criterion_ms(&root, here)?, criterion_ms(&root, there)?);
@@ -55,6 +61,23 @@ fn criterion_ms(root: &Path, name: &str) -> Result<f64> {
     let estimates: Value = serde_json::from_str(&text)?;
     let nanoseconds = estimates["median"]["point_estimate"].as_f64().context("no median")?;
     Ok(nanoseconds / 1e6)
+}
+
+/// What 95 of 100 samples of a benchmark that has just been run stay within, each the mean of its iterations.
+fn criterion_p95_ms(root: &Path, name: &str) -> Result<f64> {
+    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from);
+    let file = target.join("criterion").join(name).join("new/sample.json");
+    let text = std::fs::read_to_string(&file)
+        .with_context(|| format!("{}: run the benchmarks first", file.display()))?;
+    let sample: Value = serde_json::from_str(&text)?;
+    let numbers = |key: &str| {
+        sample[key].as_array().map(|all| all.iter().filter_map(Value::as_f64).collect::<Vec<_>>())
+    };
+    let (times, iterations) =
+        (numbers("times").context("no times")?, numbers("iters").context("no iterations")?);
+    let mut each: Vec<f64> = times.iter().zip(&iterations).map(|(ns, count)| ns / count / 1e6).collect();
+    each.sort_by(f64::total_cmp);
+    each.get(each.len() * 95 / 100).copied().context("no samples")
 }
 
 fn process_ms(program: &str, root: &Path) -> Result<f64> {
