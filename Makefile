@@ -9,6 +9,7 @@ TOOLS := $(CURDIR)/target/tools
 export PATH := $(TOOLS)/bin:$(PATH)
 CARGO_DENY_VERSION := 0.20.2
 CARGO_FUZZ_VERSION := 0.13.2
+NODE := 20
 
 WIREBEND := target/release/wirebend
 RUN := target/run
@@ -34,8 +35,22 @@ NOT_FEASIBLE = || test $$? -eq 4
 BUNNY := examples/bunny.obj --face-edges --double
 HOUSE := examples/house.obj
 
+# With a display the window opens on the house; without one the same is done by commands.
 .PHONY: run
-run: build ## plan the bunny, compare machines, bend the house on the simulated machine; files go to target/run
+run: check-tools ## open the window on a sample with the simulated machine; without a display the same by commands, files in target/run
+	@if [ -n "$$DISPLAY$$WAYLAND_DISPLAY" ] || [ "$$(uname)" != Linux ]; then \
+		$(MAKE) --no-print-directory run-window; \
+	else \
+		echo "there is no display: the sample is planned, checked and bent by commands"; \
+		$(MAKE) --no-print-directory run-commands; \
+	fi
+
+.PHONY: run-window
+run-window: build window ## open the window on the house
+	target/release/wirebend-kit $(HOUSE)
+
+.PHONY: run-commands
+run-commands: build ## plan the bunny, compare machines, bend the house on the simulated machine; files go to target/run
 	@mkdir -p $(RUN)
 	@echo; echo "--- the drivers"
 	$(WIREBEND) drivers
@@ -69,8 +84,70 @@ firmware: firmware-tools ## the controllers' programs for every machine, in targ
 firmware-soak: check-tools firmware-tools ## the whole bunny on the core and on the board's binary, pulse by pulse: minutes
 	cargo bench --package wirebend-tests-firmware --bench bunny
 
+# The editor, built into the window: everything that compiles the window needs it.
+NPM := npm --prefix ui
+UI_SOURCES := $(shell find ui/src ui/index.html ui/vite.config.ts ui/package.json -type f 2>/dev/null)
+ui/node_modules/.package-lock.json: ui/package-lock.json
+	$(NPM) ci
+	@touch $@
+ui/dist/index.html: ui/node_modules/.package-lock.json $(UI_SOURCES)
+	$(NPM) run --silent build
+	@touch $@
+
+.PHONY: window
+window: check-tools window-tools ui/dist/index.html ## the window, in target/release
+	cargo build --release --package wirebend-window --features custom-protocol
+
+# What is in the packages beside the window: the command line, and the drivers in a folder of their own.
+PACKAGES := target/package
+# The bundler names the package after the product's capitals and packs it with gzip: named as its program and packed with xz
+# it is a third smaller.
+UNPACKED := target/package/unpacked
+REPACK = dpkg-deb --raw-extract target/release/bundle/deb/*.deb $(UNPACKED) \
+	&& sed -i 's/^Package: .*/Package: wirebend-kit/; s/^Maintainer: .*/Maintainer: The WireBend-kit authors <authors@wirebend.invalid>/' $(UNPACKED)/DEBIAN/control \
+	&& chmod -R u=rwX,go=rX $(UNPACKED) \
+	&& dpkg-deb --root-owner-group -Zxz --build $(UNPACKED) $(PACKAGES)/ >/dev/null && rm -r $(UNPACKED)
+
+.PHONY: package
+package: build window-tools ui/dist/index.html ## .deb and .rpm with window, command line, drivers and profiles, in target/package
+	@rm -rf $(PACKAGES) target/release/bundle && mkdir -p $(PACKAGES)/drivers
+	cp $(foreach driver,$(subst -,_,$(DRIVERS)),target/release/libwirebend_driver_$(driver).so) $(PACKAGES)/drivers/
+	strip --strip-unneeded $(PACKAGES)/drivers/*.so
+	cd src-tauri && ../ui/node_modules/.bin/tauri build --bundles deb,rpm --config '{"build": {"beforeBuildCommand": ""}}'
+	cp target/release/bundle/rpm/*.rpm $(PACKAGES)/
+	$(REPACK)
+	@ls -l $(PACKAGES)
+
+# Its runtime is fetched while it is made, so that it belongs to releases alone.
+.PHONY: appimage
+appimage: package ## an AppImage besides, in target/package (fetches its runtime)
+	cd src-tauri && ../ui/node_modules/.bin/tauri build --bundles appimage --config '{"build": {"beforeBuildCommand": ""}, "bundle": {"linux": {"appimage": {"files": {"/usr/lib/wirebend/drivers": "../target/package/drivers"}}}}}'
+	cp target/release/bundle/appimage/*.AppImage $(PACKAGES)/
+
 .PHONY: test
-test: check-tools firmware-tools fmt-check lint unit doc tidy generate-check fuzz-check deny ## every check: format, lints, tests, documentation, tidiness, licences
+test: check-tools firmware-tools window-tools fmt-check ui-test lint unit doc tidy generate-check fuzz-check deny package e2e ## every check: format, lints, tests, documentation, tidiness, licences, the window in a browser and installed
+
+.PHONY: ui-test
+ui-test: ui/dist/index.html ## types and tests of the editor
+	$(NPM) run --silent check
+	$(NPM) run --silent generate:check
+	$(NPM) run --silent test
+
+tests/e2e/node_modules/.package-lock.json: tests/e2e/package-lock.json
+	npm --prefix tests/e2e ci
+	@touch $@
+
+# The editor in a real browser, and the installed package through WebDriver.
+.PHONY: e2e
+e2e: window-tools ui/dist/index.html tests/e2e/node_modules/.package-lock.json
+	cargo build --package wirebend-tests-loopback $(DRIVERS:%=--package wirebend-driver-%)
+	npm --prefix tests/e2e run --silent browser
+	npm --prefix tests/e2e run --silent installed
+
+.PHONY: screenshots
+screenshots: window-tools ui/dist/index.html tests/e2e/node_modules/.package-lock.json ## the pictures of the README, in docs/pictures
+	cargo build --package wirebend-tests-loopback $(DRIVERS:%=--package wirebend-driver-%)
+	npm --prefix tests/e2e run --silent screenshots
 
 .PHONY: bench
 bench: check-tools check-python ## figures of this machine, ours and the peer's in the same run
@@ -102,12 +179,14 @@ fmt-check:
 	cargo fmt --all --check
 
 .PHONY: lint
-lint: ## clippy on everything
+lint: ui/dist/index.html ## clippy on everything
 	cargo clippy --workspace --all-targets -- -D warnings
 
+# The window's adapters are tested as they are built for the package: its toolkit is compiled once.
 .PHONY: unit
-unit:
-	cargo test --workspace
+unit: ui/dist/index.html
+	cargo test --workspace --exclude wirebend-window
+	cargo test --release --package wirebend-window --features custom-protocol
 
 .PHONY: doc
 doc:
@@ -118,9 +197,10 @@ tidy: ## the rules of the house that the compiler cannot check
 	cargo xtask tidy
 
 .PHONY: generate generate-check
-generate: ## write the committed files that are made from code
+generate: ui/node_modules/.package-lock.json ## write the committed files that are made from code
 	cargo xtask examples
 	cargo xtask generate
+	$(NPM) run --silent generate
 generate-check:
 	cargo xtask examples --check
 	cargo xtask generate --check
@@ -151,6 +231,9 @@ check-tools: ## are the tools here that everything else needs?
 	has() { command -v "$$1" >/dev/null 2>&1; }; \
 	has git || say "git is missing" "apt-get install -y git"; \
 	has make || say "make is missing" "apt-get install -y build-essential"; \
+	node=$$(node --version 2>/dev/null | sed 's/^v\([0-9]*\).*/\1/'); \
+	{ [ -n "$$node" ] && has npm; } || say "Node $(NODE) or newer, with npm, is missing" "apt-get install -y nodejs npm"; \
+	[ -z "$$node" ] || [ "$$node" -ge $(NODE) ] || say "Node $$node is too old, $(NODE) or newer is needed" "npm install --global n && n lts"; \
 	{ has cc && has c++; } || say "a C and C++ compiler is missing" "apt-get install -y build-essential"; \
 	needed=$$(sed -n 's/^rust-version = "\([0-9.]*\)".*/\1/p' Cargo.toml); \
 	found=$$(rustc --version 2>/dev/null | sed 's/^rustc \([0-9.]*\).*/\1/'); \
@@ -180,6 +263,23 @@ firmware-tools:
 		elif sudo -n true 2>/dev/null; then sudo -n $(INSTALL_FIRMWARE); fi; \
 	fi; \
 	here || { echo "the compiler or the simulator of the firmware is missing; to install them: $(INSTALL_FIRMWARE)" >&2; exit 1; }
+
+# The window's toolkit, a screen in memory, a browser and what drives them: installed where that can be done without asking.
+WINDOW_PACKAGES := build-essential pkg-config libwebkit2gtk-4.1-dev webkit2gtk-driver xvfb xauth chromium fonts-dejavu-core
+INSTALL_WINDOW := apt-get install -y --no-install-recommends $(WINDOW_PACKAGES)
+.PHONY: window-tools
+window-tools:
+	@here() { \
+		[ "$$(uname)" != Linux ] && return 0; \
+		command -v Xvfb >/dev/null && command -v xauth >/dev/null && command -v chromium >/dev/null \
+			&& command -v WebKitWebDriver >/dev/null && pkg-config --exists webkit2gtk-4.1; \
+	}; \
+	here && exit 0; \
+	if command -v apt-get >/dev/null; then \
+		if [ "$$(id -u)" = 0 ]; then $(INSTALL_WINDOW); \
+		elif sudo -n true 2>/dev/null; then sudo -n $(INSTALL_WINDOW); fi; \
+	fi; \
+	here || { echo "the toolkit of the window, or what its tests need, is missing; to install it: $(INSTALL_WINDOW)" >&2; exit 1; }
 
 .PHONY: check-clang
 check-clang:

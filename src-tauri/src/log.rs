@@ -21,12 +21,15 @@ pub(crate) fn begin(state: Option<&Path>) -> Option<WorkerGuard> {
         .with_target(false)
         .with_filter(LevelFilter::WARN);
     let file = state.map(|state| {
+        let folder = state.join("log");
+        // What cannot be made is told by the appender.
+        let _ = std::fs::create_dir_all(&folder);
         RollingFileAppender::builder()
             .rotation(Rotation::DAILY)
             .filename_prefix("wirebend-kit")
             .filename_suffix("log")
             .max_log_files(DAYS)
-            .build(state.join("log"))
+            .build(folder)
     });
     let (file, error) = match file {
         Some(Ok(file)) => (Some(tracing_appender::non_blocking(file)), None),

@@ -1,0 +1,115 @@
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { discard, Driven, inside, type Unpacked, unpack } from "../support/installed.ts";
+import { pictures } from "../support/places.ts";
+import { Screen } from "../support/screen.ts";
+
+/** The largest package that people are asked to fetch. */
+const MOST_BYTES = 15_000_000;
+
+let unpacked: Unpacked;
+let screen: Screen;
+
+beforeAll(async () => {
+  unpacked = unpack();
+  screen = await Screen.open({ width: 1440, height: 900 });
+});
+
+afterAll(async () => {
+  await screen.close();
+  discard(unpacked);
+});
+
+function picture(name: string): void {
+  mkdirSync(pictures, { recursive: true });
+  writeFileSync(`${pictures}/installed-${name}.png`, screen.picture());
+}
+
+const button = (name: string): string => `//button[normalize-space(.)=${JSON.stringify(name)} and not(@aria-disabled='true') and not(@disabled)]`;
+const section = (name: string): string => `//section//h2/button[@aria-expanded='false'][.//*[normalize-space(.)=${JSON.stringify(name)}]]`;
+const says = (text: string): string => `document.body.innerText.includes(${JSON.stringify(text)})`;
+
+describe("the package", () => {
+  it("is small, and holds the window, the command line, drivers and what the desktop needs", () => {
+    expect(unpacked.bytes).toBeLessThan(MOST_BYTES);
+    const { folder } = unpacked;
+    for (const file of [
+      "usr/bin/wirebend-kit",
+      "usr/bin/wirebend",
+      "usr/share/mime/packages/wirebend-kit.xml",
+      "usr/share/applications/WireBend-kit.desktop",
+    ]) {
+      expect(existsSync(`${folder}/${file}`), file).toBe(true);
+    }
+    const desktop = readFileSync(`${folder}/usr/share/applications/WireBend-kit.desktop`, "utf8");
+    expect(desktop).toContain("MimeType=application/x-wirebend");
+    expect(desktop).toMatch(/^Exec=wirebend-kit %f$/m);
+  });
+
+  it("has its drivers beside it, which its command line runs", () => {
+    const [program = "", ...words] = [...inside(), unpacked.commands, "drivers", "--json"];
+    const drivers = JSON.parse(execFileSync(program, words, { encoding: "utf8" }));
+    const states = drivers.drivers.map(({ id, state }: { id: string; state: string }) => [id, state]);
+    expect(states.sort()).toEqual(["grbl", "howtomechatronics", "pensa", "tables", "wirebend-kit"].map((id) => [id, "shipped"]));
+  });
+});
+
+describe("the window of the package", () => {
+  it("goes from an example over a fix and the animation to a wire on the simulated machine and a file", async () => {
+    const driven = await Driven.open(unpacked.window, screen.display);
+    try {
+      // An example.
+      await driven.click(button("Skip")).catch(() => {});
+      await driven.click(button("All examples"));
+      await driven.click("//button[contains(@class,'card')][.//*[normalize-space(.)='Truss']]");
+      await driven.until(says("1 to fix"), "the truss has something to fix");
+      picture("1-red");
+
+      // A fix.
+      await driven.click(button("Fix…"));
+      await driven.click(button("Apply"));
+      await driven.until(`!(${says("1 to fix")})`, "the fix has mended it");
+      picture("2-fixed");
+
+      // The animation.
+      await driven.click(section("Animate"));
+      const position = "Number(document.querySelector('.timeline input[type=range]').value)";
+      await driven.until("document.querySelector('.timeline input[type=range]')", "there is a timeline");
+      await driven.click("//section[@aria-label='Timeline']//button[@aria-label='Play']");
+      await driven.until(`${position} > 0`, "it plays");
+      await driven.click("//section[@aria-label='Timeline']//button[@aria-label='Pause']");
+      const held = await driven.run<number>(`return ${position}`);
+      expect(held).toBeGreaterThan(0);
+      picture("3-animated");
+
+      // The simulated machine.
+      await driven.click(section("Run"));
+      await driven.choose("#section-run select", "sim:max");
+      await driven.click(button("Connect"));
+      await driven.click("//section[@id='section-run']" + button("Home"));
+      await driven.click("//section[@id='section-run']" + button("Arm…"));
+      picture("4-armed");
+      await driven.click(button("Arm"));
+      await driven.click("//section[@id='section-run']" + button("Start"));
+      await driven.until(says("The wire is made"), "the wire is made", 100_000);
+      picture("5-made");
+
+      // A file.
+      const file = `${driven.home}/truss.txt`;
+      await driven.click(section("Export"));
+      const field = "//section[@id='section-export']//input[@placeholder='choose a place']";
+      await driven.until(`document.evaluate(${JSON.stringify(field)}, document, null, 9, null).singleNodeValue`, "there is a place for the file");
+      const found = await driven.client.findElement("xpath", field);
+      const id = found["element-6066-11e4-a52e-4f735466cecf"];
+      await driven.client.elementSendKeys(id, `${driven.seen}/truss.txt`);
+      await driven.click("//section[@id='section-export']" + button("Write"));
+      await driven.until(says("truss.txt"), "the file is named");
+      await expect.poll(() => existsSync(file)).toBe(true);
+      expect(readFileSync(file, "utf8")).toMatch(/^F \d+\.\d{3}$/m);
+      picture("6-exported");
+    } finally {
+      await driven.end();
+    }
+  });
+});

@@ -1,0 +1,157 @@
+import { type ChildProcess, execFileSync, spawn } from "node:child_process";
+import { chownSync, mkdtempSync, readdirSync, rmSync, statSync } from "node:fs";
+import { createServer } from "node:net";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import WebDriver, { type Client } from "webdriver";
+import { root } from "./places.ts";
+
+/** The package, unpacked as it is installed: the same paths below a folder of its own. */
+export interface Unpacked {
+  readonly folder: string;
+  /** The window's program. */
+  readonly window: string;
+  /** The command line. */
+  readonly commands: string;
+  readonly bytes: number;
+}
+
+/** Deletes what was unpacked; what was installed stays. */
+export function discard({ folder }: Unpacked): void {
+  if (folder !== inRoot) rmSync(folder, { recursive: true, force: true });
+}
+
+/** The .deb that `make package` wrote. */
+export function deb(): string {
+  const folder = `${root}target/package`;
+  const found = readdirSync(folder).filter((name) => name.endsWith(".deb"));
+  if (found.length !== 1) throw new Error(`${folder} holds ${found.length} packages: run make package`);
+  return join(folder, found[0] ?? "");
+}
+
+/** Another root file system, in which the package was installed, and who is to use it there. */
+const inRoot = process.env["WIREBEND_ROOT"];
+const user = process.env["WIREBEND_USER"];
+
+export function unpack(): Unpacked {
+  if (inRoot) return { folder: inRoot, window: "/usr/bin/wirebend-kit", commands: "/usr/bin/wirebend", bytes: statSync(deb()).size };
+  const folder = mkdtempSync(join(tmpdir(), "wirebend-deb-"));
+  execFileSync("dpkg-deb", ["--extract", deb(), folder]);
+  return { folder, window: `${folder}/usr/bin/wirebend-kit`, commands: `${folder}/usr/bin/wirebend`, bytes: statSync(deb()).size };
+}
+
+/** What runs a program where the package is installed. */
+export function inside(): string[] {
+  if (!inRoot) return [];
+  return ["chroot", ...(user ? [`--userspec=${user}:${user}`] : []), inRoot];
+}
+
+async function freePort(): Promise<number> {
+  const server = createServer();
+  await new Promise<void>((resolve) => server.listen(0, "127.0.0.1", resolve));
+  const address = server.address();
+  await new Promise((resolve) => server.close(resolve));
+  if (address === null || typeof address === "string") throw new Error("there is no free port");
+  return address.port;
+}
+
+/** The window, driven through WebKit's own driver. */
+export class Driven {
+  private constructor(
+    private readonly child: ChildProcess,
+    readonly client: Client,
+    /** The home of whoever uses it. */
+    readonly home: string,
+    /** The same as the window sees it. */
+    readonly seen: string,
+  ) {}
+
+  /** Opens the window on a screen, for a person with a home of their own. */
+  static async open(window: string, display: string, words: string[] = []): Promise<Driven> {
+    const home = mkdtempSync(join(inRoot ? `${inRoot}/tmp` : tmpdir(), "wirebend-home-"));
+    if (user) chownSync(home, Number(user), Number(user));
+    const port = await freePort();
+    const driver = ["WebKitWebDriver", `--port=${port}`, "--host=127.0.0.1"];
+    const [program = "", ...rest] = [...inside(), ...driver];
+    const seen = inRoot ? home.slice(inRoot.length) : home;
+    const child = spawn(program, rest, {
+      stdio: ["ignore", "inherit", "inherit"],
+      env: {
+        ...process.env,
+        HOME: seen,
+        XDG_CONFIG_HOME: `${seen}/config`,
+        XDG_DATA_HOME: `${seen}/data`,
+        XDG_CACHE_HOME: `${seen}/cache`,
+        DISPLAY: display,
+        // The toolkit lets itself be driven only where it is told so.
+        TAURI_AUTOMATION: "true",
+        TAURI_WEBVIEW_AUTOMATION: "true",
+      },
+    });
+    await answers(port);
+    const client = await WebDriver.newSession({
+      hostname: "127.0.0.1",
+      port,
+      logLevel: "error",
+      connectionRetryCount: 0,
+      capabilities: { alwaysMatch: { "webkitgtk:browserOptions": { binary: window, args: words } }, firstMatch: [{}] } as never,
+    });
+    return new Driven(child, client, home, seen);
+  }
+
+  /** Runs a function in the page. */
+  run<T>(script: string, ...words: unknown[]): Promise<T> {
+    return this.client.executeScript(script, words as object[]) as Promise<T>;
+  }
+
+  /** Waits until a script of the page says yes. */
+  async until(script: string, what: string, patience = 30_000): Promise<void> {
+    const begun = Date.now();
+    while (!(await this.run<boolean>(`return Boolean(${script})`))) {
+      if (Date.now() - begun > patience) throw new Error(`after ${patience / 1000} s still not: ${what}`);
+      await new Promise((resolve) => setTimeout(resolve, 50));
+    }
+  }
+
+  async click(xpath: string): Promise<void> {
+    await this.until(`document.evaluate(${JSON.stringify(xpath)}, document, null, 9, null).singleNodeValue`, `there is ${xpath}`);
+    const found = await this.client.findElement("xpath", xpath);
+    // A part of the panel that is scrolled away cannot be clicked.
+    await this.run("arguments[0].scrollIntoView({ block: 'center' })", found);
+    await this.client.elementClick(found["element-6066-11e4-a52e-4f735466cecf"]);
+  }
+
+  /** Chooses of a list, which the system draws where no driver reaches it. */
+  async choose(selector: string, value: string): Promise<void> {
+    await this.until(`[...(document.querySelector(${JSON.stringify(selector)})?.options ?? [])].some((one) => one.value === ${JSON.stringify(value)})`, `${selector} has ${value}`);
+    await this.run(
+      `const list = document.querySelector(arguments[0]);
+       Object.getOwnPropertyDescriptor(HTMLSelectElement.prototype, "value").set.call(list, arguments[1]);
+       list.dispatchEvent(new Event("change", { bubbles: true }));`,
+      selector,
+      value,
+    );
+  }
+
+  async end(): Promise<void> {
+    // Without it the driver leaves the window behind.
+    await this.client.deleteSession().catch(() => {});
+    const over = new Promise((resolve) => this.child.once("close", resolve));
+    this.child.kill();
+    await over;
+    rmSync(this.home, { recursive: true, force: true });
+  }
+}
+
+/** Waits until something listens at a port. */
+async function answers(port: number): Promise<void> {
+  for (let tries = 0; tries < 200; tries += 1) {
+    try {
+      await fetch(`http://127.0.0.1:${port}/status`);
+      return;
+    } catch {
+      await new Promise((resolve) => setTimeout(resolve, 50));
+    }
+  }
+  throw new Error("the driver of the window does not answer");
+}
