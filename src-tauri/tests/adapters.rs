@@ -52,7 +52,7 @@ impl Window {
         )
     }
 
-    fn ask(&self, ask: Value) -> Result<Value, Value> {
+    fn ask(&self, ask: &Value) -> Result<Value, Value> {
         self.invoke("ask", json!({ "ask": ask })).map(|answer| answer.deserialize().unwrap())
     }
 }
@@ -61,27 +61,27 @@ impl Window {
 #[test]
 fn an_ask_is_answered_as_json() {
     let window = window(Vec::new());
-    let opened = window.ask(json!({"ask": "open-example", "id": "house"})).unwrap();
+    let opened = window.ask(&json!({"ask": "open-example", "id": "house"})).unwrap();
     assert_eq!(opened["design"]["state"]["name"], "House");
     assert_eq!(opened["design"]["edges"].as_array().unwrap().len(), 6);
-    assert_eq!(window.ask(json!({"ask": "check", "moved": []})).unwrap()["feasible"], true);
+    assert_eq!(window.ask(&json!({"ask": "check", "moved": []})).unwrap()["feasible"], true);
 }
 
 /// A person would read "[object Object]" instead of what is wrong.
 #[test]
 fn a_refusal_arrives_with_code_and_message() {
     let window = window(Vec::new());
-    let refusal = window.ask(json!({"ask": "open-example", "id": "boat"})).unwrap_err();
+    let refusal = window.ask(&json!({"ask": "open-example", "id": "boat"})).unwrap_err();
     assert_eq!((&refusal["code"], &refusal["kind"]), (&json!("no-example"), &json!("usage")));
     assert!(refusal["message"].as_str().unwrap().contains("boat"));
-    assert_eq!(window.ask(json!({"ask": "no-such"})).unwrap_err()["code"], "ask");
+    assert_eq!(window.ask(&json!({"ask": "no-such"})).unwrap_err()["code"], "ask");
 }
 
 /// As text a large stencil takes seconds.
 #[test]
 fn a_stencil_arrives_as_bytes() {
     let window = window(Vec::new());
-    window.ask(json!({"ask": "open-example", "id": "bunny-stencil"})).unwrap();
+    window.ask(&json!({"ask": "open-example", "id": "bunny-stencil"})).unwrap();
     let InvokeResponseBody::Raw(bytes) = window.invoke("stencil_mesh", json!({})).unwrap() else {
         panic!("the stencil came as text");
     };
