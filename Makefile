@@ -144,6 +144,19 @@ e2e: window-tools ui/dist/index.html tests/e2e/node_modules/.package-lock.json
 	npm --prefix tests/e2e run --silent browser
 	npm --prefix tests/e2e run --silent installed
 
+# A fresh Debian in a folder, where apt installs the package for whoever has nothing else: as root and as a user. Needs root.
+CLEAN := target/clean-debian
+.PHONY: clean-debian
+clean-debian: package tests/e2e/node_modules/.package-lock.json ## the installed package in a fresh Debian, as root and as a user (needs root and debootstrap)
+	@command -v debootstrap >/dev/null || { echo "debootstrap is missing; to install it: apt-get install -y debootstrap" >&2; exit 1; }
+	rm -rf --one-file-system $(CLEAN)
+	debootstrap --variant=minbase --include=ca-certificates bookworm $(CLEAN)
+	cp $(PACKAGES)/wirebend-kit_*.deb $(CLEAN)/tmp/
+	@chroot $(CLEAN) sh -c 'DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends /tmp/wirebend-kit_*.deb webkit2gtk-driver fonts-dejavu-core && useradd -m -u 1000 person'
+	@mount -t proc proc $(CLEAN)/proc && mount --bind /dev $(CLEAN)/dev && trap 'umount $(CLEAN)/proc $(CLEAN)/dev' EXIT \
+		&& WIREBEND_ROOT=$(CURDIR)/$(CLEAN) npm --prefix tests/e2e run --silent installed \
+		&& WIREBEND_ROOT=$(CURDIR)/$(CLEAN) WIREBEND_USER=1000 npm --prefix tests/e2e run --silent installed
+
 .PHONY: screenshots
 screenshots: window-tools ui/dist/index.html tests/e2e/node_modules/.package-lock.json ## the pictures of the README, in docs/pictures
 	cargo build --package wirebend-tests-loopback $(DRIVERS:%=--package wirebend-driver-%)

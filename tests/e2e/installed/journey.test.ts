@@ -49,7 +49,7 @@ describe("the package", () => {
 
   it("has its drivers beside it, which its command line runs", () => {
     const [program = "", ...words] = [...inside(), unpacked.commands, "drivers", "--json"];
-    const drivers = JSON.parse(execFileSync(program, words, { encoding: "utf8" }));
+    const drivers = JSON.parse(execFileSync(program, words, { encoding: "utf8", env: { ...process.env, HOME: "/tmp", XDG_CONFIG_HOME: "/tmp" } }));
     const states = drivers.drivers.map(({ id, state }: { id: string; state: string }) => [id, state]);
     expect(states.sort()).toEqual(["grbl", "howtomechatronics", "pensa", "tables", "wirebend-kit"].map((id) => [id, "shipped"]));
   });

@@ -1,5 +1,7 @@
 //! Which ports this computer has, and at which of them a machine is likely.
 
+use std::path::Path;
+
 use serialport::{SerialPortInfo, SerialPortType, UsbPortInfo};
 
 use crate::{DriverError, Port, Usb};
@@ -15,11 +17,18 @@ const KNOWN: &[(u16, u16, &str)] = &[
     (0x10c4, 0xea60, "CP210x chip, as on ESP32 boards"),
 ];
 
+/// Where Linux shows its terminals.
+const TERMINALS: &str = "/sys/class/tty";
+
 /// The ports of this computer, those with a chip that benders have first.
 ///
 /// # Errors
 /// [`DriverError`] with the code `ports` when the system does not tell.
 pub fn ports() -> Result<Vec<Port>, DriverError> {
+    // The library panics where the system does not show its terminals, as in a container: there are no ports then.
+    if cfg!(target_os = "linux") && !Path::new(TERMINALS).is_dir() {
+        return Ok(Vec::new());
+    }
     let found = serialport::available_ports().map_err(|error| {
         let what = format!("the system does not list its ports: {error}");
         DriverError::new("ports", what, "write the port's name yourself, such as /dev/ttyUSB0 or COM3")
