@@ -1,6 +1,7 @@
 import type { Requests } from "../generated/requests";
 import type { Responses } from "../generated/responses";
 import type { Tells } from "../generated/tells";
+import { worded } from "../state/wording";
 
 /** Something that can be asked of the Rust side. */
 export type AskName = keyof Requests & keyof Responses;
@@ -13,7 +14,7 @@ export class Refused extends Error {
   readonly refusal: Tells["refusal"];
 
   constructor(refusal: Tells["refusal"]) {
-    super(refusal.message);
+    super(worded(refusal.code, refusal.message));
     this.refusal = refusal;
   }
 }

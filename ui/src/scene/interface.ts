@@ -125,7 +125,7 @@ export interface SceneListener {
    */
   stroke(stroke: Stroke): Promise<number | null>;
   strandEnded(): void;
-  /** "Front", "Back", "Right", "Left", "Top", "Bottom", or "Perspective": also once the view was turned, so that a name no longer holds. */
+  /** "Front", "Back", "Right", "Left", "Top", "Bottom", "Parallel", or "Perspective": also once the view was turned, so that a name no longer holds. */
   viewChanged(name: string): void;
 }
 

@@ -1,7 +1,7 @@
 /** Which corner and which edge of triangles near the pointer are meant. Pure. */
 
 import type { Vec3 } from "./interface";
-import { nearOnSegment } from "./picking";
+import { nearest, nearOnSegment } from "./picking";
 import type { Projection } from "./projection";
 import { dot } from "./vec";
 
@@ -10,6 +10,13 @@ export interface Candidate {
   readonly corners: readonly [Vec3, Vec3, Vec3];
   /** Of length 1; zero where the triangle has no area. */
   readonly normal: Vec3;
+}
+
+/** A place near the pointer: CSS pixels from it, mm in front of the eye. */
+interface Found {
+  readonly at: Vec3;
+  readonly off: number;
+  readonly depth: number;
 }
 
 /** Two triangles that are flatter than this (1°) have no edge between them that a person could see. */
@@ -23,16 +30,14 @@ export function nearestTargets(
   y: number,
   reach: number,
 ): { vertex: Vec3 | null; edge: Vec3 | null } {
-  let vertex: Vec3 | null = null;
-  let vertexOff = reach;
-  let edge: Vec3 | null = null;
-  let edgeOff = reach;
+  const vertices: Found[] = [];
+  const edges: Found[] = [];
   const sides = new Map<string, { ends: [Vec3, Vec3]; normals: Vec3[] }>();
   for (const { corners, normal } of triangles) {
     corners.forEach((corner, i) => {
       const seen = projection.seen(corner);
       const off = Math.hypot(seen.x - x, seen.y - y);
-      if (off <= vertexOff) [vertex, vertexOff] = [corner, off];
+      if (off <= reach) vertices.push({ at: corner, off, depth: seen.depth });
       const next = corners[(i + 1) % 3] ?? corner;
       const [a, b] = [corner.join(), next.join()];
       const key = a < b ? `${a} ${b}` : `${b} ${a}`;
@@ -45,7 +50,8 @@ export function nearestTargets(
     const [first, second] = normals;
     if (normals.length === 2 && first && second && Math.abs(dot(first, second)) > FLAT) continue;
     const near = nearOnSegment(projection, ends[0], ends[1], x, y);
-    if (near && near.off <= edgeOff) [edge, edgeOff] = [near.at, near.off];
+    if (near && near.off <= reach) edges.push(near);
   }
-  return { vertex, edge };
+  // A side that is seen edge-on has its far corner where its near one is: that one is behind the surface.
+  return { vertex: nearest(vertices)?.at ?? null, edge: nearest(edges)?.at ?? null };
 }

@@ -34,8 +34,11 @@ export interface ViewportOptions {
   readonly label?: string;
 }
 
+/** A view from anywhere without perspective, beside those of `ViewName`. */
+type AnyView = ViewName | "parallel";
+
 /** As it is told: "Front". */
-const shownName = (view: ViewName): string => (view[0] ?? "").toUpperCase() + view.slice(1);
+const shownName = (view: AnyView): string => (view[0] ?? "").toUpperCase() + view.slice(1);
 
 /** More pixels than these cannot be told apart, and cost time. */
 const MOST_RATIO = 2;
@@ -52,9 +55,9 @@ export class Viewport {
   private readonly resized: ResizeObserver;
   private readonly stop = new AbortController();
   private framed = false;
-  private view_: ViewName = "perspective";
+  private view_: AnyView = "perspective";
   private ratio = 0;
-  private beforePlay: { orbit: Orbit; view: ViewName } | null = null;
+  private beforePlay: { orbit: Orbit; view: AnyView } | null = null;
 
   constructor(
     private readonly host: HTMLElement,
@@ -205,6 +208,16 @@ export class Viewport {
     this.stage.viewMoved();
   }
 
+  /** From the perspective to the same view without it, and back; from the side of an axis to the perspective. */
+  toggleParallel(): void {
+    const { camera } = this.stage;
+    const from = this.view_;
+    if (from !== "perspective" && from !== "parallel") return this.view("perspective");
+    camera.orbit = { ...camera.orbit, orthographic: from === "perspective" };
+    this.named(from === "perspective" ? "parallel" : "perspective");
+    this.stage.viewMoved();
+  }
+
   /** Looks at these, or at everything. */
   frame(selection?: Selection): void {
     this.framed = true;
@@ -323,11 +336,13 @@ export class Viewport {
   }
 
   private viewMoved(turned: boolean): void {
-    if (turned) this.named("perspective");
+    const { camera } = this.stage;
+    if (turned && this.view_ === "parallel") camera.orbit = { ...camera.orbit, orthographic: true };
+    else if (turned) this.named("perspective");
     this.stage.viewMoved();
   }
 
-  private named(view: ViewName): void {
+  private named(view: AnyView): void {
     if (view === this.view_) return;
     this.view_ = view;
     this.listener.viewChanged(shownName(view));

@@ -16,6 +16,9 @@ export function number(value: number, digits = 1): string {
   return value < 0 && /[1-9]/.test(text) ? MINUS + text : text;
 }
 
+/** With a capital at its beginning. */
+export const sentence = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
+
 /** The digits that a length is shown with. */
 export function lengthDigits(unit: DisplayUnit): number {
   return unit === "inch" ? 3 : 1;

@@ -25,7 +25,7 @@ const anything = () => (useDesign.getState().vertices.size > 0 ? null : "There i
 const machine = () => (useDesign.getState().state?.machine ? null : "Choose a machine first");
 const dialog = (name: DialogName) => () => useUi.getState().showDialog(name);
 const operation = (name: OperationName) => () => useUi.getState().showOperation(name);
-const view = (name: "front" | "right" | "top" | "perspective") => () => useView.getState().handle?.view(name);
+const view = (name: "front" | "right" | "top") => () => useView.getState().handle?.view(name);
 
 function selectAll(): void {
   const design = useDesign.getState();
@@ -98,7 +98,7 @@ export const COMMANDS: Readonly<Record<CommandId, Command>> = {
   "view-front": { run: view("front") },
   "view-right": { run: view("right") },
   "view-top": { run: view("top") },
-  "view-perspective": { run: view("perspective") },
+  "view-perspective": { run: () => useView.getState().handle?.toggleParallel() },
   frame: {
     run: () => {
       const { vertices: some, edges: more } = useSelection.getState();

@@ -5,6 +5,7 @@ import { type FileKind, platform } from "../platform";
 import { applyChange, showDesign, useDesign } from "./design";
 import { tell, told } from "./problems";
 import { useView } from "./view";
+import { asking } from "./work";
 
 /** What a file is opened for: as the design, or as the surface that is traced on. */
 export type Purpose = "design" | "stencil";
@@ -87,7 +88,7 @@ async function opened(asked: Promise<DesignOpened>, name: string): Promise<boole
 /** Opens a file, or asks first how it is to be read. */
 export async function openPath(path: string, purpose: Purpose = "design"): Promise<void> {
   useFiles.setState({ busy: baseName(path) });
-  const look = await told(platform.ask("look", { design: { input: { file: path } } }));
+  const look = await told(asking("look", { design: { input: { file: path } } }));
   useFiles.setState({ busy: null });
   if (!look) return;
   if (look.seen === "job") {
@@ -95,7 +96,7 @@ export async function openPath(path: string, purpose: Purpose = "design"): Promi
   } else if (needsAnswers(look, purpose)) {
     useFiles.setState({ opening: { path, purpose, look } });
   } else if (await mayLeave()) {
-    await opened(platform.ask("open", { design: { input: { file: path } } }), baseName(path));
+    await opened(asking("open", { design: { input: { file: path } } }), baseName(path));
   }
 }
 
@@ -120,7 +121,7 @@ export async function openAs(design: DesignInput, use: Use | null): Promise<bool
   if (use === "stencil" && useDesign.getState().vertices.size > 0) {
     // The wires that are there are kept: the surface comes under them.
     useFiles.setState({ busy: name });
-    const made = await told(platform.ask("put-stencil", { design }));
+    const made = await told(asking("put-stencil", { design }));
     useFiles.setState({ busy: null });
     if (!made?.change) return false;
     useFiles.setState({ opening: null, stencilName: name });
@@ -130,7 +131,7 @@ export async function openAs(design: DesignInput, use: Use | null): Promise<bool
     return true;
   }
   if (!(await mayLeave())) return false;
-  const done = await opened(platform.ask("open", { design: { ...design, face_edges: use === "edges" || use === "both" } }), name);
+  const done = await opened(asking("open", { design: { ...design, face_edges: use === "edges" || use === "both" } }), name);
   if (!done) return false;
   useFiles.setState({ opening: null, stencilName: name });
   if (use === "edges" && useDesign.getState().stencil) {
@@ -151,11 +152,11 @@ export async function pickStencil(): Promise<void> {
 }
 
 export async function newDesign(): Promise<boolean> {
-  return (await mayLeave()) && opened(platform.ask("new", {}), "new design");
+  return (await mayLeave()) && opened(asking("new", {}), "new design");
 }
 
 export async function openExample(id: string, name: string): Promise<boolean> {
-  return (await mayLeave()) && opened(platform.ask("open-example", { id }), name);
+  return (await mayLeave()) && opened(asking("open-example", { id }), name);
 }
 
 /** Saves where it was saved before, or where the person says; false where it is not saved. */
@@ -180,7 +181,7 @@ async function saveTo(path: string | null): Promise<boolean> {
 
 export async function restore(journal: string): Promise<void> {
   if (!(await mayLeave())) return;
-  if (await opened(platform.ask("restore", { journal }), "unsaved design")) useFiles.setState({ unsaved: [] });
+  if (await opened(asking("restore", { journal }), "unsaved design")) useFiles.setState({ unsaved: [] });
 }
 
 function took(started: Started | null): void {
@@ -204,6 +205,6 @@ export async function quit(): Promise<void> {
 export async function saveJob(): Promise<void> {
   const path = await told(platform.pickSave(`${stem()}.wbjob`, { name: "Jobs", extensions: ["wbjob"] }));
   if (!path) return;
-  const saved = await told(platform.ask("save-job", { output: { path, force: true } }));
+  const saved = await told(asking("save-job", { output: { path, force: true } }));
   if (saved) tell("info", `The job is in ${saved.file}.`, "job-saved");
 }

@@ -1,9 +1,9 @@
 import { create } from "zustand";
 import type { DiagnosticReport, Fix, FixPreview, LiveCheck } from "../generated/responses";
-import { platform } from "../platform";
 import type { Preview, SceneDesign, Vec3 } from "../scene/interface";
 import { edit, useDesign } from "./design";
 import { useView } from "./view";
+import { asking } from "./work";
 
 interface FixStore {
   readonly fixes: readonly Fix[];
@@ -21,7 +21,7 @@ export async function needFixes(): Promise<void> {
   if (!check || useFixes.getState().of === check) return;
   useFixes.setState({ of: check, fixes: [] });
   // Fixes are an offer: where none can be had the checks say all the same what is wrong.
-  const { fixes } = await platform.ask("fixes", {}).catch(() => ({ fixes: [] }));
+  const { fixes } = await asking("fixes", {}).catch(() => ({ fixes: [] }));
   if (useFixes.getState().of === check) useFixes.setState({ fixes });
 }
 

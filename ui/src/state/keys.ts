@@ -87,7 +87,7 @@ export const KEYS: readonly KeyEntry[] = [
   { command: "view-front", label: "Front", keys: ["1"], group: "View" },
   { command: "view-right", label: "Right", keys: ["3"], group: "View" },
   { command: "view-top", label: "Top", keys: ["7"], group: "View" },
-  { command: "view-perspective", label: "Perspective", keys: ["5"], group: "View" },
+  { command: "view-perspective", label: "Perspective or parallel", keys: ["5"], group: "View" },
   { command: "frame", label: "Frame the selection", keys: ["F"], group: "View" },
   { command: "frame-all", label: "Frame all", keys: ["Home"], group: "View" },
   { command: "play", label: "Play or pause", keys: ["Space"], group: "Machine" },

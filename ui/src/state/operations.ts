@@ -111,12 +111,18 @@ export async function detach(): Promise<void> {
   await edit({ edit: "detach", edges: selectedEdges() });
 }
 
+/** Makes a change that may find nothing to change, which would look as if the button did not work. */
+async function orTell(request: EditRequest, nothing: string): Promise<void> {
+  const change = await edit(request);
+  if (change && change.vertices.length + change.edges.length + change.gone_vertices.length + change.gone_edges.length === 0) tell("info", nothing, request.edit);
+}
+
 export async function straighten(tolerance_mm: number): Promise<void> {
-  await edit({ edit: "straighten", edges: selectedEdges(), tolerance_mm });
+  await orTell({ edit: "straighten", edges: selectedEdges(), tolerance_mm }, "No vertex of the chain is that close to a straight line: give a larger tolerance.");
 }
 
 export async function round(tolerance_mm: number, step_deg: number): Promise<void> {
-  await edit({ edit: "round", edges: selectedEdges(), tolerance_mm, step_deg });
+  await orTell({ edit: "round", edges: selectedEdges(), tolerance_mm, step_deg }, "No arc is that close to the chain: give a larger tolerance.");
 }
 
 /** What was copied last in this window, for where the clipboard may not be read. */

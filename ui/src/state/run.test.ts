@@ -46,6 +46,19 @@ describe("hearOperator", () => {
     expect(useRun.getState().state).not.toHaveProperty("event");
   });
 
+  it("does not go back to the state of an answer that a newer one has overtaken", async () => {
+    platform.ask.mockImplementation(async () => {
+      await Promise.resolve();
+      hearOperator({ event: "state", ...state({ phase: "homing", busy: true }) });
+      return { state: state({ phase: "connected", busy: true }) };
+    });
+    await order({ order: "home" });
+    expect(useRun.getState().state?.phase).toBe("homing");
+    platform.ask.mockResolvedValue({ state: state({ phase: "ready" }) });
+    await order({ order: "home" });
+    expect(useRun.getState().state?.phase).toBe("ready");
+  });
+
   it("collects lines of the console for a moment, in their order", () => {
     hearOperator({ event: "news", news: "console", to_machine: true, text: "M1" });
     hearOperator({ event: "news", news: "console", to_machine: false, text: "ok" });

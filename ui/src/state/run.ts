@@ -1,11 +1,13 @@
 import { create } from "zustand";
-import type { MachineNow, PortEntry } from "../generated/responses";
+import type { MachineNow, PortEntry, RunEntry } from "../generated/responses";
 import { platform } from "../platform";
 import { type ConsoleLine, withLines } from "./console";
 import { useDesign } from "./design";
 import { tell, told } from "./problems";
 import { endLive, showLive } from "./program";
 import { type Answer, type MachineState, type Move, operatorEvent, type OperatorEvent, type Order, type Question, type WireRun } from "./operator";
+import { useUi } from "./ui";
+import { worded } from "./wording";
 import { asking, hear } from "./work";
 
 interface RunStore {
@@ -17,6 +19,8 @@ interface RunStore {
   readonly recorded: readonly Move[];
   /** What became of the wire that was made last. */
   readonly ended: WireRun | null;
+  /** What was made before, the last first; null before that is known. */
+  readonly runs: readonly RunEntry[] | null;
   /** Null before they are known. */
   readonly ports: readonly PortEntry[] | null;
   readonly portProblem: string | null;
@@ -30,6 +34,7 @@ export const useRun = create<RunStore>()(() => ({
   console: [],
   recorded: [],
   ended: null,
+  runs: null,
   ports: null,
   portProblem: null,
   ordering: false,
@@ -92,7 +97,8 @@ export function hearOperator(event: OperatorEvent): void {
       if (event.driver_ended) tell("warning", "The machine was stopped by ending its driver. Connect it again.", "driver-ended");
       return;
     case "problem":
-      return tell("error", event.message, event.code);
+      // The section shows it beside the buttons that it is about.
+      return useUi.getState().open.includes("run") ? undefined : tell("error", worded(event.code, event.message), event.code);
     case "news":
       return hearNews(event);
   }
@@ -104,7 +110,7 @@ function hearNews(news: Extract<OperatorEvent, { event: "news" }>): void {
     case "console":
       return collect({ toMachine: news.to_machine, text: news.text });
     case "warning":
-      return tell("warning", news.message, news.code);
+      return tell("warning", worded(news.code, news.message), news.code);
     case "wire": {
       const { event: _, news: __, ...wire } = news;
       return state ? stand({ ...state, wire }) : undefined;
@@ -147,6 +153,12 @@ export async function loadPorts(): Promise<void> {
   }
 }
 
+/** Asks for the records of what was made. */
+export async function loadRuns(): Promise<void> {
+  const all = await told(asking("runs", {}));
+  if (all) useRun.setState({ runs: all.runs.toReversed() });
+}
+
 async function ordered(asked: Promise<MachineNow>): Promise<boolean> {
   const before = heard;
   useRun.setState({ ordering: true });
@@ -159,12 +171,12 @@ async function ordered(asked: Promise<MachineNow>): Promise<boolean> {
 /** `port` null: the simulated machine. */
 export function connect(port: string | null): Promise<boolean> {
   useRun.setState({ ended: null, recorded: [] });
-  return ordered(platform.ask("connect", { port }));
+  return ordered(asking("connect", { port }));
 }
 
 export function order(what: Order): Promise<boolean> {
   if (what.order === "start" || what.order === "resume-run") useRun.setState({ ended: null });
-  return ordered(platform.ask("order", { request: what }));
+  return ordered(asking("order", { request: what }));
 }
 
 export function answer(question: number, what: Answer): Promise<boolean> {

@@ -6,7 +6,8 @@ import { store, stored } from "./ui";
 
 /** What the rest of the window asks of the view. */
 export interface ViewHandle {
-  view(name: "front" | "right" | "top" | "perspective"): void;
+  view(name: "front" | "right" | "top"): void;
+  toggleParallel(): void;
   frame(selection?: Selection): void;
   startGrab(): boolean;
   lockAxis(axis: Axis | null): void;

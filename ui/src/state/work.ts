@@ -5,10 +5,8 @@ import type { Work } from "../generated/tells";
 import { type AskName, platform, type Told } from "../platform";
 
 interface Underway extends Work {
-  /** Asks for it that wait for an answer here. 0: asked elsewhere, so that its end is not known. */
+  /** How many wait for an answer. */
   readonly waiting: number;
-  /** When it was heard of last, ms. */
-  readonly heard: number;
 }
 
 interface WorkStore {
@@ -17,9 +15,6 @@ interface WorkStore {
 }
 
 export const useWork = create<WorkStore>()(() => ({ works: new Map() }));
-
-/** Work that nobody here waits for counts as done when nothing was heard of it for so long. */
-const SILENCE_MS = 3000;
 
 function change(ask: string, to: (before: Underway | undefined) => Underway | null): void {
   useWork.setState(({ works }) => {
@@ -33,7 +28,7 @@ function change(ask: string, to: (before: Underway | undefined) => Underway | nu
 
 /** Asks for something that may take long: what is heard of it is shown until the answer is there. */
 export async function asking<K extends AskName>(ask: K, request: Requests[K]): Promise<Responses[K]> {
-  const begin = { ask, stage: "", done: 0, of: 0, waiting: 0, heard: Date.now() };
+  const begin = { ask, stage: "", done: 0, of: 0, waiting: 0 };
   change(ask, (before = begin) => ({ ...before, waiting: before.waiting + 1 }));
   try {
     return await platform.ask(ask, request);
@@ -42,12 +37,9 @@ export async function asking<K extends AskName>(ask: K, request: Requests[K]): P
   }
 }
 
-/** Hears how far something is. */
+/** Hears how far something is. What is told after the answer, and of what nobody waits for, is over or too short to be shown. */
 export function hearWork(work: Work): void {
-  change(work.ask, (before) => ({ ...work, waiting: before?.waiting ?? 0, heard: Date.now() }));
-  window.setTimeout(() => {
-    change(work.ask, (before) => (before && before.waiting === 0 && Date.now() - before.heard >= SILENCE_MS ? null : (before ?? null)));
-  }, SILENCE_MS + 50);
+  if (useWork.getState().works.has(work.ask)) change(work.ask, (before) => (before ? { ...work, waiting: before.waiting } : null));
 }
 
 type Heard = (told: Told) => void;

@@ -14,10 +14,18 @@ function useChange(): (fix: Fix) => string {
       change.length_mm !== null && Math.abs(change.length_mm) >= 0.05 && signed(change.length_mm, length),
       change.cost !== null && Math.abs(change.cost) >= 0.005 && signed(change.cost, (value) => money(value, change.currency)),
       change.time_s !== null && Math.abs(change.time_s) >= 0.5 && signed(change.time_s, time),
-      errors_after === 0 ? "then it can be made" : `then ${count(errors_after, "error")}`,
+      afterwards(change, errors_after),
     ];
     return parts.filter(Boolean).join(" · ");
   };
+}
+
+/** Without a route there are no figures, and what is wrong along it is not known before there is one. */
+const isFirst = ({ length_mm, stock_mm, time_s, cost }: Fix["change"]): boolean => length_mm === null && stock_mm === null && time_s === null && cost === null;
+
+function afterwards(change: Fix["change"], errors: number): string {
+  if (errors === 0) return "then it can be made";
+  return isFirst(change) ? `then there is a wire, with ${count(errors, "error")} along it` : `then ${count(errors, "error")}`;
 }
 
 /** Before and after, while a fix is shown in the view. */
@@ -38,6 +46,7 @@ function Figures({ fix }: { readonly fix: Fix }) {
       </tr>
     );
   };
+  if (isFirst(change)) return <p className="muted small">Stock, time and cost are known once there is a wire to be made.</p>;
   const errors = check?.diagnostics.filter(({ severity }) => severity === "error").length ?? 0;
   return (
     <table className="before-after">

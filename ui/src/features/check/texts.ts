@@ -1,5 +1,5 @@
 import type { DiagnosticReport, LiveCheck } from "../../generated/responses";
-import { angle, count, type DisplayUnit, length, number } from "../../shared/format";
+import { angle, count, type DisplayUnit, length, number, sentence } from "../../shared/format";
 import type { Tone } from "../../shared/Mark";
 
 /** A measured value or a limit with its unit; null where there is none. */
@@ -32,6 +32,7 @@ const NAMES: Readonly<Record<string, { one(report: Place): string; many(count: s
   isolated_vertex: { one: (r) => `Vertex ${r.vertex ?? "?"} has no edge`, many: (n) => `${n} vertices have no edge` },
   zero_length_edge: { one: (r) => `${edgeName(r)} has no length`, many: (n) => `${n} edges have no length` },
   parallel_edges: { one: (r) => `${edgeName(r)} lies on another`, many: (n) => `${n} edges lie on others` },
+  several_wires: { one: ({ value }) => `The parts are not connected: ${count(value ?? 0, "wire")}`, many: (n) => `${n} designs of several wires` },
   doubled_edge: { one: (r) => `${edgeName(r)} is laid twice`, many: (n) => `${n} edges are laid twice` },
 };
 
@@ -59,8 +60,6 @@ export function groupsOf(check: LiveCheck): Group[] {
   }
   return [...groups].map(([key, reports]) => ({ key, severity: reports[0]?.severity ?? "info", reports }));
 }
-
-const sentence = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
 
 /** One diagnostic in a line. */
 export function whatOf(report: DiagnosticReport): string {

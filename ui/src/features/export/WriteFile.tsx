@@ -62,20 +62,22 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
         )}
       </Field>
       {problem && (
-        <ul role="alert">
-          <Line
-            tone="error"
-            what={problem.exists ? "There is such a file" : "It was not written"}
-            sub={problem.exists ? "It is kept unless you say that it may be replaced." : problem.message}
-            action={
-              problem.exists && (
-                <Button kind="link" onClick={() => void go(path, true)}>
-                  Replace
-                </Button>
-              )
-            }
-          />
-        </ul>
+        <div role="alert">
+          <ul>
+            <Line
+              tone="error"
+              what={problem.exists ? "There is such a file" : "It was not written"}
+              sub={problem.exists ? "It is kept unless you say that it may be replaced." : problem.message}
+              action={
+                problem.exists && (
+                  <Button kind="link" onClick={() => void go(path, true)}>
+                    Replace
+                  </Button>
+                )
+              }
+            />
+          </ul>
+        </div>
       )}
       <div className="row end">
         <Button kind="primary" why={why} onClick={() => void (path === "" ? browse(true) : go(path, path === agreed))}>

@@ -12,7 +12,10 @@ export function Comparison() {
   const unit = useUnit();
   const box = useRef<HTMLDivElement>(null);
   const answered = Boolean(compared?.to ?? compared?.problem);
-  useEffect(() => box.current?.scrollIntoView({ block: "nearest" }), [answered]);
+  useEffect(() => {
+    // Newer engines return a promise, which is nothing to end an effect with.
+    void box.current?.scrollIntoView({ block: "nearest" });
+  }, [answered]);
   if (!compared) return null;
   const { machine, from, to, problem } = compared;
   const entry = machines?.find(({ id }) => id === machine);

@@ -5,6 +5,7 @@ import { Select } from "../../shared/inputs";
 import { Line } from "../../shared/Line";
 import { useDesign } from "../../state/design";
 import { connect, loadPorts, useRun } from "../../state/run";
+import { worded } from "../../state/wording";
 import { Ended } from "./Ended";
 import { guess, portPhrase } from "./phrases";
 
@@ -24,9 +25,11 @@ export function Connect() {
   return (
     <div className="stack">
       {state?.problem && (
-        <ul role="alert">
-          <Line tone="error" what="The machine failed" sub={<span className="lines">{state.problem.message}</span>} />
-        </ul>
+        <div role="alert">
+          <ul>
+            <Line tone="error" what="The machine failed" sub={<span className="lines">{worded(state.problem.code, state.problem.message)}</span>} />
+          </ul>
+        </div>
       )}
       <Ended />
       <Field label="Port" stacked hint={simulated ? "Nothing moves: the machine is computed." : null}>

@@ -1,6 +1,6 @@
 import { Button } from "../../shared/Button";
 import { Dialog } from "../../shared/Dialog";
-import { angle } from "../../shared/format";
+import { angle, sentence } from "../../shared/format";
 import { useLengths } from "../../shared/unit";
 import { answer, useRun } from "../../state/run";
 import type { Axes, Doubt, Question } from "../../state/operator";
@@ -41,10 +41,11 @@ export function QuestionDialog() {
         </>
       }
     >
-      {question.lines.length > 0 && (
+      {/* Of a step in doubt they say the same as its figures. */}
+      {question.lines.length > 0 && !question.doubt && (
         <ul className="question-lines selectable">
           {question.lines.map((line, index) => (
-            <li key={index}>{line}</li>
+            <li key={index}>{sentence(line)}</li>
           ))}
         </ul>
       )}

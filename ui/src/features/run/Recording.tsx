@@ -2,12 +2,16 @@ import { useState } from "react";
 import { platform } from "../../platform";
 import { Button } from "../../shared/Button";
 import { count } from "../../shared/format";
+import { Mark } from "../../shared/Mark";
 import { useUnit } from "../../shared/unit";
 import { clearRecording, order, saveRecording, useRun } from "../../state/run";
 import type { MachineState } from "../../state/operator";
 import { buttons } from "./buttons";
 import { movePhrase } from "./phrases";
 import { useProspect } from "./prospect";
+
+/** Why moves are not made at once: they were recorded on another machine, or before its profile was changed. */
+const OF_ANOTHER = "moves-of-another";
 
 const MOVES = { name: "Moves", extensions: ["wbmoves"] } as const;
 
@@ -16,6 +20,7 @@ export function Recording({ state, record }: { readonly state: MachineState; rea
   const recorded = useRun((run) => run.recorded);
   const unit = useUnit();
   const [file, setFile] = useState<string | null>(null);
+  const [replayed, setReplayed] = useState<string | null>(null);
   const all = buttons(state, useProspect());
   const none = recorded.length === 0 ? "No moves are recorded." : null;
   const save = async () => {
@@ -24,19 +29,39 @@ export function Recording({ state, record }: { readonly state: MachineState; rea
   };
   const replay = async () => {
     const picked = await platform.pickFile([MOVES]);
-    if (picked !== null) await order({ order: "replay", file: picked });
+    if (picked === null) return;
+    setReplayed(picked);
+    await order({ order: "replay", file: picked });
   };
-  if (recorded.length === 0 && !record) {
-    return (
+  const foreign = replayed !== null && state.problem?.code === OF_ANOTHER;
+  const asked = foreign && (
+    <div className="unfinished stack" role="group" aria-label="Moves of another machine">
+      <p>
+        <Mark tone="warning" /> These moves were not recorded on this machine as it is now. Look that it has room for them.
+      </p>
       <div className="row end">
-        <Button kind="link" why={all.replay} onClick={() => void replay()}>
-          Replay a file…
+        <Button onClick={() => setReplayed(null)}>Leave it</Button>
+        <Button kind="primary" why={all.replay} onClick={() => void order({ order: "replay", file: replayed, other_machine: true })}>
+          Replay all the same
         </Button>
       </div>
+    </div>
+  );
+  if (recorded.length === 0 && !record) {
+    return (
+      <>
+        {asked}
+        <div className="row end">
+          <Button kind="link" why={all.replay} onClick={() => void replay()}>
+            Replay a file…
+          </Button>
+        </div>
+      </>
     );
   }
   return (
     <div className="stack">
+      {asked}
       <div className="recorded" tabIndex={0} role="region" aria-label="Recorded moves">
         {none ? (
           <span className="muted">Moves that you make now are kept here.</span>
@@ -49,7 +74,7 @@ export function Recording({ state, record }: { readonly state: MachineState; rea
         )}
       </div>
       <div className="row wrap">
-        <span className="grow muted small">{file ? `Saved: ${file}` : count(recorded.length, "move")}</span>
+        <span className="grow muted small">{count(recorded.length, "move")}</span>
         <Button small why={none} onClick={() => void clearRecording()}>
           Clear
         </Button>
@@ -60,6 +85,12 @@ export function Recording({ state, record }: { readonly state: MachineState; rea
           Replay…
         </Button>
       </div>
+      {file && (
+        <p className="written small" role="status">
+          <span className="muted">Saved: </span>
+          <span className="selectable">{file}</span>
+        </p>
+      )}
     </div>
   );
 }

@@ -6,6 +6,7 @@ import { Connect } from "./Connect";
 import { Console } from "./Console";
 import { Manual } from "./Manual";
 import { QuestionDialog } from "./QuestionDialog";
+import { Runs } from "./Runs";
 import { Session } from "./Session";
 import { Wire } from "./Wire";
 import "./run.css";
@@ -28,6 +29,7 @@ export function RunSection() {
         ) : (
           <Connect />
         )}
+        <Runs />
         <Console />
       </Section>
       <QuestionDialog />

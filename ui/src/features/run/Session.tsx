@@ -4,7 +4,8 @@ import { useDesign } from "../../state/design";
 import { useMachines } from "../../state/machines";
 import { order } from "../../state/run";
 import type { MachineState } from "../../state/operator";
-import { buttons, PHASES } from "./buttons";
+import { worded } from "../../state/wording";
+import { buttons, doingPhrase } from "./buttons";
 import { useProspect } from "./prospect";
 
 /** Who is connected, how it stands, homing, and parting. */
@@ -17,16 +18,18 @@ export function Session({ state }: { readonly state: MachineState }) {
   return (
     <div className="stack">
       <div className="run-state" role="status">
-        <span className={`run-phase ${state.phase}`}>{state.doing ?? PHASES[state.phase]}</span>
+        <span className={`run-phase ${state.phase}`}>{doingPhrase(state)}</span>
         <span className="muted">
           {name(state.machine)} · {state.simulated ? "simulated" : (state.port ?? "")}
         </span>
         {state.identity && <span className="muted small">{state.identity}</span>}
       </div>
       {state.problem && (
-        <ul role="alert">
-          <Line tone="error" what={state.phase === "failed" ? "The machine failed" : "That did not work"} sub={<span className="lines">{state.problem.message}</span>} />
-        </ul>
+        <div role="alert">
+          <ul>
+            <Line tone="error" what={state.phase === "failed" ? "The machine failed" : "That did not work"} sub={<span className="lines">{worded(state.problem.code, state.problem.message)}</span>} />
+          </ul>
+        </div>
       )}
       {other && (
         <ul>

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { MachineState, OrderName, Phase } from "../../state/operator";
-import { buttons, phrase } from "./buttons";
+import { buttons, doingPhrase, phrase } from "./buttons";
 
 const state = (phase: Phase, ...can: OrderName[]): MachineState => ({
   phase,
@@ -30,6 +30,15 @@ describe("buttons", () => {
     expect(rest.home).toBe("Connect a machine first.");
     expect(rest.start).toBe("Connect a machine first.");
     expect(rest.jog).toBe("Connect a machine first.");
+  });
+
+  it("waits for an answer, and for the end of an order", () => {
+    const question = { id: 1, kind: "arm" as const, lines: [], question: "", doubt: null };
+    expect(buttons({ ...state("ready"), busy: true, question }, READY).jog).toBe("Answer the question first.");
+    expect(buttons({ ...state("connected"), busy: true }, READY).home).toBe("Wait until the machine is done.");
+    expect(buttons({ ...state("making"), busy: true }, READY).home).toBe("A wire is being made.");
+    expect(doingPhrase({ ...state("ready"), doing: "reading", question })).toBe("waits for an answer");
+    expect(doingPhrase(state("homing"))).toBe("homing");
   });
 
   it("leads from connected to home, arm, start", () => {

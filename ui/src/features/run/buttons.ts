@@ -44,9 +44,13 @@ const WAIT: Readonly<Record<Phase, string>> = {
   closed: "Connect a machine first.",
 };
 
+/** Phases in which an order is being carried out all the time. */
+const AT_WORK: ReadonlySet<Phase> = new Set(["connecting", "homing", "moving", "making", "holding", "stopping"]);
+
 export function buttons(state: MachineState | null, prospect: Prospect): RunButtons {
   const phase = state?.phase ?? "closed";
-  const why = (order: OrderName, reason = WAIT[phase]): Why => (state?.can.includes(order) ? null : reason);
+  const wait = state?.question ? "Answer the question first." : state?.busy && !AT_WORK.has(phase) ? "Wait until the machine is done." : null;
+  const why = (order: OrderName, reason = WAIT[phase]): Why => (state?.can.includes(order) ? null : (wait ?? reason));
   const holds = phase === "holding";
   const noWire = !prospect.program ? "There is no program to make: see Check." : prospect.feasible ? null : "The machine cannot make the design: see Check.";
   return {
@@ -101,13 +105,18 @@ export const PHASES: Readonly<Record<Phase, string>> = {
   closed: "not connected",
 };
 
+/** How it stands, and what it does within that; who is asked has to answer first. */
+export function doingPhrase({ phase, doing, question }: Pick<MachineState, "phase" | "doing" | "question">): string {
+  return question ? "waits for an answer" : (doing ?? PHASES[phase]);
+}
+
 /** What the header of the section says. */
 export function phrase(state: MachineState | null): string {
   if (!state || state.phase === "closed") return "not connected";
   const who = state.simulated ? "simulated machine" : (state.port ?? state.machine);
   const { wire } = state;
   if (wire && (state.phase === "making" || state.phase === "holding")) return `${PHASES[state.phase]} · step ${wire.made} of ${wire.of}`;
-  return `${who} · ${PHASES[state.phase]}`;
+  return `${who} · ${state.phase === "stopped" ? "stopped" : PHASES[state.phase]}`;
 }
 
 /** Whether something moves, or may move without being asked again. */

@@ -1,9 +1,11 @@
 /** What is said of ports, wires and moves. */
 
 import type { PortEntry } from "../../generated/responses";
-import { angle, type DisplayUnit, length, number, time } from "../../shared/format";
+import { angle, type DisplayUnit, length, time } from "../../shared/format";
 import type { Tone } from "../../shared/Mark";
+import { worded } from "../../state/wording";
 import type { Move, Unfinished, WireRun, WireState } from "../../state/operator";
+import { deviation } from "./records";
 
 /** "/dev/ttyACM0 · Arduino Uno · probably this one". */
 export function portPhrase({ name, description, usb, likely_for, simulated }: PortEntry): string {
@@ -37,11 +39,11 @@ export function unfinishedPhrase({ made, of, in_doubt }: Unfinished): string {
 /** What became of a wire. */
 export function endedPhrase(run: WireRun, unit: DisplayUnit): { readonly tone: Tone; readonly what: string; readonly sub: string | null } {
   const { outcome, made, steps, elapsed_s, problem, deviations_mm } = run;
-  const sub = problem?.message ?? null;
+  const sub = problem ? worded(problem.code, problem.message) : null;
   switch (outcome) {
     case "made": {
       const worst = deviations_mm ? Math.max(0, ...deviations_mm) : null;
-      const off = worst === null ? null : `Worst vertex ${unit === "inch" ? `${number(worst / 25.4, 4)} in` : `${number(worst, 2)} mm`} from the design.`;
+      const off = worst === null ? null : `Worst vertex ${deviation(worst, unit)} from the design.`;
       return { tone: "fine", what: `The wire is made, in ${time(elapsed_s)}`, sub: sub ?? off };
     }
     case "made-before":

@@ -71,6 +71,8 @@ const ASKS: Readonly<Record<string, string>> = {
   "machine-view": "Asking the driver",
   fixes: "Looking for ways to mend it",
   ports: "Looking for ports",
+  order: "Asking the machine",
+  connect: "Connecting",
 };
 
 export const workPhrase = (ask: string, stage: string): string => ASKS[ask] ?? (stage === "" ? ask : stage);

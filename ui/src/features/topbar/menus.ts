@@ -72,7 +72,7 @@ function viewing(): MenuItem[] {
     item("Front", "view-front"),
     item("Right", "view-right"),
     item("Top", "view-top"),
-    item("Perspective", "view-perspective"),
+    item(useView.getState().viewName === "Perspective" ? "Parallel" : "Perspective", "view-perspective"),
     RULE,
     item("Frame the selection", "frame"),
     item("Frame all", "frame-all"),

@@ -1,29 +1,30 @@
-import { keyOf } from "../../state/keys";
+import { type CommandId, keyOf } from "../../state/keys";
+import { run } from "../../state/commands";
 import { useView } from "../../state/view";
 import "./viewport.css";
 
-const VIEWS = [
-  ["1", "front", "Front"],
-  ["3", "right", "Right"],
-  ["7", "top", "Top"],
-  ["5", "perspective", "Perspective"],
-] as const;
+const SIDES: readonly (readonly [CommandId, string])[] = [
+  ["view-front", "Front"],
+  ["view-right", "Right"],
+  ["view-top", "Top"],
+];
 
 /** What the view is called, and the keys of the others. */
 export function ViewName() {
   const name = useView((view) => view.viewName);
-  const handle = useView((view) => view.handle);
+  const free = name === "Parallel" ? name : "Perspective";
+  const views = [...SIDES, ["view-perspective", free] as const];
   return (
     <div className="view-name" role="group" aria-label="View">
-      {VIEWS.map(([key, view, label]) => (
-        <button key={view} type="button" aria-pressed={name === label} onClick={() => handle?.view(view)}>
+      {views.map(([command, label]) => (
+        <button key={command} type="button" aria-pressed={name === label} title={command === "view-perspective" ? "Perspective or parallel" : undefined} onClick={() => run(command)}>
           <span className="view-key" aria-hidden="true">
-            {key}
+            {keyOf(command)}
           </span>
           {label}
         </button>
       ))}
-      <button type="button" onClick={() => handle?.frame()} title="Frame everything (Home)">
+      <button type="button" onClick={() => run("frame-all")} title="Frame everything (Home)">
         <span className="view-key" aria-hidden="true">
           {keyOf("frame")}
         </span>

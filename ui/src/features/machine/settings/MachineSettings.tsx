@@ -53,9 +53,11 @@ export function MachineSettings({ view }: { readonly view: MachineViewResponse }
         onBack={(key) => void write(toWrite(before, before, own, key))}
       />
       {problem && (
-        <ul role="alert">
-          <Line tone="error" what="The settings were not saved" sub={problem} />
-        </ul>
+        <div role="alert">
+          <ul>
+            <Line tone="error" what="The settings were not saved" sub={problem} />
+          </ul>
+        </div>
       )}
       {!view.shipped && (
         <div className="row end settings-save">

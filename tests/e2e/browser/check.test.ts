@@ -1,0 +1,113 @@
+import { afterAll, beforeAll, expect, it } from "vitest";
+import type { DesignView, Fix } from "../../../ui/src/generated/responses.ts";
+import { Editor, until } from "../support/editor.ts";
+import { type Place, Sight } from "../support/sight.ts";
+
+let editor: Editor;
+beforeAll(async () => void (editor = await Editor.open()));
+afterAll(() => editor?.end());
+
+const check = () => editor.section("check");
+
+/** The lengths of these edges together, mm. */
+function lengthOf(design: DesignView, wanted: readonly number[]): number {
+  const at = new Map(design.vertices.map(({ id, at_mm }) => [id, at_mm]));
+  let all = 0;
+  for (const { id, a, b } of design.edges) {
+    const [from, to] = [at.get(a), at.get(b)];
+    if (from && to && wanted.includes(id)) all += Math.hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
+  }
+  return all;
+}
+
+async function cornerOf(place: Place): Promise<number | undefined> {
+  const near = ({ at_mm }: DesignView["vertices"][number]) => at_mm.every((value, k) => Math.abs(value - (place[k] ?? 0)) < 1e-6);
+  return (await editor.design()).vertices.find(near)?.id;
+}
+
+/** Opens the fixes of a line of the list. */
+async function fixesOf(title: string | RegExp): Promise<void> {
+  await check().locator(".line", { hasText: title }).getByRole("button", { name: "Fix…" }).click();
+}
+
+it("mends 22 odd vertices with the edges that add least, shows it before, and takes it back", async () => {
+  await editor.take("bunny", "check");
+  await check().getByText("22 odd vertices: no single wire").waitFor();
+  const { fixes } = await editor.loopback.ask("fixes", {});
+  const doubles = fixes.find(({ edit }) => edit.edit === "doublings") as Fix & { edit: { edges: number[] } };
+  const design = await editor.design();
+  const added = lengthOf(design, doubles.edit.edges);
+  // Figures of the example's published description.
+  expect([doubles.edit.edges.length, added.toFixed(1)]).toEqual([11, "601.4"]);
+
+  await fixesOf("22 odd vertices");
+  await check().getByText("Double 11 edges (+601.4 mm").waitFor();
+  await editor.button("Preview").click();
+  await check().getByText("Stock, time and cost are known once there is a wire to be made.").waitFor();
+  expect(await editor.button("Preview").getAttribute("aria-pressed")).toBe("true");
+  await editor.isClean("check-preview");
+
+  await editor.button("Apply").click();
+  await check().getByText("One wire runs through every edge").waitFor();
+  expect((await editor.design()).state.doublings.toSorted()).toEqual(doubles.edit.edges.toSorted());
+  const all = lengthOf(design, design.edges.map(({ id }) => id)) + added;
+  const shown = await editor.page.getByRole("contentinfo").locator("div", { hasText: /^Wire/ }).locator("dd").innerText();
+  expect(shown.replaceAll(/\s/g, " ")).toBe(`${(all / 1000).toFixed(2)} m`);
+
+  await editor.button(/^Undo/).click();
+  await check().getByText("22 odd vertices: no single wire").waitFor();
+  expect((await editor.design()).state.doublings).toEqual([]);
+});
+
+it("says an edge is too short as soon as it is, and moves a vertex to mend it", async () => {
+  await editor.take("house", "check", "edit");
+  await check().getByText("Edges long enough").waitFor();
+  const corner = await cornerOf([35, 0, 0]);
+  const field = editor.page.getByRole("table", { name: "Vertices" }).getByLabel(`Vertex ${corner}, Z, mm`);
+  await field.fill("45");
+  await field.press("Enter");
+  // Of 60 mm of wall 15 are left.
+  await until(() => editor.phrase("check")).toMatch(/^Error: \d+ to fix$/);
+  const line = check().locator(".line", { hasText: /too short/ }).first();
+  expect(await line.locator(".line-sub").innerText()).toMatch(/15\.0 mm, limit \d+\.\d mm/);
+  await line.getByRole("button", { name: "Fix…" }).waitFor();
+  await editor.isClean("check-short");
+
+  await line.getByRole("button", { name: "Fix…" }).click();
+  const fix = check().locator(".fix", { hasText: /Move vertex/ }).first();
+  await fix.getByRole("button", { name: "Preview" }).click();
+  const [now, then] = await fix.locator("tr", { hasText: "Errors" }).locator("td").allInnerTexts();
+  expect(Number(then)).toBeLessThan(Number(now));
+  await fix.getByRole("button", { name: "Apply" }).click();
+  await check().getByText("Edges long enough").waitFor();
+  expect(await editor.phrase("check")).toMatch(/can be made/);
+});
+
+it("answers while a vertex is dragged, before it is let go", async () => {
+  await editor.take("house", "check");
+  await check().getByText("Edges long enough").waitFor();
+  const before = await editor.design();
+  const sight = await Sight.from(editor.page, "front", before.vertices.map(({ at_mm }) => at_mm));
+  const { mouse } = editor.page;
+  const [from, to] = [sight.at([35, 0, 0]), sight.at([35, 0, 45])];
+  await mouse.move(from.x, from.y);
+  await editor.page.locator(".hover-card", { hasText: /^Vertex/ }).waitFor();
+  await mouse.down();
+  await mouse.move(to.x, to.y, { steps: 8 });
+  await until(() => editor.phrase("check")).toMatch(/to fix/);
+  expect((await editor.design()).vertices).toEqual(before.vertices);
+  await mouse.move(from.x, from.y - 5 / sight.pixel, { steps: 8 });
+  await until(() => editor.phrase("check")).toMatch(/can be made/);
+  await mouse.move(to.x, to.y, { steps: 4 });
+  await mouse.up();
+  await until(() => editor.phrase("check")).toMatch(/to fix/);
+  await until(async () => (await editor.design()).state.undo).not.toBeNull();
+  expect((await editor.design()).vertices).not.toEqual(before.vertices);
+});
+
+it("frames and selects what a line is about, and lists the places of several", async () => {
+  await editor.take("bunny", "check", "edit");
+  await check().getByText("22 odd vertices: no single wire").click();
+  await editor.section("edit").getByText(/^22 vertices/).waitFor();
+  await editor.isClean("check");
+});

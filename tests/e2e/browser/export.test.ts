@@ -1,0 +1,111 @@
+import { existsSync, readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { Editor, until } from "../support/editor.ts";
+
+let editor: Editor;
+beforeAll(async () => {
+  editor = await Editor.open();
+  await editor.take("house", "export");
+  await format().waitFor();
+});
+afterAll(() => editor?.end());
+
+const section = () => editor.section("export");
+const format = () => section().getByLabel("Format");
+const target = () => section().getByLabel("File");
+const write = () => section().getByRole("button", { name: "Write", exact: true });
+const preview = () => section().locator(".preview pre");
+const into = (name: string) => join(editor.loopback.home, "files", name);
+
+/** How files begin that are no text, by the definitions of their formats. */
+const BEGINNINGS: Readonly<Record<string, string>> = { png: "\u0089PNG", "template-pdf": "%PDF-", "job-sheet": "%PDF-" };
+
+it("writes each format of the machine, and each file begins as was shown", async () => {
+  const { formats } = await editor.loopback.ask("exports", {});
+  expect(formats.map(({ id }) => id)).toEqual(expect.arrayContaining(["wirebend-kit-text", "lra-csv", "template-pdf", "template-dxf", "job-sheet", "svg", "png", "obj"]));
+  for (const { id, extension } of formats) {
+    await format().selectOption(id);
+    const shown = await editor.loopback.ask("export", { format: id, settings: {} });
+    const beginning = shown.beginnings[0] ?? null;
+    if (beginning === null) await section().locator(".preview figcaption", { hasText: "no text" }).waitFor();
+    else await until(() => preview().first().textContent()).toBe(beginning);
+    const file = into(`out-${id}.${extension}`);
+    await target().fill(file);
+    await write().click();
+    await section().locator(".written", { hasText: file.replace(`.${extension}`, "") }).first().waitFor();
+    const [written = file] = shown.bytes.length > 1 ? (await section().locator(".written .selectable").allInnerTexts()) : [file];
+    const bytes = readFileSync(written);
+    if (beginning !== null) expect(bytes.toString("utf8").replaceAll("\r\n", "\n").startsWith(beginning.replaceAll("\r\n", "\n")), id).toBe(true);
+    const begins = BEGINNINGS[id];
+    if (begins) expect(bytes.toString("latin1").startsWith(begins), id).toBe(true);
+    // A sheet carries the time at which it was written.
+    if (id !== "job-sheet") expect(bytes.length, id).toBe(shown.bytes[0]);
+  }
+});
+
+it("shows at once what a setting changes", async () => {
+  await format().selectOption("lra-csv");
+  await until(() => preview().first().textContent()).toMatch(/,/);
+  await section().getByRole("button", { name: /^Settings of this export/ }).click();
+  const separator = section().getByLabel(/^Separator/i);
+  await separator.selectOption({ label: "semicolon" }).catch(() => separator.fill(";"));
+  await until(() => preview().first().textContent()).toMatch(/;/);
+  await section().getByText("1 change from the profile").waitFor();
+  await editor.isClean("export-settings");
+});
+
+it("replaces a file that is there only when a person says so", async () => {
+  await format().selectOption("wirebend-kit-text");
+  await until(() => preview().first().textContent()).toMatch(/\w/);
+  const file = into("mine.txt");
+  writeFileSync(file, "keep me");
+  await target().fill(file);
+  await write().click();
+  await section().getByText("There is such a file").waitFor();
+  expect(readFileSync(file, "utf8")).toBe("keep me");
+  await editor.isClean("export-exists");
+  await section().getByRole("button", { name: "Replace" }).click();
+  await section().locator(".written", { hasText: "mine.txt" }).waitFor();
+  expect(readFileSync(file, "utf8")).not.toBe("keep me");
+});
+
+it("says why a file cannot be written where it was named", async () => {
+  await target().fill(into("no-such-folder/mine.txt"));
+  await write().click();
+  await section().getByText("It was not written").waitFor();
+  expect(await section().getByRole("alert").innerText()).toContain("no-such-folder");
+});
+
+it("writes a program of what the machine cannot make only when that is said", async () => {
+  await editor.take("bunny", "export");
+  await editor.loopback.ask("edit", { request: { edit: "doublings", edges: doubles } });
+  await editor.reload("export");
+  await section().getByText("The machine cannot make this").waitFor();
+  const file = into("bunny.txt");
+  await target().fill(file);
+  expect(await write().getAttribute("aria-disabled")).toBe("true");
+  await section().getByLabel("Write it all the same").check();
+  await until(() => write().getAttribute("aria-disabled")).toBeNull();
+  await write().click();
+  await section().locator(".written", { hasText: "bunny.txt" }).waitFor();
+  expect(existsSync(file)).toBe(true);
+  // A picture is no program: nobody has to be asked.
+  await section().getByLabel("Write it all the same").uncheck();
+  await format().selectOption("svg");
+  await until(() => preview().first().textContent()).toMatch(/<svg/);
+  await editor.isClean("export");
+});
+
+it("writes the document and the job to go on with", async () => {
+  await editor.take("house", "export");
+  await section().getByRole("button", { name: "Job…" }).click();
+  await editor.messages.filter({ hasText: "The job is in" }).waitFor();
+  await section().getByRole("button", { name: "Document…" }).click();
+  await editor.page.getByRole("contentinfo").getByText("saved", { exact: true }).waitFor();
+  expect(JSON.parse(readFileSync(into("House.wirebend"), "utf8"))).toBeTruthy();
+  expect(JSON.parse(readFileSync(into("House.wbjob"), "utf8"))).toBeTruthy();
+});
+
+/** The edges of the example that its own fix doubles. */
+const doubles = [25, 28, 50, 55, 70, 88, 90, 116, 122, 131, 145];

@@ -1,0 +1,180 @@
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { Editor, until } from "../support/editor.ts";
+
+let editor: Editor;
+beforeAll(async () => {
+  editor = await Editor.open();
+  await editor.take("house", "run");
+});
+afterAll(() => editor?.end());
+
+const run = () => editor.section("run");
+const button = (name: string | RegExp) => run().getByRole("button", typeof name === "string" ? { name, exact: true } : { name });
+const dialog = () => editor.page.getByRole("dialog");
+const state = async () => {
+  const { state } = await editor.loopback.ask("machine-state", {});
+  if (!state) throw new Error("no machine is connected");
+  return state;
+};
+/** Until the window says that the machine stands so, and is done with what it was told. */
+const stands = async (phase: string) => {
+  await run().locator(`.run-phase.${phase}`).waitFor();
+  if (phase !== "making" && phase !== "holding") await until(async () => (await state()).busy).toBe(false);
+};
+
+async function connect(port: string): Promise<void> {
+  await run().getByLabel("Port", { exact: true }).selectOption(port);
+  await button("Connect").click();
+  await stands("connected");
+}
+
+async function arm(): Promise<void> {
+  await button("Arm…").click();
+  await dialog().getByRole("button", { name: "Arm", exact: true }).click();
+  await stands("armed");
+}
+
+/** Answers what is asked before an interrupted wire goes on: nothing of the steps in doubt was made. */
+async function goOn(): Promise<void> {
+  await button("Resume…").click();
+  await until(async () => ["making", "ready"].includes((await state()).phase) || (await state()).question !== null).toBe(true);
+  for (;;) {
+    const { question, phase } = await state();
+    if (!question) {
+      if (phase === "making" || phase === "ready") return;
+      await until(async () => (await state()).question !== null || (await state()).phase === "making").toBe(true);
+      continue;
+    }
+    await dialog().getByRole("button", { name: question.kind === "doubt" ? "It was not made" : "Go on", exact: true }).click();
+    await until(async () => (await state()).question?.id !== question.id).toBe(true);
+  }
+}
+
+it("connects the simulated machine, and says why the rest has to wait", async () => {
+  await button("Connect").waitFor();
+  expect(await editor.page.locator(".stop-button").getAttribute("aria-disabled")).toBe("true");
+  await connect("sim:10");
+  await run().getByText("WireBend-kit · simulated").waitFor();
+  expect(await button("Start").getAttribute("title")).toBe("Arm a wire first.");
+  expect(await button("Feed 10.0 mm").getAttribute("title")).toBe("Home the machine first.");
+  expect(await editor.page.locator(".stop-button").getAttribute("aria-disabled")).toBeNull();
+});
+
+it("homes, and moves by hand with what it tells of its place", async () => {
+  await button("Home").click();
+  await stands("ready");
+  await button("Record").click();
+  const feed = run().getByLabel("Feed by, mm");
+  await feed.fill("12.5");
+  await feed.press("Tab");
+  for (const [name, axis] of [["Feed 12.5 mm", 0], ["Rotate 90.0°", 2], ["Bend 45.0°", 1]] as const) {
+    await button(name).click();
+    // One after the other: the place is that of a machine at rest.
+    await until(async () => (await state()).recorded).toBe([0, 2, 1].indexOf(axis) + 1);
+    await stands("ready");
+  }
+  await until(() => run().locator(".manual-at").allInnerTexts()).toEqual(["at 12.5 mm", "at 0.0°", "at 90.0°"]);
+  await button("Rotate −90.0°").click();
+  await until(() => run().locator(".manual-at").allInnerTexts()).toEqual(["at 12.5 mm", "at 0.0°", "at 0.0°"]);
+  await stands("ready");
+});
+
+it("keeps what was moved, writes it, and makes it again", async () => {
+  await until(() => run().locator(".recorded li").allInnerTexts()).toEqual(["Feed 12.5 mm", "Rotate 90.0°", "Bend 45.0°", "Rotate −90.0°"]);
+  await button("Save…").click();
+  const file = await run().locator(".written .selectable").innerText();
+  await editor.isClean("run-recorded");
+  await button("Clear").click();
+  await button("Home").click();
+  await stands("ready");
+  await editor.choose(file, () => button("Replay…").click());
+  await until(async () => (await state()).position?.feed_mm.toFixed(1)).toBe("25.0");
+  await stands("ready");
+  await button("Record").click();
+});
+
+it("arms with a summary, starts, shows the steps, pauses and goes on", async () => {
+  await button("Arm…").click();
+  const lines = await dialog().locator(".question-lines").innerText();
+  const { wires } = await editor.loopback.ask("program", {});
+  const stock = Math.ceil(wires[0]?.stock_mm ?? NaN);
+  expect(lines).toContain(`${wires[0]?.steps.length} steps`);
+  expect(lines).toContain(`at least ${stock} mm of Aluminium`);
+  await editor.isClean("run-arm");
+  // Esc is no answer to whether a machine may move.
+  await editor.page.keyboard.press("Escape");
+  expect(await dialog().isVisible()).toBe(true);
+  await dialog().getByRole("button", { name: "Do not arm" }).click();
+  await stands("ready");
+  await arm();
+  await button("Start").click();
+  await stands("making");
+  const shown = editor.page.locator(".timeline-step");
+  await shown.filter({ hasText: /^making · step 1 \/ 5/ }).waitFor();
+  await button("Pause").click();
+  await stands("holding");
+  const held = (await state()).wire?.made;
+  await editor.isClean("run-holding");
+  expect((await state()).wire?.made).toBe(held);
+  await button("Go on").click();
+  await stands("making");
+});
+
+it("stops by the button, at once, and tells what is known of the wire", async () => {
+  await editor.page.locator(".top-bar .stop-button").click();
+  await stands("stopped");
+  const { unfinished } = await state();
+  expect(unfinished).toMatchObject({ name: "House", of: 5 });
+  await run().getByRole("group", { name: "Interrupted wire" }).getByText(`of 5 is made`).waitFor();
+  await editor.isClean("run-stopped");
+});
+
+it("goes on after a stop, is stopped once more by the key, and makes the wire in the end", async () => {
+  await goOn();
+  await stands("making");
+  // Whatever has the focus: also a field.
+  await run().getByLabel("Feed by, mm").focus();
+  await editor.page.keyboard.press("Control+Space");
+  await stands("stopped");
+  expect(await run().getByLabel("Feed by, mm").inputValue()).toBe("12.5");
+  await button("Disconnect").click();
+  await run().locator(".section-phrase", { hasText: "not connected" }).waitFor();
+  // It is gone on with at the machine where it was begun.
+  await connect("sim:10");
+  await goOn();
+  await run().getByText(/^The wire is made, in/).waitFor();
+  await stands("ready");
+  expect((await state()).unfinished).toBeNull();
+});
+
+it("makes a wire from the first step to the last, and keeps a record of it", async () => {
+  await button("Disconnect").click();
+  await connect("sim:max");
+  await arm();
+  await button("Start").click();
+  await run().getByText(/^The wire is made, in/).waitFor();
+  await stands("ready");
+  const { runs } = await editor.loopback.ask("runs", {});
+  const worst = runs.at(-1)?.worst_deviation_mm?.toFixed(2);
+  await run().getByText(`Worst vertex ${worst} mm from the design.`).waitFor();
+  await run().getByRole("button", { name: /^Runs/ }).click();
+  const [first, second] = await run().locator(".fold", { hasText: "Runs" }).locator(".line").allInnerTexts();
+  expect(first).toMatch(new RegExp(`House[^]*5 steps made · worst vertex ${worst} mm`));
+  expect(second).toMatch(/5 steps made[^]*2 interruptions/);
+  await editor.isClean("run-made");
+});
+
+it("gives an interrupted wire up when that is said twice", async () => {
+  await button("Disconnect").click();
+  await connect("sim:10");
+  await arm();
+  await button("Start").click();
+  await stands("making");
+  await editor.page.keyboard.press("Control+Space");
+  await stands("stopped");
+  await button("Give up…").click();
+  await button("Give it up").click();
+  await run().getByRole("group", { name: "Interrupted wire" }).waitFor({ state: "detached" });
+  await until(async () => (await editor.loopback.ask("runs", {})).runs.at(-1)?.outcome).toBe("abandoned");
+  await editor.isClean("run");
+});

@@ -1,0 +1,111 @@
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { Editor, until } from "../support/editor.ts";
+import { type Place, Sight } from "../support/sight.ts";
+
+let editor: Editor;
+beforeAll(async () => void (editor = await Editor.open()));
+afterAll(() => editor?.end());
+
+const trace = () => editor.section("trace");
+
+/** A cube of 2 as an STL, which does not say 2 of what. */
+function cube(): string {
+  const corner = (k: number): string => [k & 1, (k >> 1) & 1, k >> 2].map((bit) => bit * 2).join(" ");
+  const faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+  const triangles = faces.flatMap(([a = 0, b = 0, c = 0, d = 0]) => [[a, b, c], [a, c, d]]);
+  const facet = (corners: number[]) => `facet normal 0 0 0\nouter loop\n${corners.map((k) => `vertex ${corner(k)}`).join("\n")}\nendloop\nendfacet\n`;
+  return `solid cube\n${triangles.map(facet).join("")}endsolid cube\n`;
+}
+
+const INCH = 25.4;
+/** Corners of the cube in mm, once it is read as inches. */
+const CORNERS: readonly Place[] = [0, 1, 2, 3, 4, 5, 6, 7].map((k) => [(k & 1) * 2 * INCH, ((k >> 1) & 1) * 2 * INCH, (k >> 2) * 2 * INCH]);
+
+/** Clicks where something is to be snapped to, once it is shown that it would be. */
+async function click(place: { x: number; y: number }, snap: string): Promise<void> {
+  await editor.page.mouse.move(place.x - 3, place.y - 2);
+  await editor.page.mouse.move(place.x, place.y);
+  await editor.page.locator(".hover-card", { hasText: snap }).waitFor();
+  await editor.page.mouse.click(place.x, place.y);
+}
+
+it("asks once what the numbers of a stencil measure, and says what size comes out", async () => {
+  await editor.reload("trace", "edit");
+  await editor.drop("cube.stl", cube());
+  const dialog = editor.page.getByRole("dialog", { name: "Open cube.stl" });
+  await dialog.getByRole("status").filter({ hasText: "2.0 × 2.0 × 2.0 mm" }).waitFor();
+  await dialog.getByLabel("Unit").selectOption("inch");
+  await dialog.getByRole("status").filter({ hasText: "50.8 × 50.8 × 50.8 mm" }).waitFor();
+  await editor.isClean("trace-units");
+  await dialog.getByRole("button", { name: "Open" }).click();
+  await trace().getByText("12 triangles").first().waitFor();
+  expect(await dialog.count()).toBe(0);
+  expect((await editor.design()).stencil).toEqual([8, 12]);
+});
+
+it("snaps to corners of the stencil, shows so before the click, and ends a strand on a vertex", async () => {
+  const sight = await Sight.from(editor.page, "front", CORNERS);
+  await editor.page.keyboard.press("t");
+  const size = 2 * INCH;
+  const corners: readonly Place[] = [[0, 0, 0], [size, 0, 0], [size, 0, size], [0, 0, size]];
+  for (const corner of corners) await click(sight.at(corner), "Corner of the stencil");
+  await until(async () => (await editor.design()).vertices.length).toBe(4);
+  await trace().getByText("3 edges drawn").waitFor();
+  await editor.isClean("trace");
+  await click(sight.at([0, 0, 0]), "Vertex");
+  await trace().getByText("Click on the stencil to begin a strand.").waitFor();
+  const { vertices, edges } = await editor.design();
+  expect(edges).toHaveLength(4);
+  for (const { at_mm } of vertices) {
+    // Exactly a corner: the mesh is kept in single precision.
+    expect(CORNERS.some((corner) => corner.every((value, k) => Math.abs(value - (at_mm[k] ?? NaN)) < 1e-5))).toBe(true);
+  }
+  expect(new Set(vertices.map(({ at_mm }) => at_mm.map(Math.round).join()))).toHaveProperty("size", 4);
+});
+
+it("makes nothing of a first click that Escape follows", async () => {
+  const sight = await Sight.from(editor.page, "front", CORNERS);
+  await click(sight.at([INCH, 0, INCH]), "On the stencil");
+  await editor.page.keyboard.press("Escape");
+  expect((await editor.design()).vertices).toHaveLength(4);
+});
+
+it("hides the stencil, changes how much of it is seen, and takes it away", async () => {
+  await editor.button("Hide").click();
+  await editor.button("Show").click();
+  const slider = trace().getByLabel("Opacity of the stencil");
+  await slider.fill("0.9");
+  expect(await slider.getAttribute("aria-valuetext")).toMatch(/^90.?%$/);
+  await editor.button("Remove").click();
+  await trace().getByText("no stencil").waitFor();
+  expect((await editor.design()).stencil).toBeNull();
+  await editor.page.keyboard.press("Control+z");
+  await trace().getByText("12 triangles").first().waitFor();
+});
+
+it("draws on a plane, on the grid of it", async () => {
+  await editor.take(null, "trace", "edit");
+  await editor.page.keyboard.press("d");
+  await trace().getByText("XZ", { exact: true }).click();
+  await editor.page.locator(".viewport canvas").focus();
+  await editor.page.keyboard.press("1");
+  // Nothing is there to find one's way by: the view tells the places itself, before each click.
+  const canvas = await editor.page.locator(".viewport canvas").boundingBox();
+  const [x, y] = [(canvas?.x ?? 0) + 400, (canvas?.y ?? 0) + 300];
+  const seen: Place[] = [];
+  for (const [dx, dy] of [[0, 0], [150, 0], [150, 150]] as const) {
+    await editor.page.mouse.move(x + dx - 5, y + dy);
+    await editor.page.mouse.move(x + dx, y + dy, { steps: 3 });
+    const card = editor.page.locator(".hover-card", { hasText: /Grid|On the plane/ });
+    await card.waitFor();
+    const figures = (await card.innerText()).replaceAll("\u2212", "-").match(/-?\d+\.\d/g)?.map(Number) ?? [];
+    seen.push([figures[0] ?? NaN, figures[1] ?? NaN, figures[2] ?? NaN]);
+    await editor.page.mouse.click(x + dx, y + dy);
+  }
+  await until(async () => (await editor.design()).vertices.length).toBe(3);
+  const { vertices, edges } = await editor.design();
+  expect(edges).toHaveLength(2);
+  vertices.forEach(({ at_mm }, index) => at_mm.forEach((value, k) => expect(value).toBeCloseTo(seen[index]?.[k] ?? NaN, 1)));
+  expect(vertices.every(({ at_mm }) => Math.abs(at_mm[1]) < 1e-9)).toBe(true);
+  await editor.isClean("trace-draw");
+});

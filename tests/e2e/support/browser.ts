@@ -1,0 +1,68 @@
+import { mkdirSync } from "node:fs";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { type Browser, type Page, chromium } from "playwright-core";
+import { pictures } from "./places.ts";
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+
+/** Chromium without a screen; what it draws in three dimensions is computed by the processor. */
+export function openBrowser(): Promise<Browser> {
+  const args = [
+    "--no-sandbox",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--no-first-run",
+  ];
+  return chromium.launch({ executablePath: "/usr/bin/chromium", headless: true, args });
+}
+
+/** What a page complained of that nobody expected. */
+export interface Complaints {
+  readonly list: string[];
+}
+
+/** A page that keeps what it complains of: a mistake in a script fails the test that caused it. */
+export async function openPage(
+  browser: Browser,
+  url: string,
+  { width = 1280, height = 800, scheme = "dark" as "dark" | "light", hints = false } = {},
+): Promise<[Page, Complaints]> {
+  const context = await browser.newContext({ viewport: { width, height }, colorScheme: scheme, acceptDownloads: false });
+  const page = await context.newPage();
+  const complaints: Complaints = { list: [] };
+  page.on("pageerror", (error) => complaints.list.push(error.message));
+  page.on("console", (message) => {
+    // A refusal is an answer, and the person is shown it.
+    if (message.type() === "error" && !message.text().includes("422")) complaints.list.push(message.text());
+  });
+  if (!hints) await page.addInitScript(() => localStorage.setItem("wirebend.hints", "seen"));
+  await page.goto(url);
+  return [page, complaints];
+}
+
+export interface Violation {
+  readonly id: string;
+  readonly impact: string | null;
+  readonly nodes: readonly string[];
+}
+
+/** What axe finds that keeps people out. */
+export async function barriers(page: Page): Promise<Violation[]> {
+  await page.evaluate(axe);
+  return page.evaluate(async () => {
+    const { violations } = await (window as unknown as { axe: { run: () => Promise<{ violations: any[] }> } }).axe.run();
+    return violations
+      .filter(({ impact }) => impact === "serious" || impact === "critical")
+      .map(({ id, impact, nodes }) => ({ id, impact, nodes: nodes.map((node: { html: string }) => node.html.slice(0, 160)) }));
+  });
+}
+
+/** Keeps a picture of the page. */
+export async function picture(page: Page, name: string): Promise<void> {
+  mkdirSync(pictures, { recursive: true });
+  await page.screenshot({ path: `${pictures}/${name}.png` });
+}
