@@ -151,8 +151,8 @@ clean-debian: package tests/e2e/node_modules/.package-lock.json ## the installed
 	@command -v debootstrap >/dev/null || { echo "debootstrap is missing; to install it: apt-get install -y debootstrap" >&2; exit 1; }
 	rm -rf --one-file-system $(CLEAN)
 	debootstrap --variant=minbase --include=ca-certificates bookworm $(CLEAN)
-	cp $(PACKAGES)/wirebend-kit_*.deb $(CLEAN)/tmp/
-	@chroot $(CLEAN) sh -c 'DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends /tmp/wirebend-kit_*.deb webkit2gtk-driver fonts-dejavu-core && useradd -m -u 1000 person'
+	cp $(PACKAGES)/wirebend-kit_*.deb $(CLEAN)/
+	@chroot $(CLEAN) sh -c 'DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends ./wirebend-kit_*.deb webkit2gtk-driver fonts-dejavu-core && useradd -m -u 1000 person'
 	@mount -t proc proc $(CLEAN)/proc && mount --bind /dev $(CLEAN)/dev && trap 'umount $(CLEAN)/proc $(CLEAN)/dev' EXIT \
 		&& WIREBEND_ROOT=$(CURDIR)/$(CLEAN) npm --prefix tests/e2e run --silent installed \
 		&& WIREBEND_ROOT=$(CURDIR)/$(CLEAN) WIREBEND_USER=1000 npm --prefix tests/e2e run --silent installed

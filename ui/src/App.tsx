@@ -23,41 +23,66 @@ import { HoverCard } from "./features/viewport/HoverCard";
 import { ViewName } from "./features/viewport/ViewName";
 import { Viewport } from "./features/viewport/Viewport";
 import { Panel } from "./Panel";
+import { Guard } from "./shared/Guard";
 import { open } from "./state/opening";
 
-/** The window: bar, tools and view, panel, timeline, status. */
+/** The window: bar, tools and view, panel, timeline, status. Each part is guarded, so that STOP outlives a mistake in any other. */
 export function App() {
   useEffect(open, []);
   return (
     <div className="app">
       <TopBar />
       <main className="work" aria-label="Design">
-        <Viewport />
-        <Toolbar />
-        <ViewName />
-        <EmptyState />
-        <Unsaved />
-        <OpenNotes />
-        <HoverCard />
-        <Hints />
+        <Guard name="The view">
+          <Viewport />
+        </Guard>
+        <Guard name="What lies over the view">
+          <Toolbar />
+          <ViewName />
+          <EmptyState />
+          <Unsaved />
+          <OpenNotes />
+          <HoverCard />
+          <Hints />
+        </Guard>
         <Problems />
       </main>
       <Panel>
-        <TraceSection />
-        <EditSection />
-        <CheckSection />
-        <AnimateSection />
-        <MachineSection />
-        <ExportSection />
-        <RunSection />
+        <Guard name="Trace">
+          <TraceSection />
+        </Guard>
+        <Guard name="Edit">
+          <EditSection />
+        </Guard>
+        <Guard name="Check">
+          <CheckSection />
+        </Guard>
+        <Guard name="Animate">
+          <AnimateSection />
+        </Guard>
+        <Guard name="Machine">
+          <MachineSection />
+        </Guard>
+        <Guard name="Export">
+          <ExportSection />
+        </Guard>
+        <Guard name="Run">
+          <RunSection />
+        </Guard>
       </Panel>
       <div className="foot">
-        <Timeline />
-        <StatusBar />
+        <Guard name="The timeline">
+          <Timeline />
+        </Guard>
+        <Guard name="The status bar">
+          <StatusBar />
+        </Guard>
       </div>
-      <Dialogs />
-      <AboutDialog />
-      <DropArea />
+      <Guard name="A dialog">
+        <Dialogs />
+        <AboutDialog />
+        <DropArea />
+      </Guard>
     </div>
   );
 }

@@ -10,7 +10,8 @@ use serde_json::Value;
 use crate::committed::CommittedFile;
 
 /// What is installed; of the window's packages those of this system are named, which are the most.
-const SHIPPED: &[&str] = &["wirebend-window", "wirebend-cli", "wirebend-driver-wirebend-kit", "wirebend-driver-grbl"];
+const SHIPPED: &[&str] =
+    &["wirebend-window", "wirebend-cli", "wirebend-driver-wirebend-kit", "wirebend-driver-grbl"];
 const SYSTEM: &str = "x86_64-unknown-linux-gnu";
 const FILE: &str = "crates/app/src/desk/packages.json";
 
@@ -45,7 +46,8 @@ fn of_cargo(root: &Path) -> Result<BTreeSet<[String; 3]>> {
             }
         }
     }
-    let others = metadata.packages.iter().filter(|package| known.contains(&package.id) && package.source.is_some());
+    let others =
+        metadata.packages.iter().filter(|package| known.contains(&package.id) && package.source.is_some());
     let named = |package: &cargo_metadata::Package| {
         let licence = package.license.clone().unwrap_or_else(|| "see its licence file".to_owned());
         [package.name.to_string(), package.version.to_string(), licence]
@@ -59,7 +61,8 @@ fn of_npm(root: &Path) -> Result<Vec<[String; 3]>> {
     let lock: Value = serde_json::from_str(&text)?;
     let packages = lock["packages"].as_object().context("ui/package-lock.json has no packages")?;
     let text = |value: &Value| value.as_str().unwrap_or_default().to_owned();
-    let shipped = packages.iter().filter(|(path, package)| !path.is_empty() && package["dev"] != Value::Bool(true));
+    let shipped =
+        packages.iter().filter(|(path, package)| !path.is_empty() && package["dev"] != Value::Bool(true));
     let named = |(path, package): (&String, &Value)| {
         let name = path.rsplit("node_modules/").next().unwrap_or_default();
         [format!("npm:{name}"), text(&package["version"]), text(&package["license"])]

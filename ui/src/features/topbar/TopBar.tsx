@@ -1,4 +1,5 @@
 import { Button } from "../../shared/Button";
+import { Guard } from "../../shared/Guard";
 import { MenuBar } from "../../shared/Menu";
 import { Tooltip } from "../../shared/Tooltip";
 import { edit, useDesign } from "../../state/design";
@@ -37,14 +38,18 @@ export function TopBar() {
           </span>
         )}
       </h1>
-      <MenuBar menus={menus} />
+      <Guard name="The menus">
+        <MenuBar menus={menus} />
+      </Guard>
       <div className="row top-back">
         <Back command="undo" />
         <Back command="redo" />
       </div>
       <div className="row top-made">
-        <MachinePicker />
-        <MaterialPicker />
+        <Guard name="Machine and wire">
+          <MachinePicker />
+          <MaterialPicker />
+        </Guard>
         <Button
           kind="quiet"
           aria-label={`${unit === "mm" ? "mm" : "in"}, the unit of lengths: change it`}
