@@ -55,6 +55,8 @@ describe("formSchema", () => {
       { const: "Y", title: "Y" },
     ]);
     expect((properties["header"]?.["oneOf"] as unknown[]).length).toBe(3);
+    // Without a type the form shows the schema itself instead of a field.
+    expect([properties["mark"], properties["header"], properties["case"]].map((one) => one?.["type"])).toEqual(["string", "string", "string"]);
     expect(properties["decimals"]).toMatchObject({ type: "integer", nullable: true, minimum: 0, maximum: 9 });
     expect(properties["decimals"]).not.toHaveProperty("default");
   });

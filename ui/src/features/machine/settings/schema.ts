@@ -73,7 +73,8 @@ function prepared(given: Schema, root: Schema, depth: number): Schema {
   const consts = constants(schema, nullable);
   if (consts) {
     const { enum: _, type: __, ...own } = schema;
-    return { ...own, oneOf: consts };
+    // The form goes by a type; whatever the values are, they are chosen by their words.
+    return { ...own, type: "string", oneOf: consts };
   }
   const result: Schema = { ...schema };
   delete result["$defs"];
