@@ -159,8 +159,10 @@ fn list(items: &[Value]) -> String {
             let angle = |key: &str| pair.get(key).and_then(Value::as_f64).unwrap_or_default();
             format!("{}→{}°", angle("angle_deg"), angle("loss_deg"))
         }
-        Value::Object(reference) => {
-            reference.get("key").and_then(Value::as_str).map_or_else(|| item.to_string(), str::to_owned)
+        // Of a publication its short name, of a body what it is called: the profile has the rest.
+        Value::Object(named) => {
+            let name = named.get("key").or_else(|| named.get("name")).and_then(Value::as_str);
+            name.map_or_else(|| item.to_string(), str::to_owned)
         }
         other => other.to_string(),
     };
