@@ -140,7 +140,7 @@ tests/e2e/node_modules/.package-lock.json: tests/e2e/package-lock.json
 # The editor in a real browser, and the installed package through WebDriver.
 .PHONY: e2e
 e2e: window-tools ui/dist/index.html tests/e2e/node_modules/.package-lock.json
-	cargo build --package wirebend-tests-loopback $(DRIVERS:%=--package wirebend-driver-%)
+	cargo build --package wirebend-tests-loopback --package wirebend-driver-template $(DRIVERS:%=--package wirebend-driver-%)
 	npm --prefix tests/e2e run --silent browser
 	npm --prefix tests/e2e run --silent installed
 
@@ -159,7 +159,7 @@ clean-debian: package tests/e2e/node_modules/.package-lock.json ## the installed
 
 .PHONY: screenshots
 screenshots: window-tools ui/dist/index.html tests/e2e/node_modules/.package-lock.json ## the pictures of the README, in docs/pictures
-	cargo build --package wirebend-tests-loopback $(DRIVERS:%=--package wirebend-driver-%)
+	cargo build --package wirebend-tests-loopback --package wirebend-driver-template $(DRIVERS:%=--package wirebend-driver-%)
 	npm --prefix tests/e2e run --silent screenshots
 
 .PHONY: bench

@@ -71,7 +71,7 @@ it("says an edge is too short as soon as it is, and moves a vertex to mend it", 
   const line = check().locator(".line", { hasText: /too short/ }).first();
   expect(await line.locator(".line-sub").innerText()).toMatch(/15\.0 mm, limit \d+\.\d mm/);
   await line.getByRole("button", { name: "Fix…" }).waitFor();
-  await editor.isClean("check-short");
+  await editor.isCleanNow("check-short");
 
   await line.getByRole("button", { name: "Fix…" }).click();
   const fix = check().locator(".fix", { hasText: /Move vertex/ }).first();

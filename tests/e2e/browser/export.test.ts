@@ -48,11 +48,16 @@ it("shows at once what a setting changes", async () => {
   await format().selectOption("lra-csv");
   await until(() => preview().first().textContent()).toMatch(/,/);
   await section().getByRole("button", { name: /^Settings of this export/ }).click();
-  const separator = section().getByLabel(/^Separator/i);
-  await separator.selectOption({ label: "semicolon" }).catch(() => separator.fill(";"));
+  await section().getByLabel("Separator", { exact: true }).selectOption("semicolon · ;");
   await until(() => preview().first().textContent()).toMatch(/;/);
+  // Choices between true, false and nothing are such fields too.
+  const before = await preview().first().textContent();
+  await section().getByLabel("Header", { exact: true }).selectOption("no");
+  await until(() => preview().first().textContent()).not.toBe(before);
+  await section().getByLabel("Header", { exact: true }).selectOption("not set");
+  await until(() => preview().first().textContent()).toBe(before);
   await section().getByText("1 change from the profile").waitFor();
-  await editor.isClean("export-settings");
+  await editor.isCleanNow("export-settings");
 });
 
 it("replaces a file that is there only when a person says so", async () => {
@@ -64,7 +69,7 @@ it("replaces a file that is there only when a person says so", async () => {
   await write().click();
   await section().getByText("There is such a file").waitFor();
   expect(readFileSync(file, "utf8")).toBe("keep me");
-  await editor.isClean("export-exists");
+  await editor.isCleanNow("export-exists");
   await section().getByRole("button", { name: "Replace" }).click();
   await section().locator(".written", { hasText: "mine.txt" }).waitFor();
   expect(readFileSync(file, "utf8")).not.toBe("keep me");
@@ -84,7 +89,7 @@ it("writes a program of what the machine cannot make only when that is said", as
   await section().getByText("The machine cannot make this").waitFor();
   const file = into("bunny.txt");
   await target().fill(file);
-  expect(await write().getAttribute("aria-disabled")).toBe("true");
+  await until(() => write().getAttribute("aria-disabled")).toBe("true");
   await section().getByLabel("Write it all the same").check();
   await until(() => write().getAttribute("aria-disabled")).toBeNull();
   await write().click();

@@ -78,7 +78,7 @@ it("shows the settings with where they come from, and changes those of a copy al
 
   await section().getByRole("button", { name: "Copy to my profiles…" }).click();
   await section().getByLabel("Name").fill("My kit");
-  await editor.isClean("machine-copy");
+  await editor.isCleanNow("machine-copy");
   await section().getByRole("button", { name: "Copy", exact: true }).click();
   await editor.page.locator(".top-made .picker", { hasText: "My kit" }).waitFor();
   await fold(/^Settings/).click();
@@ -92,7 +92,7 @@ it("shows the settings with where they come from, and changes those of a copy al
   await until(async () => (await editor.loopback.ask("machine-view", { machine: id })).settings.find(({ key }) => key === "feed_rate_mm_per_s")).toMatchObject({ value: 55, set_by: id });
   const field = section().locator(".settings-field").filter({ hasText: /^Feed rate/i }).first();
   await field.getByText(/your profile|this profile|My kit|set here/i).waitFor();
-  await editor.isClean("machine-settings");
+  await editor.isCleanNow("machine-settings");
   // The program is that of the machine as it is set now.
   expect(await editor.loopback.ask("program", {})).toMatchObject({ machine: id, wires: [{ steps: before.wires[0]?.steps.map(() => expect.anything()) }] });
 });
@@ -112,8 +112,9 @@ it("says why a value is refused, and keeps what was typed", async () => {
   await section().getByRole("button", { name: "Save", exact: true }).click();
   await section().getByText("The settings were not saved").waitFor();
   expect(await section().getByRole("alert").innerText()).toMatch(/homed?/i);
-  await editor.isClean("machine-refused");
+  await editor.isCleanNow("machine-refused");
   await section().getByRole("button", { name: "Revert" }).click();
+  expect(await section().getByRole("alert").count()).toBe(0);
 });
 
 it("explains every value", async () => {
@@ -121,7 +122,7 @@ it("explains every value", async () => {
   const dialog = editor.page.getByRole("dialog", { name: /^Every value of/ });
   await dialog.getByLabel("Filter").fill("min_feed");
   await dialog.getByText("SCF25").first().waitFor();
-  await editor.isClean("machine-explain");
+  await editor.isCleanNow("machine-explain");
   await editor.page.keyboard.press("Escape");
   await dialog.waitFor({ state: "detached" });
 });
@@ -136,7 +137,7 @@ it("runs a driver by somebody else only once it is trusted, by its hash", async 
   await until(async () => (await dialog.locator(".hash").innerText()).replaceAll(/\s/g, "")).toBe(hash);
   const trust = dialog.getByRole("button", { name: "Trust and run it" });
   expect(await trust.getAttribute("aria-disabled")).toBe("true");
-  await editor.isClean("machine-trust");
+  await editor.isCleanNow("machine-trust");
   await dialog.getByLabel("I have compared the hash").check();
   await trust.click();
   await dialog.waitFor({ state: "detached" });

@@ -36,7 +36,7 @@ it("asks once what the numbers of a stencil measure, and says what size comes ou
   await dialog.getByRole("status").filter({ hasText: "2.0 × 2.0 × 2.0 mm" }).waitFor();
   await dialog.getByLabel("Unit").selectOption("inch");
   await dialog.getByRole("status").filter({ hasText: "50.8 × 50.8 × 50.8 mm" }).waitFor();
-  await editor.isClean("trace-units");
+  await editor.isCleanNow("trace-units");
   await dialog.getByRole("button", { name: "Open" }).click();
   await trace().getByText("12 triangles").first().waitFor();
   expect(await dialog.count()).toBe(0);

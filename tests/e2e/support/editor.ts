@@ -17,7 +17,7 @@ export const until = <T>(look: () => T | Promise<T>) => expect.poll(look, { time
 /** The editor in a browser, and the Rust side behind it. */
 export class Editor {
   private constructor(
-    readonly loopback: Loopback,
+    public loopback: Loopback,
     private readonly browser: Browser,
     readonly page: Page,
     private readonly complaints: Complaints,
@@ -40,6 +40,15 @@ export class Editor {
   async end(): Promise<void> {
     await this.browser.close();
     await this.loopback.end();
+  }
+
+  /** The Rust side is killed and started again on what it has left, and the window with it. */
+  async crash(): Promise<void> {
+    await this.page.goto("about:blank");
+    await this.loopback.kill();
+    this.loopback = await Loopback.start(this.loopback.home);
+    await this.page.goto(this.loopback.url);
+    await this.ready();
   }
 
   /** Until the window has taken up the open design, and the view is there. */
@@ -119,9 +128,14 @@ export class Editor {
     return this.page.getByLabel("Messages").getByRole("listitem");
   }
 
+  /** The same in the theme that is shown, for what is on the way to somewhere else. */
+  isCleanNow(name: string): Promise<void> {
+    return this.isClean(name, ["dark"]);
+  }
+
   /** Nothing went wrong that nobody expected, and nobody is kept out, in both themes. */
-  async isClean(name: string): Promise<void> {
-    for (const scheme of ["dark", "light"] as const) {
+  async isClean(name: string, themes: readonly ("dark" | "light")[] = ["dark", "light"]): Promise<void> {
+    for (const scheme of themes) {
       await this.page.emulateMedia({ colorScheme: scheme });
       await until(() => this.page.evaluate(() => document.documentElement.dataset["theme"])).toBe(scheme);
       expect(await barriers(this.page), `barriers of ${name} in ${scheme}`).toEqual([]);

@@ -52,24 +52,32 @@ export function MachineSettings({ view }: { readonly view: MachineViewResponse }
         below={below}
         onBack={(key) => void write(toWrite(before, before, own, key))}
       />
-      {problem && (
-        <div role="alert">
-          <ul>
-            <Line tone="error" what="The settings were not saved" sub={problem} />
-          </ul>
-        </div>
-      )}
       {!view.shipped && (
-        <div className="row end settings-save">
-          <span className="grow muted" aria-live="polite">
-            {changed.size > 0 ? `${count(changed.size, "change")} not saved` : ""}
-          </span>
-          <Button why={busyWhy ?? (changed.size === 0 ? "Nothing was changed." : null)} onClick={() => setEdited(null)}>
-            Revert
-          </Button>
-          <Button kind="primary" why={busyWhy ?? (changed.size === 0 ? "Nothing was changed." : null)} onClick={() => void write(toWrite(before, after, own))}>
-            Save
-          </Button>
+        <div className="settings-save stack">
+          {problem && (
+            <div role="alert" className="settings-problem" tabIndex={0}>
+              <ul>
+                <Line tone="error" what="The settings were not saved" sub={problem} />
+              </ul>
+            </div>
+          )}
+          <div className="row end">
+            <span className="grow muted" aria-live="polite">
+              {changed.size > 0 ? `${count(changed.size, "change")} not saved` : ""}
+            </span>
+            <Button
+              why={busyWhy ?? (changed.size === 0 ? "Nothing was changed." : null)}
+              onClick={() => {
+                setEdited(null);
+                setProblem(null);
+              }}
+            >
+              Revert
+            </Button>
+            <Button kind="primary" why={busyWhy ?? (changed.size === 0 ? "Nothing was changed." : null)} onClick={() => void write(toWrite(before, after, own))}>
+              Save
+            </Button>
+          </div>
         </div>
       )}
     </div>

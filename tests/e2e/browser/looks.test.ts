@@ -1,0 +1,112 @@
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { picture } from "../support/browser.ts";
+import { Editor, type Section, until } from "../support/editor.ts";
+
+let editor: Editor;
+beforeAll(async () => void (editor = await Editor.open()));
+afterAll(() => editor?.end());
+
+const SIZES = [
+  { width: 1280, height: 800 },
+  { width: 2560, height: 1440 },
+] as const;
+const THEMES = ["dark", "light"] as const;
+const SECTIONS: readonly Section[] = ["trace", "edit", "check", "animate", "machine", "export", "run"];
+
+/** Sections with a timeline under the view, or with most beside each other: these are seen in a large window too. */
+const LARGE: ReadonlySet<Section> = new Set(["edit", "run"]);
+
+/** What is wider than its place, or sticks out of the window. */
+const outside = () =>
+  editor.page.evaluate(() => {
+    const found: string[] = [];
+    const name = (element: Element) => `<${element.tagName.toLowerCase()} class="${element.getAttribute("class") ?? ""}"> ${(element.textContent ?? "").trim().slice(0, 40)}`;
+    const { innerWidth, innerHeight } = window;
+    const root = document.documentElement;
+    if (root.scrollWidth > innerWidth || root.scrollHeight > innerHeight) found.push("the window itself scrolls");
+    for (const element of document.body.querySelectorAll("*")) {
+      if (!(element instanceof HTMLElement) || element.closest(".visually-hidden, dialog:not([open])")) continue;
+      const style = getComputedStyle(element);
+      if (style.display === "none" || style.visibility === "hidden") continue;
+      const box = element.getBoundingClientRect();
+      if (box.width === 0 || box.height === 0) continue;
+      // What scrolls by itself, and what ends in an ellipsis, is as wide as it should be.
+      const scrolls = ["auto", "scroll"].includes(style.overflowX);
+      const cut = style.textOverflow === "ellipsis" || style.overflowX === "clip";
+      const field = element instanceof HTMLInputElement || element instanceof HTMLSelectElement;
+      if (element.clientWidth > 0 && element.scrollWidth > element.clientWidth + 1 && !scrolls && !cut && !field) found.push(`too wide by ${element.scrollWidth - element.clientWidth}: ${name(element)}`);
+      const inside = element.closest(".panel-sections, .rows, .popover, pre");
+      if (box.right > innerWidth + 1 || box.left < -1 || (!inside && (box.bottom > innerHeight + 1 || box.top < -1))) found.push(`outside of the window: ${name(element)}`);
+    }
+    // A scrolling part of the panel scrolls up and down alone.
+    for (const part of document.querySelectorAll(".panel-sections, .popover, .dialog-body")) if (part.scrollWidth > part.clientWidth) found.push(`scrolls sideways: ${name(part)}`);
+    return found;
+  });
+
+/** In both themes and both sizes; colours do not change where things are, so that a large window need not be seen in both. */
+async function everywhere(name: string, inLarge: readonly (typeof THEMES)[number][] = THEMES): Promise<void> {
+  for (const size of SIZES) {
+    const themes = size === SIZES[0] ? THEMES : inLarge;
+    if (themes.length > 0) await editor.page.setViewportSize(size);
+    for (const colorScheme of themes) {
+      await editor.page.emulateMedia({ colorScheme });
+      await until(() => editor.page.evaluate(() => document.documentElement.dataset["theme"])).toBe(colorScheme);
+      expect(await outside(), `${name} at ${size.width} in ${colorScheme}`).toEqual([]);
+      await picture(editor.page, `looks-${name}-${size.width}-${colorScheme}`);
+    }
+  }
+  await editor.page.setViewportSize(SIZES[0]);
+}
+
+it("fits an empty window", async () => {
+  await editor.reload("check");
+  await until(() => editor.page.locator(".start-cards svg").count()).toBe(3);
+  await everywhere("start");
+});
+
+it("fits the bunny with all that Check says of it", async () => {
+  await editor.take("bunny", "check");
+  await editor.section("check").getByRole("button", { name: "Fix…" }).click();
+  await editor.button("Apply").click();
+  await editor.section("check").getByText("One wire runs through every edge").waitFor();
+  await editor.section("check").getByRole("button", { name: "Fix…" }).first().click();
+  await everywhere("bunny");
+});
+
+it("fits every section, opened to its last fold", async () => {
+  await editor.take("house");
+  for (const id of SECTIONS) {
+    await editor.section(id).locator(".section-head").click();
+    if (id === "animate") await editor.section(id).getByRole("listbox", { name: "Steps" }).waitFor();
+    if (id === "export") await editor.section(id).locator(".preview pre").first().waitFor();
+    if (id === "run") {
+      await until(() => editor.button("Connect").getAttribute("aria-disabled")).toBeNull();
+      await editor.button("Connect").click();
+      await until(() => editor.button("Home").getAttribute("aria-disabled")).toBeNull();
+      await editor.button("Record").click();
+    }
+    for (let closed = 0; closed < 8; closed += 1) {
+      const folds = editor.section(id).locator('.fold-head[aria-expanded="false"]');
+      if ((await folds.count()) === 0) break;
+      await folds.first().click();
+    }
+    await everywhere(id, LARGE.has(id) ? ["dark"] : []);
+    await editor.section(id).locator(".section-head").click();
+  }
+});
+
+it("fits a narrow panel and a wide one, and shows lengths in inches", async () => {
+  await editor.take("bunny", "edit", "check", "animate");
+  const edge = editor.page.getByRole("separator", { name: "Width of the panel" });
+  await edge.focus();
+  await editor.page.keyboard.press("End");
+  await editor.button("mm, the unit of lengths: change it").click();
+  await editor.page.getByRole("table", { name: "Vertices" }).getByRole("columnheader", { name: "X, in" }).waitFor();
+  expect(await outside()).toEqual([]);
+  await picture(editor.page, "looks-narrow");
+  await edge.focus();
+  await editor.page.keyboard.press("Home");
+  expect(await outside()).toEqual([]);
+  await picture(editor.page, "looks-wide");
+  await editor.isClean("looks");
+});
