@@ -10,7 +10,7 @@ use wirebend_tests_firmware::{OnPty, Options, Pace, Port, Ram, ResetCause, UnoEr
 use super::{edges, started};
 
 /// Nothing waits as long as this when all is well.
-const DEADLINE: Duration = Duration::from_secs(60);
+const DEADLINE: Duration = Duration::from_mins(1);
 
 fn on_pty(reset_on_open: bool) -> OnPty {
     started().on_pty(Options { pace: Pace::Times(4), reset_on_open }).unwrap()
