@@ -14,6 +14,7 @@ use crate::settings::{Difference, differences};
 impl Machine {
     /// Takes what has come.
     pub fn advance(&mut self, bytes: &[u8], now: Duration) {
+        self.console.hear(bytes, &mut self.events);
         self.link.advance(bytes, now);
         for news in self.link.take_news() {
             self.hear(news, now);

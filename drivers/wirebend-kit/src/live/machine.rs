@@ -7,6 +7,7 @@ use std::time::Duration;
 
 use wirebend_driver_api::Event;
 
+use super::console::Console;
 use super::wire::{Token, Wire};
 use crate::link::Link;
 use crate::protocol::{Alarm, Refusal, SETTINGS, Status, Versions};
@@ -64,6 +65,7 @@ pub(super) enum Halt {
 pub(super) struct Machine {
     pub(super) settings: Rc<Settings>,
     pub(super) link: Link,
+    pub(super) console: Console,
     pub(super) events: VecDeque<Event>,
     pub(super) doing: Doing,
     pub(super) token: Option<Token>,
@@ -97,6 +99,7 @@ impl Machine {
         Self {
             settings,
             link,
+            console: Console::default(),
             events: VecDeque::new(),
             doing: Doing::Connecting,
             token,
@@ -115,7 +118,9 @@ impl Machine {
     }
 
     pub fn take_bytes(&mut self) -> Vec<u8> {
-        self.link.take_bytes()
+        let bytes = self.link.take_bytes();
+        Console::say(&bytes, &mut self.events);
+        bytes
     }
 
     pub fn take_event(&mut self) -> Option<Event> {

@@ -1,6 +1,7 @@
 //! Live: the machine without a port, the ports, and the session that puts them together.
 
 mod asked;
+mod console;
 mod fault;
 mod hearing;
 mod machine;
@@ -168,9 +169,9 @@ impl MachineSession for Session {
                 return Ok(Some(event));
             }
             self.listen();
-            // A machine whose time goes with the looking at it is looked at until something happens.
-            let free = self.port.as_ref().is_some_and(|port| port.is_free_running());
-            if !free || begun.elapsed() >= POLL {
+            // A simulated machine is looked at until something happens, or it has caught up with the clock.
+            let more = self.port.as_ref().is_some_and(|port| port.has_more());
+            if !more || begun.elapsed() >= POLL {
                 return Ok(self.machine.take_event());
             }
         }

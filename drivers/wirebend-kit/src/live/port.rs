@@ -16,8 +16,8 @@ pub(super) trait Port {
 
     fn write(&mut self, bytes: &[u8]) -> io::Result<()>;
 
-    /// Whether its time passes with reading alone, as fast as that is done.
-    fn is_free_running(&self) -> bool {
+    /// Whether another reading at once would find that more has happened.
+    fn has_more(&self) -> bool {
         false
     }
 

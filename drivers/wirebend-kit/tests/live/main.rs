@@ -5,6 +5,8 @@
 
 mod table;
 
+use std::time::Duration;
+
 use serde_json::json;
 use table::Table;
 use wirebend_driver_api::{Axis, Event, Motion, PausedBy, Step};
@@ -76,6 +78,18 @@ fn a_cube_comes_out_as_designed_when_it_is_compensated_for() {
     println!("worst corner: {with:.3} mm compensated, {without:.3} mm not");
     assert!(with < 0.5, "{with} mm");
     assert!(without > 10.0 * with, "{without} mm without compensation");
+}
+
+/// A computer that is busy looks rarely. Between two looks at a machine in real time much less than a second passes; at one that
+/// runs 10,000 times as fast 20 s do, in which it would think that nobody is there, and hold.
+#[test]
+fn a_fast_machine_that_is_looked_at_rarely_does_not_hold() {
+    let mut table = Table::at("sim:10000", json!({}));
+    table.rarely = Duration::from_millis(2);
+    table.connected();
+    table.home();
+    table.jog(Motion { axis: Axis::Feed, by: 200.0 });
+    assert!((table.position().feed_mm - 200.0).abs() < 0.1);
 }
 
 /// The head goes back with the search for the reference, so that the next wire starts from zero.

@@ -1,5 +1,7 @@
 //! A simulated machine on a table, and what a program does with it.
 
+use std::time::{Duration, Instant};
+
 use serde_json::Value;
 use wirebend_driver_api::{
     Batch, Bench, BenchBender, BenchWire, DriverError, Event, MachineDriver, MachineSession, Motion,
@@ -15,17 +17,28 @@ pub struct Table {
     seen: Vec<Event>,
     /// A stop leaves the wire as it is, and the peg in it.
     pub stopped: bool,
+    /// Between two looks at it.
+    pub rarely: Duration,
 }
 
 impl Table {
     pub fn new(settings: Value) -> Self {
+        Self::at("sim:max", settings)
+    }
+
+    pub fn at(port: &str, settings: Value) -> Self {
         let driver = WirebendKit::open(serde_json::from_value(settings).unwrap()).unwrap();
-        Self { session: driver.connect("sim:max", None).unwrap(), seen: Vec::new(), stopped: false }
+        let session = driver.connect(port, None).unwrap();
+        Self { session, seen: Vec::new(), stopped: false, rarely: Duration::ZERO }
     }
 
     /// The next event of this kind.
     pub fn until(&mut self, mut wanted: impl FnMut(&Event) -> bool) -> Event {
         for _ in 0..LOOKS {
+            let looked = Instant::now();
+            while looked.elapsed() < self.rarely {
+                std::thread::yield_now();
+            }
             let Some(event) = self.session.poll().unwrap() else { continue };
             self.seen.push(event.clone());
             if wanted(&event) {
