@@ -77,7 +77,7 @@ impl Edge {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum WireframeError {
     /// A coordinate is NaN, infinite or beyond a kilometre.
-    #[error("({}, {}, {}) is not a position: each coordinate must be a number within ±1 000 000 mm", .0.x, .0.y, .0.z)]
+    #[error("{} is not a position: each coordinate must be a number within ±1 000 000 mm", told(.0))]
     Position(Point3<f64>),
     /// An edge names a vertex that is not there.
     #[error("there is no vertex {0}")]
@@ -290,6 +290,12 @@ impl Wireframe {
     }
 }
 
+/// Coordinates for people, of whatever size.
+fn told(position: &Point3<f64>) -> String {
+    let one = |&c: &f64| if c.abs() < 1e12 { c.to_string() } else { format!("{c:e}") };
+    format!("({})", position.iter().map(one).collect::<Vec<_>>().join(", "))
+}
+
 /// Refuses a coordinate that is NaN, infinite or beyond a kilometre.
 pub(super) fn check_position(position: Point3<f64>) -> Result<(), WireframeError> {
     if position.coords.iter().all(|c| c.abs() <= LARGEST_COORDINATE_MM) {
@@ -313,6 +319,10 @@ mod tests {
         let a = w.add_vertex(at(0.0)).unwrap();
         assert!(matches!(w.add_vertex(at(f64::NAN)), Err(WireframeError::Position(_))));
         assert!(matches!(w.add_vertex(at(1.1e6)), Err(WireframeError::Position(_))));
+        assert_eq!(
+            w.add_vertex(at(-1e300)).unwrap_err().to_string().split_once(" is").unwrap().0,
+            "(-1e300, 0, 0)"
+        );
         assert_eq!(w.add_edge(a, VertexId(7)), Err(WireframeError::NoVertex(VertexId(7))));
         assert_eq!(w.insert_vertex(a, at(1.0)), Err(WireframeError::VertexExists(a)));
         assert_eq!(w.insert_vertex(VertexId(u32::MAX), at(1.0)), Err(WireframeError::Full));

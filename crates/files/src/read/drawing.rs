@@ -24,6 +24,7 @@ pub(crate) struct Drawing {
     pub(crate) faces: Vec<Vec<u32>>,
     /// How many millimetres the unit is that the file names.
     pub(crate) unit_mm: Option<f64>,
+    pub(crate) layers: Vec<String>,
     pub(crate) notes: Notes,
 }
 
@@ -77,6 +78,7 @@ impl Drawing {
             stencil,
             program: None,
             document: None,
+            layers: self.layers,
             notes: self.notes.into_vec(),
         })
     }

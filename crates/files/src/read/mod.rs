@@ -56,6 +56,8 @@ pub struct Imported {
     pub program: Option<ImportedProgram>,
     /// The rest of a project document, if the file is one.
     pub document: Option<Box<Document>>,
+    /// The layers of a drawing, hidden ones included, as [`ReadOptions::layers`] takes them.
+    pub layers: Vec<String>,
     /// What was merged, ignored or assumed.
     pub notes: Vec<Note>,
 }
@@ -105,6 +107,7 @@ pub fn read(
                 stencil,
                 program: None,
                 document: Some(Box::new(document)),
+                layers: Vec::new(),
                 notes: Vec::new(),
             })
         }

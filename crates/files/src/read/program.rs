@@ -174,6 +174,7 @@ pub(crate) fn finish(
         stencil: None,
         program: Some(program),
         document: None,
+        layers: Vec::new(),
         notes: notes.into_vec(),
     })
 }

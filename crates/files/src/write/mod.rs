@@ -3,18 +3,24 @@
 //! Programs of machines are written by their drivers. Lengths are mm, angles degrees.
 
 mod centreline;
+mod glb;
 mod job_sheet;
 mod number;
 mod obj;
 mod pdf;
 mod svg;
 mod template;
+mod tube;
+mod wireframe_obj;
 
 pub use centreline::{Centreline, centreline};
+pub use glb::glb;
 pub use job_sheet::{Figure, Finding, JobSheet, SheetStep, SheetWire, job_sheet};
-pub use obj::{Tube, obj};
+pub use obj::obj;
 pub use pdf::{Paper, Pdf};
 pub use svg::{Mark, MarkAt, Picture, PictureWire, Severity, View, svg};
 pub use template::{
     Drawing, Layer, Shape, Template, TooManyPages, template, template_dxf, template_pdf, template_svg,
 };
+pub use tube::Tube;
+pub use wireframe_obj::wireframe_obj;

@@ -200,6 +200,7 @@ fn hidden_layers_are_left_out_unless_they_are_asked_for() {
         x
     };
     let all = import("a.dxf", &text).unwrap();
+    assert_eq!(all.layers, ["0", "frozen", "off", "other", "wire"], "to choose of, hidden ones too");
     // What is in the block is on layer 0, so on the layer of the block.
     assert_eq!(along(&all), [1.0, 4.0, 8.0]);
     expect_test::expect![[r#"

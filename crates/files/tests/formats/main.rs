@@ -25,6 +25,7 @@ mod round_trips;
 mod svg;
 mod tables;
 mod templates;
+mod written_models;
 
 use std::path::PathBuf;
 

@@ -234,31 +234,3 @@ proptest! {
         }
     }
 }
-
-#[test]
-fn the_tube_is_closed() {
-    let path = [[0., 0., 0.], [50., 0., 0.], [50., 40., 0.], [50., 40., 30.]].map(Point3::from);
-    let wire = wirebend_files::write::centreline(&path, mm(5.0), mm(0.05));
-    let text = obj(&[wire], Some(Tube { radius: mm(1.5), sides: 8 }));
-    let tube = import("wire.obj", &text).unwrap().stencil.unwrap();
-    // Euler's formula for a sphere, over the vertices that faces use.
-    let used: std::collections::BTreeSet<u32> = tube.faces().iter().flatten().copied().collect();
-    assert_eq!(used.len() + tube.faces().len(), tube.face_edges().len() + 2);
-    // The volume is that of the wire, and positive: the faces look outwards.
-    let volume: f64 = tube
-        .faces()
-        .iter()
-        .flat_map(|face| (1..face.len() - 1).map(move |k| [face[0], face[k], face[k + 1]]))
-        .map(|ids| ids.map(|id| tube.vertices()[id as usize].coords))
-        .map(|[a, b, c]| a.dot(&b.cross(&c)) / 6.0)
-        .sum();
-    let octagon = 2.0 * 2.0_f64.sqrt() * 1.5 * 1.5;
-    let length = 120.0 - 4.0 * 5.0 + 2.0 * 5.0 * std::f64::consts::FRAC_PI_2;
-    assert!((volume / (octagon * length) - 1.0).abs() < 0.01, "{volume}");
-}
-
-#[test]
-fn an_empty_wire_is_no_wire() {
-    assert_eq!(obj(&[Centreline::default()], None), "# bent wire, mm\n");
-    assert_eq!(Wireframe::new().vertex_count(), 0);
-}

@@ -276,6 +276,7 @@ fn layers_are_groups_by_label_or_id() {
     assert_eq!(lengths(&["wire"]), [1.0]);
     assert_eq!(lengths(&["L2", "WIRE"]), [1.0, 2.0]);
     let imported = with_layers("a.svg", &text, &["notes"]);
+    assert_eq!(imported.layers, ["Wire", "Notes"]);
     assert!(notes(&imported.notes).contains(&"2 elements on other layers left out".to_owned()));
 }
 

@@ -59,7 +59,7 @@ pub(super) struct Plotter<'a> {
 impl<'a> Plotter<'a> {
     /// # Errors
     /// [`ReadError::NoSuchLayer`] for a wanted layer that there is not.
-    pub(super) fn new(pen: Pen<'a>, content: &'a Content, layers: &[String]) -> Result<Self, ReadError> {
+    pub(super) fn new(mut pen: Pen<'a>, content: &'a Content, layers: &[String]) -> Result<Self, ReadError> {
         let all = content.blocks.values().flat_map(|block| &block.entities).chain(&content.entities);
         let mut known: BTreeSet<&str> = all.map(|entity| entity.layer.as_str()).collect();
         known.extend(content.layers.keys().map(String::as_str));
@@ -72,6 +72,7 @@ impl<'a> Plotter<'a> {
             let (file, name) = (pen.source.name.to_owned(), excerpt(name));
             return Err(ReadError::NoSuchLayer { file, name, have: have.join(", ") });
         }
+        pen.drawing.layers = known.into_iter().map(str::to_owned).collect();
         Ok(Self { pen, content, wanted, open: Vec::new(), met: 0 })
     }
 

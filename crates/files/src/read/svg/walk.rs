@@ -65,12 +65,12 @@ impl<'a, 'input> Walk<'a, 'input> {
     ) -> Result<Self, ReadError> {
         let layers: BTreeSet<String> = layers.iter().map(|layer| layer.to_lowercase()).collect();
         let groups = || tree.document.descendants().filter(|node| node.tag_name().name() == "g");
+        let is_layer = |group: &Node<'_, '_>| group.attribute((INKSCAPE, "groupmode")) == Some("layer");
+        let label =
+            |group: Node<'a, 'input>| group.attribute((INKSCAPE, "label")).or_else(|| group.attribute("id"));
+        pen.drawing.layers = groups().filter(is_layer).filter_map(label).map(str::to_owned).collect();
         if let Some(name) = layers.iter().find(|name| !groups().any(|group| named(group, name))) {
-            let is_layer = |group: &Node<'_, '_>| group.attribute((INKSCAPE, "groupmode")) == Some("layer");
-            let label = |group: Node<'_, '_>| {
-                group.attribute((INKSCAPE, "label")).or_else(|| group.attribute("id")).map(excerpt)
-            };
-            let have: Vec<String> = groups().filter(is_layer).filter_map(label).take(20).collect();
+            let have: Vec<String> = pen.drawing.layers.iter().take(20).map(|name| excerpt(name)).collect();
             let have = if have.is_empty() { "none".to_owned() } else { have.join(", ") };
             let file = tree.source.name.to_owned();
             return Err(ReadError::NoSuchLayer { file, name: excerpt(name), have });
