@@ -9,6 +9,7 @@ TOOLS := $(CURDIR)/target/tools
 export PATH := $(TOOLS)/bin:$(PATH)
 CARGO_DENY_VERSION := 0.20.2
 CARGO_FUZZ_VERSION := 0.13.2
+CHECK_JSONSCHEMA_VERSION := 0.39.0
 NODE := 20
 
 WIREBEND := target/release/wirebend
@@ -100,11 +101,10 @@ window: check-tools window-tools ui/dist/index.html ## the window, in target/rel
 
 # What is in the packages beside the window: the command line, and the drivers in a folder of their own.
 PACKAGES := target/package
-# The bundler names the package after the product's capitals and packs it with gzip: named as its program and packed with xz
-# it is a third smaller.
+# The bundler packs with gzip: with xz the package is a third smaller.
 UNPACKED := target/package/unpacked
 REPACK = dpkg-deb --raw-extract target/release/bundle/deb/*.deb $(UNPACKED) \
-	&& sed -i 's/^Package: .*/Package: wirebend-kit/; s/^Maintainer: .*/Maintainer: The WireBend-kit authors <authors@wirebend.invalid>/' $(UNPACKED)/DEBIAN/control \
+	&& sed -i 's/^Maintainer: .*/Maintainer: The WireBend-kit authors <authors@wirebend.invalid>/' $(UNPACKED)/DEBIAN/control \
 	&& chmod -R u=rwX,go=rX $(UNPACKED) \
 	&& dpkg-deb --root-owner-group -Zxz --build $(UNPACKED) $(PACKAGES)/ >/dev/null && rm -r $(UNPACKED)
 
@@ -125,7 +125,7 @@ appimage: package ## an AppImage besides, in target/package (fetches its runtime
 	cp target/release/bundle/appimage/*.AppImage $(PACKAGES)/
 
 .PHONY: test
-test: check-tools firmware-tools window-tools fmt-check ui-test lint unit doc tidy generate-check fuzz-check deny package e2e ## every check: format, lints, tests, documentation, tidiness, licences, the window in a browser and installed
+test: check-tools firmware-tools window-tools browser-tools fmt-check ui-test lint unit doc tidy generate-check fuzz-check deny package e2e ## every check: format, lints, tests, documentation, tidiness, licences, the window in a browser and installed
 
 .PHONY: ui-test
 ui-test: ui/dist/index.html ## types and tests of the editor
@@ -139,15 +139,22 @@ tests/e2e/node_modules/.package-lock.json: tests/e2e/package-lock.json
 
 # The editor in a real browser, and the installed package through WebDriver.
 .PHONY: e2e
-e2e: window-tools ui/dist/index.html tests/e2e/node_modules/.package-lock.json
+e2e: window-tools browser-tools ui/dist/index.html tests/e2e/node_modules/.package-lock.json
 	cargo build --package wirebend-tests-loopback --package wirebend-driver-template $(DRIVERS:%=--package wirebend-driver-%)
 	npm --prefix tests/e2e run --silent browser
 	npm --prefix tests/e2e run --silent installed
 
+# Packages are made by tags alone: what a mistake in their recipe would cost is seen before.
+.PHONY: release-check
+release-check: check-python ## the recipe of the release, against the schema of such recipes
+	test -x $(PEERS)/bin/python || python3 -m venv $(PEERS)
+	$(PEERS)/bin/python -m pip install --quiet --disable-pip-version-check check-jsonschema==$(CHECK_JSONSCHEMA_VERSION)
+	$(PEERS)/bin/check-jsonschema --builtin-schema vendor.github-workflows .github/workflows/*.yml
+
 # A fresh Debian in a folder, where apt installs the package for whoever has nothing else: as root and as a user. Needs root.
 CLEAN := target/clean-debian
 .PHONY: clean-debian
-clean-debian: package tests/e2e/node_modules/.package-lock.json ## the installed package in a fresh Debian, as root and as a user (needs root and debootstrap)
+clean-debian: package browser-tools tests/e2e/node_modules/.package-lock.json ## the installed package in a fresh Debian, as root and as a user (needs root and debootstrap)
 	@command -v debootstrap >/dev/null || { echo "debootstrap is missing; to install it: apt-get install -y debootstrap" >&2; exit 1; }
 	rm -rf --one-file-system $(CLEAN)
 	debootstrap --variant=minbase --include=ca-certificates bookworm $(CLEAN)
@@ -158,17 +165,25 @@ clean-debian: package tests/e2e/node_modules/.package-lock.json ## the installed
 		&& WIREBEND_ROOT=$(CURDIR)/$(CLEAN) WIREBEND_USER=1000 npm --prefix tests/e2e run --silent installed
 
 .PHONY: screenshots
-screenshots: window-tools ui/dist/index.html tests/e2e/node_modules/.package-lock.json ## the pictures of the README, in docs/pictures
+screenshots: window-tools browser-tools ui/dist/index.html tests/e2e/node_modules/.package-lock.json ## the pictures of the README, in docs/pictures
 	cargo build --package wirebend-tests-loopback --package wirebend-driver-template $(DRIVERS:%=--package wirebend-driver-%)
 	npm --prefix tests/e2e run --silent screenshots
 
 .PHONY: bench
-bench: check-tools check-python ## figures of this machine, ours and the peer's in the same run
+bench: check-tools check-python ## figures of this machine, ours and the peer's in the same run, and those of the window
 	cargo build --release --package wirebend-cli --package wirebend-benches
 	test -x $(PEERS)/bin/python || python3 -m venv $(PEERS)
 	$(PEERS)/bin/python -m pip install --quiet --disable-pip-version-check --requirement benches/peers/requirements.txt
 	cargo bench --package wirebend-benches
 	cargo run --quiet --release --package wirebend-benches --bin figures -- target/release/wirebend $(PEERS)/bin/python
+	$(MAKE) --no-print-directory bench-window
+
+# The installed window is that of the package that is there; its name and time are in the table.
+.PHONY: bench-window
+bench-window: build window-tools browser-tools ui/dist/index.html tests/e2e/node_modules/.package-lock.json ## the window's part of them: drag, stencil, start, memory; makes the package where there is none
+	@ls $(PACKAGES)/wirebend-kit_*.deb >/dev/null 2>&1 || $(MAKE) --no-print-directory package
+	cargo build --release --package wirebend-tests-loopback
+	npm --prefix tests/e2e run --silent bench
 
 .PHONY: fuzz
 fuzz: check-tools check-clang ## search for inputs that break a reader or the firmware, two minutes a target (FUZZ_SECONDS=120)
@@ -223,10 +238,11 @@ generate-check:
 fuzz-check:
 	cargo check --manifest-path fuzz/Cargo.toml
 
+# Not optimised: it runs for a second, and takes minutes to build otherwise.
 # Fetching brings the crates of other systems too, whose licences are looked at although nothing here builds them.
 .PHONY: deny
 deny:
-	@cargo deny --version >/dev/null 2>&1 || cargo install cargo-deny --locked --version $(CARGO_DENY_VERSION) --root $(TOOLS)
+	@cargo deny --version >/dev/null 2>&1 || cargo install cargo-deny --debug --locked --version $(CARGO_DENY_VERSION) --root $(TOOLS)
 	cargo fetch --quiet --locked
 	cargo deny --offline --log-level error check licenses bans sources
 	@if ls -d "$${CARGO_HOME:-$$HOME/.cargo}"/advisory-dbs/*/ >/dev/null 2>&1; then \
@@ -277,22 +293,33 @@ firmware-tools:
 	fi; \
 	here || { echo "the compiler or the simulator of the firmware is missing; to install them: $(INSTALL_FIRMWARE)" >&2; exit 1; }
 
-# The window's toolkit, a screen in memory, a browser and what drives them: installed where that can be done without asking.
-WINDOW_PACKAGES := build-essential pkg-config libwebkit2gtk-4.1-dev webkit2gtk-driver xvfb xauth chromium fonts-dejavu-core
+# The window's toolkit: installed where that can be done without asking.
+WINDOW_PACKAGES := build-essential pkg-config libwebkit2gtk-4.1-dev
 INSTALL_WINDOW := apt-get install -y --no-install-recommends $(WINDOW_PACKAGES)
 .PHONY: window-tools
 window-tools:
-	@here() { \
-		[ "$$(uname)" != Linux ] && return 0; \
-		command -v Xvfb >/dev/null && command -v xauth >/dev/null && command -v chromium >/dev/null \
-			&& command -v WebKitWebDriver >/dev/null && pkg-config --exists webkit2gtk-4.1; \
-	}; \
+	@here() { [ "$$(uname)" != Linux ] || pkg-config --exists webkit2gtk-4.1 2>/dev/null; }; \
 	here && exit 0; \
 	if command -v apt-get >/dev/null; then \
 		if [ "$$(id -u)" = 0 ]; then $(INSTALL_WINDOW); \
 		elif sudo -n true 2>/dev/null; then sudo -n $(INSTALL_WINDOW); fi; \
 	fi; \
-	here || { echo "the toolkit of the window, or what its tests need, is missing; to install it: $(INSTALL_WINDOW)" >&2; exit 1; }
+	here || { echo "the toolkit of the window is missing; to install it: $(INSTALL_WINDOW)" >&2; exit 1; }
+
+# A screen in memory, a browser, and what drives the window in the tests.
+BROWSER_PACKAGES := webkit2gtk-driver xvfb xauth xdotool dbus chromium fonts-dejavu-core
+INSTALL_BROWSER := apt-get install -y --no-install-recommends $(BROWSER_PACKAGES)
+.PHONY: browser-tools
+browser-tools:
+	@here() { \
+		for tool in Xvfb xauth xdotool dbus-daemon chromium WebKitWebDriver; do command -v $$tool >/dev/null || return 1; done; \
+	}; \
+	here && exit 0; \
+	if command -v apt-get >/dev/null; then \
+		if [ "$$(id -u)" = 0 ]; then $(INSTALL_BROWSER); \
+		elif sudo -n true 2>/dev/null; then sudo -n $(INSTALL_BROWSER); fi; \
+	fi; \
+	here || { echo "what the tests of the window need is missing; to install it: $(INSTALL_BROWSER)" >&2; exit 1; }
 
 .PHONY: check-clang
 check-clang:
