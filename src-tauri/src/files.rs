@@ -1,5 +1,6 @@
 //! Files that the system asks to open: by an argument, a double click, or a second start of the program.
 
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
@@ -41,8 +42,9 @@ impl FilesToOpen {
 }
 
 /// The files that a command line names, seen from the folder that it was given in.
-pub(crate) fn named(words: &[String], folder: &Path) -> Vec<PathBuf> {
-    words.iter().skip(1).filter(|word| !word.starts_with('-')).map(|word| folder.join(word)).collect()
+pub(crate) fn named(words: &[OsString], folder: &Path) -> Vec<PathBuf> {
+    let is_option = |word: &OsString| word.as_encoded_bytes().starts_with(b"-");
+    words.iter().skip(1).filter(|word| !is_option(word)).map(|word| folder.join(word)).collect()
 }
 
 /// The files that were named before the editor was there.
@@ -79,9 +81,19 @@ mod tests {
     /// A relative name means the folder that the second start was made in, not that of the first.
     #[test]
     fn names_are_seen_from_the_folder_of_their_command_line() {
-        let words = ["wirebend-kit", "--flag", "a.wirebend", "/there/c.obj"].map(str::to_owned);
+        let words = ["wirebend-kit", "--flag", "a.wirebend", "/there/c.obj"].map(OsString::from);
         let expected = vec![PathBuf::from("/here/a.wirebend"), PathBuf::from("/there/c.obj")];
         assert_eq!(named(&words, Path::new("/here")), expected);
+    }
+
+    /// A file that is not named in this encoding would end the program before its window is there.
+    #[cfg(unix)]
+    #[test]
+    fn a_name_of_any_bytes_is_a_name() {
+        use std::os::unix::ffi::OsStringExt;
+        let name = OsString::from_vec(b"caf\xe9.wirebend".to_vec());
+        let words = [OsString::from("wirebend-kit"), name.clone()];
+        assert_eq!(named(&words, Path::new("/here")), [Path::new("/here").join(name)]);
     }
 
     /// A file would be opened twice, or never.

@@ -8,15 +8,17 @@ mod log;
 mod surroundings;
 mod telling;
 
+use std::ffi::OsString;
 use std::process::ExitCode;
 use std::sync::Arc;
 
 use anyhow::Context;
-use tauri::{Manager, Runtime};
+use tauri::{Manager, RunEvent, Runtime};
 use tauri_plugin_window_state::StateFlags;
 use wirebend_app::{Desk, Places};
 
 pub use files::FilesToOpen;
+use log::LogGuard;
 pub use telling::Telling;
 
 /// Runs the program with the arguments of the process.
@@ -29,8 +31,8 @@ pub fn main() -> ExitCode {
     }
     surroundings::prepare();
     let places = Places::of_person();
-    let _log = log::begin(places.state.as_deref());
-    match run(places) {
+    let log = log::begin(places.state.as_deref());
+    match run(places, log) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             tracing::error!("{error:#}");
@@ -39,12 +41,13 @@ pub fn main() -> ExitCode {
     }
 }
 
-fn run(places: Places) -> anyhow::Result<()> {
+/// `log` is held until the end: what ends here is the process.
+fn run(places: Places, mut log: Option<LogGuard>) -> anyhow::Result<()> {
     let telling = Arc::new(Telling::default());
-    let desk = Desk::new(places, Arc::clone(&telling) as _).context("the program cannot start")?;
     let builder = tauri::Builder::default()
         // It has to be the first: a second process is over before it does anything else.
         .plugin(tauri_plugin_single_instance::init(|app, words, folder| {
+            let words: Vec<OsString> = words.into_iter().map(OsString::from).collect();
             files::open_later(app, &files::named(&words, std::path::Path::new(&folder)));
             if let Some(window) = app.get_webview_window("main") {
                 let _ = window.unminimize();
@@ -53,18 +56,41 @@ fn run(places: Places) -> anyhow::Result<()> {
         }))
         .plugin(tauri_plugin_dialog::init())
         .plugin(tauri_plugin_window_state::Builder::new().with_state_flags(kept()).build());
-    let words: Vec<String> = std::env::args().collect();
+    let words: Vec<OsString> = std::env::args_os().collect();
     let folder = std::env::current_dir().unwrap_or_default();
-    let app = with_adapters(builder, desk, telling, FilesToOpen::new(files::named(&words, &folder)))
-        .setup(|app| {
-            if let Some(window) = app.get_webview_window("main") {
-                surroundings::stop_by_key(app.handle(), &window)?;
+    let files = FilesToOpen::new(files::named(&words, &folder));
+    let app = with_adapters(builder, Arc::clone(&telling), files)
+        // Here, since a second process does not come so far: it leaves no journal of a design behind.
+        .setup(move |app| {
+            match Desk::new(places, telling) {
+                Ok(desk) => {
+                    app.manage(Arc::new(desk));
+                    if let Some(window) = app.get_webview_window("main") {
+                        surroundings::stop_by_key(app.handle(), &window)?;
+                    }
+                }
+                Err(error) => dialogs::cannot_start(app.handle(), &error.to_string()),
             }
             Ok(())
         })
         .build(tauri::generate_context!())
         .context("the window cannot be opened")?;
-    app.run(|app, event| files::asked_by_system(app, &event));
+    app.run(move |app, event| {
+        files::asked_by_system(app, &event);
+        let desk = app.try_state::<Arc<Desk>>();
+        match (event, desk) {
+            (RunEvent::Exit, desk) => {
+                if let Some(desk) = desk {
+                    desk.leave();
+                }
+                // The last lines are written.
+                drop(log.take());
+            }
+            // The window is gone, and why is still to be read.
+            (RunEvent::ExitRequested { code: None, api, .. }, None) => api.prevent_exit(),
+            _ => {}
+        }
+    });
     Ok(())
 }
 
@@ -73,14 +99,13 @@ fn kept() -> StateFlags {
     StateFlags::POSITION | StateFlags::SIZE | StateFlags::MAXIMIZED
 }
 
-/// Everything that the editor may ask for.
+/// Everything that the editor may ask for. The desk is managed by whoever makes it.
 pub fn with_adapters<R: Runtime>(
     builder: tauri::Builder<R>,
-    desk: Desk,
     telling: Arc<Telling>,
     files: FilesToOpen,
 ) -> tauri::Builder<R> {
-    builder.manage(Arc::new(desk)).manage(telling).manage(files).invoke_handler(tauri::generate_handler![
+    builder.manage(telling).manage(files).invoke_handler(tauri::generate_handler![
         adapters::ask,
         adapters::stop,
         adapters::stencil_mesh,

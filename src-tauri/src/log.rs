@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use tracing_appender::non_blocking::WorkerGuard;
+pub(crate) use tracing_appender::non_blocking::WorkerGuard as LogGuard;
 use tracing_appender::rolling::{RollingFileAppender, Rotation};
 use tracing_subscriber::filter::LevelFilter;
 use tracing_subscriber::layer::SubscriberExt;
@@ -14,7 +14,7 @@ const DAYS: usize = 7;
 
 /// Writes what the program tells about its work to a file a day, and warnings to the error stream. What is returned is held
 /// until the end: dropping it writes the last lines.
-pub(crate) fn begin(state: Option<&Path>) -> Option<WorkerGuard> {
+pub(crate) fn begin(state: Option<&Path>) -> Option<LogGuard> {
     let terminal = fmt::layer()
         .with_writer(std::io::stderr)
         .without_time()

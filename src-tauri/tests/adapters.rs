@@ -30,7 +30,7 @@ fn window(files: Vec<PathBuf>) -> Window {
     };
     let telling = Arc::new(Telling::default());
     let desk = Desk::new(places, Arc::clone(&telling) as _).unwrap();
-    let builder = with_adapters(mock_builder(), desk, telling, FilesToOpen::new(files));
+    let builder = with_adapters(mock_builder(), telling, FilesToOpen::new(files)).manage(Arc::new(desk));
     let app = builder.build(mock_context(noop_assets())).unwrap();
     let page = tauri::WebviewWindowBuilder::new(&app, "main", tauri::WebviewUrl::default()).build().unwrap();
     Window { _home: home, _app: app, page }

@@ -1,12 +1,16 @@
 import { StrictMode } from "react";
 import { createRoot } from "react-dom/client";
 import { App } from "./App";
+import { SessionStop } from "./features/run/StopButton";
+import { DialogHead } from "./shared/Dialog";
 import "./shared/theme.css";
 
 const root = document.getElementById("root");
 if (!root) throw new Error("index.html has no element with the id root");
 createRoot(root).render(
   <StrictMode>
-    <App />
+    <DialogHead value={<SessionStop />}>
+      <App />
+    </DialogHead>
   </StrictMode>,
 );

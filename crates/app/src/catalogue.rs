@@ -2,7 +2,7 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use wirebend_profile::{Kind, Listing};
+use wirebend_profile::{Kind, Listing, Springback};
 
 use crate::{App, AppError, Progress};
 
@@ -67,8 +67,14 @@ pub struct MaterialEntry {
     pub price_per_mm: Option<f64>,
     /// Of the price.
     pub currency: Option<String>,
+    /// Depth of the neutral fibre, as a fraction of the diameter.
+    pub k_factor: f64,
+    /// Least and most that a bend loses when it is let go, degrees.
+    pub springback_deg: [f64; 2],
     /// Whether its springback was measured.
     pub springback_measured: bool,
+    /// Yield strength, `MPa`.
+    pub yield_strength_mpa: f64,
 }
 
 /// The materials.
@@ -112,15 +118,26 @@ pub(crate) fn materials(
 ) -> Result<MaterialsResponse, AppError> {
     let entry = |listing: Listing| {
         let figures = app.library.material(&listing.id)?.figures()?;
+        let (losses, springback_measured): (Vec<f64>, bool) = match &figures.springback {
+            Springback::Constant { angle_deg } => (vec![angle_deg.value], angle_deg.measured),
+            Springback::Table { positive, negative, measured, .. } => {
+                let all = positive.iter().chain(negative.iter().flatten());
+                (all.map(|point| point.loss_deg).collect(), *measured)
+            }
+        };
+        let springback_deg =
+            losses.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], &loss| {
+                [least.min(loss), most.max(loss)]
+            });
         Ok(MaterialEntry {
             diameter_mm: figures.diameter_mm,
             density_kg_per_m3: figures.density_kg_per_m3,
             price_per_mm: figures.price_per_mm,
             currency: figures.currency,
-            springback_measured: match &figures.springback {
-                wirebend_profile::Springback::Constant { angle_deg } => angle_deg.measured,
-                wirebend_profile::Springback::Table { measured, .. } => *measured,
-            },
+            k_factor: figures.k_factor,
+            springback_deg,
+            springback_measured,
+            yield_strength_mpa: figures.yield_strength_mpa,
             id: listing.id,
             name: listing.name,
             shipped: listing.shipped,

@@ -164,6 +164,7 @@ fn copy(opened: &Opened) -> Opened {
         name: opened.name.clone(),
         format: opened.format,
         document: opened.document.clone(),
+        layers: Vec::new(),
         notes: opened.notes.clone(),
     }
 }

@@ -169,7 +169,7 @@ impl DesignInput {
                 ..Document::new(imported.wireframe)
             },
         };
-        Ok(Opened { name, format: imported.format, document, notes })
+        Ok(Opened { name, format: imported.format, document, layers: imported.layers, notes })
     }
 }
 
@@ -178,13 +178,15 @@ pub(crate) struct Opened {
     pub name: String,
     pub format: Format,
     pub document: Document,
+    /// Of a drawing.
+    pub layers: Vec<String>,
     pub notes: Vec<NoteReport>,
 }
 
 impl Opened {
     /// A design that is open already.
     pub const fn of(name: String, document: Document) -> Self {
-        Self { name, format: Format::Wirebend, document, notes: Vec::new() }
+        Self { name, format: Format::Wirebend, document, layers: Vec::new(), notes: Vec::new() }
     }
 
     /// The design, if it has a wireframe to work on.

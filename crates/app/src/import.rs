@@ -1,9 +1,10 @@
-//! `import`: any file that can be read becomes a `.wirebend` document.
+//! `import`: any file that can be read becomes a `.wirebend` document, or an OBJ of its wireframe.
 
 use std::path::PathBuf;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use wirebend_files::document::Document;
 
 use crate::design::DesignInput;
 use crate::output::Output;
@@ -15,7 +16,7 @@ use crate::{App, AppError, Progress};
 pub struct ImportRequest {
     /// The design.
     pub design: DesignInput,
-    /// Where the document goes; absent, it is returned.
+    /// Where the document goes; absent, it is returned. A file whose name ends with `.obj` gets the wireframe alone.
     pub output: Option<Output>,
 }
 
@@ -62,7 +63,8 @@ pub(crate) fn import(
     request.output.as_ref().map_or(Ok(()), Output::check)?;
     let opened = request.design.open(progress)?;
     progress.stage("writing");
-    let contents = opened.document.to_bytes()?;
+    let as_obj = request.output.as_ref().is_some_and(Output::is_obj);
+    let contents = if as_obj { wireframe_obj(&opened.document)? } else { opened.document.to_bytes()? };
     let wireframe = &opened.document.wireframe;
     let mut corners = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
     for (_, vertex) in wireframe.vertices() {
@@ -100,4 +102,13 @@ pub(crate) fn import(
         contents: if output.is_some() { Vec::new() } else { contents },
         output,
     })
+}
+
+/// The wireframe alone, for another program.
+pub(crate) fn wireframe_obj(document: &Document) -> Result<Vec<u8>, AppError> {
+    if document.wireframe.vertex_count() == 0 {
+        let expected = "a vertex or more: an OBJ of no wireframe cannot be opened";
+        return Err(AppError::Value { name: "the wireframe", value: "empty".to_owned(), expected });
+    }
+    Ok(wirebend_files::write::wireframe_obj(&document.wireframe).into_bytes())
 }

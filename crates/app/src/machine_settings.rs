@@ -3,12 +3,15 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_driver_host::SessionError;
-use wirebend_driver_host::api::{Capability, Event, SettingCheck};
+use wirebend_driver_host::api::{Capability, SettingCheck};
 
 use crate::drivers::Signs;
-use crate::live::{At, Unnamed, Yes};
+use crate::live::{At, Connection, Unnamed, Yes};
 use crate::report::NoteReport;
 use crate::{App, AppError, LiveProblem, Progress};
+
+/// What a person is asked before settings are written.
+pub(crate) const QUESTION: &str = "May these settings be written to the machine, for good?";
 
 /// Whose settings to compare, and whether to write them. Nothing moves; nothing is written unless a person says so:
 /// here, or when they are asked.
@@ -62,13 +65,8 @@ pub(crate) fn machine_settings(
         return Err(LiveProblem::from(SessionError::Unsupported { driver, capability }).into());
     }
     if request.write {
-        let lines = lines(&connection.port, connection.session.identity(), &connection.hearing.settings);
-        let question = "May these settings be written to the machine, for good?";
-        let yes = Yes::ask(progress, lines, question, request.confirmed)?;
-        progress.stage("writing settings");
-        connection.session.write_settings(&yes.confirmed()?).map_err(LiveProblem::from)?;
-        let written = |event: &Event| matches!(event, Event::SettingsWritten { .. });
-        while !connection.look("its settings were written")?.iter().any(written) {}
+        let yes = Yes::ask(progress, lines(&connection), QUESTION, request.confirmed)?;
+        connection.write_settings(&yes)?;
     }
     let settings = std::mem::take(&mut connection.hearing.settings);
     Ok(MachineSettingsResponse {
@@ -82,8 +80,10 @@ pub(crate) fn machine_settings(
     })
 }
 
-fn lines(port: &str, identity: &str, settings: &[SettingCheck]) -> Vec<String> {
-    let mut lines = vec![format!("the machine at {port} ({identity})")];
+/// What a person reads before settings are written.
+pub(crate) fn lines(connection: &Connection) -> Vec<String> {
+    let settings = &connection.hearing.settings;
+    let mut lines = vec![format!("the machine at {} ({})", connection.port, connection.session.identity())];
     let one = |s: &SettingCheck| format!("{}: {} becomes {}", s.name, s.machine, s.expected);
     lines.extend(settings.iter().filter(|s| s.machine != s.expected).map(one));
     if lines.len() == 1 {

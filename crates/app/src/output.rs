@@ -19,6 +19,11 @@ pub struct Output {
 }
 
 impl Output {
+    /// Whether its name says that it is a model for another program.
+    pub(crate) fn is_obj(&self) -> bool {
+        self.path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("obj"))
+    }
+
     /// Refuses before any work is done what would be refused in the end.
     ///
     /// # Errors

@@ -1,8 +1,10 @@
 //! A machine that outlives its driver: it is kept in a file, as a real one keeps its queue when the computer is
 //! gone. Everything that it makes is written down there, so that a step that is made twice is seen.
 //!
-//! Settings: `machine` (the file), `faults` (a list of `{"at": step, "how": …}`, of which each happens once)
-//! and `alone` (how many of the steps that it has taken it makes before it is connected to again).
+//! Settings: `machine` (the file), `faults` (a list of `{"at": step, "how": …}`, of which each happens once),
+//! `alone` (how many of the steps that it has taken it makes before it is connected to again), `holds_by_hand` (in which of
+//! the moves by hand, from 1, it holds; a search for the reference is one) and `misset` (one of its settings is another until
+//! they are written).
 
 use std::collections::VecDeque;
 use std::fs::{self, File};
@@ -10,7 +12,7 @@ use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
-use wirebend_driver_api::{Batch, Call, DriverError, Event, GoingOn, PausedBy, Sent};
+use wirebend_driver_api::{Batch, Call, DriverError, Event, GoingOn, PausedBy, Sent, SettingCheck};
 
 /// How many steps it takes ahead.
 const ROOM: u32 = 3;
@@ -21,6 +23,8 @@ pub(crate) struct Settings {
     machine: Option<PathBuf>,
     faults: Vec<Fault>,
     alone: u32,
+    holds_by_hand: u32,
+    misset: bool,
 }
 
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -73,6 +77,8 @@ pub(crate) struct Machine {
     going_on: bool,
     holds: bool,
     finished: bool,
+    /// Moves by hand that were begun.
+    by_hand: u32,
     events: VecDeque<Event>,
     /// Only one driver at a time: the one before may still be on its way out.
     _lock: File,
@@ -94,6 +100,7 @@ impl Machine {
             going_on: false,
             holds: false,
             finished: false,
+            by_hand: 0,
             events,
             _lock: lock,
         })
@@ -104,7 +111,12 @@ impl Machine {
             .map_err(|error| DriverError::new("unknown-call", error.to_string(), ""))?;
         match call {
             Call::Connect { resume, .. } => self.connect(resume.as_deref()),
-            Call::Home => self.events.push_back(Event::Homed),
+            Call::WriteSettings => {
+                self.settings.misset = false;
+                self.events.push_back(Event::SettingsWritten { settings: Vec::new() });
+            }
+            Call::Home => self.move_by_hand(Event::Homed),
+            Call::Jog(_) => self.move_by_hand(Event::Jogged),
             Call::Arm(run) => {
                 if !self.going_on {
                     self.kept.sessions += 1;
@@ -128,7 +140,7 @@ impl Machine {
                 self.events.push_back(Event::Resumed);
             }
             Call::Stop => {
-                self.going_on = false;
+                (self.going_on, self.holds) = (false, false);
                 self.kept.session = None;
                 self.save();
                 self.events.push_back(Event::Stopped { homed: false });
@@ -137,6 +149,12 @@ impl Machine {
             _ => return Err(DriverError::unsupported("do that")),
         }
         Ok(json!({}))
+    }
+
+    fn move_by_hand(&mut self, made: Event) {
+        self.by_hand += 1;
+        let holds = self.by_hand == self.settings.holds_by_hand;
+        self.events.push_back(if holds { Event::Paused { by: PausedBy::Silence } } else { made });
     }
 
     fn connect(&mut self, resume: Option<&str>) {
@@ -151,7 +169,14 @@ impl Machine {
             going_on = Some(GoingOn { accepted: self.kept.accepted, done: self.kept.done });
         }
         let identity = "a machine in a file".to_owned();
-        self.events.push_back(Event::Connected { identity, settings: Vec::new(), homed: false, going_on });
+        let other = || SettingCheck {
+            name: "$100".to_owned(),
+            machine: "80".to_owned(),
+            expected: "40".to_owned(),
+            matters: true,
+        };
+        let settings = self.settings.misset.then(other).into_iter().collect();
+        self.events.push_back(Event::Connected { identity, settings, homed: false, going_on });
         if self.holds {
             self.events.push_back(Event::Paused { by: PausedBy::Silence });
         }

@@ -14,7 +14,9 @@ pub(crate) const DESCRIPTION: &str = r#"{"id": "hostile", "name": "Hostile", "ve
 "settings_schema": {"type": "object", "additionalProperties": false, "properties": {
     "machine": {"type": "string", "description": "File that the machine is kept in."},
     "faults": {"type": "array", "items": {"type": "object"}, "description": "What goes wrong, and at which step."},
-    "alone": {"type": "integer", "description": "Steps that it makes while nobody is there."}}}}"#;
+    "alone": {"type": "integer", "description": "Steps that it makes while nobody is there."},
+    "holds_by_hand": {"type": "integer", "description": "The move by hand in which it holds."},
+    "misset": {"type": "boolean", "description": "A setting is another one until it is written."}}}}"#;
 
 /// What the machine's settings are at a moment; one that differs at first keeps to it when they are written.
 fn settings(when: &str) -> Value {

@@ -375,6 +375,9 @@ export type MachineOrder =
       other_machine?: boolean;
     }
   | {
+      order: "write-settings";
+    }
+  | {
       order: "disconnect";
     };
 /**
@@ -450,6 +453,7 @@ export interface Requests {
   save: SaveDesign;
   "save-job": SaveJob;
   "save-recording": SaveRecording;
+  "save-wireframe": SaveWireframe;
   start: Start;
   "trust-driver": DriverTrustRequest;
   undo: Undo;
@@ -842,6 +846,12 @@ export interface SaveJob {
  * Writes the moves that were recorded.
  */
 export interface SaveRecording {
+  output: Output;
+}
+/**
+ * Writes the wireframe of the open design as an OBJ, which other programs edit.
+ */
+export interface SaveWireframe {
   output: Output;
 }
 /**

@@ -4,7 +4,18 @@
  * An order without its particulars, such as for a button.
  */
 export type OrderName =
-  "home" | "jog" | "arm" | "disarm" | "start" | "pause" | "resume" | "resume-run" | "abandon" | "replay" | "disconnect";
+  | "home"
+  | "jog"
+  | "arm"
+  | "disarm"
+  | "start"
+  | "pause"
+  | "resume"
+  | "resume-run"
+  | "abandon"
+  | "replay"
+  | "write-settings"
+  | "disconnect";
 /**
  * What the machine is in.
  */
@@ -24,7 +35,7 @@ export type Phase =
 /**
  * What a question is about.
  */
-export type QuestionKind = "move" | "arm" | "go-on" | "doubt";
+export type QuestionKind = "move" | "arm" | "go-on" | "doubt" | "settings";
 /**
  * What a body moves with.
  */
@@ -418,6 +429,7 @@ export interface Responses {
   save: DesignOpened;
   "save-job": SavedJob;
   "save-recording": SavedRecording;
+  "save-wireframe": SavedWireframe;
   start: Started;
   "trust-driver": DriverTrustResponse;
   undo: EditMade;
@@ -658,6 +670,11 @@ export interface Unfinished {
    */
   port: string;
   /**
+   * Whether it can be gone on with: its record may be damaged. Then it can be given up, and nothing is known of when and
+   * where it was begun.
+   */
+  resumable: boolean;
+  /**
    * When.
    */
   started: string;
@@ -675,9 +692,17 @@ export interface WireState {
    */
   elapsed_s: number;
   /**
+   * Hash of its job: the open design may make another one by now.
+   */
+  job_hash: string;
+  /**
    * The last step that was made.
    */
   made: number;
+  /**
+   * Name of the design.
+   */
+  name: string;
   /**
    * How many there are.
    */
@@ -734,7 +759,7 @@ export interface MachineViewResponse {
   /**
    * Why its driver cannot be used; null where it can.
    */
-  driver_problem: string | null;
+  driver_problem: RunProblem | null;
   /**
    * Its profile.
    */
@@ -1751,7 +1776,7 @@ export interface ExportsResponse {
   /**
    * Drivers that could not be asked, and why.
    */
-  problems: string[];
+  problems: RunProblem[];
 }
 /**
  * A format to choose.
@@ -1952,6 +1977,10 @@ export interface LookResponse {
    */
   format: string;
   /**
+   * The layers of a drawing, hidden ones included.
+   */
+  layers: string[];
+  /**
    * Its name.
    */
   name: string;
@@ -2108,6 +2137,10 @@ export interface MaterialEntry {
    */
   id: string;
   /**
+   * Depth of the neutral fibre, as a fraction of the diameter.
+   */
+  k_factor: number;
+  /**
    * Its name.
    */
   name: string;
@@ -2120,9 +2153,20 @@ export interface MaterialEntry {
    */
   shipped: boolean;
   /**
+   * Least and most that a bend loses when it is let go, degrees.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  springback_deg: [number, number];
+  /**
    * Whether its springback was measured.
    */
   springback_measured: boolean;
+  /**
+   * Yield strength, `MPa`.
+   */
+  yield_strength_mpa: number;
 }
 /**
  * The ports.
@@ -2203,6 +2247,11 @@ export interface ProgramResponse {
    * Whether the machine can make it.
    */
   feasible: boolean;
+  /**
+   * Hash of the job that arming the design as it is would make; null where none can be made. A wire of the
+   * connected machine whose job has this hash is one of this very program.
+   */
+  job_hash: string | null;
   /**
    * The machine.
    */
@@ -2502,6 +2551,15 @@ export interface SavedJob {
 export interface SavedRecording {
   /**
    * Its file.
+   */
+  file: string;
+}
+/**
+ * A wireframe that was written.
+ */
+export interface SavedWireframe {
+  /**
+   * The file.
    */
   file: string;
 }

@@ -55,7 +55,18 @@ export type OperatorEvent =
  * An order without its particulars, such as for a button.
  */
 export type OrderName =
-  "home" | "jog" | "arm" | "disarm" | "start" | "pause" | "resume" | "resume-run" | "abandon" | "replay" | "disconnect";
+  | "home"
+  | "jog"
+  | "arm"
+  | "disarm"
+  | "start"
+  | "pause"
+  | "resume"
+  | "resume-run"
+  | "abandon"
+  | "replay"
+  | "write-settings"
+  | "disconnect";
 /**
  * What the machine is in.
  */
@@ -75,7 +86,7 @@ export type Phase =
 /**
  * What a question is about.
  */
-export type QuestionKind = "move" | "arm" | "go-on" | "doubt";
+export type QuestionKind = "move" | "arm" | "go-on" | "doubt" | "settings";
 /**
  * Something that happened on a machine, or is about to.
  */
@@ -409,6 +420,11 @@ export interface Unfinished {
    */
   port: string;
   /**
+   * Whether it can be gone on with: its record may be damaged. Then it can be given up, and nothing is known of when and
+   * where it was begun.
+   */
+  resumable: boolean;
+  /**
    * When.
    */
   started: string;
@@ -426,9 +442,17 @@ export interface WireState {
    */
   elapsed_s: number;
   /**
+   * Hash of its job: the open design may make another one by now.
+   */
+  job_hash: string;
+  /**
    * The last step that was made.
    */
   made: number;
+  /**
+   * Name of the design.
+   */
+  name: string;
   /**
    * How many there are.
    */
@@ -537,7 +561,7 @@ export interface WireRun {
   made: number;
   outcome: RunOutcome;
   /**
-   * What failed.
+   * What failed, or why it was stopped where nobody has asked for that.
    */
   problem: RunProblem | null;
   /**

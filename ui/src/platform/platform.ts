@@ -14,7 +14,7 @@ export class Refused extends Error {
   readonly refusal: Tells["refusal"];
 
   constructor(refusal: Tells["refusal"]) {
-    super(worded(refusal.code, refusal.message));
+    super(worded(refusal));
     this.refusal = refusal;
   }
 }

@@ -22,7 +22,7 @@ export function inBox(design: DrawnDesign, projection: Projection, box: Box): Se
   const within = (x: number, y: number): boolean => x >= left && x <= right && y >= top && y <= bottom;
   const inside = design.at.map((at) => {
     const seen = projection.seen(at);
-    return (seen.depth > 0 || !projection.perspective) && within(seen.x, seen.y);
+    return projection.sees(seen) && within(seen.x, seen.y);
   });
   const vertices = new Set(design.vertices.filter((_, row) => inside[row]).map((vertex) => vertex.id));
   const touches = touching(box);

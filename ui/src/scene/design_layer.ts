@@ -75,6 +75,8 @@ export class DesignLayer {
   /** One for each line that an edge is drawn as. */
   looks(id: number): TubeLook[] {
     const { marks, theme } = this;
+    // Edges that are fine stay as they are, checked or not: green is for the vertices, and among a hundred green tubes nobody would
+    // find the red one.
     const verdict = marks.edges.get(id) ?? "fine";
     const look = { colour: verdict === "fine" ? theme.edge : theme[verdict], width: WIDTHS[verdict], dim: this.removed.has(id) ? 0.72 : 0 };
     if (!marks.doubled.has(id)) return [look];

@@ -23,6 +23,9 @@ it("counts in inches for those who do", () => {
   expect(spacingText(spacing, "inch")).toBe("1 in");
 });
 
-it("is not finer than the grid that is drawn on", () => {
+it("has its lines where the grid is that is drawn on: 7 mm, and every tenth of them from far away", () => {
   expect(gridSpacing(0.1, "mm", 5).mm).toBe(5);
+  expect(gridSpacing(0.1, "mm", 7).mm).toBe(7);
+  expect(gridSpacing(1, "mm", 7).mm).toBe(70);
+  expect(gridSpacing(0.3, "inch", 6.35).mm).toBe(6.35);
 });

@@ -14,11 +14,11 @@ export interface Spacing {
 /** Fine lines are at least this far apart, CSS pixels. */
 const NARROWEST = 9;
 
-/** `pixel`: mm a CSS pixel where it is looked at. Powers of ten of the unit, at least `least` mm. */
-export function gridSpacing(pixel: number, units: Units, least = 0): Spacing {
-  const unit = units === "inch" ? MM_PER_INCH : 1;
+/** `pixel`: mm a CSS pixel where it is looked at. Powers of ten of the unit; of `snapped` mm where that is given, so that clicks go where lines are. */
+export function gridSpacing(pixel: number, units: Units, snapped = 0): Spacing {
+  const unit = snapped > 0 ? snapped : units === "inch" ? MM_PER_INCH : 1;
   const power = Math.ceil(Math.log10((NARROWEST * pixel) / unit) - 1e-9);
-  const mm = Math.max(unit * 10 ** Math.max(power, -1), least);
+  const mm = unit * 10 ** Math.max(power, snapped > 0 ? 0 : -1);
   const apart = Math.log10(mm / pixel / NARROWEST);
   return { mm, fine: Math.min(Math.max(apart, 0), 1) };
 }

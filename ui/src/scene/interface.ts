@@ -34,7 +34,7 @@ export interface SceneMarks {
   readonly doubled: ReadonlySet<number>;
   /** Where the wire starts, with the vertex that it goes to first. */
   readonly start: { readonly vertex: number; readonly towards: number } | null;
-  /** Whether anything was checked at all: without a machine everything is grey. */
+  /** Whether all of it was checked, to the last bend: otherwise what is not named is grey, as without a machine. */
   readonly checked: boolean;
 }
 
@@ -137,7 +137,7 @@ export interface PlayedStep {
   readonly rotate: number;
   /** Degrees, right-handed about the bend axis. */
   readonly bend: number;
-  /** Seconds that each of the three takes; the rest of the step is waiting. */
+  /** Seconds that each of the three takes, and that the peg takes to come out and go in; 0 where it stays out. */
   readonly seconds: readonly [number, number, number, number];
   /** Degrees that the bend axis goes to, which is more than the bend: springback and setback. */
   readonly bendAxis: number;
@@ -150,8 +150,8 @@ export type MachineShape =
 
 export interface MachineBody {
   readonly name: string;
-  /** `frame` stands still; `head` turns about the wire; `pin` is at the bend point; `peg` goes with the bend axis. */
-  readonly part: "frame" | "head" | "pin" | "peg";
+  /** `frame` stands still; `head` turns about the wire; `peg` goes with the bend axis, and in and out along it. */
+  readonly part: "frame" | "head" | "peg";
   readonly shape: MachineShape;
   /** Centre of the shape. x: along the wire, the way it leaves; z: the bend axis; origin: the bend point. */
   readonly at: Vec3;

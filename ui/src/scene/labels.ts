@@ -40,7 +40,7 @@ export class Labels {
       const seen = projection.seen(label.at);
       const width = textOf(label).length * LETTER + 15;
       const [x, y] = [seen.x + OFF, seen.y - OFF - HEIGHT / 2];
-      const within = shown && seen.depth > 0 && seen.x > -width && seen.y > 0 && seen.x < projection.width && seen.y < projection.height;
+      const within = shown && projection.sees(seen) && seen.x > -width && seen.y > 0 && seen.x < projection.width && seen.y < projection.height;
       const free = within && !taken.some((other) => Math.abs(other.y - y) < HEIGHT && x < other.x + other.width && other.x < x + width);
       element.style.visibility = free ? "visible" : "hidden";
       if (!free) continue;

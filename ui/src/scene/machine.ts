@@ -27,12 +27,17 @@ void main() {
 
 type Part = MachineBody["part"];
 
-const PARTS: readonly Part[] = ["frame", "head", "pin", "peg"];
+const PARTS: readonly Part[] = ["frame", "head", "peg"];
+
+/** mm between the wire and a peg that is in. */
+const CLEAR = 1;
 
 export class Machine {
   readonly group = new Group();
   private readonly head = new Group();
   private readonly peg = new Group();
+  /** mm along its own axis that the peg goes in by, so that the wire passes over it. */
+  private stroke = 0;
   private readonly meshes: { part: Part; mesh: Mesh<BufferGeometry, ShaderMaterial> }[] = [];
 
   constructor(private readonly uniforms: Shared) {
@@ -40,9 +45,11 @@ export class Machine {
     this.head.add(this.peg);
   }
 
-  /** `orbit`: x of the axis that the peg turns about, mm. */
-  show(bodies: readonly MachineBody[], orbit: number, theme: Theme): void {
+  /** `orbit`: x of the axis that the peg turns about, `wire`: its diameter, mm. */
+  show(bodies: readonly MachineBody[], orbit: number, wire: number, theme: Theme): void {
     this.clear();
+    const tops = bodies.filter(({ part }) => part === "peg").flatMap((body) => reach(body).map((at) => at[2]));
+    this.stroke = Math.max(0, ...tops) + wire / 2 + CLEAR;
     this.peg.position.set(orbit, 0, 0);
     for (const part of PARTS) {
       const solids = bodies.filter((body) => body.part === part).map((body) => solid(body, part === "peg" ? orbit : 0));
@@ -60,10 +67,11 @@ export class Machine {
     for (const { part, mesh } of this.meshes) (mesh.material.uniforms["colour"]?.value as Vector3).set(...theme.machine[part]);
   }
 
-  /** Radians: the head about +x, the peg about its own z. */
-  pose(head: number, peg: number): void {
+  /** Radians: the head about +x, the bend axis about the head's z. `out`: of the peg, from 0 to 1. */
+  pose(head: number, axis: number, out: number): void {
     this.head.rotation.x = head;
-    this.peg.rotation.z = peg;
+    this.peg.rotation.z = axis;
+    this.peg.position.z = (out - 1) * this.stroke;
   }
 
   dispose(): void {

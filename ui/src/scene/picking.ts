@@ -56,7 +56,7 @@ export function pickVertex(
     if (!at || without(id)) return;
     const seen = projection.seen(at);
     const off = Math.hypot(seen.x - x, seen.y - y);
-    if (inFront(projection, seen.depth) && off <= reach) found.push({ kind: "vertex", id, at, off, depth: seen.depth });
+    if (projection.sees(seen) && off <= reach) found.push({ kind: "vertex", id, at, off, depth: seen.depth });
   });
   const best = nearest(found);
   return best && { kind: "vertex", id: best.id, at: best.at };
@@ -104,8 +104,4 @@ export function nearOnSegment(
   const along = projection.onSegment(seen, fraction);
   const at: Vec3 = [a[0] + (b[0] - a[0]) * along, a[1] + (b[1] - a[1]) * along, a[2] + (b[2] - a[2]) * along];
   return { along, at, off, depth: projection.depth(at) };
-}
-
-function inFront(projection: Projection, depth: number): boolean {
-  return !projection.perspective || depth > 0;
 }

@@ -86,6 +86,25 @@ it("turns the peg about the orbit's axis, out and back", () => {
   expect(at(1).peg).toEqual([32, 0, 0]);
 });
 
+describe("a peg that the machine waits for", () => {
+  // A step is 6 s: feed 1 s, rotate 1 s, 1 s the peg comes out, there 1 s, back 1 s, 1 s it goes in.
+  const waiting = { steps: STEPS.map((each, k): PlayedStep => (k < 2 ? { ...each, seconds: [1, 1, 2, 2] } : each)) };
+  const height = (time: number): number => at(time, waiting).peg[2]!;
+  // It reaches 10 mm above the wire's middle; the wire is 3 mm thick, and 1 mm is left between them.
+  const IN = -12.5;
+
+  it("is in while the wire is fed and the head turns, and out while it bends", () => {
+    expect([0, 1, 2, 3, 4, 5, 6].map((seconds) => height(seconds / 6))).toEqual([IN, IN, IN, 0, 0, 0, IN].map((z) => expect.closeTo(z, 6)));
+    expect(height(2.5 / 6)).toBeCloseTo(IN / 2, 6);
+  });
+
+  it("moves along its own axis, also on a head that has turned", () => {
+    // The head's z points to +y.
+    expect(at(1 + 2 / 6, waiting).peg[1]).toBeCloseTo(IN, 6);
+    expect(at(2.5, waiting).peg[1]).toBeCloseTo(IN, 6);
+  });
+});
+
 it("shows the wire as made, also where the program asked for something else", () => {
   const playback = new Playback(shared(), THEMES.dark);
   playback.play(

@@ -6,7 +6,7 @@ import { Machine, reach } from "./machine";
 import { bendTurn, corners, type Run, runs } from "./poses";
 import type { Shared } from "./shading";
 import type { Rgb, Theme } from "./theme";
-import { phase, stepAt } from "./timing";
+import { phase, stepAt, waitsForPeg } from "./timing";
 import { Tubes } from "./tubes";
 import { along, distance, scale } from "./vec";
 
@@ -138,7 +138,7 @@ export class Playback {
     if (made)
       this.made = new Wire(this.uniforms, made, steps, made.length === path.length ? at : corners(made, steps.length), wireDiameter);
     for (const wire of [this.designed, this.made]) if (wire) this.group.add(wire.tubes.mesh);
-    this.machine.show(bodies, played.orbitOffset ?? 0, this.theme);
+    this.machine.show(bodies, played.orbitOffset ?? 0, wireDiameter, this.theme);
     this.update();
   }
 
@@ -171,7 +171,7 @@ export class Playback {
     const at = played && stepAt(played.steps.length, this.time);
     const step = at && played.steps[at.step];
     if (!played || !at || !step) return;
-    const { feed, rotate, bend, peg } = phase(step, at.fraction);
+    const { feed, rotate, bend, axis, out } = phase(step, at.fraction);
     const showMade = this.made !== null && this.shown !== "designed";
     const showDesigned = !showMade || this.shown === "both";
     this.designed?.show(at.step, feed, bend, theme.edge, this.progress, theme);
@@ -180,6 +180,6 @@ export class Playback {
     if (this.made) this.made.tubes.mesh.visible = showMade;
     const before = played.steps.slice(0, at.step).reduce((sum, one) => sum + one.rotate, 0);
     // Right-handed about the direction of travel, which is -x.
-    this.machine.pose(-(before + step.rotate * rotate) * RADIANS, step.bendAxis * peg * RADIANS);
+    this.machine.pose(-(before + step.rotate * rotate) * RADIANS, step.bendAxis * axis * RADIANS, waitsForPeg(played.steps) ? out : 1);
   }
 }

@@ -1,4 +1,5 @@
 import { expect, it } from "vitest";
+import { nearOnSegment } from "./picking";
 import { projectionOf } from "./testing";
 
 it("has x to the right and z up in front view, a pixel for a millimetre", () => {
@@ -43,4 +44,18 @@ it("cuts off what is behind the eye", () => {
   expect(segment?.from).toBe(0);
   expect(segment?.to).toBeCloseTo(0.5, 3);
   expect(projection.segment(behind, [behind[0] * 1.1, behind[1] * 1.1, behind[2] * 1.1])).toBeNull();
+});
+
+it("cuts nothing off without perspective: what is nearer than the eye is drawn, and can be meant", () => {
+  const projection = projectionOf("front");
+  const { back } = projection.axes;
+  const far = 3 * projection.depth([0, 0, 0]);
+  const behind = [40 + back[0] * far, back[1] * far, back[2] * far] as const;
+  expect(projection.depth(behind)).toBeLessThan(0);
+  expect(projection.sees(projection.seen(behind))).toBe(true);
+  expect(projection.segment([0, 0, 0], behind)).toMatchObject({ from: 0, to: 1 });
+  // Seen from the front, x is all that is left of it: 20 pixels to the right is its middle.
+  const near = nearOnSegment(projection, [0, 0, 0], behind, 420, 300);
+  expect(near?.along).toBeCloseTo(0.5);
+  expect(near?.off).toBeCloseTo(0);
 });

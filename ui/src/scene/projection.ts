@@ -8,7 +8,7 @@ import { direction, type Ray, subtract } from "./vec";
 export interface Seen {
   readonly x: number;
   readonly y: number;
-  /** mm in front of the eye; what is not above 0 is not on the screen. */
+  /** mm in front of the eye; see `Projection.sees` for what is on the screen. */
   readonly depth: number;
 }
 
@@ -55,8 +55,14 @@ export class Projection {
     return -(m[2]! * x + m[6]! * y + m[10]! * z + m[14]!);
   }
 
+  /** Whether a place is in front of the eye. Without perspective nothing is behind it: the view has no nearest plane there. */
+  sees({ depth }: Pick<Seen, "depth">): boolean {
+    return !this.perspective || depth > 0;
+  }
+
   /** Null where all of it is behind the eye. */
   segment(a: Vec3, b: Vec3): SeenSegment | null {
+    if (!this.perspective) return { a: this.seen(a), b: this.seen(b), from: 0, to: 1 };
     const [da, db] = [this.depth(a), this.depth(b)];
     if (da < NEAR && db < NEAR) return null;
     const cut = (NEAR - da) / (db - da);

@@ -14,6 +14,8 @@ import { SNAP_SHAPES, type Sign } from "./symbols";
 import { along, AXES, distance, length } from "./vec";
 
 const NOTHING: Selection = { vertices: new Set(), edges: new Set() };
+/** mm that a place may differ by on its way to the design and back. */
+const SAME = 1e-6;
 const NAMES: readonly Axis[] = ["x", "y", "z"];
 
 export class SelectTool implements ToolHandler {
@@ -116,18 +118,34 @@ export class SelectTool implements ToolHandler {
     if (this.grab) this.follow();
   }
 
-  /** Keys of a grab, and Escape of a box; whether it took this one. */
+  /**
+   * Keys of a grab, and Escape of a box; whether it took this one. A grab takes every key: one that changed the design, such as
+   * Delete or undo, would take away what is being moved.
+   */
   key(event: KeyboardEvent): boolean {
     const { grab } = this;
     if (this.box && event.key === "Escape") return this.cancel();
-    if (!grab || event.ctrlKey || event.metaKey || event.altKey) return false;
+    if (!grab) return false;
+    if (event.ctrlKey || event.metaKey || event.altKey) return true;
     const axis = NAMES.find((name) => name === event.key.toLowerCase());
     if (axis) grab.lock(axis, event.shiftKey);
     else if (event.key === "Escape") return this.cancel();
     else if (event.key === "Enter") this.drop();
-    else if (!grab.type(event.key)) return false;
+    else grab.type(event.key);
     if (this.grab) this.follow();
     return true;
+  }
+
+  /** What is being moved is given up where the design has it elsewhere now, or not any more; otherwise it stays in the hand. */
+  designChanged(): void {
+    const { grab, stage } = this;
+    if (!grab) return;
+    const stays = [...grab.from].every(([id, from]) => {
+      const at = stage.design.place(id);
+      return at !== null && distance(at, from) < SAME;
+    });
+    if (stays) stage.move(grab.moved);
+    else this.cancel();
   }
 
   /** Gives up a drag or a box; whether there was one. */

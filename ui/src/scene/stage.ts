@@ -294,8 +294,8 @@ export class Stage {
     const { camera, units } = this;
     const { orbit, ball } = camera;
     const drawing = this.tool === "draw" && !this.playing;
-    const least = drawing ? this.snap.grid : 0;
-    this.spacing = gridSpacing(pixelAtTarget(orbit, height), units, least);
+    const snapped = drawing ? this.snap.grid : 0;
+    this.spacing = gridSpacing(pixelAtTarget(orbit, height), units, snapped);
     const back = axes(orbit).back;
     const ground = facing(back, orbit.orthographic);
     // The machine stands on the ground; a design is wherever it was drawn.

@@ -27,7 +27,7 @@ export interface Theme {
   readonly stencil: Rgb;
   readonly grid: Rgb;
   readonly axes: readonly [Rgb, Rgb, Rgb];
-  readonly machine: { readonly frame: Rgb; readonly head: Rgb; readonly pin: Rgb; readonly peg: Rgb };
+  readonly machine: { readonly frame: Rgb; readonly head: Rgb; readonly peg: Rgb };
   readonly text: string;
   readonly textBack: string;
 }
@@ -56,7 +56,7 @@ export const THEMES: Readonly<Record<ThemeName, Theme>> = {
     stencil: rgb(0x7f93ab),
     grid: rgb(0x8fa3bd),
     axes: [rgb(0xf0616d), rgb(0x6cc04a), rgb(0x4f9dff)],
-    machine: { frame: rgb(0x64717f), head: rgb(0x8b99ab), pin: rgb(0xd5dce5), peg: rgb(0x58a0ff) },
+    machine: { frame: rgb(0x64717f), head: rgb(0x8b99ab), peg: rgb(0x58a0ff) },
     text: "#e8edf3",
     textBack: "rgb(16 20 26 / 0.86)",
   },
@@ -78,7 +78,7 @@ export const THEMES: Readonly<Record<ThemeName, Theme>> = {
     stencil: rgb(0x8c9db3),
     grid: rgb(0x6a7c93),
     axes: [rgb(0xd63f4c), rgb(0x3f9a1f), rgb(0x1f6feb)],
-    machine: { frame: rgb(0xaeb8c4), head: rgb(0x8d9bac), pin: rgb(0x5b6878), peg: rgb(0x1f6feb) },
+    machine: { frame: rgb(0xaeb8c4), head: rgb(0x8d9bac), peg: rgb(0x1f6feb) },
     text: "#17202b",
     textBack: "rgb(255 255 255 / 0.9)",
   },

@@ -8,14 +8,19 @@ export interface Phase {
   readonly rotate: number;
   /** Of the wire: it stays bent. */
   readonly bend: number;
-  /** Of the bend axis: it goes out and comes back. */
-  readonly peg: number;
+  /** Of the bend axis: it goes there and comes back. */
+  readonly axis: number;
+  /** Of the peg along its own axis: at 0 it is in, so that the wire can pass it, at 1 it is out and bends. */
+  readonly out: number;
 }
 
-const BEFORE: Phase = { feed: 0, rotate: 0, bend: 0, peg: 0 };
-const AFTER: Phase = { feed: 1, rotate: 1, bend: 1, peg: 0 };
+const BEFORE: Phase = { feed: 0, rotate: 0, bend: 0, axis: 0, out: 0 };
+const AFTER: Phase = { feed: 1, rotate: 1, bend: 1, axis: 0, out: 0 };
 
-/** `fraction` of the step's time: feed, then rotate, then bend (half of it out, half back), then waiting. */
+/** What a machine waits for at a bend is its peg, which comes out and goes in: whether any of these steps does. */
+export const waitsForPeg = (steps: readonly PlayedStep[]): boolean => steps.some(({ seconds }) => seconds[3] > 0);
+
+/** `fraction` of the step's time: feed, rotate, the peg comes out, the bend axis goes there and back, the peg goes in. */
 export function phase(step: PlayedStep, fraction: number): Phase {
   if (fraction <= 0) return BEFORE;
   if (fraction >= 1) return AFTER;
@@ -24,13 +29,14 @@ export function phase(step: PlayedStep, fraction: number): Phase {
   // A machine that tells no times: each part takes as long.
   if (!seconds.some((time) => time > 0)) seconds = [...moves.map((moving) => (moving ? 1 : 0)), 0];
   let left = fraction * seconds.reduce((sum, time) => sum + time, 0);
-  const parts = seconds.slice(0, 3).map((time) => {
+  const [feeding = 0, rotating = 0, bending = 0, waiting = 0] = seconds;
+  const parts = [feeding, rotating, waiting / 2, bending, waiting / 2].map((time) => {
     const done = time > 0 ? Math.min(left / time, 1) : left > 0 ? 1 : 0;
     left = Math.max(left - time, 0);
     return done;
   });
-  const [feed = 0, rotate = 0, bending = 0] = parts;
-  return { feed, rotate, bend: Math.min(bending * 2, 1), peg: 1 - Math.abs(bending * 2 - 1) };
+  const [feed = 0, rotate = 0, comes = 0, bent = 0, goes = 0] = parts;
+  return { feed, rotate, bend: Math.min(bent * 2, 1), axis: 1 - Math.abs(bent * 2 - 1), out: comes - goes };
 }
 
 /** Step and fraction within it; the last step at its end where the time is past it. Null without steps. */

@@ -26,6 +26,7 @@ import { SelectTool } from "./select_tool";
 import { Stage } from "./stage";
 import { type ThemeName, THEMES } from "./theme";
 import { TraceTool } from "./trace_tool";
+import { afterKey } from "./view_keys";
 
 export interface ViewportOptions {
   /** Smooth edges; without a graphics card they cost most of the time. */
@@ -91,6 +92,7 @@ export class Viewport {
     const { signal } = this.stop;
     // Restored by three.js itself, which needs the event not to end there.
     canvas.addEventListener("webglcontextlost", (event) => event.preventDefault(), { signal });
+    canvas.addEventListener("keydown", (event) => this.turnByKey(event), { signal });
     canvas.addEventListener("webglcontextrestored", () => this.frames.request(), { signal });
     this.resized = new ResizeObserver(() => {
       this.resize();
@@ -105,6 +107,7 @@ export class Viewport {
   /** All of the design, whenever any of it has changed: what is the same object is not drawn again. Ends what a drop has left shown. */
   setDesign(design: SceneDesign): void {
     this.stage.setDesign(design);
+    this.selecting.designChanged();
     this.tracing.designChanged();
     this.frameFirst();
   }
@@ -284,7 +287,7 @@ export class Viewport {
   /** CSS pixels in the viewport of a place of the design; null where it is behind the eye. */
   screen(at: readonly [number, number, number]): { x: number; y: number } | null {
     const seen = this.stage.projection.seen(at);
-    return seen.depth > 0 || this.stage.camera.orbit.orthographic ? { x: seen.x, y: seen.y } : null;
+    return this.stage.projection.sees(seen) ? { x: seen.x, y: seen.y } : null;
   }
 
   dispose(): void {
@@ -333,6 +336,17 @@ export class Viewport {
   private frameFirst(): void {
     if (this.framed || this.stage.empty || this.stage.camera.width < 2) return;
     this.frame();
+  }
+
+  /** Keys of the view alone, which count while it has the focus; to what is in the hand they are digits and signs. */
+  private turnByKey(event: KeyboardEvent): void {
+    const { camera } = this.stage;
+    if (event.ctrlKey || event.metaKey || event.altKey || this.selecting.grab) return;
+    const after = afterKey(camera.orbit, event, camera.height);
+    if (!after) return;
+    event.preventDefault();
+    camera.orbit = after.orbit;
+    this.viewMoved(after.turned);
   }
 
   private viewMoved(turned: boolean): void {

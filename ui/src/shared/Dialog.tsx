@@ -1,10 +1,15 @@
-import { type ReactNode, useEffect, useId, useRef } from "react";
+import { createContext, type ReactNode, use, useEffect, useId, useRef } from "react";
 import { Button } from "./Button";
 import "./layers.css";
 
 /**
+ * What stands in the head of every dialog, beside its title: a dialog makes everything behind it inert, STOP in the top bar too.
+ */
+export const DialogHead = createContext<ReactNode>(null);
+
+/**
  * Something that has to be answered before the work goes on. Esc and the cross call `onClose`; without it neither is there.
- * What is to be focused first has `data-first`; otherwise it is the first control.
+ * What is to be focused first has `data-first`; otherwise it is the cross, or what the dialog says.
  */
 export function Dialog({
   title,
@@ -22,11 +27,13 @@ export function Dialog({
 }) {
   const dialog = useRef<HTMLDialogElement>(null);
   const id = useId();
+  const head = use(DialogHead);
   useEffect(() => {
     const shown = dialog.current;
     const before = document.activeElement;
     shown?.showModal();
-    shown?.querySelector<HTMLElement>("[data-first]")?.focus();
+    const first = shown?.querySelector<HTMLElement>("[data-first]") ?? shown?.querySelector<HTMLElement>("[data-close]") ?? shown?.querySelector<HTMLElement>(".dialog-body");
+    first?.focus();
     return () => {
       shown?.close();
       if (before instanceof HTMLElement) before.focus();
@@ -44,7 +51,8 @@ export function Dialog({
     >
       <header className="dialog-head">
         <h2 id={id}>{title}</h2>
-        {onClose && <Button kind="quiet" icon="close" aria-label="Close" onClick={onClose} />}
+        {head && <div className="dialog-also">{head}</div>}
+        {onClose && <Button data-close kind="quiet" icon="close" aria-label="Close" onClick={onClose} />}
       </header>
       {/* It scrolls where the window is low, also by keys. */}
       <div className="dialog-body" tabIndex={0}>

@@ -65,6 +65,8 @@ it("runs what is chosen and closes, but not what cannot be used", () => {
   press("Home");
   act(() => (document.activeElement as HTMLElement).click());
   expect(ran).toEqual(["New"]);
+  // Where nothing has the focus the next key would be for the whole window.
+  expect(focused()).toBe("File");
   expect(host.querySelector("[role=menu]")).toBeNull();
 });
 

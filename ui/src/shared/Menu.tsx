@@ -119,7 +119,11 @@ export function MenuBar({ menus }: { readonly menus: readonly { readonly label: 
   const [open, setOpen] = useState<number | null>(null);
   const bar = useRef<HTMLDivElement>(null);
   const heads = () => [...(bar.current?.querySelectorAll<HTMLElement>(".menu-head") ?? [])];
-  const close = useCallback(() => setOpen(null), []);
+  // The focus goes back to the head: with the list it would be nowhere.
+  const close = useCallback(() => {
+    bar.current?.querySelector<HTMLElement>(".menu-head[aria-expanded=true]")?.focus();
+    setOpen(null);
+  }, []);
   useEffect(() => {
     if (open === null) return;
     const away = (event: PointerEvent) => {

@@ -77,6 +77,43 @@ describe("a field for a length", () => {
     expect(committed).toEqual([9, 15]);
   });
 
+  it("hands over with Enter what was just read, not what stood there before", () => {
+    const entered: number[] = [];
+    const field = show({ onEnter: (value) => entered.push(value) });
+    type(field, "25");
+    expect(entered).toEqual([25]);
+    expect(committed).toEqual([25]);
+  });
+
+  it("hands over what stands there where nothing was typed, with all its digits", () => {
+    const entered: number[] = [];
+    const field = show({ value: 10.04, onEnter: (value) => entered.push(value) });
+    act(() => void field.dispatchEvent(new KeyboardEvent("keydown", { key: "Enter", bubbles: true })));
+    expect(entered).toEqual([10.04]);
+    act(() => void field.dispatchEvent(new KeyboardEvent("keydown", { key: "Enter", repeat: true, bubbles: true })));
+    expect(entered).toEqual([10.04]);
+  });
+
+  it.each(["", " ", "abc", "-3"])("hands over nothing where it holds %j", (text) => {
+    const entered: number[] = [];
+    type(show({ min: 0, onEnter: (value) => entered.push(value) }), text);
+    expect(entered).toEqual([]);
+    expect(committed).toEqual([]);
+  });
+
+  it("counts every press of an arrow, also before the last one has been taken up", () => {
+    const press = (field: HTMLInputElement, key: string) => act(() => void field.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true })));
+    const field = show();
+    for (const key of ["ArrowUp", "ArrowUp", "ArrowUp"]) press(field, key);
+    expect(committed).toEqual([11, 12, 13]);
+    // The first of them is taken up: the next press still goes on from the last.
+    press(show({ value: 11 }), "ArrowUp");
+    expect(committed.at(-1)).toBe(14);
+    // Somebody else has changed it: it goes on from there.
+    press(show({ value: 50 }), "ArrowDown");
+    expect(committed.at(-1)).toBe(49);
+  });
+
   it("does not change by itself: leaving a field that shows rounded digits is no edit", () => {
     const field = show({ value: 10.04 });
     type(field, "10.0", "Enter");

@@ -63,8 +63,8 @@ export interface NumberFieldProps {
   readonly why?: string | null | undefined;
   readonly id?: string;
   readonly "aria-describedby"?: string | undefined;
-  /** Enter is pressed, after `onCommit`. */
-  readonly onEnter?: () => void;
+  /** Enter is pressed, after `onCommit`: with what was read just now, which `value` is only later. Not where the field is empty or wrong. */
+  readonly onEnter?: (value: number) => void;
 }
 
 /** A number with its unit. Reads "12.5", "12,5", "1/2 in", "12 mm"; Esc takes back what was typed; arrows step, by ten with Shift. */
@@ -74,32 +74,56 @@ export function NumberField({ label, prefix, kind = "length", value, onCommit, m
   const [typed, setTyped] = useState<string | null>(null);
   const field = useRef<HTMLInputElement>(null);
   useEffect(() => setTyped(null), [shown]);
+  // What the arrow keys asked for and `value` is not yet: the next press goes on from the last of them.
+  const stepped = useRef<number[]>([]);
+  useEffect(() => {
+    const reached = stepped.current.findIndex((asked) => value !== null && Math.abs(asked - value) < 1e-9);
+    stepped.current = reached < 0 ? [] : stepped.current.slice(reached + 1);
+  }, [value]);
 
   const read = typed === null ? value : how.read(typed);
   const outside = read !== null && (read < min || read > max);
   const wrong = typed !== null && typed.trim() !== "" && (read === null || outside);
   const limits = outside ? `from ${Number.isFinite(min) ? how.show(min) : "any"} to ${Number.isFinite(max) ? how.show(max) : "any"}` : "a number";
 
-  const commit = () => {
-    if (typed === null || typed === shown) return setTyped(null);
-    if (read !== null && !outside) onCommit(read);
-    else if (typed.trim() !== "") return;
+  /** What stands there now; null where it is empty or wrong. */
+  const commit = (): number | null => {
+    const latest = stepped.current.at(-1) ?? value;
+    if (typed === null || typed === shown) {
+      setTyped(null);
+      return latest;
+    }
+    if (read === null || outside) {
+      if (typed.trim() === "") setTyped(null);
+      return null;
+    }
+    stepped.current = [];
+    onCommit(read);
     setTyped(null);
+    return read;
   };
   const keys = (event: KeyboardEvent) => {
     if (event.key === "Enter") {
-      commit();
-      if (!wrong) onEnter?.();
+      const entered = commit();
+      // A key that is held down asks once.
+      if (entered !== null && !event.repeat) onEnter?.(entered);
     } else if (event.key === "Escape" && typed !== null) {
       event.stopPropagation();
       setTyped(null);
     } else if ((event.key === "ArrowUp" || event.key === "ArrowDown") && read !== null) {
       event.preventDefault();
       const step = how.step * (event.shiftKey ? 10 : 1) * (event.key === "ArrowUp" ? 1 : -1);
-      const next = Math.min(max, Math.max(min, read + step));
+      const from = typed === null ? (stepped.current.at(-1) ?? read) : read;
+      const next = Math.min(max, Math.max(min, from + step));
+      stepped.current.push(next);
       setTyped(null);
       onCommit(next);
     }
+  };
+  const leave = () => {
+    if (wrong) setTyped(null);
+    else commit();
+    stepped.current = [];
   };
   return (
     <span className={wrong ? "number-field wrong" : "number-field"} data-off={why ? true : undefined} title={why ?? (wrong ? `Expected ${limits}` : undefined)}>
@@ -124,7 +148,7 @@ export function NumberField({ label, prefix, kind = "length", value, onCommit, m
         placeholder={placeholder}
         onFocus={(event) => event.currentTarget.select()}
         onChange={(event) => !why && setTyped(event.currentTarget.value)}
-        onBlur={() => (wrong ? setTyped(null) : commit())}
+        onBlur={leave}
         onKeyDown={keys}
       />
       {how.unit && (

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { ago, angle, count, length, longLength, money, number, percent, roughly, signed, time } from "./format";
+import { ago, angle, count, length, longLength, money, number, percent, roughly, signed, speed, time } from "./format";
 import { parseAngle, parseLength, parseNumber } from "./parse";
 
 const thin = (text: string) => text.replaceAll("_", "\u202f").replaceAll("-", "\u2212");
@@ -7,7 +7,8 @@ const thin = (text: string) => text.replaceAll("_", "\u202f").replaceAll("-", "\
 describe("figures as a person reads them", () => {
   it.each([
     [11821.44, "11_821.4"],
-    [999.95, "1000.0"],
+    [999.94, "999.9"],
+    [999.95, "1_000.0"],
     [1234567, "1_234_567.0"],
     [-35, "-35.0"],
     [-0.04, "0.0"],
@@ -17,8 +18,9 @@ describe("figures as a person reads them", () => {
   it("shows lengths with the digits that a machine can make", () => {
     expect(length(601.42, "mm")).toBe("601.4 mm");
     expect(length(25.4, "inch")).toBe("1.000 in");
+    expect([speed(110.2, "mm"), speed(110.2, "inch")]).toEqual(["110.2 mm/s", "4.339 in/s"]);
     expect(longLength(12_220, "mm")).toBe("12.22 m");
-    expect(longLength(9_999, "mm")).toBe("9999.0 mm");
+    expect(longLength(9_999, "mm")).toBe(thin("9_999.0 mm"));
     expect(longLength(3657.6, "inch")).toBe("12.00 ft");
   });
 
@@ -67,6 +69,12 @@ describe("figures as a person types them", () => {
     ["abc", null],
     ["1/0", null],
     ["1.2.3", null],
+    ["1'250'000", 1_250_000],
+    ["1\u202f250,25", 1250.25],
+    ["- 3", -3],
+    ["5'6", null],
+    ["5 6", null],
+    ["1'25", null],
     ["--1", null],
   ])("%j", (text, value) => expect(parseNumber(text)).toBe(value));
 
@@ -79,6 +87,19 @@ describe("figures as a person types them", () => {
     ["1.5cm", "mm", 15],
     ["1 m", "mm", 1000],
     ["2 ft", "mm", 609.6],
+    // 5 ft 6 in are 66 in, of 25.4 mm each.
+    ['5\'6"', "inch", 1676.4],
+    ["5\u20326\u2033", "mm", 1676.4],
+    ["5'-6\"", "inch", 1676.4],
+    ["5 ft 6 in", "mm", 1676.4],
+    ["5'6", "inch", 1676.4],
+    ['5\' 6 1/2"', "inch", 1689.1],
+    ['-5\'6"', "inch", -1676.4],
+    ["5'", "mm", 1524],
+    ["1'250 mm", "inch", 1250],
+    ["1'005", "mm", 1005],
+    ["5'6 mm", "mm", null],
+    ['5\'13"', "inch", null],
     ["3 apples", "mm", null],
     ["mm", "mm", null],
   ] as const)("%j shown in %s", (text, unit, mm) => {

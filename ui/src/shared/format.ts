@@ -11,7 +11,7 @@ const MINUS = "\u2212";
 export function number(value: number, digits = 1): string {
   if (!Number.isFinite(value)) return "\u2013";
   const [whole = "", part] = Math.abs(value).toFixed(digits).split(".");
-  const apart = whole.length > 4 ? whole.replace(/\B(?=(\d{3})+$)/g, THIN) : whole;
+  const apart = whole.length > 3 ? whole.replace(/\B(?=(\d{3})+$)/g, THIN) : whole;
   const text = part === undefined ? apart : `${apart}.${part}`;
   return value < 0 && /[1-9]/.test(text) ? MINUS + text : text;
 }
@@ -38,10 +38,15 @@ export function length(mm: number, unit: DisplayUnit): string {
   return `${lengthNumber(mm, unit)} ${unitName(unit)}`;
 }
 
-/** Wire and stock: "12.22 m" from 10 m on, feet from 10 ft on. */
+/** What is loaded or bought, of which nobody counts millimetres: "12.22 m" from 10 m on, feet from 10 ft on. */
 export function longLength(mm: number, unit: DisplayUnit): string {
   if (unit === "inch") return Math.abs(mm) < 120 * MM_PER_INCH ? length(mm, unit) : `${number(mm / MM_PER_INCH / 12, 2)} ft`;
   return Math.abs(mm) < 10_000 ? length(mm, unit) : `${number(mm / 1000, 2)} m`;
+}
+
+/** "110.2 mm/s", "4.339 in/s". */
+export function speed(mmPerSecond: number, unit: DisplayUnit): string {
+  return `${length(mmPerSecond, unit)}/s`;
 }
 
 /** "151.3°". */

@@ -24,16 +24,31 @@ export function parseNumber(text: string): number | null {
     const value = Number(whole) + Number(above) / Number(below);
     return Number.isFinite(value) ? (sign === "-" ? -value : value) : null;
   }
+  // What sets thousands apart has three digits behind it: 5'6 is no 56, and 5 6 neither.
+  const tight = plain.replace(/^([+-])\s+/, "$1").replace(/(\d)[\s\u202f\u2009'](?=\d{3}(?!\d))/g, "$1");
   // Of a comma and a dot the last is the decimal sign; the other one sets thousands apart.
-  const tight = plain.replace(/[\s\u202f\u2009']/g, "");
   const decimal = tight.lastIndexOf(",") > tight.lastIndexOf(".") ? "," : ".";
   const other = decimal === "," ? "." : ",";
   const number = tight.replaceAll(other, "").replace(decimal, ".");
   return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(number) ? Number(number) : null;
 }
 
+/** Feet and inches: 5'6", 5' 6 1/2", 5'-6", 5 ft 6 in. The inches are fewer than a foot has: 1'250 is a number with its thousands apart. */
+const FEET = /^([+-]?)\s*(\d+)\s*(?:'|\u2032|ft)\s*-?\s*((?!\d{3})\d.*?)\s*(?:"|\u2033|in|inch|inches)?$/i;
+
+/** mm; null where the text is no feet and inches. */
+function parseFeet(text: string): number | null {
+  const [, sign, feet = "", rest = ""] = FEET.exec(text.replace(/\u2212/g, "-")) ?? [];
+  const inches = parseNumber(rest);
+  if (inches === null || inches >= 12) return null;
+  const value = Number(feet) * 304.8 + inches * 25.4;
+  return sign === "-" ? -value : value;
+}
+
 /** A length in mm; a number without a unit is in the unit that is shown. */
 export function parseLength(text: string, unit: DisplayUnit): number | null {
+  const feet = parseFeet(text.trim());
+  if (feet !== null) return feet;
   const [, before = "", word = ""] = /^(.*?)\s*([a-z]+|["'\u2032\u2033])?$/i.exec(text.trim()) ?? [];
   const value = parseNumber(before);
   const factor = word === "" ? (unit === "inch" ? 25.4 : 1) : LENGTHS[word.toLowerCase()];

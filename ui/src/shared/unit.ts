@@ -2,7 +2,7 @@ import { useMemo } from "react";
 import { create } from "zustand";
 import { type DisplayUnit, length, lengthNumber, longLength, unitName } from "./format";
 
-/** What lengths are shown in; it is kept with the design, and set from there. */
+/** What lengths are shown in: as the person has chosen, else as the design says. It is set from there. */
 export const useUnitStore = create<{ unit: DisplayUnit }>()(() => ({ unit: "mm" }));
 
 export function useUnit(): DisplayUnit {

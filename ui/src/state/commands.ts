@@ -1,5 +1,7 @@
-import { edit, redo, undo, useDesign } from "./design";
-import { newDesign, pickDesign, pickStencil, quit, save, saveAs, saveJob } from "./files";
+import { useUnitStore } from "../shared/unit";
+import { quit } from "./closing";
+import { redo, undo, useDesign, whyNoChange } from "./design";
+import { newDesign, pickDesign, pickStencil, save, saveAs, saveJob, saveWireframe, useFiles } from "./files";
 import { showHints } from "./hints";
 import type { CommandId } from "./keys";
 import * as operations from "./operations";
@@ -47,8 +49,14 @@ function end(): void {
   else select([]);
 }
 
+/** What is shown, and no change of the design. */
 function toggleUnits(): void {
-  void edit({ edit: "units", units: useDesign.getState().state?.units === "inch" ? "mm" : "inch" });
+  useUi.getState().setUnit(useUnitStore.getState().unit === "inch" ? "mm" : "inch");
+}
+
+/** A change of the design: not while the view shows how a machine makes it, nor while another one is being read. */
+function change(run: () => void, why?: () => string | null): Command {
+  return { run, why: () => (usePlayback.getState().live ? "A machine is making the wire" : null) ?? whyNoChange() ?? why?.() ?? null };
 }
 
 export const COMMANDS: Readonly<Record<CommandId, Command>> = {
@@ -58,15 +66,16 @@ export const COMMANDS: Readonly<Record<CommandId, Command>> = {
   examples: { run: dialog("examples") },
   save: { run: () => void save() },
   "save-as": { run: () => void saveAs() },
+  "save-wireframe": { run: () => void saveWireframe(), why: anything },
   "save-job": { run: () => void saveJob(), why: () => anything() ?? machine() },
   quit: { run: () => void quit() },
-  undo: { run: () => void undo(), why: () => (useDesign.getState().state?.undo ? null : "There is nothing to undo") },
-  redo: { run: () => void redo(), why: () => (useDesign.getState().state?.redo ? null : "There is nothing to do again") },
-  cut: { run: operations.cut, why: selected },
+  undo: change(() => void undo(), () => (useDesign.getState().state?.undo ? null : "There is nothing to undo")),
+  redo: change(() => void redo(), () => (useDesign.getState().state?.redo ? null : "There is nothing to do again")),
+  cut: change(operations.cut, selected),
   copy: { run: operations.copy, why: selected },
-  paste: { run: () => void operations.paste() },
-  duplicate: { run: () => void operations.duplicate(), why: selected },
-  delete: { run: operations.remove, why: selected },
+  paste: change(() => void operations.paste()),
+  duplicate: change(() => void operations.duplicate(), selected),
+  delete: change(operations.remove, selected),
   "select-all": { run: selectAll, why: anything },
   "select-connected": {
     run: () => {
@@ -82,19 +91,19 @@ export const COMMANDS: Readonly<Record<CommandId, Command>> = {
     },
     why: anything,
   },
-  straighten: { run: operation("straighten"), why: edges("straighten") },
-  round: { run: operation("round"), why: edges("round") },
-  mirror: { run: operation("mirror"), why: selected },
-  array: { run: operation("array"), why: selected },
-  scale: { run: operation("scale"), why: () => selected() ?? (operations.largest() ? null : "Select more than one vertex to scale") },
+  straighten: change(operation("straighten"), edges("straighten")),
+  round: change(operation("round"), edges("round")),
+  mirror: change(operation("mirror"), selected),
+  array: change(operation("array"), selected),
+  scale: change(operation("scale"), () => selected() ?? (operations.largest() ? null : "Select more than one vertex to scale")),
   "tool-select": { run: () => chooseTool("select") },
   "tool-trace": { run: () => chooseTool("trace") },
   "tool-draw": { run: () => chooseTool("draw") },
-  move: { run: move, why: selected },
-  extrude: { run: () => void operations.extrude(), why: vertices(1, "extrude") },
-  split: { run: () => void operations.split(), why: () => (useSelection.getState().edges.size > 0 ? null : "Select the edges to split first") },
-  merge: { run: () => void operations.merge(), why: vertices(2, "merge") },
-  connect: { run: () => void operations.connect(), why: vertices(2, "connect") },
+  move: change(move, selected),
+  extrude: change(() => void operations.extrude(), vertices(1, "extrude")),
+  split: change(() => void operations.split(), () => (useSelection.getState().edges.size > 0 ? null : "Select the edges to split first")),
+  merge: change(() => void operations.merge(), vertices(2, "merge")),
+  connect: change(() => void operations.connect(), vertices(2, "connect")),
   "view-front": { run: view("front") },
   "view-right": { run: view("right") },
   "view-top": { run: view("top") },
@@ -134,11 +143,14 @@ export function useWhyNot(id: CommandId): string | null {
   useDesign();
   useSelection(({ vertices: some }) => some);
   useSelection(({ edges: some }) => some);
+  usePlayback(({ live }) => live);
+  useFiles(({ busy }) => busy);
   return whyNot(id);
 }
 
-/** Forgets what was of the design before. */
+/** Forgets what was of the design before, also what is being drawn or moved. */
 export function designReplaced(): void {
+  useView.getState().handle?.cancel();
   useSelection.setState({ ...NOTHING, highlight: NOTHING });
   useView.setState({ preview: null, strand: null });
 }

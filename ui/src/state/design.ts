@@ -1,9 +1,10 @@
 import { create } from "zustand";
 import type { EditRequest } from "../generated/requests";
-import type { DesignView, LiveCheck, NoteReport, ViewChange } from "../generated/responses";
+import type { DesignView, EditMade, LiveCheck, NoteReport, ViewChange } from "../generated/responses";
 import { platform } from "../platform";
 import type { Moved, SceneDesign, SceneEdge, SceneStencil, SceneVertex } from "../scene/interface";
-import { told } from "./problems";
+import { tell, told } from "./problems";
+import { inTurn, isBeingReplaced } from "./turns";
 
 /** All of the design but vertices, edges and the stencil. */
 export type DesignState = DesignView["state"];
@@ -27,16 +28,21 @@ export const useDesign = create<DesignStore>()(() => ({
   notes: [],
 }));
 
-/** Shows a design that was opened. */
+/** How many designs were shown: what was asked of one is no answer for another. */
+let shown = 0;
+
+/** Shows a design that was opened. It is called in its turn, see `turns.ts`; who calls it has it checked afterwards. */
 export async function showDesign(view: DesignView, notes: readonly NoteReport[]): Promise<void> {
   const vertices = new Map(view.vertices.map(({ id, at_mm, support }) => [id, { id, at: at_mm, support }] as const));
   const edges = new Map(view.edges.map((edge) => [edge.id, edge] as const));
+  shown += 1;
   useDesign.setState({ vertices, edges, state: view.state, notes, check: null, stencil: null });
+  // What was dragged was of the design before.
+  wanted = null;
   if (view.stencil) await readStencil();
-  checkDesign();
 }
 
-/** Brings the copy up to date with a change; what is not named in it stays the same object. */
+/** Brings the copy up to date with a change; what is not named in it stays the same object. It is called in its turn. */
 export async function applyChange(change: ViewChange): Promise<void> {
   const { vertices, edges } = useDesign.getState();
   const seen = change.vertices.map(({ id, at_mm, support }) => ({ id, at: at_mm, support }));
@@ -57,8 +63,8 @@ function withChanges<T extends { readonly id: number }>(before: ReadonlyMap<numb
 }
 
 async function readStencil(): Promise<void> {
-  const bytes = await platform.stencilMesh();
-  useDesign.setState({ stencil: stencilOf(bytes) });
+  const bytes = await told(platform.stencilMesh());
+  useDesign.setState({ stencil: bytes && stencilOf(bytes) });
 }
 
 /** The layout is that of `Desk::stencil_mesh`. */
@@ -71,22 +77,35 @@ export function stencilOf(bytes: ArrayBuffer): SceneStencil | null {
   };
 }
 
+/** Why nothing can be changed just now; null where it can. */
+export const whyNoChange = (): string | null => (isBeingReplaced() ? "A file is being read." : null);
+
+/** Makes a change in its turn. While another design is on its way it is not made: it is not meant for that one. */
+async function changed(ask: () => Promise<EditMade>): Promise<ViewChange | null> {
+  const why = whyNoChange();
+  if (why) {
+    tell("info", `${why} Nothing was changed: the design may be another one in a moment.`, "being-read");
+    return null;
+  }
+  return inTurn(async () => {
+    const made = await told(ask());
+    if (!made?.change) return null;
+    await applyChange(made.change);
+    return made.change;
+  });
+}
+
 /** Makes a change; null where it was refused, which the person has been told. */
-export async function edit(request: EditRequest): Promise<ViewChange | null> {
-  const made = await told(platform.ask("edit", { request }));
-  if (!made?.change) return null;
-  await applyChange(made.change);
-  return made.change;
+export function edit(request: EditRequest): Promise<ViewChange | null> {
+  return changed(() => platform.ask("edit", { request }));
 }
 
 export async function undo(): Promise<void> {
-  const made = await told(platform.ask("undo", {}));
-  if (made?.change) await applyChange(made.change);
+  await changed(() => platform.ask("undo", {}));
 }
 
 export async function redo(): Promise<void> {
-  const made = await told(platform.ask("redo", {}));
-  if (made?.change) await applyChange(made.change);
+  await changed(() => platform.ask("redo", {}));
 }
 
 let checking = false;
@@ -97,6 +116,8 @@ let wanted: readonly Moved[] | null = null;
  * that come meanwhile only the last is asked.
  */
 export function checkDesign(moved: readonly Moved[] = []): void {
+  // Of a design that goes nothing is asked; whoever replaces it asks of the one that comes.
+  if (isBeingReplaced()) return;
   wanted = moved;
   if (!checking) void checkWanted();
 }
@@ -107,14 +128,18 @@ async function checkWanted(): Promise<void> {
     while (wanted) {
       const moved = wanted.map(({ vertex, at }) => ({ vertex, at_mm: [...at] as [number, number, number] }));
       wanted = null;
+      if (isBeingReplaced()) continue;
       const { state, vertices } = useDesign.getState();
       // Of an empty design there is nothing to say that a person does not see.
       if (!state?.machine || vertices.size === 0) {
         useDesign.setState({ check: null });
         continue;
       }
-      const check = await told(platform.ask("check", { moved }));
-      useDesign.setState({ check: check ?? null });
+      const design = shown;
+      const isGone = () => design !== shown || isBeingReplaced();
+      const asked = platform.ask("check", { moved }).catch((error: unknown) => (isGone() ? null : Promise.reject(error)));
+      const check = await told(asked);
+      if (!isGone()) useDesign.setState({ check });
     }
   } finally {
     checking = false;

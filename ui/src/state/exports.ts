@@ -1,7 +1,11 @@
 import { create } from "zustand";
 import type { ExportPreview, FormatEntry } from "../generated/responses";
 import { Refused } from "../platform";
+import { useDesign } from "./design";
+import { useFiles } from "./files";
+import { useMachines } from "./machines";
 import { asking } from "./work";
+import { worded } from "./wording";
 
 /** Settings of a format, by key. */
 export type Settings = Readonly<Record<string, unknown>>;
@@ -49,7 +53,7 @@ export async function loadFormats(): Promise<void> {
     const { formats, problems } = await asking("exports", {});
     const { chosen } = useExports.getState();
     const still = formats.some(({ id }) => id === chosen) ? chosen : null;
-    useExports.setState({ formats, problems, problem: null, chosen: still });
+    useExports.setState({ formats, problems: problems.map(worded), problem: null, chosen: still });
   } catch (error) {
     useExports.setState({ formats: null, problem: error instanceof Error ? error.message : String(error) });
   }
@@ -110,7 +114,27 @@ export async function write(path: string, force: boolean): Promise<boolean> {
   if (!format) return false;
   const settings = { ...settingsOf(format, store.settings) };
   const output = { path, force };
+  const before = forgotten;
   const { files } = await asking("export", { format: format.id, settings, despite_errors: store.despiteErrors, output });
-  useExports.setState({ written: { format: format.id, files } });
+  if (before === forgotten) useExports.setState({ written: { format: format.id, files } });
   return true;
 }
+
+let forgotten = 0;
+
+/** What a person has said, and what was answered, was about another design or another machine. */
+function forget(): void {
+  forgotten += 1;
+  asked += 1;
+  useExports.setState({ settings: new Map(), despiteErrors: false, preview: null, previewing: false, written: null });
+}
+
+useFiles.subscribe(({ opened }, before) => {
+  if (opened !== before.opened) forget();
+});
+useDesign.subscribe(({ state }, before) => {
+  if (state?.machine !== before.state?.machine) forget();
+});
+useMachines.subscribe(({ changes }, before) => {
+  if (changes !== before.changes) forget();
+});

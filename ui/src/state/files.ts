@@ -2,8 +2,9 @@ import { create } from "zustand";
 import type { DesignInput } from "../generated/requests";
 import type { DesignOpened, LookResponse, RecentEntry, Started, Unsaved } from "../generated/responses";
 import { type FileKind, platform } from "../platform";
-import { applyChange, showDesign, useDesign } from "./design";
+import { applyChange, checkDesign, edit, showDesign, useDesign, whyNoChange } from "./design";
 import { tell, told } from "./problems";
+import { inTurn, replacingDesign, settled } from "./turns";
 import { useView } from "./view";
 import { asking } from "./work";
 
@@ -57,46 +58,76 @@ export const baseName = (path: string): string => path.split(/[\\/]/).at(-1) ?? 
 
 /** Takes up what the program has open. */
 export async function start(): Promise<void> {
-  const started = await told(platform.ask("start", {}));
-  if (!started) return;
-  const { version, recent, unsaved, design, warnings } = started;
-  useFiles.setState({ version, recent, unsaved });
-  for (const warning of warnings) tell("warning", warning, "start");
-  await showDesign(design, []);
+  await replacingDesign(async () => {
+    const started = await told(platform.ask("start", {}));
+    if (!started) return;
+    const { version, recent, unsaved, design, warnings } = started;
+    useFiles.setState({ version, recent, unsaved });
+    for (const warning of warnings) tell("warning", warning, "start");
+    await showDesign(design, []);
+  });
+  checkDesign();
+}
+
+/** Asks whether a changed design is saved. One question at a time: the one before is answered by staying. */
+async function askLeaving(): Promise<"save" | "drop" | "stay"> {
+  useFiles.getState().leaving?.("stay");
+  let mine: FilesStore["leaving"] = null;
+  const say = await new Promise<"save" | "drop" | "stay">((answer) => {
+    mine = answer;
+    useFiles.setState({ leaving: answer });
+  });
+  if (useFiles.getState().leaving === mine) useFiles.setState({ leaving: null });
+  return say;
 }
 
 /** True when the design may be replaced: it is saved, or the person gives it up. */
 export async function mayLeave(): Promise<boolean> {
-  if (!useDesign.getState().state?.changed) return true;
-  // One question at a time: the first is answered by staying.
-  useFiles.getState().leaving?.("stay");
-  const say = await new Promise<"save" | "drop" | "stay">((answer) => useFiles.setState({ leaving: answer }));
-  useFiles.setState({ leaving: null });
-  return say === "save" ? save() : say === "drop";
+  for (;;) {
+    // What is still on its way may be a change, also one that was made while it was saved.
+    await settled();
+    if (!useDesign.getState().state?.changed) return true;
+    const say = await askLeaving();
+    if (say === "drop") return true;
+    if (say === "stay" || !(await save())) return false;
+  }
 }
 
-async function opened(asked: Promise<DesignOpened>, name: string): Promise<boolean> {
+/** Shows that a file is being read; of several the last. */
+async function reading<T>(name: string, does: () => Promise<T>): Promise<T> {
   useFiles.setState({ busy: name });
-  const answer = await told(asked);
-  useFiles.setState({ busy: null });
-  if (!answer) return false;
-  useFiles.setState(({ opened }) => ({ recent: answer.recent, stencilName: null, opened: opened + 1 }));
-  await showDesign(answer.design, answer.notes);
-  return true;
+  try {
+    return await does();
+  } finally {
+    useFiles.setState(({ busy }) => ({ busy: busy === name ? null : busy }));
+  }
+}
+
+/** Puts another design in the place of the open one. It is asked for when everything before is done. */
+async function opened(ask: () => Promise<DesignOpened>, name: string): Promise<boolean> {
+  const done = await reading(name, () =>
+    replacingDesign(async () => {
+      const answer = await told(ask());
+      if (!answer) return false;
+      useFiles.setState(({ opened }) => ({ recent: answer.recent, stencilName: null, opened: opened + 1 }));
+      await showDesign(answer.design, answer.notes);
+      return true;
+    }),
+  );
+  checkDesign();
+  return done;
 }
 
 /** Opens a file, or asks first how it is to be read. */
 export async function openPath(path: string, purpose: Purpose = "design"): Promise<void> {
-  useFiles.setState({ busy: baseName(path) });
-  const look = await told(asking("look", { design: { input: { file: path } } }));
-  useFiles.setState({ busy: null });
+  const look = await reading(baseName(path), () => told(asking("look", { design: { input: { file: path } } })));
   if (!look) return;
   if (look.seen === "job") {
     tell("error", `${baseName(path)} is a job: it is run, not edited. Open the design that it was made of.`, "is-a-job");
   } else if (needsAnswers(look, purpose)) {
     useFiles.setState({ opening: { path, purpose, look } });
   } else if (await mayLeave()) {
-    await opened(asking("open", { design: { input: { file: path } } }), baseName(path));
+    await opened(() => asking("open", { design: { input: { file: path } } }), baseName(path));
   }
 }
 
@@ -120,25 +151,28 @@ export async function openAs(design: DesignInput, use: Use | null): Promise<bool
   const name = opening ? baseName(opening.path) : "";
   if (use === "stencil" && useDesign.getState().vertices.size > 0) {
     // The wires that are there are kept: the surface comes under them.
-    useFiles.setState({ busy: name });
+    const put = await reading(name, () => putStencil(design, name));
+    if (put) useView.getState().handle?.frame();
+    return put;
+  }
+  if (!(await mayLeave())) return false;
+  const done = await opened(() => asking("open", { design: { ...design, face_edges: use === "edges" || use === "both" } }), name);
+  if (!done) return false;
+  useFiles.setState({ opening: null, stencilName: name });
+  if (use === "edges" && useDesign.getState().stencil) await edit({ edit: "remove-stencil" });
+  return true;
+}
+
+/** Changes that are made while the surface is read wait for it. */
+function putStencil(design: DesignInput, name: string): Promise<boolean> {
+  return inTurn(async () => {
     const made = await told(asking("put-stencil", { design }));
-    useFiles.setState({ busy: null });
     if (!made?.change) return false;
     useFiles.setState({ opening: null, stencilName: name });
     useDesign.setState({ notes: made.notes });
     await applyChange(made.change);
-    useView.getState().handle?.frame();
     return true;
-  }
-  if (!(await mayLeave())) return false;
-  const done = await opened(asking("open", { design: { ...design, face_edges: use === "edges" || use === "both" } }), name);
-  if (!done) return false;
-  useFiles.setState({ opening: null, stencilName: name });
-  if (use === "edges" && useDesign.getState().stencil) {
-    const made = await told(platform.ask("edit", { request: { edit: "remove-stencil" } }));
-    if (made?.change) await applyChange(made.change);
-  }
-  return true;
+  });
 }
 
 export async function pickDesign(): Promise<void> {
@@ -152,11 +186,11 @@ export async function pickStencil(): Promise<void> {
 }
 
 export async function newDesign(): Promise<boolean> {
-  return (await mayLeave()) && opened(asking("new", {}), "new design");
+  return (await mayLeave()) && opened(() => asking("new", {}), "new design");
 }
 
 export async function openExample(id: string, name: string): Promise<boolean> {
-  return (await mayLeave()) && opened(asking("open-example", { id }), name);
+  return (await mayLeave()) && opened(() => asking("open-example", { id }), name);
 }
 
 /** Saves where it was saved before, or where the person says; false where it is not saved. */
@@ -166,22 +200,33 @@ export async function save(): Promise<boolean> {
 }
 
 export async function saveAs(): Promise<boolean> {
+  const { opened: design } = useFiles.getState();
   const path = await told(platform.pickSave(`${stem()}.wirebend`, DESIGNS));
-  return path ? saveTo(path) : false;
+  if (!path) return false;
+  if (design === useFiles.getState().opened) return saveTo(path);
+  tell("warning", "It was not saved: another design was opened meanwhile.", "not-saved");
+  return false;
 }
 
 async function saveTo(path: string | null): Promise<boolean> {
-  const answer = await told(platform.ask("save", { path }));
-  if (!answer) return false;
-  useFiles.setState({ recent: answer.recent });
-  // Only name, file and what is saved have changed; the vertices and edges that are shown stay.
-  useDesign.setState({ state: answer.design.state });
-  return true;
+  const why = whyNoChange();
+  if (why) {
+    tell("info", `${why} Nothing was saved: the design may be another one in a moment.`, "being-read");
+    return false;
+  }
+  return inTurn(async () => {
+    const answer = await told(platform.ask("save", { path }));
+    if (!answer) return false;
+    useFiles.setState({ recent: answer.recent });
+    // Only name, file and what is saved have changed; the vertices and edges that are shown stay.
+    useDesign.setState({ state: answer.design.state });
+    return true;
+  });
 }
 
 export async function restore(journal: string): Promise<void> {
-  if (!(await mayLeave())) return;
-  if (await opened(asking("restore", { journal }), "unsaved design")) useFiles.setState({ unsaved: [] });
+  if (!(await mayLeave()) || !(await opened(() => asking("restore", { journal }), "unsaved design"))) return;
+  useFiles.setState(({ unsaved }) => ({ unsaved: unsaved.filter((other) => other.journal !== journal) }));
 }
 
 function took(started: Started | null): void {
@@ -197,8 +242,9 @@ export async function clearRecent(): Promise<void> {
   if (started) useFiles.setState({ recent: started.recent });
 }
 
-export async function quit(): Promise<void> {
-  if (await mayLeave()) await platform.close();
+/** The design is given up or saved: nothing of it is kept for the next time. An empty one takes its place. */
+export async function closeDesign(): Promise<void> {
+  await opened(() => platform.ask("close", {}), "new design");
 }
 
 /** Plans the design and writes it as a job; a design that cannot be made is refused, with the reason. */
@@ -207,4 +253,12 @@ export async function saveJob(): Promise<void> {
   if (!path) return;
   const saved = await told(asking("save-job", { output: { path, force: true } }));
   if (saved) tell("info", `The job is in ${saved.file}.`, "job-saved");
+}
+
+/** Writes the wires as lines for another program. */
+export async function saveWireframe(): Promise<void> {
+  const path = await told(platform.pickSave(`${stem()}.obj`, { name: "Models", extensions: ["obj"] }));
+  if (!path) return;
+  const saved = await told(asking("save-wireframe", { output: { path, force: true } }));
+  if (saved) tell("info", `The wireframe is in ${saved.file}.`, "wireframe-saved");
 }

@@ -7,6 +7,7 @@ export type CommandId =
   | "examples"
   | "save"
   | "save-as"
+  | "save-wireframe"
   | "save-job"
   | "quit"
   | "undo"

@@ -125,9 +125,8 @@ export async function chooseMaterial(material: string): Promise<void> {
   if (machine) await switchTo(machine, material);
 }
 
-// What was compared was another design.
-useDesign.subscribe((design, before) => {
-  if (design.vertices !== before.vertices || design.edges !== before.edges) {
-    if (useMachines.getState().compared) stopComparing();
-  }
+// What was compared was another design, or the same on another machine.
+useDesign.subscribe(({ vertices, edges, state }, before) => {
+  const same = vertices === before.vertices && edges === before.edges && state?.machine === before.state?.machine && state?.material === before.state?.material;
+  if (!same && useMachines.getState().compared) stopComparing();
 });

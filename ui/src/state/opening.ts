@@ -1,8 +1,9 @@
 import { platform } from "../platform";
 import { useUnitStore } from "../shared/unit";
+import { mayClose } from "./closing";
 import { designReplaced } from "./commands";
 import { useDesign } from "./design";
-import { mayLeave, openPath, start, useFiles } from "./files";
+import { openPath, start, useFiles } from "./files";
 import { listenToKeys } from "./pressing";
 import { tell } from "./problems";
 import { type Theme, useUi } from "./ui";
@@ -20,6 +21,12 @@ function paint(): void {
   document.documentElement.dataset.theme = shownTheme(useUi.getState().theme);
 }
 
+/** Lengths are shown as the person has chosen, whatever design is open; before that as the design says. */
+function measure(): void {
+  const own = useDesign.getState().state?.units === "inch" ? "inch" : "mm";
+  useUnitStore.setState({ unit: useUi.getState().unit ?? own });
+}
+
 async function openDropped(paths: readonly string[]): Promise<void> {
   const [first, ...others] = paths;
   if (!first) return;
@@ -30,16 +37,18 @@ async function openDropped(paths: readonly string[]): Promise<void> {
 /** Brings the window to life; the function that is returned ends it. */
 export function open(): () => void {
   paint();
+  measure();
   const system = light();
   system.addEventListener("change", paint);
   const ends = [
     () => system.removeEventListener("change", paint),
     useUi.subscribe(paint),
+    useUi.subscribe(measure),
     listen(),
     listenToKeys(),
     useDesign.subscribe(({ state }, before) => {
       if (state === before.state || !state) return;
-      useUnitStore.setState({ unit: state.units === "inch" ? "inch" : "mm" });
+      measure();
       platform.setTitle(`${state.changed ? "\u2022 " : ""}${state.name || "New design"} \u2013 WireBend-kit`);
     }),
     platform.onDrop((drop) => {
@@ -47,7 +56,7 @@ export function open(): () => void {
       if (drop.kind === "dropped") void openDropped(drop.paths);
     }),
     platform.onOpen((path) => void openPath(path)),
-    platform.onClose(mayLeave),
+    platform.onClose(mayClose),
     useFiles.subscribe(({ opened }, { opened: before }) => {
       if (opened !== before) designReplaced();
     }),

@@ -2,13 +2,20 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 
 const ran: string[] = [];
-vi.mock("./commands", () => ({ run: (id: string) => ran.push(id) }));
+let why: string | null = null;
+vi.mock("./commands", () => ({ run: (id: string) => ran.push(id), whyNot: () => why }));
+const platform = vi.hoisted(() => ({ ask: vi.fn(async () => null), stop: vi.fn(), listen: vi.fn() }));
+vi.mock("../platform", () => ({ platform, Refused: class Refused extends Error {} }));
+const { useDesign } = await import("./design");
+const { useProblems } = await import("./problems");
+const { useSelection } = await import("./selection");
 const { listenToKeys } = await import("./pressing");
 const { useView } = await import("./view");
 
 let end = () => {};
 beforeEach(() => {
   ran.length = 0;
+  why = null;
   document.body.innerHTML = "";
   useView.setState({ handle: null });
   end = listenToKeys();
@@ -58,12 +65,29 @@ describe("keys of the window", () => {
     expect(ran).toEqual(["play"]);
   });
 
+  it("are not for the design while a menu is open over it", () => {
+    const entry = add('<div role="menu"><button role="menuitem" data-target>Undo</button></div>');
+    for (const key of ["x", "Delete", "g", "s"]) expect(press(key, entry).defaultPrevented).toBe(false);
+    expect(ran).toEqual([]);
+    press("s", entry, { ctrlKey: true });
+    expect(ran).toEqual(["save"]);
+  });
+
   it("belong to a move while there is one", () => {
     const taken: string[] = [];
     const handle = { handleKey: (event: KeyboardEvent) => taken.push(event.key) > 0 } as unknown as NonNullable<ReturnType<typeof useView.getState>["handle"]>;
     useView.setState({ handle });
     press("x");
     expect([taken, ran]).toEqual([["x"], []]);
+  });
+
+  it("do not cut or paste what may not be changed, and say why", () => {
+    useDesign.setState({ vertices: new Map([[1, { id: 1, at: [0, 0, 0], support: false }]]) });
+    useSelection.setState({ vertices: new Set([1]), edges: new Set() });
+    why = "A machine is making the wire";
+    for (const type of ["cut", "paste"]) document.body.dispatchEvent(new ClipboardEvent(type, { bubbles: true, cancelable: true, clipboardData: new DataTransfer() }));
+    expect(platform.ask).not.toHaveBeenCalled();
+    expect(useProblems.getState().problems.map(({ message }) => message)).toEqual(["A machine is making the wire."]);
   });
 
   it("repeat only where that makes sense", () => {

@@ -1,6 +1,7 @@
-import { run } from "./commands";
-import { chordOf, commandOf } from "./keys";
+import { run, whyNot } from "./commands";
+import { chordOf, type CommandId, commandOf } from "./keys";
 import { copied, pasteText, remove } from "./operations";
+import { tell } from "./problems";
 import { useView } from "./view";
 
 /** Whether the focus is where a person writes, so that letters are letters. */
@@ -17,6 +18,11 @@ function used(target: EventTarget | null, key: string): boolean {
   return control !== null && (key === " " || key === "Enter" || key === "Home" || key === "End");
 }
 
+/** Whether a menu is open under the focus: letters are not for the design behind it. */
+function inMenu({ target, ctrlKey, metaKey }: KeyboardEvent): boolean {
+  return target instanceof HTMLElement && target.closest("[role=menu]") !== null && !ctrlKey && !metaKey;
+}
+
 /** Whether something that has to be answered is shown: then only STOP works. */
 const asked = (): boolean => document.querySelector("dialog[open]") !== null;
 
@@ -30,7 +36,7 @@ function stopPressed(event: KeyboardEvent): void {
 }
 
 function pressed(event: KeyboardEvent): void {
-  if (event.isComposing || event.defaultPrevented || asked()) return;
+  if (event.isComposing || event.defaultPrevented || asked() || inMenu(event)) return;
   const writes = typing(event.target);
   // While something is moved, X, Y, Z, digits and Enter belong to the move.
   if (!writes && useView.getState().handle?.handleKey(event)) {
@@ -43,12 +49,20 @@ function pressed(event: KeyboardEvent): void {
   if (!event.repeat || entry.command === "undo" || entry.command === "redo") run(entry.command);
 }
 
+/** Whether it cannot be done now, which the person is told: there is no button that says it. */
+function refused(command: CommandId): boolean {
+  const why = whyNot(command);
+  if (why) tell("info", `${why}.`.replace("..", "."), command);
+  return why !== null;
+}
+
 function clipboard(event: ClipboardEvent): void {
   if (typing(event.target) || asked() || !event.clipboardData) return;
   // Text that a person has marked, such as a line of the console, is copied as text.
   if (event.type === "copy" && !window.getSelection()?.isCollapsed) return;
   if (event.type === "paste") {
     event.preventDefault();
+    if (refused("paste")) return;
     void pasteText(event.clipboardData.getData("text/plain"));
     return;
   }
@@ -56,7 +70,7 @@ function clipboard(event: ClipboardEvent): void {
   if (!text) return;
   event.preventDefault();
   event.clipboardData.setData("text/plain", text);
-  if (event.type === "cut") remove();
+  if (event.type === "cut" && !refused("cut")) remove();
 }
 
 /** WebKit tells of copying only where somebody says beforehand that they want to know. */

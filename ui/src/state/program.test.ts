@@ -6,7 +6,7 @@ vi.mock("../platform", () => ({ platform, Refused: class Refused extends Error {
 
 import type { MachineViewResponse, MadeResponse, PlayedWire, ProgramResponse } from "../generated/responses";
 import { type DesignState, useDesign } from "./design";
-import { endLive, forgetProgram, goTo, isUpToDate, makeProgram, showLive, simulate, usePlayback, useProgram } from "./program";
+import { endLive, forgetProgram, goTo, isUpToDate, makeProgram, show, showLive, simulate, usePlayback, useProgram } from "./program";
 
 const step = (feed: number, bend: number): PlayedWire["steps"][number] => ({
   designed: { feed_mm: feed, rotate_deg: 0, bend_deg: bend },
@@ -27,7 +27,7 @@ const wire: PlayedWire = {
   stock_mm: 460,
   time_s: 12,
 };
-const program: ProgramResponse = { diameter_mm: 3, feasible: true, machine: "kit", material: "al", wires: [wire], without: 0 };
+const program: ProgramResponse = { job_hash: "a1", diameter_mm: 3, feasible: true, machine: "kit", material: "al", wires: [wire], without: 0 };
 const view = { id: "kit", shapes: [], pivot_mm: [12, 0, 0] } as unknown as MachineViewResponse;
 const made: MadeResponse = { by_machine: true, notes: [], wires: [{ corners_mm: wire.corners_mm, wire_mm: [], deviations_mm: [0, 0.1, 0.2], worst_mm: 0.2 }] };
 const state: DesignState = {
@@ -53,6 +53,9 @@ beforeEach(() => {
   platform.ask.mockReset();
   platform.ask.mockImplementation(async (ask: string) => (ask === "program" ? program : ask === "machine-view" ? view : ask === "made" ? made : null));
 });
+
+/** What a machine tells of a wire of the job of `program`. */
+const making = (steps: number) => ({ job_hash: "a1", name: "U", wire: 0, made: steps });
 
 const asked = (name: string): number => platform.ask.mock.calls.filter(([ask]) => ask === name).length;
 
@@ -103,22 +106,59 @@ describe("playback", () => {
     expect(usePlayback.getState()).toMatchObject({ step: 1, played: { made: wire.corners_mm } });
   });
 
+  it("keeps what is played while a person slides, so that the machine is not built anew at every place", async () => {
+    await goTo(0);
+    const { played } = usePlayback.getState();
+    show(0.5);
+    show(1);
+    expect(usePlayback.getState()).toMatchObject({ step: 1 });
+    expect(usePlayback.getState().played).toBe(played);
+    await simulate();
+    expect(usePlayback.getState().played).not.toBe(played);
+  });
+
   it("follows a machine, and is not moved by a person meanwhile", async () => {
-    await showLive(0, 1);
+    await showLive(making(1));
     expect(usePlayback.getState()).toMatchObject({ live: true, step: 1 });
     await goTo(0);
     expect(usePlayback.getState()).toMatchObject({ live: true, step: 1 });
-    await showLive(0, 9);
+    await showLive(making(9));
     expect(usePlayback.getState().step).toBe(2);
   });
 
-  it("does not show another design as the one that a machine makes", async () => {
-    await showLive(0, 1);
+  it("does not show another design as the one that a machine makes, and says whose wire it is", async () => {
+    await showLive(making(1));
     forgetProgram();
-    await showLive(0, 2);
-    expect(usePlayback.getState()).toMatchObject({ played: null, live: false });
+    platform.ask.mockImplementation(async (ask: string) => (ask === "program" ? { ...program, job_hash: "b2" } : view));
+    await showLive(making(2));
+    expect(usePlayback.getState()).toMatchObject({ played: null, live: false, otherWire: "U" });
     endLive();
-    await showLive(0, 1);
-    expect(usePlayback.getState().live).toBe(true);
+    expect(usePlayback.getState().otherWire).toBeNull();
+  });
+
+  it("follows the machine again once the design is again the one that was armed", async () => {
+    platform.ask.mockImplementation(async (ask: string) => (ask === "program" ? { ...program, job_hash: "b2" } : view));
+    await showLive(making(1));
+    expect(usePlayback.getState().live).toBe(false);
+    platform.ask.mockImplementation(async (ask: string) => (ask === "program" ? program : view));
+    useDesign.setState({ vertices: new Map() });
+    await showLive(making(2));
+    expect(usePlayback.getState()).toMatchObject({ live: true, otherWire: null, step: 2 });
+  });
+
+  it("says so of a design that nothing can be made of, too", async () => {
+    platform.ask.mockRejectedValue(new Error("There are no edges."));
+    await showLive(making(1));
+    expect(usePlayback.getState()).toMatchObject({ live: false, otherWire: "U" });
+  });
+
+  it("is not live for ever when the wire ends while its program is asked for", async () => {
+    let answer: (program: ProgramResponse) => void = () => {};
+    platform.ask.mockImplementation((ask: string) => (ask === "program" ? new Promise((resolve) => (answer = resolve)) : Promise.resolve(view)));
+    const shown = showLive(making(1));
+    endLive();
+    answer(program);
+    await shown;
+    expect(usePlayback.getState()).toMatchObject({ live: false, otherWire: null });
   });
 });

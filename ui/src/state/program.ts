@@ -5,6 +5,7 @@ import { playedWire } from "./played";
 import { type DesignStore, useDesign } from "./design";
 import { useFiles } from "./files";
 import { useMachines, viewOf } from "./machines";
+import type { WireState } from "./operator";
 import { told } from "./problems";
 import { asking } from "./work";
 
@@ -57,6 +58,8 @@ interface PlaybackStore {
   readonly playing: boolean;
   /** The steps are those that a machine makes just now: nobody plays them. */
   readonly live: boolean;
+  /** The name of the design whose wire a machine makes, where that is not the open design as it is: nothing is shown of it. */
+  readonly otherWire: string | null;
 }
 
 export const usePlayback = create<PlaybackStore>()(() => ({
@@ -65,7 +68,17 @@ export const usePlayback = create<PlaybackStore>()(() => ({
   shown: "designed",
   playing: false,
   live: false,
+  otherWire: null,
 }));
+
+/** What to say of the wire that a machine makes when the view cannot show it; null where it does, or where none is made. */
+export function useOtherWire(): string | null {
+  const name = usePlayback(({ otherWire }) => otherWire);
+  const own = useDesign(({ state }) => state?.name ?? "");
+  if (name === null) return null;
+  const whose = name || "a design without a name";
+  return name === own ? `This is the wire of ${whose}, armed before these changes: the view does not show it.` : `This is the wire of ${whose}, which is not the open design: the view does not show it.`;
+}
 
 function basisNow(): Basis {
   const { vertices, edges, state } = useDesign.getState();
@@ -129,12 +142,8 @@ export async function simulate(): Promise<boolean> {
   return true;
 }
 
-/** A machine makes a wire of a design that is not open any more: there is nothing to show of it. */
-let notOurs = false;
-
 /** Forgets the program, such as that of a design that was closed. */
 export function forgetProgram(): void {
-  notOurs = usePlayback.getState().live;
   useProgram.setState({ ...NONE });
   showDesignAgain();
 }
@@ -144,12 +153,19 @@ export function chooseWire(wire: number): void {
   if (usePlayback.getState().played) show(0);
 }
 
+/** What is played is made of: while all of this is the same the view keeps its machine, also while a person slides. */
+let playedOf: readonly unknown[] = [];
+
 /** Shows the wire in the view, at a position. Without a program nothing is shown. */
 export function show(step: number): void {
   const { program, machine, made, wire } = useProgram.getState();
-  const played = program ? playedWire(program, wire, machine, made) : null;
+  const before = usePlayback.getState();
+  const of = [program, machine, made, wire];
+  const kept = before.played && of.every((one, index) => one === playedOf[index]) ? before.played : null;
+  const played = kept ?? (program ? playedWire(program, wire, machine, made) : null);
   if (!played) return showDesignAgain();
-  const shown = made ? usePlayback.getState().shown : "designed";
+  playedOf = of;
+  const shown = made ? before.shown : "designed";
   usePlayback.setState({ played, shown, step: Math.min(Math.max(step, 0), played.steps.length) });
 }
 
@@ -189,12 +205,17 @@ export function togglePlay(): void {
   else void play();
 }
 
-/** Shows how far a machine is with a wire. */
-export async function showLive(wire: number, made: number): Promise<void> {
-  if (notOurs) return;
+/** Changes when a wire is over: what was asked because of it comes too late then. */
+let over = 0;
+
+/** Shows how far a machine is with a wire, where it is one of the open design as it is. */
+export async function showLive({ job_hash, name, wire, made }: Pick<WireState, "job_hash" | "name" | "wire" | "made">): Promise<void> {
   if (!usePlayback.getState().live) {
-    usePlayback.setState({ playing: false });
-    if (!isUpToDate() && !(await makeProgram())) return;
+    const before = over;
+    if (!isUpToDate() && !(await makeProgram()) && !isUpToDate()) return;
+    if (before !== over) return;
+    if (useProgram.getState().program?.job_hash !== job_hash) return usePlayback.setState({ otherWire: name });
+    usePlayback.setState({ playing: false, otherWire: null });
     useProgram.setState({ wire });
     show(made);
   }
@@ -204,8 +225,9 @@ export async function showLive(wire: number, made: number): Promise<void> {
 
 /** The machine is done with the wire: the person may play it. */
 export function endLive(): void {
-  notOurs = false;
-  if (usePlayback.getState().live) usePlayback.setState({ live: false });
+  over += 1;
+  const { live, otherWire } = usePlayback.getState();
+  if (live || otherWire !== null) usePlayback.setState({ live: false, otherWire: null });
 }
 
 useFiles.subscribe(({ opened }, { opened: before }) => {

@@ -5,7 +5,7 @@ const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(async () => {}), 
 vi.mock("../platform", () => ({ platform, Refused: class Refused extends Error {} }));
 
 import { useProblems } from "./problems";
-import { answer, hearOperator, isOpen, order, stop, useRun } from "./run";
+import { answer, hearOperator, isOpen, loadPorts, order, stop, useRun } from "./run";
 import type { MachineState, Question } from "./operator";
 
 const state = (given: Partial<MachineState> = {}): MachineState => ({
@@ -126,4 +126,14 @@ describe("isOpen", () => {
     expect(isOpen(state({ phase: "failed" }))).toBe(true);
     expect(isOpen(state({ phase: "closed" }))).toBe(false);
   });
+});
+
+it("shows the ports of the machine that was asked for last, whichever answer comes last", async () => {
+  const answers: ((ports: unknown) => void)[] = [];
+  platform.ask.mockImplementation(() => new Promise((resolve) => answers.push(resolve)));
+  const asked = [loadPorts(), loadPorts()];
+  answers[1]?.({ ports: [{ port: "/dev/ttyUSB1" }], problems: [] });
+  answers[0]?.({ ports: [{ port: "/dev/ttyUSB0" }], problems: ["A driver could not be asked."] });
+  await Promise.all(asked);
+  expect(useRun.getState()).toMatchObject({ ports: [{ port: "/dev/ttyUSB1" }], portProblem: null });
 });

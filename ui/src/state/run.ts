@@ -3,6 +3,7 @@ import type { MachineNow, PortEntry, RunEntry } from "../generated/responses";
 import { platform } from "../platform";
 import { type ConsoleLine, withLines } from "./console";
 import { useDesign } from "./design";
+import { useFiles } from "./files";
 import { tell, told } from "./problems";
 import { endLive, showLive } from "./program";
 import { type Answer, type MachineState, type Move, operatorEvent, type OperatorEvent, type Order, type Question, type WireRun } from "./operator";
@@ -53,8 +54,16 @@ function standAsAnswered(state: MachineState | null, before: number): void {
 
 function stand(state: MachineState | null): void {
   useRun.setState(({ question }) => ({ state, question: state?.question === undefined ? question : state.question }));
-  if (state?.wire && (state.phase === "making" || state.phase === "holding")) void showLive(state.wire.wire, state.wire.made);
+  if (state && isMade(state)) showWire();
   else endLive();
+}
+
+const isMade = ({ phase }: MachineState): boolean => phase === "making" || phase === "holding";
+
+/** Shows the wire that is being made, as far as it is one of the open design. */
+function showWire(): void {
+  const { state } = useRun.getState();
+  if (state?.wire && isMade(state)) void showLive(state.wire);
 }
 
 /** Lines come faster than they can be drawn: they are collected for a moment. */
@@ -98,7 +107,7 @@ export function hearOperator(event: OperatorEvent): void {
       return;
     case "problem":
       // The section shows it beside the buttons that it is about.
-      return useUi.getState().open.includes("run") ? undefined : tell("error", worded(event.code, event.message), event.code);
+      return useUi.getState().open.includes("run") ? undefined : tell("error", worded(event), event.code);
     case "news":
       return hearNews(event);
   }
@@ -110,10 +119,11 @@ function hearNews(news: Extract<OperatorEvent, { event: "news" }>): void {
     case "console":
       return collect({ toMachine: news.to_machine, text: news.text });
     case "warning":
-      return tell("warning", worded(news.code, news.message), news.code);
+      return tell("warning", worded(news), news.code);
     case "wire": {
       const { event: _, news: __, ...wire } = news;
-      return state ? stand({ ...state, wire }) : undefined;
+      // Which job it is of was told with the state.
+      return state?.wire ? stand({ ...state, wire: { ...state.wire, ...wire } }) : undefined;
     }
     case "position": {
       const { feed_mm, rotate_deg, bend_deg } = news;
@@ -132,6 +142,15 @@ hear((heard) => {
   if (event) hearOperator(event);
 });
 
+// Whose wire it is, is another question with each design, and a machine that holds tells nothing by itself.
+useFiles.subscribe(({ opened }, before) => {
+  // The design is there after this turn.
+  if (opened !== before.opened) queueMicrotask(showWire);
+});
+useDesign.subscribe(({ state }, before) => {
+  if (state && !before.state) showWire();
+});
+
 /** Takes up what the Rust side knows, such as after the window was loaded anew. */
 export async function takeUp(): Promise<void> {
   const before = heard;
@@ -142,15 +161,21 @@ export async function takeUp(): Promise<void> {
   }
 }
 
-/** Asks for the ports that the machine of the design can be at. */
+let portsAsked = 0;
+
+/** Asks for the ports that the machine of the design can be at. Of several questions only the last one's answer counts. */
 export async function loadPorts(): Promise<void> {
   const machine = useDesign.getState().state?.machine ?? null;
+  portsAsked += 1;
+  const question = portsAsked;
+  let found: Pick<RunStore, "ports" | "portProblem">;
   try {
     const { ports, problems } = await asking("ports", { machine });
-    useRun.setState({ ports, portProblem: problems.length > 0 ? problems.join(" ") : null });
+    found = { ports, portProblem: problems.length > 0 ? problems.join(" ") : null };
   } catch (error) {
-    useRun.setState({ ports: [], portProblem: error instanceof Error ? error.message : String(error) });
+    found = { ports: [], portProblem: error instanceof Error ? error.message : String(error) };
   }
+  if (question === portsAsked) useRun.setState(found);
 }
 
 /** Asks for the records of what was made. */

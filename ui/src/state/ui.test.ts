@@ -3,11 +3,11 @@ import { keptUi } from "./ui";
 
 describe("what is kept of the window", () => {
   it("comes back", () => {
-    expect(keptUi(JSON.stringify({ theme: "light", open: ["edit", "run"], panelWidth: 500 }), 1280)).toEqual({ theme: "light", open: ["edit", "run"], panelWidth: 500 });
+    expect(keptUi(JSON.stringify({ theme: "light", unit: "inch", open: ["edit", "run"], panelWidth: 500 }), 1280)).toEqual({ theme: "light", unit: "inch", open: ["edit", "run"], panelWidth: 500 });
   });
 
-  it.each([null, "", "nonsense", "null", "[]", '{"theme":7,"open":"all","panelWidth":"wide"}'])("does no harm where it makes no sense: %s", (text) => {
-    expect(keptUi(text, 1280)).toEqual({ theme: "system", open: ["check"], panelWidth: 344 });
+  it.each([null, "", "nonsense", "null", "[]", '{"theme":7,"unit":"furlong","open":"all","panelWidth":"wide"}'])("does no harm where it makes no sense: %s", (text) => {
+    expect(keptUi(text, 1280)).toEqual({ theme: "system", unit: null, open: ["check"], panelWidth: 344 });
   });
 
   it("keeps the panel within reach, and forgets sections that are not there", () => {

@@ -1,4 +1,5 @@
 import { create } from "zustand";
+import type { DisplayUnit } from "../shared/format";
 
 /** The sections of the panel, in the order of the work. */
 export const SECTIONS = ["trace", "edit", "check", "animate", "machine", "export", "run"] as const;
@@ -14,6 +15,8 @@ export type OperationName = "split" | "merge" | "extrude" | "mirror" | "array" |
 
 export interface Ui {
   readonly theme: Theme;
+  /** What lengths are shown in; null where the person has not chosen: the design says it. */
+  readonly unit: DisplayUnit | null;
   /** Which sections are open. */
   readonly open: readonly SectionId[];
   /** Of the panel, px. */
@@ -24,6 +27,7 @@ export interface Ui {
   /** Opens a section and brings it into sight. */
   showSection(id: SectionId): void;
   setTheme(theme: Theme): void;
+  setUnit(unit: DisplayUnit): void;
   setPanelWidth(px: number): void;
   showDialog(dialog: DialogName | null): void;
   /** Opens the parameters of an operation, or closes them. */
@@ -41,6 +45,7 @@ const KEY = "wirebend.ui";
 
 interface Kept {
   theme: Theme;
+  unit: DisplayUnit | null;
   open: SectionId[];
   panelWidth: number;
 }
@@ -55,9 +60,10 @@ export function keptUi(text: string | null, windowWidth: number): Kept {
     // What cannot be read is as if it were not there: nothing depends on it.
   }
   const theme = read.theme === "dark" || read.theme === "light" ? read.theme : "system";
+  const unit = read.unit === "mm" || read.unit === "inch" ? read.unit : null;
   const open = Array.isArray(read.open) ? SECTIONS.filter((id) => (read.open as unknown[]).includes(id)) : (["check"] as SectionId[]);
   const width = typeof read.panelWidth === "number" && Number.isFinite(read.panelWidth) ? read.panelWidth : usualPanel(windowWidth);
-  return { theme, open, panelWidth: Math.min(PANEL.most, Math.max(PANEL.least, width)) };
+  return { theme, unit, open, panelWidth: Math.min(PANEL.most, Math.max(PANEL.least, width)) };
 }
 
 export function stored(key: string): string | null {
@@ -86,6 +92,7 @@ export const useUi = create<Ui>()((set, get) => ({
     requestAnimationFrame(() => document.getElementById(`section-${id}`)?.scrollIntoView({ block: "nearest" }));
   },
   setTheme: (theme) => set({ theme }),
+  setUnit: (unit) => set({ unit }),
   setPanelWidth: (px) => set({ panelWidth: Math.min(PANEL.most, Math.max(PANEL.least, Math.round(px))) }),
   showDialog: (dialog) => set({ dialog }),
   showOperation: (operation) => {
@@ -96,4 +103,4 @@ export const useUi = create<Ui>()((set, get) => ({
   },
 }));
 
-useUi.subscribe(({ theme, open, panelWidth }) => store(KEY, JSON.stringify({ theme, open, panelWidth })));
+useUi.subscribe(({ theme, unit, open, panelWidth }) => store(KEY, JSON.stringify({ theme, unit, open, panelWidth })));

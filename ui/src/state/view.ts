@@ -1,5 +1,7 @@
 import { create } from "zustand";
 import type { Axis, DrawingPlane, Hovered, Preview, Selection, SnapKind, Tool } from "../scene/interface";
+import type { DisplayUnit } from "../shared/format";
+import { useUnitStore } from "../shared/unit";
 import { useDesign } from "./design";
 import { surroundings } from "./selecting";
 import { store, stored } from "./ui";
@@ -47,11 +49,14 @@ interface ViewStore {
 
 export const SNAP_KINDS: readonly SnapKind[] = ["vertex", "stencil-vertex", "stencil-edge", "edge", "surface", "grid", "plane"];
 
+/** mm: a round figure of what lengths are shown in, where a person has set none. */
+const USUAL_GRID: Readonly<Record<DisplayUnit, number>> = { mm: 5, inch: 6.35 };
+
 export const useView = create<ViewStore>()(() => ({
   handle: null,
   tool: "select",
   snapKinds: new Set(SNAP_KINDS),
-  grid: 5,
+  grid: USUAL_GRID[useUnitStore.getState().unit],
   reach: 12,
   plane: "xy",
   planeOffset: 0,
@@ -63,6 +68,10 @@ export const useView = create<ViewStore>()(() => ({
   strand: null,
   preview: null,
 }));
+
+useUnitStore.subscribe(({ unit }, before) => {
+  if (unit !== before.unit && useView.getState().grid === USUAL_GRID[before.unit]) useView.setState({ grid: USUAL_GRID[unit] });
+});
 
 /** Takes up a tool; a strand that is open ends. */
 export function chooseTool(tool: Tool): void {

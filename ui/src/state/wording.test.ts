@@ -13,15 +13,15 @@ describe("worded", () => {
     ["only-stencil", "bunny.stl holds a surface and no lines: import it with --face-edges to take the edges of its faces, or trace a wireframe on it", "bunny.stl holds a surface"],
     ["value", "--scale is 0: a number above 0", "Scale is 0: a number above 0"],
   ])("keeps the fact of %s, and names no option or command", (code, message, fact) => {
-    const said = worded(code, message);
+    const said = worded({ code, message });
     expect(said).toContain(fact);
     expect(said).not.toMatch(/--[a-z]|`|wirebend run|wirebend driver/);
   });
 
   it("leaves other messages as they are, but for a capital where no name of a file begins them", () => {
-    expect(worded("read-number", "line 3 of a.obj: 'x' is no number")).toBe("Line 3 of a.obj: 'x' is no number");
-    expect(worded("read-number", "a.obj, line 3: 'x' is no number")).toBe("a.obj, line 3: 'x' is no number");
-    expect(worded("read-io", "cube: it cannot be read")).toBe("cube: it cannot be read");
-    expect(worded("constructor", "/x is damaged")).toBe("/x is damaged");
+    expect(worded({ code: "read-number", message: "line 3 of a.obj: 'x' is no number" })).toBe("Line 3 of a.obj: 'x' is no number");
+    expect(worded({ code: "read-number", message: "a.obj, line 3: 'x' is no number" })).toBe("a.obj, line 3: 'x' is no number");
+    expect(worded({ code: "read-io", message: "cube: it cannot be read" })).toBe("cube: it cannot be read");
+    expect(worded({ code: "constructor", message: "/x is damaged" })).toBe("/x is damaged");
   });
 });

@@ -43,8 +43,8 @@ const WORDS: Readonly<Record<string, (message: string) => string>> = {
 /** A message begins with a capital; the name of a file that it begins with stays as it is. */
 const begun = (message: string): string => (/^[a-z]+[ ,]/.test(message) ? message.charAt(0).toUpperCase() + message.slice(1) : message);
 
-/** The message of a code as the window says it. */
-export function worded(code: string, message: string): string {
+/** A problem as the window says it. */
+export function worded({ code, message }: { readonly code: string; readonly message: string }): string {
   // Only a code that is named here: not `constructor`.
   const words = Object.hasOwn(WORDS, code) ? WORDS[code] : undefined;
   return begun(words ? words(message) : message);

@@ -43,12 +43,12 @@ pub(super) fn make(
     let (stopped, problem) = match ended {
         Ok(()) => (false, None),
         Err(LiveProblem::Stopped { .. }) => (true, None),
+        Err(error @ (LiveProblem::Held { .. } | LiveProblem::Unstopped { .. })) => {
+            (true, Some(RunProblem::from(&error)))
+        }
         Err(_) if stop_of(&connection.session).is_some() => (true, None),
         Err(LiveProblem::Fault(error)) => (false, Some(RunProblem::from(&error))),
-        Err(LiveProblem::Session(error)) => {
-            let (code, message) = (error.code().to_owned(), error.to_string());
-            (false, Some(RunProblem { code, message }))
-        }
+        Err(LiveProblem::Session(error)) => (false, Some(RunProblem::from(&error))),
         Err(error) => return Err(error.into()),
     };
     Ok(JogResponse {
@@ -139,7 +139,7 @@ fn make_one(
     };
     connection.hearing.progress.stage(&one.to_string());
     connection.session.jog(&token, motion)?;
-    while !connection.look("it was moved by hand")?.contains(&Event::Jogged) {}
+    while !connection.look_until_held("it was moved by hand")?.contains(&Event::Jogged) {}
     *armed = Some(token);
     Ok(())
 }

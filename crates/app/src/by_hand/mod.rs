@@ -16,6 +16,7 @@ use crate::run::RunProblem;
 use crate::{App, AppError, LiveProblem, Progress};
 use making::make;
 pub(crate) use making::{QUESTION, lines, make_all, require};
+pub(crate) use moves::profile_hash;
 pub use moves::{Move, MovesFile};
 
 /// What to move. Nothing moves unless a person says so: here, or when they are asked.

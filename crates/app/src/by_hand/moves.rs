@@ -139,7 +139,8 @@ impl MovesFile {
     }
 }
 
-fn profile_hash(machine: &Resolved<MachineProfile>) -> Result<String, AppError> {
+/// What a machine does with a move follows from what this is made of.
+pub(crate) fn profile_hash(machine: &Resolved<MachineProfile>) -> Result<String, AppError> {
     let values = json!({ "figures": machine.figures()?, "driver": machine.profile.driver });
     Ok(sha256_hex(values.to_string().as_bytes()))
 }

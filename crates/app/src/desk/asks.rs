@@ -118,6 +118,8 @@ asks! {
     Exports(super::ExportsRequest) -> super::ExportsResponse = Desk::exports, "exports";
     /// Writes the design, or shows what would be written.
     Export(super::ExportDesign) -> super::ExportPreview = Desk::export, "export";
+    /// Writes the wireframe for other programs.
+    SaveWireframe(super::SaveWireframe) -> super::SavedWireframe = Desk::save_wireframe, "save-wireframe";
     /// Writes the job.
     SaveJob(super::SaveJob) -> super::SavedJob = Desk::save_job, "save-job";
     /// The machines.

@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_files::document::DocumentError;
 
-use super::{Desk, RecentEntry};
+use super::{Desk, RecentEntry, empty};
 use crate::report::NoteReport;
 use crate::{
     AppError, DesignInput, DesignView, EditRequest, Editor, Fix, Input, LiveCheck, Moved, Progress, Unsaved,
@@ -158,8 +158,10 @@ impl Desk {
     }
 
     pub(super) fn new_design(&self, asked: &NewDesign, _: &dyn Progress) -> Result<DesignOpened, AppError> {
-        let machine = asked.machine.clone().or_else(|| self.open().state().machine);
-        let editor = Editor::new(&self.app(), machine.as_deref(), self.keep_in().as_deref())?;
+        let editor = match &asked.machine {
+            Some(machine) => Editor::new(&self.app(), Some(machine), self.keep_in().as_deref())?,
+            None => empty(&self.app(), self.places(), self.open().state().machine)?,
+        };
         self.replace(editor, Vec::new())
     }
 
@@ -171,7 +173,7 @@ impl Desk {
         let before = self.open().state();
         let machine = before.machine.as_deref().map(|machine| (machine, before.material.as_deref()));
         let (editor, notes) =
-            Editor::open_for(&self.app(), &asked.design, machine, self.keep_in().as_deref(), progress)?;
+            Editor::open_for(&self.app(), &asked.design, machine, None, self.keep_in().as_deref(), progress)?;
         if let Input::File(path) = &asked.design.input {
             self.remember(path);
         }
@@ -209,7 +211,10 @@ impl Desk {
     }
 
     pub(super) fn fixes(&self, _: &FixesRequest, _: &dyn Progress) -> Result<FixesResponse, AppError> {
-        Ok(FixesResponse { fixes: self.open().fixes(&self.app())? })
+        let app = self.app();
+        // A person goes on dragging meanwhile.
+        let unmended = self.open().unmended(&app)?;
+        Ok(FixesResponse { fixes: unmended.fixes(&app)? })
     }
 
     pub(super) fn save(&self, asked: &SaveDesign, _: &dyn Progress) -> Result<DesignOpened, AppError> {
@@ -251,7 +256,7 @@ impl Desk {
     pub(super) fn replace(&self, editor: Editor, notes: Vec<NoteReport>) -> Result<DesignOpened, AppError> {
         let design = editor.view();
         let before = std::mem::replace(&mut *self.open(), editor);
-        before.close()?;
+        before.close();
         Ok(DesignOpened { design, notes, recent: self.recent() })
     }
 }

@@ -112,9 +112,9 @@ impl Desk {
             .ok_or_else(|| AppError::NoExample { id: asked.id.clone(), known: known() })?;
         let before = self.open().state();
         let machine = before.machine.as_deref().map(|machine| (machine, before.material.as_deref()));
-        let (mut editor, notes) =
-            Editor::open_for(&self.app(), &example.input(), machine, self.keep_in().as_deref(), progress)?;
-        editor.rename(example.name);
+        let (app, input, keep_in) = (self.app(), example.input(), self.keep_in());
+        let (editor, notes) =
+            Editor::open_for(&app, &input, machine, Some(example.name), keep_in.as_deref(), progress)?;
         self.replace(editor, notes)
     }
 }

@@ -8,9 +8,10 @@ use serde_json::{Map, Value};
 
 use super::Desk;
 use crate::design::DesignInput;
+use crate::import::wireframe_obj;
 use crate::output::Output;
 use crate::report::NoteReport;
-use crate::{AppError, ExportFormat, ExportRequest, Input, PlanChoices, PlanRequest, Progress};
+use crate::{AppError, ExportFormat, ExportRequest, Input, PlanChoices, PlanRequest, Progress, RunProblem};
 
 /// How much of a file is shown before it is written, in lines.
 const PREVIEW_LINES: usize = 40;
@@ -46,7 +47,7 @@ pub struct ExportsResponse {
     /// The machine's own first, then what its profile lists, then the rest.
     pub formats: Vec<FormatEntry>,
     /// Drivers that could not be asked, and why.
-    pub problems: Vec<String>,
+    pub problems: Vec<RunProblem>,
 }
 
 /// Writes the open design, or shows what would be written.
@@ -100,6 +101,20 @@ pub struct SavedJob {
     pub job_hash: String,
 }
 
+/// Writes the wireframe of the open design as an OBJ, which other programs edit.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct SaveWireframe {
+    /// Where.
+    pub output: Output,
+}
+
+/// A wireframe that was written.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct SavedWireframe {
+    /// The file.
+    pub file: PathBuf,
+}
+
 impl Desk {
     /// The open design as a command takes it.
     pub(super) fn as_input(&self) -> Result<DesignInput, AppError> {
@@ -125,7 +140,7 @@ impl Desk {
         let mut formats = Vec::new();
         let mut problems = Vec::new();
         if let Err(error) = app.driver(&own) {
-            problems.push(error.to_string());
+            problems.push(RunProblem::from(&error));
         }
         for driver in app.all_drivers()? {
             let described = driver.description();
@@ -195,36 +210,41 @@ impl Desk {
     }
 
     pub(super) fn save_job(&self, asked: &SaveJob, progress: &dyn Progress) -> Result<SavedJob, AppError> {
-        let planned = crate::plan::plan(
-            &self.app(),
-            &self.plan_request(Some(&asked.output), asked.despite_errors)?,
-            progress,
-        )?;
+        let request = PlanRequest {
+            design: self.as_input()?,
+            choices: PlanChoices::default(),
+            output: Some(asked.output.clone()),
+            make_job: false,
+            despite_errors: asked.despite_errors,
+        };
+        let planned = crate::plan::plan(&self.app(), &request, progress)?;
         match (planned.output, planned.job_hash) {
             (Some(file), Some(job_hash)) => Ok(SavedJob { file, job_hash }),
             _ => Err(AppError::NotFeasible { machine: planned.machine, report: Box::new(planned.report) }),
         }
     }
 
-    fn plan_request(&self, output: Option<&Output>, despite_errors: bool) -> Result<PlanRequest, AppError> {
-        Ok(PlanRequest {
-            design: self.as_input()?,
-            choices: PlanChoices::default(),
-            output: output.cloned(),
-            make_job: output.is_none(),
-            despite_errors,
-        })
+    pub(super) fn save_wireframe(
+        &self,
+        asked: &SaveWireframe,
+        _: &dyn Progress,
+    ) -> Result<SavedWireframe, AppError> {
+        let text = wireframe_obj(&self.copy().document)?;
+        Ok(SavedWireframe { file: asked.output.save(&text)? })
     }
 
     /// The job of the open design, as a run takes it.
     pub(crate) fn job(&self, despite_errors: bool, progress: &dyn Progress) -> Result<Input, AppError> {
-        let request = self.plan_request(None, despite_errors)?;
-        let name = self.open().state().name;
-        let planned = crate::plan::plan(&self.app(), &request, progress)?;
-        if planned.withheld {
-            return Err(AppError::NotFeasible { machine: planned.machine, report: Box::new(planned.report) });
+        let (_, planned) = self.planned(progress)?;
+        let report = || Box::new(planned.report());
+        if !planned.feasible() && !despite_errors {
+            let machine = planned.setup.machine_id().to_owned();
+            return Err(AppError::NotFeasible { machine, report: report() });
         }
-        let stem = name.strip_suffix(".wirebend").unwrap_or(&name);
-        Ok(Input::Bytes { name: format!("{stem}.wbjob"), bytes: planned.contents })
+        let unreached = || AppError::StageNotReached { stage: "compensated", report: report() };
+        let job = planned.job()?.ok_or_else(unreached)?;
+        let name = &planned.opened.name;
+        let stem = name.strip_suffix(".wirebend").unwrap_or(name);
+        Ok(Input::Bytes { name: format!("{stem}.wbjob"), bytes: job.to_bytes()? })
     }
 }

@@ -51,6 +51,8 @@ pub struct LookResponse {
     pub edges: usize,
     /// Faces of its surface.
     pub faces: usize,
+    /// The layers of a drawing, hidden ones included.
+    pub layers: Vec<String>,
     /// What would be merged, ignored or assumed.
     pub notes: Vec<NoteReport>,
 }
@@ -72,6 +74,7 @@ impl Desk {
                 vertices: 0,
                 edges: 0,
                 faces: 0,
+                layers: Vec::new(),
                 notes: Vec::new(),
             };
             return Ok(none);
@@ -102,6 +105,7 @@ impl Desk {
             vertices: document.wireframe.vertex_count(),
             edges: document.wireframe.edge_count(),
             faces: stencil.map_or(0, |stencil| stencil.faces().len()),
+            layers: opened.layers,
             notes: opened.notes,
             name: opened.name,
         })

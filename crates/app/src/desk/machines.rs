@@ -12,7 +12,7 @@ use wirebend_profile::{BendFigures, Kind, Shape};
 use super::Desk;
 use crate::{
     AppError, CompareRequest, CompareResponse, PlanChoices, ProfileNewRequest, ProfileNewResponse,
-    ProfilePlace, Progress,
+    ProfilePlace, Progress, RunProblem,
 };
 
 /// Asks for one machine.
@@ -55,7 +55,7 @@ pub struct MachineViewResponse {
     /// Its driver.
     pub driver: String,
     /// Why its driver cannot be used; null where it can.
-    pub driver_problem: Option<String>,
+    pub driver_problem: Option<RunProblem>,
     /// Largest bends to both sides, degrees.
     pub bend_deg: [f64; 2],
     /// Shortest designed edge, mm.
@@ -163,7 +163,7 @@ impl Desk {
             shipped: own.is_some_and(|own| own.shipped),
             file: own.map(|own| own.file.clone()).unwrap_or_default(),
             inherits: explained.chain.get(1).map(|parent| parent.id.clone()),
-            driver_problem: started.as_ref().err().map(ToString::to_string),
+            driver_problem: started.as_ref().err().map(RunProblem::from),
             driver,
             bend_deg: [limits.min_bend_deg, limits.max_bend_deg],
             min_edge_mm: limits.min_edge_mm,

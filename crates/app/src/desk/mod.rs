@@ -41,7 +41,8 @@ pub use design::{
 pub use error::Refusal;
 pub use examples::{ExampleEntry, ExamplesRequest, ExamplesResponse};
 pub use exports::{
-    ExportDesign, ExportPreview, ExportsRequest, ExportsResponse, FormatEntry, SaveJob, SavedJob,
+    ExportDesign, ExportPreview, ExportsRequest, ExportsResponse, FormatEntry, SaveJob, SaveWireframe,
+    SavedJob, SavedWireframe,
 };
 pub use look::{LookRequest, LookResponse, Seen};
 pub use machines::{
@@ -102,10 +103,10 @@ impl Desk {
     /// A desk with an empty design on it.
     ///
     /// # Errors
-    /// [`AppError`] when a shipped profile is damaged, or unsaved changes cannot be kept safe.
+    /// [`AppError`] when a shipped profile is damaged.
     pub fn new(places: Places, listener: Arc<dyn Listener>) -> Result<Self, AppError> {
         let app = places.app()?;
-        let open = Editor::new(&app, first_machine(&app, &places).as_deref(), keep_in(&places).as_deref())?;
+        let open = empty(&app, &places, None)?;
         let (app, operator) = (RwLock::new(Arc::new(app)), Mutex::new(None));
         Ok(Self { places, app, open: Mutex::new(open), operator, listener })
     }
@@ -129,6 +130,12 @@ impl Desk {
         self.open.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
+    /// The program ends: what moves is stopped, and the port closed. What no file has is offered at the next start.
+    pub fn leave(&self) {
+        self.let_go();
+        self.open().leave();
+    }
+
     pub(crate) fn tell(&self, tell: &Tell) {
         self.listener.hear(tell);
     }
@@ -145,6 +152,16 @@ impl Desk {
 /// Where changes that no file has are kept.
 fn keep_in(places: &Places) -> Option<PathBuf> {
     places.state.as_ref().map(|state| state.join("unsaved"))
+}
+
+/// An empty design for a machine, or for the first one where there is none of that name.
+fn empty(app: &App, places: &Places, machine: Option<String>) -> Result<Editor, AppError> {
+    let known = machine.filter(|machine| app.machine_ids().contains(machine));
+    let machine = known.or_else(|| first_machine(app, places));
+    let keep_in = keep_in(places);
+    Editor::new(app, machine.as_deref(), keep_in.as_deref())
+        // A machine that cannot be used is seen where machines are chosen.
+        .or_else(|_| Editor::new(app, None, keep_in.as_deref()))
 }
 
 /// The machine of the first design: the one that was chosen last, else the one that this program has the firmware of.

@@ -11,7 +11,7 @@ use super::{Desk, Tell};
 use crate::output::Output;
 use crate::{
     Answer, AppError, ConnectRequest, Decision, Input, MachineState, Move, NoProgress, Operator,
-    OperatorError, OperatorEvent, Order, Progress,
+    OperatorError, OperatorEvent, Order, Phase, Progress,
 };
 
 /// Connects the machine of the open design. One that was connected before is let go.
@@ -89,6 +89,8 @@ pub enum MachineOrder {
         #[serde(default)]
         other_machine: bool,
     },
+    /// Sets the machine as its profile says, for good. Nothing moves for it, and it has to be homed afterwards.
+    WriteSettings,
     /// Closes the port.
     Disconnect,
 }
@@ -142,13 +144,30 @@ pub struct SavedRecording {
     pub file: PathBuf,
 }
 
+impl MachineOrder {
+    /// Whether something moves or is set by it, or is to be.
+    const fn moves(&self) -> bool {
+        match self {
+            Self::Home
+            | Self::Jog { .. }
+            | Self::Arm { .. }
+            | Self::Start
+            | Self::ResumeRun { .. }
+            | Self::Replay { .. }
+            | Self::WriteSettings => true,
+            // A wire that was begun goes on as it was begun.
+            Self::Disarm | Self::Pause | Self::Resume | Self::Abandon { .. } | Self::Disconnect => false,
+        }
+    }
+}
+
 impl Desk {
     pub(super) fn connect(&self, asked: &ConnectMachine, _: &dyn Progress) -> Result<MachineNow, AppError> {
         let app = self.app();
         let machine = self.open().state().machine;
         let machine = machine.ok_or_else(|| AppError::NoMachine { known: app.machine_ids() })?;
         // The port of the one before has to be free again.
-        drop(self.put_operator(None));
+        self.let_go();
         let listener = Arc::clone(&self.listener);
         let hear = move |event: &OperatorEvent| listener.hear(&Tell::Operator(Box::new(event.clone())));
         let request = ConnectRequest { machine, port: asked.port.clone() };
@@ -162,6 +181,9 @@ impl Desk {
         progress: &dyn Progress,
     ) -> Result<MachineNow, AppError> {
         let operator = self.operator().ok_or(OperatorError::NotConnected)?;
+        if asked.request.moves() && operator.state().phase != Phase::Closed {
+            operator.require_as_in(&self.app())?;
+        }
         operator.order(self.resolved(&asked.request, progress)?)?;
         Ok(self.now())
     }
@@ -211,6 +233,13 @@ impl Desk {
         }
     }
 
+    /// Stops what moves and closes the port, and waits for that.
+    pub(super) fn let_go(&self) {
+        if let Some(operator) = self.put_operator(None) {
+            operator.close();
+        }
+    }
+
     fn now(&self) -> MachineNow {
         MachineNow { state: self.operator().map(|operator| operator.state()) }
     }
@@ -245,6 +274,7 @@ impl Desk {
             MachineOrder::Replay { file, other_machine } => {
                 Order::Replay { file: Input::File(file), other_machine }
             }
+            MachineOrder::WriteSettings => Order::WriteSettings,
             MachineOrder::Disconnect => Order::Disconnect,
         })
     }

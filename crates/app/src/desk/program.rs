@@ -61,6 +61,9 @@ pub struct ProgramResponse {
     pub diameter_mm: f64,
     /// Whether the machine can make it.
     pub feasible: bool,
+    /// Hash of the job that arming the design as it is would make; null where none can be made. A wire of the
+    /// connected machine whose job has this hash is one of this very program.
+    pub job_hash: Option<String>,
     /// The wires that have a program.
     pub wires: Vec<PlayedWire>,
     /// Wires that have none: the checks say why.
@@ -109,9 +112,7 @@ impl Desk {
     /// The open design without its stencil, which is no part of what is bent.
     pub(super) fn copy(&self) -> Opened {
         let open = self.open();
-        let mut document = open.document().clone();
-        document.stencil = None;
-        Opened::of(open.state().name, document)
+        Opened::of(open.state().name, open.without_stencil())
     }
 
     pub(super) fn program(
@@ -127,6 +128,7 @@ impl Desk {
             material: planned.setup.material_id().to_owned(),
             diameter_mm: planned.setup.model.wire.diameter.mm(),
             feasible: planned.feasible(),
+            job_hash: planned.job()?.map(|job| job.hash().to_owned()),
             without: planned.wires.len() - wires.len(),
             wires,
         })

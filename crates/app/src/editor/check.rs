@@ -87,6 +87,34 @@ impl Editor {
         Ok((names, setup))
     }
 
+    /// The design but for the stencil, which may be large.
+    pub(crate) fn without_stencil(&self) -> Document {
+        let Document {
+            wireframe,
+            stencil: _,
+            machine,
+            material,
+            doublings,
+            start,
+            pins,
+            notes,
+            units,
+            source,
+        } = &self.document;
+        Document {
+            wireframe: wireframe.clone(),
+            stencil: None,
+            machine: machine.clone(),
+            material: material.clone(),
+            doublings: doublings.clone(),
+            start: *start,
+            pins: pins.clone(),
+            notes: notes.clone(),
+            units: *units,
+            source: source.clone(),
+        }
+    }
+
     /// What is planned of the design: the stencil is no part of what is bent.
     pub(super) fn planned_part(&self) -> Document {
         Document {

@@ -63,6 +63,11 @@ impl History {
         self.undone.last().map(|last| last.done.label.as_str())
     }
 
+    /// Whether there is nothing to undo or to do again.
+    pub fn is_empty(&self) -> bool {
+        self.done.is_empty() && self.undone.is_empty()
+    }
+
     /// Names the state that the document is in: the same number is the same document.
     pub fn state(&self) -> u64 {
         self.done.last().map_or(0, |last| last.number)

@@ -3,9 +3,9 @@
 //! Its first line is the design as it was opened, each further one a change, an undo, a redo or a saving. It is
 //! deleted when the design is closed.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
+use std::{fs, io};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -55,6 +55,8 @@ enum Line {
 #[derive(Debug)]
 pub(super) struct Keeping {
     log: Log,
+    /// What was done before is in it, too. Otherwise it knows nothing of what is undone.
+    from_the_first: bool,
 }
 
 /// A design that was open when the program or the computer stopped.
@@ -85,12 +87,14 @@ pub(super) struct Restored {
 }
 
 impl Keeping {
-    /// Begins a journal in a folder, which is made where it is missing.
+    /// Begins a journal in a folder, which is made where it is missing. `from_the_first`: nothing was done to the document
+    /// that can be undone.
     pub fn begin(
         folder: &Path,
         document: &Document,
         file: Option<&Path>,
         name: &str,
+        from_the_first: bool,
     ) -> Result<Self, EditorError> {
         fs::create_dir_all(folder)
             .map_err(|cause| EditorError::Folder { folder: folder.to_owned(), cause })?;
@@ -106,9 +110,13 @@ impl Keeping {
         loop {
             let path = folder.join(format!("{}-{number}.{EXTENSION}", std::process::id()));
             match Log::create(&path, &first) {
-                Ok(log) => return Ok(Self { log }),
+                Ok(log) => return Ok(Self { log, from_the_first }),
                 Err(LogError::Exists { .. }) => number += 1,
-                Err(error) => return Err(error.into()),
+                Err(error) => {
+                    // Half of a first line would be found at the next start, and is of no use to anybody.
+                    let _ = fs::remove_file(&path);
+                    return Err(error.into());
+                }
             }
         }
     }
@@ -117,7 +125,7 @@ impl Keeping {
     pub fn take_up(path: &Path) -> Result<(Self, Restored), EditorError> {
         let (log, lines) = Log::open(path)?;
         let restored = replayed(path, &lines.entries)?;
-        Ok((Self { log }, restored))
+        Ok((Self { log, from_the_first: true }, restored))
     }
 
     pub fn done(&mut self, done: &Done) -> Result<(), EditorError> {
@@ -127,12 +135,14 @@ impl Keeping {
         self.add(&Line::Done { label: done.label.clone(), change })
     }
 
-    pub fn undone(&mut self) -> Result<(), EditorError> {
-        self.add(&Line::Undone)
+    /// The difference that an undo has made.
+    pub fn undone(&mut self, made: &Done) -> Result<(), EditorError> {
+        if self.from_the_first { self.add(&Line::Undone) } else { self.done(made) }
     }
 
-    pub fn redone(&mut self) -> Result<(), EditorError> {
-        self.add(&Line::Redone)
+    /// The difference that was made again.
+    pub fn redone(&mut self, made: &Done) -> Result<(), EditorError> {
+        if self.from_the_first { self.add(&Line::Redone) } else { self.done(made) }
     }
 
     pub fn saved(&mut self, file: &Path) -> Result<(), EditorError> {
@@ -143,21 +153,31 @@ impl Keeping {
         Ok(self.log.add(&json(line)?)?)
     }
 
+    /// The folder that it is in.
+    pub fn folder(&self) -> Option<&Path> {
+        self.log.path().parent()
+    }
+
     /// The design is closed: what is not saved a person has given up.
     pub fn end(self) -> Result<(), EditorError> {
         let path = self.log.path().to_owned();
-        fs::remove_file(&path).map_err(|cause| EditorError::Folder { folder: path, cause })
+        match fs::remove_file(&path) {
+            Err(cause) if cause.kind() != io::ErrorKind::NotFound => {
+                Err(EditorError::Folder { folder: path, cause })
+            }
+            _ => Ok(()),
+        }
     }
 }
 
 /// The designs in a folder that were open when the program or the computer stopped, and that no file has; last
-/// changed first. Journals without anything in them that is not saved are deleted; what cannot be read is told.
+/// changed first. Journals of designs that are as their files are deleted; what cannot be read is told.
 pub(super) fn unsaved(folder: &Path) -> (Vec<Unsaved>, Vec<String>) {
     let (mut found, mut problems) = (Vec::new(), Vec::new());
     let entries = fs::read_dir(folder).into_iter().flatten().filter_map(Result::ok).map(|entry| entry.path());
     for path in entries.filter(|path| path.extension().is_some_and(|extension| extension == EXTENSION)) {
         match Keeping::take_up(&path) {
-            Ok((keeping, restored)) if restored.changes == 0 => {
+            Ok((keeping, restored)) if restored.history.state() == restored.saved => {
                 problems.extend(keeping.end().err().map(|error| error.to_string()));
             }
             Ok((_, Restored { name, file, changes, .. })) => {
@@ -173,6 +193,8 @@ pub(super) fn unsaved(folder: &Path) -> (Vec<Unsaved>, Vec<String>) {
                 let removed = fs::remove_file(&path);
                 problems.extend(removed.err().map(|cause| format!("{}: {cause}", path.display())));
             }
+            // It was closed meanwhile, where it was open.
+            Err(_) if !path.exists() => {}
             Err(error) => problems.push(error.to_string()),
         }
     }

@@ -51,6 +51,8 @@ pub struct Editor {
     name: String,
     /// The state that the file has.
     saved: u64,
+    /// The folder for the journal, if one was named.
+    keep_in: Option<PathBuf>,
     keeping: Option<Keeping>,
     /// Machine and material as the stages want them, and by which names they were asked for.
     setup: Option<(Names, Setup)>,
@@ -59,33 +61,35 @@ pub struct Editor {
 }
 
 impl Editor {
-    /// An empty design for a machine. Unsaved changes are kept in a folder, if one is given.
+    /// An empty design for a machine. Unsaved changes are kept in a folder, if one is given; where that cannot be written,
+    /// [`DesignState::unkept`] says so.
     ///
     /// # Errors
-    /// [`AppError`] when there is no such machine, or the folder cannot be written.
+    /// [`AppError`] when there is no such machine.
     pub fn new(app: &App, machine: Option<&str>, keep_in: Option<&Path>) -> Result<Self, AppError> {
         let mut document = Document::new(Wireframe::new());
         if let Some(machine) = machine {
             let setup = app.setup(machine, None)?;
             (document.machine, document.material) = changing::snapshots(&setup)?;
         }
-        Self::begin(document, None, UNTITLED.to_owned(), keep_in)
+        Ok(Self::begin(document, None, UNTITLED.to_owned(), keep_in))
     }
 
     /// Opens a design: a `.wirebend` document, or any file that can be read. What was merged, ignored or assumed is
     /// told.
     ///
     /// # Errors
-    /// [`AppError`] when it cannot be read, or the folder cannot be written.
+    /// [`AppError`] when it cannot be read.
     pub fn open(
         input: &DesignInput,
         keep_in: Option<&Path>,
         progress: &dyn Progress,
     ) -> Result<(Self, Vec<NoteReport>), AppError> {
-        Self::begun_with(input.open(progress)?, input, keep_in)
+        Ok(Self::begun_with(input.open(progress)?, input, None, keep_in))
     }
 
-    /// The same for a machine and a material, where the file names none.
+    /// The same for a machine and a material, where the file names none, and by another name than the file's, if one is
+    /// given.
     ///
     /// # Errors
     /// As [`Editor::open`], and when there is no such machine or material.
@@ -93,6 +97,7 @@ impl Editor {
         app: &App,
         input: &DesignInput,
         machine: Option<(&str, Option<&str>)>,
+        called: Option<&str>,
         keep_in: Option<&Path>,
         progress: &dyn Progress,
     ) -> Result<(Self, Vec<NoteReport>), AppError> {
@@ -101,23 +106,24 @@ impl Editor {
             let setup = app.setup(machine, material)?;
             (opened.document.machine, opened.document.material) = changing::snapshots(&setup)?;
         }
-        Self::begun_with(opened, input, keep_in)
+        Ok(Self::begun_with(opened, input, called, keep_in))
     }
 
     fn begun_with(
         opened: Opened,
         input: &DesignInput,
+        called: Option<&str>,
         keep_in: Option<&Path>,
-    ) -> Result<(Self, Vec<NoteReport>), AppError> {
+    ) -> (Self, Vec<NoteReport>) {
         let own = opened.format == wirebend_files::read::Format::Wirebend;
         let path = match &input.input {
             crate::Input::File(path) => Some(path.clone()),
             crate::Input::Bytes { .. } => None,
         };
-        let name = path.as_deref().map_or(opened.name, file_name);
+        let of_file = || path.as_deref().map_or(opened.name, file_name);
+        let name = called.map_or_else(of_file, str::to_owned);
         // What was imported has no document of its own yet.
-        let editor = Self::begin(opened.document, path.filter(|_| own), name, keep_in)?;
-        Ok((editor, opened.notes))
+        (Self::begin(opened.document, path.filter(|_| own), name, keep_in), opened.notes)
     }
 
     /// Takes up a design that was open when the program or the computer stopped.
@@ -127,7 +133,8 @@ impl Editor {
     pub fn restore(journal: &Path) -> Result<Self, EditorError> {
         let (keeping, restored) = Keeping::take_up(journal)?;
         let keeping::Restored { document, history, file, name, saved, .. } = restored;
-        Ok(Self { document, history, file, name, saved, keeping: Some(keeping), setup: None, unkept: None })
+        let (keep_in, keeping) = (keeping.folder().map(Path::to_owned), Some(keeping));
+        Ok(Self { document, history, file, name, saved, keep_in, keeping, setup: None, unkept: None })
     }
 
     /// The designs in a folder that no file has, last changed first; and what could not be read of it.
@@ -136,15 +143,27 @@ impl Editor {
         keeping::unsaved(folder)
     }
 
-    fn begin(
-        document: Document,
-        file: Option<PathBuf>,
-        name: String,
-        keep_in: Option<&Path>,
-    ) -> Result<Self, AppError> {
-        let keeping = keep_in.map(|folder| Keeping::begin(folder, &document, file.as_deref(), &name));
-        let (keeping, history) = (keeping.transpose()?, History::default());
-        Ok(Self { document, history, file, name, saved: 0, keeping, setup: None, unkept: None })
+    fn begin(document: Document, file: Option<PathBuf>, name: String, keep_in: Option<&Path>) -> Self {
+        let (history, keep_in) = (History::default(), keep_in.map(Path::to_owned));
+        let (setup, keeping, unkept) = (None, None, None);
+        let mut editor = Self { document, history, file, name, saved: 0, keep_in, keeping, setup, unkept };
+        editor.begin_keeping();
+        editor
+    }
+
+    /// Begins the journal with the design as it is.
+    fn begin_keeping(&mut self) {
+        let Some(folder) = &self.keep_in else { return };
+        let begun =
+            Keeping::begin(folder, &self.document, self.file.as_deref(), &self.name, self.history.is_empty());
+        (self.keeping, self.unkept) = match begun {
+            Ok(keeping) => (Some(keeping), None),
+            // What cannot be kept safe can be worked on all the same.
+            Err(error) => {
+                tracing::error!("{error}");
+                (None, Some(error.to_string()))
+            }
+        };
     }
 
     /// Makes a change, and tells what is to be drawn anew. A request that changes nothing is no change.
@@ -172,9 +191,11 @@ impl Editor {
     /// # Errors
     /// [`EditorError::Stale`], which a history of its own does not bring about.
     pub fn undo(&mut self) -> Result<Option<ViewChange>, EditorError> {
+        let label = self.history.undo_label().unwrap_or_default().to_owned();
         let Some(change) = self.history.undo(&mut self.document)? else { return Ok(None) };
-        self.keep(Keeping::undone);
-        Ok(Some(self.changed(&change)))
+        let done = Done { label, change };
+        self.keep(|keeping| keeping.undone(&done));
+        Ok(Some(self.changed(&done.change)))
     }
 
     /// Does again what was undone last; none where nothing was.
@@ -182,12 +203,15 @@ impl Editor {
     /// # Errors
     /// [`EditorError::Stale`], which a history of its own does not bring about.
     pub fn redo(&mut self) -> Result<Option<ViewChange>, EditorError> {
+        let label = self.history.redo_label().unwrap_or_default().to_owned();
         let Some(change) = self.history.redo(&mut self.document)? else { return Ok(None) };
-        self.keep(Keeping::redone);
-        Ok(Some(self.changed(&change)))
+        let done = Done { label, change };
+        self.keep(|keeping| keeping.redone(&done));
+        Ok(Some(self.changed(&done.change)))
     }
 
-    /// Writes the `.wirebend` document, whole or not at all: to a file, or to the one that it has.
+    /// Writes the `.wirebend` document, whole or not at all: to a file, or to the one that it has. Where changes were not
+    /// kept safe any more, they are from here on, if that can be done again.
     ///
     /// # Errors
     /// [`AppError::NoFile`] where it has none and none is named, [`AppError::Document`] when it cannot be written.
@@ -195,7 +219,14 @@ impl Editor {
         let path = file.map(Path::to_owned).or_else(|| self.file.clone()).ok_or(AppError::NoFile)?;
         save_atomically(&path, &self.document.to_bytes()?)?;
         (self.name, self.saved, self.file) = (file_name(&path), self.history.state(), Some(path.clone()));
-        self.keep(|keeping| keeping.saved(&path));
+        if self.unkept.is_none() {
+            self.keep(|keeping| keeping.saved(&path));
+        }
+        if self.unkept.is_some() {
+            // All that the old one has the file has, too.
+            self.end_keeping();
+            self.begin_keeping();
+        }
         Ok(path)
     }
 
@@ -215,17 +246,23 @@ impl Editor {
         self.setup = None;
     }
 
-    /// Calls a design that no file has by another name.
-    pub(crate) fn rename(&mut self, name: &str) {
-        name.clone_into(&mut self.name);
+    /// Closes the design. What is not saved is gone: a front end asks before. A journal that cannot be deleted is offered
+    /// again, which is told in the log.
+    pub fn close(mut self) {
+        self.end_keeping();
     }
 
-    /// Closes the design. What is not saved is gone: a front end asks before.
-    ///
-    /// # Errors
-    /// [`EditorError`] when the journal cannot be deleted; it is offered again then.
-    pub fn close(self) -> Result<(), EditorError> {
-        self.keeping.map_or(Ok(()), Keeping::end)
+    /// The program ends: there is nothing to be offered of a design that is as its file.
+    pub(crate) fn leave(&mut self) {
+        if !self.is_changed() {
+            self.end_keeping();
+        }
+    }
+
+    fn end_keeping(&mut self) {
+        if let Some(Err(error)) = self.keeping.take().map(Keeping::end) {
+            tracing::warn!("{error}");
+        }
     }
 
     /// Whether there is something that the file has not.

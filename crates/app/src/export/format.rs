@@ -20,6 +20,8 @@ pub enum ExportFormat {
     Obj,
     /// The bent wire as a surface.
     ObjTube,
+    /// The same for programs that draw and animate.
+    Gltf,
     /// Template at 1:1 for a browser or a cutter.
     TemplateSvg,
     /// Template at 1:1 for CAD.
@@ -32,11 +34,12 @@ pub enum ExportFormat {
 
 impl ExportFormat {
     /// Every format.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Svg,
         Self::Png,
         Self::Obj,
         Self::ObjTube,
+        Self::Gltf,
         Self::TemplateSvg,
         Self::TemplateDxf,
         Self::TemplatePdf,
@@ -51,6 +54,7 @@ impl ExportFormat {
             Self::Png => "png",
             Self::Obj => "obj",
             Self::ObjTube => "obj-tube",
+            Self::Gltf => "gltf",
             Self::TemplateSvg => "template-svg",
             Self::TemplateDxf => "template-dxf",
             Self::TemplatePdf => "template-pdf",
@@ -66,6 +70,7 @@ impl ExportFormat {
             Self::Png => "Picture (PNG)",
             Self::Obj => "Bent wire, centreline (OBJ)",
             Self::ObjTube => "Bent wire, surface (OBJ)",
+            Self::Gltf => "Bent wire, surface (glTF)",
             Self::TemplateSvg => "Template at 1:1 (SVG)",
             Self::TemplateDxf => "Template at 1:1 (DXF)",
             Self::TemplatePdf => "Template at 1:1 on pages (PDF)",
@@ -100,6 +105,7 @@ impl ExportFormat {
             Self::Svg | Self::TemplateSvg => "svg",
             Self::Png => "png",
             Self::Obj | Self::ObjTube => "obj",
+            Self::Gltf => "glb",
             Self::TemplateDxf => "dxf",
             Self::TemplatePdf | Self::JobSheet => "pdf",
         }

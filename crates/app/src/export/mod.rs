@@ -151,7 +151,7 @@ fn numbered(path: &Path, index: usize, count: usize) -> PathBuf {
 
 fn encode(content: &mut Content, format: ExportFormat, print: &Print) -> Result<Vec<u8>, AppError> {
     match format {
-        ExportFormat::Obj | ExportFormat::ObjTube => Ok(model(content, format == ExportFormat::ObjTube)),
+        ExportFormat::Obj | ExportFormat::ObjTube | ExportFormat::Gltf => Ok(model(content, format)),
         ExportFormat::TemplateSvg | ExportFormat::TemplateDxf | ExportFormat::TemplatePdf => {
             template::encode(content, format, print)
         }
@@ -161,7 +161,7 @@ fn encode(content: &mut Content, format: ExportFormat, print: &Print) -> Result<
 }
 
 /// The bent wire in space, as lines or with its surface.
-fn model(content: &mut Content, tube: bool) -> Vec<u8> {
+fn model(content: &mut Content, format: ExportFormat) -> Vec<u8> {
     let setup = &content.setup;
     let diameter = setup.model.wire.diameter;
     let chord = chord(diameter);
@@ -171,10 +171,14 @@ fn model(content: &mut Content, tube: bool) -> Vec<u8> {
         .map(|wire| write::centreline(&wire.path, setup.model.bend_radius, chord))
         .collect();
     let tightened: usize = lines.iter().map(|line| line.tightened.len()).sum();
-    let radius = Length::from_mm(diameter.mm() / 2.0).unwrap_or_default();
-    let text = write::obj(&lines, tube.then_some(write::Tube { radius, sides: 12 }));
     content.notes.extend(bends_tightened(tightened));
-    text.into_bytes()
+    let radius = Length::from_mm(diameter.mm() / 2.0).unwrap_or_default();
+    let tube = write::Tube { radius, sides: 12 };
+    match format {
+        ExportFormat::Gltf => write::glb(&lines, tube),
+        ExportFormat::ObjTube => write::obj(&lines, Some(tube)).into_bytes(),
+        _ => write::obj(&lines, None).into_bytes(),
+    }
 }
 
 /// How far a chord may leave an arc: a hundredth of the wire's diameter cannot be seen.

@@ -150,6 +150,11 @@ impl<'a> Connection<'a> {
         look(&mut self.session, &mut self.hearing, during)
     }
 
+    /// The same for a machine that is moved by hand, and stops it where it holds in that.
+    pub fn look_until_held(&mut self, during: &'static str) -> Result<Vec<Event>, LiveProblem> {
+        look_until_held(&mut self.session, &mut self.hearing, during)
+    }
+
     /// The same for a machine of which nothing was ordered. That it was stopped before is known.
     pub fn look_at_rest(&mut self) -> Result<(), LiveProblem> {
         let stopped = self.session.state() == State::Stopped;
@@ -189,6 +194,16 @@ impl<'a> Connection<'a> {
         Err(LiveProblem::SettingsDiffer { machine: machine.to_owned(), port: self.port.clone(), settings })
     }
 
+    /// Writes the profile's settings to the machine, for good, and waits until it has told what came of it.
+    pub fn write_settings(&mut self, yes: &Yes) -> Result<(), LiveProblem> {
+        self.hearing.progress.stage("writing settings");
+        self.session.write_settings(&yes.confirmed()?)?;
+        let written = |event: &Event| matches!(event, Event::SettingsWritten { .. });
+        while !heard(&mut self.session, &mut self.hearing, "its settings were written")?.iter().any(written) {
+        }
+        Ok(())
+    }
+
     /// Lends the session to what makes a wire. The connection is lost where that does not give it back.
     pub fn through<T>(
         self,
@@ -222,6 +237,19 @@ fn look(
     hearing: &mut Hearing,
     during: &'static str,
 ) -> Result<Vec<Event>, LiveProblem> {
+    let events = heard(session, hearing, during)?;
+    if session.state() == State::Stopped {
+        return Err(LiveProblem::Stopped { during });
+    }
+    Ok(events)
+}
+
+/// The same for a machine that may have been stopped before.
+fn heard(
+    session: &mut Session,
+    hearing: &mut Hearing,
+    during: &'static str,
+) -> Result<Vec<Event>, LiveProblem> {
     let polled = session.poll();
     if session.last_stop().is_some() || (polled.is_err() && stop_of(session).is_some()) {
         return Err(LiveProblem::Stopped { during });
@@ -232,9 +260,6 @@ fn look(
         if let Event::Fault { error, .. } = event {
             return Err(LiveProblem::Fault(error.clone()));
         }
-    }
-    if session.state() == State::Stopped {
-        return Err(LiveProblem::Stopped { during });
     }
     if events.is_empty() {
         std::thread::sleep(PAUSE);
@@ -254,9 +279,29 @@ pub(crate) fn home(session: &mut Session, hearing: &mut Hearing, yes: &Yes) -> R
     homing?;
     // How long it may search the driver knows.
     while session.state() != State::Homed {
-        look(session, hearing, "it searched its reference")?;
+        look_until_held(session, hearing, "it searched its reference")?;
     }
     Ok(())
+}
+
+/// The same as [`look`], for a move by hand. A hold ends that: nobody is asked to go on with the rest of one, which a person
+/// orders anew once they have looked.
+fn look_until_held(
+    session: &mut Session,
+    hearing: &mut Hearing,
+    during: &'static str,
+) -> Result<Vec<Event>, LiveProblem> {
+    let events = look(session, hearing, during)?;
+    let held = events.iter().find_map(|event| match event {
+        Event::Paused { by } => Some(*by),
+        _ => None,
+    });
+    let Some(by) = held else { return Ok(events) };
+    let stop = session.stop();
+    if stop.driver_ended {
+        return Err(LiveProblem::Unstopped { during, by: stop.by });
+    }
+    Err(LiveProblem::Held { during, by })
 }
 
 impl Hearing<'_> {

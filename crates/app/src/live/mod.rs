@@ -9,3 +9,4 @@ pub(crate) use connect::{At, Connection, Hearing, PAUSE, Unnamed, home, stop_of}
 pub use news::{Decision, Doubt, News};
 pub(crate) use person::Yes;
 pub use problem::LiveProblem;
+pub(crate) use problem::hard_stop;

@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
-use wirebend_driver_host::SessionError;
-use wirebend_driver_host::api::{DriverError, SettingCheck};
+use wirebend_driver_host::api::{DriverError, PausedBy, SettingCheck};
 use wirebend_driver_host::jobs::{JobError, JournalError};
+use wirebend_driver_host::{SessionError, StoppedBy};
 
 use crate::{Doubt, ErrorKind};
 
@@ -38,6 +38,28 @@ pub enum LiveProblem {
     Stopped {
         /// What it did.
         during: &'static str,
+    },
+    /// It holds in a move by hand, and was stopped for it.
+    #[error(
+        "the machine held while {during}{}, and what was left of that is given up: home it before it moves again",
+        held_by(*by)
+    )]
+    Held {
+        /// What it did.
+        during: &'static str,
+        /// Why.
+        by: PausedBy,
+    },
+    /// It holds in a move by hand, and its driver did not stop it.
+    #[error(
+        "the machine held while {during}, and the driver did not pass the stop on and was ended: {}",
+        hard_stop(*by)
+    )]
+    Unstopped {
+        /// What it did.
+        during: &'static str,
+        /// Who has stopped the machine.
+        by: StoppedBy,
     },
     /// The machine does not answer.
     #[error(
@@ -192,6 +214,24 @@ fn there_are(known: &[String]) -> String {
     }
 }
 
+const fn held_by(by: PausedBy) -> &'static str {
+    match by {
+        PausedBy::Program => "",
+        PausedBy::Silence => ", since it had heard nothing for too long",
+        PausedBy::Machine => ", of which somebody at it may know",
+    }
+}
+
+/// What a person does when a driver had to be ended.
+pub(crate) const fn hard_stop(by: StoppedBy) -> &'static str {
+    match by {
+        StoppedBy::Host => {
+            "the stop was written to the port itself; look whether the machine stands, then connect it again"
+        }
+        _ => "cut the power of the machine if it still moves, then connect it again",
+    }
+}
+
 fn listed(settings: &[SettingCheck]) -> String {
     let one = |s: &SettingCheck| format!("{} is {}, not {}", s.name, s.machine, s.expected);
     settings.iter().map(one).collect::<Vec<_>>().join(", ")
@@ -231,7 +271,9 @@ impl LiveProblem {
                 | JobError::OtherWire { .. }
                 | JobError::Journal(JournalError::Damaged { .. } | JournalError::Empty { .. }),
             ) => ErrorKind::BadInput,
-            Self::Declined | Self::Stopped { .. } => ErrorKind::Stopped,
+            Self::Declined | Self::Stopped { .. } | Self::Held { .. } | Self::Unstopped { .. } => {
+                ErrorKind::Stopped
+            }
             Self::NoAnswer { .. }
             | Self::Fault(_)
             | Self::Session(_)
@@ -250,6 +292,8 @@ impl LiveProblem {
             Self::NotConfirmed => "not-confirmed",
             Self::Declined => "declined",
             Self::Stopped { .. } => "stopped",
+            Self::Held { .. } => "held",
+            Self::Unstopped { .. } => "driver-ended",
             Self::NoAnswer { .. } => "no-answer",
             Self::Fault(_) => "machine-fault",
             Self::Session(error) => error.code(),

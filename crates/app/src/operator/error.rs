@@ -5,6 +5,7 @@ use wirebend_driver_host::StoppedBy;
 use super::order::OrderName;
 use super::state::Phase;
 use crate::ErrorKind;
+use crate::live::hard_stop;
 
 /// Why an operator does not do what it was told. Nothing moves for it.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -60,6 +61,12 @@ pub enum OperatorError {
         /// The machine.
         machine: String,
     },
+    /// What it would do by its profile as it is now it would do otherwise.
+    #[error("'{machine}' was connected before its profile was changed: disconnect it, and connect it again")]
+    ConnectedBefore {
+        /// The machine.
+        machine: String,
+    },
     /// A wire of another machine is not finished by the simulated one.
     #[error(
         "wire {wire} was begun on the machine at {begun_at}, and this is the simulated one at {port}: connect to that one to go on with it"
@@ -105,15 +112,6 @@ pub enum OperatorError {
     },
 }
 
-const fn hard_stop(by: StoppedBy) -> &'static str {
-    match by {
-        StoppedBy::Host => {
-            "the stop was written to the port itself; look whether the machine stands, then connect it again"
-        }
-        _ => "cut the power of the machine if it still moves, then connect it again",
-    }
-}
-
 impl OperatorError {
     /// Whose turn it is.
     pub(crate) const fn kind(&self) -> ErrorKind {
@@ -137,6 +135,7 @@ impl OperatorError {
             Self::WrongAnswer { .. } => "wrong-answer",
             Self::NothingRecorded => "nothing-recorded",
             Self::ProfileChanged { .. } => "profile-changed",
+            Self::ConnectedBefore { .. } => "connected-before",
             Self::BegunElsewhere { .. } => "begun-elsewhere",
             Self::LeftInWire { .. } => "left-in-wire",
             Self::DriverEnded { .. } => "driver-ended",

@@ -90,4 +90,6 @@ pub enum QuestionKind {
     GoOn,
     /// Whether a step was made.
     Doubt,
+    /// Whether settings may be written to the machine, for good.
+    Settings,
 }

@@ -13,6 +13,7 @@ mod kept;
 mod leave;
 mod order;
 mod post;
+mod settings;
 mod shared;
 mod state;
 mod telling;
@@ -27,9 +28,9 @@ use std::time::Duration;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::by_hand::MovesFile;
+use crate::by_hand::{MovesFile, profile_hash};
 use crate::output::Output;
-use crate::{App, AppError, Move};
+use crate::{App, AppError, Move, RunProblem};
 pub use error::OperatorError;
 pub use event::{OperatorEvent, OperatorListener, Question, QuestionKind};
 pub use order::{Answer, Order, OrderName};
@@ -77,7 +78,8 @@ impl Operator {
             .name("operator".to_owned())
             .spawn(move || post::stand(&of_thread, &at, &request))
             .inspect_err(|error| {
-                shared.problem(post::told(&OperatorError::NoThread { cause: error.to_string() }.into()));
+                let error = AppError::from(OperatorError::NoThread { cause: error.to_string() });
+                shared.problem(RunProblem::from(&error));
                 shared.end(Phase::Failed);
             })
             .ok();
@@ -137,21 +139,40 @@ impl Operator {
         let machine = self.app.library.machine(&self.machine)?;
         output.save(&MovesFile::new(&machine, moves)?.to_bytes()?)
     }
+
+    /// Refuses a machine whose profile has been changed since it was connected.
+    ///
+    /// # Errors
+    /// [`OperatorError::ConnectedBefore`]; [`AppError`] when there is no such profile any more.
+    pub(crate) fn require_as_in(&self, app: &App) -> Result<(), AppError> {
+        let hash = |app: &App| profile_hash(&app.library.machine(&self.machine)?);
+        if std::ptr::eq(app, &raw const *self.app) || hash(app)? == hash(&self.app)? {
+            return Ok(());
+        }
+        Err(OperatorError::ConnectedBefore { machine: self.machine.clone() }.into())
+    }
+
+    /// What dropping it does, whoever else still has it.
+    pub(crate) fn close(&self) {
+        self.shared.close();
+        if !self.shared.ended_within(ENDING) {
+            tracing::warn!("the connection to '{}' does not end", self.machine);
+        }
+    }
 }
 
 impl Drop for Operator {
     fn drop(&mut self) {
-        self.shared.close();
-        let Some(thread) = self.thread.take() else { return };
         // A listener that lets go of the operator cannot wait for itself.
-        if thread.thread().id() == std::thread::current().id() {
-            return;
+        if self.thread.as_ref().is_none_or(|thread| thread.thread().id() == std::thread::current().id()) {
+            return self.shared.close();
         }
-        if self.shared.ended_within(ENDING) {
+        self.close();
+        if self.shared.ended_within(Duration::ZERO)
+            && let Some(thread) = self.thread.take()
+        {
             // A listener that has failed has been told of by the runtime.
             let _ = thread.join();
-        } else {
-            tracing::warn!("the connection to '{}' does not end", self.machine);
         }
     }
 }

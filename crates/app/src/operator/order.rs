@@ -68,6 +68,8 @@ pub enum Order {
         #[serde(default)]
         other_machine: bool,
     },
+    /// Sets the machine as its profile says, for good. Nothing moves for it, and it has to be homed afterwards.
+    WriteSettings,
     /// Closes the port.
     Disconnect,
 }
@@ -96,6 +98,8 @@ pub enum OrderName {
     Abandon,
     /// [`Order::Replay`].
     Replay,
+    /// [`Order::WriteSettings`].
+    WriteSettings,
     /// [`Order::Disconnect`].
     Disconnect,
 }
@@ -115,6 +119,7 @@ impl Order {
             Self::ResumeRun { .. } => OrderName::ResumeRun,
             Self::Abandon { .. } => OrderName::Abandon,
             Self::Replay { .. } => OrderName::Replay,
+            Self::WriteSettings => OrderName::WriteSettings,
             Self::Disconnect => OrderName::Disconnect,
         }
     }
@@ -133,6 +138,7 @@ impl fmt::Display for OrderName {
             Self::ResumeRun => "going on with an interrupted wire",
             Self::Abandon => "giving up a wire",
             Self::Replay => "replaying moves",
+            Self::WriteSettings => "writing settings",
             Self::Disconnect => "disconnecting",
         })
     }

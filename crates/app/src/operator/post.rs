@@ -63,7 +63,7 @@ pub(super) fn stand(app: &App, shared: &Shared, request: &ConnectRequest) {
     });
     let (machine, signs) = match known {
         Ok(known) => known,
-        Err(error) => return shared.problem(told(&error)),
+        Err(error) => return shared.problem(RunProblem::from(&error)),
     };
     let mut post = Post {
         app,
@@ -93,14 +93,21 @@ pub(super) fn stand(app: &App, shared: &Shared, request: &ConnectRequest) {
     }
 }
 
-pub(super) fn told(error: &AppError) -> RunProblem {
-    RunProblem { code: error.code().to_owned(), message: error.to_string() }
-}
-
 /// Whether what failed says that the machine is not as it was taken to be.
 const fn is_of_machine(error: &AppError) -> bool {
-    use LiveProblem::{Fault, Job, NoAnswer, Session, Stopped};
-    matches!(error, AppError::Live(Stopped { .. } | Fault(_) | Session(_) | Job(_) | NoAnswer { .. }))
+    use LiveProblem::{Fault, Held, Job, NoAnswer, Session, Stopped, Unstopped};
+    matches!(
+        error,
+        AppError::Live(
+            Stopped { .. }
+                | Held { .. }
+                | Unstopped { .. }
+                | Fault(_)
+                | Session(_)
+                | Job(_)
+                | NoAnswer { .. }
+        )
+    )
 }
 
 impl<'a> Post<'a> {
@@ -161,6 +168,7 @@ impl<'a> Post<'a> {
                 self.resume_run(job, wire, decided, accept_settings)
             }
             Order::Abandon { job, wire } => self.abandon(job, wire),
+            Order::WriteSettings => self.write_settings(),
             // These do not come to this thread as orders.
             Order::Pause | Order::Resume | Order::Disconnect => Ok(()),
         }
@@ -190,13 +198,13 @@ impl<'a> Post<'a> {
         self.come_to_rest(stop.is_some() || done.as_ref().is_err_and(is_of_machine));
         let problem = match (stop, done) {
             (Some(StopOutcome { driver_ended: true, by, .. }), _) => {
-                Some(told(&OperatorError::DriverEnded { by }.into()))
+                Some(RunProblem::from(&AppError::from(OperatorError::DriverEnded { by })))
             }
             // What failed while a stop was on its way is its doing.
             (Some(_), Err(_)) if self.connection.is_some() => None,
             // A person has said it.
             (_, Ok(()) | Err(AppError::Live(LiveProblem::Declined))) => None,
-            (_, Err(error)) => Some(told(&error)),
+            (_, Err(error)) => Some(RunProblem::from(&error)),
         };
         if let Some(problem) = problem {
             self.leave = None;
@@ -207,7 +215,7 @@ impl<'a> Post<'a> {
         let settings = self.connection.as_ref().map(|connection| connection.hearing.settings.clone());
         self.shared.rest(|state| {
             state.phase = phase;
-            state.wire = wire.or(state.wire);
+            state.wire = wire.or_else(|| state.wire.take());
             if let Some(settings) = settings {
                 state.settings = settings.into_iter().filter(|one| one.machine != one.expected).collect();
             }

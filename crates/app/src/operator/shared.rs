@@ -103,6 +103,7 @@ impl Shared {
 
     fn bring_about(&self, handle: &StopHandle) {
         let outcome = handle.stop();
+        tracing::info!(by = ?outcome.by, took = ?outcome.took, "STOP");
         let mut kept = self.lock();
         kept.stops -= 1;
         kept.outcome = Some(outcome);

@@ -10,6 +10,7 @@ use wirebend_driver_host::api::{Capability, SettingCheck};
 use super::event::Question;
 use super::order::OrderName;
 use super::unfinished::Unfinished;
+use crate::run::Task;
 use crate::{RunProblem, StepReport};
 
 /// What the machine is in.
@@ -123,8 +124,12 @@ pub struct MachineState {
 }
 
 /// How far a wire is.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct WireState {
+    /// Hash of its job: the open design may make another one by now.
+    pub job_hash: String,
+    /// Name of the design.
+    pub name: String,
     /// Index of the wire in its job, from 0.
     pub wire: usize,
     /// The last step that was made.
@@ -137,6 +142,25 @@ pub struct WireState {
     pub elapsed_s: f64,
     /// What is estimated to be left, s.
     pub remaining_s: f64,
+}
+
+impl WireState {
+    /// A wire of which so many steps are made, and nothing more is on its way.
+    pub(super) fn of(task: &Task, wire: usize, name: String, made: u32) -> Self {
+        let kept = task.wire(wire).ok();
+        let of = kept.map_or(0, |kept| u32::try_from(kept.compensated.len()).unwrap_or(u32::MAX));
+        let left = f64::from(of.saturating_sub(made)) / f64::from(of.max(1));
+        Self {
+            job_hash: task.job.hash().to_owned(),
+            name,
+            wire,
+            made,
+            sent: made,
+            of,
+            elapsed_s: 0.0,
+            remaining_s: kept.map_or(0.0, |kept| kept.time_s * left),
+        }
+    }
 }
 
 impl MachineState {
@@ -169,6 +193,7 @@ pub(super) fn knows(abilities: &BTreeSet<Capability>, order: OrderName) -> bool 
         OrderName::Jog | OrderName::Replay => Capability::Jog,
         OrderName::Pause => Capability::Pause,
         OrderName::Resume => Capability::Resume,
+        OrderName::WriteSettings => Capability::Settings,
         _ => return true,
     };
     abilities.contains(&needed)
@@ -176,11 +201,15 @@ pub(super) fn knows(abilities: &BTreeSet<Capability>, order: OrderName) -> bool 
 
 /// The orders that a phase allows, whatever the driver can.
 pub(super) const fn allowed(phase: Phase) -> &'static [OrderName] {
-    use OrderName::{Abandon, Arm, Disarm, Disconnect, Home, Jog, Pause, Replay, Resume, ResumeRun, Start};
+    use OrderName::{
+        Abandon, Arm, Disarm, Disconnect, Home, Jog, Pause, Replay, Resume, ResumeRun, Start, WriteSettings,
+    };
     match phase {
         // A wire, and a recording, begin with the search for the reference where that is not known.
-        Phase::Connected | Phase::Stopped => &[Home, Arm, ResumeRun, Abandon, Replay, Disconnect],
-        Phase::Ready => &[Home, Jog, Arm, ResumeRun, Abandon, Replay, Disconnect],
+        Phase::Connected | Phase::Stopped => {
+            &[Home, Arm, ResumeRun, Abandon, Replay, WriteSettings, Disconnect]
+        }
+        Phase::Ready => &[Home, Jog, Arm, ResumeRun, Abandon, Replay, WriteSettings, Disconnect],
         Phase::Armed => &[Start, Disarm, Home, Jog, Arm, ResumeRun, Abandon, Replay, Disconnect],
         Phase::Making => &[Pause],
         Phase::Holding => &[Resume],

@@ -21,8 +21,9 @@ impl Progress for Shared {
             News::About { lines } => return self.about(lines.clone()),
             News::Position(position) => self.change_untold(|state| state.position = Some(*position)),
             &News::Wire { wire, made, sent, of, elapsed_s, remaining_s } => {
-                let figures = WireState { wire, made, sent, of, elapsed_s, remaining_s };
-                self.change_untold(|state| state.wire = Some(figures));
+                // Of which job it is was known before it was begun.
+                let figures = |before| WireState { wire, made, sent, of, elapsed_s, remaining_s, ..before };
+                self.change_untold(|state| state.wire = state.wire.take().map(figures));
                 if self.state().phase != Phase::Holding {
                     self.enter(Phase::Making);
                 }

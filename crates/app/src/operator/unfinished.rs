@@ -2,8 +2,11 @@
 
 use schemars::JsonSchema;
 use serde::Serialize;
+use wirebend_driver_host::jobs::JournalError;
 
+use super::state::WireState;
 use crate::App;
+use crate::run::Task;
 use crate::runs::{Kept, RunsFolder};
 
 /// A wire that was interrupted and can be gone on with.
@@ -27,10 +30,13 @@ pub struct Unfinished {
     pub of: u32,
     /// Steps of which nobody knows whether they were made: the first and the last.
     pub in_doubt: Option<[u32; 2]>,
+    /// Whether it can be gone on with: its record may be damaged. Then it can be given up, and nothing is known of when and
+    /// where it was begun.
+    pub resumable: bool,
 }
 
 impl Unfinished {
-    /// What a journal tells of; `None` when the wire is over, none of it was sent, or the journal is damaged.
+    /// What a journal tells of; `None` when the wire is over, none of it was sent, or the journal cannot be read.
     pub(super) fn of(kept: &Kept) -> Option<Self> {
         let written = kept.read.as_ref().ok()?;
         let account = &written.account;
@@ -48,6 +54,7 @@ impl Unfinished {
             made: account.done,
             of: heading.steps,
             in_doubt: account.in_doubt().map(|steps| [*steps.start(), *steps.end()]),
+            resumable: true,
         })
     }
 
@@ -69,8 +76,27 @@ impl Unfinished {
     }
 
     /// The last time that a wire of a job was begun, where it is not over.
-    pub(super) fn of_wire(app: &App, job_hash: &str, wire: usize) -> Option<Self> {
-        let kept = RunsFolder::of(app).and_then(|folder| folder.of_wire(job_hash, wire)).ok()?.pop()?;
-        Self::of(&kept)
+    pub(super) fn of_wire(task: &Task, wire: usize) -> Option<Self> {
+        let kept = task.last(wire).ok()??;
+        match kept.read {
+            Err(JournalError::Damaged { .. } | JournalError::Impossible { .. }) => {
+                let WireState { job_hash, name, of, .. } =
+                    WireState::of(task, wire, task.request.job.stem(), 0);
+                let (port, started, in_doubt) = (String::new(), String::new(), None);
+                Some(Self {
+                    id: kept.id,
+                    job_hash,
+                    name,
+                    wire,
+                    port,
+                    started,
+                    made: 0,
+                    of,
+                    in_doubt,
+                    resumable: false,
+                })
+            }
+            _ => Self::of(&kept),
+        }
     }
 }

@@ -21,15 +21,7 @@ pub(super) struct ArmedWire<'a> {
 impl ArmedWire<'_> {
     /// Nothing of it is made.
     pub fn state(&self) -> WireState {
-        let kept = self.task.wire(self.wire).ok();
-        WireState {
-            wire: self.wire,
-            made: 0,
-            sent: 0,
-            of: kept.map_or(0, |kept| u32::try_from(kept.compensated.len()).unwrap_or(u32::MAX)),
-            elapsed_s: 0.0,
-            remaining_s: kept.map_or(0.0, |kept| kept.time_s),
-        }
+        WireState::of(&self.task, self.wire, self.task.request.job.stem(), 0)
     }
 }
 
@@ -105,6 +97,8 @@ impl<'a> Post<'a> {
             let connection = self.app.connect(&at, self.shared)?;
             self.is_connected(connection);
         }
+        let taken_up = WireState::of(&task, wire, interrupted.name(), interrupted.made());
+        self.shared.change(|state| state.wire = Some(taken_up));
         let not_now = OperatorError::NotNow { order: OrderName::ResumeRun, phase: state.phase };
         let connection = self.connection.take().ok_or(not_now)?;
         let homes = !self.at_reference;
@@ -173,7 +167,7 @@ impl<'a> Post<'a> {
     }
 
     fn look_for_unfinished(&self, task: &Task, wire: usize) {
-        let unfinished = Unfinished::of_wire(self.app, task.job.hash(), wire);
+        let unfinished = Unfinished::of_wire(task, wire);
         self.shared.change(|state| state.unfinished = unfinished);
     }
 }

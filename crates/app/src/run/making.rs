@@ -60,6 +60,8 @@ impl Watch {
 struct Heard {
     stopped_by: Option<StoppedBy>,
     fault: Option<DriverError>,
+    /// Why it was stopped where nobody has asked for that.
+    held: Option<RunProblem>,
     corners_mm: Vec<[f64; 3]>,
 }
 
@@ -94,6 +96,9 @@ impl Making<'_, '_> {
         match driven {
             Ok(()) | Err(AppError::Live(LiveProblem::Stopped { .. })) => {}
             Err(error @ AppError::Live(LiveProblem::Job(JobError::Journal(_)))) => return Err(error),
+            Err(AppError::Live(error @ (LiveProblem::Held { .. } | LiveProblem::Unstopped { .. }))) => {
+                heard.held = Some(RunProblem::from(&error));
+            }
             Err(_) if stop.is_some() => {}
             Err(AppError::Live(LiveProblem::Fault(error))) => heard.fault = Some(error),
             Err(error) => {
@@ -274,12 +279,12 @@ impl Making<'_, '_> {
         };
         let over = account.is_over();
         let untouched = self.task.untouched(self.wire, &self.id, outcome, account.done)?;
-        let problem = heard.fault.as_ref().map(RunProblem::from);
+        let fault = heard.fault.as_ref().map(RunProblem::from);
         Ok(WireRun {
             in_doubt: account.in_doubt().map(|steps| [*steps.start(), *steps.end()]),
             elapsed_s: self.run.overview().elapsed.as_secs_f64(),
             stopped_by: heard.stopped_by.filter(|_| !over),
-            problem: problem.filter(|_| outcome == RunOutcome::Failed),
+            problem: fault.filter(|_| outcome == RunOutcome::Failed).or_else(|| heard.held.clone()),
             deviations_mm,
             // Of a wire of which nothing was sent there is nothing to go on with.
             resume: (!over && account.sent > 0).then(|| self.task.command(self.wire, "--resume")),

@@ -4,10 +4,11 @@ use std::path::PathBuf;
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use wirebend_driver_host::StoppedBy;
 use wirebend_driver_host::api::DriverError;
+use wirebend_driver_host::{SessionError, StoppedBy};
 
 use crate::report::NoteReport;
+use crate::{AppError, DriverProblem, LiveProblem};
 
 /// What became of the wires that were to be made.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
@@ -65,7 +66,7 @@ pub struct WireRun {
     pub elapsed_s: f64,
     /// Who brought a stop about; null without one, and for one of the machine itself.
     pub stopped_by: Option<StoppedBy>,
-    /// What failed.
+    /// What failed, or why it was stopped where nobody has asked for that.
     pub problem: Option<RunProblem>,
     /// How far each vertex is from the design, in mm, where a simulated machine made the wire.
     pub deviations_mm: Option<Vec<f64>>,
@@ -97,6 +98,18 @@ pub struct RunProblem {
     /// What happened and what to do.
     pub message: String,
 }
+
+macro_rules! from_coded {
+    ($($error:ty),*) => {$(
+        impl From<&$error> for RunProblem {
+            fn from(error: &$error) -> Self {
+                Self { code: error.code().to_owned(), message: error.to_string() }
+            }
+        }
+    )*};
+}
+
+from_coded!(AppError, DriverProblem, LiveProblem, SessionError);
 
 impl From<&DriverError> for RunProblem {
     fn from(error: &DriverError) -> Self {

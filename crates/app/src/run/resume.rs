@@ -31,6 +31,16 @@ impl Interrupted {
     pub fn begun_at(&self) -> String {
         self.journal.account().heading.port.clone()
     }
+
+    /// What the design was called when it was begun.
+    pub fn name(&self) -> String {
+        self.journal.account().heading.name.clone()
+    }
+
+    /// The last step that is known to be made.
+    pub fn made(&self) -> u32 {
+        self.journal.account().done
+    }
 }
 
 /// What is to be done with an interrupted wire.

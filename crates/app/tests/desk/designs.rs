@@ -118,6 +118,7 @@ fn an_unsaved_design_is_offered_restored_or_thrown_away() {
     let window = Window::at(copy);
     let unsaved = window.ask("start", json!({}))["unsaved"].clone();
     assert_eq!((unsaved.as_array().unwrap().len(), &unsaved[0]["changes"]), (1, &json!(1)), "{unsaved}");
+    assert_eq!(unsaved[0]["name"], "Cube", "as it was called, not as its file was");
     let restored = window.ask("restore", json!({"journal": unsaved[0]["journal"]}));
     let at = restored["design"]["vertices"][1]["at_mm"][2].as_f64().unwrap();
     assert!((at - 2.5).abs() < 1e-9, "{at}");
@@ -128,4 +129,69 @@ fn an_unsaved_design_is_offered_restored_or_thrown_away() {
     let file = window.file("mine.txt", b"mine");
     window.ask("discard", json!({"journal": file}));
     assert!(file.exists());
+}
+
+/// Whoever says "do not save" does not want to be asked about it again at the next start.
+#[test]
+fn what_was_given_up_is_not_offered_again() {
+    let window = Window::new();
+    let journals = || std::fs::read_dir(window.home.path().join("state/unsaved")).unwrap().count();
+    window.ask("open-example", json!({"id": "cube"}));
+    window.ask("edit", json!({"request": {"edit": "move", "vertices": [1], "by_mm": [0, 0, 2.5]}}));
+    for _ in 0..2 {
+        let closed = window.ask("close", json!({}));
+        assert_eq!(
+            (&closed["design"]["edges"], &closed["design"]["state"]["changed"]),
+            (&json!([]), &json!(false))
+        );
+        assert_eq!(journals(), 1, "that of the empty design");
+    }
+    window.desk.leave();
+    assert_eq!(journals(), 0);
+    window.desk.leave();
+    // What nobody was asked about is kept.
+    let window = Window::new();
+    window.ask("open-example", json!({"id": "cube"}));
+    window.ask("edit", json!({"request": {"edit": "move", "vertices": [1], "by_mm": [0, 0, 2.5]}}));
+    window.desk.leave();
+    let Window { home, desk, .. } = window;
+    drop(desk);
+    assert_eq!(Window::at(home).ask("start", json!({}))["unsaved"][0]["changes"], 1);
+}
+
+/// A design of a machine that this computer does not know would keep its window open for ever.
+#[test]
+fn a_design_of_an_unknown_machine_can_be_closed() {
+    let window = Window::new();
+    let path = window.home.path().join("x.wirebend");
+    window.ask("open-example", json!({"id": "cube"}));
+    window.ask("save", json!({"path": path}));
+    let text = std::fs::read_to_string(&path).unwrap();
+    std::fs::write(&path, text.replacen("\"id\": \"wirebend-kit\"", "\"id\": \"of-a-friend\"", 1)).unwrap();
+    let opened = window.ask("open", file(&path));
+    assert_eq!(opened["design"]["state"]["machine"], "of-a-friend");
+    assert_eq!(window.ask("close", json!({}))["design"]["state"]["machine"], "wirebend-kit");
+}
+
+/// A journal that cannot be deleted is no reason to say that a file was not opened when it was.
+#[test]
+fn a_design_is_opened_although_the_journal_before_cannot_be_deleted() {
+    let window = Window::new();
+    let folder = window.home.path().join("state/unsaved");
+    for entry in std::fs::read_dir(&folder).unwrap() {
+        let path = entry.unwrap().path();
+        std::fs::remove_file(&path).unwrap();
+        // A folder is not removed as a file is.
+        std::fs::create_dir(&path).unwrap();
+    }
+    assert_eq!(window.ask("open-example", json!({"id": "cube"}))["design"]["state"]["name"], "Cube");
+}
+
+/// A window that does not come up because of a folder would keep a person from their files.
+#[test]
+fn a_state_folder_that_cannot_be_written_is_told_with_the_design() {
+    let home = tempfile::tempdir().unwrap();
+    std::fs::write(home.path().join("state"), "a file").unwrap();
+    let started = Window::at(home).ask("start", json!({}));
+    assert!(started["design"]["state"]["unkept"].as_str().unwrap().contains("state"), "{started}");
 }

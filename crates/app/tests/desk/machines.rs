@@ -73,7 +73,7 @@ fn a_preview_is_the_beginning_of_the_file() {
             let text = String::from_utf8(bytes).unwrap().replace("\r\n", "\n");
             assert!(text.starts_with(beginning), "{id}");
         } else {
-            assert!(["png", "job-sheet", "template-pdf"].contains(&id), "{id}");
+            assert!(["png", "gltf", "job-sheet", "template-pdf"].contains(&id), "{id}");
         }
         // A file that is there is not replaced by itself.
         assert_eq!(

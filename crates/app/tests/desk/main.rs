@@ -4,6 +4,7 @@
 
 mod designs;
 mod machines;
+mod running;
 mod wrong_files;
 
 use std::path::{Path, PathBuf};

@@ -135,6 +135,114 @@ fn a_machine_that_was_made_to_hold_goes_on_at_a_persons_word() {
     assert_eq!(shop.made(), [1, 2]);
 }
 
+/// A machine that hears nothing for too long holds. The rest of a move by hand is not gone on with: a person orders it anew.
+#[test]
+fn a_hold_in_a_move_by_hand_ends_it() {
+    for (at, order) in
+        [(1, json!({"order": "home"})), (2, json!({"order": "jog", "moves": [{"move": "feed", "mm": 5.0}]}))]
+    {
+        let shop =
+            Shop::odd("hostile", |folder| json!({"machine": folder.join("kept"), "holds_by_hand": at}));
+        let seat = connected(&shop);
+        if at == 2 {
+            seat.order(&json!({"order": "home"}));
+            seat.says(Answer::Yes);
+            seat.until_phase(Phase::Ready);
+        }
+        seat.order(&order);
+        if at == 1 {
+            seat.says(Answer::Yes);
+        }
+        let (code, message) = seat.until_problem();
+        assert_eq!(code, "held");
+        assert!(message.contains("heard nothing") && message.contains("home it"), "{message}");
+        let stopped = seat.until_phase(Phase::Stopped);
+        assert!(stopped.can.contains(&OrderName::Home) && !stopped.can.contains(&OrderName::Jog));
+        seat.order(&json!({"order": "home"}));
+        seat.says(Answer::Yes);
+        seat.until_phase(Phase::Ready);
+    }
+}
+
+/// Whoever comes back to a wire that did not begin has to read why: nobody has stopped it.
+#[test]
+fn a_hold_while_a_wire_is_homed_is_told_with_the_wire() {
+    let shop = Shop::odd("hostile", |folder| json!({"machine": folder.join("kept"), "holds_by_hand": 1}));
+    let (seat, job) = (connected(&shop), shop.cube("odd"));
+    seat.start(&job);
+    let (code, message) = seat.until_problem();
+    assert_eq!(code, "held");
+    assert!(message.contains("heard nothing") && message.contains("home it"), "{message}");
+    let run = seat.until_run();
+    assert_eq!((run.wires[0].outcome, run.wires[0].made), (RunOutcome::Stopped, 0));
+    assert_eq!(run.wires[0].problem.as_ref().map(|problem| problem.code.as_str()), Some("held"));
+    let stopped = seat.until_phase(Phase::Stopped);
+    assert_eq!(stopped.problem.map(|problem| problem.message), Some(message));
+}
+
+/// A driver that does not stop what holds leaves a machine that may go on by itself: a person has to cut its power.
+#[test]
+fn a_hold_that_cannot_be_stopped_is_told_as_what_it_is() {
+    for order in ["home", "start"] {
+        let shop =
+            Shop::odd("stop-hang", |folder| json!({"machine": folder.join("kept"), "holds_by_hand": 1}));
+        let (seat, job) = (connected(&shop), shop.cube("odd"));
+        if order == "home" {
+            seat.order(&json!({"order": "home"}));
+            seat.says(Answer::Yes);
+        } else {
+            seat.start(&job);
+        }
+        let (code, message) = seat.until_problem();
+        assert_eq!(code, "driver-ended", "{order}: {message}");
+        assert!(message.contains("held") && message.contains("cut the power"), "{order}: {message}");
+        let failed = seat.until_phase(Phase::Failed);
+        assert_eq!(failed.problem.map(|problem| problem.message), Some(message), "{order}");
+    }
+}
+
+/// A machine that is set otherwise is set as its profile says at a person's word; nothing moves, and it has to be homed.
+#[test]
+fn a_machine_is_set_as_its_profile_says() {
+    let shop = Shop::odd("hostile", |folder| json!({"machine": folder.join("kept"), "misset": true}));
+    let (seat, job) = (shop.connect("odd", Some("anywhere")), shop.cube("odd"));
+    let state = seat.until_phase(Phase::Connected);
+    assert_eq!((state.settings.len(), state.can.contains(&OrderName::WriteSettings)), (1, true));
+    seat.order(&json!({"order": "write-settings"}));
+    let question = seat.says(Answer::No);
+    assert_eq!(question.kind, QuestionKind::Settings);
+    assert!(question.lines.iter().any(|line| line == "$100: 80 becomes 40"), "{:?}", question.lines);
+    assert_eq!(seat.until_phase(Phase::Connected).settings.len(), 1);
+    for from in [Phase::Ready, Phase::Stopped] {
+        seat.order(&json!({"order": "home"}));
+        seat.says(Answer::Yes);
+        seat.until_phase(Phase::Ready);
+        if from == Phase::Stopped {
+            assert!(seat.operator.stop());
+            seat.until_phase(Phase::Stopped);
+        }
+        seat.order(&json!({"order": "write-settings"}));
+        seat.says(Answer::Yes);
+        let state = seat.until_state(|state| !state.busy && state.question.is_none());
+        let after = if from == Phase::Ready { Phase::Connected } else { Phase::Stopped };
+        assert_eq!((state.phase, state.settings), (after, Vec::new()));
+    }
+    // Nothing is in the way of a wire any more.
+    seat.arm(&job);
+    seat.says(Answer::No);
+}
+
+/// A machine that does not keep what was written would bend by other numbers, with nobody the wiser.
+#[test]
+fn settings_that_were_not_taken_are_told() {
+    let shop = Shop::odd("connect-differ", |_| json!({}));
+    let seat = connected(&shop);
+    seat.order(&json!({"order": "write-settings"}));
+    seat.says(Answer::Yes);
+    assert_eq!(seat.until_problem().0, "settings-differ");
+    assert_eq!(seat.until_phase(Phase::Connected).settings.len(), 1);
+}
+
 /// A driver that dies while it is asked to move: nothing hangs, and what to do is said.
 #[test]
 fn a_driver_that_dies_is_told() {

@@ -121,12 +121,44 @@ fn an_interrupted_wire_is_gone_on_with_wherever_a_person_likes() {
     let seat = shop.connect("wirebend-kit", Some("sim:10"));
     let left = seat.until_phase(Phase::Connected).unfinished.unwrap();
     assert_eq!((left.wire, left.of, left.in_doubt.is_some()), (0, 8, true));
+    // Whose wire it is is known before anybody says that it goes on.
+    seat.resume(&job);
+    seat.says(Answer::No);
+    assert_eq!(seat.until_problem().0, "in-doubt");
+    let wire = seat.until_phase(Phase::Connected).wire.unwrap();
+    assert_eq!((wire.job_hash, wire.name, wire.made), (left.job_hash, left.name, left.made));
     seat.arm(&job);
     assert_eq!(seat.until_problem().0, "unfinished");
     seat.until_phase(Phase::Connected);
     seat.operator.order(Order::Abandon { job: job.clone(), wire: 0 }).unwrap();
     assert_eq!(seat.until_run().wires[0].outcome, RunOutcome::Abandoned);
     assert_eq!(seat.until_state(|state| state.unfinished.is_none() && !state.busy).phase, Phase::Connected);
+    seat.arm(&job);
+    seat.says(Answer::No);
+}
+
+/// The journal of a wire is damaged: without a way to give the wire up it could never be made again.
+#[test]
+fn a_wire_whose_journal_is_damaged_is_given_up() {
+    let shop = Shop::new();
+    let job = shop.cube("wirebend-kit");
+    let seat = shop.simulated("sim:10");
+    seat.start(&job);
+    seat.until_made(1);
+    drop(seat);
+    let runs = std::fs::read_dir(shop.folder.path().join("runs")).unwrap();
+    let is_journal = |path: &std::path::PathBuf| path.extension().is_some_and(|end| end == "journal");
+    let journal = runs.map(|entry| entry.unwrap().path()).find(is_journal).unwrap();
+    let text = std::fs::read_to_string(&journal).unwrap();
+    std::fs::write(&journal, text.replacen("wirebend-kit", "wirebend-kat", 1)).unwrap();
+    let seat = shop.simulated("sim:max");
+    seat.arm(&job);
+    assert_eq!(seat.until_problem().0, "journal-damaged");
+    let left = seat.until_phase(Phase::Connected).unfinished.unwrap();
+    assert_eq!((left.resumable, left.wire, left.made, left.of), (false, 0, 0, 8));
+    seat.operator.order(Order::Abandon { job: job.clone(), wire: left.wire }).unwrap();
+    assert_eq!(seat.until_run().wires[0].outcome, RunOutcome::Abandoned);
+    assert_eq!(seat.until_state(|state| !state.busy).unfinished, None);
     seat.arm(&job);
     seat.says(Answer::No);
 }

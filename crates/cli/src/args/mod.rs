@@ -53,8 +53,10 @@ pub(crate) enum Command {
     /// Check a driver of somebody else's, or accept it
     #[command(subcommand)]
     Driver(DriverCommand),
-    /// Read a model, a drawing, a table or a program into a .wirebend document
-    #[command(after_help = "Example:\n  wirebend import examples/bunny.obj --face-edges -o bunny.wirebend")]
+    /// Read a model, a drawing, a table or a program into a .wirebend document, or into an .obj of its wireframe
+    #[command(
+        after_help = "Examples:\n  wirebend import examples/bunny.obj --face-edges -o bunny.wirebend\n  wirebend import bunny.wirebend -o bunny-wires.obj"
+    )]
     Import {
         /// File to read, or - for standard input
         #[arg(value_name = "FILE")]

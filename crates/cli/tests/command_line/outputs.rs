@@ -50,6 +50,8 @@ fn every_format_of_every_machine_can_be_written() {
         let text = read(folder.path(), format);
         assert!(text.contains(sign), "{format}: {}", &text[..text.len().min(200)]);
     }
+    run(&["export", &house, "-m", "wirebend-kit", "-f", "gltf", "-o", "house.glb"]).ended(0);
+    assert_eq!(&std::fs::read(folder.path().join("house.glb")).unwrap()[..4], b"glTF");
     run(&["export", &house, "-m", "wirebend-kit", "-f", "png", "-o", "house.png"]).ended(0);
     let png = std::fs::read(folder.path().join("house.png")).unwrap();
     assert_eq!(&png[..8], b"\x89PNG\r\n\x1a\n");

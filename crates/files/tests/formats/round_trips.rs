@@ -6,7 +6,6 @@ use nalgebra::Point3;
 use proptest::prelude::*;
 use wirebend_core::bend::{Convention, Frame, Sign, Step, replay};
 use wirebend_core::units::Length;
-use wirebend_core::wireframe::Wireframe;
 use wirebend_files::read::{Format, ReadOptions, read};
 use wirebend_files::write::{Centreline, Tube, obj};
 

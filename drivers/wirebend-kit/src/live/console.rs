@@ -32,13 +32,12 @@ impl Console {
 
     /// What is sent: whole frames, and STOP between them.
     pub fn say(bytes: &[u8], events: &mut VecDeque<Event>) {
-        let stops = bytes.iter().filter(|&&byte| byte == STOP).count();
         let frames: Vec<u8> = bytes.iter().copied().filter(|&byte| byte != STOP).collect();
         for line in frames.split(|&byte| byte == b'\n') {
             tell(Direction::ToMachine, line, Command::Query as u8, events);
         }
         // Repeated until it is answered.
-        if stops > 0 {
+        if bytes.contains(&STOP) {
             events.push_back(Event::Console { direction: Direction::ToMachine, text: "STOP".to_owned() });
         }
     }
@@ -92,7 +91,7 @@ mod tests {
     #[test]
     fn a_line_without_an_end_is_cut() {
         let (mut console, mut events) = (Console::default(), VecDeque::new());
-        console.hear(&[b'x'; 100_000], &mut events);
+        console.hear(&vec![b'x'; 100_000], &mut events);
         console.hear(b"\n", &mut events);
         assert_eq!(told(events)[0].1.len(), LONGEST);
     }

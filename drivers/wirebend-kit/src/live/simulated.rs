@@ -63,7 +63,7 @@ impl Port for Simulated {
                 let behind = self.seen_at.elapsed();
                 let passed = behind.min(MOST_BEHIND);
                 let slice = passed.mul_f64(times).min(SLICE);
-                self.seen_at += behind - passed + slice.div_f64(times);
+                self.seen_at += behind.saturating_sub(passed) + slice.div_f64(times);
                 slice
             }
             Pace::Free => SLICE,

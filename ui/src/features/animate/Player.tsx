@@ -1,3 +1,4 @@
+import { useId } from "react";
 import { Button } from "../../shared/Button";
 import { count, percent, time } from "../../shared/format";
 import { Slider, Select } from "../../shared/inputs";
@@ -6,27 +7,30 @@ import { useLengths } from "../../shared/unit";
 import { machineSeconds, screenSeconds, type Speeds } from "../../state/clock";
 import { back, forward, reset, scrub, setSpeed, SPEED, useSpeeds } from "../../state/player";
 import { chooseWire, showDesignAgain, togglePlay, usePlayback, useProgram } from "../../state/program";
-import { spoken } from "./steps";
+import { shownSpeeds, spoken } from "./steps";
+
+const NAMES: readonly (readonly [keyof Speeds, string])[] = [
+  ["feed", "Feed ×"],
+  ["rotate", "Rotate ×"],
+  ["bend", "Bend ×"],
+  ["all", "All ×"],
+];
 
 const LIVE = "A machine is making the wire.";
 
 /** Playing, sliding, speeds. */
 export function Player() {
   const { played, step, playing, live } = usePlayback();
-  const { program, wire } = useProgram();
+  const { program, wire, machine } = useProgram();
   const speeds = useSpeeds();
-  const { length } = useLengths();
+  const { length, unit } = useLengths();
+  const id = useId();
   const one = program?.wires[wire];
   if (!program || !one) return null;
   const seconds = one.steps.map((part) => part.seconds);
   const total = seconds.length;
   const why = live ? LIVE : null;
-  const names: readonly (readonly [keyof Speeds, string])[] = [
-    ["feed", "Feed ×"],
-    ["rotate", "Rotate ×"],
-    ["bend", "Bend ×"],
-    ["all", "All ×"],
-  ];
+  const shown = shownSpeeds(machine?.rates ?? null, speeds, unit);
   return (
     <div className="stack">
       {program.wires.length > 1 && (
@@ -51,8 +55,13 @@ export function Player() {
       </div>
       <Slider label="Position in the program" value={step} min={0} max={total} step={0.01} text={spoken(one, Math.min(Math.floor(step), total - 1), length)} onChange={scrub} />
       <div className="animate-speeds" role="group" aria-label="Speed of what is shown">
-        {names.map(([key, name]) => (
-          <NumberField key={key} label={`${name} speed`} prefix={name} kind="number" value={speeds[key]} min={SPEED.least} max={SPEED.most} onCommit={(value) => setSpeed(key, value)} />
+        {NAMES.map(([key, name]) => (
+          <div key={key} className="animate-speed">
+            <NumberField label={`${name} speed`} prefix={name} kind="number" value={speeds[key]} min={SPEED.least} max={SPEED.most} onCommit={(value) => setSpeed(key, value)} aria-describedby={`${id}-${key}`} />
+            <span id={`${id}-${key}`} className="muted small" title={shown[key] ? "How fast it goes in the view" : undefined}>
+              {shown[key]}
+            </span>
+          </div>
         ))}
       </div>
       <div className="row">

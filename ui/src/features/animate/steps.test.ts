@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { DiagnosticReport, MadeResponse, PlayedWire } from "../../generated/responses";
-import { namedSteps, phrase, spoken, stepRow, worst } from "./steps";
+import { namedSteps, phrase, shownSpeeds, spoken, stepRow, worst } from "./steps";
 
 const wire: PlayedWire = {
   bend_axis: [0, 0, 1],
@@ -68,5 +68,18 @@ describe("phrase", () => {
     expect(phrase([{ time_s: 60 }, { time_s: 61 }], 1)).toBe("2 wires · 2:01 · 1 without a program");
     expect(phrase([], 1)).toBe("no program: see Check");
     expect(phrase([], 0)).toBe("nothing to make");
+  });
+});
+
+describe("shownSpeeds", () => {
+  // The published machine: 110.2 mm/s, 131.3°/s, 15.1°/s.
+  const rates = [110.2, 131.3, 15.1] as const;
+  it("multiplies the machine's own speeds, in the unit that is shown", () => {
+    expect(shownSpeeds(rates, { feed: 1, rotate: 1, bend: 4, all: 1 }, "mm")).toEqual({ feed: "110.2 mm/s", rotate: "131.3°/s", bend: "60.4°/s" });
+    expect(shownSpeeds(rates, { feed: 1, rotate: 1, bend: 4, all: 2 }, "inch")).toEqual({ feed: "8.677 in/s", rotate: "262.6°/s", bend: "120.8°/s" });
+  });
+
+  it("says nothing of a machine that is not known", () => {
+    expect(shownSpeeds(null, { feed: 1, rotate: 1, bend: 4, all: 1 }, "mm")).toEqual({});
   });
 });

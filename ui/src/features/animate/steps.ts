@@ -1,7 +1,8 @@
 /** The steps of a wire as a table, and what is said of them. */
 
 import type { DiagnosticReport, MadeResponse, PlayedWire } from "../../generated/responses";
-import { angle, count, lengthNumber, number, time, type DisplayUnit } from "../../shared/format";
+import { angle, count, lengthNumber, number, speed, time, type DisplayUnit } from "../../shared/format";
+import type { Speeds } from "../../state/clock";
 
 type Motion = PlayedWire["steps"][number]["designed"];
 
@@ -66,4 +67,15 @@ export function phrase(wires: readonly { readonly time_s: number | null }[], wit
   if (known) parts.push(time(seconds));
   if (without > 0) parts.push(`${without} without a program`);
   return parts.join(" · ");
+}
+
+/** How fast each axis goes in the view: the machine's speeds (feed in mm/s, the others in degrees/s) times what they are multiplied by. Nothing is known where `rates` is null. */
+export function shownSpeeds(rates: readonly [number, number, number] | null, speeds: Speeds, unit: DisplayUnit): Readonly<Partial<Record<keyof Speeds, string>>> {
+  if (!rates) return {};
+  const [feed, rotate, bend] = rates;
+  return {
+    feed: speed(feed * speeds.feed * speeds.all, unit),
+    rotate: `${angle(rotate * speeds.rotate * speeds.all)}/s`,
+    bend: `${angle(bend * speeds.bend * speeds.all)}/s`,
+  };
 }

@@ -1,3 +1,4 @@
+import { useState } from "react";
 import { Button } from "../../shared/Button";
 import { count, money, signed, time } from "../../shared/format";
 import { useLengths } from "../../shared/unit";
@@ -74,8 +75,18 @@ function Figures({ fix }: { readonly fix: Fix }) {
 
 /** Changes that would mend it, each tried on a copy before: shown in the view, and made with one click that undo takes back. */
 export function FixList({ fixes }: { readonly fixes: readonly Fix[] }) {
-  const shown = useFixes((store) => store.shown);
+  const { shown, of } = useFixes();
+  const check = useDesign((design) => design.check);
+  const [made, setMade] = useState<Fix | null>(null);
   const change = useChange();
+  // A fix is of the design as it was looked at: the second click of a double one would make it again of another one.
+  const why = made !== null && fixes.includes(made) ? "The fix is being made." : of !== check ? "The design has changed since." : null;
+  const apply = async (fix: Fix) => {
+    const before = useDesign.getState().state;
+    setMade(fix);
+    await applyFix(fix);
+    if (useDesign.getState().state === before) setMade(null);
+  };
   return (
     <ul className="fixes">
       {fixes.map((fix, index) => {
@@ -89,7 +100,7 @@ export function FixList({ fixes }: { readonly fixes: readonly Fix[] }) {
               <Button small pressed={now} onClick={() => showFix(now ? null : fix)}>
                 Preview
               </Button>
-              <Button small kind="primary" onClick={() => void applyFix(fix)}>
+              <Button small kind="primary" why={why} onClick={() => void apply(fix)}>
                 Apply
               </Button>
             </div>

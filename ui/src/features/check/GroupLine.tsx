@@ -1,13 +1,15 @@
-import { useState } from "react";
+import { useEffect, useRef, useState } from "react";
 import type { DiagnosticReport } from "../../generated/responses";
 import { Button } from "../../shared/Button";
 import { Mark } from "../../shared/Mark";
 import { useUnit } from "../../shared/unit";
+import { useDesign } from "../../state/design";
 import { fixesOf, useFixes } from "../../state/fixes";
 import { highlight, select } from "../../state/selection";
 import { frame } from "../../state/view";
 import { placesOf } from "../viewport/marks";
 import { FixList } from "./FixList";
+import { wayOut } from "./ways";
 import { figuresOf, type Group, sourceOf, TONES, titleOf, valueText, whatOf } from "./texts";
 
 /** More places than these are not listed one by one. */
@@ -24,9 +26,22 @@ function show(reports: readonly DiagnosticReport[]): void {
   if (vertices.length + edges.length > 0) frame(vertices, edges);
 }
 
-function point(reports: readonly DiagnosticReport[]): void {
-  const { vertices, edges } = placesOfAll(reports);
-  highlight(vertices, edges);
+/** Highlights the places while a line is pointed at or has the focus, and not longer: also where the line goes away meanwhile. */
+function usePointing(reports: readonly DiagnosticReport[]) {
+  const pointing = useRef(false);
+  const point = (now: boolean) => {
+    pointing.current = now;
+    const { vertices, edges } = placesOfAll(now ? reports : []);
+    highlight(vertices, edges);
+  };
+  useEffect(
+    () => () => {
+      if (pointing.current) highlight();
+    },
+    [],
+  );
+  const [on, off] = [() => point(true), () => point(false)];
+  return { line: { onPointerEnter: on, onPointerLeave: off }, button: { onFocus: on, onBlur: off } };
 }
 
 /** One of several places of a kind: with its value, and its own fixes. */
@@ -34,10 +49,11 @@ function Member({ report }: { readonly report: DiagnosticReport }) {
   const [open, setOpen] = useState(false);
   const unit = useUnit();
   const fixes = fixesOf(report, useFixes((store) => store.fixes));
+  const pointing = usePointing([report]);
   return (
-    <li onPointerEnter={() => point([report])} onPointerLeave={() => highlight()}>
+    <li {...pointing.line}>
       <div className="member">
-        <button type="button" className="check-what" onClick={() => show([report])} onFocus={() => point([report])} onBlur={() => highlight()}>
+        <button type="button" className="check-what" onClick={() => show([report])} {...pointing.button}>
           {whatOf(report)}
         </button>
         <span className="muted">{valueText(report.value, report.unit, unit)}</span>
@@ -62,16 +78,19 @@ export function GroupLine({ group }: { readonly group: Group }) {
   const single = reports.length === 1 && first !== undefined;
   const fixes = single ? fixesOf(first, all) : [];
   const fixable = single ? fixes.length > 0 : reports.some((report) => fixesOf(report, all).length > 0);
+  const pointing = usePointing(reports);
+  const stencil = useDesign((design) => design.stencil !== null);
+  const way = fixable ? null : wayOut(first?.code ?? "", stencil);
   const places = placesOfAll(reports);
   const somewhere = places.vertices.length + places.edges.length > 0;
-  const action = fixable ? "Fix…" : single ? (somewhere ? "Show" : null) : "List";
-  const folds = action !== "Show";
+  const action = fixable ? "Fix…" : way ? way.label : single ? (somewhere ? "Show" : null) : "List";
+  const folds = action !== "Show" && !way;
   return (
-    <li className="line" onPointerEnter={() => point(reports)} onPointerLeave={() => highlight()}>
+    <li className="line" {...pointing.line}>
       <Mark tone={TONES[severity]} />
       <div className="line-what">
         {somewhere ? (
-          <button type="button" className="check-what" onClick={() => show(reports)} onFocus={() => point(reports)} onBlur={() => highlight()}>
+          <button type="button" className="check-what" onClick={() => show(reports)} {...pointing.button}>
             {titleOf(group)}
           </button>
         ) : (
@@ -81,7 +100,7 @@ export function GroupLine({ group }: { readonly group: Group }) {
       <div className="line-sub" title={sourceOf(group)}>{figuresOf(group, unit)}</div>
       {action && (
         <div className="line-action">
-          <Button kind="link" aria-expanded={folds ? open : undefined} onClick={() => (folds ? setOpen(!open) : show(reports))}>
+          <Button kind="link" aria-expanded={folds ? open : undefined} title={way?.title} onClick={() => (folds ? setOpen(!open) : way ? way.go() : show(reports))}>
             {folds && open ? "Close" : action}
           </Button>
         </div>

@@ -1,6 +1,7 @@
 import type { DiagnosticReport, LiveCheck } from "../../generated/responses";
 import { angle, count, type DisplayUnit, length, number, sentence } from "../../shared/format";
 import type { Tone } from "../../shared/Mark";
+import { isCompensated } from "../viewport/marks";
 
 /** A measured value or a limit with its unit; null where there is none. */
 export function valueText(value: number | null | undefined, unit: string | null | undefined, shown: DisplayUnit): string | null {
@@ -134,13 +135,11 @@ export function fineOf(check: LiveCheck): string[] {
   if (wires.length === 0) return [];
   const free = (...codes: string[]) => !diagnostics.some(({ code, severity }) => severity !== "info" && codes.includes(code));
   const routed = wires.every(({ length_mm }) => length_mm !== null);
-  // Stock is known of a compensated wire, which has been through all of the checks.
-  const compensated = wires.every(({ stock_mm }) => stock_mm !== null);
   const fine: string[] = [];
   if (routed && free("no_euler_path", "route_refused")) {
     fine.push(wires.length === 1 ? "One wire runs through every edge" : `${wires.length} wires run through every edge`);
   }
-  if (!compensated) return fine;
+  if (!isCompensated(check)) return fine;
   const bends = wires.reduce((sum, wire) => sum + (wire.bends ?? 0), 0);
   if (free("edge_too_short", "edge_near_limit", "arcs_overlap", "zero_length_edge")) fine.push("Edges long enough");
   if (free("feed_too_short", "feed_near_limit", "feed_too_long")) fine.push("Feeds within the machine's limits");

@@ -4,6 +4,7 @@ import { Part, Section } from "../../shared/Section";
 import { useLengths } from "../../shared/unit";
 import { useDesign } from "../../state/design";
 import { edgesOf, isEmpty, useSelection, verticesOf } from "../../state/selection";
+import { AddVertex } from "./AddVertex";
 import { lengthOf } from "./geometry";
 import { Operations } from "./Operations";
 import { Position } from "./Position";
@@ -40,11 +41,10 @@ export function EditSection() {
       <Part title="Wire">
         <Route />
       </Part>
-      {vertices > 0 && (
-        <Part title="Vertices">
-          <VertexTable />
-        </Part>
-      )}
+      <Part title="Vertices">
+        {vertices > 0 && <VertexTable />}
+        <AddVertex />
+      </Part>
     </Section>
   );
 }

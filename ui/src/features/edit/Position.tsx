@@ -16,7 +16,8 @@ function with_(at: Vec3, axis: Axis, value: number): Vec3 {
   return changed;
 }
 
-function Fields({ at, change, label, onEnter }: { readonly at: Vec3; readonly change: (at: Vec3) => void; readonly label: string; readonly onEnter?: () => void }) {
+/** X, Y and Z in a row. `onEnter` is given the place as it was read just now. */
+export function PlaceFields({ at, change, label, onEnter }: { readonly at: Vec3; readonly change: (at: Vec3) => void; readonly label: string; readonly onEnter?: (at: Vec3) => void }) {
   return (
     <div className="three">
       {AXES.map((axis) => (
@@ -26,7 +27,7 @@ function Fields({ at, change, label, onEnter }: { readonly at: Vec3; readonly ch
           prefix={axis.toUpperCase()}
           value={at[axisIndex(axis)]}
           onCommit={(value) => change(with_(at, axis, value))}
-          {...(onEnter ? { onEnter } : {})}
+          {...(onEnter ? { onEnter: (value: number) => onEnter(with_(at, axis, value)) } : {})}
         />
       ))}
     </div>
@@ -38,7 +39,7 @@ function MoveBy() {
   const still = by.every((value) => value === 0);
   return (
     <>
-      <Fields at={by} change={setBy} label="Move by" />
+      <PlaceFields at={by} change={setBy} label="Move by" />
       <div className="row">
         <Button
           className="grow"
@@ -72,7 +73,7 @@ export function Position() {
   const supports = ids.filter((id) => design.vertices.get(id)?.support).length;
   return (
     <>
-      {vertex ? <Fields key={vertex.id} at={vertex.at} label={`Vertex ${vertex.id}`} change={(at) => void place(vertex.id, at)} /> : <MoveBy />}
+      {vertex ? <PlaceFields key={vertex.id} at={vertex.at} label={`Vertex ${vertex.id}`} change={(at) => void place(vertex.id, at)} /> : <MoveBy />}
       <div className="row">
         <span className="muted grow">Move with the pointer along</span>
         {AXES.map((axis) => (

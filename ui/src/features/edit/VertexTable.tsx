@@ -1,4 +1,4 @@
-import { useEffect, useMemo, useRef } from "react";
+import { type KeyboardEvent, type MouseEvent, useEffect, useMemo, useRef } from "react";
 import { NumberField } from "../../shared/NumberField";
 import { Rows, type RowsHandle } from "../../shared/Rows";
 import { useLengths } from "../../shared/unit";
@@ -12,7 +12,15 @@ import { AXES, axisIndex, degrees } from "./geometry";
 const ROW = 30;
 const HEIGHT = 300;
 
-/** All vertices with their places; a cell is typed over, a number of a vertex selects and frames it. */
+const adds = ({ ctrlKey, metaKey, shiftKey }: MouseEvent | KeyboardEvent): boolean => ctrlKey || metaKey || shiftKey;
+
+/** Adds a vertex to the selection as its last one, or takes it out. */
+function toggle(id: number): void {
+  const { vertices, edges } = useSelection.getState();
+  select(vertices.has(id) ? [...vertices].filter((other) => other !== id) : [...vertices, id], edges);
+}
+
+/** All vertices with their places; a cell is typed over, a number of a vertex selects and frames it, or adds it to the selection. */
 export function VertexTable() {
   const design = useDesign();
   const selected = useSelection((selection) => selection.vertices);
@@ -65,10 +73,17 @@ export function VertexTable() {
                 <button
                   type="button"
                   className="vertex-id"
-                  title="Select and frame"
-                  onClick={() => {
+                  title="Select and frame; with Ctrl or Shift add to the selection"
+                  onClick={(event) => {
+                    if (adds(event)) return toggle(id);
                     select([id]);
                     frame([id], []);
+                  }}
+                  // Not every engine tells a click by Enter which keys were held.
+                  onKeyDown={(event) => {
+                    if (event.key !== "Enter" || !adds(event)) return;
+                    event.preventDefault();
+                    toggle(id);
                   }}
                 >
                   {id}

@@ -6,6 +6,7 @@ import { Line } from "../../shared/Line";
 import { Part, Section } from "../../shared/Section";
 import { useDesign } from "../../state/design";
 import { chooseFormat, chosenFormat, loadFormats, useExports } from "../../state/exports";
+import { useFiles } from "../../state/files";
 import { useMachines } from "../../state/machines";
 import { useUi } from "../../state/ui";
 import { FormatSettings } from "./FormatSettings";
@@ -21,6 +22,7 @@ export function ExportSection() {
   const open = useUi((ui) => ui.open.includes("export"));
   const machine = useDesign((design) => design.state?.machine ?? null);
   const changes = useMachines((machines) => machines.changes);
+  const opened = useFiles((files) => files.opened);
   const format = chosenFormat(store);
   useEffect(() => {
     if (open && machine) void loadFormats();
@@ -42,7 +44,7 @@ export function ExportSection() {
         <>
           <FormatSettings format={format} />
           <Preview format={format} />
-          <WriteFile key={format.id} format={format} />
+          <WriteFile key={`${opened} ${format.id}`} format={format} />
           <Part title="To go on later">
             <Later />
           </Part>

@@ -1,5 +1,7 @@
 import type { FormatEntry } from "../../generated/responses";
 import { Button } from "../../shared/Button";
+import { useDesign } from "../../state/design";
+import { useMachines } from "../../state/machines";
 import { setSettings, settingsOf, useExports } from "../../state/exports";
 import { Fold } from "../machine/Fold";
 import { SettingsForm } from "../machine/settings/SettingsForm";
@@ -9,6 +11,8 @@ import { count } from "../../shared/format";
 /** What can be set for this one export, over what the machine's profile says. */
 export function FormatSettings({ format }: { readonly format: FormatEntry }) {
   const settings = useExports((store) => store.settings);
+  const machine = useDesign((design) => design.state?.machine ?? null);
+  const driver = useMachines((machines) => machines.machines?.find(({ id }) => id === machine)?.driver ?? null);
   // The generated type does not say that some formats have nothing to set.
   const schema = format.settings_schema as { readonly properties?: object } | null;
   const fields = Object.keys(schema?.properties ?? {}).length;
@@ -16,8 +20,14 @@ export function FormatSettings({ format }: { readonly format: FormatEntry }) {
   const values = settingsOf(format, settings);
   const own = settings.has(format.id);
   const changed = own ? changedKeys(withDefaults(schema, format.settings), withDefaults(schema, values)).length : 0;
+  // The driver of the machine has one set for everything: it does not say which of them are about the text.
+  const ofMachine = format.driver !== null && format.driver === driver;
+  const title = ofMachine ? `All settings of the driver (${fields})` : "Settings of this export";
+  const changes = count(changed, "change");
+  const phrase = ofMachine ? (changed > 0 ? changes : "") : changed > 0 ? `${changes} from the profile` : count(fields, "setting");
   return (
-    <Fold key={format.id} title="Settings of this export" phrase={changed > 0 ? `${count(changed, "change")} from the profile` : count(fields, "setting")}>
+    <Fold key={format.id} title={title} phrase={phrase}>
+      {ofMachine && <p className="muted small">They are those of the machine, and its profile says them. What is changed here is for this file alone.</p>}
       <SettingsForm idPrefix={`export-${format.id}`} schema={schema} values={values} onChange={(changedTo) => setSettings(format.id, changedTo)} />
       {changed > 0 && (
         <div className="row end">

@@ -7,6 +7,7 @@ import { TextInput } from "../../shared/inputs";
 import { Line } from "../../shared/Line";
 import { useDesign } from "../../state/design";
 import { useExports, write } from "../../state/exports";
+import { told } from "../../state/problems";
 import { beside, fileName } from "./groups";
 
 /** Where the file goes, and writing it. A file that is there is replaced only when a person says so. */
@@ -33,7 +34,7 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
     }
   };
   const browse = async (thenWrite: boolean) => {
-    const picked = await platform.pickSave(fileName(state?.name ?? "", format.extension), { name: format.name, extensions: [format.extension] });
+    const picked = await told(platform.pickSave(fileName(state?.name ?? "", format.extension), { name: format.name, extensions: [format.extension] }));
     if (picked === null) return;
     setTyped(picked);
     setAgreed(picked);

@@ -5,6 +5,7 @@ import { number } from "../../shared/format";
 import { useLengths } from "../../shared/unit";
 import { useDesign } from "../../state/design";
 import { type ComparedIn, compareWith, stopComparing, useMachines, viewOf } from "../../state/machines";
+import { worded } from "../../state/wording";
 import { Comparison } from "./Comparison";
 import { MachinePicture } from "./MachinePicture";
 
@@ -65,7 +66,7 @@ function MachineCard({ machine, place, own, compared }: { readonly machine: Mach
         )}
         {view?.driver_problem && (
           <span className="machine-card-problem small">
-            <Icon name="warning" size={12} /> {view.driver_problem}
+            <Icon name="warning" size={12} /> {worded(view.driver_problem)}
           </span>
         )}
       </span>

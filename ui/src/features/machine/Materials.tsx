@@ -2,7 +2,7 @@ import { Icon } from "../../shared/icons";
 import { useUnit } from "../../shared/unit";
 import { useDesign } from "../../state/design";
 import { chooseMaterial, useMachines } from "../../state/machines";
-import { known, misfit } from "./fit";
+import { figures, misfit } from "./fit";
 
 /** The wires to choose from. One that does not fit says so and can be chosen all the same: the checks then tell what is wrong. */
 export function Materials({ onDone }: { readonly onDone?: () => void }) {
@@ -28,7 +28,13 @@ export function Materials({ onDone }: { readonly onDone?: () => void }) {
               <span className="choice-check">{own && <Icon name="check" />}</span>
               <span className="choice-text">
                 <span>{material.name}</span>
-                <span className="muted small">{known(material, unit)}</span>
+                <span className="choice-figures small">
+                  {figures(material, unit).map(([what, value]) => (
+                    <span key={what}>
+                      <span className="muted">{what}</span> {value}
+                    </span>
+                  ))}
+                </span>
                 {wrong && (
                   <span className="choice-wrong small">
                     <Icon name="warning" size={12} /> {wrong}

@@ -5,6 +5,7 @@ import { number } from "../../shared/format";
 import { Line } from "../../shared/Line";
 import { useLengths } from "../../shared/unit";
 import { useMachines, viewOf } from "../../state/machines";
+import { worded } from "../../state/wording";
 import { CopyMachine } from "./CopyMachine";
 import { ExplainDialog } from "./ExplainDialog";
 import { Fold } from "./Fold";
@@ -33,7 +34,7 @@ export function ThisMachine({ id }: { readonly id: string }) {
     <div className="stack">
       {view.driver_problem && (
         <ul>
-          <Line tone="error" what={`Its driver “${view.driver}” cannot be used`} sub={view.driver_problem} />
+          <Line tone="error" what={`Its driver “${view.driver}” cannot be used`} sub={worded(view.driver_problem)} />
         </ul>
       )}
       <p>{view.description}</p>

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { MachineEntry, MaterialEntry } from "../../generated/responses";
-import { known, misfit } from "./fit";
+import { figures, misfit } from "./fit";
 
 const material: MaterialEntry = {
   id: "aluminium",
@@ -12,6 +12,9 @@ const material: MaterialEntry = {
   price_per_mm: 0.00199,
   currency: "USD",
   springback_measured: true,
+  springback_deg: [4.9, 8.6],
+  k_factor: 0.3,
+  yield_strength_mpa: 117,
 };
 
 const machine: MachineEntry = {
@@ -37,10 +40,15 @@ describe("misfit", () => {
   });
 });
 
-describe("known", () => {
-  it("says diameter, price and where springback comes from", () => {
-    expect(known(material, "mm")).toBe("3.175 mm · $1.99 a metre · springback measured");
-    expect(known({ ...material, diameter_mm: 3, price_per_mm: null, springback_measured: false }, "mm")).toBe("3.0 mm · price not known · springback estimated");
-    expect(known(material, "inch")).toBe("0.125 in · $0.61 a foot · springback measured");
+describe("figures", () => {
+  const said = (given: Partial<MaterialEntry>, unit: "mm" | "inch" = "mm") => figures({ ...material, ...given }, unit).map((figure) => figure.join(" "));
+
+  it("say what a wire is bent and paid with, and where its springback comes from", () => {
+    expect(said({})).toEqual(["diameter 3.175 mm", "price $1.99 a metre", "k factor 0.30", "yield 117 MPa", "springback 4.9° to 8.6°, measured"]);
+    expect(said({}, "inch").slice(0, 2)).toEqual(["diameter 0.125 in", "price $0.61 a foot"]);
+  });
+
+  it("say what is not known, and once what is the same for every bend", () => {
+    expect(said({ diameter_mm: 3, price_per_mm: null, springback_measured: false, springback_deg: [5, 5] })).toEqual(["diameter 3.0 mm", "price not known", "k factor 0.30", "yield 117 MPa", "springback 5.0°, estimated"]);
   });
 });

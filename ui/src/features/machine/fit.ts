@@ -11,10 +11,20 @@ export function misfit(material: MaterialEntry, machine: MachineEntry | null, un
   return material.diameter_mm > thick ? `thicker than ${machine.name} takes (${length(thick, unit)})` : null;
 }
 
-/** "3.0 mm · $1.99 a metre · springback measured". */
-export function known(material: MaterialEntry, unit: DisplayUnit): string {
-  const { price_per_mm: price, currency } = material;
-  const cost = price === null ? "price not known" : unit === "inch" ? `${money(price * 304.8, currency)} a foot` : `${money(price * 1000, currency)} a metre`;
-  const across = unit === "inch" ? `${number(material.diameter_mm / 25.4, 3)} in` : `${number(material.diameter_mm, Number.isInteger(material.diameter_mm * 10) ? 1 : 3)} mm`;
-  return [across, cost, `springback ${material.springback_measured ? "measured" : "estimated"}`].join(" · ");
+/** A figure of a wire: what it is, and its value. */
+export type Figure = readonly [what: string, value: string];
+
+/** What is known of a wire, the most asked for first: "diameter" "3.0 mm". */
+export function figures(material: MaterialEntry, unit: DisplayUnit): readonly Figure[] {
+  const { price_per_mm: price, currency, diameter_mm: across, springback_deg: lost } = material;
+  const cost = price === null ? "not known" : unit === "inch" ? `${money(price * 304.8, currency)} a foot` : `${money(price * 1000, currency)} a metre`;
+  const thick = unit === "inch" ? `${number(across / 25.4, 3)} in` : `${number(across, Number.isInteger(across * 10) ? 1 : 3)} mm`;
+  const [least, most] = lost.map((deg) => number(deg)) as [string, string];
+  return [
+    ["diameter", thick],
+    ["price", cost],
+    ["k factor", number(material.k_factor, 2)],
+    ["yield", `${number(material.yield_strength_mpa, 0)} MPa`],
+    ["springback", `${least === most ? least : `${least}° to ${most}`}°, ${material.springback_measured ? "measured" : "estimated"}`],
+  ];
 }

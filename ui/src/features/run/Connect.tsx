@@ -4,12 +4,12 @@ import { Field } from "../../shared/Field";
 import { Select } from "../../shared/inputs";
 import { Line } from "../../shared/Line";
 import { useDesign } from "../../state/design";
-import { connect, loadPorts, useRun } from "../../state/run";
+import { connect, isOpen, loadPorts, useRun } from "../../state/run";
 import { worded } from "../../state/wording";
 import { Ended } from "./Ended";
 import { guess, portPhrase } from "./phrases";
 
-/** Choosing a port, and connecting. */
+/** Choosing a port, and connecting: the first time, or again after the machine has failed. */
 export function Connect() {
   const machine = useDesign((design) => design.state?.machine ?? null);
   const { ports, portProblem, ordering, state } = useRun();
@@ -22,16 +22,18 @@ export function Connect() {
   const port = known.find(({ name }) => name === chosen)?.name ?? guess(known);
   const why = !machine ? "Choose a machine first." : ordering ? "The machine is being connected." : known.length === 0 ? (portProblem ?? "There is no port.") : port === null ? "Choose a port." : null;
   const simulated = known.find(({ name }) => name === port)?.simulated ?? false;
+  // Of a session that has failed what went wrong, and what became of its wire, is told elsewhere in the section.
+  const again = isOpen(state);
   return (
     <div className="stack">
-      {state?.problem && (
+      {!again && state?.problem && (
         <div role="alert">
           <ul>
-            <Line tone="error" what="The machine failed" sub={<span className="lines">{worded(state.problem.code, state.problem.message)}</span>} />
+            <Line tone="error" what="The machine failed" sub={<span className="lines">{worded(state.problem)}</span>} />
           </ul>
         </div>
       )}
-      <Ended />
+      {!again && <Ended />}
       <Field label="Port" stacked hint={simulated ? "Nothing moves: the machine is computed." : null}>
         {(ids) => (
           <span className="row">
@@ -55,7 +57,7 @@ export function Connect() {
       )}
       <div className="row end">
         <Button kind="primary" why={why} onClick={() => void connect(port)}>
-          Connect
+          {again ? "Connect again" : "Connect"}
         </Button>
       </div>
     </div>

@@ -4,6 +4,7 @@ import { angle } from "../../shared/format";
 import { NumberField } from "../../shared/NumberField";
 import { Part } from "../../shared/Section";
 import { useLengths } from "../../shared/unit";
+import { hideByHand, useByHand } from "../../state/by_hand";
 import { order } from "../../state/run";
 import type { MachineState, Move } from "../../state/operator";
 import { buttons } from "./buttons";
@@ -29,9 +30,10 @@ export function Manual({ state }: { readonly state: MachineState }) {
   const [record, setRecord] = useState(false);
   const { length, unit } = useLengths();
   const why = buttons(state, useProspect()).jog;
+  const drawn = useByHand(({ played }) => played !== null);
   const { position } = state;
-  const jog = (axis: Axis, sign: 1 | -1) => {
-    if (!why) void order({ order: "jog", moves: [moveOf(axis, sign * by[axis])], record });
+  const jog = (axis: Axis, amount: number) => {
+    if (!why) void order({ order: "jog", moves: [moveOf(axis, amount)], record });
   };
   const at: Readonly<Record<Axis, string>> = {
     feed: position ? length(position.feed_mm) : "–",
@@ -57,16 +59,24 @@ export function Manual({ state }: { readonly state: MachineState }) {
               value={by[axis]}
               min={0}
               onCommit={(value) => setBy((before) => ({ ...before, [axis]: value }))}
-              onEnter={() => jog(axis, 1)}
+              onEnter={(value) => jog(axis, value)}
             />
             <div className="row">
-              <Button className="grow" small icon="minus" aria-label={`${movePhrase(moveOf(axis, -by[axis]), unit)}`} title={movePhrase(moveOf(axis, -by[axis]), unit)} why={why} onClick={() => jog(axis, -1)} />
-              <Button className="grow" small icon="plus" aria-label={`${movePhrase(moveOf(axis, by[axis]), unit)}`} title={movePhrase(moveOf(axis, by[axis]), unit)} why={why} onClick={() => jog(axis, 1)} />
+              <Button className="grow" small icon="minus" aria-label={`${movePhrase(moveOf(axis, -by[axis]), unit)}`} title={movePhrase(moveOf(axis, -by[axis]), unit)} why={why} onClick={() => jog(axis, -by[axis])} />
+              <Button className="grow" small icon="plus" aria-label={`${movePhrase(moveOf(axis, by[axis]), unit)}`} title={movePhrase(moveOf(axis, by[axis]), unit)} why={why} onClick={() => jog(axis, by[axis])} />
             </div>
             <span className="manual-at muted small">at {at[axis]}</span>
           </div>
         ))}
       </div>
+      {drawn && (
+        <div className="row" role="status">
+          <span className="grow muted small">The view shows the wire that these moves make, springback left out.</span>
+          <Button kind="link" onClick={hideByHand}>
+            Back to the design
+          </Button>
+        </div>
+      )}
       <Recording state={state} record={record} />
     </Part>
   );

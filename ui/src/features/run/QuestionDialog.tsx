@@ -4,13 +4,13 @@ import { angle, sentence } from "../../shared/format";
 import { useLengths } from "../../shared/unit";
 import { answer, useRun } from "../../state/run";
 import type { Axes, Doubt, Question } from "../../state/operator";
-import { StopButton } from "./StopButton";
 
 /** Title, and what no and yes are called. No comes first and has the focus: it is what changes nothing. */
 const WORDS: Readonly<Record<Question["kind"], readonly [string, string, string]>> = {
   move: ["The machine is about to move", "Do not move", "Move"],
   arm: ["Arm the wire", "Do not arm", "Arm"],
   "go-on": ["The wire is about to go on", "Do not go on", "Go on"],
+  settings: ["The machine's settings are about to be written", "Do not write", "Write"],
   doubt: ["Look at the wire", "I do not know", "It was made"],
 };
 
@@ -51,10 +51,6 @@ export function QuestionDialog() {
       )}
       {question.doubt && <Doubtful doubt={question.doubt} />}
       <p className="question">{question.question}</p>
-      <div className="row question-stop">
-        <StopButton />
-        <span className="muted small">stops the machine at once, also now</span>
-      </div>
     </Dialog>
   );
 }

@@ -23,6 +23,8 @@ export function RunSection() {
         {connected && state ? (
           <>
             <Session state={state} />
+            {/* What failed for good can only be connected again; that lets go of the session that is there. */}
+            {state.phase === "failed" && <Connect />}
             <Wire state={state} />
             <Manual state={state} />
           </>

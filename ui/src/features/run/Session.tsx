@@ -27,7 +27,7 @@ export function Session({ state }: { readonly state: MachineState }) {
       {state.problem && (
         <div role="alert">
           <ul>
-            <Line tone="error" what={state.phase === "failed" ? "The machine failed" : "That did not work"} sub={<span className="lines">{worded(state.problem.code, state.problem.message)}</span>} />
+            <Line tone="error" what={state.phase === "failed" ? "The machine failed" : "That did not work"} sub={<span className="lines">{worded(state.problem)}</span>} />
           </ul>
         </div>
       )}

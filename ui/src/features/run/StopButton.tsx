@@ -28,3 +28,8 @@ export function StopButton() {
     </button>
   );
 }
+
+/** STOP where it is only wanted as long as there is something to stop: in the head of every dialog. */
+export function SessionStop() {
+  return useRun((run) => isOpen(run.state)) ? <StopButton /> : null;
+}

@@ -9,7 +9,7 @@ import { unfinishedPhrase } from "./phrases";
 /** A wire that was interrupted: going on with it, or giving it up. */
 export function UnfinishedCard({ unfinished, all, accept }: { readonly unfinished: Unfinished; readonly all: RunButtons; readonly accept: boolean }) {
   const [leaving, setLeaving] = useState(false);
-  const { job_hash, wire, name } = unfinished;
+  const { job_hash, wire, name, resumable } = unfinished;
   return (
     <div className="unfinished stack" role="group" aria-label="Interrupted wire">
       <p>
@@ -32,9 +32,11 @@ export function UnfinishedCard({ unfinished, all, accept }: { readonly unfinishe
             <Button why={all.abandon} onClick={() => setLeaving(true)}>
               Give up…
             </Button>
-            <Button kind="primary" why={all.resumeRun} onClick={() => void order({ order: "resume-run", job_hash, wire, accept_settings: accept })}>
-              Resume…
-            </Button>
+            {resumable && (
+              <Button kind="primary" why={all.resumeRun} onClick={() => void order({ order: "resume-run", job_hash, wire, accept_settings: accept })}>
+                Resume…
+              </Button>
+            )}
           </>
         )}
       </div>

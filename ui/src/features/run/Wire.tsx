@@ -1,13 +1,14 @@
 import { useState } from "react";
 import { Button } from "../../shared/Button";
-import { Bar, Checkbox, Select } from "../../shared/inputs";
-import { Line } from "../../shared/Line";
+import { Bar, Select } from "../../shared/inputs";
 import { Part } from "../../shared/Section";
 import { useLengths } from "../../shared/unit";
 import { useDesign } from "../../state/design";
+import { useOtherWire } from "../../state/program";
 import { order } from "../../state/run";
 import type { MachineState } from "../../state/operator";
 import { buttons } from "./buttons";
+import { Differing } from "./Differing";
 import { Ended } from "./Ended";
 import { progressPhrase } from "./phrases";
 import { useProspect } from "./prospect";
@@ -16,14 +17,14 @@ import { UnfinishedCard } from "./UnfinishedCard";
 /** Arming, starting, pausing a wire of the design. */
 export function Wire({ state }: { readonly state: MachineState }) {
   const check = useDesign((design) => design.check);
-  const { long } = useLengths();
+  const { length, long } = useLengths();
   const [chosen, setChosen] = useState(0);
   const [accept, setAccept] = useState(false);
+  const otherWire = useOtherWire();
   const all = buttons(state, useProspect());
   const wires = check?.wires ?? [];
   const wire = Math.min(chosen, Math.max(wires.length - 1, 0));
-  const differing = state.settings.filter(({ matters }) => matters);
-  const needsAccept = differing.length > 0 && !accept ? "The machine is set otherwise than its profile says: see below." : null;
+  const needsAccept = state.settings.some(({ matters }) => matters) && !accept ? "The machine is set otherwise than its profile says: see below." : null;
   const under = state.phase === "making" || state.phase === "holding";
   const stock = wires[wire]?.stock_mm;
   return (
@@ -33,26 +34,16 @@ export function Wire({ state }: { readonly state: MachineState }) {
           aria-label="Wire to make"
           value={String(wire)}
           onChoose={(index) => setChosen(Number(index))}
-          choices={wires.map((each, index) => ({ value: String(index), label: `Wire ${index}${each.length_mm === null ? "" : ` · ${long(each.length_mm)}`}` }))}
+          choices={wires.map((each, index) => ({ value: String(index), label: `Wire ${index}${each.length_mm === null ? "" : ` · ${length(each.length_mm)}`}` }))}
         />
       )}
       {state.unfinished && !under && <UnfinishedCard unfinished={state.unfinished} all={all} accept={accept} />}
-      {differing.length > 0 && (
-        <div className="inset stack">
-          <ul>
-            {differing.map((one) => (
-              <Line key={one.name} tone="warning" what={one.name} sub={`The machine has ${one.machine}, the profile says ${one.expected}.`} />
-            ))}
-          </ul>
-          <Checkbox checked={accept} onChange={setAccept}>
-            Make wires all the same: they may come out wrong
-          </Checkbox>
-        </div>
-      )}
+      {state.settings.length > 0 && <Differing settings={state.settings} why={all.writeSettings} accept={accept} onAccept={setAccept} />}
       {state.wire && under && (
         <div className="stack">
           <Bar done={state.wire.made} of={state.wire.of} label="Wire" />
           <span>{progressPhrase(state.wire)}</span>
+          {otherWire && <p className="muted small">{otherWire}</p>}
         </div>
       )}
       <div className="row">

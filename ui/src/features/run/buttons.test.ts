@@ -1,25 +1,6 @@
 import { describe, expect, it } from "vitest";
-import type { MachineState, OrderName, Phase } from "../../state/operator";
 import { buttons, doingPhrase, phrase } from "./buttons";
-
-const state = (phase: Phase, ...can: OrderName[]): MachineState => ({
-  phase,
-  machine: "wirebend-kit",
-  port: "/dev/ttyACM0",
-  simulated: false,
-  identity: null,
-  driver: null,
-  position: null,
-  settings: [],
-  wire: null,
-  can,
-  busy: false,
-  doing: null,
-  question: null,
-  recorded: 0,
-  problem: null,
-  unfinished: null,
-});
+import { machineState as state } from "./testing";
 
 const READY = { program: true, feasible: true };
 
@@ -69,7 +50,15 @@ describe("phrase", () => {
     expect(phrase(null)).toBe("not connected");
     expect(phrase({ ...state("ready"), simulated: true })).toBe("simulated machine · homed");
     expect(phrase(state("connected"))).toBe("/dev/ttyACM0 · not homed");
-    const wire = { wire: 0, made: 14, sent: 16, of: 31, elapsed_s: 60, remaining_s: 80 };
+    const wire = { wire: 0, made: 14, sent: 16, of: 31, elapsed_s: 60, remaining_s: 80, job_hash: "", name: "House" };
     expect(phrase({ ...state("making"), wire })).toBe("making a wire · step 14 of 31");
+  });
+});
+
+describe("writing settings", () => {
+  it("is possible where the machine says so, and says why where it is not", () => {
+    expect(buttons(state("ready", "write-settings"), READY).writeSettings).toBeNull();
+    expect(buttons(state("ready"), READY).writeSettings).toBe("This machine's settings cannot be written from here.");
+    expect(buttons(state("making"), READY).writeSettings).toBe("A wire is being made.");
   });
 });

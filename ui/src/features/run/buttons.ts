@@ -23,6 +23,7 @@ export interface RunButtons {
   readonly resumeRun: Why;
   readonly abandon: Why;
   readonly replay: Why;
+  readonly writeSettings: Why;
   readonly disconnect: Why;
   /** The button that goes on from here. */
   readonly next: "connect" | "home" | "arm" | "start" | "pause" | "resume" | null;
@@ -47,6 +48,9 @@ const WAIT: Readonly<Record<Phase, string>> = {
 /** Phases in which an order is being carried out all the time. */
 const AT_WORK: ReadonlySet<Phase> = new Set(["connecting", "homing", "moving", "making", "holding", "stopping"]);
 
+/** Phases in which only what the machine can do stands against an order. */
+const AT_REST: ReadonlySet<Phase> = new Set(["connected", "ready", "stopped"]);
+
 export function buttons(state: MachineState | null, prospect: Prospect): RunButtons {
   const phase = state?.phase ?? "closed";
   const wait = state?.question ? "Answer the question first." : state?.busy && !AT_WORK.has(phase) ? "Wait until the machine is done." : null;
@@ -63,6 +67,7 @@ export function buttons(state: MachineState | null, prospect: Prospect): RunButt
     resumeRun: why("resume-run"),
     abandon: why("abandon"),
     replay: why("replay"),
+    writeSettings: why("write-settings", AT_REST.has(phase) ? "This machine's settings cannot be written from here." : WAIT[phase]),
     disconnect: why("disconnect"),
     next: next(phase, state, noWire === null),
   };

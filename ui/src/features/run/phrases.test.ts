@@ -22,13 +22,14 @@ describe("ports", () => {
 });
 
 describe("wires", () => {
-  const unfinished = (made: number, in_doubt: Unfinished["in_doubt"] = null): Unfinished => ({ id: "1", job_hash: "", name: "House", wire: 0, port: "sim", started: "", made, of: 31, in_doubt });
+  const unfinished = (made: number, in_doubt: Unfinished["in_doubt"] = null): Unfinished => ({ id: "1", job_hash: "", name: "House", wire: 0, port: "sim", started: "", made, of: 31, in_doubt, resumable: true });
 
   it("tells how far one is", () => {
-    expect(progressPhrase({ wire: 0, made: 14, sent: 16, of: 31, elapsed_s: 130, remaining_s: 65 })).toBe("step 14 of 31 · 2:10, 1:05 left");
+    expect(progressPhrase({ wire: 0, made: 14, sent: 16, of: 31, elapsed_s: 130, remaining_s: 65, job_hash: "", name: "House" })).toBe("step 14 of 31 · 2:10, 1:05 left");
     expect(unfinishedPhrase(unfinished(14))).toBe("Step 14 of 31 is made.");
     expect(unfinishedPhrase(unfinished(14, [15, 15]))).toBe("Step 14 of 31 is made; of step 15 nobody knows.");
     expect(unfinishedPhrase(unfinished(0, [1, 3]))).toBe("No step of 31 is made; of steps 1 to 3 nobody knows.");
+    expect(unfinishedPhrase({ ...unfinished(0), resumable: false })).toMatch(/cannot be gone on with/);
   });
 
   const run: WireRun = { id: "1", resume: null, stock_mm: 700, stopped_by: null, wire: 0, outcome: "made", made: 31, steps: 31, in_doubt: null, elapsed_s: 192, problem: null, deviations_mm: [0.02, 0.08] };

@@ -32,14 +32,15 @@ function doubtful(steps: readonly [number, number] | null | undefined): string {
 }
 
 /** "Step 14 of 31 is made; of step 15 nobody knows". */
-export function unfinishedPhrase({ made, of, in_doubt }: Unfinished): string {
+export function unfinishedPhrase({ made, of, in_doubt, resumable }: Unfinished): string {
+  if (!resumable) return "Its record is damaged, so that nobody knows how far it came: it cannot be gone on with.";
   return `${made === 0 ? "No step" : `Step ${made}`} of ${of} is made${doubtful(in_doubt)}.`;
 }
 
 /** What became of a wire. */
 export function endedPhrase(run: WireRun, unit: DisplayUnit): { readonly tone: Tone; readonly what: string; readonly sub: string | null } {
   const { outcome, made, steps, elapsed_s, problem, deviations_mm } = run;
-  const sub = problem ? worded(problem.code, problem.message) : null;
+  const sub = problem ? worded(problem) : null;
   switch (outcome) {
     case "made": {
       const worst = deviations_mm ? Math.max(0, ...deviations_mm) : null;

@@ -1,3 +1,4 @@
+import { ClosingDialog } from "./ClosingDialog";
 import { ExamplesDialog } from "./ExamplesDialog";
 import { KeysDialog } from "./KeysDialog";
 import { LeavingDialog } from "./LeavingDialog";
@@ -11,6 +12,7 @@ export function Dialogs() {
       <KeysDialog />
       <OpeningDialog />
       <LeavingDialog />
+      <ClosingDialog />
     </>
   );
 }

@@ -1,4 +1,5 @@
 import { Button } from "../../shared/Button";
+import { useByHand } from "../../state/by_hand";
 import { run } from "../../state/commands";
 import { useDesign } from "../../state/design";
 import { openExample, useFiles } from "../../state/files";
@@ -31,12 +32,13 @@ function Cards() {
   );
 }
 
-/** What there is to do while the design is empty. It goes as soon as there is something, or a tool is taken up. */
+/** What there is to do while the design is empty. It goes as soon as there is something to see, or a tool is taken up. */
 export function EmptyState() {
   const empty = useDesign(({ vertices, stencil, state }) => state !== null && vertices.size === 0 && stencil === null);
   const drawing = useView(({ tool }) => tool !== "select");
   const busy = useFiles((files) => files.busy);
-  if (!empty || drawing) return null;
+  const byHand = useByHand(({ played }) => played !== null);
+  if (!empty || drawing || byHand) return null;
   return (
     <div className="start" aria-busy={busy !== null}>
       <h2>Drop a model or a drawing here</h2>

@@ -6,7 +6,7 @@ import { Button } from "../../shared/Button";
 import { Dialog } from "../../shared/Dialog";
 import { Field } from "../../shared/Field";
 import { count, roughly } from "../../shared/format";
-import { Select, TextInput } from "../../shared/inputs";
+import { Checkbox, Select } from "../../shared/inputs";
 import { NumberField } from "../../shared/NumberField";
 import { useLengths } from "../../shared/unit";
 import { useDesign } from "../../state/design";
@@ -38,7 +38,7 @@ function Asking({ opening }: { readonly opening: Opening }) {
   const [look, setLook] = useState<LookResponse>(opening.look);
   const [units, setUnits] = useState<LengthUnit>("mm");
   const [scale, setScale] = useState(1);
-  const [layers, setLayers] = useState("");
+  const [layers, setLayers] = useState<readonly string[]>([]);
   const [tolerance, setTolerance] = useState(0.1);
   const [use, setUse] = useState<Use>("stencil");
   const [busy, setBusy] = useState(false);
@@ -52,7 +52,7 @@ function Asking({ opening }: { readonly opening: Opening }) {
     input: { file: path },
     ...(opening.look.asks_units ? { units } : {}),
     ...(scale === 1 ? {} : { scale }),
-    ...(drawing ? { tolerance_mm: tolerance, layers: layers.split(",").map((layer) => layer.trim()).filter(Boolean) } : {}),
+    ...(drawing ? { tolerance_mm: tolerance, layers: [...layers] } : {}),
   };
   const asked = JSON.stringify(design);
   useEffect(() => {
@@ -71,8 +71,11 @@ function Asking({ opening }: { readonly opening: Opening }) {
   const chosen: Use | null = purpose === "stencil" ? "stencil" : surface ? use : null;
   const submit = async () => {
     setBusy(true);
-    await openAs(design, chosen);
-    setBusy(false);
+    try {
+      await openAs(design, chosen);
+    } finally {
+      setBusy(false);
+    }
   };
   return (
     <Dialog
@@ -106,9 +109,19 @@ function Asking({ opening }: { readonly opening: Opening }) {
       )}
       {drawing && (
         <>
-          <Field label="Layers" hint="Names with commas between them; empty: all that are not hidden.">
-            {(ids) => <TextInput {...ids} value={layers} placeholder="all" onChange={(event) => setLayers(event.currentTarget.value)} />}
-          </Field>
+          {opening.look.layers.length > 1 && (
+            <fieldset className="uses">
+              <legend>Layers</legend>
+              <div className="layers">
+                {opening.look.layers.map((name) => (
+                  <Checkbox key={name} checked={layers.includes(name)} onChange={(on) => setLayers(on ? [...layers, name] : layers.filter((other) => other !== name))}>
+                    {name}
+                  </Checkbox>
+                ))}
+              </div>
+              <p className="muted small">{layers.length === 0 ? "None is chosen: all that are not hidden are read." : "Only these are read."}</p>
+            </fieldset>
+          )}
           <Field label="Tolerance" hint={`How far straight edges may be from a drawn curve, ${name}.`}>
             {({ id }) => <NumberField id={id} label="Tolerance" value={tolerance} min={0.001} max={100} onCommit={setTolerance} />}
           </Field>

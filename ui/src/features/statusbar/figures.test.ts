@@ -20,7 +20,7 @@ const values = (all: ReturnType<typeof figures>) => all.map(({ value }) => value
 
 describe("figures", () => {
   it("shows one wire", () => {
-    expect(values(figures(check([wire()]), "mm"))).toEqual(["11.82 m", "12.22 m", "176", "52:10", "$23.50"]);
+    expect(values(figures(check([wire()]), "mm"))).toEqual(["11\u202f821.4 mm", "12.22 m", "176", "52:10", "$23.50"]);
   });
 
   it("adds wires up, and does not show a sum that is not one", () => {

@@ -2,7 +2,7 @@
 
 import type { LiveCheck, WireFigures } from "../../generated/responses";
 import type { DesignState } from "../../state/design";
-import { count, type DisplayUnit, longLength, money, number, time } from "../../shared/format";
+import { count, type DisplayUnit, length, longLength, money, number, time } from "../../shared/format";
 
 export interface Figure {
   readonly name: string;
@@ -29,7 +29,7 @@ export function figures(check: LiveCheck | null, unit: DisplayUnit): readonly Fi
   const cost = currencies.size === 1 ? sum(wires, (wire) => wire.cost) : null;
   const several = wires.length > 1 ? ` of all ${wires.length} wires` : "";
   return [
-    { name: "Wire", value: shown(sum(wires, (wire) => wire.length_mm), (mm) => longLength(mm, unit)), title: `Designed length${several}, doubled edges counted twice` },
+    { name: "Wire", value: shown(sum(wires, (wire) => wire.length_mm), (mm) => length(mm, unit)), title: `Designed length${several}, doubled edges counted twice` },
     { name: "Stock", value: shown(sum(wires, (wire) => wire.stock_mm), (mm) => longLength(mm, unit)), title: `Wire to load${several}: all feeds and the tail` },
     { name: "Bends", value: shown(sum(wires, (wire) => wire.bends), (many) => number(many, 0)), title: `Bends${several}` },
     { name: "Time", value: shown(sum(wires, (wire) => wire.time_s), time), title: `Estimated time on the machine${several}` },
@@ -62,6 +62,7 @@ const ASKS: Readonly<Record<string, string>> = {
   compare: "Comparing machines",
   exports: "Asking what can be written",
   export: "Making the file",
+  "save-wireframe": "Writing the wireframe",
   "save-job": "Writing the job",
   open: "Opening",
   look: "Reading",

@@ -2,7 +2,7 @@ import { Button } from "../../shared/Button";
 import { Guard } from "../../shared/Guard";
 import { MenuBar } from "../../shared/Menu";
 import { Tooltip } from "../../shared/Tooltip";
-import { edit, useDesign } from "../../state/design";
+import { useDesign } from "../../state/design";
 import { run, useWhyNot } from "../../state/commands";
 import { keyOf } from "../../state/keys";
 import { useUnit } from "../../shared/unit";
@@ -54,7 +54,7 @@ export function TopBar() {
           kind="quiet"
           aria-label={`${unit === "mm" ? "mm" : "in"}, the unit of lengths: change it`}
           title={unit === "mm" ? "Show lengths in inches" : "Show lengths in millimetres"}
-          onClick={() => void edit({ edit: "units", units: unit === "mm" ? "inch" : "mm" })}
+          onClick={() => run("units")}
         >
           {unit === "mm" ? "mm" : "in"}
         </Button>

@@ -1,9 +1,10 @@
+import type { DisplayUnit } from "../../shared/format";
 import type { MenuItem } from "../../shared/Menu";
+import { useUnitStore } from "../../shared/unit";
 import { run, whyNot } from "../../state/commands";
 import { useDesign } from "../../state/design";
 import { clearRecent, openPath, useFiles } from "../../state/files";
 import { type CommandId, keyOf } from "../../state/keys";
-import { edit } from "../../state/design";
 import { type Theme, useUi } from "../../state/ui";
 import { useView } from "../../state/view";
 
@@ -34,6 +35,7 @@ const file = (): MenuItem[] => [
   RULE,
   item("Save", "save"),
   item("Save as…", "save-as"),
+  item("Save wireframe (OBJ)…", "save-wireframe"),
   item("Save job…", "save-job"),
   RULE,
   item("Quit", "quit"),
@@ -64,10 +66,10 @@ function editing(): MenuItem[] {
 }
 
 function viewing(): MenuItem[] {
-  const { theme, setTheme } = useUi.getState();
-  const inch = useDesign.getState().state?.units === "inch";
+  const { theme, setTheme, setUnit } = useUi.getState();
+  const shown = useUnitStore.getState().unit;
   const themed = (value: Theme, label: string): MenuItem => ({ kind: "item", label, checked: theme === value, radio: true, run: () => setTheme(value) });
-  const unit = (units: "mm" | "inch", label: string): MenuItem => ({ kind: "item", label, checked: (units === "inch") === inch, radio: true, run: () => void edit({ edit: "units", units }) });
+  const unit = (value: DisplayUnit, label: string): MenuItem => ({ kind: "item", label, checked: shown === value, radio: true, run: () => setUnit(value) });
   return [
     item("Front", "view-front"),
     item("Right", "view-right"),

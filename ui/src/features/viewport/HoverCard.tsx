@@ -1,6 +1,7 @@
 import type { SnapKind } from "../../scene/interface";
 import { count } from "../../shared/format";
 import { useLengths } from "../../shared/unit";
+import { useByHand } from "../../state/by_hand";
 import { useDesign } from "../../state/design";
 import { usePlayback } from "../../state/program";
 import { useView } from "../../state/view";
@@ -24,11 +25,12 @@ export const SNAP_NAMES: Readonly<Record<SnapKind, string>> = {
 /** What is under the pointer, in words and figures. */
 export function HoverCard() {
   const hovered = useView((view) => view.hovered);
-  const playing = usePlayback(({ played }) => played !== null);
+  const played = usePlayback(({ played }) => played !== null);
+  const byHand = useByHand(({ played }) => played !== null);
   const { vertices, edges, check } = useDesign();
   const { bare, name, length } = useLengths();
   const marks = useMemo(() => marksOf(check), [check]);
-  if (!hovered || playing) return null;
+  if (!hovered || played || byHand) return null;
   let title = "";
   let sub = "";
   let verdict = null;

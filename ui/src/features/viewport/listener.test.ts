@@ -1,6 +1,39 @@
 // @vitest-environment happy-dom
-import { describe, expect, it } from "vitest";
-import { drawOf, endOf, strokeOf } from "./listener";
+import { beforeEach, describe, expect, it, vi } from "vitest";
+
+const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(async () => {}), listen: vi.fn() }));
+vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
+
+import { type DesignState, useDesign } from "../../state/design";
+import { useView } from "../../state/view";
+import { drawOf, endOf, listenerOf, strokeOf } from "./listener";
+
+describe("the strand that is told in the panel", () => {
+  const state = { machine: null, next: [0, 0] } as unknown as DesignState;
+  const made = {
+    change: { state, stencil: false, gone_vertices: [], gone_edges: [], edges: [{ id: 0, a: 0, b: 1 }], vertices: [0, 1].map((id) => ({ id, at_mm: [id, 0, 0], support: false })) },
+  };
+  const stroke = { from: null, through: [[0, 0, 0], [1, 0, 0]], to: null, split: null } as const;
+  beforeEach(() => {
+    useDesign.setState({ vertices: new Map(), edges: new Map(), state });
+    useView.setState({ strand: null });
+  });
+
+  it("has the edges that were drawn", async () => {
+    platform.ask.mockResolvedValue(made);
+    expect(await listenerOf().stroke(stroke)).toBe(1);
+    expect(useView.getState().strand).toBe(1);
+  });
+
+  it("is over when it was ended while its stroke was on its way", async () => {
+    platform.ask.mockResolvedValue(made);
+    const listener = listenerOf();
+    const drawn = listener.stroke(stroke);
+    listener.strandEnded();
+    await drawn;
+    expect(useView.getState().strand).toBeNull();
+  });
+});
 
 describe("a stroke", () => {
   it("becomes one change", () => {

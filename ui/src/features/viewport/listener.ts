@@ -2,6 +2,7 @@ import type { EditRequest } from "../../generated/requests";
 import type { Moved, SceneListener, Stroke } from "../../scene/interface";
 import { checkDesign, edit, useDesign } from "../../state/design";
 import { select } from "../../state/selection";
+import { settled } from "../../state/turns";
 import { useView } from "../../state/view";
 
 /** The stroke as a change. */
@@ -25,8 +26,14 @@ export function strokeOf({ from, through, to, split }: Stroke, next: number): { 
   return { request: draws ? { edit: "several", label: "draw", edits: [splits, drawOf(ends)] } : splits, ends: draws ? ends : { from: next, through, to: null } };
 }
 
+/** How many strands have ended: what was on its way for one of them opens none. */
+let ended = 0;
+
 /** Makes the stroke; the id of the vertex that the strand goes on from, null where it is over. */
 async function stroke(asked: Stroke): Promise<number | null> {
+  const before = ended;
+  // What is still on its way may take the next id.
+  await settled();
   const { vertices, edges, state } = useDesign.getState();
   if (!state) return null;
   const { request, ends } = strokeOf(asked, state.next[0]);
@@ -34,7 +41,7 @@ async function stroke(asked: Stroke): Promise<number | null> {
   if (!change) return null;
   const drawn = request.edit === "split" ? 0 : change.edges.filter(({ id }) => !edges.has(id)).length - (asked.split ? 1 : 0);
   const next = endOf(ends, change.vertices.filter(({ id }) => !vertices.has(id)).map(({ id }) => id));
-  useView.setState(({ strand }) => ({ strand: next === null ? null : (strand ?? 0) + drawn }));
+  if (before === ended) useView.setState(({ strand }) => ({ strand: next === null ? null : (strand ?? 0) + drawn }));
   return next;
 }
 
@@ -47,7 +54,10 @@ export function listenerOf(): SceneListener {
     dropped: (moved) => void dropped(moved),
     dragCancelled: () => checkDesign(),
     stroke,
-    strandEnded: () => useView.setState({ strand: null }),
+    strandEnded: () => {
+      ended += 1;
+      useView.setState({ strand: null });
+    },
     viewChanged: (viewName) => useView.setState({ viewName }),
   };
 }

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { DiagnosticReport, LiveCheck } from "../../generated/responses";
+import type { DiagnosticReport, LiveCheck, WireFigures } from "../../generated/responses";
 import { labelsOf, marksOf, placesOf } from "./marks";
 
 const report = (code: string, severity: DiagnosticReport["severity"], rest: Partial<DiagnosticReport> = {}): DiagnosticReport => ({ code, severity, message: code, help: "", ...rest });
@@ -34,6 +34,14 @@ describe("marks", () => {
     expect([...marks.doubled]).toEqual([3]);
     expect(marks.vertices.has(9)).toBe(false);
     expect(marks.edges.size).toBe(0);
+  });
+
+  it("call green only what went through all of the checks: without a route no bend was looked at", () => {
+    const wire: WireFigures = { ...figures, route: [] };
+    const of = (...wires: Partial<WireFigures>[]) => marksOf({ feasible: false, diagnostics: [], wires: wires.map((one) => ({ ...wire, ...one })) }).checked;
+    expect(of({})).toBe(true);
+    expect(of({}, { stock_mm: null })).toBe(false);
+    expect(of()).toBe(false);
   });
 
   it("show where the wire starts and which way", () => {

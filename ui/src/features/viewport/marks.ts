@@ -38,6 +38,14 @@ function worse(marks: Map<number, Verdict>, id: number, verdict: Verdict): void 
   if (marks.get(id) !== "error") marks.set(id, verdict);
 }
 
+/**
+ * Whether every wire went through all of the checks: without a route nobody has looked at bends and rotations, and what is not named
+ * is not known to be fine. Stock is known of compensated wires alone.
+ */
+export function isCompensated({ wires }: LiveCheck): boolean {
+  return wires.length > 0 && wires.every(({ stock_mm }) => stock_mm !== null);
+}
+
 /** What the view shows of the checks: the worst that is said of each place. */
 export function marksOf(check: LiveCheck | null): SceneMarks {
   const vertices = new Map<number, Verdict>();
@@ -54,7 +62,7 @@ export function marksOf(check: LiveCheck | null): SceneMarks {
   }
   const [vertex, towards] = check?.wires.find(({ route }) => route.length > 1)?.route ?? [];
   const start = vertex === undefined || towards === undefined ? null : { vertex, towards };
-  return { vertices, edges, odd, doubled, start, checked: check !== null };
+  return { vertices, edges, odd, doubled, start, checked: check !== null && isCompensated(check) };
 }
 
 /** More labels than these are no help. */

@@ -2,6 +2,7 @@ import type { DiagnosticReport } from "../../generated/responses";
 import type { Viewport as Scene } from "../../scene/viewport";
 import { valueText } from "../check/texts";
 import { useUnitStore } from "../../shared/unit";
+import { useByHand } from "../../state/by_hand";
 import { useDesign } from "../../state/design";
 import { useFiles } from "../../state/files";
 import { shownTheme } from "../../state/opening";
@@ -24,13 +25,25 @@ function follow<S>(store: { getState(): S; subscribe(hear: (state: S) => void): 
   return store.subscribe(look);
 }
 
+/** Whether the view shows a wire on its machine instead of the design. */
+const isShownOnMachine = (): boolean => usePlayback.getState().played !== null || useByHand.getState().played !== null;
+
 /** Keeps the view showing what the stores have, without drawing React anew; the function that is returned ends it. */
 export function show(scene: Scene): () => void {
   const labels = () => {
     const { check, vertices, edges } = useDesign.getState();
     const { unit } = useUnitStore.getState();
     const figure = (report: DiagnosticReport) => (report.unit ? valueText(report.value, report.unit, unit) : null);
-    scene.setLabels(useView.getState().annotations && !usePlayback.getState().played ? labelsOf(check, { vertices, edges }, figure) : []);
+    scene.setLabels(useView.getState().annotations && !isShownOnMachine() ? labelsOf(check, { vertices, edges }, figure) : []);
+  };
+  // Whether a design was opened that has not been framed yet.
+  let justOpened = false;
+  // Whoever begins to draw on nothing has chosen the view: it does not turn to the first edge.
+  const drawsOnNothing = () => {
+    const { vertices, stencil } = useDesign.getState();
+    if (vertices.size > 0 || stencil !== null) return;
+    justOpened = false;
+    scene.frame();
   };
   const theme = () => scene.setTheme(shownTheme(useUi.getState().theme));
   const system = window.matchMedia("(prefers-color-scheme: light)");
@@ -45,8 +58,7 @@ export function show(scene: Scene): () => void {
     follow(useSelection, ({ highlight }) => [highlight], ({ highlight }) => scene.setHighlight(highlight.vertices, highlight.edges)),
     follow(useView, ({ tool }) => [tool], ({ tool }) => {
       scene.setTool(tool);
-      // Whoever begins to draw on nothing has chosen the view: it does not turn to the first edge.
-      if (tool !== "select" && useDesign.getState().vertices.size === 0) scene.frame();
+      if (tool !== "select") drawsOnNothing();
     }),
     follow(useView, ({ snapKinds, grid, reach }) => [snapKinds, grid, reach], ({ snapKinds, grid, reach }) => scene.setSnap({ kinds: snapKinds, grid, reach })),
     follow(useView, ({ tool, plane, planeOffset }) => [tool, plane, planeOffset], ({ plane, planeOffset }) => scene.setPlane(planeOf(plane, planeOffset))),
@@ -59,11 +71,18 @@ export function show(scene: Scene): () => void {
     }),
     follow(useUi, (ui) => [ui.theme], theme),
     follow(usePlayback, ({ played }) => [played], ({ played }) => {
-      scene.play(played);
+      scene.play(played ?? useByHand.getState().played);
       labels();
     }),
     follow(usePlayback, ({ played, step, shown }) => [played, step, shown], ({ played, step, shown }) => {
       if (played) scene.setTime(step, shown);
+    }),
+    follow(useByHand, ({ played }) => [played], ({ played }) => {
+      if (usePlayback.getState().played) return;
+      scene.play(played);
+      // All that was moved is done already.
+      if (played) scene.setTime(played.steps.length, "designed");
+      labels();
     }),
     follow(usePlayback, ({ played, live, step }) => [played, live, live ? step : 0], ({ live, step }) => scene.setProgress(live ? Math.floor(step) : null)),
     useFiles.subscribe(({ opened }, before) => {
@@ -74,8 +93,8 @@ export function show(scene: Scene): () => void {
       if (!justOpened || (vertices === before.vertices && stencil === before.stencil)) return;
       justOpened = vertices.size === 0 && stencil === null;
       if (!justOpened) scene.frame();
+      else if (useView.getState().tool !== "select") drawsOnNothing();
     }),
   ];
-  let justOpened = false;
   return () => ends.forEach((end) => end());
 }

@@ -21,9 +21,11 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use wirebend_core::checks::{Code, Diagnostic, Severity};
 use wirebend_core::plan::WirePlan;
+use wirebend_files::document::Document;
 
 use super::check::{LiveCheck, WireFigures};
 use super::{EditRequest, Editor};
+use crate::machine::Setup;
 use crate::report::DiagnosticReport;
 use crate::{App, AppError};
 pub use preview::FixPreview;
@@ -99,18 +101,35 @@ impl Editor {
     /// # Errors
     /// [`AppError::NoMachine`] where none is chosen.
     pub fn fixes(&mut self, app: &App) -> Result<Vec<Fix>, AppError> {
+        self.unmended(app)?.fixes(app)
+    }
+
+    /// What [`Editor::fixes`] needs of the design, so that nobody has to wait for the design while it searches.
+    pub(crate) fn unmended(&mut self, app: &App) -> Result<Unmended, AppError> {
         let (names, setup) = self.take_setup(app)?;
-        let found = fixes(self, app, &setup);
+        let found = Unmended { document: self.planned_part(), setup: setup.clone() };
         self.setup = Some((names, setup));
-        found
+        Ok(found)
+    }
+}
+
+/// A design that is searched for what would mend it.
+pub(crate) struct Unmended {
+    document: Document,
+    setup: Setup,
+}
+
+impl Unmended {
+    pub fn fixes(self, app: &App) -> Result<Vec<Fix>, AppError> {
+        fixes(self.document, app, &self.setup)
     }
 }
 
 /// An edit that mends, with the design after it.
 type Mending = (Candidate, Rc<Trial>);
 
-fn fixes(editor: &Editor, app: &App, setup: &crate::machine::Setup) -> Result<Vec<Fix>, AppError> {
-    let (base, mut trials) = Trials::begin(editor.planned_part(), app, setup)?;
+fn fixes(document: Document, app: &App, setup: &Setup) -> Result<Vec<Fix>, AppError> {
+    let (base, mut trials) = Trials::begin(document, app, setup)?;
     let findings = base.findings();
     let mut to_mend = to_mend(&findings);
     let neediest = scale::neediest(&findings, &to_mend, &trials.document().wireframe);

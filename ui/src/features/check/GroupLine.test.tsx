@@ -1,0 +1,92 @@
+// @vitest-environment happy-dom
+import { act } from "react";
+import { createRoot, type Root } from "react-dom/client";
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+
+const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(async () => {}), listen: vi.fn() }));
+vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
+
+import type { DiagnosticReport, Fix, LiveCheck } from "../../generated/responses";
+import { useDesign } from "../../state/design";
+import { useFixes } from "../../state/fixes";
+import { useSelection } from "../../state/selection";
+import { useUi } from "../../state/ui";
+import { GroupLine } from "./GroupLine";
+
+Object.assign(globalThis, { IS_REACT_ACT_ENVIRONMENT: true });
+
+let host: HTMLElement;
+let root: Root;
+
+const report = (code: string, more: Partial<DiagnosticReport> = {}): DiagnosticReport => ({ code, severity: "error", message: code, help: "", ...more });
+const short = report("edge_too_short", { edge: 7, edges: [7] });
+const fix = {
+  title: "Move vertex 3",
+  mends: short,
+  edit: { edit: "place", positions: [] },
+  errors_after: 0,
+  change: { length_mm: null, stock_mm: null, time_s: null, cost: null, currency: null },
+} as unknown as Fix;
+
+beforeEach(() => {
+  host = document.createElement("div");
+  document.body.append(host);
+  root = createRoot(host);
+  const check: LiveCheck = { feasible: false, diagnostics: [short], wires: [] };
+  useDesign.setState({ check, stencil: null });
+  useFixes.setState({ fixes: [fix], of: check, shown: null });
+});
+afterEach(() => {
+  act(() => root.unmount());
+  host.remove();
+});
+
+const show = (reports: DiagnosticReport[]) => act(() => root.render(<GroupLine group={{ key: "x", severity: "error", reports }} />));
+const button = (text: string): HTMLButtonElement => {
+  const found = [...host.querySelectorAll("button")].find(({ textContent }) => textContent === text);
+  if (!found) throw new Error(`no button ${text}`);
+  return found;
+};
+
+describe("a line of the checks", () => {
+  it("makes a fix once, however often it is clicked", async () => {
+    platform.ask.mockReset().mockReturnValue(new Promise(() => {}));
+    show([short]);
+    act(() => button("Fix…").click());
+    act(() => button("Apply").click());
+    act(() => button("Apply").click());
+    // An edit takes its turn among others.
+    await act(async () => {});
+    expect(platform.ask.mock.calls.filter(([name]) => name === "edit").length).toBe(1);
+  });
+
+  it("offers a fix as soon as one is found", () => {
+    useFixes.setState({ fixes: [] });
+    show([short]);
+    act(() => button("Show").focus());
+    act(() => useFixes.setState({ fixes: [fix] }));
+    expect(button("Fix…").getAttribute("aria-expanded")).toBe("false");
+  });
+
+  it("highlights nothing any more when it goes away under the pointer", () => {
+    show([short]);
+    act(() => void host.querySelector("li")?.dispatchEvent(new PointerEvent("pointerover", { bubbles: true })));
+    expect([...useSelection.getState().highlight.edges]).toEqual([7]);
+    act(() => root.render(null));
+    expect([...useSelection.getState().highlight.edges]).toEqual([]);
+  });
+
+  it("leads to the wires where the wire does not fit the machine", () => {
+    useUi.setState({ open: [] });
+    show([report("wire_does_not_fit")]);
+    act(() => button("Choose a wire").click());
+    expect(useUi.getState().open).toEqual(["machine"]);
+  });
+
+  it("selects the smaller parts of several", () => {
+    useDesign.setState({ edges: new Map([[1, 2], [2, 3], [8, 9]].map(([a = 0, b = 0], id) => [id, { id, a, b }])) });
+    show([report("several_wires", { value: 2 })]);
+    act(() => button("Select the smaller").click());
+    expect([...useSelection.getState().vertices]).toEqual([8, 9]);
+  });
+});

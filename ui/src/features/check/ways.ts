@@ -1,0 +1,40 @@
+/** Where to go with a problem that no change of the design mends by itself. */
+
+import { run } from "../../state/commands";
+import { useDesign } from "../../state/design";
+import { select } from "../../state/selection";
+import { useUi } from "../../state/ui";
+import { frame } from "../../state/view";
+import { smallerParts } from "./parts";
+
+interface WayOut {
+  readonly label: string;
+  readonly title: string;
+  readonly go: () => void;
+}
+
+const toMachine = () => useUi.getState().showSection("machine");
+
+function selectSmaller(): void {
+  const { vertices, edges } = smallerParts(useDesign.getState());
+  select(vertices, edges);
+  frame(vertices, edges);
+}
+
+/** Null where there is no other place to go to. `stencil`: whether there is one to trace on. */
+export function wayOut(code: string, stencil: boolean): WayOut | null {
+  switch (code) {
+    case "wire_does_not_fit":
+      return { label: "Choose a wire", title: "Wires that fit the machine, and machines that take this wire", go: toMachine };
+    case "stock_too_long":
+      return { label: "Machines", title: "Another machine may hold longer stock", go: toMachine };
+    case "no_edges":
+      return stencil
+        ? { label: "Trace", title: "Place vertices on the stencil, click by click", go: () => run("tool-trace") }
+        : { label: "Draw", title: "Draw edges on a plane, click by click", go: () => run("tool-draw") };
+    case "several_wires":
+      return { label: "Select the smaller", title: "All parts but the largest: delete them, or connect them with C", go: selectSmaller };
+    default:
+      return null;
+  }
+}

@@ -1,0 +1,63 @@
+// @vitest-environment happy-dom
+import { act } from "react";
+import { createRoot, type Root } from "react-dom/client";
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+
+const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(async () => {}), listen: vi.fn() }));
+vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
+
+import { useRun } from "../../state/run";
+import { Manual } from "./Manual";
+import { machineState } from "./testing";
+
+Object.assign(globalThis, { IS_REACT_ACT_ENVIRONMENT: true });
+
+let host: HTMLElement;
+let root: Root;
+
+beforeEach(() => {
+  host = document.createElement("div");
+  document.body.append(host);
+  root = createRoot(host);
+  platform.ask.mockReset().mockReturnValue(new Promise(() => {}));
+  useRun.setState({ recorded: [] });
+  act(() => root.render(<Manual state={machineState("ready", "jog")} />));
+});
+afterEach(() => {
+  act(() => root.unmount());
+  host.remove();
+});
+
+function field(label: string): HTMLInputElement {
+  const found = host.querySelector<HTMLInputElement>(`input[aria-label^="${label}"]`);
+  if (!found) throw new Error(`no field ${label}`);
+  return found;
+}
+
+function enter(into: HTMLInputElement, text: string): void {
+  act(() => {
+    // React listens to the setter of the prototype.
+    Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value")?.set?.call(into, text);
+    into.dispatchEvent(new Event("input", { bubbles: true }));
+  });
+  act(() => void into.dispatchEvent(new KeyboardEvent("keydown", { key: "Enter", bubbles: true })));
+}
+
+const moves = (): unknown[] => platform.ask.mock.calls.filter(([name]) => name === "order").flatMap(([, { request }]) => request.moves);
+
+describe("Enter in a field of the manual mode", () => {
+  it("moves by the number that was just typed: by another one the machine would go where nobody wants it", () => {
+    enter(field("Feed by"), "2.5");
+    enter(field("Bend by"), "-20");
+    enter(field("Rotate by"), "15");
+    expect(moves()).toEqual([
+      { move: "feed", mm: 2.5 },
+      { move: "rotate", deg: 15 },
+    ]);
+  });
+
+  it.each(["", "abc", "1/0"])("does not move by what is no number: %j", (text) => {
+    enter(field("Feed by"), text);
+    expect(moves()).toEqual([]);
+  });
+});

@@ -1,0 +1,58 @@
+// @vitest-environment happy-dom
+import { act } from "react";
+import { createRoot, type Root } from "react-dom/client";
+import { afterEach, beforeEach, expect, it, vi } from "vitest";
+
+const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(async () => {}), listen: vi.fn() }));
+vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
+
+import { Dialog, DialogHead } from "../../shared/Dialog";
+import { useRun } from "../../state/run";
+import { useUi } from "../../state/ui";
+import { RunSection } from "./RunSection";
+import { SessionStop } from "./StopButton";
+import { machineState } from "./testing";
+
+Object.assign(globalThis, { IS_REACT_ACT_ENVIRONMENT: true });
+
+let host: HTMLElement;
+let root: Root;
+
+beforeEach(() => {
+  host = document.createElement("div");
+  document.body.append(host);
+  root = createRoot(host);
+  platform.ask.mockReset().mockReturnValue(new Promise(() => {}));
+  platform.stop.mockClear();
+  useUi.setState({ open: ["run"] });
+});
+afterEach(() => {
+  act(() => root.unmount());
+  host.remove();
+  useRun.setState({ state: null });
+});
+
+const buttons = (): string[] => [...host.querySelectorAll("button")].map((button) => button.textContent ?? "");
+
+it("has a button to connect a machine that has failed again: its problem says to do so", () => {
+  useRun.setState({ state: machineState("failed", "home", "disconnect") });
+  act(() => root.render(<RunSection />));
+  expect(buttons()).toEqual(expect.arrayContaining(["Connect again", "Home", "Disconnect"]));
+  act(() => useRun.setState({ state: machineState("ready", "home", "disconnect") }));
+  expect(buttons()).not.toContain("Connect again");
+});
+
+it("stops the machine out of any dialog, which makes STOP in the top bar inert, and only while there is one", () => {
+  const about = (
+    <DialogHead value={<SessionStop />}>
+      <Dialog title="About" onClose={() => {}}>
+        words
+      </Dialog>
+    </DialogHead>
+  );
+  act(() => root.render(about));
+  expect(host.querySelector("dialog .stop-button")).toBeNull();
+  act(() => useRun.setState({ state: machineState("homing") }));
+  act(() => void host.querySelector("dialog .stop-button")?.dispatchEvent(new PointerEvent("pointerdown", { button: 0, bubbles: true })));
+  expect(platform.stop).toHaveBeenCalledOnce();
+});
