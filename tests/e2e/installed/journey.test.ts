@@ -1,7 +1,7 @@
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
-import { discard, Driven, inside, type Unpacked, unpack } from "../support/installed.ts";
+import { button, discard, Driven, inside, says, section, type Unpacked, unpack } from "../support/installed.ts";
 import { pictures } from "../support/places.ts";
 import { Screen } from "../support/screen.ts";
 
@@ -26,9 +26,6 @@ function picture(name: string): void {
   writeFileSync(`${pictures}/installed-${name}.png`, screen.picture());
 }
 
-const button = (name: string): string => `//button[normalize-space(.)=${JSON.stringify(name)} and not(@aria-disabled='true') and not(@disabled)]`;
-const section = (name: string): string => `//section//h2/button[@aria-expanded='false'][.//*[normalize-space(.)=${JSON.stringify(name)}]]`;
-const says = (text: string): string => `document.body.innerText.includes(${JSON.stringify(text)})`;
 
 describe("the package", () => {
   it("is small, and holds the window, the command line, drivers and what the desktop needs", () => {
@@ -38,11 +35,11 @@ describe("the package", () => {
       "usr/bin/wirebend-kit",
       "usr/bin/wirebend",
       "usr/share/mime/packages/wirebend-kit.xml",
-      "usr/share/applications/WireBend-kit.desktop",
+      "usr/share/applications/wirebend-kit.desktop",
     ]) {
       expect(existsSync(`${folder}/${file}`), file).toBe(true);
     }
-    const desktop = readFileSync(`${folder}/usr/share/applications/WireBend-kit.desktop`, "utf8");
+    const desktop = readFileSync(`${folder}/usr/share/applications/wirebend-kit.desktop`, "utf8");
     expect(desktop).toContain("MimeType=application/x-wirebend");
     expect(desktop).toMatch(/^Exec=wirebend-kit %f$/m);
   });

@@ -1,11 +1,26 @@
 import { mkdirSync } from "node:fs";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { Editor } from "../support/editor.ts";
+import { Editor, type Section, until } from "../support/editor.ts";
 import { root } from "../support/places.ts";
+import { type Place, Sight } from "../support/sight.ts";
 
-// The pictures of the README, in the order of its tutorial.
+// The pictures of the README, in the order of its tutorial: one design from the stencil to the machine.
 
 const folder = `${root}docs/pictures`;
+
+/** Corners of the bunny on the side that is looked at, from the right. */
+const STRAND: readonly Place[] = [
+  [72.9, -85.3, -75.8],
+  [68.7, 66.2, -76.1],
+  [43.4, 120.2, -26.8],
+  [44.6, 108.4, 37.7],
+  [57.4, 22.2, 82.1],
+  [54.0, -80.9, 141.3],
+  [72.4, -141.7, 73.1],
+];
+/** What is joined across it. */
+const ACROSS = [[0, 4], [1, 5]] as const;
+
 let editor: Editor;
 
 beforeAll(async () => {
@@ -18,63 +33,92 @@ afterAll(async () => {
 });
 
 async function picture(name: string): Promise<void> {
+  // Without the ring of whoever came by the keyboard.
+  await editor.page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
   await editor.page.screenshot({ path: `${folder}/window-${name}.png`, animations: "disabled" });
+}
+
+/** Opens a section and closes another. */
+async function only(from: Section, to: Section): Promise<void> {
+  await editor.section(from).locator("h2 > button").click();
+  await editor.section(to).locator("h2 > button").click();
 }
 
 it("makes the pictures", async () => {
   const { page } = editor;
   await page.getByText("Drop a model or a drawing here").waitFor();
-  await page.locator("button.card").first().waitFor();
+  await expect.poll(() => page.locator("button.card").count()).toBeGreaterThanOrEqual(3);
   await picture("start");
 
-  // A surface to trace on, from the right, and a strand along it.
+  // A surface to trace on, from the right, and a strand around it.
   await editor.take("bunny-stencil", "trace");
   await editor.section("trace").getByText(/triangles/).first().waitFor();
-  await page.locator(".viewport canvas").focus();
-  await page.keyboard.press("3");
+  const whole = await editor.loopback.ask("look", { design: { input: { file: `${root}examples/bunny.obj` } } });
+  const half = (whole.size_mm ?? [0, 0, 0]).map((size) => size / 2);
+  // The bunny's box, of which the view shows the middle in its middle.
+  const middle: Place = [4.98, 1.43, 80.17];
+  const outermost = [-1, 1].map((side) => middle.map((at, axis) => at + side * (half[axis] ?? 0)) as unknown as Place);
+  const sight = await Sight.from(page, "right", outermost);
   await page.keyboard.press("t");
-  const canvas = page.locator("canvas").first();
-  const box = (await canvas.boundingBox()) ?? { x: 0, y: 0, width: 1, height: 1 };
-  const at = (x: number, y: number): [number, number] => [box.x + box.width * x, box.y + box.height * y];
-  const strand: [number, number][] = [at(0.36, 0.84), at(0.62, 0.84), at(0.68, 0.62), at(0.58, 0.45), at(0.44, 0.44), at(0.37, 0.6)];
-  for (const [x, y] of strand) {
-    await page.mouse.move(x, y, { steps: 4 });
+  const to = async (place: Place) => {
+    const { x, y } = sight.at(place);
+    await page.mouse.move(x - 4, y);
+    await page.mouse.move(x, y, { steps: 3 });
+    return [x, y] as const;
+  };
+  const card = page.locator(".hover-card", { hasText: "Corner of the stencil" });
+  for (const place of STRAND.slice(0, -1)) {
+    const [x, y] = await to(place);
+    await card.waitFor();
     await page.mouse.click(x, y);
   }
-  await page.mouse.move(...at(0.36, 0.84), { steps: 6 });
+  const last = await to(STRAND.at(-1) as Place);
+  await card.waitFor();
   await picture("trace");
-  await page.mouse.click(...at(0.36, 0.84));
-  await page.keyboard.press("Escape");
+  await page.mouse.click(...last);
+  await page.mouse.click(...(await to(STRAND[0] as Place)));
+  await until(async () => (await editor.design()).edges.length).toBe(STRAND.length);
+
+  // Braced across: each pair is chosen and joined.
   await page.keyboard.press("q");
-  await editor.section("trace").locator("h2 > button").click();
-  await editor.section("edit").locator("h2 > button").click();
-  await page.locator(".viewport canvas").focus();
-  await page.keyboard.press("a");
+  await only("trace", "edit");
+  for (const [from, other] of ACROSS) {
+    const before = (await editor.design()).edges.length;
+    await page.mouse.click(...(await to(STRAND[from] as Place)));
+    const [x, y] = await to(STRAND[other] as Place);
+    await page.keyboard.down("Shift");
+    await page.mouse.click(x, y);
+    await page.keyboard.up("Shift");
+    await page.keyboard.press("c");
+    await until(async () => (await editor.design()).edges.length).toBe(before + 1);
+  }
   await picture("edit");
 
-  // Something to fix, and what a fix would do.
-  await editor.take("truss", "check");
+  // Four odd corners, and what a fix would do.
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("5");
+  await page.keyboard.press("Home");
+  await only("edit", "check");
   await editor.section("check").getByRole("button", { name: /Fix/ }).first().click();
-  await page.getByRole("button", { name: "Preview" }).first().click();
+  const double = editor.section("check").locator("li", { hasText: /^Double 1 edge/ }).last();
+  await double.getByRole("button", { name: "Preview" }).click();
   await picture("check");
-  await page.getByRole("button", { name: "Apply" }).first().click();
-  await page.getByText("1 to fix").first().waitFor({ state: "hidden" });
+  await double.getByRole("button", { name: "Apply" }).click();
+  await editor.section("check").locator(".section-phrase", { hasText: "can be made" }).waitFor();
 
-  const only = async (from: Parameters<Editor["section"]>[0], to: Parameters<Editor["section"]>[0]) => {
-    await editor.section(from).locator("h2 > button").click();
-    await editor.section(to).locator("h2 > button").click();
-  };
+  // In the middle of a bend, more than half way through.
   await only("check", "animate");
-  const slider = page.getByRole("slider").first();
+  const slider = editor.section("animate").getByRole("slider").first();
   await slider.waitFor();
-  // Somewhere in the middle of a bend.
-  const track = (await page.getByRole("slider").last().boundingBox()) ?? { x: 0, y: 0, width: 1, height: 1 };
-  await page.mouse.click(track.x + track.width * 0.43, track.y + track.height / 2);
+  await slider.fill(String(0.6 * Number(await slider.getAttribute("max"))));
+  await page.locator(".viewport canvas").focus();
   await page.keyboard.press("f");
+  await editor.section("animate").getByText(/[5-7]\d.%/).first().waitFor();
   await picture("animate");
 
   await only("animate", "machine");
-  await expect.poll(() => page.locator("#section-machine .card svg, #section-machine li svg").count()).toBeGreaterThanOrEqual(5);
+  const cards = page.locator("#section-machine .machine-card");
+  await until(async () => (await cards.count()) === (await page.locator("#section-machine .machine-card .machine-picture:has(polygon, path)").count())).toBe(true);
   await picture("machine");
 
   await only("machine", "export");
@@ -82,16 +126,16 @@ it("makes the pictures", async () => {
   await picture("export");
 
   await only("export", "run");
-  const port = page.locator("#section-run select").first();
+  const run = page.locator("#section-run");
+  const port = run.locator("select").first();
   await port.waitFor();
   await port.selectOption({ value: "sim:10" });
-  const run = page.locator("#section-run");
   await run.getByRole("button", { name: "Connect", exact: true }).click();
   await run.getByRole("button", { name: "Home", exact: true }).click();
   await run.getByRole("button", { name: "Arm…" }).click();
   await page.getByRole("button", { name: "Arm", exact: true }).click();
   await run.getByRole("button", { name: "Start", exact: true }).click();
-  await page.getByText(/step [2-9] of/).first().waitFor();
+  await page.getByText(/step [5-9] of/).first().waitFor();
   await picture("run");
   await page.keyboard.press("Control+Space");
   await page.getByText(/stopped/i).first().waitFor();

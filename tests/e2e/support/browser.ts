@@ -7,7 +7,7 @@ import { pictures } from "./places.ts";
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
 /** Chromium without a screen; what it draws in three dimensions is computed by the processor. */
-export function openBrowser(): Promise<Browser> {
+export function openBrowser(more: readonly string[] = []): Promise<Browser> {
   const args = [
     "--no-sandbox",
     "--use-angle=swiftshader",
@@ -16,6 +16,7 @@ export function openBrowser(): Promise<Browser> {
     "--disable-component-update",
     "--disable-sync",
     "--no-first-run",
+    ...more,
   ];
   return chromium.launch({ executablePath: "/usr/bin/chromium", headless: true, args });
 }

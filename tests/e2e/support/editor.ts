@@ -25,12 +25,12 @@ export class Editor {
     page.setDefaultTimeout(PATIENCE);
   }
 
-  /** `before`: what is to be in the home before it starts. */
-  static async open(options: Parameters<typeof openPage>[2] = {}, before: (home: string) => void = () => {}): Promise<Editor> {
+  /** `before`: what is to be in the home before it starts; `browserArguments`: arguments for the browser beside the usual ones. */
+  static async open(options: Parameters<typeof openPage>[2] = {}, before: (home: string) => void = () => {}, browserArguments: readonly string[] = []): Promise<Editor> {
     const home = Loopback.home();
     before(home);
     const loopback = await Loopback.start(home);
-    const browser = await openBrowser();
+    const browser = await openBrowser(browserArguments);
     const [page, complaints] = await openPage(browser, loopback.url, options);
     const editor = new Editor(loopback, browser, page, complaints);
     await editor.ready();

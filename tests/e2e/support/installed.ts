@@ -30,7 +30,7 @@ export function deb(): string {
 }
 
 /** Another root file system, in which the package was installed, and who is to use it there. */
-const inRoot = process.env["WIREBEND_ROOT"];
+export const inRoot = process.env["WIREBEND_ROOT"];
 const user = process.env["WIREBEND_USER"];
 
 export function unpack(): Unpacked {
@@ -39,6 +39,13 @@ export function unpack(): Unpacked {
   execFileSync("dpkg-deb", ["--extract", deb(), folder]);
   return { folder, window: `${folder}/usr/bin/wirebend-kit`, commands: `${folder}/usr/bin/wirebend`, bytes: statSync(deb()).size };
 }
+
+/** The button of this name that can be pressed. */
+export const button = (name: string): string => `//button[normalize-space(.)=${JSON.stringify(name)} and not(@aria-disabled='true') and not(@disabled)]`;
+/** The header of a section that is closed. */
+export const section = (name: string): string => `//section//h2/button[@aria-expanded='false'][.//*[normalize-space(.)=${JSON.stringify(name)}]]`;
+/** A script of the page: whether this is to be read on it. */
+export const says = (text: string): string => `document.body.innerText.includes(${JSON.stringify(text)})`;
 
 /** What runs a program where the package is installed. */
 export function inside(): string[] {
@@ -64,6 +71,8 @@ export class Driven {
     readonly home: string,
     /** The same as the window sees it. */
     readonly seen: string,
+    /** What the window's process has around it. */
+    readonly environment: NodeJS.ProcessEnv,
   ) {}
 
   /** Opens the window on a screen, for a person with a home of their own. */
@@ -74,20 +83,18 @@ export class Driven {
     const driver = ["WebKitWebDriver", `--port=${port}`, "--host=127.0.0.1"];
     const [program = "", ...rest] = [...inside(), ...driver];
     const seen = inRoot ? home.slice(inRoot.length) : home;
-    const child = spawn(program, rest, {
-      stdio: ["ignore", "inherit", "inherit"],
-      env: {
-        ...process.env,
-        HOME: seen,
-        XDG_CONFIG_HOME: `${seen}/config`,
-        XDG_DATA_HOME: `${seen}/data`,
-        XDG_CACHE_HOME: `${seen}/cache`,
-        DISPLAY: display,
-        // The toolkit lets itself be driven only where it is told so.
-        TAURI_AUTOMATION: "true",
-        TAURI_WEBVIEW_AUTOMATION: "true",
-      },
-    });
+    const environment = {
+      ...process.env,
+      HOME: seen,
+      XDG_CONFIG_HOME: `${seen}/config`,
+      XDG_DATA_HOME: `${seen}/data`,
+      XDG_CACHE_HOME: `${seen}/cache`,
+      DISPLAY: display,
+      // The toolkit lets itself be driven only where it is told so.
+      TAURI_AUTOMATION: "true",
+      TAURI_WEBVIEW_AUTOMATION: "true",
+    };
+    const child = spawn(program, rest, { stdio: ["ignore", "inherit", "inherit"], env: environment });
     await answers(port);
     const client = await WebDriver.newSession({
       hostname: "127.0.0.1",
@@ -96,7 +103,7 @@ export class Driven {
       connectionRetryCount: 0,
       capabilities: { alwaysMatch: { "webkitgtk:browserOptions": { binary: window, args: words } }, firstMatch: [{}] } as never,
     });
-    return new Driven(child, client, home, seen);
+    return new Driven(child, client, home, seen, environment);
   }
 
   /** Runs a function in the page. */

@@ -8,6 +8,9 @@ import { root } from "./places.ts";
 
 type AskName = keyof Requests & keyof Responses;
 
+/** The folder below `target` that it was built into: what is measured is built as what is installed. */
+const BUILD = process.env["E2E_BUILD"] ?? "debug";
+
 /** The window's Rust side in a home of its own. */
 export class Loopback {
   private constructor(
@@ -22,7 +25,7 @@ export class Loopback {
   }
 
   static async start(home = Loopback.home()): Promise<Loopback> {
-    const program = `${root}target/debug/wirebend-loopback`;
+    const program = `${root}target/${BUILD}/wirebend-loopback`;
     const child = spawn(program, ["--dist", `${root}ui/dist`, "--home", home], { stdio: ["ignore", "pipe", "inherit"] });
     const url = await new Promise<string>((resolve, reject) => {
       child.on("error", reject);

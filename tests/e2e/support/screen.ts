@@ -25,22 +25,24 @@ export class Screen {
     return new Screen(child, `:${number}`, folder);
   }
 
-  /**
-   * What is on the screen, as PNG. From the memory of the screen, a file of the format XWD: the browser's own pictures never come
-   * once nothing moves on the page any more.
-   */
-  picture(): Buffer {
-    const file = readFileSync(join(this.folder, "Xvfb_screen0"));
-    const field = (index: number): number => file.readUInt32BE(index * 4);
+  /** The memory of the screen, a file of the format XWD: its pixels begin at `from`, 4 bytes each. */
+  pixels(): { bytes: Buffer; width: number; height: number; lineBytes: number; from: number } {
+    const bytes = readFileSync(join(this.folder, "Xvfb_screen0"));
+    const field = (index: number): number => bytes.readUInt32BE(index * 4);
     const [headerBytes, width, height, lineBytes, colours] = [field(0), field(4), field(5), field(12), field(19)];
-    const from = headerBytes + colours * 12;
+    return { bytes, width, height, lineBytes, from: headerBytes + colours * 12 };
+  }
+
+  /** What is on the screen, as PNG. From its memory: the browser's own pictures never come once nothing moves on the page any more. */
+  picture(): Buffer {
+    const { bytes, width, height, lineBytes, from } = this.pixels();
     const png = new PNG({ width, height });
     for (let y = 0; y < height; y += 1) {
       for (let x = 0; x < width; x += 1) {
         const [pixel, to] = [from + y * lineBytes + x * 4, (y * width + x) * 4];
-        png.data[to] = file[pixel + 2] ?? 0;
-        png.data[to + 1] = file[pixel + 1] ?? 0;
-        png.data[to + 2] = file[pixel] ?? 0;
+        png.data[to] = bytes[pixel + 2] ?? 0;
+        png.data[to + 1] = bytes[pixel + 1] ?? 0;
+        png.data[to + 2] = bytes[pixel] ?? 0;
         png.data[to + 3] = 255;
       }
     }

@@ -1,0 +1,67 @@
+import { execFileSync } from "node:child_process";
+import { readdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { button, discard, Driven, section, says, type Unpacked, unpack } from "../support/installed.ts";
+import { Screen } from "../support/screen.ts";
+
+/** How long the page does nothing else, ms. */
+const BUSY = 6000;
+
+let unpacked: Unpacked;
+let screen: Screen;
+
+beforeAll(async () => {
+  unpacked = unpack();
+  screen = await Screen.open({ width: 1440, height: 900 });
+});
+
+afterAll(async () => {
+  await screen.close();
+  discard(unpacked);
+});
+
+/** When a STOP was out, by the log file. */
+function stops(home: string): number[] {
+  const folder = join(home, "data", "wirebend", "log");
+  const lines = readdirSync(folder).flatMap((name) => readFileSync(join(folder, name), "utf8").split("\n"));
+  return lines.filter((line) => / STOP /.test(line)).map((line) => Date.parse(line.trim().split(/\s+/)[0] ?? ""));
+}
+
+it("stops the machine by its key while the page is too busy to hear of it", async () => {
+  const driven = await Driven.open(unpacked.window, screen.display);
+  try {
+    await driven.click(button("Skip")).catch(() => {});
+    await driven.click(button("All examples"));
+    await driven.click("//button[contains(@class,'card')][.//*[normalize-space(.)='House']]");
+    await driven.until(says("can be made"), "the house can be made");
+    await driven.click(section("Run"));
+    // In real time: it would take minutes.
+    await driven.choose("#section-run select", "sim");
+    await driven.click(button("Connect"));
+    await driven.click("//section[@id='section-run']" + button("Home"));
+    await driven.click("//section[@id='section-run']" + button("Arm…"));
+    await driven.click(button("Arm"));
+    await driven.click("//section[@id='section-run']" + button("Start"));
+    await driven.until(says("making the wire"), "the wire is begun");
+
+    await driven.run(
+      `window.begun = 0;
+       setTimeout(() => { window.begun = Date.now(); while (Date.now() - window.begun < arguments[0]); window.over = Date.now(); }, 200);`.replace("arguments[0]", String(BUSY)),
+    );
+    await new Promise((resolve) => setTimeout(resolve, 1000));
+    const environment = { ...process.env, DISPLAY: screen.display };
+    const [window = ""] = execFileSync("xdotool", ["search", "--onlyvisible", "--class", "wirebend-kit"], { env: environment, encoding: "utf8" }).trim().split("\n");
+    execFileSync("xdotool", ["windowfocus", "--sync", window], { env: environment });
+    execFileSync("xdotool", ["key", "ctrl+space"], { env: environment });
+
+    await driven.until("window.over", "the page is free again");
+    const [begun, over] = await driven.run<[number, number]>("return [window.begun, window.over]");
+    await driven.until(says("topped"), "the page tells of the stop");
+    const [stop = NaN] = stops(driven.home);
+    expect(stop).toBeGreaterThan(begun);
+    expect(stop).toBeLessThan(over);
+  } finally {
+    await driven.end();
+  }
+});
