@@ -19,7 +19,7 @@ const preview = () => section().locator(".preview pre");
 const into = (name: string) => join(editor.loopback.home, "files", name);
 
 /** How files begin that are no text, by the definitions of their formats. */
-const BEGINNINGS: Readonly<Record<string, string>> = { png: "\u0089PNG", "template-pdf": "%PDF-", "job-sheet": "%PDF-" };
+const BEGINNINGS: Readonly<Record<string, string>> = { gltf: "glTF", png: "\u0089PNG", "template-pdf": "%PDF-", "job-sheet": "%PDF-" };
 
 it("writes each format of the machine, and each file begins as was shown", async () => {
   const { formats } = await editor.loopback.ask("exports", {});

@@ -27,7 +27,7 @@ export function wrongFiles(document: string, job: string): readonly Wrong[] {
     { name: "empty.obj", contents: "", reason: /no edges and no faces/ },
     { name: "prose.obj", contents: "Once upon a time there was a wire.\n", reason: /no edges and no faces/ },
     { name: "nan.obj", contents: "v nan 0 0\nv 1 0 0\nl 1 2\n", reason: /line 1: "nan" is not a finite number/ },
-    { name: "far.obj", contents: "v 1e300 0 0\nv 1 0 0\nl 1 2\n", reason: /line 1: \(1000/ },
+    { name: "far.obj", contents: "v 1e300 0 0\nv 1 0 0\nl 1 2\n", reason: /line 1: \(1e300, 0, 0\)/ },
     { name: "index.obj", contents: "v 0 0 0\nv 1 0 0\nl 1 7\n", reason: /line 3: "7" names no vertex/ },
     { name: "points.obj", contents: "v 0 0 0\nv 1 0 0\n", reason: /no edges and no faces/ },
     { name: "cut.stl", contents: "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0", reason: /line 5: found "vertex 1 0"/ },

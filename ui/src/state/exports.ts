@@ -70,7 +70,7 @@ export function settingsOf(format: FormatEntry, settings: ReadonlyMap<string, Se
 }
 
 export function chooseFormat(format: string): void {
-  useExports.setState({ chosen: format, preview: null, written: null });
+  useExports.setState((store) => (chosenFormat(store)?.id === format ? { chosen: format } : { chosen: format, preview: null, written: null }));
 }
 
 export function setSettings(format: string, settings: Settings): void {

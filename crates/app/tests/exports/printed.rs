@@ -185,7 +185,7 @@ fn what_cannot_be_printed_is_said() {
 #[test]
 fn extensions_fit_the_formats() {
     let endings: Vec<&str> = ExportFormat::ALL.iter().map(|format| format.extension()).collect();
-    assert_eq!(endings, ["svg", "png", "obj", "obj", "svg", "dxf", "pdf", "pdf"]);
+    assert_eq!(endings, ["svg", "png", "obj", "obj", "glb", "svg", "dxf", "pdf", "pdf"]);
     let ids = ExportFormat::ALL.map(ExportFormat::id);
-    assert_eq!(ids[4..], PRINTED);
+    assert_eq!(ids[5..], PRINTED);
 }
