@@ -1,25 +1,14 @@
 import { execFileSync } from "node:child_process";
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
-import { afterAll, beforeAll, expect, it } from "vitest";
-import { button, discard, Driven, section, says, type Unpacked, unpack } from "../support/installed.ts";
-import { Screen } from "../support/screen.ts";
+import { expect, it } from "vitest";
+import { button, Driven, section, says } from "../support/installed.ts";
+import { seat } from "../support/seat.ts";
 
 /** How long the page does nothing else, ms. */
 const BUSY = 6000;
 
-let unpacked: Unpacked;
-let screen: Screen;
-
-beforeAll(async () => {
-  unpacked = unpack();
-  screen = await Screen.open({ width: 1440, height: 900 });
-});
-
-afterAll(async () => {
-  await screen.close();
-  discard(unpacked);
-});
+const at = seat();
 
 /** When a STOP was out, by the log file. */
 function stops(home: string): number[] {
@@ -29,7 +18,7 @@ function stops(home: string): number[] {
 }
 
 it("stops the machine by its key while the page is too busy to hear of it", async () => {
-  const driven = await Driven.open(unpacked.window, screen.display);
+  const driven = await Driven.open(at.unpacked.window, at.screen.display);
   try {
     await driven.click(button("Skip")).catch(() => {});
     await driven.click(button("All examples"));
@@ -50,7 +39,7 @@ it("stops the machine by its key while the page is too busy to hear of it", asyn
        setTimeout(() => { window.begun = Date.now(); while (Date.now() - window.begun < arguments[0]); window.over = Date.now(); }, 200);`.replace("arguments[0]", String(BUSY)),
     );
     await new Promise((resolve) => setTimeout(resolve, 1000));
-    const environment = { ...process.env, DISPLAY: screen.display };
+    const environment = { ...process.env, DISPLAY: at.screen.display };
     const [window = ""] = execFileSync("xdotool", ["search", "--onlyvisible", "--class", "wirebend-kit"], { env: environment, encoding: "utf8" }).trim().split("\n");
     execFileSync("xdotool", ["windowfocus", "--sync", window], { env: environment });
     execFileSync("xdotool", ["key", "ctrl+space"], { env: environment });

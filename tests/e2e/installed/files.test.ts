@@ -3,18 +3,15 @@ import { copyFileSync, mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { discard, Driven, inside, inRoot, says, type Unpacked, unpack } from "../support/installed.ts";
+import { Driven, inside, inRoot, says } from "../support/installed.ts";
 import { root } from "../support/places.ts";
-import { Screen } from "../support/screen.ts";
+import { seat } from "../support/seat.ts";
 
-let unpacked: Unpacked;
-let screen: Screen;
+const at = seat();
 let bus: ChildProcess;
 let folder: string;
 
 beforeAll(async () => {
-  unpacked = unpack();
-  screen = await Screen.open();
   // Windows find each other by the bus of the session.
   bus = spawn("dbus-daemon", ["--session", "--print-address=1", "--nofork"], { stdio: ["ignore", "pipe", "ignore"] });
   const address = await new Promise<string>((resolve, reject) => {
@@ -28,8 +25,6 @@ beforeAll(async () => {
 afterAll(async () => {
   bus.kill();
   rmSync(folder, { recursive: true, force: true });
-  await screen.close();
-  discard(unpacked);
 });
 
 /** A file that whoever uses the window can read; as the window sees it. */
@@ -41,10 +36,10 @@ function put(example: string, name: string): string {
 }
 
 it("opens the file that it is started with, and the file of a second start in the same window", async () => {
-  const driven = await Driven.open(unpacked.window, screen.display, [put("house.obj", "first house.obj")]);
+  const driven = await Driven.open(at.unpacked.window, at.screen.display, [put("house.obj", "first house.obj")]);
   try {
     await driven.until(says("first house"), "the file is open");
-    const [program = "", ...words] = [...inside(), unpacked.window, put("spring.obj", "a spring.obj")];
+    const [program = "", ...words] = [...inside(), at.unpacked.window, put("spring.obj", "a spring.obj")];
     const second = spawn(program, words, { stdio: "inherit", env: driven.environment });
     const status = await new Promise((resolve) => second.once("exit", resolve));
     expect(status).toBe(0);

@@ -1,36 +1,25 @@
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
-import { afterAll, beforeAll, describe, expect, it } from "vitest";
-import { button, discard, Driven, inside, says, section, type Unpacked, unpack } from "../support/installed.ts";
+import { describe, expect, it } from "vitest";
+import { button, Driven, inside, says, section } from "../support/installed.ts";
 import { pictures } from "../support/places.ts";
-import { Screen } from "../support/screen.ts";
+import { seat } from "../support/seat.ts";
 
 /** The largest package that people are asked to fetch. */
 const MOST_BYTES = 15_000_000;
 
-let unpacked: Unpacked;
-let screen: Screen;
-
-beforeAll(async () => {
-  unpacked = unpack();
-  screen = await Screen.open({ width: 1440, height: 900 });
-});
-
-afterAll(async () => {
-  await screen.close();
-  discard(unpacked);
-});
+const at = seat();
 
 function picture(name: string): void {
   mkdirSync(pictures, { recursive: true });
-  writeFileSync(`${pictures}/installed-${name}.png`, screen.picture());
+  writeFileSync(`${pictures}/installed-${name}.png`, at.screen.picture());
 }
 
 
 describe("the package", () => {
   it("is small, and holds the window, the command line, drivers and what the desktop needs", () => {
-    expect(unpacked.bytes).toBeLessThan(MOST_BYTES);
-    const { folder } = unpacked;
+    expect(at.unpacked.bytes).toBeLessThan(MOST_BYTES);
+    const { folder } = at.unpacked;
     for (const file of [
       "usr/bin/wirebend-kit",
       "usr/bin/wirebend",
@@ -45,7 +34,7 @@ describe("the package", () => {
   });
 
   it("has its drivers beside it, which its command line runs", () => {
-    const [program = "", ...words] = [...inside(), unpacked.commands, "drivers", "--json"];
+    const [program = "", ...words] = [...inside(), at.unpacked.commands, "drivers", "--json"];
     const drivers = JSON.parse(execFileSync(program, words, { encoding: "utf8", env: { ...process.env, HOME: "/tmp", XDG_CONFIG_HOME: "/tmp" } }));
     const states = drivers.drivers.map(({ id, state }: { id: string; state: string }) => [id, state]);
     expect(states.sort()).toEqual(["grbl", "howtomechatronics", "pensa", "tables", "wirebend-kit"].map((id) => [id, "shipped"]));
@@ -54,7 +43,7 @@ describe("the package", () => {
 
 describe("the window of the package", () => {
   it("goes from an example over a fix and the animation to a wire on the simulated machine and a file", async () => {
-    const driven = await Driven.open(unpacked.window, screen.display);
+    const driven = await Driven.open(at.unpacked.window, at.screen.display);
     try {
       // An example.
       await driven.click(button("Skip")).catch(() => {});

@@ -1,31 +1,22 @@
 // @vitest-environment happy-dom
 import { act } from "react";
-import { createRoot, type Root } from "react-dom/client";
-import { afterEach, beforeEach, expect, it } from "vitest";
+import { beforeEach, expect, it } from "vitest";
 import { MenuBar } from "./Menu";
+import { place } from "./testing";
 
-Object.assign(globalThis, { IS_REACT_ACT_ENVIRONMENT: true });
+const at = place();
 
-let host: HTMLElement;
-let root: Root;
 let ran: string[];
 
 const item = (label: string, why: string | null = null) => ({ kind: "item" as const, label, why, run: () => void ran.push(label) });
 
 beforeEach(() => {
   ran = [];
-  host = document.createElement("div");
-  document.body.append(host);
-  root = createRoot(host);
   const menus = [
     { label: "File", items: () => [item("New"), item("Save", "Nothing to save"), { kind: "menu" as const, label: "Recent", items: [item("a.obj"), item("b.obj")] }] },
     { label: "Edit", items: () => [item("Undo")] },
   ];
-  act(() => root.render(<MenuBar menus={menus} />));
-});
-afterEach(() => {
-  act(() => root.unmount());
-  host.remove();
+  at.show(<MenuBar menus={menus} />);
 });
 
 const focused = () => document.activeElement?.textContent;
@@ -33,7 +24,7 @@ function press(...keys: string[]): void {
   for (const key of keys) act(() => void document.activeElement?.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true })));
 }
 function open(): void {
-  act(() => host.querySelector<HTMLElement>(".menu-head")?.focus());
+  act(() => at.host.querySelector<HTMLElement>(".menu-head")?.focus());
   press("ArrowDown");
 }
 
@@ -54,7 +45,7 @@ it("opens what is inside, and comes back to where that hangs", () => {
   expect(focused()).toBe("a.obj");
   press("ArrowDown", "ArrowLeft");
   expect(focused()).toBe("Recent");
-  expect(host.querySelectorAll("[role=menu]").length).toBe(1);
+  expect(at.host.querySelectorAll("[role=menu]").length).toBe(1);
 });
 
 it("runs what is chosen and closes, but not what cannot be used", () => {
@@ -67,12 +58,12 @@ it("runs what is chosen and closes, but not what cannot be used", () => {
   expect(ran).toEqual(["New"]);
   // Where nothing has the focus the next key would be for the whole window.
   expect(focused()).toBe("File");
-  expect(host.querySelector("[role=menu]")).toBeNull();
+  expect(at.host.querySelector("[role=menu]")).toBeNull();
 });
 
 it("closes with Escape and gives the focus back", () => {
   open();
   press("Escape");
   expect(focused()).toBe("File");
-  expect(host.querySelector("[role=menu]")).toBeNull();
+  expect(at.host.querySelector("[role=menu]")).toBeNull();
 });

@@ -1,31 +1,24 @@
 // @vitest-environment happy-dom
 import { act } from "react";
-import { createRoot, type Root } from "react-dom/client";
 import { afterEach, beforeEach, describe, expect, it } from "vitest";
 import { NumberField } from "./NumberField";
 import { useUnitStore } from "./unit";
+import { place } from "./testing";
 
-Object.assign(globalThis, { IS_REACT_ACT_ENVIRONMENT: true });
+const at = place();
 
-let host: HTMLElement;
-let root: Root;
 let committed: number[];
 
 beforeEach(() => {
-  host = document.createElement("div");
-  document.body.append(host);
-  root = createRoot(host);
   committed = [];
 });
 afterEach(() => {
-  act(() => root.unmount());
-  host.remove();
   useUnitStore.setState({ unit: "mm" });
 });
 
 function show(props: Partial<Parameters<typeof NumberField>[0]> = {}): HTMLInputElement {
-  act(() => root.render(<NumberField label="X" value={10} onCommit={(value) => committed.push(value)} {...props} />));
-  const field = host.querySelector("input");
+  at.show(<NumberField label="X" value={10} onCommit={(value) => committed.push(value)} {...props} />);
+  const field = at.host.querySelector("input");
   if (!field) throw new Error("no field");
   return field;
 }

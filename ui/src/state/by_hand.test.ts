@@ -6,7 +6,7 @@ const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(async () => {}), 
 vi.mock("../platform", () => ({ platform, Refused: class Refused extends Error {} }));
 
 import type { MachineViewResponse } from "../generated/responses";
-import { machineState } from "../features/run/testing";
+import { machineState } from "./testing";
 import programs from "../scene/fixtures/programs.json";
 import type { Played, PlayedStep, Vec3 } from "../scene/interface";
 import { type Run, runs } from "../scene/poses";

@@ -5,26 +5,11 @@ const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(), listen: vi.fn(
 vi.mock("../platform", () => ({ platform, Refused: class Refused extends Error {} }));
 
 import type { DesignView, EditMade, ViewChange } from "../generated/responses";
-import { type DesignState, edit, redo, showDesign, undo, useDesign } from "./design";
+import { edit, redo, showDesign, undo, useDesign } from "./design";
 import { useProblems } from "./problems";
+import { designState as state } from "./testing";
 import { inTurn, replacingDesign } from "./turns";
 
-const state = (given: Partial<DesignState> = {}): DesignState => ({
-  changed: false,
-  doublings: [],
-  file: null,
-  machine: null,
-  material: null,
-  name: "A",
-  next: [1, 1],
-  notes: "",
-  redo: null,
-  start: null,
-  undo: null,
-  units: "mm",
-  unkept: null,
-  ...given,
-});
 const view = (given: Partial<DesignView> = {}): DesignView => ({ state: state(), vertices: [], edges: [], stencil: null, ...given }) as DesignView;
 const made = (x: number): EditMade => {
   const change: Partial<ViewChange> = { vertices: [{ id: 0, at_mm: [x, 0, 0], support: false }], edges: [], gone_vertices: [], gone_edges: [], stencil: false, state: state({ name: `${x}` }) };

@@ -7,26 +7,9 @@ vi.mock("../platform", () => ({ platform, Refused: class Refused extends Error {
 import { useProblems } from "./problems";
 import { answer, hearOperator, isOpen, loadPorts, order, stop, useRun } from "./run";
 import type { MachineState, Question } from "./operator";
+import { machineState } from "./testing";
 
-const state = (given: Partial<MachineState> = {}): MachineState => ({
-  phase: "ready",
-  machine: "wirebend-kit",
-  port: "sim",
-  simulated: true,
-  identity: null,
-  driver: null,
-  position: null,
-  settings: [],
-  wire: null,
-  can: ["home"],
-  busy: false,
-  doing: null,
-  question: null,
-  recorded: 0,
-  problem: null,
-  unfinished: null,
-  ...given,
-});
+const state = (given: Partial<MachineState> = {}): MachineState => ({ ...machineState("ready", "home"), port: "sim", simulated: true, ...given });
 
 beforeEach(() => {
   vi.useFakeTimers();

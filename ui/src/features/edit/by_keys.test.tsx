@@ -1,7 +1,6 @@
 // @vitest-environment happy-dom
 import { act } from "react";
-import { createRoot, type Root } from "react-dom/client";
-import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { beforeEach, describe, expect, it, vi } from "vitest";
 
 const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(async () => {}), listen: vi.fn() }));
 vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
@@ -10,30 +9,21 @@ import { useDesign } from "../../state/design";
 import { select, useSelection } from "../../state/selection";
 import { AddVertex } from "./AddVertex";
 import { VertexTable } from "./VertexTable";
+import { place } from "../../shared/testing";
 
-Object.assign(globalThis, { IS_REACT_ACT_ENVIRONMENT: true });
-
-let host: HTMLElement;
-let root: Root;
+const at = place();
 
 beforeEach(() => {
-  host = document.createElement("div");
-  document.body.append(host);
-  root = createRoot(host);
   platform.ask.mockReset().mockReturnValue(new Promise(() => {}));
   useDesign.setState({ vertices: new Map([3, 5].map((id) => [id, { id, at: [id, 0, 0], support: false }])), edges: new Map() });
-});
-afterEach(() => {
-  act(() => root.unmount());
-  host.remove();
 });
 
 const press = (on: Element | undefined | null, init: KeyboardEventInit) => act(() => void on?.dispatchEvent(new KeyboardEvent("keydown", { bubbles: true, cancelable: true, ...init })));
 
 describe("without a pointer", () => {
   it("a vertex is added where its figures say, with the one that was typed last", async () => {
-    act(() => root.render(<AddVertex />));
-    const fields = [...host.querySelectorAll("input")];
+    at.show(<AddVertex />);
+    const fields = [...at.host.querySelectorAll("input")];
     for (const [k, text] of ["12.5", "-3", "40"].entries()) {
       const field = fields[k];
       if (!field) throw new Error("no field");
@@ -51,8 +41,8 @@ describe("without a pointer", () => {
   });
 
   it("several vertices are selected in the table, in the order in which they are to be connected", () => {
-    act(() => root.render(<VertexTable />));
-    const rows = [...host.querySelectorAll(".vertex-id")];
+    at.show(<VertexTable />);
+    const rows = [...at.host.querySelectorAll(".vertex-id")];
     act(() => select([5]));
     press(rows[0], { key: "Enter", ctrlKey: true });
     expect([...useSelection.getState().vertices]).toEqual([5, 3]);

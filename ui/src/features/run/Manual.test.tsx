@@ -1,35 +1,25 @@
 // @vitest-environment happy-dom
 import { act } from "react";
-import { createRoot, type Root } from "react-dom/client";
-import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { beforeEach, describe, expect, it, vi } from "vitest";
 
 const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(async () => {}), listen: vi.fn() }));
 vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
 
 import { useRun } from "../../state/run";
 import { Manual } from "./Manual";
-import { machineState } from "./testing";
+import { machineState } from "../../state/testing";
+import { place } from "../../shared/testing";
 
-Object.assign(globalThis, { IS_REACT_ACT_ENVIRONMENT: true });
-
-let host: HTMLElement;
-let root: Root;
+const at = place();
 
 beforeEach(() => {
-  host = document.createElement("div");
-  document.body.append(host);
-  root = createRoot(host);
   platform.ask.mockReset().mockReturnValue(new Promise(() => {}));
   useRun.setState({ recorded: [] });
-  act(() => root.render(<Manual state={machineState("ready", "jog")} />));
-});
-afterEach(() => {
-  act(() => root.unmount());
-  host.remove();
+  at.show(<Manual state={machineState("ready", "jog")} />);
 });
 
 function field(label: string): HTMLInputElement {
-  const found = host.querySelector<HTMLInputElement>(`input[aria-label^="${label}"]`);
+  const found = at.host.querySelector<HTMLInputElement>(`input[aria-label^="${label}"]`);
   if (!found) throw new Error(`no field ${label}`);
   return found;
 }

@@ -1,6 +1,5 @@
 // @vitest-environment happy-dom
 import { act } from "react";
-import { createRoot, type Root } from "react-dom/client";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 
 const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(async () => {}), listen: vi.fn() }));
@@ -11,32 +10,25 @@ import { useRun } from "../../state/run";
 import { useUi } from "../../state/ui";
 import { RunSection } from "./RunSection";
 import { SessionStop } from "./StopButton";
-import { machineState } from "./testing";
+import { machineState } from "../../state/testing";
+import { place } from "../../shared/testing";
 
-Object.assign(globalThis, { IS_REACT_ACT_ENVIRONMENT: true });
-
-let host: HTMLElement;
-let root: Root;
+const at = place();
 
 beforeEach(() => {
-  host = document.createElement("div");
-  document.body.append(host);
-  root = createRoot(host);
   platform.ask.mockReset().mockReturnValue(new Promise(() => {}));
   platform.stop.mockClear();
   useUi.setState({ open: ["run"] });
 });
 afterEach(() => {
-  act(() => root.unmount());
-  host.remove();
   useRun.setState({ state: null });
 });
 
-const buttons = (): string[] => [...host.querySelectorAll("button")].map((button) => button.textContent ?? "");
+const buttons = (): string[] => [...at.host.querySelectorAll("button")].map((button) => button.textContent ?? "");
 
 it("has a button to connect a machine that has failed again: its problem says to do so", () => {
   useRun.setState({ state: machineState("failed", "home", "disconnect") });
-  act(() => root.render(<RunSection />));
+  at.show(<RunSection />);
   expect(buttons()).toEqual(expect.arrayContaining(["Connect again", "Home", "Disconnect"]));
   act(() => useRun.setState({ state: machineState("ready", "home", "disconnect") }));
   expect(buttons()).not.toContain("Connect again");
@@ -50,9 +42,9 @@ it("stops the machine out of any dialog, which makes STOP in the top bar inert, 
       </Dialog>
     </DialogHead>
   );
-  act(() => root.render(about));
-  expect(host.querySelector("dialog .stop-button")).toBeNull();
+  at.show(about);
+  expect(at.host.querySelector("dialog .stop-button")).toBeNull();
   act(() => useRun.setState({ state: machineState("homing") }));
-  act(() => void host.querySelector("dialog .stop-button")?.dispatchEvent(new PointerEvent("pointerdown", { button: 0, bubbles: true })));
+  act(() => void at.host.querySelector("dialog .stop-button")?.dispatchEvent(new PointerEvent("pointerdown", { button: 0, bubbles: true })));
   expect(platform.stop).toHaveBeenCalledOnce();
 });

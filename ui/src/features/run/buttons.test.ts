@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { buttons, doingPhrase, phrase } from "./buttons";
-import { machineState as state } from "./testing";
+import { machineState as state } from "../../state/testing";
 
 const READY = { program: true, feasible: true };
 

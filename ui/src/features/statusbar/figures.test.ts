@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { DiagnosticReport, LiveCheck, WireFigures } from "../../generated/responses";
 import type { DesignState } from "../../state/design";
+import { designState } from "../../state/testing";
 import { checksPhrase, figures, savedPhrase, workPhrase } from "./figures";
 
 const wire = (given: Partial<WireFigures> = {}): WireFigures => ({
@@ -35,22 +36,7 @@ describe("figures", () => {
   });
 });
 
-const state = (given: Partial<DesignState>): DesignState => ({
-  changed: false,
-  doublings: [],
-  file: "/there/bunny.wirebend",
-  machine: null,
-  material: null,
-  name: "bunny",
-  next: [0, 0],
-  notes: "",
-  redo: null,
-  start: null,
-  undo: null,
-  units: "mm",
-  unkept: null,
-  ...given,
-});
+const state = (given: Partial<DesignState>): DesignState => designState({ file: "/there/bunny.wirebend", ...given });
 
 describe("savedPhrase", () => {
   it("says what a file has, and passes on that nothing is kept", () => {
