@@ -6,13 +6,13 @@ import { button, Driven, section, says } from "../support/installed.ts";
 import { seat } from "../support/seat.ts";
 
 /** How long the page does nothing else, ms. */
-const BUSY = 6000;
+const BUSY = 4000;
 
 const at = seat();
 
 /** When a STOP was out, by the log file. */
 function stops(home: string): number[] {
-  const folder = join(home, "data", "wirebend", "log");
+  const folder = join(home, "data", "wirebend", "state", "log");
   const lines = readdirSync(folder).flatMap((name) => readFileSync(join(folder, name), "utf8").split("\n"));
   return lines.filter((line) => / STOP /.test(line)).map((line) => Date.parse(line.trim().split(/\s+/)[0] ?? ""));
 }
@@ -22,11 +22,10 @@ it("stops the machine by its key while the page is too busy to hear of it", asyn
   try {
     await driven.click(button("Skip")).catch(() => {});
     await driven.click(button("All examples"));
-    await driven.click("//button[contains(@class,'card')][.//*[normalize-space(.)='House']]");
+    await driven.click("//dialog//button[contains(@class,'card')][.//*[normalize-space(.)='House']]");
     await driven.until(says("can be made"), "the house can be made");
     await driven.click(section("Run"));
-    // In real time: it would take minutes.
-    await driven.choose("#section-run select", "sim");
+    await driven.choose("#section-run select", "sim:10");
     await driven.click(button("Connect"));
     await driven.click("//section[@id='section-run']" + button("Home"));
     await driven.click("//section[@id='section-run']" + button("Arm…"));

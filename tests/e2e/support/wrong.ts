@@ -52,8 +52,8 @@ export function wrongFiles(document: string, job: string): readonly Wrong[] {
     { name: "prose.wirebend", contents: "Dear wire,", reason: /line 1, column 1/ },
     { name: "newer.wirebend", contents: changed(document, /"version":\s*\d+/, '"version":999'), reason: /version 999 is newer/ },
     { name: "spoilt.wirebend", contents: changed(document, /"x_mm"|"vertices"|"edges"/, '"banana"'), reason: /unknown field `banana`/ },
-    { name: "newer.wbjob", contents: changed(job, /"version":\s*\d+/, '"version":999'), reason: /is a job: it is run, not edited/ },
-    { name: "byte.wbjob", contents: changed(job, /(\d)(\d\.\d)/, "9$2"), reason: /is a job/ },
-    { name: "good.wbjob", contents: job, reason: /job/ },
+    { name: "newer.wbjob", contents: changed(job, /"version":\s*\d+/, '"version":999'), reason: /version 999 is newer/ },
+    { name: "byte.wbjob", contents: changed(job, /(\d)(\d\.\d)/, "9$2"), reason: /hash/ },
+    { name: "good.wbjob", contents: job, reason: /is a job: it is run, not edited/ },
   ];
 }

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use wirebend_files::read::Format;
 
 use super::Desk;
-use crate::export::is_job;
+use crate::export::{is_job, open_job};
 use crate::report::NoteReport;
 use crate::{AppError, DesignInput, Progress};
 
@@ -65,6 +65,8 @@ impl Desk {
     ) -> Result<LookResponse, AppError> {
         let (name, bytes) = asked.design.input.load()?;
         if is_job(&name, &bytes) {
+            // One that is damaged, or of another version, is told as that.
+            open_job(&name, &bytes)?;
             let none = LookResponse {
                 name,
                 format: "wbjob".to_owned(),
