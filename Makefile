@@ -47,7 +47,7 @@ run: check-tools ## open the window on a sample with the simulated machine; with
 	fi
 
 .PHONY: run-window
-run-window: build window ## open the window on the house
+run-window: window ## open the window on the house
 	target/release/wirebend-kit $(HOUSE)
 
 .PHONY: run-commands
@@ -95,9 +95,11 @@ ui/dist/index.html: ui/node_modules/.package-lock.json $(UI_SOURCES)
 	$(NPM) run --silent build
 	@touch $@
 
+# All in one go: what they share is built once, for all of them.
 .PHONY: window
-window: check-tools window-tools ui/dist/index.html ## the window, in target/release
-	cargo build --release --package wirebend-window --features custom-protocol
+window: check-tools window-tools ui/dist/index.html ## the window, the program and its drivers, in target/release
+	cargo build --release --package wirebend-window --features wirebend-window/custom-protocol --package wirebend-cli \
+		$(DRIVERS:%=--package wirebend-driver-%)
 
 # What is in the packages beside the window: the command line, and the drivers in a folder of their own.
 PACKAGES := target/package
@@ -109,11 +111,11 @@ REPACK = dpkg-deb --raw-extract target/release/bundle/deb/*.deb $(UNPACKED) \
 	&& dpkg-deb --root-owner-group -Zxz --build $(UNPACKED) $(PACKAGES)/ >/dev/null && rm -r $(UNPACKED)
 
 .PHONY: package
-package: build window-tools ui/dist/index.html ## .deb and .rpm with window, command line, drivers and profiles, in target/package
+package: window ## .deb and .rpm with window, command line, drivers and profiles, in target/package
 	@rm -rf $(PACKAGES) target/release/bundle && mkdir -p $(PACKAGES)/drivers
 	cp $(foreach driver,$(subst -,_,$(DRIVERS)),target/release/libwirebend_driver_$(driver).so) $(PACKAGES)/drivers/
 	strip --strip-unneeded $(PACKAGES)/drivers/*.so
-	cd src-tauri && ../ui/node_modules/.bin/tauri build --bundles deb,rpm --config '{"build": {"beforeBuildCommand": ""}}'
+	cd src-tauri && ../ui/node_modules/.bin/tauri bundle --bundles deb,rpm
 	cp target/release/bundle/rpm/*.rpm $(PACKAGES)/
 	$(REPACK)
 	@ls -l $(PACKAGES)
@@ -121,7 +123,7 @@ package: build window-tools ui/dist/index.html ## .deb and .rpm with window, com
 # Its runtime is fetched while it is made, so that it belongs to releases alone.
 .PHONY: appimage
 appimage: package ## an AppImage besides, in target/package (fetches its runtime)
-	cd src-tauri && ../ui/node_modules/.bin/tauri build --bundles appimage --config '{"build": {"beforeBuildCommand": ""}, "bundle": {"linux": {"appimage": {"files": {"/usr/lib/wirebend/drivers": "../target/package/drivers"}}}}}'
+	cd src-tauri && ../ui/node_modules/.bin/tauri bundle --bundles appimage --config '{"bundle": {"linux": {"appimage": {"files": {"/usr/lib/wirebend/drivers": "../target/package/drivers"}}}}}'
 	cp target/release/bundle/appimage/*.AppImage $(PACKAGES)/
 
 .PHONY: test
@@ -161,8 +163,8 @@ clean-debian: package browser-tools tests/e2e/node_modules/.package-lock.json ##
 	cp $(PACKAGES)/wirebend-kit_*.deb $(CLEAN)/
 	@chroot $(CLEAN) sh -c 'DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends ./wirebend-kit_*.deb webkit2gtk-driver fonts-dejavu-core && useradd -m -u 1000 person'
 	@mount -t proc proc $(CLEAN)/proc && mount --bind /dev $(CLEAN)/dev && trap 'umount $(CLEAN)/proc $(CLEAN)/dev' EXIT \
-		&& WIREBEND_ROOT=$(CURDIR)/$(CLEAN) npm --prefix tests/e2e run --silent installed \
-		&& WIREBEND_ROOT=$(CURDIR)/$(CLEAN) WIREBEND_USER=1000 npm --prefix tests/e2e run --silent installed
+		&& WIREBEND_ROOT=$(CURDIR)/$(CLEAN) npm --prefix tests/e2e run --silent elsewhere \
+		&& WIREBEND_ROOT=$(CURDIR)/$(CLEAN) WIREBEND_USER=1000 npm --prefix tests/e2e run --silent elsewhere
 
 .PHONY: screenshots
 screenshots: window-tools browser-tools ui/dist/index.html tests/e2e/node_modules/.package-lock.json ## the pictures of the README, in docs/pictures
@@ -180,7 +182,7 @@ bench: check-tools check-python ## figures of this machine, ours and the peer's 
 
 # The installed window is that of the package that is there; its name and time are in the table.
 .PHONY: bench-window
-bench-window: build window-tools browser-tools ui/dist/index.html tests/e2e/node_modules/.package-lock.json ## the window's part of them: drag, stencil, start, memory; makes the package where there is none
+bench-window: window browser-tools tests/e2e/node_modules/.package-lock.json ## the window's part of them: drag, stencil, start, memory; makes the package where there is none
 	@ls $(PACKAGES)/wirebend-kit_*.deb >/dev/null 2>&1 || $(MAKE) --no-print-directory package
 	cargo build --release --package wirebend-tests-loopback
 	npm --prefix tests/e2e run --silent bench
@@ -210,11 +212,9 @@ fmt-check:
 lint: ui/dist/index.html ## clippy on everything
 	cargo clippy --workspace --all-targets -- -D warnings
 
-# The window's adapters are tested as they are built for the package: its toolkit is compiled once.
 .PHONY: unit
 unit: ui/dist/index.html
-	cargo test --workspace --exclude wirebend-window
-	cargo test --release --package wirebend-window --features custom-protocol
+	cargo test --workspace
 
 .PHONY: doc
 doc:
@@ -236,7 +236,7 @@ generate-check:
 # Fuzz targets are outside the workspace; compiled here so that they do not rot.
 .PHONY: fuzz-check
 fuzz-check:
-	cargo check --manifest-path fuzz/Cargo.toml
+	cargo check --manifest-path fuzz/Cargo.toml --target-dir target
 
 # Not optimised: it runs for a second, and takes minutes to build otherwise.
 # Fetching brings the crates of other systems too, whose licences are looked at although nothing here builds them.

@@ -84,6 +84,8 @@ describe("the window of the package", () => {
       // A file.
       const file = `${driven.home}/truss.txt`;
       await driven.click(section("Export"));
+      // What comes after it moves when it comes.
+      await driven.until("document.querySelector('#section-export .preview pre')", "the beginning of the file is shown");
       const field = "//section[@id='section-export']//input[@placeholder='choose a place']";
       await driven.until(`document.evaluate(${JSON.stringify(field)}, document, null, 9, null).singleNodeValue`, "there is a place for the file");
       const found = await driven.client.findElement("xpath", field);
