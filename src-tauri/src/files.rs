@@ -41,7 +41,7 @@ impl FilesToOpen {
     }
 }
 
-/// The files that a command line names, seen from the folder that it was given in.
+/// The files that a command line names after the program, seen from the folder that it was given in.
 pub(crate) fn named(words: &[OsString], folder: &Path) -> Vec<PathBuf> {
     let is_option = |word: &OsString| word.as_encoded_bytes().starts_with(b"-");
     words.iter().skip(1).filter(|word| !is_option(word)).map(|word| folder.join(word)).collect()

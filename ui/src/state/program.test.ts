@@ -5,8 +5,9 @@ const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(), listen: vi.fn(
 vi.mock("../platform", () => ({ platform, Refused: class Refused extends Error {} }));
 
 import type { MachineViewResponse, MadeResponse, PlayedWire, ProgramResponse } from "../generated/responses";
-import { type DesignState, useDesign } from "./design";
+import { useDesign } from "./design";
 import { endLive, forgetProgram, goTo, isUpToDate, makeProgram, show, showLive, simulate, usePlayback, useProgram } from "./program";
+import { designState } from "./testing";
 
 const step = (feed: number, bend: number): PlayedWire["steps"][number] => ({
   designed: { feed_mm: feed, rotate_deg: 0, bend_deg: bend },
@@ -30,21 +31,7 @@ const wire: PlayedWire = {
 const program: ProgramResponse = { job_hash: "a1", diameter_mm: 3, feasible: true, machine: "kit", material: "al", wires: [wire], without: 0 };
 const view = { id: "kit", shapes: [], pivot_mm: [12, 0, 0] } as unknown as MachineViewResponse;
 const made: MadeResponse = { by_machine: true, notes: [], wires: [{ corners_mm: wire.corners_mm, wire_mm: [], deviations_mm: [0, 0.1, 0.2], worst_mm: 0.2 }] };
-const state: DesignState = {
-  changed: false,
-  doublings: [],
-  file: null,
-  machine: "kit",
-  material: "al",
-  name: "U",
-  next: [3, 2],
-  notes: "",
-  redo: null,
-  start: null,
-  undo: null,
-  units: "mm",
-  unkept: null,
-};
+const state = designState({ machine: "kit", material: "al", name: "U", next: [3, 2] });
 
 beforeEach(() => {
   forgetProgram();

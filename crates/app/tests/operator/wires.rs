@@ -2,7 +2,7 @@
 
 use serde_json::json;
 use wirebend_app::{
-    Answer, Decision, Move, Order, OrderName, Outcome, Phase, QuestionKind, RunHow, RunOutcome,
+    Answer, Decision, Input, Move, Order, OrderName, Outcome, Phase, QuestionKind, RunHow, RunOutcome,
 };
 
 use crate::shop::Shop;
@@ -96,25 +96,26 @@ fn what_is_no_wire_of_this_machine_is_refused() {
     assert_eq!(seat.until_problem().0, "nothing-begun");
 }
 
+/// A window is closed in the middle of a wire, after so many steps.
+fn leave_after(shop: &Shop, job: &Input, made: u32) {
+    let seat = shop.simulated("sim:10");
+    seat.start(job);
+    seat.until_made(made);
+}
+
 /// The journals are the same: what the window has begun the command line goes on with, and the other way round.
 #[test]
 fn an_interrupted_wire_is_gone_on_with_wherever_a_person_likes() {
     let shop = Shop::new();
     let job = shop.cube("wirebend-kit");
-    let seat = shop.simulated("sim:10");
-    seat.start(&job);
-    seat.until_made(2);
-    drop(seat);
+    leave_after(&shop, &job, 2);
     let made = shop.run(&job, "sim:max", RunHow::Resume { decided: Some(Decision::NotMade) }).unwrap();
     assert_eq!(made.wires[0].outcome, RunOutcome::Made);
     assert_eq!(shop.record().outcome, Outcome::Finished);
 
     // Nobody is there to say that a second one may go on: it is stopped where nobody can be asked.
     let shop = Shop::new();
-    let seat = shop.simulated("sim:10");
-    seat.start(&job);
-    seat.until_made(1);
-    drop(seat);
+    leave_after(&shop, &job, 1);
     let asked = shop.run(&job, "sim:10", RunHow::Resume { decided: None }).unwrap_err();
     assert_eq!(asked.code(), "in-doubt");
     // A new window offers it by itself.
@@ -142,10 +143,7 @@ fn an_interrupted_wire_is_gone_on_with_wherever_a_person_likes() {
 fn a_wire_whose_journal_is_damaged_is_given_up() {
     let shop = Shop::new();
     let job = shop.cube("wirebend-kit");
-    let seat = shop.simulated("sim:10");
-    seat.start(&job);
-    seat.until_made(1);
-    drop(seat);
+    leave_after(&shop, &job, 1);
     let runs = std::fs::read_dir(shop.folder.path().join("runs")).unwrap();
     let is_journal = |path: &std::path::PathBuf| path.extension().is_some_and(|end| end == "journal");
     let journal = runs.map(|entry| entry.unwrap().path()).find(is_journal).unwrap();
@@ -168,10 +166,7 @@ fn a_wire_whose_journal_is_damaged_is_given_up() {
 fn a_wire_of_a_real_machine_does_not_go_on_where_nobody_has_named_one() {
     let shop = Shop::new();
     let job = shop.cube("wirebend-kit");
-    let seat = shop.simulated("sim:10");
-    seat.start(&job);
-    seat.until_made(1);
-    drop(seat);
+    leave_after(&shop, &job, 1);
     let seat = shop.connect("wirebend-kit", None);
     assert_eq!(seat.until_phase(Phase::Connected).port.as_deref(), Some("sim"));
     seat.resume(&job);

@@ -64,9 +64,9 @@ fn in_metres(p: &Point3<f64>) -> [f32; 3] {
     [p.x, p.z, -p.y].map(|mm| (mm / 1000.0) as f32)
 }
 
-/// A convex face as a fan.
+/// A convex face of three corners or more as a fan around its first.
 fn triangles(face: &[usize]) -> Vec<u32> {
-    let fan = face.windows(2).skip(1).flat_map(|pair| [face[0], pair[0], pair[1]]);
+    let fan = face[1..].windows(2).flat_map(|pair| [face[0], pair[0], pair[1]]);
     fan.map(|corner| u32::try_from(corner).unwrap_or(u32::MAX)).collect()
 }
 
