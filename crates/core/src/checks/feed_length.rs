@@ -44,19 +44,19 @@ pub(super) fn check(wire: &Wire, found: &mut Vec<Diagnostic>) {
 fn judge(wire: &Wire, step: usize, designed: Length, feed: Length, found: &mut Vec<Diagnostic>) {
     let least = &wire.limits.least_feed;
     let room = (feed - least.value).mm();
-    let fed = format!("{} ({designed:.1} as designed) is fed {feed:.1}", edges(wire, step));
+    let fed = || format!("{} ({designed:.1} as designed) is fed {feed:.1}", edges(wire, step));
     let most = wire.limits.most_stock.as_ref().map(|stock| (stock.value - wire.limits.tail.value, stock));
     let (code, severity, limit, message, help) = if room < 0.0 {
         let message =
-            format!("{fed} after compensation; the machine cannot feed less than {:.1}", least.value);
+            format!("{} after compensation; the machine cannot feed less than {:.1}", fed(), least.value);
         let help = format!("make the edge at least {:.1} longer", Length::computed(-room));
         (Code::FeedTooShort, Severity::Error, (least.value, &least.source), message, help)
     } else if let Some((longest, stock)) = most.filter(|(longest, _)| feed > *longest) {
-        let message = format!("{fed}; the stock without its tail is only {longest:.1}");
+        let message = format!("{}; the stock without its tail is only {longest:.1}", fed());
         let help = "divide the edge among two wires".to_owned();
         (Code::FeedTooLong, Severity::Error, (longest, &stock.source), message, help)
     } else if is_near(room, least.value.mm()) {
-        let message = format!("{fed} after compensation; the shortest feed is {:.1}", least.value);
+        let message = format!("{} after compensation; the shortest feed is {:.1}", fed(), least.value);
         let help = "leave it, or make the edge a little longer".to_owned();
         (Code::FeedNearLimit, Severity::Warning, (least.value, &least.source), message, help)
     } else {

@@ -55,6 +55,19 @@ struct Way {
     from: usize,
 }
 
+/// Nanoseconds that a bend takes to its own side and to the other.
+#[derive(Debug, Clone, Copy)]
+struct BendCost {
+    kept: i64,
+    flipped: i64,
+}
+
+impl BendCost {
+    const fn of(self, flipped: bool) -> i64 {
+        if flipped { self.flipped } else { self.kept }
+    }
+}
+
 /// Chooses for every bend its sign and the winding of the head, so that the head stays within its
 /// limits and the time is least; no other choice is faster (dynamic programming over all of them).
 ///
@@ -74,12 +87,21 @@ pub fn schedule(
     if bends.is_empty() {
         return Ok(unturned(program));
     }
+    let costs: Vec<BendCost> = bends
+        .iter()
+        .map(|&step| {
+            let bend = program.steps[step].bend;
+            // A bend that cannot be made weighs more than any number of turns.
+            let cost = |bend| nanoseconds(bend_seconds(bend).unwrap_or(1.0e6));
+            BendCost { kept: cost(bend), flipped: cost(-bend) }
+        })
+        .collect();
     // The wire is round: before the first bend it has no side, so that bend is made with the head at
     // zero, to either side.
     let mut best: Option<(i64, Vec<Way>)> = None;
     let mut refused = None;
     for flipped in [false, true] {
-        match fastest(program, &bends, limits, &bend_seconds, flipped) {
+        match fastest(program, &bends, &costs, limits, flipped) {
             Ok((spent, ways)) if best.as_ref().is_none_or(|(least, _)| spent < *least) => {
                 best = Some((spent, ways));
             }
@@ -101,38 +123,33 @@ fn unturned(program: &NominalProgram) -> ScheduledProgram {
 fn fastest(
     program: &NominalProgram,
     bends: &[usize],
+    costs: &[BendCost],
     limits: &HeadLimits,
-    bend_seconds: &impl Fn(Angle) -> Option<f64>,
     first_flipped: bool,
 ) -> Result<(i64, Vec<Way>), RotationOutOfRange> {
-    let bend_cost = |step: usize, flipped: bool| {
-        let bend = program.steps[step].bend;
-        // A bend that cannot be made weighs more than any number of turns.
-        nanoseconds(bend_seconds(if flipped { -bend } else { bend }).unwrap_or(1.0e6))
-    };
     let mut layers: Vec<Vec<Way>> = Vec::with_capacity(bends.len());
     layers.push(vec![Way {
         head: Angle::ZERO,
         flipped: first_flipped,
-        spent: bend_cost(bends[0], first_flipped),
+        spent: costs[0].of(first_flipped),
         from: 0,
     }]);
     // Where the head stands for a bend that is not flipped, up to whole turns. Rotations of steps
     // that bend nothing count towards the next bend.
     let mut stand = if first_flipped { Angle::HALF_TURN } else { Angle::ZERO };
-    for pair in bends.windows(2) {
+    for (pair, cost) in bends.windows(2).zip(&costs[1..]) {
         let turned: Angle = program.steps[pair[0] + 1..=pair[1]].iter().map(|step| step.rotate).sum();
         stand = (stand + turned).wrapped();
         let mut layer = Vec::new();
         for (head, flipped) in stands(stand, limits) {
-            let made = bend_cost(pair[1], flipped);
+            let made = cost.of(flipped);
             let reach = |way: &Way| {
                 let turn = nanoseconds((head - way.head).abs().deg() * limits.seconds_per_degree);
                 way.spent.saturating_add(turn).saturating_add(made)
             };
             let before = layers[layers.len() - 1].iter().enumerate();
-            if let Some((from, way)) = before.min_by_key(|&(k, way)| (reach(way), k)) {
-                layer.push(Way { head, flipped, spent: reach(way), from });
+            if let Some((spent, from)) = before.map(|(k, way)| (reach(way), k)).min() {
+                layer.push(Way { head, flipped, spent, from });
             }
         }
         if layer.is_empty() {
@@ -194,7 +211,8 @@ fn build(program: &NominalProgram, bends: &[usize], ways: &[Way]) -> ScheduledPr
 
 #[allow(clippy::cast_possible_truncation)] // a job takes hours, not centuries
 fn nanoseconds(seconds: f64) -> i64 {
-    (seconds * 1.0e9).round() as i64
+    // Rounds, since time is not negative; `round` is a call, and this runs once for every pair of ways.
+    (seconds * 1.0e9 + 0.5) as i64
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Connected components: each one that has edges is a wire of its own.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 use super::graph::{EdgeId, VertexId, Wireframe};
 
@@ -18,27 +19,25 @@ impl Wireframe {
     /// component without edges.
     #[must_use]
     pub fn components(&self) -> Vec<Component> {
-        let mut seen = BTreeSet::new();
         let mut component_of = BTreeMap::new();
         let mut components: Vec<Component> = Vec::new();
         for (start, _) in self.vertices() {
-            if !seen.insert(start) {
+            if component_of.contains_key(&start) {
                 continue;
             }
+            component_of.insert(start, components.len());
             let mut vertices = vec![start];
             let mut next = 0;
             while let Some(&vertex) = vertices.get(next) {
                 next += 1;
-                for edge in self.incident(vertex) {
-                    if let Some(other) = self.edge(edge).map(|edge| edge.other(vertex))
-                        && seen.insert(other)
-                    {
+                for other in self.neighbours(vertex) {
+                    if let Entry::Vacant(vacant) = component_of.entry(other) {
+                        vacant.insert(components.len());
                         vertices.push(other);
                     }
                 }
             }
             vertices.sort_unstable();
-            component_of.extend(vertices.iter().map(|&vertex| (vertex, components.len())));
             components.push(Component { vertices, edges: Vec::new() });
         }
         for (id, edge) in self.edges() {
@@ -53,16 +52,11 @@ impl Wireframe {
     /// edges in `doubled` count twice; a loop has both its ends at its vertex.
     #[must_use]
     pub fn odd_vertices(&self, component: &Component, doubled: &[EdgeId]) -> Vec<VertexId> {
-        let mut odd = BTreeSet::new();
-        for &id in component.edges.iter().chain(doubled) {
-            let Some(edge) = self.edge(id) else { continue };
-            for vertex in [edge.a, edge.b] {
-                if !odd.remove(&vertex) {
-                    odd.insert(vertex);
-                }
-            }
-        }
-        odd.into_iter().collect()
+        let ends = component.edges.iter().chain(doubled).filter_map(|&id| self.edge(id));
+        let mut ends: Vec<VertexId> = ends.flat_map(|edge| [edge.a, edge.b]).collect();
+        ends.sort_unstable();
+        let meeting = ends.chunk_by(PartialEq::eq);
+        meeting.filter(|ends| ends.len() % 2 == 1).map(|ends| ends[0]).collect()
     }
 }
 

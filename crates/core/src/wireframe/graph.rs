@@ -201,8 +201,13 @@ impl Wireframe {
     /// An edge by its id.
     #[must_use]
     pub fn edge(&self, id: EdgeId) -> Option<Edge> {
-        let (a, b) = self.graph.edge_endpoints(*self.edges.get(&id)?)?;
-        Some(Edge { a: self.graph.node_weight(a)?.0, b: self.graph.node_weight(b)?.0 })
+        let [(a, _), (b, _)] = self.ends(*self.edges.get(&id)?)?;
+        Some(Edge { a, b })
+    }
+
+    fn ends(&self, index: EdgeIndex) -> Option<[(VertexId, Vertex); 2]> {
+        let (a, b) = self.graph.edge_endpoints(index)?;
+        Some([*self.graph.node_weight(a)?, *self.graph.node_weight(b)?])
     }
 
     /// All vertices in order of id.
@@ -212,7 +217,10 @@ impl Wireframe {
 
     /// All edges in order of id.
     pub fn edges(&self) -> impl Iterator<Item = (EdgeId, Edge)> + '_ {
-        self.edges.keys().filter_map(|&id| Some((id, self.edge(id)?)))
+        self.edges.iter().filter_map(|(&id, &index)| {
+            let [(a, _), (b, _)] = self.ends(index)?;
+            Some((id, Edge { a, b }))
+        })
     }
 
     /// The edges at a vertex in order of id, a loop once; empty for a vertex that is not there.
@@ -227,18 +235,29 @@ impl Wireframe {
         edges
     }
 
+    /// The vertices at the other ends of the edges at a vertex, in no order, once for each edge.
+    pub(super) fn neighbours(&self, id: VertexId) -> impl Iterator<Item = VertexId> + '_ {
+        let index = self.vertices.get(&id).copied();
+        let around = index.into_iter().flat_map(|index| self.graph.neighbors(index));
+        around.filter_map(|index| self.graph.node_weight(index).map(|&(id, _)| id))
+    }
+
     /// From `from` to the other end of an edge, in mm; `None` when either is not there.
     #[must_use]
     pub fn direction(&self, edge: EdgeId, from: VertexId) -> Option<Vector3<f64>> {
-        let to = self.edge(edge)?.other(from);
-        Some(self.vertex(to)?.position - self.vertex(from)?.position)
+        let [(a, start), (b, end)] = self.ends(*self.edges.get(&edge)?)?;
+        if from == a {
+            return Some(end.position - start.position);
+        }
+        let at = if from == b { end } else { self.vertex(from)? };
+        Some(start.position - at.position)
     }
 
     /// The length of an edge; zero for one that is not there.
     #[must_use]
     pub fn edge_length(&self, id: EdgeId) -> Length {
-        let vector = self.edge(id).and_then(|edge| self.direction(id, edge.a));
-        Length::computed(vector.map_or(0.0, |v| v.norm()))
+        let ends = self.edges.get(&id).and_then(|&index| self.ends(index));
+        Length::computed(ends.map_or(0.0, |[(_, a), (_, b)]| (b.position - a.position).norm()))
     }
 
     /// The length of all edges together.
