@@ -114,7 +114,7 @@ export type Hovered =
 export interface SceneListener {
   selected(selection: Selection): void;
   hovered(what: Hovered | null): void;
-  /** While a selection is dragged, at most once a frame. */
+  /** While a selection is dragged: at the first move of a frame, and where the last has brought it. */
   dragging(moved: readonly Moved[]): void;
   /** The drag is over: one edit. The scene shows the new places until the design that it is given has them. */
   dropped(moved: readonly Moved[]): void;

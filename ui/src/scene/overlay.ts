@@ -42,6 +42,7 @@ export class Overlay {
   }
 
   readout(text: string | null): void {
+    if (this.number.textContent === (text ?? "")) return;
     this.number.style.display = text === null ? "none" : "block";
     this.number.textContent = text;
   }

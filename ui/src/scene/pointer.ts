@@ -12,7 +12,10 @@ export interface Place {
   readonly touch: boolean;
 }
 
-/** What a tool does with the left button and the pointer. `hover` and `drag` come once a frame at most. */
+/**
+ * What a tool does with the left button and the pointer. `hover` comes once a frame at most; so does `drag`, and once more at the
+ * first move of a frame.
+ */
 export interface ToolHandler {
   hover(at: Place | null): void;
   press(at: Place): void;
@@ -31,12 +34,19 @@ const STILL = 4;
 
 type Mode = "tool" | "turn" | "shift";
 
+const areSame = (a: Place, b: Place): boolean => a.x === b.x && a.y === b.y && a.shift === b.shift && a.ctrl === b.ctrl;
+
 export class Pointer {
   private mode: Mode | null = null;
   private pressed: Place | null = null;
   private last: Place | null = null;
   private far = false;
   private waiting: Place | null = null;
+  /** Whether a drag has been followed since the last frame: what comes then waits for the next. */
+  private followed = false;
+  private dragged: Place | null = null;
+  /** Of the canvas in the window, while it has the pointer: to ask for it lays the page out anew. */
+  private corner: { x: number; y: number } | null = null;
   /** Where it hovers, to look again when the view moves under it. */
   private hovering: Place | null = null;
   private left = false;
@@ -55,6 +65,8 @@ export class Pointer {
     };
     on("pointerdown", (event) => this.down(event));
     on("pointermove", (event) => this.move(event));
+    // Where there is such an event, a move is known by it up to a frame earlier.
+    on("pointerrawupdate", (event) => void (event instanceof PointerEvent && this.dragging && this.move(event)));
     on("pointerup", (event) => this.up(event));
     on("pointercancel", (event) => this.aborted(event));
     on("pointerleave", () => this.leave());
@@ -67,16 +79,14 @@ export class Pointer {
 
   /** What came since the last frame. */
   work(): void {
+    this.followed = false;
     const at = this.waiting;
     this.waiting = null;
     if (this.left) this.tool().hover(null);
     this.left = false;
     if (!at) return;
-    if (this.mode === "tool") {
-      if (this.far) this.tool().drag(at);
-    } else if (this.mode === null) {
-      this.tool().hover(at);
-    }
+    if (this.dragging) this.follow(at);
+    else if (this.mode === null) this.tool().hover(at);
   }
 
   dispose(): void {
@@ -97,7 +107,8 @@ export class Pointer {
     if (event.isTrusted) this.canvas.setPointerCapture(event.pointerId);
     this.work();
     const at = this.place(event);
-    [this.pressed, this.last, this.far] = [at, at, false];
+    this.corner = { x: event.clientX - at.x, y: event.clientY - at.y };
+    [this.pressed, this.last, this.far, this.dragged] = [at, at, false, null];
     if (event.button === 0 && !event.altKey) {
       this.mode = "tool";
       this.tool().press(at);
@@ -125,6 +136,21 @@ export class Pointer {
     this.waiting = at;
     this.hovering = at;
     this.schedule();
+    // At once: what is asked about it is answered while the frame waits.
+    if (!this.dragging || this.followed) return;
+    this.work();
+    this.followed = true;
+  }
+
+  private follow(at: Place): void {
+    // The same move, told a second time.
+    if (this.dragged && areSame(this.dragged, at)) return;
+    this.dragged = at;
+    this.tool().drag(at);
+  }
+
+  private get dragging(): boolean {
+    return this.mode === "tool" && this.far;
   }
 
   private up(event: PointerEvent): void {
@@ -132,9 +158,11 @@ export class Pointer {
     if (this.mode === null || this.touches.size > 0) return;
     this.work();
     const { mode, far } = this;
+    const at = this.place(event);
     this.mode = null;
     this.pressed = null;
-    if (mode === "tool") this.tool().release(this.place(event), far);
+    this.corner = null;
+    if (mode === "tool") this.tool().release(at, far);
     else if (event.button === 2 && !far) this.tool().context();
   }
 
@@ -143,6 +171,7 @@ export class Pointer {
     if (this.mode === "tool") this.tool().abort();
     this.mode = null;
     this.pressed = null;
+    this.corner = null;
     this.waiting = null;
   }
 
@@ -183,6 +212,8 @@ export class Pointer {
 
   private place(event: MouseEvent): Place {
     const touch = event instanceof PointerEvent && event.pointerType === "touch";
-    return { x: event.offsetX, y: event.offsetY, shift: event.shiftKey, ctrl: event.ctrlKey || event.metaKey, touch };
+    const { corner } = this;
+    const [x, y] = corner ? [event.clientX - corner.x, event.clientY - corner.y] : [event.offsetX, event.offsetY];
+    return { x, y, shift: event.shiftKey, ctrl: event.ctrlKey || event.metaKey, touch };
   }
 }

@@ -132,6 +132,8 @@ export class Stage {
   }
 
   setMarks(marks: SceneMarks): void {
+    // While a person drags, most answers say the same of every place.
+    if (areSame(marks, this.marks)) return;
     this.marks = marks;
     this.layer.mark(this.design, marks, this.removed);
     this.reselect();
@@ -303,6 +305,20 @@ export class Stage {
     const plane = drawing && this.plane ? this.plane : { ...ground, origin: [0, 0, low] as Vec3 };
     this.grid.show(plane, orbit.target, Math.max(orbit.distance * 1.6, ball.radius), this.spacing, this.theme, drawing);
   }
+}
+
+function areSame(a: SceneMarks, b: SceneMarks): boolean {
+  const verdicts = (a: SceneMarks["vertices"], b: SceneMarks["vertices"]): boolean => a.size === b.size && [...a].every(([id, verdict]) => b.get(id) === verdict);
+  const ids = (a: SceneMarks["odd"], b: SceneMarks["odd"]): boolean => a.size === b.size && [...a].every((id) => b.has(id));
+  return (
+    a.checked === b.checked &&
+    a.start?.vertex === b.start?.vertex &&
+    a.start?.towards === b.start?.towards &&
+    verdicts(a.vertices, b.vertices) &&
+    verdicts(a.edges, b.edges) &&
+    ids(a.odd, b.odd) &&
+    ids(a.doubled, b.doubled)
+  );
 }
 
 function disposeOf(object: Object3D): void {
