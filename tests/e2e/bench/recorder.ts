@@ -71,14 +71,16 @@ function record(): void {
   };
 
   const passive = { passive: true } as const;
+  // The first word of a move: the later one comes with the frame.
   window.addEventListener(
-    "pointermove",
-    ({ timeStamp, clientX, clientY }) => {
+    "pointerrawupdate",
+    (event) => {
+      const { timeStamp, clientX, clientY } = event as PointerEvent;
       kept.moves.push({ at: timeStamp, x: clientX, y: clientY });
-      moving = moved = true;
     },
     { ...passive, capture: true },
   );
+  window.addEventListener("pointermove", () => void (moving = moved = true), { ...passive, capture: true });
   window.addEventListener("pointermove", () => void (moving = false), passive);
   window.addEventListener("click", ({ timeStamp }) => void (kept.said = timeStamp), { ...passive, capture: true });
 
