@@ -74,6 +74,13 @@ it("says an edge is too short as soon as it is, and moves a vertex to mend it", 
   await line.getByRole("button", { name: "Fix…" }).waitFor();
   await editor.isCleanNow("check-short");
 
+  const annotation = editor.page.locator(".viewport div", { hasText: /^\S*\s*15\.0 mm/ });
+  await annotation.first().waitFor();
+  await check().getByLabel("Annotations in the view").uncheck();
+  await until(() => annotation.count()).toBe(0);
+  await check().getByLabel("Annotations in the view").check();
+  await annotation.first().waitFor();
+
   await line.getByRole("button", { name: "Fix…" }).click();
   const fix = check().locator(".fix", { hasText: /Move vertex/ }).first();
   await fix.getByRole("button", { name: "Preview" }).click();

@@ -93,6 +93,21 @@ it("moves by G, an axis and a typed distance", async () => {
   await until(() => editor.vertex(1)).toEqual(CORNER);
 });
 
+it("moves along the arrow of the gizmo alone", async () => {
+  await click(CORNER);
+  const { mouse } = editor.page;
+  const { x, y } = sight.at(CORNER);
+  // Half way along the arrow to the right.
+  await mouse.move(x + 40, y);
+  await mouse.down();
+  await mouse.move(x + 140, y - 60, { steps: 6 });
+  await mouse.up();
+  await until(async () => (await editor.vertex(1))[0]).toBeGreaterThan(45);
+  expect((await editor.vertex(1)).slice(1)).toEqual(CORNER.slice(1));
+  await press("Control+z");
+  await until(() => editor.vertex(1)).toEqual(CORNER);
+});
+
 it("takes what is typed into a cell, also in inches", async () => {
   const field = editor.page.getByRole("table", { name: "Vertices" }).getByLabel("Vertex 1, X, mm");
   await field.fill("2 in");
@@ -171,6 +186,11 @@ it("mirrors, arrays, scales, straightens, rounds", async () => {
   await click(RIDGE, { double: true });
   await until(selected).toMatch(/^6 vertices/);
   await operate("scale", /^Scale/, { Factor: "2" });
+  await until(selected).toBe("6 vertices · 6 edges · 584.0 mm");
+  await press("Control+z");
+  await until(selected).toBe("6 vertices · 6 edges · 292.0 mm");
+  // The height is its largest side.
+  await operate("scale", /^Scale/, { Size: "194.188948" });
   await until(selected).toBe("6 vertices · 6 edges · 584.0 mm");
   await press("Control+z");
   await until(selected).toBe("6 vertices · 6 edges · 292.0 mm");

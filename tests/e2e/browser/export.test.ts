@@ -102,10 +102,15 @@ it("writes a program of what the machine cannot make only when that is said", as
   await editor.isClean("export");
 });
 
-it("writes the document and the job to go on with", async () => {
+it("writes the document, the wireframe and the job to go on with", async () => {
   await editor.take("house", "export");
   await section().getByRole("button", { name: "Job…" }).click();
   await editor.messages.filter({ hasText: "The job is in" }).waitFor();
+  await section().getByRole("button", { name: "Wireframe…" }).click();
+  await editor.messages.filter({ hasText: "The wireframe is in" }).waitFor();
+  const { vertices, edges } = await editor.design();
+  const lines = readFileSync(into("House.obj"), "utf8").split("\n");
+  expect([lines.filter((line) => line.startsWith("v ")).length, lines.filter((line) => line.startsWith("l ")).length]).toEqual([vertices.length, edges.length]);
   await section().getByRole("button", { name: "Document…" }).click();
   await editor.page.getByRole("contentinfo").getByText("saved", { exact: true }).waitFor();
   expect(JSON.parse(readFileSync(into("House.wirebend"), "utf8"))).toBeTruthy();

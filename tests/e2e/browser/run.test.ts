@@ -94,6 +94,19 @@ it("homes, and moves by hand with what it tells of its place", async () => {
   await stands("ready");
 });
 
+it("shows what goes over the line both ways, filters it and clears it", async () => {
+  await run().getByRole("button", { name: /^Console/ }).click();
+  const log = run().getByRole("log", { name: "Lines to and from the machine" });
+  for (const way of ["to the machine", "from the machine"]) await log.getByRole("img", { name: way }).first().waitFor();
+  await run().getByLabel("Filter lines").fill("no machine says this");
+  await log.getByText("No line fits the filter.").waitFor();
+  await run().getByLabel("Filter lines").fill("");
+  await editor.isCleanNow("run-console");
+  await run().getByRole("button", { name: "Clear", exact: true }).last().click();
+  await log.getByText("Nothing was said yet.").waitFor();
+  await run().getByRole("button", { name: /^Console/ }).click();
+});
+
 it("keeps what was moved, writes it, and makes it again", async () => {
   await until(() => run().locator(".recorded li").allInnerTexts()).toEqual(["Feed 12.5 mm", "Rotate 90.0°", "Bend 45.0°", "Rotate −90.0°"]);
   await button("Save…").click();
