@@ -96,10 +96,16 @@ ui/dist/index.html: ui/node_modules/.package-lock.json $(UI_SOURCES)
 	@touch $@
 
 # All in one go: what they share is built once, for all of them.
+SHIPPED := --package wirebend-window --features wirebend-window/custom-protocol --package wirebend-cli $(DRIVERS:%=--package wirebend-driver-%)
 .PHONY: window
 window: check-tools window-tools ui/dist/index.html ## the window, the program and its drivers, in target/release
-	cargo build --release --package wirebend-window --features wirebend-window/custom-protocol --package wirebend-cli \
-		$(DRIVERS:%=--package wirebend-driver-%)
+	cargo build --release $(SHIPPED)
+
+# What tests load or start, as it is shipped; drivers for tests alone are built with it. The folder is handed to the tests, which
+# build all of it once more where they are run alone.
+.PHONY: built
+built: window
+	cargo build --release $(SHIPPED) --package wirebend-driver-host --package wirebend-driver-hostile --package wirebend-driver-template
 
 # What is in the packages beside the window: the command line, and the drivers in a folder of their own.
 PACKAGES := target/package
@@ -127,7 +133,8 @@ appimage: package ## an AppImage besides, in target/package (fetches its runtime
 	cp target/release/bundle/appimage/*.AppImage $(PACKAGES)/
 
 .PHONY: test
-test: check-tools firmware-tools window-tools browser-tools fmt-check ui-test lint unit doc tidy generate-check fuzz-check deny package e2e ## every check: format, lints, tests, documentation, tidiness, licences, the window in a browser and installed
+test: export WIREBEND_BUILT := $(CURDIR)/target/release
+test: check-tools firmware-tools window-tools browser-tools fmt-check ui-test lint built unit doc tidy generate-check fuzz-check deny package e2e ## every check: format, lints, tests, documentation, tidiness, licences, the window in a browser and installed
 
 .PHONY: ui-test
 ui-test: ui/dist/index.html ## types and tests of the editor
@@ -238,11 +245,11 @@ generate-check:
 fuzz-check:
 	cargo check --manifest-path fuzz/Cargo.toml --target-dir target
 
-# Not optimised: it runs for a second, and takes minutes to build otherwise.
+# Neither optimised nor for a debugger: it runs for a second, and takes minutes to build otherwise.
 # Fetching brings the crates of other systems too, whose licences are looked at although nothing here builds them.
 .PHONY: deny
 deny:
-	@cargo deny --version >/dev/null 2>&1 || cargo install cargo-deny --debug --locked --version $(CARGO_DENY_VERSION) --root $(TOOLS)
+	@cargo deny --version >/dev/null 2>&1 || CARGO_PROFILE_DEV_DEBUG=0 cargo install cargo-deny --debug --locked --version $(CARGO_DENY_VERSION) --root $(TOOLS)
 	cargo fetch --quiet --locked
 	cargo deny --offline --log-level error check licenses bans sources
 	@if ls -d "$${CARGO_HOME:-$$HOME/.cargo}"/advisory-dbs/*/ >/dev/null 2>&1; then \
