@@ -92,7 +92,8 @@ fn live_check(c: &mut Criterion) {
     });
     desk.ask_json(&open.to_string()).unwrap();
     let mut turn = 0.0_f64;
-    c.bench_function("live-check/column-1000-edges", |b| {
+    let mut group = c.benchmark_group("live-check");
+    group.bench_function("column-1000-edges", |b| {
         b.iter(|| {
             turn += 0.1;
             let at = [150.0 + turn.sin(), turn.cos(), 600.0];
@@ -100,6 +101,7 @@ fn live_check(c: &mut Criterion) {
             desk.ask_json(black_box(&check.to_string())).unwrap()
         });
     });
+    group.finish();
 }
 
 fn euler_path_and_doubling(c: &mut Criterion) {
