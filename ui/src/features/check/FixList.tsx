@@ -95,7 +95,6 @@ export function FixList({ fixes }: { readonly fixes: readonly Fix[] }) {
           <li key={index} className="fix">
             <div className="fix-title">{fix.title}</div>
             <div className="muted">{change(fix)}</div>
-            {now && <Figures fix={fix} />}
             <div className="row">
               <Button small pressed={now} onClick={() => showFix(now ? null : fix)}>
                 Preview
@@ -104,6 +103,8 @@ export function FixList({ fixes }: { readonly fixes: readonly Fix[] }) {
                 Apply
               </Button>
             </div>
+            {/* Below the buttons, which stay where the pointer is. */}
+            {now && <Figures fix={fix} />}
           </li>
         );
       })}

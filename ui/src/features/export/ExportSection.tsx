@@ -23,6 +23,7 @@ export function ExportSection() {
   const machine = useDesign((design) => design.state?.machine ?? null);
   const changes = useMachines((machines) => machines.changes);
   const opened = useFiles((files) => files.opened);
+  const empty = useDesign((design) => design.edges.size === 0);
   const format = chosenFormat(store);
   useEffect(() => {
     if (open && machine) void loadFormats();
@@ -43,8 +44,14 @@ export function ExportSection() {
       {format && (
         <>
           <FormatSettings format={format} />
-          <Preview format={format} />
-          <WriteFile key={`${opened} ${format.id}`} format={format} />
+          {empty ? (
+            <p className="muted">As soon as there is an edge, what would be written of it is shown here.</p>
+          ) : (
+            <>
+              <Preview format={format} />
+              <WriteFile key={`${opened} ${format.id}`} format={format} />
+            </>
+          )}
           <Part title="To go on later">
             <Later />
           </Part>

@@ -48,3 +48,13 @@ it("stops the machine out of any dialog, which makes STOP in the top bar inert, 
   act(() => void at.host.querySelector("dialog .stop-button")?.dispatchEvent(new PointerEvent("pointerdown", { button: 0, bubbles: true })));
   expect(platform.stop).toHaveBeenCalledOnce();
 });
+
+it("tells of a wire that was interrupted before anything is connected, and of none that is made", () => {
+  const run = { id: "1", name: "House", machine: "wirebend-kit", wire: 0, steps: 10, made: 3, interruptions: 1, material: null, problem: null, started: null, ended: null, job_hash: null, worst_deviation_mm: null };
+  useRun.setState({ state: null, runs: [{ ...run, outcome: "finished" }] });
+  at.show(<RunSection />);
+  expect(at.host.textContent).not.toContain("interrupted");
+  act(() => useRun.setState({ runs: [{ ...run, outcome: "unfinished" }] }));
+  expect(at.host.textContent).toContain("A wire was interrupted");
+  expect(at.host.textContent).toContain("House, 3 of 10 steps known to be made");
+});

@@ -1,6 +1,6 @@
 import { useEffect } from "react";
 import { Section } from "../../shared/Section";
-import { isOpen, takeUp, useRun } from "../../state/run";
+import { isOpen, loadRuns, takeUp, useRun } from "../../state/run";
 import { phrase } from "./buttons";
 import { Connect } from "./Connect";
 import { Console } from "./Console";
@@ -14,9 +14,13 @@ import "./run.css";
 /** The machine itself: connecting, moving, making. */
 export function RunSection() {
   const state = useRun((run) => run.state);
-  useEffect(() => void takeUp(), []);
+  const interrupted = useRun(({ state, runs }) => state === null && runs?.some(({ outcome }) => outcome === "unfinished") === true);
+  useEffect(() => {
+    void takeUp();
+    void loadRuns();
+  }, []);
   const connected = isOpen(state);
-  const tone = state?.phase === "failed" ? "error" : state?.phase === "stopped" || state?.unfinished ? "warning" : null;
+  const tone = state?.phase === "failed" ? "error" : state?.phase === "stopped" || state?.unfinished || interrupted ? "warning" : null;
   return (
     <>
       <Section id="run" title="Run" phrase={phrase(state)} tone={tone}>

@@ -1,4 +1,4 @@
-import { useLayoutEffect, useRef, useState } from "react";
+import { useEffect, useLayoutEffect, useRef, useState } from "react";
 import { Button } from "../../shared/Button";
 import { useDesign } from "../../state/design";
 import { dismissHints, goToHint, useHints } from "../../state/hints";
@@ -23,6 +23,11 @@ const HINTS: readonly Hint[] = [
 export function Hints() {
   const step = useHints((hints) => hints.step);
   const ready = useDesign(({ state }) => state !== null);
+  // Who has brought a shape needs not be told to.
+  const brought = useDesign(({ vertices, stencil }) => vertices.size > 0 || stencil !== null);
+  useEffect(() => {
+    if (step === 0 && brought) goToHint(1);
+  }, [step, brought]);
   const hint = step === null ? undefined : HINTS[step];
   if (!ready || step === null || !hint) return null;
   return <Bubble key={step} hint={hint} step={step} />;
