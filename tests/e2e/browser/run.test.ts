@@ -212,7 +212,7 @@ it("makes a wire from the first step to the last, and keeps a record of it", asy
   await editor.isCleanNow("run-made");
 });
 
-it("gives an interrupted wire up when that is said twice", async () => {
+it("tells of an interrupted wire after a crash, and gives it up when that is said twice", async () => {
   await button("Disconnect").click();
   await connect("sim:10");
   await arm();
@@ -220,6 +220,13 @@ it("gives an interrupted wire up when that is said twice", async () => {
   await until(async () => GONE_ON.has((await state()).phase)).toBe(true);
   await editor.page.keyboard.press("Control+Space");
   await stands("stopped");
+
+  // What is known of it outlives the program, and is told before a machine is connected.
+  await editor.crash();
+  await editor.take("house", "run");
+  await run().getByText("A wire was interrupted").waitFor();
+  await editor.isCleanNow("run-interrupted");
+  await connect("sim:10");
   await button("Give up…").click();
   await button("Give it up").click();
   await run().getByRole("group", { name: "Interrupted wire" }).waitFor({ state: "detached" });

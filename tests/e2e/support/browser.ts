@@ -40,7 +40,8 @@ export async function openPage(
     // A refusal is an answer, and the person is shown it.
     if (message.type() === "error" && !message.text().includes("422")) complaints.list.push(message.text());
   });
-  if (!hints) await page.addInitScript(() => localStorage.setItem("wirebend.hints", "seen"));
+  // An empty page has no storage.
+  if (!hints) await page.addInitScript(() => void (location.protocol === "http:" && localStorage.setItem("wirebend.hints", "seen")));
   await page.goto(url);
   return [page, complaints];
 }
