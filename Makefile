@@ -148,7 +148,7 @@ tests/e2e/node_modules/.package-lock.json: tests/e2e/package-lock.json
 
 # The editor in a real browser, and the installed package through WebDriver.
 .PHONY: e2e
-e2e: window-tools browser-tools ui/dist/index.html tests/e2e/node_modules/.package-lock.json
+e2e: package browser-tools tests/e2e/node_modules/.package-lock.json
 	cargo build --package wirebend-tests-loopback --package wirebend-driver-template $(DRIVERS:%=--package wirebend-driver-%)
 	npm --prefix tests/e2e run --silent browser
 	npm --prefix tests/e2e run --silent installed

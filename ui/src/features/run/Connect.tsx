@@ -1,20 +1,21 @@
 import { useEffect, useState } from "react";
-import type { RunEntry } from "../../generated/responses";
 import { Button } from "../../shared/Button";
 import { Field } from "../../shared/Field";
-import { count } from "../../shared/format";
 import { Select } from "../../shared/inputs";
 import { Line } from "../../shared/Line";
+import { useUnit } from "../../shared/unit";
 import { useDesign } from "../../state/design";
 import { connect, isOpen, loadPorts, useRun } from "../../state/run";
 import { worded } from "../../state/wording";
 import { Ended } from "./Ended";
 import { guess, portPhrase } from "./phrases";
+import { interruptedPhrase } from "./records";
 
 /** Choosing a port, and connecting: the first time, or again after the machine has failed. */
 export function Connect() {
   const machine = useDesign((design) => design.state?.machine ?? null);
   const { ports, portProblem, ordering, state, runs } = useRun();
+  const interrupted = interruptedPhrase(runs, useUnit());
   const [chosen, setChosen] = useState<string | null>(null);
   useEffect(() => {
     if (machine) void loadPorts();
@@ -36,7 +37,11 @@ export function Connect() {
         </div>
       )}
       {!again && <Ended />}
-      {state === null && <Interrupted runs={runs ?? []} />}
+      {state === null && interrupted && (
+        <ul>
+          <Line tone="warning" {...interrupted} />
+        </ul>
+      )}
       <Field label="Port" stacked hint={simulated ? "Nothing moves: the machine is computed." : null}>
         {(ids) => (
           <span className="row">
@@ -64,18 +69,5 @@ export function Connect() {
         </Button>
       </div>
     </div>
-  );
-}
-
-/** Wires that an earlier run of the program has left unfinished, until a machine is connected: it then asks about its own. */
-function Interrupted({ runs }: { readonly runs: readonly RunEntry[] }) {
-  const left = runs.filter(({ outcome }) => outcome === "unfinished");
-  const [last] = left;
-  if (!last) return null;
-  const which = `${last.name ?? "unknown design"}, ${last.made ?? "?"} of ${count(last.steps ?? 0, "step")} known to be made`;
-  return (
-    <ul>
-      <Line tone="warning" what={left.length === 1 ? "A wire was interrupted" : `${count(left.length, "wire")} were interrupted`} sub={`${left.length === 1 ? "" : "The last: "}${which}. It may still be in the machine: connect it to go on, or to give the wire up.`} />
-    </ul>
   );
 }

@@ -56,5 +56,5 @@ it("tells of a wire that was interrupted before anything is connected, and of no
   expect(at.host.textContent).not.toContain("interrupted");
   act(() => useRun.setState({ runs: [{ ...run, outcome: "unfinished" }] }));
   expect(at.host.textContent).toContain("A wire was interrupted");
-  expect(at.host.textContent).toContain("House, 3 of 10 steps known to be made");
+  expect(at.host.textContent).toContain("House, interrupted after step 3 of 10 · 1 interruption · wirebend-kit");
 });

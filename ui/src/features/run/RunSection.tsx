@@ -6,6 +6,7 @@ import { Connect } from "./Connect";
 import { Console } from "./Console";
 import { Manual } from "./Manual";
 import { QuestionDialog } from "./QuestionDialog";
+import { unfinishedOf } from "./records";
 import { Runs } from "./Runs";
 import { Session } from "./Session";
 import { Wire } from "./Wire";
@@ -14,7 +15,7 @@ import "./run.css";
 /** The machine itself: connecting, moving, making. */
 export function RunSection() {
   const state = useRun((run) => run.state);
-  const interrupted = useRun(({ state, runs }) => state === null && runs?.some(({ outcome }) => outcome === "unfinished") === true);
+  const interrupted = useRun(({ state, runs }) => state === null && unfinishedOf(runs).length > 0);
   useEffect(() => {
     void takeUp();
     void loadRuns();

@@ -33,3 +33,19 @@ export function madePhrase(run: RunEntry, unit: DisplayUnit): { readonly tone: T
   ];
   return { tone: TONES[run.outcome], what, sub: parts.filter((part) => part !== "").join(" · ") };
 }
+
+/** Wires that were begun and neither finished nor given up, the last one first. */
+export const unfinishedOf = (runs: readonly RunEntry[] | null): readonly RunEntry[] => (runs ?? []).filter(({ outcome }) => outcome === "unfinished");
+
+/** What is said of them before a machine is connected, which then asks about its own; null where there is none. */
+export function interruptedPhrase(runs: readonly RunEntry[] | null, unit: DisplayUnit): { readonly what: string; readonly sub: string } | null {
+  const left = unfinishedOf(runs);
+  const [last] = left;
+  if (!last) return null;
+  const one = left.length === 1;
+  const { what, sub } = madePhrase(last, unit);
+  return {
+    what: one ? "A wire was interrupted" : `${count(left.length, "wire")} were interrupted`,
+    sub: `${one ? "" : "The last: "}${what}, ${sub}. It may still be in the machine: connect that machine to go on, or to give the wire up.`,
+  };
+}
