@@ -102,6 +102,13 @@ it("writes a program of what the machine cannot make only when that is said", as
   await editor.isClean("export");
 });
 
+it("says of an empty design that there is nothing to show yet, and not that it cannot be made", async () => {
+  await editor.take(null, "export");
+  await section().getByText("As soon as there is an edge").waitFor();
+  expect(await section().getByText("The machine cannot make this").count()).toBe(0);
+  expect(await write().count()).toBe(0);
+});
+
 it("writes the document, the wireframe and the job to go on with", async () => {
   await editor.take("house", "export");
   await section().getByRole("button", { name: "Job…" }).click();

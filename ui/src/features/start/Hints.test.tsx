@@ -1,0 +1,22 @@
+// @vitest-environment happy-dom
+import { act } from "react";
+import { expect, it, vi } from "vitest";
+
+vi.mock("../../platform", () => ({ platform: { ask: vi.fn(), stop: vi.fn(), listen: vi.fn() }, Refused: class Refused extends Error {} }));
+
+import { place } from "../../shared/testing";
+import { useDesign } from "../../state/design";
+import { useHints } from "../../state/hints";
+import { designState } from "../../state/testing";
+import { Hints } from "./Hints";
+
+const at = place();
+
+it("asks for a shape until there is one, and goes on to the machine then", () => {
+  useHints.setState({ step: 0 });
+  useDesign.setState({ state: designState(), vertices: new Map(), stencil: null });
+  at.show(<Hints />);
+  expect(at.host.textContent).toContain("Bring a shape");
+  act(() => useDesign.setState({ stencil: { positions: new Float32Array(9), triangles: new Uint32Array(3) } }));
+  expect(at.host.textContent).toContain("Choose the machine and the wire");
+});
