@@ -154,7 +154,8 @@ it("arms with a summary, starts, shows the steps, pauses and goes on", async () 
   await button("Start").click();
   await stands("making");
   const shown = editor.page.locator(".timeline-step");
-  await shown.filter({ hasText: /^making · step 1 \/ 5/ }).waitFor();
+  // Its wire is seen while it comes out, and not only when the first step is made.
+  await shown.filter({ hasText: /^making · step 1 \/ 5 · [1-9]/ }).waitFor();
   // It may hold by itself before.
   await until(async () => {
     if ((await state()).phase === "making") await button("Pause").click({ timeout: 1000 }).catch(() => undefined);

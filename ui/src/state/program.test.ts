@@ -105,19 +105,29 @@ describe("playback", () => {
   });
 
   it("follows a machine, and is not moved by a person meanwhile", async () => {
-    await showLive(making(1));
+    await showLive(making(1), null);
     expect(usePlayback.getState()).toMatchObject({ live: true, step: 1 });
     await goTo(0);
     expect(usePlayback.getState()).toMatchObject({ live: true, step: 1 });
-    await showLive(making(9));
+    await showLive(making(9), null);
     expect(usePlayback.getState().step).toBe(2);
   });
 
+  it("follows it within a step, and stays there when it is stopped", async () => {
+    const fed = (feed_mm: number) => ({ feed_mm, rotate_deg: 0, bend_deg: 0 });
+    await showLive(making(0), fed(0));
+    await showLive(making(0), fed(15));
+    // Half of the feed, which is one of six seconds.
+    expect(usePlayback.getState().step).toBeCloseTo(1 / 12);
+    endLive();
+    expect(usePlayback.getState().step).toBeCloseTo(1 / 12);
+  });
+
   it("does not show another design as the one that a machine makes, and says whose wire it is", async () => {
-    await showLive(making(1));
+    await showLive(making(1), null);
     forgetProgram();
     platform.ask.mockImplementation(async (ask: string) => (ask === "program" ? { ...program, job_hash: "b2" } : view));
-    await showLive(making(2));
+    await showLive(making(2), null);
     expect(usePlayback.getState()).toMatchObject({ played: null, live: false, otherWire: "U" });
     endLive();
     expect(usePlayback.getState().otherWire).toBeNull();
@@ -125,24 +135,24 @@ describe("playback", () => {
 
   it("follows the machine again once the design is again the one that was armed", async () => {
     platform.ask.mockImplementation(async (ask: string) => (ask === "program" ? { ...program, job_hash: "b2" } : view));
-    await showLive(making(1));
+    await showLive(making(1), null);
     expect(usePlayback.getState().live).toBe(false);
     platform.ask.mockImplementation(async (ask: string) => (ask === "program" ? program : view));
     useDesign.setState({ vertices: new Map() });
-    await showLive(making(2));
+    await showLive(making(2), null);
     expect(usePlayback.getState()).toMatchObject({ live: true, otherWire: null, step: 2 });
   });
 
   it("says so of a design that nothing can be made of, too", async () => {
     platform.ask.mockRejectedValue(new Error("There are no edges."));
-    await showLive(making(1));
+    await showLive(making(1), null);
     expect(usePlayback.getState()).toMatchObject({ live: false, otherWire: "U" });
   });
 
   it("is not live for ever when the wire ends while its program is asked for", async () => {
     let answer: (program: ProgramResponse) => void = () => {};
     platform.ask.mockImplementation((ask: string) => (ask === "program" ? new Promise((resolve) => (answer = resolve)) : Promise.resolve(view)));
-    const shown = showLive(making(1));
+    const shown = showLive(making(1), null);
     endLive();
     answer(program);
     await shown;

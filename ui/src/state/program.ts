@@ -4,8 +4,9 @@ import type { Played, Shown } from "../scene/interface";
 import { playedWire } from "./played";
 import { type DesignStore, useDesign } from "./design";
 import { useFiles } from "./files";
+import { StepWatch } from "./live_step";
 import { useMachines, viewOf } from "./machines";
-import type { WireState } from "./operator";
+import type { Axes, WireState } from "./operator";
 import { told } from "./problems";
 import { asking } from "./work";
 
@@ -208,8 +209,10 @@ export function togglePlay(): void {
 /** Changes when a wire is over: what was asked because of it comes too late then. */
 let over = 0;
 
-/** Shows how far a machine is with a wire, where it is one of the open design as it is. */
-export async function showLive({ job_hash, name, wire, made }: Pick<WireState, "job_hash" | "name" | "wire" | "made">): Promise<void> {
+const watch = new StepWatch();
+
+/** Shows how far a machine is with a wire, where it is one of the open design as it is; `axes` tell how far in the step. */
+export async function showLive({ job_hash, name, wire, made }: Pick<WireState, "job_hash" | "name" | "wire" | "made">, axes: Axes | null): Promise<void> {
   if (!usePlayback.getState().live) {
     const before = over;
     if (!isUpToDate() && !(await makeProgram()) && !isUpToDate()) return;
@@ -218,9 +221,12 @@ export async function showLive({ job_hash, name, wire, made }: Pick<WireState, "
     usePlayback.setState({ playing: false, otherWire: null });
     useProgram.setState({ wire });
     show(made);
+    watch.reset();
   }
-  const steps = usePlayback.getState().played?.steps.length ?? 0;
-  usePlayback.setState({ live: true, step: Math.min(made, steps) });
+  const steps = useProgram.getState().program?.wires[wire]?.steps ?? [];
+  const step = steps[made];
+  const at = watch.at(made, step && { told: step.told ?? step.designed, seconds: step.seconds }, axes);
+  usePlayback.setState({ live: true, step: Math.min(at, steps.length) });
 }
 
 /** The machine is done with the wire: the person may play it. */

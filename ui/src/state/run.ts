@@ -63,7 +63,7 @@ const isMade = ({ phase }: MachineState): boolean => phase === "making" || phase
 /** Shows the wire that is being made, as far as it is one of the open design. */
 function showWire(): void {
   const { state } = useRun.getState();
-  if (state?.wire && isMade(state)) void showLive(state.wire);
+  if (state?.wire && isMade(state)) void showLive(state.wire, state.position);
 }
 
 /** Lines come faster than they can be drawn: they are collected for a moment. */
@@ -127,7 +127,8 @@ function hearNews(news: Extract<OperatorEvent, { event: "news" }>): void {
     }
     case "position": {
       const { feed_mm, rotate_deg, bend_deg } = news;
-      return state ? useRun.setState({ state: { ...state, position: { feed_mm, rotate_deg, bend_deg } } }) : undefined;
+      if (state) useRun.setState({ state: { ...state, position: { feed_mm, rotate_deg, bend_deg } } });
+      return showWire();
     }
     case "about":
     case "paused":

@@ -27,8 +27,8 @@ describe("wires", () => {
   it("tells how far one is", () => {
     expect(progressPhrase({ wire: 0, made: 14, sent: 16, of: 31, elapsed_s: 130, remaining_s: 65, job_hash: "", name: "House" })).toBe("step 14 of 31 · 2:10, 1:05 left");
     expect(unfinishedPhrase(unfinished(14))).toBe("Step 14 of 31 is made.");
-    expect(unfinishedPhrase(unfinished(14, [15, 15]))).toBe("Step 14 of 31 is made; of step 15 nobody knows.");
-    expect(unfinishedPhrase(unfinished(0, [1, 3]))).toBe("No step of 31 is made; of steps 1 to 3 nobody knows.");
+    expect(unfinishedPhrase(unfinished(14, [15, 15]))).toBe("Step 14 of 31 is made. Step 15 was sent: you are asked what became of it when the wire goes on.");
+    expect(unfinishedPhrase(unfinished(0, [1, 3]))).toBe("No step of 31 is made. Steps 1 to 3 were sent: you are asked what became of them when the wire goes on.");
     expect(unfinishedPhrase({ ...unfinished(0), resumable: false })).toMatch(/cannot be gone on with/);
   });
 

@@ -28,13 +28,14 @@ export function progressPhrase({ made, of, elapsed_s, remaining_s }: WireState):
 function doubtful(steps: readonly [number, number] | null | undefined): string {
   if (!steps) return "";
   const [first, last] = steps;
-  return first === last ? `; of step ${first} nobody knows` : `; of steps ${first} to ${last} nobody knows`;
+  const sent = first === last ? `Step ${first} was sent` : `Steps ${first} to ${last} were sent`;
+  return ` ${sent}: you are asked what became of ${first === last ? "it" : "them"} when the wire goes on.`;
 }
 
-/** "Step 14 of 31 is made; of step 15 nobody knows". */
+/** "Step 14 of 31 is made. Step 15 was sent: you are asked what became of it when the wire goes on." */
 export function unfinishedPhrase({ made, of, in_doubt, resumable }: Unfinished): string {
   if (!resumable) return "Its record is damaged, so that nobody knows how far it came: it cannot be gone on with.";
-  return `${made === 0 ? "No step" : `Step ${made}`} of ${of} is made${doubtful(in_doubt)}.`;
+  return `${made === 0 ? "No step" : `Step ${made}`} of ${of} is made.${doubtful(in_doubt)}`;
 }
 
 /** What became of a wire. */

@@ -58,7 +58,7 @@ export function Timeline() {
         onKeyDown={keys}
       />
       <span className="timeline-step">
-        {live ? "making · " : ""}step {live ? Math.round(step) : at + 1} / {total} · {percent(total > 0 ? step / total : 0)}
+        {live ? "making · " : ""}step {at + 1} / {total} · {percent(total > 0 ? step / total : 0)}
       </span>
       <span className="timeline-time muted">{time(machineSeconds(one.steps.map((each) => each.seconds), step))}</span>
       {stale && !live ? (

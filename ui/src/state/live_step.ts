@@ -1,0 +1,65 @@
+/** How far a machine is in the step that it makes, from where it says that its axes are. */
+
+import type { StepSeconds } from "./clock";
+import type { Axes } from "./operator";
+
+/** A step as the machine is told it, and how long its parts take. */
+export interface ToldStep {
+  readonly told: Axes;
+  readonly seconds: StepSeconds;
+}
+
+/** A step is over when that is told, and not before. */
+const MOST = 0.999;
+/** An axis that is so near the end of its way has gone it, and one so near the beginning is at rest: places are rounded to steps of motors. */
+const NEAR = 0.005;
+
+/** What was gone of a way, from 0 to 1; of no way, all. */
+const part = (gone: number, whole: number): number => (whole === 0 ? 1 : Math.min(Math.max(gone / whole, 0), 1));
+
+/** Follows a machine from step to step. */
+export class StepWatch {
+  private made: number | null = null;
+  /** Where the axes were when the step began, as far as that was told. */
+  private from: Axes | null = null;
+  private axes: Axes | null = null;
+  /** The farthest that the bend axis has come, in part of its way: below that it is on its way back. */
+  private farthest = 0;
+  private fraction = 0;
+
+  /** Forgets the wire that it has followed. */
+  reset(): void {
+    this.made = null;
+    this.from = null;
+    this.axes = null;
+  }
+
+  /** The steps that are made and the part of the next one's time that is over, which does not go back. */
+  at(made: number, step: ToldStep | undefined, axes: Axes | null): number {
+    if (made !== this.made) {
+      this.made = made;
+      this.from = this.axes;
+      this.farthest = 0;
+      this.fraction = 0;
+    }
+    this.axes = axes;
+    this.from ??= axes;
+    if (step && axes && this.from) this.fraction = Math.max(this.fraction, Math.min(this.over(step, this.from, axes), MOST));
+    return made + this.fraction;
+  }
+
+  /** Feed, rotate, the peg comes out, the bend axis goes there and comes back, the peg goes in. */
+  private over({ told, seconds }: ToldStep, from: Axes, axes: Axes): number {
+    const [feed, rotate, bend, wait] = seconds;
+    const all = feed + rotate + bend + wait;
+    if (!(all > 0)) return 0;
+    const fed = part(axes.feed_mm - from.feed_mm, told.feed_mm);
+    const turned = part(axes.rotate_deg - from.rotate_deg, told.rotate_deg);
+    // The end of the step before may be told while its bend axis is still on the way to its rest, which is at 0.
+    if (fed < 1 - NEAR || turned < 1 - NEAR) return (feed * fed + rotate * (fed < 1 - NEAR ? 0 : turned)) / all;
+    const bent = told.bend_deg === 0 ? 0 : part(axes.bend_deg, told.bend_deg);
+    this.farthest = Math.max(this.farthest, bent);
+    const back = bent < this.farthest - NEAR;
+    return (feed + rotate + (this.farthest > NEAR ? wait / 2 : 0) + bend * (back ? 1 - bent / 2 : bent / 2)) / all;
+  }
+}
