@@ -1,4 +1,3 @@
-import { useEffect } from "react";
 import "./App.css";
 import { AboutDialog } from "./features/about/AboutDialog";
 import { AnimateSection } from "./features/animate/AnimateSection";
@@ -24,11 +23,9 @@ import { ViewName } from "./features/viewport/ViewName";
 import { Viewport } from "./features/viewport/Viewport";
 import { Panel } from "./Panel";
 import { Guard } from "./shared/Guard";
-import { open } from "./state/opening";
 
 /** The window: bar, tools and view, panel, timeline, status. Each part is guarded, so that STOP outlives a mistake in any other. */
 export function App() {
-  useEffect(open, []);
   return (
     <div className="app">
       <TopBar />

@@ -11,6 +11,8 @@ import { family, nameOf, pss, used } from "./processes.ts";
 import { Windows } from "./windows.ts";
 
 const STARTS = 5;
+/** By somebody who has never started it: the toolkit has kept nothing for them yet. */
+const FIRST_STARTS = 3;
 const [WIDTH, HEIGHT] = [1440, 900];
 /** The middle of the view, where nothing lies over it: part of the width and of the height. */
 const VIEW = { left: 0.15, right: 0.55, top: 0.3, bottom: 0.7 } as const;
@@ -59,8 +61,8 @@ interface Started {
   readonly whole: number;
   readonly bytes: number;
   readonly processes: readonly string[];
-  /** Part of a processor that it uses while nothing happens. */
-  readonly idle: number | null;
+  /** Part of a processor that all of it uses while nothing happens, and the program itself without its toolkit's processes. */
+  readonly idle: { readonly all: number; readonly own: number } | null;
 }
 
 /** When the middle of the view, and anything at all, changed last. */
@@ -99,8 +101,11 @@ async function end(child: ChildProcess, pids: readonly number[]): Promise<void> 
   }
 }
 
-async function start(last: boolean): Promise<Started> {
-  const home = mkdtempSync(join(folder, "home-"));
+const percent = (part: number): string => `${(part * 100).toFixed(2)} %`;
+
+const newHome = (): string => mkdtempSync(join(folder, "home-"));
+
+async function start(home: string, last: boolean): Promise<Started> {
   const there = windows.mapped(WIDTH / 2).then(() => performance.now());
   const began = performance.now();
   const child = spawn(unpacked.window, [design], { env: surroundings(home), stdio: ["ignore", "ignore", "pipe"] });
@@ -115,13 +120,14 @@ async function start(last: boolean): Promise<Started> {
     const { seen, whole } = await Promise.race([watch(mapped), died]);
     const pids = family(child.pid ?? 0);
     const bytes = pids.reduce((sum, pid) => sum + pss(pid), 0);
-    let idle: number | null = null;
+    let idle: Started["idle"] = null;
     if (last) {
       mkdirSync(pictures, { recursive: true });
       writeFileSync(`${pictures}/bench-window.png`, screen.picture());
-      const before = used(pids);
+      const own = [child.pid ?? 0];
+      const before = { all: used(pids), own: used(own) };
       await Promise.race([new Promise((resolve) => setTimeout(resolve, IDLE)), died]);
-      idle = (used(pids) - before) / IDLE;
+      idle = { all: (used(pids) - before.all) / IDLE, own: (used(own) - before.own) / IDLE };
     }
     return { mapped: mapped - began, seen: seen - began, whole: whole - began, bytes, processes: pids.map(nameOf), idle };
   } finally {
@@ -131,27 +137,34 @@ async function start(last: boolean): Promise<Started> {
 }
 
 it("measures the installed window", async () => {
+  // It reads the program from the disk.
+  const cold = await start(newHome(), false);
+  const first: Started[] = [];
+  for (let run = 0; run < FIRST_STARTS; run += 1) first.push(await start(newHome(), false));
   const starts: Started[] = [];
-  // The first one reads the program from the disk.
-  const cold = await start(false);
-  for (let run = 0; run < STARTS; run += 1) starts.push(await start(run === STARTS - 1));
-  const idle = starts.at(-1)?.idle ?? NaN;
+  const home = newHome();
+  await start(home, false);
+  for (let run = 0; run < STARTS; run += 1) starts.push(await start(home, run === STARTS - 1));
+  const idle = starts.at(-1)?.idle ?? { all: NaN, own: NaN };
   const { size, mtime } = statSync(deb());
   expect(starts[0]?.processes.length).toBeGreaterThan(1);
   const rows: Figure[] = [
     { what: "the .deb", measured: megabytes(size), aim: "≤ 15 MB" },
     { what: "from the start until the window is mapped", measured: seconds(median(starts.map(({ mapped }) => mapped))), aim: "≤ 1 s" },
     { what: "until the design, its checks on it, is in the view", measured: seconds(median(starts.map(({ seen }) => seen))), aim: "≤ 2 s" },
+    { what: "the same where a person has never started it before", measured: seconds(median(first.map(({ seen }) => seen))), aim: "≤ 2 s" },
     { what: "until nothing in the window changes any more", measured: seconds(median(starts.map(({ whole }) => whole))), aim: null },
     { what: "memory of all its processes (PSS)", measured: megabytes(median(starts.map(({ bytes }) => bytes))), aim: "≤ 450 MB" },
-    { what: "processor used in 20 s in which nothing happens", measured: `${(idle * 100).toFixed(2)} %`, aim: "0 %" },
+    { what: "processor used in 20 s in which nothing happens", measured: percent(idle.all), aim: "0 %" },
+    { what: "of it the program, without its toolkit's processes", measured: percent(idle.own), aim: "0 %" },
   ];
   hand("4-window", {
     title: "the installed window on the bunny",
     rows,
     notes: [
-      `${basename(deb())} of ${mtime.toISOString().slice(0, 16).replace("T", " ")} UTC, unpacked, on a screen in memory without a graphics card, by a person who starts it for the first time.`,
-      `Median of ${STARTS} starts after one that was not counted (mapped after ${seconds(cold.mapped)}, in the view after ${seconds(cold.seen)}). Mapped as the screen tells it;`,
+      `${basename(deb())} of ${mtime.toISOString().slice(0, 16).replace("T", " ")} UTC, unpacked, on a screen in memory without a graphics card.`,
+      `Medians of ${STARTS} starts, and of ${FIRST_STARTS} first ones, in which the shaders of the view are compiled for the processor. Not counted: the very`,
+      `first (mapped after ${seconds(cold.mapped)}, in the view after ${seconds(cold.seen)}), which reads the program from the disk. Mapped as the screen tells it;`,
       `in the view when the middle of the view does not change any more; looked at every ${LOOK} ms. Processes: ${[...new Set(starts.at(-1)?.processes)].join(", ")}.`,
     ],
   });

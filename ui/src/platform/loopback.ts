@@ -79,6 +79,10 @@ export class Loopback implements Platform {
     return () => {};
   }
 
+  async filesToOpen(): Promise<readonly string[]> {
+    return [];
+  }
+
   onClose(): () => void {
     return () => {};
   }

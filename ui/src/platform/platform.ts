@@ -40,8 +40,10 @@ export interface Platform {
   pickSave(suggested: string, kind: FileKind): Promise<string | null>;
   /** Hears of files that are dropped on the window, by their paths; `over` while they are above it. */
   onDrop(hear: (drop: { kind: "over" } | { kind: "left" } | { kind: "dropped"; paths: string[] }) => void): () => void;
-  /** Hears of files that the system asks to open: by a double click, or by an argument. */
+  /** Hears of files that the system asks to open, as by a double click. */
   onOpen(hear: (path: string) => void): () => void;
+  /** Those that it has asked for before the window heard of them, as by an argument; once. */
+  filesToOpen(): Promise<readonly string[]>;
   /** Asked before the window closes: true lets it. */
   onClose(mayClose: () => Promise<boolean>): () => void;
   /** Closes the window without asking. */

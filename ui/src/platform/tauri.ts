@@ -13,6 +13,8 @@ function later(ending: Promise<() => void>): () => void {
 
 /** The window of the installed program. */
 export class TauriWindow implements Platform {
+  private listening: Promise<unknown> = Promise.resolve();
+
   async ask<K extends AskName>(name: K, request: Requests[K]): Promise<Responses[K]> {
     try {
       return await invoke<Responses[K]>("ask", { ask: { ask: name, ...request } });
@@ -56,9 +58,15 @@ export class TauriWindow implements Platform {
   }
 
   onOpen(hear: (path: string) => void): () => void {
-    // Those that came before this window listened wait for it.
-    void invoke<string[]>("files_to_open").then((paths) => paths.forEach(hear));
-    return later(listen<string>("open-file", ({ payload }) => hear(payload)));
+    const listening = listen<string>("open-file", ({ payload }) => hear(payload));
+    this.listening = listening;
+    return later(listening);
+  }
+
+  async filesToOpen(): Promise<readonly string[]> {
+    // The Rust side tells of each file either here or by the event: none is told before somebody listens.
+    await this.listening;
+    return invoke<string[]>("files_to_open");
   }
 
   onClose(mayClose: () => Promise<boolean>): () => void {

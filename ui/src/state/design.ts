@@ -110,6 +110,7 @@ export async function redo(): Promise<void> {
 
 let checking = false;
 let wanted: readonly Moved[] | null = null;
+let answered: Promise<void> = Promise.resolve();
 
 /**
  * Asks for the checks, with some vertices elsewhere while they are dragged. One question is on its way at a time; of those
@@ -119,8 +120,11 @@ export function checkDesign(moved: readonly Moved[] = []): void {
   // Of a design that goes nothing is asked; whoever replaces it asks of the one that comes.
   if (isBeingReplaced()) return;
   wanted = moved;
-  if (!checking) void checkWanted();
+  if (!checking) answered = checkWanted();
 }
+
+/** Waits until what was asked of the checks is answered. */
+export const checked = (): Promise<void> => answered;
 
 async function checkWanted(): Promise<void> {
   checking = true;

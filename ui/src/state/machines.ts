@@ -49,10 +49,13 @@ export async function loadMachines(): Promise<void> {
   if (materials) useMachines.setState({ materials: materials.materials });
 }
 
-/** The same, once. */
+let needed: Promise<void> | null = null;
+
+/** The same, once: many parts of the window need them. */
 export function needMachines(): void {
   const { machines, materials } = useMachines.getState();
-  if (!machines || !materials) void loadMachines();
+  if (machines && materials) return;
+  needed ??= loadMachines().finally(() => (needed = null));
 }
 
 export async function loadDrivers(): Promise<void> {

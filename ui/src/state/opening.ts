@@ -2,10 +2,10 @@ import { platform } from "../platform";
 import { useUnitStore } from "../shared/unit";
 import { mayClose } from "./closing";
 import { designReplaced } from "./commands";
-import { useDesign } from "./design";
+import { checked, useDesign } from "./design";
 import { openPath, start, useFiles } from "./files";
 import { listenToKeys } from "./pressing";
-import { tell } from "./problems";
+import { tell, told } from "./problems";
 import { type Theme, useUi } from "./ui";
 import { listen } from "./work";
 
@@ -32,6 +32,23 @@ async function openDropped(paths: readonly string[]): Promise<void> {
   if (!first) return;
   if (others.length > 0) tell("info", `Only the first of ${paths.length} files is opened: one design is open at a time.`, "one-file");
   await openPath(first);
+}
+
+/** How long the view waits for what it shows first, ms: a large model comes into a view that is there. */
+const PATIENCE = 500;
+
+let beginning: Promise<unknown> = Promise.resolve();
+
+/** Takes up what is open, and what the window was started with. */
+async function begin(): Promise<void> {
+  const [files] = await Promise.all([told(platform.filesToOpen()), start()]);
+  for (const path of files ?? []) await openPath(path);
+  await checked();
+}
+
+/** When what the window begins with is there, or was waited for long enough: a picture of nothing before it would only cost time. */
+export function begun(): Promise<unknown> {
+  return Promise.race([beginning, new Promise((resolve) => setTimeout(resolve, PATIENCE))]);
 }
 
 /** Brings the window to life; the function that is returned ends it. */
@@ -61,6 +78,6 @@ export function open(): () => void {
       if (opened !== before) designReplaced();
     }),
   ];
-  void start();
+  beginning = begin();
   return () => ends.forEach((end) => end());
 }

@@ -1,5 +1,6 @@
 import { useEffect, useRef, useState } from "react";
 import type { Viewport as Scene } from "../../scene/viewport";
+import { begun } from "../../state/opening";
 import { tell } from "../../state/problems";
 import { useView } from "../../state/view";
 import { listenerOf } from "./listener";
@@ -14,7 +15,7 @@ export function Viewport() {
     let scene: Scene | null = null;
     let end = () => {};
     let gone = false;
-    void import("../../scene/viewport").then(({ Viewport: View }) => {
+    void Promise.all([import("../../scene/viewport"), begun()]).then(([{ Viewport: View }]) => {
       if (gone || !host.current) return;
       try {
         scene = new View(host.current, listenerOf(), { label: "View of the design. Keys: question mark lists them." });
