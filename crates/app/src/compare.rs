@@ -20,6 +20,9 @@ pub struct CompareRequest {
     /// The other machines, at least one.
     #[schemars(length(min = 1))]
     pub against: Vec<String>,
+    /// The others are planned with their own wires, whatever wire the first one has.
+    #[serde(default)]
+    pub own_wires: bool,
 }
 
 /// The design on several machines.
@@ -135,16 +138,18 @@ pub(crate) fn compare(
         return Err(AppError::Value { name: "the list of machines", value: "empty".to_owned(), expected });
     }
     // A misspelt id is told before any work is done.
-    for machine in &request.against {
-        app.library.machine(machine)?;
-    }
+    let others = request.against.iter().map(|machine| app.library.machine(machine));
+    let others = others.collect::<Result<Vec<_>, _>>()?;
     let opened = request.design.open(progress)?.with_wireframe()?;
     let from = app.plan_design(copy(&opened), &request.choices, progress)?;
     let mut notes = from.opened.notes.clone();
     let (from, before) = (MachineSide::new(&from), from.report());
     let mut to = Vec::with_capacity(request.against.len());
-    for machine in &request.against {
-        let choices = PlanChoices { machine: Some(machine.clone()), ..request.choices.clone() };
+    for (id, machine) in request.against.iter().zip(others) {
+        let mut choices = PlanChoices { machine: Some(id.clone()), ..request.choices.clone() };
+        if request.own_wires {
+            choices.material = machine.profile.default_material.clone();
+        }
         let other = app.plan_design(copy(&opened), &choices, progress)?;
         let (side, after) = (MachineSide::new(&other), other.report());
         notes.extend(other.opened.notes.into_iter().filter(|note| !notes.contains(note)).collect::<Vec<_>>());

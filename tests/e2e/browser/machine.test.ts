@@ -73,6 +73,23 @@ it("shows the figures of each wire, and takes the one that is chosen", async () 
   await fold(/^Wire/).click();
 });
 
+it("shows a machine that the wire does not fit with its own wire, which is what is recommended", async () => {
+  await card("grbl bender").click();
+  const beside = section().getByRole("region", { name: "With grbl bender" });
+  await beside.getByText("Aluminium 6061-T6, 3 mm does not fit it").waitFor();
+  const { from, to } = await editor.loopback.ask("compare", { against: ["grbl-bender"], own_wires: true });
+  const { materials } = await editor.loopback.ask("materials", {});
+  const own = materials.find(({ id }) => id === to[0]?.material);
+  await beside.getByText(`With its own wire, ${own?.name}`).waitFor();
+  await beside.getByText(`${clock(from.time_s ?? NaN)} → ${clock(to[0]?.time_s ?? NaN)}`).waitFor();
+  await editor.isClean("machine-own-wire");
+  await beside.getByRole("button", { name: "Switch, with its own wire" }).click();
+  await until(async () => (await editor.design()).state.machine).toBe("grbl-bender");
+  expect((await editor.design()).state.material).toBe(own?.id);
+  await editor.button(/^Undo/).click();
+  await until(async () => (await editor.design()).state.machine).toBe("wirebend-kit");
+});
+
 it("says what becomes feasible elsewhere", async () => {
   await editor.loopback.ask("edit", { request: { edit: "place", positions: [{ vertex: 1, at_mm: [35, 0, 45] }] } });
   await editor.reload("machine", "check");

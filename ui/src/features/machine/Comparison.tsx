@@ -2,6 +2,7 @@ import { useEffect, useRef } from "react";
 import { Button } from "../../shared/Button";
 import { Bar } from "../../shared/inputs";
 import { Line } from "../../shared/Line";
+import type { OtherSide } from "../../generated/responses";
 import { useUnit } from "../../shared/unit";
 import { stopComparing, switchTo, useMachines } from "../../state/machines";
 import { differences, figures } from "./differences";
@@ -17,12 +18,11 @@ export function Comparison() {
     void box.current?.scrollIntoView({ block: "nearest" });
   }, [answered]);
   if (!compared) return null;
-  const { machine, from, to, problem } = compared;
-  const entry = machines?.find(({ id }) => id === machine);
-  const name = entry?.name ?? machine;
-  const wire = materials?.find(({ id }) => id === (to?.material ?? from?.material));
-  const ownWire = materials?.find(({ id }) => id === entry?.default_material);
-  const fits = !wire || !entry || (wire.diameter_mm >= entry.diameter_mm[0] && wire.diameter_mm <= entry.diameter_mm[1]);
+  const { machine, from, to, own, problem } = compared;
+  const name = machines?.find(({ id }) => id === machine)?.name ?? machine;
+  const wireOf = (side: OtherSide) => materials?.find(({ id }) => id === side.material)?.name ?? side.material;
+  // What is recommended is what is shown.
+  const side = own ?? to;
   return (
     <div ref={box} className="comparison" role="region" aria-label={`With ${name}`} aria-live="polite">
       {!to && !problem && (
@@ -36,37 +36,40 @@ export function Comparison() {
           <Line tone="error" what="It cannot be compared" sub={problem} />
         </ul>
       )}
-      {from && to && (
+      {from && to && side && (
         <>
+          {own && (
+            <>
+              <ul>
+                <Line tone="error" what={`${wireOf(to)} does not fit it`} sub={null} />
+              </ul>
+              <p className="comparison-wire">With its own wire, {wireOf(own)}</p>
+            </>
+          )}
           <ul>
-            {differences(from, to).map((one) => (
+            {differences(from, side).map((one) => (
               <Line key={one.what} tone={one.tone} what={one.what} sub={one.sub} />
             ))}
           </ul>
           <dl className="comparison-figures">
-            {figures(from, to, unit).map(([title, phrase]) => (
+            {figures(from, side, unit).map(([title, phrase]) => (
               <div key={title}>
                 <dt>{title}</dt>
                 <dd>{phrase}</dd>
               </div>
             ))}
           </dl>
-          {!fits && wire && (
-            <p className="muted small">
-              {wire.name} does not fit it. With its own wire, {ownWire?.name ?? entry?.default_material}, the figures are others.
-            </p>
-          )}
         </>
       )}
       <div className="row end wrap">
         <Button onClick={stopComparing}>Keep</Button>
-        {!fits && (
-          <Button kind="primary" onClick={() => void switchTo(machine, null)}>
+        {own && (
+          <Button kind="primary" onClick={() => void switchTo(machine, own.material)}>
             Switch, with its own wire
           </Button>
         )}
-        <Button kind={fits ? "primary" : "plain"} why={!to && !problem ? "The comparison is being made." : null} onClick={() => void switchTo(machine, to?.material ?? null)}>
-          Switch
+        <Button kind={own ? "plain" : "primary"} why={!to && !problem ? "The comparison is being made." : null} onClick={() => void switchTo(machine, to?.material ?? null)}>
+          {own ? "Switch, with this wire" : "Switch"}
         </Button>
       </div>
     </div>

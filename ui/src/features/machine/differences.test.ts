@@ -65,12 +65,15 @@ describe("differences", () => {
 });
 
 describe("figures", () => {
-  it("shows before and after, once where they look the same, and leaves out what is not known", () => {
+  it("shows before and after, once where they look the same, and says what is not known any more", () => {
     const to = other({ time_s: 2285, stock_mm: 12_220.2, bends: null, cost: 20, currency: "EUR" });
     expect(figures(side, to, "mm")).toEqual([
       ["Time", "52:10 → 38:05"],
       ["Stock", "12.22 m"],
+      ["Bends", `${side.bends} → not known`],
       ["Cost", "€20.00"],
     ]);
+    expect(figures({ ...side, bends: null }, other({ bends: null, cost: null, currency: null }), "mm").map(([name]) => name)).toEqual(["Time", "Stock", "Cost"]);
+    expect(figures(side, other({ cost: null, currency: null }), "mm").at(-1)).toEqual(["Cost", `$${side.cost?.toFixed(2)} → not known`]);
   });
 });

@@ -50,21 +50,22 @@ function objections(diagnostics: readonly WireDiagnostic[], becomes: "feasible" 
   });
 }
 
-/** "52:10 → 38:05", or the one where both are the same; null where the other one is not known. */
+/** "52:10 → 38:05", or the one where both are the same; null where neither is known. */
 function change(before: number | null, after: number | null, shown: (value: number) => string): string | null {
-  if (after === null) return null;
+  if (after === null) return before === null ? null : `${shown(before)} → not known`;
   if (before === null || shown(before) === shown(after)) return shown(after);
   return `${shown(before)} → ${shown(after)}`;
 }
 
 /** Time, stock, bends and cost, before and after: each a name and a phrase. */
 export function figures(from: MachineSide, to: OtherSide, unit: DisplayUnit): readonly (readonly [string, string])[] {
-  const sameMoney = from.currency === to.currency;
+  // What one currency is in the other nobody says.
+  const otherMoney = to.cost !== null && from.currency !== to.currency;
   const rows: readonly (readonly [string, string | null])[] = [
     ["Time", change(from.time_s, to.time_s, time)],
     ["Stock", change(from.stock_mm, to.stock_mm, (mm) => longLength(mm, unit))],
     ["Bends", change(from.bends, to.bends, (many) => String(many))],
-    ["Cost", change(sameMoney ? from.cost : null, to.cost, (value) => money(value, to.currency))],
+    ["Cost", change(otherMoney ? null : from.cost, to.cost, (value) => money(value, to.cost === null ? from.currency : to.currency))],
   ];
   return rows.flatMap(([name, phrase]) => (phrase === null ? [] : [[name, phrase] as const]));
 }
