@@ -41,6 +41,9 @@ export interface Guide {
   readonly look: TubeLook;
 }
 
+/** CSS pixels at the left and at the right that what is framed leaves free: tools lie over the view there. */
+const BESIDE = 56;
+
 const DEFAULT_SNAP: SnapSettings = {
   kinds: new Set(["vertex", "stencil-vertex", "stencil-edge", "edge", "surface", "grid", "plane"]),
   grid: 10,
@@ -216,7 +219,8 @@ export class Stage {
     const chosen = selection ? this.placesOf(selection) : [];
     const played = this.playback.places;
     const places = played ?? (chosen.length > 0 ? chosen : this.everything());
-    camera.orbit = framing(camera.orbit, places, camera.aspect);
+    const room = Math.max(camera.width - 2 * BESIDE, camera.width / 2);
+    camera.orbit = framing(camera.orbit, places, room / Math.max(camera.height, 1));
     this.viewMoved();
   }
 

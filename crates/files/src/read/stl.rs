@@ -33,6 +33,9 @@ pub(super) fn is_binary(bytes: &[u8]) -> bool {
 pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> Result<Imported, ReadError> {
     let mut drawing = Drawing::default();
     let mut corners = HashMap::new();
+    if bytes.is_empty() {
+        return Err(source.empty("triangles"));
+    }
     if is_text(bytes) {
         text(bytes, source, &mut drawing, &mut corners)?;
     } else {
@@ -55,17 +58,30 @@ fn opens_solid(bytes: &[u8]) -> bool {
 
 type Corners = HashMap<[u32; 3], u32>;
 
+/// The first line of a text of some other kind: no byte of it is one that only a binary file has.
+fn other_text(bytes: &[u8]) -> Option<&str> {
+    let text = std::str::from_utf8(bytes).ok()?;
+    let is_plain = |c: char| !c.is_control() || c.is_ascii_whitespace();
+    text.chars().all(is_plain).then(|| text.trim_start().lines().next().unwrap_or_default())
+}
+
 fn binary(
     bytes: &[u8],
     source: Source<'_>,
     drawing: &mut Drawing,
     corners: &mut Corners,
 ) -> Result<(), ReadError> {
+    let held = bytes.len().saturating_sub(HEAD) / TRIANGLE;
+    if announced(bytes).is_none_or(|count| held < count)
+        && let Some(first) = other_text(bytes)
+    {
+        let help = "this is some other kind of text: open the model, or give the file the extension of what it is";
+        return Err(source.syntax(Place::Line(1), first, "solid, with which an STL in text begins", help));
+    }
     let Some(count) = announced(bytes) else {
         let announced = "a binary STL starts with 84 bytes".to_owned();
         return Err(source.truncated(Place::File, announced, format!("there are {}", bytes.len())));
     };
-    let held = (bytes.len() - HEAD) / TRIANGLE;
     if held < count {
         let announced = format!("{count} triangles are announced");
         return Err(source.truncated(Place::Byte(HEAD - 4), announced, format!("there is room for {held}")));

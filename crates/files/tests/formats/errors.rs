@@ -61,18 +61,24 @@ fn stl() {
         "solid x\n facet normal 0 0 1\n outer loop\n vertex 0 0 0\n vertex 1 0 0\n",
         "\n\nsolid x\nendsolid x\nsolid y\nface\n",
         "solid x\nendsolid x\n",
-        "short",
+        "sh\0rt",
+        "",
+        "  # a picture\nP3 1 1 255\n",
+        "A letter that is longer than the head of a binary file: from its 81st byte on, what would be the number of triangles is text.",
     ];
     check(
         "a.stl",
         &text,
-        &expect![[r#"
-        read-syntax: a.stl, line 5: found "vertex 1 0", expected solid, facet normal, outer loop, three vertices, endloop, endfacet, endsolid; correct the line or export the file again
-        read-truncated: a.stl, line 5: a solid begins, but EOF while expecting vertex; the file is cut off or damaged: export or download it again
-        read-syntax: a.stl, line 6: found "face", expected solid, facet normal, outer loop, three vertices, endloop, endfacet, endsolid; correct the line or export the file again
-        read-empty: a.stl: no triangles in it; check that the right file was exported, with its geometry
-        read-truncated: a.stl: a binary STL starts with 84 bytes, but there are 5; the file is cut off or damaged: export or download it again
-    "#]],
+        &expect![[r##"
+            read-syntax: a.stl, line 5: found "vertex 1 0", expected solid, facet normal, outer loop, three vertices, endloop, endfacet, endsolid; correct the line or export the file again
+            read-truncated: a.stl, line 5: a solid begins, but EOF while expecting vertex; the file is cut off or damaged: export or download it again
+            read-syntax: a.stl, line 6: found "face", expected solid, facet normal, outer loop, three vertices, endloop, endfacet, endsolid; correct the line or export the file again
+            read-empty: a.stl: no triangles in it; check that the right file was exported, with its geometry
+            read-truncated: a.stl: a binary STL starts with 84 bytes, but there are 5; the file is cut off or damaged: export or download it again
+            read-empty: a.stl: no triangles in it; check that the right file was exported, with its geometry
+            read-syntax: a.stl, line 1: found "# a picture", expected solid, with which an STL in text begins; this is some other kind of text: open the model, or give the file the extension of what it is
+            read-syntax: a.stl, line 1: found "A letter that is longer than the head of…", expected solid, with which an STL in text begins; this is some other kind of text: open the model, or give the file the extension of what it is
+        "##]],
     );
     let mut many = vec![0_u8; 84];
     many[80..84].fill(0xff);
