@@ -1,8 +1,13 @@
 // @vitest-environment happy-dom
-import { describe, expect, it } from "vitest";
+import { describe, expect, it, vi } from "vitest";
+
+vi.mock("../platform", () => ({ platform: { ask: vi.fn(), stop: vi.fn(), listen: vi.fn() }, Refused: class Refused extends Error {} }));
+
 import type { SceneDesign } from "../scene/interface";
-import { fixesOf, previewOf } from "./fixes";
-import type { Fix } from "../generated/responses";
+import type { Fix, LiveCheck } from "../generated/responses";
+import { useDesign } from "./design";
+import { fixesOf, previewOf, showFix, useFixes } from "./fixes";
+import { useView } from "./view";
 
 const design: SceneDesign = {
   vertices: new Map([0, 1, 2].map((id) => [id, { id, at: [id * 10, 0, 0] as const, support: false }])),
@@ -11,6 +16,7 @@ const design: SceneDesign = {
     [6, { id: 6, a: 1, b: 2 }],
   ]),
 };
+const check = { diagnostics: [], wires: [] } as unknown as LiveCheck;
 const nothing = { moved: [], doubled: [], gone_edges: [], new_edges: [], detached: [] };
 
 describe("the preview of a fix", () => {
@@ -33,6 +39,16 @@ describe("the preview of a fix", () => {
   it("draws nothing of a moved edge that goes", () => {
     expect(previewOf({ ...nothing, moved: [{ vertex: 2, at_mm: [1, 1, 1] }], gone_edges: [6] }, design).edges).toEqual([]);
   });
+});
+
+it("is not shown any more while a vertex is dragged, when the design is another one already", () => {
+  useDesign.setState({ ...design, check: { ...check } });
+  showFix({ preview: { ...nothing, doubled: [5] } } as unknown as Fix);
+  expect(useView.getState().preview?.edges).toHaveLength(1);
+  // What a drag changes at first is what the checks say.
+  useDesign.setState({ check: { ...check } });
+  expect(useFixes.getState().shown).toBeNull();
+  expect(useView.getState().preview).toBeNull();
 });
 
 it("a fix belongs to the diagnostic of its place", () => {

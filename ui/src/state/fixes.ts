@@ -59,9 +59,10 @@ export async function applyFix(fix: Fix): Promise<void> {
   await edit(fix.edit);
 }
 
-// A preview is of the design as it was when it was made.
-useDesign.subscribe(({ vertices, edges, state }, before) => {
-  if (useFixes.getState().shown && (vertices !== before.vertices || edges !== before.edges || state !== before.state)) showFix(null);
+// A preview is of the design as it was when it was made: not of another one, and not of one that is dragged elsewhere just now.
+useDesign.subscribe(({ vertices, edges, state, check }, before) => {
+  const other = vertices !== before.vertices || edges !== before.edges || state !== before.state || check !== before.check;
+  if (other && useFixes.getState().shown) showFix(null);
 });
 useView.subscribe(({ preview }, before) => {
   if (before.preview && !preview && useFixes.getState().shown) useFixes.setState({ shown: null });
