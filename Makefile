@@ -10,6 +10,7 @@ export PATH := $(TOOLS)/bin:$(PATH)
 CARGO_DENY_VERSION := 0.20.2
 CARGO_FUZZ_VERSION := 0.13.2
 CHECK_JSONSCHEMA_VERSION := 0.39.0
+ZIZMOR_VERSION := 1.32.0
 NODE := 20
 
 WIREBEND := target/release/wirebend
@@ -155,10 +156,11 @@ e2e: package browser-tools tests/e2e/node_modules/.package-lock.json
 
 # Packages are made by tags alone: what a mistake in their recipe would cost is seen before.
 .PHONY: release-check
-release-check: check-python ## the recipe of the release, against the schema of such recipes
+release-check: check-python ## the recipe of the release: against the schema of such recipes, and for holes in its security
 	test -x $(PEERS)/bin/python || python3 -m venv $(PEERS)
-	$(PEERS)/bin/python -m pip install --quiet --disable-pip-version-check check-jsonschema==$(CHECK_JSONSCHEMA_VERSION)
+	$(PEERS)/bin/python -m pip install --quiet --disable-pip-version-check check-jsonschema==$(CHECK_JSONSCHEMA_VERSION) zizmor==$(ZIZMOR_VERSION)
 	$(PEERS)/bin/check-jsonschema --builtin-schema vendor.github-workflows .github/workflows/*.yml
+	$(PEERS)/bin/zizmor --offline --no-progress .github/workflows/*.yml
 
 # A fresh Debian in a folder, where apt installs the package for whoever has nothing else: as root and as a user. Needs root.
 CLEAN := target/clean-debian
