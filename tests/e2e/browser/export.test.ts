@@ -44,6 +44,24 @@ it("writes each format of the machine, and each file begins as was shown", async
   }
 });
 
+it("says that a file is written where a person sees it, in a low window too", async () => {
+  const whole = editor.page.viewportSize();
+  await editor.page.setViewportSize({ width: 1280, height: 600 });
+  await format().selectOption("lra-csv");
+  await target().fill(into("low.csv"));
+  // The last that is seen of the panel is the button.
+  await write().evaluate((button) => button.scrollIntoView({ block: "end" }));
+  await write().click();
+  const written = section().locator(".written", { hasText: "low.csv" });
+  await written.waitFor();
+  const isSeen = (at: Element): boolean => {
+    const { left, right, top, bottom } = at.getBoundingClientRect();
+    return at.contains(document.elementFromPoint((left + right) / 2, (top + bottom) / 2));
+  };
+  await until(() => written.evaluate(isSeen)).toBe(true);
+  if (whole) await editor.page.setViewportSize(whole);
+});
+
 it("shows at once what a setting changes", async () => {
   await format().selectOption("lra-csv");
   await until(() => preview().first().textContent()).toMatch(/,/);

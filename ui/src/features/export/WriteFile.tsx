@@ -1,4 +1,4 @@
-import { useState } from "react";
+import { useEffect, useRef, useState } from "react";
 import type { FormatEntry } from "../../generated/responses";
 import { platform, Refused } from "../../platform";
 import { Button } from "../../shared/Button";
@@ -44,6 +44,12 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
   const refused = preview?.format === format.id ? preview.refused : null;
   const why = busy ? "It is being written." : refused ? refused.message : null;
   const done = written?.format === format.id ? written.files : [];
+  const said = useRef<HTMLDivElement>(null);
+  const [before] = useState(written);
+  useEffect(() => {
+    // It may come below what is seen of the panel.
+    if (written !== before) void said.current?.scrollIntoView({ block: "nearest" });
+  }, [written, before]);
   return (
     <div className="stack">
       <Field label="File">
@@ -85,7 +91,7 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
           {path === "" ? "Write…" : "Write"}
         </Button>
       </div>
-      <div aria-live="polite">
+      <div ref={said} aria-live="polite">
         {done.map((file) => (
           <p key={file} className="written">
             <span className="muted">Written: </span>
