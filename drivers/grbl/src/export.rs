@@ -14,7 +14,8 @@ pub(crate) fn wire(settings: &Rc<Settings>, job: &Job, index: usize) -> Result<E
     let names = Names {
         name: job.name.clone(),
         design: job.design_hash.clone(),
-        job: job.job_hash.clone().unwrap_or_else(|| "not sealed".to_owned()),
+        // A design may be written without a job of it.
+        job: job.job_hash.clone().unwrap_or_else(|| "none".to_owned()),
         machine: job.machine.id.clone(),
         wire: index,
         steps: steps.len(),

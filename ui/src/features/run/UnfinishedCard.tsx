@@ -10,13 +10,13 @@ import { unfinishedPhrase } from "./phrases";
 export function UnfinishedCard({ unfinished, all, accept }: { readonly unfinished: Unfinished; readonly all: RunButtons; readonly accept: boolean }) {
   const [leaving, setLeaving] = useState(false);
   const { job_hash, wire, name, resumable } = unfinished;
+  // The first wire of a design is nearly always its only one.
+  const which = wire > 0 ? `${name ? `“${name}”, ` : ""}wire ${wire}` : name ? `“${name}”` : "A wire";
   return (
     <div className="unfinished stack" role="group" aria-label="Interrupted wire">
       <p>
         <Mark tone="warning" />{" "}
-        <strong>
-          {name ? `“${name}”, ` : ""}wire {wire} was interrupted
-        </strong>
+        <strong>{which} was interrupted</strong>
       </p>
       <p className="muted">{leaving ? "Once it is given up, nobody can go on with it. Nothing moves for it." : unfinishedPhrase(unfinished)}</p>
       <div className="row end">
