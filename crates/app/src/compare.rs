@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use wirebend_core::checks::Code;
 
 use crate::design::{DesignInput, Opened};
 use crate::plan::{PlanChoices, Planned};
@@ -20,9 +21,6 @@ pub struct CompareRequest {
     /// The other machines, at least one.
     #[schemars(length(min = 1))]
     pub against: Vec<String>,
-    /// The others are planned with their own wires, whatever wire the first one has.
-    #[serde(default)]
-    pub own_wires: bool,
 }
 
 /// The design on several machines.
@@ -79,6 +77,8 @@ pub struct OtherSide {
     pub newly_infeasible: Objections,
     /// Errors of the first machine that this one has not.
     pub newly_feasible: Objections,
+    /// The same with the machine's own wire, where that of the design does not fit it; null where it fits.
+    pub own_wire: Option<Box<OtherSide>>,
 }
 
 /// Differences of sums; null where one of the two is not known.
@@ -144,21 +144,29 @@ pub(crate) fn compare(
     let from = app.plan_design(copy(&opened), &request.choices, progress)?;
     let mut notes = from.opened.notes.clone();
     let (from, before) = (MachineSide::new(&from), from.report());
-    let mut to = Vec::with_capacity(request.against.len());
-    for (id, machine) in request.against.iter().zip(others) {
-        let mut choices = PlanChoices { machine: Some(id.clone()), ..request.choices.clone() };
-        if request.own_wires {
-            choices.material = machine.profile.default_material.clone();
-        }
-        let other = app.plan_design(copy(&opened), &choices, progress)?;
+    let mut beside = |choices: &PlanChoices| -> Result<(OtherSide, bool), AppError> {
+        let other = app.plan_design(copy(&opened), choices, progress)?;
         let (side, after) = (MachineSide::new(&other), other.report());
         notes.extend(other.opened.notes.into_iter().filter(|note| !notes.contains(note)).collect::<Vec<_>>());
-        to.push(OtherSide {
+        let fits = errors(&after).all(|(_, error)| error.code != Code::WireDoesNotFit.as_str());
+        let other = OtherSide {
             change: Change::between(&from, &side),
             newly_infeasible: Objections::only_in(&after, &before),
             newly_feasible: Objections::only_in(&before, &after),
+            own_wire: None,
             side,
-        });
+        };
+        Ok((other, fits))
+    };
+    let mut to = Vec::with_capacity(others.len());
+    for (id, machine) in request.against.iter().zip(others) {
+        let choices = PlanChoices { machine: Some(id.clone()), ..request.choices.clone() };
+        let (mut other, fits) = beside(&choices)?;
+        let own = machine.profile.default_material.filter(|own| !fits && *own != other.side.material);
+        if own.is_some() {
+            other.own_wire = Some(Box::new(beside(&PlanChoices { material: own, ..choices })?.0));
+        }
+        to.push(other);
     }
     Ok(CompareResponse { from, to, notes })
 }

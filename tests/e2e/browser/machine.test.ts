@@ -77,11 +77,12 @@ it("shows a machine that the wire does not fit with its own wire, which is what 
   await card("grbl bender").click();
   const beside = section().getByRole("region", { name: "With grbl bender" });
   await beside.getByText("Aluminium 6061-T6, 3 mm does not fit it").waitFor();
-  const { from, to } = await editor.loopback.ask("compare", { against: ["grbl-bender"], own_wires: true });
+  const { from, to } = await editor.loopback.ask("compare", { against: ["grbl-bender"] });
   const { materials } = await editor.loopback.ask("materials", {});
-  const own = materials.find(({ id }) => id === to[0]?.material);
+  const side = to[0]?.own_wire;
+  const own = materials.find(({ id }) => id === side?.material);
   await beside.getByText(`With its own wire, ${own?.name}`).waitFor();
-  await beside.getByText(`${clock(from.time_s ?? NaN)} → ${clock(to[0]?.time_s ?? NaN)}`).waitFor();
+  await beside.getByText(`${clock(from.time_s ?? NaN)} → ${clock(side?.time_s ?? NaN)}`).waitFor();
   await editor.isClean("machine-own-wire");
   await beside.getByRole("button", { name: "Switch, with its own wire" }).click();
   await until(async () => (await editor.design()).state.machine).toBe("grbl-bender");

@@ -532,10 +532,6 @@ export interface CompareDesign {
    * The other machines.
    */
   against: string[];
-  /**
-   * They are planned with their own wires instead of that of the design.
-   */
-  own_wires?: boolean;
 }
 /**
  * Connects the machine of the open design. One that was connected before is let go.

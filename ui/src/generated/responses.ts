@@ -1335,6 +1335,10 @@ export interface OtherSide {
   newly_feasible: Objections;
   newly_infeasible: Objections;
   /**
+   * The same with the machine's own wire, where that of the design does not fit it; null where it fits.
+   */
+  own_wire: OtherSide | null;
+  /**
    * Stock to load, in mm.
    */
   stock_mm: number | null;

@@ -7,7 +7,7 @@ import { type DesignState, useDesign } from "./design";
 import { type Compared, useMachines } from "./machines";
 
 const state = { machine: "kit", material: "al", name: "A" } as DesignState;
-const compared: Compared = { machine: "pensa", asked: "panel", from: null, to: null, own: null, problem: null };
+const compared: Compared = { machine: "pensa", asked: "panel", from: null, to: null, problem: null };
 
 beforeEach(() => {
   useDesign.setState({ state });

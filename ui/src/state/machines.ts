@@ -30,8 +30,6 @@ export interface Compared {
   /** Null while the answer is on its way, and where it cannot be had: see `problem`. */
   readonly from: CompareResponse["from"] | null;
   readonly to: OtherSide | null;
-  /** The same with the machine's own wire, where that of the design does not fit it. */
-  readonly own: OtherSide | null;
   readonly problem: string | null;
 }
 
@@ -90,14 +88,6 @@ export function profilesChanged(view: MachineViewResponse | null): void {
 /** Whether there is anything that another machine could make otherwise. */
 const isDesigned = (): boolean => useDesign.getState().edges.size > 0;
 
-/** Whether a wire goes into a machine, as far as both are known. */
-function fits(machine: string, material: string): boolean {
-  const { machines, materials } = useMachines.getState();
-  const [thin, thick] = machines?.find(({ id }) => id === machine)?.diameter_mm ?? [0, Infinity];
-  const wire = materials?.find(({ id }) => id === material);
-  return !wire || (wire.diameter_mm >= thin && wire.diameter_mm <= thick);
-}
-
 /**
  * Looks at another machine: what becomes feasible with the design, and what does not any more. An empty design has nothing to
  * compare and takes the machine at once.
@@ -109,14 +99,11 @@ export async function compareWith(machine: string, asked: ComparedIn): Promise<v
     await switchTo(machine, null);
     return;
   }
-  let compared: Compared = { machine, asked, from: null, to: null, own: null, problem: null };
+  let compared: Compared = { machine, asked, from: null, to: null, problem: null };
   useMachines.setState({ compared });
-  const against = [machine];
   try {
-    const { from, to } = await asking("compare", { against });
-    const [other = null] = to;
-    const own = other && !fits(machine, other.material) ? (await asking("compare", { against, own_wires: true })).to[0] : null;
-    compared = { ...compared, from, to: other, own: own ?? null };
+    const { from, to } = await asking("compare", { against: [machine] });
+    compared = { ...compared, from, to: to[0] ?? null };
   } catch (error) {
     compared = { ...compared, problem: error instanceof Error ? error.message : String(error) };
   }

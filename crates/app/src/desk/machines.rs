@@ -85,9 +85,6 @@ pub struct MachineViewResponse {
 pub struct CompareDesign {
     /// The other machines.
     pub against: Vec<String>,
-    /// They are planned with their own wires instead of that of the design.
-    #[serde(default)]
-    pub own_wires: bool,
 }
 
 /// Writes a profile of the person's own that inherits from a machine.
@@ -194,7 +191,6 @@ impl Desk {
             design: self.as_input()?,
             choices: PlanChoices::default(),
             against: asked.against.clone(),
-            own_wires: asked.own_wires,
         };
         crate::compare::compare(&self.app(), &request, progress)
     }

@@ -10,17 +10,8 @@ use wirebend_app::{
 use crate::{doubled, example};
 
 fn compare(design: DesignInput, choices: PlanChoices, against: &[&str]) -> Result<CompareResponse, AppError> {
-    compare_with(design, choices, against, false)
-}
-
-fn compare_with(
-    design: DesignInput,
-    choices: PlanChoices,
-    against: &[&str],
-    own_wires: bool,
-) -> Result<CompareResponse, AppError> {
     let against = against.iter().map(|&id| id.to_owned()).collect();
-    let request = Request::Compare(CompareRequest { design, choices, against, own_wires });
+    let request = Request::Compare(CompareRequest { design, choices, against });
     match App::new(&[]).unwrap().run(&request, &NoProgress)? {
         Response::Compare(found) => Ok(*found),
         other => panic!("a comparison answered {other:?}"),
@@ -111,15 +102,18 @@ fn the_cube_takes_other_stock_and_wire_on_another_machine() {
 
 /// 3 mm do not fit a machine that takes 0.8 to 2 mm; its own wire does.
 #[test]
-fn another_machine_is_tried_with_its_own_wire_where_that_is_asked_for() {
-    let chosen = || PlanChoices { material: Some("aluminium-6061-t6-3mm".to_owned()), ..doubled("wirebend-kit") };
-    let found = compare_with(example("house.obj"), chosen(), &["grbl-bender"], false).unwrap();
-    assert_eq!(codes(&found.to[0].newly_infeasible), [("wire_does_not_fit", 1)]);
-    assert_eq!(found.to[0].side.material, "aluminium-6061-t6-3mm");
-    let found = compare_with(example("house.obj"), chosen(), &["grbl-bender"], true).unwrap();
-    assert_eq!((found.to[0].side.feasible, codes(&found.to[0].newly_infeasible)), (true, vec![]));
-    let wires = (found.from.material.as_str(), found.to[0].side.material.as_str());
-    assert_eq!(wires, ("aluminium-6061-t6-3mm", "steel-1mm"));
+fn a_machine_that_the_wire_does_not_fit_is_tried_with_its_own_wire_too() {
+    let kit = "aluminium-6061-t6-3mm";
+    let chosen = PlanChoices { material: Some(kit.to_owned()), ..doubled("wirebend-kit") };
+    let found = compare(example("house.obj"), chosen, &["grbl-bender", "table-bender"]).unwrap();
+    let [grbl, table] = found.to.as_slice() else { panic!("two machines were asked for") };
+    assert_eq!((found.from.material.as_str(), grbl.side.material.as_str()), (kit, kit));
+    assert_eq!(codes(&grbl.newly_infeasible), [("wire_does_not_fit", 1)]);
+    let own = grbl.own_wire.as_ref().unwrap();
+    assert_eq!((own.side.material.as_str(), own.side.feasible), ("steel-1mm", true));
+    assert_eq!((codes(&own.newly_infeasible), &own.own_wire), (vec![], &None));
+    // 3 mm lie within the 1 to 6 mm of the other one.
+    assert_eq!((table.side.feasible, &table.own_wire), (true, &None));
 }
 
 #[test]

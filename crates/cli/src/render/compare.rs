@@ -16,9 +16,18 @@ pub(super) fn compare(out: &mut impl Write, found: &CompareResponse) -> std::io:
     notes(out, &found.notes)?;
     table(out, found)?;
     for other in &found.to {
-        differences(out, &found.from, other)?;
+        differences(out, &found.from, other, &other.side.machine)?;
+        if let Some(own) = &other.own_wire {
+            let name = format!("{} with {}", own.side.machine, own.side.material);
+            differences(out, &found.from, own, &name)?;
+        }
     }
     Ok(())
+}
+
+/// The other machines, each with its own wire beside it where that of the design does not fit.
+fn columns(found: &CompareResponse) -> impl Iterator<Item = &OtherSide> {
+    found.to.iter().flat_map(|other| [other].into_iter().chain(other.own_wire.as_deref()))
 }
 
 /// A row for each figure, a column for each machine.
@@ -27,7 +36,7 @@ fn table(out: &mut impl Write, found: &CompareResponse) -> std::io::Result<()> {
     let row = |label: &str,
                cell: &dyn Fn(&MachineSide) -> String,
                change: &dyn Fn(&OtherSide) -> Option<String>| {
-        let others = found.to.iter().map(|other| {
+        let others = columns(found).map(|other| {
             let change = change(other).map(|change| format!(" ({change})")).unwrap_or_default();
             format!("{}{change}", cell(&other.side))
         });
@@ -92,9 +101,13 @@ fn signed(magnitude: &str, is_less: bool) -> String {
 }
 
 /// What cannot be made on a machine that can be made on the first one, and the other way round.
-fn differences(out: &mut impl Write, from: &MachineSide, other: &OtherSide) -> std::io::Result<()> {
+fn differences(
+    out: &mut impl Write,
+    from: &MachineSide,
+    other: &OtherSide,
+    machine: &str,
+) -> std::io::Result<()> {
     let (worse, better) = (&other.newly_infeasible, &other.newly_feasible);
-    let machine = &other.side.machine;
     if worse.diagnostics.is_empty() && better.diagnostics.is_empty() {
         return writeln!(out, "{machine}: no other errors than on {}", from.machine);
     }

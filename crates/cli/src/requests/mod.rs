@@ -58,7 +58,7 @@ pub(crate) fn prepare(command: Command) -> anyhow::Result<Prepared> {
         }
         Command::Plan { design: args, choices: chosen, compare, .. } if !compare.is_empty() => {
             let (design, choices) = (design(&args)?, choices(chosen));
-            written(Request::Compare(CompareRequest { design, choices, against: compare, own_wires: false }))
+            written(Request::Compare(CompareRequest { design, choices, against: compare }))
         }
         Command::Plan { design: args, choices: chosen, output, danger, .. } => {
             let (output, contents) = place(output, false);

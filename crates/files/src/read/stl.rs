@@ -33,6 +33,7 @@ pub(super) fn is_binary(bytes: &[u8]) -> bool {
 pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> Result<Imported, ReadError> {
     let mut drawing = Drawing::default();
     let mut corners = HashMap::new();
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     if bytes.is_empty() {
         return Err(source.empty("triangles"));
     }
@@ -58,11 +59,12 @@ fn opens_solid(bytes: &[u8]) -> bool {
 
 type Corners = HashMap<[u32; 3], u32>;
 
-/// The first line of a text of some other kind: no byte of it is one that only a binary file has.
-fn other_text(bytes: &[u8]) -> Option<&str> {
+/// The first line of a text that is not blank, and its number from 1; `None` where a byte is no text.
+fn first_line(bytes: &[u8]) -> Option<(usize, &str)> {
     let text = std::str::from_utf8(bytes).ok()?;
     let is_plain = |c: char| !c.is_control() || c.is_ascii_whitespace();
-    text.chars().all(is_plain).then(|| text.trim_start().lines().next().unwrap_or_default())
+    let mut lines = (1..).zip(text.lines());
+    text.chars().all(is_plain).then(|| lines.find(|(_, line)| !line.trim().is_empty()).unwrap_or((1, "")))
 }
 
 fn binary(
@@ -73,10 +75,11 @@ fn binary(
 ) -> Result<(), ReadError> {
     let held = bytes.len().saturating_sub(HEAD) / TRIANGLE;
     if announced(bytes).is_none_or(|count| held < count)
-        && let Some(first) = other_text(bytes)
+        && let Some((number, line)) = first_line(bytes)
     {
-        let help = "this is some other kind of text: open the model, or give the file the extension of what it is";
-        return Err(source.syntax(Place::Line(1), first, "solid, with which an STL in text begins", help));
+        let expected = "solid, with which an STL in text begins";
+        let help = "this is text, but no STL: open the model itself, or rename the file to what it is";
+        return Err(source.syntax(Place::Line(number), line.trim_start(), expected, help));
     }
     let Some(count) = announced(bytes) else {
         let announced = "a binary STL starts with 84 bytes".to_owned();

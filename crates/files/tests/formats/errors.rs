@@ -64,6 +64,8 @@ fn stl() {
         "sh\0rt",
         "",
         "  # a picture\nP3 1 1 255\n",
+        "\n\n# of a later line\n",
+        "\u{feff}solid x\nendsolid x\n",
         "A letter that is longer than the head of a binary file: from its 81st byte on, what would be the number of triangles is text.",
     ];
     check(
@@ -76,8 +78,10 @@ fn stl() {
             read-empty: a.stl: no triangles in it; check that the right file was exported, with its geometry
             read-truncated: a.stl: a binary STL starts with 84 bytes, but there are 5; the file is cut off or damaged: export or download it again
             read-empty: a.stl: no triangles in it; check that the right file was exported, with its geometry
-            read-syntax: a.stl, line 1: found "# a picture", expected solid, with which an STL in text begins; this is some other kind of text: open the model, or give the file the extension of what it is
-            read-syntax: a.stl, line 1: found "A letter that is longer than the head of…", expected solid, with which an STL in text begins; this is some other kind of text: open the model, or give the file the extension of what it is
+            read-syntax: a.stl, line 1: found "# a picture", expected solid, with which an STL in text begins; this is text, but no STL: open the model itself, or rename the file to what it is
+            read-syntax: a.stl, line 3: found "# of a later line", expected solid, with which an STL in text begins; this is text, but no STL: open the model itself, or rename the file to what it is
+            read-empty: a.stl: no triangles in it; check that the right file was exported, with its geometry
+            read-syntax: a.stl, line 1: found "A letter that is longer than the head of…", expected solid, with which an STL in text begins; this is text, but no STL: open the model itself, or rename the file to what it is
         "##]],
     );
     let mut many = vec![0_u8; 84];

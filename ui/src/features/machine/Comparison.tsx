@@ -18,7 +18,8 @@ export function Comparison() {
     void box.current?.scrollIntoView({ block: "nearest" });
   }, [answered]);
   if (!compared) return null;
-  const { machine, from, to, own, problem } = compared;
+  const { machine, from, to, problem } = compared;
+  const own = to?.own_wire ?? null;
   const name = machines?.find(({ id }) => id === machine)?.name ?? machine;
   const wireOf = (side: OtherSide) => materials?.find(({ id }) => id === side.material)?.name ?? side.material;
   // What is recommended is what is shown.

@@ -24,6 +24,7 @@ const objections = (...codes: string[]): Objections => ({ diagnostics: codes.map
 const other = (given: Partial<OtherSide>): OtherSide => ({
   ...side,
   machine: "pensa",
+  own_wire: null,
   change: { bends: 0, cost: 0, mass_g: 0, stock_mm: 0, time_s: 0 },
   newly_feasible: objections(),
   newly_infeasible: objections(),
