@@ -28,7 +28,7 @@ let windows: Windows;
 let folder: string;
 let design: string;
 
-/** The person's folders, empty at each start. */
+/** The person's folders, all in one. */
 const surroundings = (home: string): NodeJS.ProcessEnv => ({
   ...process.env,
   HOME: home,

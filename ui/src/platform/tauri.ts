@@ -64,8 +64,8 @@ export class TauriWindow implements Platform {
   }
 
   async filesToOpen(): Promise<readonly string[]> {
-    // The Rust side tells of each file either here or by the event: none is told before somebody listens.
-    await this.listening;
+    // The Rust side tells of each file either here or by the event: none is told before somebody listens, or cannot.
+    await this.listening.catch(() => {});
     return invoke<string[]>("files_to_open");
   }
 

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { Camera } from "./camera";
 import type { Vec3 } from "./interface";
-import { axes, FIRST, framing, looking, type Orbit, pixelAtTarget, shifted, turned, zoomed } from "./orbit";
+import { axes, FIRST, framedAspect, framing, looking, type Orbit, pixelAtTarget, shifted, turned, zoomed } from "./orbit";
 import { cross, dot } from "./vec";
 
 const seen = (orbit: Orbit, at: Vec3): { x: number; y: number } => {
@@ -41,6 +41,12 @@ it("zooms to the pointer: what is under it stays", () => {
     expect(after.x).toBeCloseTo(550);
     expect(after.y).toBeCloseTo(210);
   }
+});
+
+it("framing leaves room for the tools, but not all of a narrow view", () => {
+  expect(framedAspect(1112, 500)).toBe(2);
+  expect(framedAspect(200, 100)).toBe(1);
+  expect(framedAspect(0, 0)).toBe(0);
 });
 
 describe("framing", () => {

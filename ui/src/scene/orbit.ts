@@ -79,6 +79,14 @@ export function looking(orbit: Orbit, view: ViewName): Orbit {
   return { ...orbit, ...VIEWS[view], orthographic: view !== "perspective" };
 }
 
+/** CSS pixels that framing leaves free at the left and at the right, where tools lie over the view. */
+const BESIDE = 56;
+
+/** Width to height of what framing fills of a view, CSS pixels; of a narrow one at least half. */
+export function framedAspect(width: number, height: number): number {
+  return Math.max(width - 2 * BESIDE, width / 2) / Math.max(height, 1);
+}
+
 /** Nearest view from the same side that shows all places with a margin, and at least `least` mm. Unchanged where there are none. */
 export function framing(orbit: Orbit, places: readonly Vec3[], aspect: number, least = 20): Orbit {
   const ball = ballAround(places);

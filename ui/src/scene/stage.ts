@@ -23,7 +23,7 @@ import type {
   Vec3,
 } from "./interface";
 import { Labels } from "./labels";
-import { axes, framing, pixelAtTarget } from "./orbit";
+import { axes, framedAspect, framing, pixelAtTarget } from "./orbit";
 import { Playback } from "./playback";
 import type { Projection } from "./projection";
 import { SelectionLayer } from "./selection_layer";
@@ -40,9 +40,6 @@ export interface Guide {
   readonly to: Vec3;
   readonly look: TubeLook;
 }
-
-/** CSS pixels at the left and at the right that what is framed leaves free: tools lie over the view there. */
-const BESIDE = 56;
 
 const DEFAULT_SNAP: SnapSettings = {
   kinds: new Set(["vertex", "stencil-vertex", "stencil-edge", "edge", "surface", "grid", "plane"]),
@@ -219,8 +216,7 @@ export class Stage {
     const chosen = selection ? this.placesOf(selection) : [];
     const played = this.playback.places;
     const places = played ?? (chosen.length > 0 ? chosen : this.everything());
-    const room = Math.max(camera.width - 2 * BESIDE, camera.width / 2);
-    camera.orbit = framing(camera.orbit, places, room / Math.max(camera.height, 1));
+    camera.orbit = framing(camera.orbit, places, framedAspect(camera.width, camera.height));
     this.viewMoved();
   }
 

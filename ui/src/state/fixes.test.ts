@@ -41,7 +41,7 @@ describe("the preview of a fix", () => {
   });
 });
 
-it("is not shown any more while a vertex is dragged, when the design is another one already", () => {
+it("goes away with the first checks of a drag", () => {
   useDesign.setState({ ...design, check: { ...check } });
   showFix({ preview: { ...nothing, doubled: [5] } } as unknown as Fix);
   expect(useView.getState().preview?.edges).toHaveLength(1);

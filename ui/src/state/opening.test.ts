@@ -31,25 +31,60 @@ beforeEach(() => {
 afterEach(() => end());
 
 describe("what the window begins with", () => {
-  it("is waited for, the files that it was started with too", async () => {
+  const PATIENCE = 500;
+  /** The answer to what is asked for under this name comes later; the others are refused. */
+  function answered(name: string): (answer: unknown) => void {
+    let later: (answer: unknown) => void = () => {};
+    const answer = new Promise((resolve) => (later = resolve));
+    platform.ask.mockImplementation((ask: string) => (ask === name ? answer : Promise.reject(new Error("nobody is there"))));
+    return later;
+  }
+  const isOver = async (promise: Promise<unknown>): Promise<boolean> => {
+    let over = false;
+    void promise.then(() => (over = true));
+    await vi.advanceTimersByTimeAsync(1);
+    return over;
+  };
+  beforeEach(() => {
     end();
-    let name: (paths: string[]) => void = () => {};
-    platform.filesToOpen.mockReturnValue(new Promise((resolve) => (name = resolve)));
+    vi.useFakeTimers();
+    platform.ask.mockClear();
+  });
+  afterEach(() => vi.useRealTimers());
+
+  it("is waited for, the first of the files that it was started with too", async () => {
+    platform.filesToOpen.mockResolvedValue(["/there/bunny.wirebend", "/there/house.wirebend"]);
+    const look = answered("look");
     end = open();
-    let there = false;
-    const waited = begun().then(() => (there = true));
-    await Promise.resolve();
-    name(["/there/bunny.wirebend"]);
-    expect(there).toBe(false);
-    await waited;
-    expect(platform.ask.mock.calls.map(([name]) => name)).toEqual(expect.arrayContaining(["start", "look"]));
+    const there = begun();
+    expect(await isOver(there)).toBe(false);
+    look(null);
+    expect(await isOver(there)).toBe(true);
+    expect(platform.ask.mock.calls.filter(([ask]) => ask === "look")).toEqual([["look", { design: { input: { file: "/there/bunny.wirebend" } } }]]);
+  });
+
+  it("comes before a file that is asked for meanwhile", async () => {
+    platform.filesToOpen.mockResolvedValue(["/there/bunny.wirebend"]);
+    const look = answered("look");
+    end = open();
+    const [hear] = platform.onOpen.mock.calls.at(-1) as [(path: string) => void];
+    hear("/there/house.wirebend");
+    const looks = () => platform.ask.mock.calls.filter(([ask]) => ask === "look").map(([, request]) => (request as { design: { input: { file: string } } }).design.input.file);
+    await vi.advanceTimersByTimeAsync(1);
+    expect(looks()).toEqual(["/there/bunny.wirebend"]);
+    look(null);
+    await vi.advanceTimersByTimeAsync(1);
+    expect(looks()).toEqual(["/there/bunny.wirebend", "/there/house.wirebend"]);
   });
 
   it("is not waited for for long", async () => {
-    end();
     platform.filesToOpen.mockReturnValue(new Promise(() => {}));
     end = open();
-    await begun();
+    const there = begun();
+    await vi.advanceTimersByTimeAsync(PATIENCE - 10);
+    expect(await isOver(there)).toBe(false);
+    await vi.advanceTimersByTimeAsync(10);
+    expect(await isOver(there)).toBe(true);
   });
 });
 

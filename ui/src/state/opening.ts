@@ -27,7 +27,7 @@ function measure(): void {
   useUnitStore.setState({ unit: useUi.getState().unit ?? own });
 }
 
-async function openDropped(paths: readonly string[]): Promise<void> {
+async function openFirst(paths: readonly string[]): Promise<void> {
   const [first, ...others] = paths;
   if (!first) return;
   if (others.length > 0) tell("info", `Only the first of ${paths.length} files is opened: one design is open at a time.`, "one-file");
@@ -42,7 +42,7 @@ let beginning: Promise<unknown> = Promise.resolve();
 /** Takes up what is open, and what the window was started with. */
 async function begin(): Promise<void> {
   const [files] = await Promise.all([told(platform.filesToOpen()), start()]);
-  for (const path of files ?? []) await openPath(path);
+  await openFirst(files ?? []);
   await checked();
 }
 
@@ -70,14 +70,15 @@ export function open(): () => void {
     }),
     platform.onDrop((drop) => {
       useFiles.setState({ over: drop.kind === "over" });
-      if (drop.kind === "dropped") void openDropped(drop.paths);
+      if (drop.kind === "dropped") void openFirst(drop.paths);
     }),
-    platform.onOpen((path) => void openPath(path)),
+    // What the window was started with was asked for before.
+    platform.onOpen((path) => void beginning.then(() => openPath(path))),
     platform.onClose(mayClose),
     useFiles.subscribe(({ opened }, { opened: before }) => {
       if (opened !== before) designReplaced();
     }),
   ];
-  beginning = begin();
+  beginning = told(begin());
   return () => ends.forEach((end) => end());
 }

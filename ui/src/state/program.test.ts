@@ -133,6 +133,15 @@ describe("playback", () => {
     expect(usePlayback.getState().otherWire).toBeNull();
   });
 
+  it("does not show a design that was changed meanwhile as the one that a machine makes", async () => {
+    await showLive(making(1), null);
+    platform.ask.mockImplementation(async (ask: string) => (ask === "program" ? { ...program, job_hash: "b2" } : view));
+    useDesign.setState({ vertices: new Map() });
+    await makeProgram();
+    await showLive(making(1), null);
+    expect(usePlayback.getState()).toMatchObject({ played: null, live: false, otherWire: "U" });
+  });
+
   it("follows the machine again once the design is again the one that was armed", async () => {
     platform.ask.mockImplementation(async (ask: string) => (ask === "program" ? { ...program, job_hash: "b2" } : view));
     await showLive(making(1), null);

@@ -213,11 +213,16 @@ const watch = new StepWatch();
 
 /** Shows how far a machine is with a wire, where it is one of the open design as it is; `axes` tell how far in the step. */
 export async function showLive({ job_hash, name, wire, made }: Pick<WireState, "job_hash" | "name" | "wire" | "made">, axes: Axes | null): Promise<void> {
-  if (!usePlayback.getState().live) {
+  const isShown = () => useProgram.getState().program?.job_hash === job_hash;
+  // A program that was made meanwhile is that of a design that was changed.
+  if (!usePlayback.getState().live || !isShown()) {
     const before = over;
     if (!isUpToDate() && !(await makeProgram()) && !isUpToDate()) return;
     if (before !== over) return;
-    if (useProgram.getState().program?.job_hash !== job_hash) return usePlayback.setState({ otherWire: name });
+    if (!isShown()) {
+      if (usePlayback.getState().live) showDesignAgain();
+      return usePlayback.setState({ otherWire: name });
+    }
     usePlayback.setState({ playing: false, otherWire: null });
     useProgram.setState({ wire });
     show(made);

@@ -120,7 +120,7 @@ export function phrase(state: MachineState | null): string {
   if (!state || state.phase === "closed") return "not connected";
   const who = state.simulated ? "simulated machine" : (state.port ?? state.machine);
   const { wire } = state;
-  if (wire && (state.phase === "making" || state.phase === "holding")) return `${PHASES[state.phase]} · step ${wire.made} of ${wire.of}`;
+  if (wire && (state.phase === "making" || state.phase === "holding")) return `${PHASES[state.phase]} · ${wire.made} of ${wire.of} made`;
   return `${who} · ${state.phase === "stopped" ? "stopped" : PHASES[state.phase]}`;
 }
 

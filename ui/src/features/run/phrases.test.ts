@@ -25,10 +25,10 @@ describe("wires", () => {
   const unfinished = (made: number, in_doubt: Unfinished["in_doubt"] = null): Unfinished => ({ id: "1", job_hash: "", name: "House", wire: 0, port: "sim", started: "", made, of: 31, in_doubt, resumable: true });
 
   it("tells how far one is", () => {
-    expect(progressPhrase({ wire: 0, made: 14, sent: 16, of: 31, elapsed_s: 130, remaining_s: 65, job_hash: "", name: "House" })).toBe("step 14 of 31 · 2:10, 1:05 left");
+    expect(progressPhrase({ wire: 0, made: 14, sent: 16, of: 31, elapsed_s: 130, remaining_s: 65, job_hash: "", name: "House" })).toBe("14 of 31 steps made · 2:10, 1:05 left");
     expect(unfinishedPhrase(unfinished(14))).toBe("Step 14 of 31 is made.");
-    expect(unfinishedPhrase(unfinished(14, [15, 15]))).toBe("Step 14 of 31 is made. Step 15 was sent: you are asked what became of it when the wire goes on.");
-    expect(unfinishedPhrase(unfinished(0, [1, 3]))).toBe("No step of 31 is made. Steps 1 to 3 were sent: you are asked what became of them when the wire goes on.");
+    expect(unfinishedPhrase(unfinished(14, [15, 15]))).toBe("Step 14 of 31 is made. Step 15 was sent: before the wire goes on, the machine or you say what became of it.");
+    expect(unfinishedPhrase(unfinished(0, [1, 3]))).toBe("No step of 31 is made. Steps 1 to 3 were sent: before the wire goes on, the machine or you say what became of them.");
     expect(unfinishedPhrase({ ...unfinished(0), resumable: false })).toMatch(/cannot be gone on with/);
   });
 

@@ -20,19 +20,19 @@ export function guess(ports: readonly PortEntry[]): string | null {
   return (likely ?? ports.find(({ simulated }) => simulated))?.name ?? null;
 }
 
-/** "step 14 of 31 · 2:10, 1:05 left". */
+/** "14 of 31 steps made · 2:10, 1:05 left". */
 export function progressPhrase({ made, of, elapsed_s, remaining_s }: WireState): string {
-  return `step ${made} of ${of} · ${time(elapsed_s)}, ${time(remaining_s)} left`;
+  return `${made} of ${of} steps made · ${time(elapsed_s)}, ${time(remaining_s)} left`;
 }
 
 function doubtful(steps: readonly [number, number] | null | undefined): string {
   if (!steps) return "";
   const [first, last] = steps;
   const sent = first === last ? `Step ${first} was sent` : `Steps ${first} to ${last} were sent`;
-  return ` ${sent}: you are asked what became of ${first === last ? "it" : "them"} when the wire goes on.`;
+  return ` ${sent}: before the wire goes on, the machine or you say what became of ${first === last ? "it" : "them"}.`;
 }
 
-/** "Step 14 of 31 is made. Step 15 was sent: you are asked what became of it when the wire goes on." */
+/** "Step 14 of 31 is made. Step 15 was sent: before the wire goes on, the machine or you say what became of it." */
 export function unfinishedPhrase({ made, of, in_doubt, resumable }: Unfinished): string {
   if (!resumable) return "Its record is damaged, so that nobody knows how far it came: it cannot be gone on with.";
   return `${made === 0 ? "No step" : `Step ${made}`} of ${of} is made.${doubtful(in_doubt)}`;
