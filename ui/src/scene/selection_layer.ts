@@ -55,7 +55,7 @@ export class SelectionLayer {
       ),
     ];
     const [from, to] = start ? [design.place(start.vertex), design.place(start.towards)] : [null, null];
-    if (from && to) signs.push({ at: from, shape: "arrow", colour: theme.acted, radius: 8, towards: subtract(to, from), off: 18 });
+    if (from && to) signs.push({ at: from, shape: "arrow", colour: theme.acted, radius: 10, towards: subtract(to, from), off: 19 });
     return signs;
   }
 

@@ -60,6 +60,13 @@ float polygon(vec2 p, float r, float corners, float turn) {
   float angle = atan(p.y, p.x) + turn;
   return cos(floor(0.5 + angle / part) * part - angle) * length(p) - r;
 }
+// Long and notched: of a triangle with equal sides nobody sees which corner points the way.
+float arrow(vec2 p, float r) {
+  vec2 upper = vec2(p.x, abs(p.y));
+  float side = dot(upper - vec2(r, 0.0), vec2(0.3162, 0.9487));
+  float notch = dot(upper + vec2(r * 0.35, 0.0), vec2(-0.8, -0.6));
+  return max(side, notch);
+}
 float bar(vec2 p, float r) {
   return min(max(abs(p.x) - r, abs(p.y)), max(abs(p.y) - r, abs(p.x)));
 }
@@ -72,7 +79,7 @@ float distanceTo(vec2 p, float shape, float r) {
   if (shape < 4.5) return min(abs(length(p) - r) - width, length(p) - 2.0);
   if (shape < 5.5) return bar(p, r) - width;
   if (shape < 6.5) return bar(vec2(p.x + p.y, p.x - p.y) * 0.7071, r) - width;
-  if (shape < 7.5) return polygon(p, r * 0.5, 3.0, 3.1415927);
+  if (shape < 7.5) return arrow(p, r);
   return length(p) - r * 0.5;
 }
 void main() {
