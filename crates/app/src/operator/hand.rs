@@ -50,6 +50,7 @@ impl Post<'_> {
             && connection.can_home();
         let yes = self.leave_to_move(order, moves, more, homes)?;
         self.armed = None;
+        self.wire_used |= moves.iter().any(|one| matches!(one, Move::Feed { .. } | Move::Bend { .. }));
         let (signs, shared) = (self.signs, self.shared);
         shared.enter(if order == OrderName::Home { Phase::Homing } else { Phase::Moving });
         // Until they are where a wire begins again.

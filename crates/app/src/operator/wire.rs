@@ -34,11 +34,14 @@ impl<'a> Post<'a> {
         let homes = self.homes_first();
         let connection = self.connected(OrderName::Arm)?;
         connection.require_settings(task.setup.machine_id(), accept_settings)?;
-        let lines = about(&task, connection, wire, true, homes)?;
+        let mut lines = about(&task, connection, wire, true, homes)?;
+        if self.wire_used {
+            lines.push("wire was fed or bent by hand: put in new wire, or cut that off at the nozzle".to_owned());
+        }
         let question = "Is the wire in, and may the machine move once it is started?";
         let yes = self.ask(QuestionKind::Arm, lines, question)?;
         // Whoever has asked for a wire has their hands at the machine.
-        self.leave = None;
+        (self.leave, self.wire_used) = (None, false);
         self.armed = Some(ArmedWire { task, wire, yes });
         Ok(())
     }

@@ -7,6 +7,34 @@ use wirebend_app::{
 
 use crate::shop::Shop;
 
+/// What was fed and bent by hand sticks out of the nozzle, and the first bends of the wire would be made beyond it.
+#[test]
+fn a_wire_that_was_moved_by_hand_is_no_new_one() {
+    let shop = Shop::new();
+    let (seat, job) = (shop.simulated("sim:max"), shop.cube("wirebend-kit"));
+    seat.home();
+    let told = |answer| {
+        seat.arm(&job);
+        let asked = seat.says(answer);
+        seat.until_state(|state| state.question.is_none() && !state.busy);
+        asked.lines.iter().any(|line| line.contains("fed or bent by hand"))
+    };
+    let jog = |moves| {
+        seat.order(&json!({"order": "jog", "moves": moves, "record": false}));
+        seat.until_state(|state| state.phase == Phase::Ready && !state.busy);
+    };
+    assert!(!told(Answer::No));
+    jog(json!([{"move": "rotate", "deg": 90.0}]));
+    assert!(!told(Answer::No), "turning the head does nothing to the wire");
+    jog(json!([{"move": "feed", "mm": 10.0}, {"move": "bend", "deg": 45.0}]));
+    seat.home();
+    assert!(told(Answer::No), "homing cuts nothing off");
+    assert!(told(Answer::Yes), "who says no has not put in another one");
+    seat.order(&json!({"order": "disarm"}));
+    seat.until_phase(Phase::Ready);
+    assert!(!told(Answer::No));
+}
+
 #[test]
 fn a_wire_is_armed_started_paused_and_made() {
     let shop = Shop::new();
