@@ -1,4 +1,4 @@
-import { type ReactNode, useId } from "react";
+import { type ReactNode, useEffect, useId, useRef } from "react";
 import { type SectionId, useUi } from "../state/ui";
 import { Icon } from "./icons";
 import { Mark, type Tone } from "./Mark";
@@ -22,8 +22,15 @@ export function Section({
   const open = useUi((ui) => ui.open.includes(id));
   const toggle = useUi((ui) => ui.toggleSection);
   const contents = useId();
+  const box = useRef<HTMLElement>(null);
+  const before = useRef(open);
+  useEffect(() => {
+    // What a person opens is to be seen, not only its header.
+    if (open && !before.current) void box.current?.scrollIntoView({ block: "nearest" });
+    before.current = open;
+  }, [open]);
   return (
-    <section className="section" id={`section-${id}`} aria-labelledby={`${contents}-title`}>
+    <section ref={box} className="section" id={`section-${id}`} aria-labelledby={`${contents}-title`}>
       <h2>
         <button type="button" className="section-head" aria-expanded={open} aria-controls={open ? contents : undefined} onClick={() => toggle(id)}>
           <Icon name={open ? "down" : "right"} size={12} />

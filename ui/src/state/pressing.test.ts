@@ -81,6 +81,21 @@ describe("keys of the window", () => {
     expect([taken, ran]).toEqual([["x"], []]);
   });
 
+  it("paste, and the middle button does not", () => {
+    why = "Nothing may be pasted now";
+    useProblems.setState({ problems: [] });
+    const paste = () => {
+      const event = new ClipboardEvent("paste", { bubbles: true, cancelable: true, clipboardData: new DataTransfer() });
+      document.body.dispatchEvent(event);
+      return [event.defaultPrevented, useProblems.getState().problems.length];
+    };
+    document.body.dispatchEvent(new PointerEvent("pointerdown", { button: 1, bubbles: true }));
+    expect(paste()).toEqual([true, 0]);
+    press("v", document.body, { ctrlKey: true });
+    expect(paste()).toEqual([true, 1]);
+    useProblems.setState({ problems: [] });
+  });
+
   it("do not cut or paste what may not be changed, and say why", () => {
     useDesign.setState({ vertices: new Map([[1, { id: 1, at: [0, 0, 0], support: false }]]) });
     useSelection.setState({ vertices: new Set([1]), edges: new Set() });

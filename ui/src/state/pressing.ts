@@ -56,12 +56,16 @@ function refused(command: CommandId): boolean {
   return why !== null;
 }
 
+/** The middle button was pressed last: it pans the view, and pastes what is marked elsewhere only where a person writes. */
+let middle = false;
+
 function clipboard(event: ClipboardEvent): void {
   if (typing(event.target) || asked() || !event.clipboardData) return;
   // Text that a person has marked, such as a line of the console, is copied as text.
   if (event.type === "copy" && !window.getSelection()?.isCollapsed) return;
   if (event.type === "paste") {
     event.preventDefault();
+    if (middle) return;
     if (refused("paste")) return;
     void pasteText(event.clipboardData.getData("text/plain"));
     return;
@@ -83,6 +87,8 @@ export function listenToKeys(): () => void {
   const stop = new AbortController();
   const { signal } = stop;
   window.addEventListener("keydown", stopPressed, { signal, capture: true });
+  window.addEventListener("keydown", () => (middle = false), { signal, capture: true });
+  window.addEventListener("pointerdown", ({ button }) => (middle = button === 1), { signal, capture: true });
   window.addEventListener("keydown", pressed, { signal });
   for (const type of ["copy", "cut", "paste"] as const) document.addEventListener(type, clipboard, { signal });
   for (const type of ["beforecopy", "beforecut", "beforepaste"]) document.addEventListener(type, wanted, { signal });

@@ -57,14 +57,14 @@ macro_rules! examples {
 
 examples! {
     "cube", "Cube", "cube-8-edges.obj", false, false, "Eight edges, bent in one go: everything is green.";
-    "house", "House", "house.obj", false, false, "Flat and in space: the first thing to bend.";
+    "house", "House", "house.obj", false, false, "A flat outline: the first thing to bend.";
     "phone-stand", "Phone stand", "phone-stand.obj", false, false, "Something to use on the same day.";
-    "cup-holder", "Cup holder", "cup-holder.obj", false, false, "Two rings and the wire between them.";
+    "cup-holder", "Cup holder", "cup-holder.obj", false, false, "A ring for the cup, and a hook over the edge of a board.";
     "spring", "Spring", "spring.obj", false, false, "Many small bends, each with a turn.";
     "bunny", "Bunny", "bunny.obj", true, false, "22 odd vertices: no single wire, until edges are doubled.";
     "teapot", "Teapot", "teapot.obj", true, false, "A large mesh as a wireframe.";
     "truss", "Truss", "truss-1.obj", false, false, "A structure of tetrahedra.";
-    "bunny-stencil", "Bunny to trace", "bunny.obj", false, true, "A surface to trace a wireframe of your own on.";
+    "bunny-stencil", "Bunny to trace", "bunny.obj", false, true, "A surface, on which you trace a wireframe of your own.";
 }
 
 impl Example {

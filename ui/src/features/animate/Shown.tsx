@@ -24,6 +24,11 @@ export function Shown() {
           { value: "both", label: "Both", why },
         ]}
       />
+      {shown === "both" && made && (
+        <p className="legend small">
+          <span className="swatch designed" /> as designed <span className="swatch made" /> as made
+        </p>
+      )}
       <p className="muted small" aria-live="polite">
         {askingMade ? "Bending it…" : off ? `${off}, ${made?.by_machine ? "on the simulated machine" : "by formulas alone: this machine is not simulated"}` : "“As made” works out what the machine makes of it."}
       </p>

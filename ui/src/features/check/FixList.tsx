@@ -1,4 +1,4 @@
-import { useState } from "react";
+import { useEffect, useRef, useState } from "react";
 import { Button } from "../../shared/Button";
 import { count, money, signed, time } from "../../shared/format";
 import { useLengths } from "../../shared/unit";
@@ -47,7 +47,7 @@ function Figures({ fix }: { readonly fix: Fix }) {
       </tr>
     );
   };
-  if (isFirst(change)) return <p className="muted small">Stock, time and cost are known once there is a wire to be made.</p>;
+  if (isFirst(change)) return <p className="muted small">What the wire comes to in all is known once there is one that can be made.</p>;
   const errors = check?.diagnostics.filter(({ severity }) => severity === "error").length ?? 0;
   return (
     <table className="before-after">
@@ -79,6 +79,10 @@ export function FixList({ fixes }: { readonly fixes: readonly Fix[] }) {
   const check = useDesign((design) => design.check);
   const [made, setMade] = useState<Fix | null>(null);
   const change = useChange();
+  const box = useRef<HTMLUListElement>(null);
+  useEffect(() => {
+    void box.current?.scrollIntoView({ block: "nearest" });
+  }, []);
   // A fix is of the design as it was looked at: the second click of a double one would make it again of another one.
   const why = made !== null && fixes.includes(made) ? "The fix is being made." : of !== check ? "The design has changed since." : null;
   const apply = async (fix: Fix) => {
@@ -88,7 +92,7 @@ export function FixList({ fixes }: { readonly fixes: readonly Fix[] }) {
     if (useDesign.getState().state === before) setMade(null);
   };
   return (
-    <ul className="fixes">
+    <ul ref={box} className="fixes">
       {fixes.map((fix, index) => {
         const now = shown === fix;
         return (

@@ -69,6 +69,7 @@ export function Manual({ state }: { readonly state: MachineState }) {
           </div>
         ))}
       </div>
+      <Recording state={state} record={record} />
       {drawn && (
         <div className="row" role="status">
           <span className="grow muted small">The view shows the wire that these moves make, springback left out.</span>
@@ -77,7 +78,6 @@ export function Manual({ state }: { readonly state: MachineState }) {
           </Button>
         </div>
       )}
-      <Recording state={state} record={record} />
     </Part>
   );
 }

@@ -62,17 +62,7 @@ export function Recording({ state, record }: { readonly state: MachineState; rea
   return (
     <div className="stack">
       {asked}
-      <div className="recorded" tabIndex={0} role="region" aria-label="Recorded moves">
-        {none ? (
-          <span className="muted">Moves that you make now are kept here.</span>
-        ) : (
-          <ol>
-            {recorded.map((move, index) => (
-              <li key={index}>{movePhrase(move, unit)}</li>
-            ))}
-          </ol>
-        )}
-      </div>
+      {/* The buttons first: the list grows with each move, and they stay where the pointer is. */}
       <div className="row wrap">
         <span className="grow muted small">{count(recorded.length, "move")}</span>
         <Button small why={none} onClick={() => void clearRecording()}>
@@ -84,6 +74,17 @@ export function Recording({ state, record }: { readonly state: MachineState; rea
         <Button small why={all.replay} onClick={() => void replay()}>
           Replay…
         </Button>
+      </div>
+      <div className="recorded" tabIndex={0} role="region" aria-label="Recorded moves">
+        {none ? (
+          <span className="muted">Moves that you make now are kept here.</span>
+        ) : (
+          <ol>
+            {recorded.map((move, index) => (
+              <li key={index}>{movePhrase(move, unit)}</li>
+            ))}
+          </ol>
+        )}
       </div>
       {file && (
         <p className="written small" role="status">

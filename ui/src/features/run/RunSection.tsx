@@ -1,12 +1,14 @@
 import { useEffect } from "react";
 import { Section } from "../../shared/Section";
+import { useUnitStore } from "../../shared/unit";
+import { tell } from "../../state/problems";
 import { isOpen, loadRuns, takeUp, useRun } from "../../state/run";
 import { phrase } from "./buttons";
 import { Connect } from "./Connect";
 import { Console } from "./Console";
 import { Manual } from "./Manual";
 import { QuestionDialog } from "./QuestionDialog";
-import { unfinishedOf } from "./records";
+import { interruptedPhrase, unfinishedOf } from "./records";
 import { Runs } from "./Runs";
 import { Session } from "./Session";
 import { Wire } from "./Wire";
@@ -17,8 +19,13 @@ export function RunSection() {
   const state = useRun((run) => run.state);
   const interrupted = useRun(({ state, runs }) => state === null && unfinishedOf(runs).length > 0);
   useEffect(() => {
-    void takeUp();
-    void loadRuns();
+    void (async () => {
+      await Promise.all([takeUp(), loadRuns()]);
+      const { state, runs } = useRun.getState();
+      const told = interruptedPhrase(runs, useUnitStore.getState().unit);
+      // The section may be out of sight, and the wire is still in the machine.
+      if (state === null && told) tell("warning", `${told.what}. ${told.sub}`, "interrupted");
+    })();
   }, []);
   const connected = isOpen(state);
   const tone = state?.phase === "failed" ? "error" : state?.phase === "stopped" || state?.unfinished || interrupted ? "warning" : null;

@@ -25,6 +25,7 @@ export function Wire({ state }: { readonly state: MachineState }) {
   const wires = check?.wires ?? [];
   const wire = Math.min(chosen, Math.max(wires.length - 1, 0));
   const needsAccept = state.settings.some(({ matters }) => matters) && !accept ? "The machine is set otherwise than its profile says: see below." : null;
+  const whyNot = all.arm ?? needsAccept;
   const under = state.phase === "making" || state.phase === "holding";
   const stock = wires[wire]?.stock_mm;
   return (
@@ -55,7 +56,7 @@ export function Wire({ state }: { readonly state: MachineState }) {
           <Button
             className="grow"
             kind={all.next === "arm" ? "primary" : "plain"}
-            why={all.arm ?? needsAccept}
+            why={whyNot}
             onClick={() => void order({ order: "arm", wire, accept_settings: accept })}
           >
             Arm…
@@ -77,6 +78,7 @@ export function Wire({ state }: { readonly state: MachineState }) {
           </Button>
         )}
       </div>
+      {state.phase === "ready" && !state.busy && whyNot && <p className="muted small">{whyNot}</p>}
       {!under && <Ended />}
     </Part>
   );
