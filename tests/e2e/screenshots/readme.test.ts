@@ -135,7 +135,7 @@ it("makes the pictures", async () => {
   await run.getByRole("button", { name: "Arm…" }).click();
   await page.getByRole("button", { name: "Arm", exact: true }).click();
   await run.getByRole("button", { name: "Start", exact: true }).click();
-  await page.getByText(/step [5-9] of/).first().waitFor();
+  await page.getByText(/\b[5-9] of [0-9]+ steps made/).first().waitFor();
   await picture("run");
   await page.keyboard.press("Control+Space");
   await page.getByText(/stopped/i).first().waitFor();

@@ -36,7 +36,9 @@ impl<'a> Post<'a> {
         connection.require_settings(task.setup.machine_id(), accept_settings)?;
         let mut lines = about(&task, connection, wire, true, homes)?;
         if self.wire_used {
-            lines.push("wire was fed or bent by hand: put in new wire, or cut that off at the nozzle".to_owned());
+            lines.push(
+                "wire was fed or bent by hand: put in new wire, or cut that off at the nozzle".to_owned(),
+            );
         }
         let question = "Is the wire in, and may the machine move once it is started?";
         let yes = self.ask(QuestionKind::Arm, lines, question)?;

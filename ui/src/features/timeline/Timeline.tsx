@@ -65,7 +65,7 @@ export function Timeline() {
         <Button small why={asking ? "The program is being made." : null} title="The design has changed since the program was made" onClick={() => void makeProgram()}>
           Update
         </Button>
-      ) : (
+      ) : live ? null : (
         <span className="timeline-speeds muted">
           feed ×{number(speeds.feed * speeds.all, digits(speeds.feed * speeds.all))} · bend ×{number(speeds.bend * speeds.all, digits(speeds.bend * speeds.all))} · rotate ×
           {number(speeds.rotate * speeds.all, digits(speeds.rotate * speeds.all))}
