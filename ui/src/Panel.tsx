@@ -1,4 +1,5 @@
 import { type KeyboardEvent, type PointerEvent, type ReactNode, useRef } from "react";
+import { useSteady } from "./shared/steady";
 import { PANEL, useUi, usualPanel } from "./state/ui";
 
 /** px of an arrow key. */
@@ -8,6 +9,8 @@ const STEP = 16;
 export function Panel({ children }: { readonly children: ReactNode }) {
   const width = useUi((ui) => ui.panelWidth);
   const setWidth = useUi((ui) => ui.setPanelWidth);
+  const sections = useRef<HTMLDivElement>(null);
+  useSteady(sections, ".section");
   const grip = useRef<{ x: number; width: number } | null>(null);
   const down = (event: PointerEvent<HTMLDivElement>) => {
     event.currentTarget.setPointerCapture(event.pointerId);
@@ -41,7 +44,7 @@ export function Panel({ children }: { readonly children: ReactNode }) {
         onDoubleClick={() => setWidth(usualPanel(window.innerWidth))}
         onKeyDown={key}
       />
-      <div className="panel-sections">{children}</div>
+      <div ref={sections} className="panel-sections">{children}</div>
     </aside>
   );
 }

@@ -77,7 +77,8 @@ pub struct OtherSide {
     pub newly_infeasible: Objections,
     /// Errors of the first machine that this one has not.
     pub newly_feasible: Objections,
-    /// The same with the machine's own wire, where that of the design does not fit it; null where it fits.
+    /// The same with the machine's own wire, where that of the design does not fit it; null where it fits, where the machine
+    /// has no other wire, and in the comparison with its own wire.
     pub own_wire: Option<Box<OtherSide>>,
 }
 

@@ -14,7 +14,7 @@ pub(crate) fn wire(settings: &Rc<Settings>, job: &Job, index: usize) -> Result<E
     let names = Names {
         name: job.name.clone(),
         design: job.design_hash.clone(),
-        // A design may be written without a job of it.
+        // A design can be written without a job.
         job: job.job_hash.clone().unwrap_or_else(|| "none".to_owned()),
         machine: job.machine.id.clone(),
         wire: index,

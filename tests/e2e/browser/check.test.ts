@@ -43,7 +43,7 @@ it("mends 22 odd vertices with the edges that add least, shows it before, and ta
   await fixesOf("22 odd vertices");
   await check().getByText("Double 11 edges (+601.4 mm").waitFor();
   await editor.button("Preview").click();
-  await check().getByText("What the wire comes to in all is known once there is one that can be made.").waitFor();
+  await check().getByText("Stock, time and cost in all are known once there is a wire that can be made.").waitFor();
   expect(await editor.button("Preview").getAttribute("aria-pressed")).toBe("true");
   await editor.isClean("check-preview");
 

@@ -64,7 +64,7 @@ export class TauriWindow implements Platform {
   }
 
   async filesToOpen(): Promise<readonly string[]> {
-    // The Rust side tells of each file either here or by the event: none is told before somebody listens, or cannot.
+    // The Rust side tells of each file either here or by an event: it is not asked before the events are heard.
     await this.listening.catch(() => {});
     return invoke<string[]>("files_to_open");
   }

@@ -126,6 +126,7 @@ export class Playback {
       wire?.tubes.mesh.removeFromParent();
       wire?.dispose();
     }
+    const before = this.played;
     this.played = played;
     this.group.visible = played !== null;
     this.designed = null;
@@ -138,7 +139,8 @@ export class Playback {
     if (made)
       this.made = new Wire(this.uniforms, made, steps, made.length === path.length ? at : corners(made, steps.length), wireDiameter);
     for (const wire of [this.designed, this.made]) if (wire) this.group.add(wire.tubes.mesh);
-    this.machine.show(bodies, played.orbitOffset ?? 0, wireDiameter, this.theme);
+    const same = before && before.bodies === bodies && before.orbitOffset === played.orbitOffset && before.wireDiameter === wireDiameter;
+    if (!same) this.machine.show(bodies, played.orbitOffset ?? 0, wireDiameter, this.theme);
     this.update();
   }
 

@@ -1,7 +1,8 @@
-import { type ReactNode, useEffect, useId, useRef } from "react";
+import { type ReactNode, useId, useRef, useState } from "react";
 import { type SectionId, useUi } from "../state/ui";
 import { Icon } from "./icons";
 import { Mark, type Tone } from "./Mark";
+import { useInSight } from "./sight";
 import "./lines.css";
 
 /** A section of the panel. Its header tells the state in a phrase, also while it is closed; then its contents are not there. */
@@ -23,12 +24,8 @@ export function Section({
   const toggle = useUi((ui) => ui.toggleSection);
   const contents = useId();
   const box = useRef<HTMLElement>(null);
-  const before = useRef(open);
-  useEffect(() => {
-    // What a person opens is to be seen, not only its header.
-    if (open && !before.current) void box.current?.scrollIntoView({ block: "nearest" });
-    before.current = open;
-  }, [open]);
+  const [atFirst] = useState(open);
+  useInSight(box, open && !atFirst);
   return (
     <section ref={box} className="section" id={`section-${id}`} aria-labelledby={`${contents}-title`}>
       <h2>

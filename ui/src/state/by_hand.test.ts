@@ -10,7 +10,7 @@ import { machineState } from "./testing";
 import programs from "../scene/fixtures/programs.json";
 import type { Played, PlayedStep, Vec3 } from "../scene/interface";
 import { type Run, runs } from "../scene/poses";
-import { hearByHand, hideByHand, playedByHand, stepsOf, useByHand } from "./by_hand";
+import { beginMove, hearByHand, hideByHand, playedByHand, stepsOf, useByHand } from "./by_hand";
 import { useDesign } from "./design";
 import { useMachines } from "./machines";
 import type { Move } from "./operator";
@@ -107,7 +107,7 @@ describe("what is heard of a machine", () => {
     useRun.setState({ state: { ...machineState("moving"), machine: "kit" } });
     useMachines.setState({ views: new Map([["kit", VIEW]]), machines: [], materials: [] });
     usePlayback.setState({ played: null, live: false });
-    useByHand.setState({ moves: [], played: null });
+    useByHand.setState({ moves: [], played: null, step: 0 });
   });
 
   it("is drawn move by move, and forgotten when it is homed or parted from", async () => {
@@ -118,7 +118,7 @@ describe("what is heard of a machine", () => {
       await jogged(feed(10));
       expect(shown()).toBeDefined();
       await end();
-      expect(useByHand.getState()).toEqual({ moves: [], played: null });
+      expect(useByHand.getState()).toEqual({ moves: [], played: null, step: 0 });
     }
   });
 
@@ -137,6 +137,31 @@ describe("what is heard of a machine", () => {
     await jogged(bend(20));
     expect(stepsOf(useByHand.getState().moves)[0]).toEqual({ feed: 20, rotate: 0, bend: 20 });
     expect(shown()).toBe(2);
+  });
+
+  it("is drawn while it is made, as far as the machine tells where its axes are", async () => {
+    const at = async (feed_mm: number, rotate_deg: number, bend_deg: number) => {
+      hearByHand({ event: "news", news: "position", feed_mm, rotate_deg, bend_deg });
+      await new Promise((resolve) => setTimeout(resolve));
+      const { played, step } = useByHand.getState();
+      return { step, steps: played?.steps.map(({ feed, bend, bendAxis }) => [feed, bend, bendAxis]) };
+    };
+    useRun.setState({ state: { ...machineState("moving"), machine: "kit", position: { feed_mm: 100, rotate_deg: 0, bend_deg: 0 } } });
+    await jogged(feed(10));
+    beginMove(feed(20));
+    expect(await at(105, 0, 0)).toEqual({ step: 1, steps: [[15, 0, 0]] });
+    await jogged(feed(20));
+    expect(useByHand.getState().played?.steps[0]?.feed).toBe(30);
+    useRun.setState(({ state }) => ({ state: state && { ...state, position: { feed_mm: 120, rotate_deg: 0, bend_deg: 0 } } }));
+    beginMove(bend(-60));
+    // The peg comes from the other side, bends, and goes back: the wire stays as it is.
+    expect(await at(120, 0, 12)).toEqual({ step: 1, steps: [[30, 0, 0]] });
+    const hair = [1e-3, 0, 0];
+    expect(await at(120, 0, -30)).toEqual({ step: 0.5, steps: [[30, -30, -30], hair] });
+    expect(await at(120, 0, -15)).toEqual({ step: 0.5, steps: [[30, -30, -15], hair] });
+    // What was not ordered here, such as moves of a file, is drawn when it is made.
+    await jogged(bend(-60));
+    expect(await at(150, 0, 0)).toEqual({ step: 2, steps: [[30, -60, -60], hair] });
   });
 
   it("does not take the place of a wire that is being made", async () => {

@@ -5,7 +5,7 @@ import type { MachineViewResponse } from "../generated/responses";
 import type { Played, PlayedStep, Vec3 } from "../scene/interface";
 import { useDesign } from "./design";
 import { needMachines, useMachines, viewOf } from "./machines";
-import { type Move, operatorEvent, type OperatorEvent, type Phase } from "./operator";
+import { type Axes, type Move, operatorEvent, type OperatorEvent, type Phase } from "./operator";
 import { bodyOf } from "./played";
 import { showDesignAgain, usePlayback } from "./program";
 import { useRun } from "./run";
@@ -16,9 +16,37 @@ interface ByHandStore {
   readonly moves: readonly Move[];
   /** What the view shows of them; null where it shows something else. */
   readonly played: Played | null;
+  /** The step of `played` that is shown, with its fraction. */
+  readonly step: number;
 }
 
-export const useByHand = create<ByHandStore>()(() => ({ moves: [], played: null }));
+export const useByHand = create<ByHandStore>()(() => ({ moves: [], played: null, step: 0 }));
+
+/** A move that was ordered and is under way. */
+interface Underway {
+  readonly move: Move;
+  /** Where the axes were before. */
+  readonly from: Axes;
+  /** The largest part of a bend that was made: the wire stays bent when its axis goes back. */
+  readonly bent: number;
+}
+
+let underway: Underway | null = null;
+/** Where the last move has ended: places are told more seldom than moves are ordered. */
+let ended: Axes | null = null;
+
+function endOf({ move, from }: Underway): Axes {
+  switch (move.move) {
+    case "feed":
+      return { ...from, feed_mm: from.feed_mm + move.mm };
+    case "rotate":
+      return { ...from, rotate_deg: from.rotate_deg + move.deg };
+    // Its axis goes back to where it was.
+    case "bend":
+    case "home":
+      return from;
+  }
+}
 
 /** Feed in mm, rotation and bend in degrees, in canonical signs, as of a step of a program. */
 type HandStep = Readonly<Record<"feed" | "rotate" | "bend", number>>;
@@ -68,6 +96,15 @@ export function cornersOf(steps: readonly HandStep[]): Vec3[] {
   return corners;
 }
 
+/** Of each machine the same ones: it is not built anew for each of its moves. */
+const bodies = new WeakMap<MachineViewResponse, Played["bodies"]>();
+
+function bodiesOf(machine: MachineViewResponse): Played["bodies"] {
+  const known = bodies.get(machine) ?? machine.shapes.map(bodyOf);
+  bodies.set(machine, known);
+  return known;
+}
+
 /** The wire of moves by hand on its machine, as it is designed: without springback, which only the wire itself knows. */
 export function playedByHand(moves: readonly Move[], machine: MachineViewResponse, diameter: number): Played {
   const steps = stepsOf(moves);
@@ -76,10 +113,34 @@ export function playedByHand(moves: readonly Move[], machine: MachineViewRespons
     steps: steps.map((step): PlayedStep => ({ ...step, bendAxis: step.bend, seconds: [0, 0, 0, 1] })),
     path: cornersOf(steps),
     made: null,
-    bodies: machine.shapes.map(bodyOf),
+    bodies: bodiesOf(machine),
     wireDiameter: diameter,
     orbitOffset: machine.pivot_mm[0],
   };
+}
+
+/** What is made of a move when the axes are somewhere on its way, and where the bend axis is, degrees. */
+export function partMade({ move, from, bent }: Underway, now: Axes): { readonly made: Move; readonly axis: number } {
+  switch (move.move) {
+    case "home":
+      return { made: move, axis: 0 };
+    case "feed":
+      return { made: { move: "feed", mm: now.feed_mm - from.feed_mm }, axis: 0 };
+    case "rotate":
+      return { made: { move: "rotate", deg: now.rotate_deg - from.rotate_deg }, axis: 0 };
+    case "bend": {
+      // Its peg may come from the other side first.
+      const axis = move.deg === 0 ? 0 : Math.min(Math.max((now.bend_deg - from.bend_deg) / move.deg, 0), 1);
+      return { made: { move: "bend", deg: move.deg * Math.max(axis, bent) }, axis: move.deg * axis };
+    }
+  }
+}
+
+/** The same while a bend is under way: its axis is at `axis`, and nothing of what comes after it is shown. */
+function inBend(played: Played, axis: number): { readonly played: Played; readonly step: number } {
+  const bending = played.steps.length - 2;
+  const steps = played.steps.map((step, index): PlayedStep => (index === bending ? { ...step, bendAxis: axis, seconds: [0, 0, 1, 0] } : step));
+  return { played: { ...played, steps }, step: bending + 0.5 };
 }
 
 /** Of the design's wire, mm; it is the one that lies in the machine, as far as anybody knows. */
@@ -92,8 +153,9 @@ function diameter(): number {
 const ANEW: ReadonlySet<Phase> = new Set(["connecting", "homing", "making", "closed"]);
 
 /** Draws what was moved, instead of a program that is shown; the wire that a machine makes just now is left alone. */
-async function draw(): Promise<void> {
+async function draw(now: Axes | null = null): Promise<void> {
   const { moves } = useByHand.getState();
+  const part = now && underway && partMade(underway, now);
   const machine = useRun.getState().state?.machine;
   if (machine === undefined || usePlayback.getState().live) return;
   needMachines();
@@ -102,21 +164,54 @@ async function draw(): Promise<void> {
   // Another move was made meanwhile, or they were forgotten: that is drawn then.
   if (!view || useByHand.getState().moves !== moves) return;
   showDesignAgain();
-  useByHand.setState({ played: playedByHand(moves, view, diameter()) });
+  const all = part ? [...moves, part.made] : moves;
+  const played = playedByHand(all, view, diameter());
+  const bends = part?.made.move === "bend" && part.made.deg !== 0;
+  useByHand.setState(bends ? inBend(played, part.axis) : { played, step: played.steps.length });
+}
+
+/** A person has ordered a move: it is drawn while it is made, as far as the machine tells where its axes are. */
+export function beginMove(move: Move): void {
+  const from = ended ?? useRun.getState().state?.position;
+  underway = from ? { move, from, bent: 0 } : null;
+}
+
+/** It was refused. */
+export function cancelMove(): void {
+  underway = null;
+}
+
+function follow(now: Axes): void {
+  if (!underway) return;
+  const { made } = partMade(underway, now);
+  if (made.move === "bend" && underway.move.move === "bend") underway = { ...underway, bent: made.deg / (underway.move.deg || 1) };
+  void draw(now);
 }
 
 /** The view shows the design again; the next move is drawn with those before it. */
 export function hideByHand(): void {
+  // What is left of a move that is under way is drawn with the next one.
+  underway = null;
   if (useByHand.getState().played) useByHand.setState({ played: null });
 }
 
 function forget(): void {
-  useByHand.setState({ moves: [], played: null });
+  underway = null;
+  ended = null;
+  useByHand.setState({ moves: [], played: null, step: 0 });
 }
 
 export function hearByHand(event: OperatorEvent): void {
-  if (event.event === "state" && ANEW.has(event.phase)) return forget();
+  if (event.event === "state") {
+    if (ANEW.has(event.phase)) forget();
+    // A refused or stopped move goes no farther.
+    else if (event.phase !== "moving" && !event.busy) [underway, ended] = [null, underway ? null : ended];
+    return;
+  }
+  if (event.event === "news" && event.news === "position") return follow(event);
   if (event.event !== "jogged") return;
+  ended = underway && endOf(underway);
+  underway = null;
   if (event.made.move === "home") return forget();
   useByHand.setState(({ moves }) => ({ moves: [...moves, event.made] }));
   void draw();

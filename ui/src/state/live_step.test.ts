@@ -42,6 +42,14 @@ describe("a watch of a step", () => {
     expect(told(watch, 0, axes(400, 0, 0), axes(0, 0, 0), axes(20, 0, 0))).toEqual([0, 0, 0.2]);
   });
 
+  it("does not take a place that was told before the step for a new zero", () => {
+    const watch = new StepWatch();
+    const short: ToldStep = { ...step, told: { feed_mm: 5, rotate_deg: 0, bend_deg: 0 } };
+    told(watch, 0, axes(100, 0, 0), axes(110, 0, 0));
+    expect(watch.at(1, short, axes(110, 0, 0))).toBe(1);
+    expect(watch.at(1, short, axes(142, 90, 0))).toBeCloseTo(1.16);
+  });
+
   it("does not go back when a machine draws its wire back, and not past the end of the step", () => {
     expect(told(new StepWatch(), 0, axes(0, 0, 0), axes(20, 0, 0), axes(18, 0, 0))).toEqual([0, 0.2, 0.2]);
     const watch = new StepWatch();

@@ -23,6 +23,8 @@ export class StepWatch {
   private step: ToldStep | undefined;
   /** Where feed and head were when the step began, as far as that is known. */
   private from: Axes | null = null;
+  /** What was told before. */
+  private last: Axes | null = null;
   /** Where the bend axis rests, degrees. */
   private rest = 0;
   /** The farthest that the bend axis has come, in part of its way: below that it is on its way back. */
@@ -33,6 +35,7 @@ export class StepWatch {
   reset(): void {
     this.made = null;
     this.from = null;
+    this.last = null;
     this.rest = 0;
   }
 
@@ -42,8 +45,9 @@ export class StepWatch {
     this.step = step;
     this.from ??= axes;
     if (!step || !axes || !this.from) return made;
-    // Its zero was set anew.
-    if (axes.feed_mm < this.from.feed_mm - Math.max(step.told.feed_mm, 1)) this.from = axes;
+    // Its zero was set anew: nothing draws the wire back so far.
+    if (this.last && axes.feed_mm < this.last.feed_mm - Math.max(step.told.feed_mm, 1)) this.from = axes;
+    this.last = axes;
     this.fraction = Math.max(this.fraction, Math.min(this.over(step, this.from, axes), MOST));
     return made + this.fraction;
   }

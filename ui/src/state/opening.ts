@@ -43,12 +43,11 @@ let beginning: Promise<unknown> = Promise.resolve();
 async function begin(): Promise<void> {
   const [files] = await Promise.all([told(platform.filesToOpen()), start()]);
   await openFirst(files ?? []);
-  await checked();
 }
 
-/** When what the window begins with is there, or was waited for long enough: a picture of nothing before it would only cost time. */
+/** When what the window begins with is there and checked, or was waited for long enough: a picture of nothing before it would only cost time. */
 export function begun(): Promise<unknown> {
-  return Promise.race([beginning, new Promise((resolve) => setTimeout(resolve, PATIENCE))]);
+  return Promise.race([beginning.then(checked), new Promise((resolve) => setTimeout(resolve, PATIENCE))]);
 }
 
 /** Brings the window to life; the function that is returned ends it. */

@@ -31,6 +31,11 @@ export function dismiss(id: number): void {
   useProblems.setState(({ problems }) => ({ problems: problems.filter((problem) => problem.id !== id) }));
 }
 
+/** What was told under this code is over. */
+export function dismissAll(code: string): void {
+  useProblems.setState(({ problems }) => ({ problems: problems.filter((problem) => problem.code !== code) }));
+}
+
 /** Waits for an answer; a refusal is told to the person, and null is the answer. */
 export async function told<T>(asked: Promise<T>): Promise<T | null> {
   try {

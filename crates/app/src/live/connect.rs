@@ -52,6 +52,8 @@ pub(crate) struct Connection<'a> {
     pub unnamed: bool,
     pub driver_id: String,
     pub driver_version: String,
+    /// Wire was fed or bent by hand through this connection since a person has last said that the wire is in.
+    pub wire_used: bool,
 }
 
 /// Who hears of a machine, and what has to be kept of it.
@@ -102,7 +104,9 @@ impl App {
         tracing::info!("connected to {port}, which has not answered yet");
         let hearing = Hearing { progress, signs: at.signs, warnings: Vec::new(), settings: Vec::new() };
         let unnamed = at.port.is_none();
-        let mut connection = Connection { session, hearing, port, line, unnamed, driver_id, driver_version };
+        let wire_used = false;
+        let mut connection =
+            Connection { session, hearing, port, line, unnamed, driver_id, driver_version, wire_used };
         connection.await_answer()?;
         Ok(connection)
     }
@@ -209,9 +213,10 @@ impl<'a> Connection<'a> {
         self,
         make: impl FnOnce(Session, &mut Hearing<'a>) -> (Option<Session>, T),
     ) -> (Option<Self>, T) {
-        let Self { session, mut hearing, port, line, unnamed, driver_id, driver_version } = self;
+        let Self { session, mut hearing, port, line, unnamed, driver_id, driver_version, wire_used } = self;
         let (session, made) = make(session, &mut hearing);
-        let again = |session| Self { session, hearing, port, line, unnamed, driver_id, driver_version };
+        let again =
+            |session| Self { session, hearing, port, line, unnamed, driver_id, driver_version, wire_used };
         (session.map(again), made)
     }
 

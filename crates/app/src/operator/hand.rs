@@ -50,12 +50,12 @@ impl Post<'_> {
             && connection.can_home();
         let yes = self.leave_to_move(order, moves, more, homes)?;
         self.armed = None;
-        self.wire_used |= moves.iter().any(|one| matches!(one, Move::Feed { .. } | Move::Bend { .. }));
         let (signs, shared) = (self.signs, self.shared);
         shared.enter(if order == OrderName::Home { Phase::Homing } else { Phase::Moving });
         // Until they are where a wire begins again.
         let mut at_reference = at_reference || homes;
         let connection = self.connected(order)?;
+        connection.wire_used |= moves.iter().any(|one| matches!(one, Move::Feed { .. } | Move::Bend { .. }));
         let made = make_all(connection, signs, moves, homes, &yes, |made| {
             at_reference = match made {
                 Move::Home => true,

@@ -39,8 +39,6 @@ pub(super) struct Post<'a> {
     pub armed: Option<ArmedWire<'a>>,
     /// Both axes stand where the search for the reference has left them.
     pub at_reference: bool,
-    /// Wire was fed or bent by hand since a person has last said that it is in.
-    pub wire_used: bool,
 }
 
 /// Says that the thread has ended, however it did.
@@ -78,7 +76,6 @@ pub(super) fn stand(app: &App, shared: &Shared, request: &ConnectRequest) {
         leave: None,
         armed: None,
         at_reference: false,
-        wire_used: false,
     };
     shared.catch_up();
     let connected = post.connect();

@@ -34,16 +34,12 @@ impl<'a> Post<'a> {
         let homes = self.homes_first();
         let connection = self.connected(OrderName::Arm)?;
         connection.require_settings(task.setup.machine_id(), accept_settings)?;
-        let mut lines = about(&task, connection, wire, true, homes)?;
-        if self.wire_used {
-            lines.push(
-                "wire was fed or bent by hand: put in new wire, or cut that off at the nozzle".to_owned(),
-            );
-        }
+        let lines = about(&task, connection, wire, true, homes)?;
         let question = "Is the wire in, and may the machine move once it is started?";
         let yes = self.ask(QuestionKind::Arm, lines, question)?;
+        self.connected(OrderName::Arm)?.wire_used = false;
         // Whoever has asked for a wire has their hands at the machine.
-        (self.leave, self.wire_used) = (None, false);
+        self.leave = None;
         self.armed = Some(ArmedWire { task, wire, yes });
         Ok(())
     }
@@ -110,6 +106,9 @@ impl<'a> Post<'a> {
         (self.leave, self.at_reference) = (None, false);
         let (connection, made) = task.go_on(connection, interrupted, homes, decided, &mut response);
         self.connection = connection;
+        if let (Ok(()), Some(connection)) = (&made, &mut self.connection) {
+            connection.wire_used = false;
+        }
         if self.is_in_a_wire() {
             // Without a yes the machine is left where it is: it holds, and is asked anew when it is to go on.
             self.connection = None;

@@ -34,6 +34,14 @@ pub(crate) fn about(
             setup.material_name()
         ));
     }
+    if connection.wire_used {
+        let what = if anew {
+            "wire was fed or bent by hand before: put in new wire, or cut off what sticks out of the nozzle"
+        } else {
+            "wire was fed or bent by hand since it was interrupted: the rest of the wire comes out displaced by that"
+        };
+        lines.push(what.to_owned());
+    }
     let (mut head, mut least, mut most) = (0.0_f64, 0.0_f64, 0.0_f64);
     for step in &kept.compensated {
         head += step.rotate_deg;

@@ -1,7 +1,7 @@
 //! A stop at any time, and an end at any time.
 
 use serde_json::json;
-use wirebend_app::{Answer, OperatorEvent, Phase, RunOutcome, StoppedBy};
+use wirebend_app::{Answer, OperatorEvent, Phase, Question, RunOutcome, StoppedBy};
 
 use crate::shop::{Seat, Shop};
 
@@ -119,6 +119,32 @@ fn a_stopped_wire_is_gone_on_with_on_the_same_connection() {
     assert_eq!(seat.until_phase(Phase::Ready).unfinished, None);
     let record = shop.record();
     assert_eq!((record.made, record.interruptions.len(), record.decisions.len()), (8, 1, 1));
+}
+
+/// What was moved meanwhile is in the wire, and the wire that comes after it has nothing to do with that.
+#[test]
+fn moves_by_hand_before_a_wire_goes_on_are_told() {
+    let shop = Shop::new();
+    let (seat, job) = (shop.simulated("sim:10"), shop.cube("wirebend-kit"));
+    seat.start(&job);
+    seat.until_made(2);
+    assert!(seat.operator.stop());
+    seat.until_phase(Phase::Stopped);
+    seat.home();
+    seat.order(&json!({"order": "jog", "moves": [{"move": "feed", "mm": 20.0}]}));
+    seat.until_state(|state| state.phase == Phase::Ready && !state.busy);
+    let told =
+        |question: &Question| question.lines.iter().any(|line| line.contains("since it was interrupted"));
+    seat.resume(&job);
+    seat.says(Answer::NotMade);
+    assert!(told(&seat.says(Answer::No)));
+    seat.until_state(|state| state.question.is_none() && !state.busy);
+    seat.resume(&job);
+    assert!(told(&seat.says(Answer::Yes)), "who says no has changed nothing");
+    assert_eq!(seat.until_run().wires[0].outcome, RunOutcome::Made);
+    seat.until_phase(Phase::Ready);
+    seat.arm(&job);
+    assert!(!seat.says(Answer::No).lines.iter().any(|line| line.contains("by hand")));
 }
 
 /// Before there is anything to stop, a stop is kept until there is.

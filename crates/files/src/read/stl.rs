@@ -33,7 +33,7 @@ pub(super) fn is_binary(bytes: &[u8]) -> bool {
 pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> Result<Imported, ReadError> {
     let mut drawing = Drawing::default();
     let mut corners = HashMap::new();
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").filter(|_| !is_binary(bytes)).unwrap_or(bytes);
     if bytes.is_empty() {
         return Err(source.empty("triangles"));
     }

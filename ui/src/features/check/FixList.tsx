@@ -1,6 +1,7 @@
-import { useEffect, useRef, useState } from "react";
+import { useRef, useState } from "react";
 import { Button } from "../../shared/Button";
 import { count, money, signed, time } from "../../shared/format";
+import { useInSight } from "../../shared/sight";
 import { useLengths } from "../../shared/unit";
 import { useDesign } from "../../state/design";
 import { applyFix, showFix, useFixes } from "../../state/fixes";
@@ -47,7 +48,7 @@ function Figures({ fix }: { readonly fix: Fix }) {
       </tr>
     );
   };
-  if (isFirst(change)) return <p className="muted small">What the wire comes to in all is known once there is one that can be made.</p>;
+  if (isFirst(change)) return <p className="muted small">Stock, time and cost in all are known once there is a wire that can be made.</p>;
   const errors = check?.diagnostics.filter(({ severity }) => severity === "error").length ?? 0;
   return (
     <table className="before-after">
@@ -80,9 +81,7 @@ export function FixList({ fixes }: { readonly fixes: readonly Fix[] }) {
   const [made, setMade] = useState<Fix | null>(null);
   const change = useChange();
   const box = useRef<HTMLUListElement>(null);
-  useEffect(() => {
-    void box.current?.scrollIntoView({ block: "nearest" });
-  }, []);
+  useInSight(box, true);
   // A fix is of the design as it was looked at: the second click of a double one would make it again of another one.
   const why = made !== null && fixes.includes(made) ? "The fix is being made." : of !== check ? "The design has changed since." : null;
   const apply = async (fix: Fix) => {

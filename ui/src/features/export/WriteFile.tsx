@@ -48,7 +48,7 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
   const [before] = useState(written);
   useEffect(() => {
     // It may come below what is seen of the panel.
-    if (written !== before) void said.current?.scrollIntoView({ block: "nearest" });
+    if (written && written !== before) void said.current?.scrollIntoView({ block: "nearest" });
   }, [written, before]);
   return (
     <div className="stack">

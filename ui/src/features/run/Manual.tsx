@@ -4,7 +4,7 @@ import { angle } from "../../shared/format";
 import { NumberField } from "../../shared/NumberField";
 import { Part } from "../../shared/Section";
 import { useLengths } from "../../shared/unit";
-import { hideByHand, useByHand } from "../../state/by_hand";
+import { beginMove, cancelMove, hideByHand, useByHand } from "../../state/by_hand";
 import { order } from "../../state/run";
 import type { MachineState, Move } from "../../state/operator";
 import { buttons } from "./buttons";
@@ -33,7 +33,12 @@ export function Manual({ state }: { readonly state: MachineState }) {
   const drawn = useByHand(({ played }) => played !== null);
   const { position } = state;
   const jog = (axis: Axis, amount: number) => {
-    if (!why) void order({ order: "jog", moves: [moveOf(axis, amount)], record });
+    if (why) return;
+    const move = moveOf(axis, amount);
+    beginMove(move);
+    void order({ order: "jog", moves: [move], record }).then((taken) => {
+      if (!taken) cancelMove();
+    });
   };
   const at: Readonly<Record<Axis, string>> = {
     feed: position ? length(position.feed_mm) : "–",

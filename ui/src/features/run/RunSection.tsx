@@ -1,7 +1,7 @@
 import { useEffect } from "react";
 import { Section } from "../../shared/Section";
 import { useUnitStore } from "../../shared/unit";
-import { tell } from "../../state/problems";
+import { dismissAll, tell } from "../../state/problems";
 import { isOpen, loadRuns, takeUp, useRun } from "../../state/run";
 import { phrase } from "./buttons";
 import { Connect } from "./Connect";
@@ -14,6 +14,8 @@ import { Session } from "./Session";
 import { Wire } from "./Wire";
 import "./run.css";
 
+const INTERRUPTED = "interrupted";
+
 /** The machine itself: connecting, moving, making. */
 export function RunSection() {
   const state = useRun((run) => run.state);
@@ -24,10 +26,14 @@ export function RunSection() {
       const { state, runs } = useRun.getState();
       const told = interruptedPhrase(runs, useUnitStore.getState().unit);
       // The section may be out of sight, and the wire is still in the machine.
-      if (state === null && told) tell("warning", `${told.what}. ${told.sub}`, "interrupted");
+      if (state === null && told) tell("warning", `${told.what}. ${told.sub}`, INTERRUPTED);
     })();
   }, []);
   const connected = isOpen(state);
+  useEffect(() => {
+    // From here on the machine's own section tells of its wire.
+    if (connected) dismissAll(INTERRUPTED);
+  }, [connected]);
   const tone = state?.phase === "failed" ? "error" : state?.phase === "stopped" || state?.unfinished || interrupted ? "warning" : null;
   return (
     <>

@@ -78,7 +78,7 @@ export function Wire({ state }: { readonly state: MachineState }) {
           </Button>
         )}
       </div>
-      {state.phase === "ready" && !state.busy && whyNot && <p className="muted small">{whyNot}</p>}
+      {all.noWire && (state.phase === "ready" || state.phase === "moving") && <p className="muted small">{all.noWire}</p>}
       {!under && <Ended />}
     </Part>
   );

@@ -15,6 +15,8 @@ export interface Prospect {
 export interface RunButtons {
   readonly home: Why;
   readonly arm: Why;
+  /** Why there is no wire of the design to arm, whatever the machine does. */
+  readonly noWire: Why;
   readonly start: Why;
   readonly disarm: Why;
   /** One button that pauses or goes on. */
@@ -60,6 +62,7 @@ export function buttons(state: MachineState | null, prospect: Prospect): RunButt
   return {
     home: why("home"),
     arm: why("arm") ?? noWire,
+    noWire,
     start: why("start", phase === "connected" || phase === "stopped" || phase === "ready" ? "Arm a wire first." : WAIT[phase]),
     disarm: why("disarm", "No wire is armed."),
     pause: { order: holds ? "resume" : "pause", why: why(holds ? "resume" : "pause", phase === "making" ? "This machine cannot pause." : "No wire is being made.") },

@@ -33,7 +33,7 @@ export function figures(check: LiveCheck | null, unit: DisplayUnit): readonly Fi
     { name: "Stock", value: shown(sum(wires, (wire) => wire.stock_mm), (mm) => longLength(mm, unit)), title: `Wire to load${several}: all feeds and the tail` },
     { name: "Bends", value: shown(sum(wires, (wire) => wire.bends), (many) => number(many, 0)), title: `Bends${several}` },
     { name: "Time", value: shown(sum(wires, (wire) => wire.time_s), time), title: `Estimated time on the machine${several}` },
-    { name: "Cost", value: shown(cost, (value) => money(value, wires[0]?.currency ?? null)), title: `Price of the wire${several}` },
+    { name: "Cost", value: shown(cost, (value) => money(value, wires[0]?.currency ?? null)), title: `Price of the designed length${several}: the tail that cannot be fed is not counted` },
   ];
 }
 

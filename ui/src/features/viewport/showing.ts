@@ -77,11 +77,10 @@ export function show(scene: Scene): () => void {
     follow(usePlayback, ({ played, step, shown }) => [played, step, shown], ({ played, step, shown }) => {
       if (played) scene.setTime(step, shown);
     }),
-    follow(useByHand, ({ played }) => [played], ({ played }) => {
+    follow(useByHand, ({ played }) => [played], ({ played, step }) => {
       if (usePlayback.getState().played) return;
       scene.play(played);
-      // All that was moved is done already.
-      if (played) scene.setTime(played.steps.length, "designed");
+      if (played) scene.setTime(step, "designed");
       labels();
     }),
     follow(usePlayback, ({ played, live, step }) => [played, live, live ? step : 0], ({ live, step }) => scene.setProgress(live ? Math.floor(step) : null)),
