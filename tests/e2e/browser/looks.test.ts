@@ -114,10 +114,10 @@ it("fits a narrow panel and a wide one, and shows lengths in inches", async () =
 it("keeps what is under the pointer in the panel where it is when something above it grows", async () => {
   await editor.take("cube", "check", "edit", "run");
   await editor.page.setViewportSize({ width: 1280, height: 600 });
-  const connect = editor.section("run").getByRole("button", { name: "Connect", exact: true });
-  await connect.scrollIntoViewIfNeeded();
-  await connect.hover();
-  const top = () => connect.evaluate((button) => Math.round(button.getBoundingClientRect().top));
+  const held = editor.section("run").locator(".section-body button").last();
+  await held.scrollIntoViewIfNeeded();
+  await held.hover();
+  const top = () => held.evaluate((button) => Math.round(button.getBoundingClientRect().top));
   const height = () => editor.section("edit").evaluate((section) => section.getBoundingClientRect().height);
   const [before, edit] = [await top(), await height()];
   // What is selected is listed in the section above.
