@@ -221,11 +221,9 @@ fmt-check:
 lint: ui/dist/index.html ## clippy on everything
 	cargo clippy --workspace --all-targets -- -D warnings
 
-# The window with the shipped crates that `built` has made: for its tests alone the whole toolkit would be compiled once more.
 .PHONY: unit
 unit: ui/dist/index.html
-	cargo test --workspace --exclude wirebend-window
-	cargo test --release --package wirebend-window --features custom-protocol
+	cargo test --workspace
 
 .PHONY: doc
 doc:
