@@ -1335,7 +1335,8 @@ export interface OtherSide {
   newly_feasible: Objections;
   newly_infeasible: Objections;
   /**
-   * The same with the machine's own wire, where that of the design does not fit it; null where it fits.
+   * The same with the machine's own wire, where that of the design does not fit it; null where it fits, where the machine
+   * has no other wire, and in the comparison with its own wire.
    */
   own_wire: OtherSide | null;
   /**
