@@ -285,9 +285,15 @@ check-tools: ## are the tools here that everything else needs?
 	fi; \
 	exit $$missing
 
-# The compiler for the controller and the simulator of its chip: installed where that can be done without asking.
+# $(call install,packages) is the command that installs them. $(call obtain,packages) gives it where that can be done without asking, after
+# fetching the lists of packages, of which a fresh system has none or old ones. What could not be fetched or installed is told by
+# whoever looks for it next.
+install = apt-get install -y --no-install-recommends $(1)
+obtain = if [ "$$(id -u)" = 0 ]; then as=env; elif sudo -n true 2>/dev/null; then as="sudo -n"; else as=; fi; \
+	if [ -n "$$as" ] && command -v apt-get >/dev/null; then $$as apt-get update; $$as $(call install,$(1)); fi
+
+# The compiler for the controller and the simulator of its chip.
 FIRMWARE_PACKAGES := gcc-avr binutils-avr avr-libc libsimavr-dev libelf-dev pkg-config
-INSTALL_FIRMWARE := apt-get install -y --no-install-recommends $(FIRMWARE_PACKAGES)
 .PHONY: firmware-tools
 firmware-tools:
 	@here() { \
@@ -295,40 +301,26 @@ firmware-tools:
 			&& test -f "$$(avr-gcc -mmcu=atmega328p -print-file-name=crtatmega328p.o 2>/dev/null)" \
 			&& pkg-config --exists simavr; \
 	}; \
-	here && exit 0; \
-	if command -v apt-get >/dev/null; then \
-		if [ "$$(id -u)" = 0 ]; then $(INSTALL_FIRMWARE); \
-		elif sudo -n true 2>/dev/null; then sudo -n $(INSTALL_FIRMWARE); fi; \
-	fi; \
-	here || { echo "the compiler or the simulator of the firmware is missing; to install them: $(INSTALL_FIRMWARE)" >&2; exit 1; }
+	here && exit 0; $(call obtain,$(FIRMWARE_PACKAGES)); \
+	here || { echo "the compiler or the simulator of the firmware is missing; to install them: $(call install,$(FIRMWARE_PACKAGES))" >&2; exit 1; }
 
-# The window's toolkit: installed where that can be done without asking.
+# The window's toolkit.
 WINDOW_PACKAGES := build-essential pkg-config libwebkit2gtk-4.1-dev
-INSTALL_WINDOW := apt-get install -y --no-install-recommends $(WINDOW_PACKAGES)
 .PHONY: window-tools
 window-tools:
 	@here() { [ "$$(uname)" != Linux ] || pkg-config --exists webkit2gtk-4.1 2>/dev/null; }; \
-	here && exit 0; \
-	if command -v apt-get >/dev/null; then \
-		if [ "$$(id -u)" = 0 ]; then $(INSTALL_WINDOW); \
-		elif sudo -n true 2>/dev/null; then sudo -n $(INSTALL_WINDOW); fi; \
-	fi; \
-	here || { echo "the toolkit of the window is missing; to install it: $(INSTALL_WINDOW)" >&2; exit 1; }
+	here && exit 0; $(call obtain,$(WINDOW_PACKAGES)); \
+	here || { echo "the toolkit of the window is missing; to install it: $(call install,$(WINDOW_PACKAGES))" >&2; exit 1; }
 
 # A screen in memory, a browser, and what drives the window in the tests.
 BROWSER_PACKAGES := webkit2gtk-driver xvfb xauth xdotool dbus chromium fonts-dejavu-core
-INSTALL_BROWSER := apt-get install -y --no-install-recommends $(BROWSER_PACKAGES)
 .PHONY: browser-tools
 browser-tools:
 	@here() { \
 		for tool in Xvfb xauth xdotool dbus-daemon chromium WebKitWebDriver; do command -v $$tool >/dev/null || return 1; done; \
 	}; \
-	here && exit 0; \
-	if command -v apt-get >/dev/null; then \
-		if [ "$$(id -u)" = 0 ]; then $(INSTALL_BROWSER); \
-		elif sudo -n true 2>/dev/null; then sudo -n $(INSTALL_BROWSER); fi; \
-	fi; \
-	here || { echo "what the tests of the window need is missing; to install it: $(INSTALL_BROWSER)" >&2; exit 1; }
+	here && exit 0; $(call obtain,$(BROWSER_PACKAGES)); \
+	here || { echo "what the tests of the window need is missing; to install it: $(call install,$(BROWSER_PACKAGES))" >&2; exit 1; }
 
 .PHONY: check-clang
 check-clang:
