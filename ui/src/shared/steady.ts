@@ -15,24 +15,27 @@ export function useSteady(box: RefObject<HTMLElement | null>, parts: string): vo
     let [top, scroll] = [0, 0];
     const place = () => (under ? under.getBoundingClientRect().top - scrolled.getBoundingClientRect().top : 0);
     const look = () => void ([top, scroll] = [place(), scrolled.scrollTop]);
-    const hold = () => {
-      if (!under?.isConnected) return;
+    const hold = (): boolean => {
+      if (!under?.isConnected) return false;
       // A scroll is wanted, but for that of a box whose contents have become too short for it.
       const cut = scrolled.scrollTop + scrolled.clientHeight >= scrolled.scrollHeight - 1;
       const moved = place() - top + (cut ? 0 : scrolled.scrollTop - scroll);
       if (moved !== 0) scrolled.scrollTop += moved;
       look();
+      return moved !== 0;
     };
-    const observer = new ResizeObserver(hold);
+    const observer = new ResizeObserver(() => void hold());
     for (const part of scrolled.querySelectorAll(parts)) observer.observe(part);
     const stop = new AbortController();
     const { signal } = stop;
-    const point = (target: EventTarget | null) => {
+    const point = ({ target }: Event) => {
+      // What has grown may come under a pointer that rests, before its growth is told: that is taken back, and nobody has pointed at it.
+      if (hold()) return;
       under = target instanceof Element ? target.closest(HELD) : null;
       look();
     };
-    scrolled.addEventListener("pointerover", ({ target }) => point(target), { signal });
-    scrolled.addEventListener("pointerleave", () => point(null), { signal });
+    scrolled.addEventListener("pointerover", point, { signal });
+    scrolled.addEventListener("pointerleave", () => void (under = null), { signal });
     return () => {
       stop.abort();
       observer.disconnect();
