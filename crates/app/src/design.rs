@@ -1,10 +1,9 @@
 //! What a command works on: a file or bytes, read into a document.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use schemars::JsonSchema;
 use serde::Deserialize;
-use wirebend_core::mesh::Stencil;
 use wirebend_core::units::Length;
 use wirebend_files::document::{Document, SourceFile, StencilSource, sha256_hex};
 use wirebend_files::read::{DEFAULT_TOLERANCE_MM, Format, LengthUnit, ReadOptions, read, read_file};
@@ -126,10 +125,13 @@ impl DesignInput {
     }
 
     /// Reads the surface.
-    pub(crate) fn stencil(&self, progress: &dyn Progress) -> Result<(Stencil, Vec<NoteReport>), AppError> {
-        let opened = self.open(progress)?;
+    pub(crate) fn stencil(
+        &self,
+        progress: &dyn Progress,
+    ) -> Result<(StencilSource, Vec<NoteReport>), AppError> {
+        let opened = self.open(progress)?.with_stencil(self);
         match opened.document.stencil {
-            Some(StencilSource::Embedded(stencil)) => Ok((stencil, opened.notes)),
+            Some(stencil @ StencilSource::Embedded { .. }) => Ok((stencil, opened.notes)),
             _ => Err(AppError::NoSurface { name: opened.name }),
         }
     }
@@ -164,7 +166,10 @@ impl DesignInput {
         let document = match imported.document {
             Some(document) => *document,
             None => Document {
-                stencil: imported.stencil.map(StencilSource::Embedded),
+                stencil: imported.stencil.map(|surface| {
+                    let name = file_name(Path::new(&name));
+                    StencilSource::Embedded { surface, name }
+                }),
                 source: Some(SourceFile { file: name.clone(), sha256: sha256_hex(bytes) }),
                 ..Document::new(imported.wireframe)
             },

@@ -34,6 +34,7 @@ mod report;
 mod run;
 mod runs;
 mod simulate;
+mod stencil;
 
 pub use by_hand::{JogRequest, JogResponse, Move, MovesFile, ReplayRequest};
 pub use catalogue::{

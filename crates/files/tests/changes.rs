@@ -77,7 +77,7 @@ fn every_part_is_written_down() {
         ProfileSnapshot { id: "kit".into(), snapshot: serde_json::json!({"feed": 0.1, "x": [null]}) };
     let mut all = delete(&document, &[0, 2]);
     for part in [
-        document.set_stencil(Some(StencilSource::Embedded(stencil))),
+        document.set_stencil(Some(StencilSource::Embedded { surface: stencil, name: "a \"b\".stl".into() })),
         document.set_machine(Some(machine.clone())),
         document.set_material(Some(machine)),
         document.set_notes("a\n\"b\"\u{2028}".into()),

@@ -1105,6 +1105,10 @@ export interface DesignState {
    */
   start: number | null;
   /**
+   * The file that the stencil was read from; null without a stencil, and where nobody knows.
+   */
+  stencil: string | null;
+  /**
    * What would be undone.
    */
   undo: string | null;

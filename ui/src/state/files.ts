@@ -30,13 +30,11 @@ interface FilesStore {
   readonly busy: string | null;
   /** Whether something is dragged over the window. */
   readonly over: boolean;
-  /** The file of the stencil, as far as this window has opened it. */
-  readonly stencilName: string | null;
   /** How many designs were opened: changes with each. */
   readonly opened: number;
 }
 
-export const useFiles = create<FilesStore>()(() => ({ version: "", recent: [], unsaved: [], opening: null, leaving: null, busy: null, over: false, stencilName: null, opened: 0 }));
+export const useFiles = create<FilesStore>()(() => ({ version: "", recent: [], unsaved: [], opening: null, leaving: null, busy: null, over: false, opened: 0 }));
 
 export const MODELS: FileKind = { name: "Models", extensions: ["stl", "obj", "ply", "3mf", "glb", "gltf"] };
 const DESIGNS: FileKind = { name: "WireBend documents", extensions: ["wirebend"] };
@@ -109,7 +107,7 @@ async function opened(ask: () => Promise<DesignOpened>, name: string): Promise<b
     replacingDesign(async () => {
       const answer = await told(ask());
       if (!answer) return false;
-      useFiles.setState(({ opened }) => ({ recent: answer.recent, stencilName: null, opened: opened + 1 }));
+      useFiles.setState(({ opened }) => ({ recent: answer.recent, opened: opened + 1 }));
       await showDesign(answer.design, answer.notes);
       return true;
     }),
@@ -151,24 +149,24 @@ export async function openAs(design: DesignInput, use: Use | null): Promise<bool
   const name = opening ? baseName(opening.path) : "";
   if (use === "stencil" && useDesign.getState().vertices.size > 0) {
     // The wires that are there are kept: the surface comes under them.
-    const put = await reading(name, () => putStencil(design, name));
+    const put = await reading(name, () => putStencil(design));
     if (put) useView.getState().handle?.frame();
     return put;
   }
   if (!(await mayLeave())) return false;
   const done = await opened(() => asking("open", { design: { ...design, face_edges: use === "edges" || use === "both" } }), name);
   if (!done) return false;
-  useFiles.setState({ opening: null, stencilName: name });
+  useFiles.setState({ opening: null });
   if (use === "edges" && useDesign.getState().stencil) await edit({ edit: "remove-stencil" });
   return true;
 }
 
 /** Changes that are made while the surface is read wait for it. */
-function putStencil(design: DesignInput, name: string): Promise<boolean> {
+function putStencil(design: DesignInput): Promise<boolean> {
   return inTurn(async () => {
     const made = await told(asking("put-stencil", { design }));
     if (!made?.change) return false;
-    useFiles.setState({ opening: null, stencilName: name });
+    useFiles.setState({ opening: null });
     useDesign.setState({ notes: made.notes });
     await applyChange(made.change);
     return true;

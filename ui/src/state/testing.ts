@@ -15,6 +15,7 @@ export const designState = (given: Partial<DesignState> = {}): DesignState => ({
   notes: "",
   redo: null,
   start: null,
+  stencil: null,
   undo: null,
   units: "mm",
   unkept: null,

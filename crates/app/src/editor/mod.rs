@@ -16,7 +16,6 @@ mod view;
 
 use std::path::{Path, PathBuf};
 
-use wirebend_core::mesh::Stencil;
 use wirebend_core::wireframe::Wireframe;
 use wirebend_files::document::{Document, DocumentChange, StencilSource, save_atomically};
 
@@ -85,7 +84,7 @@ impl Editor {
         keep_in: Option<&Path>,
         progress: &dyn Progress,
     ) -> Result<(Self, Vec<NoteReport>), AppError> {
-        Ok(Self::begun_with(input.open(progress)?, input, None, keep_in))
+        Ok(Self::begun_with(input.open(progress)?.with_stencil(input), input, None, keep_in))
     }
 
     /// The same for a machine and a material, where the file names none, and by another name than the file's, if one is
@@ -101,7 +100,7 @@ impl Editor {
         keep_in: Option<&Path>,
         progress: &dyn Progress,
     ) -> Result<(Self, Vec<NoteReport>), AppError> {
-        let mut opened = input.open(progress)?;
+        let mut opened = input.open(progress)?.with_stencil(input);
         if let Some((machine, material)) = machine.filter(|_| opened.document.machine.is_none()) {
             let setup = app.setup(machine, material)?;
             (opened.document.machine, opened.document.material) = changing::snapshots(&setup)?;
@@ -234,8 +233,8 @@ impl Editor {
     ///
     /// # Errors
     /// [`EditorError::Stale`], which a history of its own does not bring about.
-    pub(crate) fn put_stencil(&mut self, stencil: Stencil) -> Result<ViewChange, EditorError> {
-        match self.document.set_stencil(Some(StencilSource::Embedded(stencil))) {
+    pub(crate) fn put_stencil(&mut self, stencil: StencilSource) -> Result<ViewChange, EditorError> {
+        match self.document.set_stencil(Some(stencil)) {
             Some(change) => self.make("stencil".to_owned(), change),
             None => Ok(self.changed(&changing::unchanged(&self.document))),
         }

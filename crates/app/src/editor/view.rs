@@ -49,6 +49,8 @@ pub struct DesignState {
     pub machine: Option<String>,
     /// The material's id.
     pub material: Option<String>,
+    /// The file that the stencil was read from; null without a stencil, and where nobody knows.
+    pub stencil: Option<String>,
     /// Edges that may be laid twice.
     pub doublings: Vec<u32>,
     /// The vertex where the wire starts.
@@ -119,6 +121,7 @@ impl Editor {
             redo: self.history.redo_label().map(str::to_owned),
             machine: document.machine.as_ref().map(|machine| machine.id.clone()),
             material: document.material.as_ref().map(|material| material.id.clone()),
+            stencil: document.stencil_name().map(str::to_owned),
             doublings: document.doublings.iter().map(|id| id.0).collect(),
             start: document.start.map(|id| id.0),
             notes: document.notes.clone(),

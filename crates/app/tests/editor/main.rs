@@ -7,6 +7,7 @@ mod checks;
 mod edits;
 mod fixes;
 mod kept;
+mod stencils;
 
 use std::path::{Path, PathBuf};
 

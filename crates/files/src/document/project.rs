@@ -188,8 +188,17 @@ impl Document {
     #[must_use]
     pub fn embedded_stencil(&self) -> Option<&Stencil> {
         match &self.stencil {
-            Some(StencilSource::Embedded(stencil)) => Some(stencil),
+            Some(StencilSource::Embedded { surface, .. }) => Some(surface),
             _ => None,
+        }
+    }
+
+    /// What the stencil is called: the file that it is in, or that it was read from, if that is known.
+    #[must_use]
+    pub fn stencil_name(&self) -> Option<&str> {
+        match self.stencil.as_ref()? {
+            StencilSource::Embedded { name, .. } => Some(name.as_str()).filter(|name| !name.is_empty()),
+            StencilSource::File { path, .. } => Some(path),
         }
     }
 

@@ -19,7 +19,12 @@ use crate::read::LIMIT;
 #[derive(Debug, Clone, PartialEq)]
 pub enum StencilSource {
     /// In the document itself.
-    Embedded(Stencil),
+    Embedded {
+        /// The surface.
+        surface: Stencil,
+        /// The file that it was read from; empty where nobody knows.
+        name: String,
+    },
     /// In a file of its own.
     File {
         /// Its path, relative to the document.
@@ -45,6 +50,9 @@ pub(crate) enum StencilFile {
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "PackedStencil")]
 pub(crate) struct Packed {
+    /// The file that it was read from.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    name: String,
     /// How many vertices there are.
     #[schemars(range(max = 5_000_000))]
     vertices: usize,
@@ -74,8 +82,8 @@ pub(crate) struct Reference {
 
 impl StencilFile {
     pub(crate) fn pack(source: &StencilSource) -> Result<Self, DocumentError> {
-        let stencil = match source {
-            StencilSource::Embedded(stencil) => stencil,
+        let (stencil, name) = match source {
+            StencilSource::Embedded { surface, name } => (surface, name),
             StencilSource::File { path, sha256 } => {
                 return Ok(Self::File(Reference { path: path.clone(), sha256: sha256.clone() }));
             }
@@ -86,6 +94,7 @@ impl StencilFile {
             std::iter::once(count).chain(face.iter().copied()).flat_map(u32::to_le_bytes)
         });
         Ok(Self::Embedded(Packed {
+            name: name.clone(),
             vertices: stencil.vertices().len(),
             faces: stencil.faces().len(),
             corners: stencil.faces().iter().map(Vec::len).sum(),
@@ -97,7 +106,10 @@ impl StencilFile {
     pub(crate) fn unpack(self, file: &str) -> Result<StencilSource, DocumentError> {
         match self {
             Self::File(Reference { path, sha256 }) => Ok(StencilSource::File { path, sha256 }),
-            Self::Embedded(packed) => packed.unpack(file).map(StencilSource::Embedded),
+            Self::Embedded(mut packed) => {
+                let name = std::mem::take(&mut packed.name);
+                Ok(StencilSource::Embedded { surface: packed.unpack(file)?, name })
+            }
         }
     }
 }

@@ -143,16 +143,21 @@ fn a_document_is_laid_out_for_people() {
     .assert_eq(&text);
 }
 
+/// Of an older document: without a name.
+fn embedded(surface: Stencil) -> StencilSource {
+    StencilSource::Embedded { surface, name: String::new() }
+}
+
 #[test]
 fn a_document_comes_back_as_it_was() {
     let mut document = example();
     for stencil in [
         None,
         Some(StencilSource::File { path: "bunny.obj".into(), sha256: sha256_hex(b"bunny") }),
-        Some(StencilSource::Embedded(Stencil::default())),
+        Some(embedded(Stencil::default())),
         import_data("bend-forming/Teapot_123Faces_Final.obj", &ReadOptions::default())
             .stencil
-            .map(StencilSource::Embedded),
+            .map(|surface| StencilSource::Embedded { surface, name: "Teapot.obj".into() }),
     ] {
         document.stencil = stencil;
         let bytes = document.to_bytes().unwrap();
@@ -173,7 +178,7 @@ fn a_document_comes_back_as_it_was() {
 fn a_packed_stencil_is_small() {
     let bunny =
         import_data("bend-forming/BunnyPolygonScaled_v2.obj", &ReadOptions::default()).stencil.unwrap();
-    let document = Document { stencil: Some(StencilSource::Embedded(bunny)), ..Document::default() };
+    let document = Document { stencil: Some(embedded(bunny)), ..Document::default() };
     assert!(document.to_bytes().unwrap().len() < 4000);
 }
 
@@ -235,7 +240,7 @@ fn packed(numbers: &[u32]) -> String {
 fn a_stencil_that_was_tampered_with_is_refused() {
     let square = [(0., 0.), (1., 0.), (1., 1.)].map(|(x, y)| Point3::new(x, y, 0.)).to_vec();
     let stencil = Stencil::new(square, vec![vec![0, 1, 2]]).unwrap();
-    let document = Document { stencil: Some(StencilSource::Embedded(stencil)), ..Document::default() };
+    let document = Document { stencil: Some(embedded(stencil)), ..Document::default() };
     let good = String::from_utf8(document.to_bytes().unwrap()).unwrap();
     let part = |key: &str| {
         good.split(&format!("\"{key}\": \"")).nth(1).unwrap().split('"').next().unwrap().to_owned()
@@ -331,7 +336,7 @@ fn the_schemas_are_the_committed_ones() {
 #[test]
 fn documents_fit_their_schemas_and_strangers_do_not() {
     let mut packed = example();
-    packed.stencil = Some(StencilSource::Embedded(Stencil::default()));
+    packed.stencil = Some(StencilSource::Embedded { surface: Stencil::default(), name: "bunny.stl".into() });
     let job = Job::seal(example_job()).unwrap().to_bytes().unwrap();
     for ((name, schema), file) in schemas().into_iter().zip([job, packed.to_bytes().unwrap()]) {
         let validator = jsonschema::validator_for(&serde_json::from_str(&schema).unwrap()).unwrap();

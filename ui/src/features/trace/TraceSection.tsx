@@ -6,7 +6,6 @@ import { NumberField } from "../../shared/NumberField";
 import { Part, Section } from "../../shared/Section";
 import { run } from "../../state/commands";
 import { edit, useDesign } from "../../state/design";
-import { useFiles } from "../../state/files";
 import { keyOf } from "../../state/keys";
 import { chooseTool, type PlaneName, SNAP_KINDS, toggleSnap, useView } from "../../state/view";
 import type { SnapKind } from "../../scene/interface";
@@ -61,7 +60,7 @@ function Stencil() {
 export function TraceSection() {
   const stencil = useDesign((design) => design.stencil);
   const { tool, snapKinds, grid, reach, plane, planeOffset } = useView();
-  const name = useFiles((files) => files.stencilName);
+  const name = useDesign((design) => design.state?.stencil ?? null);
   const triangles = stencil ? stencil.triangles.length / 3 : 0;
   const phrase = stencil ? `${name ? `${name} · ` : ""}${roughly(triangles)} ${triangles === 1 ? "triangle" : "triangles"}` : "no stencil";
   return (
