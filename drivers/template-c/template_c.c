@@ -165,7 +165,7 @@ static void add_number(struct text *text, struct column *column, double value, i
 static int32_t add_steps(struct text *text, const struct json_value *steps, size_t wire, int decimals,
                          wirebend_buffer *out) {
     struct column columns[] = {{"feed", "feed_mm", 0}, {"rotate", "rotate_deg", 0}, {"bend", "bend_deg", 0}};
-    size_t n = 0;
+    size_t n = 1; /* wires and steps count from 1 for people */
     /* The machine's own signs are in the steps already: nothing here turns a sign round. */
     for (const struct json_value *step = steps->first; step != NULL; step = step->next, n++) {
         add_count(text, n);
@@ -173,11 +173,11 @@ static int32_t add_steps(struct text *text, const struct json_value *steps, size
             const struct json_value *value = json_member(step, columns[k].key);
             if (value == NULL || value->kind != JSON_NUMBER) {
                 return refuse(out, "request", "see the schema of calls", "wire %zu, step %zu: '%s' is no number",
-                              wire, n, columns[k].key);
+                              wire + 1, n, columns[k].key);
             }
             if (fabs(value->number) > LARGEST) {
                 return refuse(out, "too-large", "divide the design, or look at its scale",
-                              "wire %zu, step %zu: %s is %.0f; a column holds up to %.0f", wire, n,
+                              "wire %zu, step %zu: %s is %.0f; a column holds up to %.0f", wire + 1, n,
                               columns[k].name, value->number, LARGEST);
             }
             add_text(text, ", ");
@@ -200,10 +200,10 @@ static int32_t add_table(struct text *text, const struct instance *with, const s
     }
     if (steps == NULL || steps->kind == JSON_NULL) {
         return refuse(out, "no-machine-steps", "see what the checks say",
-                      "wire %zu has no steps for a machine: it could not be compensated", index);
+                      "wire %zu has no steps for a machine: it could not be compensated", index + 1);
     }
     if (steps->kind != JSON_ARRAY) {
-        return refuse(out, "request", "see the schema of calls", "wire %zu: 'machine' is no list", index);
+        return refuse(out, "request", "see the schema of calls", "wire %zu: 'machine' is no list", index + 1);
     }
     if (with->comment.len > 0) {
         add(text, with->comment.bytes, with->comment.len);

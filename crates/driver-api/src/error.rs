@@ -55,10 +55,10 @@ impl DriverError {
         )
     }
 
-    /// A program was asked for of a wire that the checks let no program be made of.
+    /// A program was asked for of a wire, by its index from 0, that the checks let no program be made of.
     #[must_use]
     pub fn no_machine_steps(wire: usize) -> Self {
-        let message = format!("wire {wire} has no steps for a machine: it could not be compensated");
+        let message = format!("wire {} has no steps for a machine: it could not be compensated", wire + 1);
         Self::new("no-machine-steps", message, "see what the checks say")
     }
 }

@@ -17,7 +17,7 @@ pub(crate) fn wire(settings: &Rc<Settings>, job: &Job, index: usize) -> Result<E
         // A design can be written without a job.
         job: job.job_hash.clone().unwrap_or_else(|| "none".to_owned()),
         machine: job.machine.id.clone(),
-        wire: index,
+        wire: index + 1,
         steps: steps.len(),
         stock_mm: wire.stock_mm,
     };
@@ -29,14 +29,14 @@ pub(crate) fn wire(settings: &Rc<Settings>, job: &Job, index: usize) -> Result<E
     file.comment(&format!("job {}", names.job));
     file.comment(&format!("machine {}", names.machine));
     file.comment(&format!("material {}", job.material.id));
-    file.comment(&format!("wire {index}, {} steps", names.steps));
+    file.comment(&format!("wire {}, {} steps", names.wire, names.steps));
     if let Some(stock_mm) = wire.stock_mm {
         file.comment(&format!("stock {} mm", trimmed(stock_mm)));
     }
     file.lines(program.start());
-    for (number, step) in steps.iter().enumerate() {
+    for (number, step) in (1_usize..).zip(steps) {
         let lines = program.step(step).map_err(|why| {
-            let message = format!("wire {index}, step {number} cannot be written: {why}");
+            let message = format!("wire {}, step {number} cannot be written: {why}", names.wire);
             DriverError::new(
                 "step",
                 message,

@@ -62,7 +62,7 @@ pub struct Settings {
     /// Pause between the parts of a bend, s.
     #[schemars(range(min = 0.0, max = 60.0))]
     pub arc_dwell_s: f64,
-    /// Lines before the program. `{name}`, `{design}`, `{job}` and `{machine}` may stand in comments; `{wire}`, `{steps}` and `{stock_mm}` anywhere.
+    /// Lines before the program. `{name}`, `{design}`, `{job}` and `{machine}` may stand in comments; `{wire}`, counted from 1, `{steps}` and `{stock_mm}` anywhere.
     pub start_block: Vec<String>,
     /// Lines after the program, with the same placeholders.
     pub end_block: Vec<String>,

@@ -29,7 +29,7 @@ fn job(steps: &[(f64, f64, f64)]) -> Job {
 /// The lines between the start and the end that are no comments.
 fn moves(settings: Value, steps: &[(f64, f64, f64)]) -> Vec<String> {
     let lines = written(settings, &job(steps));
-    let begin = lines.iter().position(|line| line == "(step 0)").expect("the first step");
+    let begin = lines.iter().position(|line| line == "(step 1)").expect("the first step");
     lines[begin..].iter().filter(|line| !line.starts_with('(')).cloned().collect()
 }
 
@@ -38,7 +38,7 @@ fn a_corner_is_written_as_the_readme_shows_it() {
     let lines = written(json!({}), &job(&[(60.0, 0.0, 90.0), (40.0, -90.0, -45.0), (70.0, 0.0, 0.0)]));
     let head = format!(
         "(WireBend-kit G-code: mm and degrees)\n(name sample)\n(design {})\n(job {})\n(machine sample-bender)\n\
-         (material steel-2mm)\n(wire 0, 3 steps)\n(stock 420 mm)\n",
+         (material steel-2mm)\n(wire 1, 3 steps)\n(stock 420 mm)\n",
         "a5".repeat(32),
         "5a".repeat(32)
     );
@@ -48,7 +48,7 @@ G94
 G91
 M5
 G4 P0.3
-(step 0)
+(step 1)
 G1 X60.000 F500
 M3 S1000
 G4 P0.3
@@ -56,7 +56,7 @@ G1 Z90.000 F500
 G1 Z-90.000 F500
 M5
 G4 P0.3
-(step 1)
+(step 2)
 G1 X40.000 F500
 G1 Y-90.000 F500
 M3 S1000
@@ -65,7 +65,7 @@ G1 Z-45.000 F500
 G1 Z45.000 F500
 M5
 G4 P0.3
-(step 2)
+(step 3)
 G1 X70.000 F500";
     assert_eq!(lines.join("\n"), head + body);
     let readme = include_str!("../README.md");
@@ -78,7 +78,7 @@ G1 X70.000 F500";
 fn positions_count_from_the_start_and_the_bend_axis_goes_back_to_zero() {
     let settings = json!({"mode": "absolute", "decimals": 1, "pin_dwell_s": 0, "moves": "rapid"});
     let lines = written(settings.clone(), &job(&[(1.0, 0.0, 0.0)]));
-    assert!(lines.join("\n").contains("G90\nG92 X0 Y0 Z0\nM5\n(step 0)\nG0 X1.0"));
+    assert!(lines.join("\n").contains("G90\nG92 X0 Y0 Z0\nM5\n(step 1)\nG0 X1.0"));
     assert_eq!(
         moves(settings, &[(60.0, 30.0, 90.0), (40.0, 30.0, -45.0), (5.0, 0.0, 0.0)]),
         [
@@ -153,7 +153,7 @@ fn blocks_are_filled_and_lines_are_numbered() {
         [
             "%",
             "(for sample-bender)",
-            "(wire 0 of sample)",
+            "(wire 1 of sample)",
             &format!("N1 M8 ; {design}"),
             "N7 G4 P1",
             "N2 G21",
@@ -181,7 +181,7 @@ fn a_stock_that_is_not_known_is_not_written() {
         job.wires[0].stock_mm = stock_mm;
         let error = encode(block.clone(), &job).expect_err("no stock");
         assert_eq!(error.code, "no-stock");
-        assert!(error.message.starts_with("wire 0: 'end_block', line 2 has {stock_mm}, and "), "{error}");
+        assert!(error.message.starts_with("wire 1: 'end_block', line 2 has {stock_mm}, and "), "{error}");
         assert!(error.message.contains(part), "{error}");
         assert!(error.help.contains("take {stock_mm} out"), "{error}");
     }
@@ -226,9 +226,9 @@ fn a_step_that_cannot_be_written_is_named() {
     let refused =
         |steps: &[(f64, f64, f64)]| encode(json!({}), &job(steps)).expect_err("not writable").to_string();
     let said = refused(&[(1.0, 0.0, 0.0), (f64::NAN, 0.0, 0.0)]);
-    assert!(said.starts_with("wire 0, step 1 cannot be written: its feed is NaN"), "{said}");
+    assert!(said.starts_with("wire 1, step 2 cannot be written: its feed is NaN"), "{said}");
     let said = refused(&[(0.0, f64::INFINITY, 0.0)]);
-    assert!(said.starts_with("wire 0, step 0 cannot be written: its rotation is inf"), "{said}");
+    assert!(said.starts_with("wire 1, step 1 cannot be written: its rotation is inf"), "{said}");
     let said = refused(&[(9e5, 0.0, 0.0), (9e5, 0.0, 0.0)]);
-    assert!(said.contains("step 1 cannot be written: its feed ends at 1800000 units"), "{said}");
+    assert!(said.contains("step 2 cannot be written: its feed ends at 1800000 units"), "{said}");
 }

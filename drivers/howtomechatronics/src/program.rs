@@ -15,7 +15,8 @@ pub(crate) fn encode(job: &Job, most_feed_mm: i32) -> Result<Encoded, DriverErro
         let mut axes = Axes::default();
         let mut text = format!("{}\n", Command::Manual);
         for (n, step) in wire.machine_steps(index)?.iter().enumerate() {
-            let commands = axes.commands(step, &format!("wire {index}, step {n}"), most_feed_mm)?;
+            let commands =
+                axes.commands(step, &format!("wire {}, step {}", index + 1, n + 1), most_feed_mm)?;
             divided += usize::from(commands.iter().filter(|c| matches!(c, Command::Feed(_))).count() > 1);
             for command in commands {
                 let _ = writeln!(text, "{command}");

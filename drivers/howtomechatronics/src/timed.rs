@@ -131,9 +131,7 @@ impl Timed {
                     format!("step number {n} cannot follow number {taken} of a wire with {}", wire.steps);
                 return Err(DriverError::new("gap", message, "send the steps in order, from 1"));
             }
-            // For people steps count from 0, at the boundary from 1.
-            let place = format!("step {taken}");
-            let commands = axes.commands(step, &place, self.settings.most_feed_mm)?;
+            let commands = axes.commands(step, &format!("step {n}"), self.settings.most_feed_mm)?;
             tasks.extend(commands.into_iter().map(Task::Say));
             tasks.push(Task::Step(*n));
             taken = *n;

@@ -85,7 +85,7 @@ fn a_long_feed_is_divided_and_told() {
 fn a_feed_below_zero_is_refused_with_its_place() {
     let error = encode(Settings::default(), &job_of(&[(10.0, 0.0, 90.0), (-2.5, 0.0, 0.0)])).unwrap_err();
     assert_eq!(error.code, "negative-feed");
-    assert!(error.message.starts_with("wire 0, step 1: feed is -2.5 mm"), "{error}");
+    assert!(error.message.starts_with("wire 1, step 2: feed is -2.5 mm"), "{error}");
 }
 
 #[test]

@@ -21,7 +21,7 @@ pub(crate) fn write(
     rounding: &mut Rounding,
 ) -> Result<String, DriverError> {
     if steps.is_empty() {
-        let message = format!("wire {wire} has no steps, expected one at least");
+        let message = format!("wire {} has no steps, expected one at least", wire + 1);
         return Err(DriverError::new("empty-wire", message, "plan the design again"));
     }
     let mut script = Script { settings, text: String::new(), pin: None };
@@ -31,7 +31,8 @@ pub(crate) fn write(
     for (n, step) in steps.iter().enumerate() {
         for (what, value) in [("feed", step.feed_mm), ("rotate", step.rotate_deg), ("bend", step.bend_deg)] {
             if !value.is_finite() {
-                let message = format!("wire {wire}, step {n}: {what} is {value}, expected a number");
+                let message =
+                    format!("wire {}, step {}: {what} is {value}, expected a number", wire + 1, n + 1);
                 return Err(DriverError::new("not-a-number", message, "plan the design again"));
             }
         }

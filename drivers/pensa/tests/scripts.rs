@@ -141,18 +141,18 @@ fn what_cannot_be_written_is_named_with_wire_and_step() {
     ] {
         let error = refusal(&[line, step]);
         assert_eq!(error.code, "not-a-number");
-        assert_eq!(error.message, format!("wire 0, step 1: {what}, expected a number"));
+        assert_eq!(error.message, format!("wire 1, step 2: {what}, expected a number"));
     }
     let error = refusal(&[]);
     assert_eq!(
         (error.code.as_str(), error.message.as_str()),
-        ("empty-wire", "wire 0 has no steps, expected one at least")
+        ("empty-wire", "wire 1 has no steps, expected one at least")
     );
     let mut second = sample_job();
     second.wires.push(second.wires[0].clone());
     second.wires[1].machine = None;
     let error = Pensa::open(Settings::default()).unwrap().encode("pensa-script", &second).unwrap_err();
-    assert!(error.message.starts_with("wire 1 has no steps for a machine"), "{error}");
+    assert!(error.message.starts_with("wire 2 has no steps for a machine"), "{error}");
 }
 
 #[test]

@@ -9,14 +9,14 @@ pub(crate) fn setting(message: impl Into<String>, help: impl Into<String>) -> Dr
     DriverError::new("settings", message, help)
 }
 
-/// A value that is NaN or infinite; `place` is a step or a point, from 0.
+/// A value that is NaN or infinite; `place` is a step or a point. Indices are from 0, here and below.
 pub(crate) fn not_a_number(wire: usize, place: &str, index: usize, what: &str, value: f64) -> DriverError {
-    let message = format!("wire {wire}, {place} {index}: {what} is {value}, expected a number");
+    let message = format!("wire {}, {place} {}: {what} is {value}, expected a number", wire + 1, index + 1);
     DriverError::new("not-a-number", message, "plan the design again")
 }
 
 pub(crate) fn empty(wire: usize, what: &str) -> DriverError {
-    let message = format!("wire {wire} has no {what}, expected one at least");
+    let message = format!("wire {} has no {what}, expected one at least", wire + 1);
     DriverError::new("empty-wire", message, "plan the design again")
 }
 
@@ -30,11 +30,13 @@ pub(crate) fn radius(value: f64) -> DriverError {
 }
 
 pub(crate) fn negative_feed(wire: usize, step: usize, feed_mm: f64) -> DriverError {
-    let message = format!("wire {wire}, step {step}: the length is {feed_mm} mm, expected 0 or more");
+    let message =
+        format!("wire {}, step {}: the length is {feed_mm} mm, expected 0 or more", wire + 1, step + 1);
     DriverError::new("negative-length", message, "plan the design again")
 }
 
 pub(crate) fn too_sharp(wire: usize, step: usize, bend_deg: f64) -> DriverError {
+    let (wire, step) = (wire + 1, step + 1);
     let message = format!("wire {wire}, step {step}: the bend is {bend_deg} degrees, expected -180 to 180");
     DriverError::new("bend-range", message, "plan the design again")
 }
@@ -42,6 +44,7 @@ pub(crate) fn too_sharp(wire: usize, step: usize, bend_deg: f64) -> DriverError 
 const CORNERS: &str = "or write lengths from corner to corner: set 'lengths' to intersection";
 
 pub(crate) fn no_corner(wire: usize, step: usize) -> DriverError {
+    let (wire, step) = (wire + 1, step + 1);
     let message = format!(
         "wire {wire}, step {step}: there is no length from tangent to tangent, since a bend of 180 degrees \
          beside it has no corner"
@@ -50,6 +53,7 @@ pub(crate) fn no_corner(wire: usize, step: usize) -> DriverError {
 }
 
 pub(crate) fn overlap(wire: usize, step: usize, short_mm: f64, radius_mm: f64) -> DriverError {
+    let (wire, step) = (wire + 1, step + 1);
     let message = format!(
         "wire {wire}, step {step}: the arcs of radius {radius_mm} mm at its ends overlap by {short_mm:.3} mm"
     );
@@ -60,7 +64,8 @@ pub(crate) fn overlap(wire: usize, step: usize, short_mm: f64, radius_mm: f64) -
 pub(crate) fn too_long(wire: usize, value: f64, unit: LengthUnit, decimals: u8) -> DriverError {
     let unit = unit.word();
     let message = format!(
-        "wire {wire}: {value} {unit} with {decimals} decimals has more digits than are written without fault"
+        "wire {}: {value} {unit} with {decimals} decimals has more digits than are written without fault",
+        wire + 1
     );
     DriverError::new("too-long", message, "lower 'decimals', or look at the scale of the design")
 }

@@ -106,11 +106,11 @@ impl Template {
         }
         let mut columns = ["feed", "rotate", "bend"].map(|name| Column::new(name, *decimals));
         // The machine's own signs are in the steps already: nothing here turns a sign round.
-        for (n, step) in wire.machine_steps(index)?.iter().enumerate() {
+        for (n, step) in (1_usize..).zip(wire.machine_steps(index)?) {
             let _ = write!(text, "{n}");
             for (column, value) in columns.iter_mut().zip([step.feed_mm, step.rotate_deg, step.bend_deg]) {
                 let number = column.next(value).map_err(|what| {
-                    let message = format!("wire {index}, step {n}: {what}");
+                    let message = format!("wire {}, step {n}: {what}", index + 1);
                     DriverError::new("too-large", message, "divide the design, or look at its scale")
                 })?;
                 let _ = write!(text, ", {number}");

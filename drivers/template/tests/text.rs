@@ -34,10 +34,10 @@ fn a_job_is_a_table_with_its_hash_above() {
     let expected = format!(
         "# sample for Sample bender, design {hash}\n\
          n, feed_mm, rotate_deg, bend_deg\n\
-         0, 60.000, 90.000, 90.000\n\
-         1, 40.000, -90.000, 90.000\n\
-         2, 50.000, 45.000, -60.000\n\
-         3, 70.000, 0.000, 0.000\n"
+         1, 60.000, 90.000, 90.000\n\
+         2, 40.000, -90.000, 90.000\n\
+         3, 50.000, 45.000, -60.000\n\
+         4, 70.000, 0.000, 0.000\n"
     );
     assert_eq!(written(Settings::default(), &sample_job()), expected);
 }
@@ -45,7 +45,7 @@ fn a_job_is_a_table_with_its_hash_above() {
 #[test]
 fn comment_header_and_decimals_are_settings() {
     let bare = Settings { decimals: 0, header: false, comment: String::new() };
-    assert_eq!(written(bare, &sample_job()), "0, 60, 90, 90\n1, 40, -90, 90\n2, 50, 45, -60\n3, 70, 0, 0\n");
+    assert_eq!(written(bare, &sample_job()), "1, 60, 90, 90\n2, 40, -90, 90\n3, 50, 45, -60\n4, 70, 0, 0\n");
 }
 
 /// Ten feeds of 0.4 mm are 4 mm of wire: rounding each alone would feed none at all.
@@ -57,7 +57,7 @@ fn what_is_rounded_away_is_written_later_and_zero_has_no_sign() {
         text.lines().map(|line| line.split(", ").nth(column).unwrap().parse::<i64>().unwrap()).sum()
     };
     assert_eq!((sum(1), sum(2), sum(3)), (4, -2, -4));
-    assert!(text.starts_with("0, 0, 0, 0\n"), "{text}");
+    assert!(text.starts_with("1, 0, 0, 0\n"), "{text}");
 }
 
 /// A half that was written as a whole must not come back as a turn the other way where there is none.
@@ -65,7 +65,7 @@ fn what_is_rounded_away_is_written_later_and_zero_has_no_sign() {
 fn a_zero_stays_zero() {
     let bare = Settings { decimals: 1, header: false, comment: String::new() };
     let text = written(bare, &job_of(&[(0.15, -0.05, 0.25), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)]));
-    assert_eq!(text.lines().skip(1).collect::<Vec<_>>(), ["1, 0.0, 0.0, 0.0", "2, 0.0, 0.0, 0.0"]);
+    assert_eq!(text.lines().skip(1).collect::<Vec<_>>(), ["2, 0.0, 0.0, 0.0", "3, 0.0, 0.0, 0.0"]);
 }
 
 /// A name is what a person typed; as a line of its own it would be read as a step.
@@ -78,9 +78,9 @@ fn a_name_cannot_break_out_of_the_comment() {
 #[test]
 fn what_cannot_be_written_is_named_with_wire_and_step() {
     let error = refusal(&job_of(&[(1.0, 0.0, 0.0), (1e6, 0.0, 0.0)]));
-    assert_eq!(error.message, "wire 0, step 1: feed is 1000000; a column holds up to 100000");
+    assert_eq!(error.message, "wire 1, step 2: feed is 1000000; a column holds up to 100000");
     let error = refusal(&job_of(&[(1.0, 0.0, f64::NAN)]));
-    assert_eq!(error.message, "wire 0, step 0: bend is NaN; a column holds up to 100000");
+    assert_eq!(error.message, "wire 1, step 1: bend is NaN; a column holds up to 100000");
 }
 
 #[test]

@@ -6,7 +6,7 @@ describe("worded", () => {
     ["exists", "/there/house.txt exists already: name another file, or replace it with --force", "/there/house.txt exists already"],
     ["driver-not-trusted", "/opt/libx.so is a driver that did not come with this program (SHA-256 12ab); if you trust its author, accept it with `wirebend driver trust /opt/libx.so`", "SHA-256 12ab"],
     ["settings-differ", "the machine is not set as the profile of 'kit' says, and wires would come out wrong: feed is 3, not 4; write them with `wirebend machine-settings --machine kit --port p --write`, or make wires all the same with --accept-settings", "feed is 3, not 4"],
-    ["unfinished", "wire 0 of this job was begun on Monday and is not over: 3 of 5 steps are made; go on with `wirebend run x --resume`, or give it up with `wirebend run x --abandon`", "3 of 5 steps are made"],
+    ["unfinished", "wire 1 of this job was begun on Monday and is not over: 3 of 5 steps are made; go on with `wirebend run x --resume`, or give it up with `wirebend run x --abandon`", "3 of 5 steps are made"],
     ["moves-of-another", "up.wbmoves was recorded on 'a', not on 'b'; to replay it all the same, say --machine b", "recorded on 'a', not on 'b'"],
     ["no-port", "say with --port where the machine is; there are: sim", "port"],
     ["contradiction", "the machine counts 4 steps, the journal 3. With `run x --resume=made` or `run x --resume=not-made` the machine is stopped", "The machine counts 4 steps, the journal 3"],

@@ -252,7 +252,7 @@ pub enum AppError {
         wanted: String,
     },
     /// A format cannot hold this wire.
-    #[error("wire {wire} cannot be written as {format}: {reason}")]
+    #[error("wire {} cannot be written as {format}: {reason}", .wire + 1)]
     Unwritable {
         /// Index of the wire, from 0.
         wire: usize,

@@ -93,7 +93,8 @@ impl std::fmt::Display for Doubt {
         let (rotate_deg, bend_deg) = (shown(*rotate_deg), shown(*bend_deg));
         write!(
             f,
-            "nobody knows whether step {step} of {of} of wire {wire} was made: {feed_mm:.1} mm of wire, turned {rotate_deg:.1}°, bent {bend_deg:.1}°"
+            "nobody knows whether step {step} of {of} of wire {} was made: {feed_mm:.1} mm of wire, turned {rotate_deg:.1}°, bent {bend_deg:.1}°",
+            wire + 1
         )
     }
 }

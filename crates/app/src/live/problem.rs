@@ -94,19 +94,20 @@ pub enum LiveProblem {
         settings: Vec<SettingCheck>,
     },
     /// A job has fewer wires.
-    #[error("there is no wire {wire}: the job has {count}, numbered from 0")]
+    #[error("there is no wire {}: the job has {count}, counted from 1", .wire + 1)]
     NoWire {
-        /// The wanted one.
+        /// Index of the wanted one, from 0.
         wire: usize,
         /// How many there are.
         count: usize,
     },
     /// The wire was begun before, and is not over.
     #[error(
-        "wire {wire} of this job was begun on {started} and is not over: {made} of {of} steps are made; go on with `{resume}`, or give it up with `{abandon}`"
+        "wire {} of this job was begun on {started} and is not over: {made} of {of} steps are made; go on with `{resume}`, or give it up with `{abandon}`",
+        .wire + 1
     )]
     Unfinished {
-        /// The wire.
+        /// Index of the wire, from 0.
         wire: usize,
         /// When.
         started: String,
@@ -130,7 +131,7 @@ pub enum LiveProblem {
     /// Several wires of a job were interrupted.
     #[error("several wires of this job are not over ({}): say with --wire which is meant", numbers(wires))]
     SeveralUnfinished {
-        /// Which.
+        /// Their indices, from 0.
         wires: Vec<usize>,
     },
     /// Nothing of the job was begun.
@@ -238,7 +239,7 @@ fn listed(settings: &[SettingCheck]) -> String {
 }
 
 fn numbers(wires: &[usize]) -> String {
-    wires.iter().map(usize::to_string).collect::<Vec<_>>().join(", ")
+    wires.iter().map(|wire| (wire + 1).to_string()).collect::<Vec<_>>().join(", ")
 }
 
 impl From<JournalError> for LiveProblem {

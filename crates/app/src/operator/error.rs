@@ -69,10 +69,11 @@ pub enum OperatorError {
     },
     /// A wire of another machine is not finished by the simulated one.
     #[error(
-        "wire {wire} was begun on the machine at {begun_at}, and this is the simulated one at {port}: connect to that one to go on with it"
+        "wire {} was begun on the machine at {begun_at}, and this is the simulated one at {port}: connect to that one to go on with it",
+        .wire + 1
     )]
     BegunElsewhere {
-        /// The wire.
+        /// Index of the wire, from 0.
         wire: usize,
         /// Where it was begun.
         begun_at: String,
@@ -81,10 +82,11 @@ pub enum OperatorError {
     },
     /// Nobody has said that the wire may go on, and the machine has not left it.
     #[error(
-        "the machine still is in wire {wire}, and holds: go on with it, or give it up and connect the machine anew"
+        "the machine still is in wire {}, and holds: go on with it, or give it up and connect the machine anew",
+        .wire + 1
     )]
     LeftInWire {
-        /// The wire.
+        /// Index of the wire, from 0.
         wire: usize,
     },
     /// The driver did not pass a stop on.

@@ -21,7 +21,7 @@ pub(crate) fn about(
     let steps = kept.compensated.len();
     let bends = kept.compensated.iter().filter(|step| step.bend_deg != 0.0).count();
     let fed: f64 = kept.compensated.iter().map(|step| step.feed_mm).sum();
-    let which = if count > 1 { format!("wire {wire} of {count}") } else { "the wire".to_owned() };
+    let which = if count > 1 { format!("wire {} of {count}", wire + 1) } else { "the wire".to_owned() };
     lines.push(format!(
         "{which}: {steps} steps, {bends} bends, {fed:.1} mm are fed; {} on the machine",
         minutes(kept.time_s)

@@ -85,7 +85,7 @@ impl<'a> Task<'a> {
             Input::Bytes { .. } => "JOB".to_owned(),
         };
         let only =
-            if self.job.contents().wires.len() > 1 { format!(" --wire {wire}") } else { String::new() };
+            if self.job.contents().wires.len() > 1 { format!(" --wire {}", wire + 1) } else { String::new() };
         let port = match &self.request.port {
             Some(port) if option != "--abandon" => format!(" --port {}", quoted(port)),
             _ => String::new(),

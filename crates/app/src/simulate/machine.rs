@@ -122,7 +122,8 @@ pub(crate) fn on_machine(
             note(
                 "other-corners",
                 format!(
-                    "wire {index} has {corners} ends and corners on the simulated machine, which are not those of the design: it has figures of formulas alone"
+                    "wire {} has {corners} ends and corners on the simulated machine, which are not those of the design: it has figures of formulas alone",
+                    index + 1
                 ),
             );
         }

@@ -128,7 +128,7 @@ fn every_case_is_the_wire_of_its_table() {
         [("lra-csv", Lengths::Tangent), ("ybc-csv", Lengths::Tangent), ("cumulative-csv", Lengths::Distance)]
     {
         let outcomes = written(format, &Value::Null, lengths);
-        outcomes.assert(18, &NO_ROUTE, &[("fold-back", "no-corner", "wire 0, step 1")]);
+        outcomes.assert(18, &NO_ROUTE, &[("fold-back", "no-corner", "wire 1, step 2")]);
         assert!(outcomes.refused["fold-back"].1.contains("180 degrees"), "{format}: {outcomes:?}");
     }
     // The reason, from the designs themselves: half turns, and straight parts that two arcs need.
@@ -162,7 +162,7 @@ fn arcs_that_overlap_are_refused_where_they_do() {
     };
     assert_eq!(error.code, "arcs-overlap");
     assert!(
-        error.message.starts_with("wire 0, step 1: ") && error.message.contains("by 1.500 mm"),
+        error.message.starts_with("wire 1, step 2: ") && error.message.contains("by 1.500 mm"),
         "{error}"
     );
     let corners = export(quarter(), case.choices(MACHINE), "lra-csv", &json!({"lengths": "intersection"}));

@@ -1,5 +1,6 @@
 //! The arguments of what moves a machine, or asks it.
 
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::{Args, Subcommand, ValueEnum};
@@ -23,9 +24,9 @@ pub(crate) struct RunArgs {
     pub job: PathBuf,
     #[command(flatten)]
     pub at: PortArgs,
-    /// Make this wire alone, counted from 0
+    /// Make this wire alone, counted from 1
     #[arg(long, value_name = "N")]
-    pub wire: Option<usize>,
+    pub wire: Option<NonZeroUsize>,
     /// Go on with what was interrupted; with an answer, say whether the step of which nobody knows was made
     #[arg(long, value_name = "ANSWER", num_args = 0..=1, require_equals = true, default_missing_value = "ask", conflicts_with = "abandon")]
     pub resume: Option<Answer>,

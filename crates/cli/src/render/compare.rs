@@ -135,8 +135,8 @@ fn place(found: &WireDiagnostic) -> String {
     match (diagnostic.vertex.filter(|_| !is_length), diagnostic.edge, diagnostic.step, found.wire) {
         (Some(vertex), ..) => format!("vertex {vertex}"),
         (None, Some(edge), ..) => format!("edge {edge}"),
-        (None, None, Some(step), Some(wire)) => format!("step {step} of wire {wire}"),
-        (None, None, _, Some(wire)) => format!("wire {wire}"),
+        (None, None, Some(step), Some(wire)) => format!("step {} of wire {}", step + 1, wire + 1),
+        (None, None, _, Some(wire)) => format!("wire {}", wire + 1),
         (None, None, _, None) => "design".to_owned(),
     }
 }

@@ -19,7 +19,7 @@ pub(super) fn run(out: &mut impl Write, err: &mut impl Write, found: &RunRespons
         one_wire(out, err, wire)?;
     }
     if !found.left.is_empty() {
-        let left: Vec<String> = found.left.iter().map(usize::to_string).collect();
+        let left: Vec<String> = found.left.iter().map(|wire| (wire + 1).to_string()).collect();
         let why = match found.left_because {
             Some(LeftBecause::Declined) => "as you said",
             Some(LeftBecause::NobodyAsked) => {
@@ -42,7 +42,7 @@ fn one_wire(out: &mut impl Write, err: &mut impl Write, wire: &WireRun) -> std::
         RunOutcome::Failed => format!("failed with {made} of {steps} steps made"),
         RunOutcome::Abandoned => format!("given up with {made} of {steps} steps made"),
     };
-    writeln!(out, "wire {index}: {outcome} (record {id})")?;
+    writeln!(out, "wire {}: {outcome} (record {id})", index + 1)?;
     if let Some(worst) = wire.worst_deviation_mm() {
         writeln!(out, "  the worst vertex of the simulated wire is {worst:.2} mm off")?;
     }

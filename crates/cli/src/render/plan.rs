@@ -17,7 +17,7 @@ pub(super) fn plan(out: &mut impl Write, found: &PlanResponse) -> std::io::Resul
     let wires = found.report.wires();
     for (index, report) in wires.iter().enumerate() {
         if wires.len() > 1 {
-            writeln!(out, "wire {index}")?;
+            writeln!(out, "wire {}", index + 1)?;
         }
         wire(out, report)?;
     }
@@ -158,7 +158,7 @@ fn one(out: &mut impl Write, diagnostic: &DiagnosticReport) -> std::io::Result<(
         SeverityName::Warning => "warning",
         SeverityName::Info => "info",
     };
-    let step = diagnostic.step.map(|step| format!(" step {step}:")).unwrap_or_default();
+    let step = diagnostic.step.map(|step| format!(" step {}:", step + 1)).unwrap_or_default();
     writeln!(out, "{style}{severity}{style:#}[{}]:{step} {}", diagnostic.code, diagnostic.message)?;
     if let Some(source) = &diagnostic.limit_source {
         writeln!(out, "    limit from {source}")?;

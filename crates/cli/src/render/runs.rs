@@ -51,7 +51,7 @@ pub(super) fn show(out: &mut impl Write, found: &RunsShowResponse) -> std::io::R
     let mut line = |label: &str, text: &str| writeln!(out, "  {label:<12} {text}");
     line("record", &found.id)?;
     line("design", &format!("{} ({})", job.name, job.design_hash))?;
-    line("job", &format!("{}, wire {}", job.job_hash, job.wire))?;
+    line("job", &format!("{}, wire {}", job.job_hash, job.wire + 1))?;
     line(
         "machine",
         &format!("{} at {}, driver {} {}", job.machine, job.port, job.driver, job.driver_version),

@@ -15,7 +15,7 @@ pub(super) fn simulate(out: &mut impl Write, found: &SimulateResponse) -> std::i
     let several = found.wires.len() > 1;
     for (index, wire) in found.wires.iter().enumerate() {
         if several {
-            writeln!(out, "wire {index}")?;
+            writeln!(out, "wire {}", index + 1)?;
         }
         if let Some(worst) = wire.worst_machine_mm {
             let label = "simulated machine";

@@ -11,6 +11,7 @@ use crate::errors::WrongUse;
 
 pub(super) fn run(args: RunArgs) -> anyhow::Result<Request> {
     let RunArgs { job, at, wire, resume, abandon, accept_settings, record, force } = args;
+    let wire = wire.map(|wire| wire.get() - 1);
     let how = match resume {
         Some(answer) => RunHow::Resume { decided: answer.decision() },
         None if abandon => RunHow::Abandon,

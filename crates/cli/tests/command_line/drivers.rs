@@ -109,7 +109,7 @@ fn a_driver_in_c_is_listed_checked_trusted_and_used() {
     export(&home, "my-bender", "house.txt", &[]).ended(0);
     assert_eq!(home.read("house.txt"), text_of_the_twin(&home));
     assert!(
-        home.read("house.txt").contains("n, feed_mm, rotate_deg, bend_deg\n0, "),
+        home.read("house.txt").contains("n, feed_mm, rotate_deg, bend_deg\n1, "),
         "{}",
         home.read("house.txt")
     );

@@ -148,7 +148,7 @@ fn a_person_reads_what_will_happen_and_what_did() {
         assert!(ran.err.contains(said), "{said}: {}", ran.err);
     }
     let out = String::from_utf8(ran.out).unwrap();
-    assert!(out.contains("wire 0: made in") && out.contains("mm off"), "{out}");
+    assert!(out.contains("wire 1: made in") && out.contains("mm off"), "{out}");
 }
 
 /// Nothing moves because somebody forgot a word.
@@ -198,9 +198,10 @@ fn one_yes_is_for_one_wire() {
     assert_fits("run", &made);
     assert_eq!((made["wires"].as_array().unwrap().len(), &made["left"]), (1, &json!([1])));
     assert_eq!(made["left_because"], "nobody-asked");
-    let second = shop.make(&["--yes", "--json", "--wire", "1"]).ended(0).json();
+    let second = shop.make(&["--yes", "--json", "--wire", "2"]).ended(0).json();
     assert_eq!((&second["wires"][0]["wire"], &second["left"]), (&json!(1), &json!([])));
-    shop.make(&["--yes", "--wire", "2"]).ended(2);
+    shop.make(&["--yes", "--wire", "3"]).ended(2);
+    shop.make(&["--yes", "--wire", "0"]).ended(2);
 }
 
 #[test]

@@ -8,7 +8,7 @@ use crate::units::{Angle, Length};
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum TangentError {
     /// A bend of 180° or more has no corner where its straight parts would meet.
-    #[error("step {step}: a bend of {bend:.3} has no corner; its straight parts are parallel")]
+    #[error("step {}: a bend of {bend:.3} has no corner; its straight parts are parallel", .step + 1)]
     NoCorner {
         /// Index of the step, from 0.
         step: usize,

@@ -74,5 +74,5 @@ fn unreachable(wire: &Wire, found: &mut Vec<Diagnostic>) {
 }
 
 fn at(wire: &Wire, step: usize) -> String {
-    wire.vertex_of_step(step).map_or_else(|| format!(" of step {step}"), |v| format!(" at vertex {v}"))
+    wire.vertex_of_step(step).map_or_else(|| format!(" of step {}", step + 1), |v| format!(" at vertex {v}"))
 }

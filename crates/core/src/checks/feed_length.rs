@@ -76,7 +76,7 @@ fn judge(wire: &Wire, step: usize, designed: Length, feed: Length, found: &mut V
 fn edges(wire: &Wire, step: usize) -> String {
     let edges: Vec<String> = wire.edges_of_step(step).iter().map(ToString::to_string).collect();
     match edges.len() {
-        0 => format!("step {step}"),
+        0 => format!("step {}", step + 1),
         1 => format!("edge {}", edges[0]),
         _ => format!("the straight of edges {}", edges.join(", ")),
     }

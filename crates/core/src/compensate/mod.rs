@@ -144,7 +144,7 @@ impl CompensatedProgram {
 
 /// A step that cannot be compensated.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[error("step {step}: {error}")]
+#[error("step {}: {error}", .step + 1)]
 pub struct StepError {
     /// Index of the step, from 0.
     pub step: usize,

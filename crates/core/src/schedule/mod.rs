@@ -32,7 +32,8 @@ pub struct ScheduledProgram {
 /// A bend that no turn of the head within its limits can make.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error(
-    "step {step}: the head would have to stand at {wanted:.2} (or a multiple of half a turn away), outside {least:.1} to {most:.1}"
+    "step {}: the head would have to stand at {wanted:.2} (or a multiple of half a turn away), outside {least:.1} to {most:.1}",
+    .step + 1
 )]
 pub struct RotationOutOfRange {
     /// Index of the step, from 0.

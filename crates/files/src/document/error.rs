@@ -105,7 +105,7 @@ pub enum DocumentError {
         value: f64,
     },
     /// The stages of a wire of a job do not fit each other.
-    #[error("wire {wire} of the job does not fit together: {what}; plan the design again to get a new job")]
+    #[error("wire {} of the job does not fit together: {what}; plan the design again to get a new job", .wire + 1)]
     Inconsistent {
         /// Index of the wire, from 0.
         wire: usize,

@@ -312,7 +312,7 @@ fn a_job_sheet_has_every_step_and_all_that_is_known() {
         run += 29.1 + n;
         let degrees = if k == 0 { "0.000".to_owned() } else { format!("{:.3}", -n) };
         let expected = [
-            k.to_string(),
+            (k + 1).to_string(),
             format!("{:.3}", 30.0 + n),
             degrees,
             "90.500".to_owned(),

@@ -27,7 +27,7 @@ fn arcs_that_overlap_are_refused_where_lengths_are_between_them() {
     for format in ["lra-csv", "ybc-csv", "cumulative-csv"] {
         let error = refusal(format, json!({}), &job);
         assert_eq!(error.code, "arcs-overlap");
-        let expected = "wire 0, step 1: the arcs of radius 10 mm at its ends overlap by 5.000 mm";
+        let expected = "wire 1, step 2: the arcs of radius 10 mm at its ends overlap by 5.000 mm";
         assert_eq!(error.message, expected);
         assert!(error.help.contains("'lengths' to intersection"), "{error}");
     }
@@ -50,7 +50,7 @@ fn a_bend_of_180_degrees_has_no_length_beside_it() {
     let job = job_of(2.0, &[STRAIGHT, (50.0, 0.0, 180.0), STRAIGHT]);
     let error = refusal("lra-csv", json!({}), &job);
     assert_eq!(error.code, "no-corner");
-    assert!(error.message.starts_with("wire 0, step 1: there is no length"), "{error}");
+    assert!(error.message.starts_with("wire 1, step 2: there is no length"), "{error}");
     assert!(error.help.contains("'lengths' to intersection"), "{error}");
 }
 
@@ -58,7 +58,7 @@ fn a_bend_of_180_degrees_has_no_length_beside_it() {
 fn the_second_wire_is_named_as_such() {
     let mut job = job_of(2.0, &[STRAIGHT]);
     job.wires.push(job_of(10.0, &[(5.0, 0.0, 90.0), STRAIGHT]).wires.remove(0));
-    assert!(refusal("lra-csv", json!({}), &job).message.starts_with("wire 1, step 0: "));
+    assert!(refusal("lra-csv", json!({}), &job).message.starts_with("wire 2, step 1: "));
 }
 
 #[test]
@@ -70,14 +70,14 @@ fn values_that_are_no_numbers_are_named() {
     ] {
         let error = refusal("lra-csv", json!({"lengths": "intersection"}), &job_of(2.0, &[STRAIGHT, step]));
         assert_eq!(error.code, "not-a-number");
-        assert_eq!(error.message, format!("wire 0, step 1: {what}, expected a number"));
+        assert_eq!(error.message, format!("wire 1, step 2: {what}, expected a number"));
     }
     let mut job = job_of(2.0, &[STRAIGHT, STRAIGHT]);
     job.wires[0].design[1].straight_mm = Some(f64::NAN);
-    assert!(refusal("ybc-csv", json!({}), &job).message.contains("step 1: straight is NaN"));
+    assert!(refusal("ybc-csv", json!({}), &job).message.contains("step 2: straight is NaN"));
     job.wires[0].path_mm = vec![[0.0; 3], [1.0, f64::NAN, 0.0]];
     let error = refusal("xyz-csv", json!({}), &job);
-    assert_eq!(error.message, "wire 0, point 1: y is NaN, expected a number");
+    assert_eq!(error.message, "wire 1, point 2: y is NaN, expected a number");
 }
 
 #[test]
@@ -85,17 +85,17 @@ fn what_is_no_wire_is_refused() {
     let intersection = || json!({"lengths": "intersection"});
     let error = refusal("lra-csv", intersection(), &job_of(2.0, &[(-1.0, 0.0, 0.0)]));
     assert_eq!(error.code, "negative-length");
-    assert_eq!(error.message, "wire 0, step 0: the length is -1 mm, expected 0 or more");
+    assert_eq!(error.message, "wire 1, step 1: the length is -1 mm, expected 0 or more");
     let error = refusal("lra-csv", intersection(), &job_of(2.0, &[(50.0, 0.0, 200.0), STRAIGHT]));
     assert_eq!(error.code, "bend-range");
-    assert_eq!(error.message, "wire 0, step 0: the bend is 200 degrees, expected -180 to 180");
+    assert_eq!(error.message, "wire 1, step 1: the bend is 200 degrees, expected -180 to 180");
     let mut job = job_of(2.0, &[]);
-    assert_eq!(refusal("lra-csv", json!({}), &job).message, "wire 0 has no steps, expected one at least");
+    assert_eq!(refusal("lra-csv", json!({}), &job).message, "wire 1 has no steps, expected one at least");
     job.wires[0].path_mm.clear();
     let error = refusal("xyz-csv", json!({}), &job);
     assert_eq!(
         (error.code.as_str(), error.message.as_str()),
-        ("empty-wire", "wire 0 has no points, expected one at least")
+        ("empty-wire", "wire 1 has no points, expected one at least")
     );
     for radius in [-1.0, f64::NAN] {
         assert_eq!(refusal("lra-csv", json!({}), &job_of(radius, &[STRAIGHT])).code, "bend-radius");
@@ -108,7 +108,7 @@ fn more_digits_than_there_are_is_refused() {
     let job = job_of(2.0, &[(900_000.0, 0.0, 90.0), (900_000.0, 0.0, 0.0)]);
     let error = refusal("lra-csv", json!({"decimals": 9, "lengths": "intersection"}), &job);
     assert_eq!(error.code, "too-long");
-    assert!(error.message.starts_with("wire 0: 1800000 mm with 9 decimals"), "{error}");
+    assert!(error.message.starts_with("wire 1: 1800000 mm with 9 decimals"), "{error}");
     table("lra-csv", json!({"decimals": 8}), &job);
     let mut far = sample_job();
     far.wires[0].path_mm[1][2] = -2e6;

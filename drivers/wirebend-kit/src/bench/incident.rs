@@ -71,11 +71,12 @@ fn standing(touching: bool) -> &'static str {
 pub enum Doubt {
     /// The tip lies within the peg's orbit, so that the peg ran past the wire and bent nothing.
     #[error(
-        "bend {bend}: the peg runs past the end of the wire, of which {out_mm:.1} mm are out and \
-         {needed_mm:.1} needed; lengthen the first edge"
+        "bend {}: the peg runs past the end of the wire, of which {out_mm:.1} mm are out and \
+         {needed_mm:.1} needed; lengthen the first edge",
+        .bend + 1
     )]
     PegPastTip {
-        /// Which bend, in the order in which they were pressed.
+        /// Which bend, from 0, in the order in which they were pressed.
         bend: usize,
         /// Wire that was out.
         out_mm: f64,
@@ -84,11 +85,12 @@ pub enum Doubt {
     },
     /// The peg touches the wire beyond its straight part. The bend was made as if that went on.
     #[error(
-        "bend {bend}: the peg meets the wire {contact_mm:.1} mm behind the bend, where only \
-         {straight_mm:.1} mm are straight"
+        "bend {}: the peg meets the wire {contact_mm:.1} mm behind the bend, where only \
+         {straight_mm:.1} mm are straight",
+        .bend + 1
     )]
     ShortLeg {
-        /// Which bend, in the order in which they were pressed.
+        /// Which bend, from 0, in the order in which they were pressed.
         bend: usize,
         /// Distance of the peg's contact from the end of the arc.
         contact_mm: f64,
@@ -96,15 +98,15 @@ pub enum Doubt {
         straight_mm: f64,
     },
     /// The arc took wire that was bent before. What it took has the new bend only.
-    #[error("bend {bend} is pressed over an earlier one")]
+    #[error("bend {} is pressed over an earlier one", .bend + 1)]
     BendOverBend {
-        /// Which bend, in the order in which they were pressed.
+        /// Which bend, from 0, in the order in which they were pressed.
         bend: usize,
     },
     /// The peg pushed the wire further round than a fold back; 180 degrees were taken.
-    #[error("bend {bend} is pushed further round than a fold back")]
+    #[error("bend {} is pushed further round than a fold back", .bend + 1)]
     PastFoldBack {
-        /// Which bend, in the order in which they were pressed.
+        /// Which bend, from 0, in the order in which they were pressed.
         bend: usize,
     },
 }

@@ -38,7 +38,7 @@ export function Player() {
           aria-label="Wire"
           value={String(wire)}
           onChoose={(chosen) => chooseWire(Number(chosen))}
-          choices={program.wires.map((each, index) => ({ value: String(index), label: `Wire ${index} · ${count(each.steps.length, "step")}`, why }))}
+          choices={program.wires.map((each, index) => ({ value: String(index), label: `Wire ${index + 1} · ${count(each.steps.length, "step")}`, why }))}
         />
       )}
       <div className="row animate-transport">

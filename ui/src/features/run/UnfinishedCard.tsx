@@ -11,7 +11,7 @@ export function UnfinishedCard({ unfinished, all, accept }: { readonly unfinishe
   const [leaving, setLeaving] = useState(false);
   const { job_hash, wire, name, resumable } = unfinished;
   // The first wire of a design is nearly always its only one.
-  const which = wire > 0 ? `${name ? `“${name}”, ` : ""}wire ${wire}` : name ? `“${name}”` : "A wire";
+  const which = wire > 0 ? `${name ? `“${name}”, ` : ""}wire ${wire + 1}` : name ? `“${name}”` : "A wire";
   return (
     <div className="unfinished stack" role="group" aria-label="Interrupted wire">
       <p>

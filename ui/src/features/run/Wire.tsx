@@ -35,7 +35,7 @@ export function Wire({ state }: { readonly state: MachineState }) {
           aria-label="Wire to make"
           value={String(wire)}
           onChoose={(index) => setChosen(Number(index))}
-          choices={wires.map((each, index) => ({ value: String(index), label: `Wire ${index}${each.length_mm === null ? "" : ` · ${length(each.length_mm)}`}` }))}
+          choices={wires.map((each, index) => ({ value: String(index), label: `Wire ${index + 1}${each.length_mm === null ? "" : ` · ${length(each.length_mm)}`}` }))}
         />
       )}
       {state.unfinished && !under && <UnfinishedCard unfinished={state.unfinished} all={all} accept={accept} />}

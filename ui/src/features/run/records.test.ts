@@ -24,7 +24,7 @@ it("says what became of a wire, as far as it is known", () => {
   expect(madePhrase({ ...RUN, worst_deviation_mm: 25.4 }, "inch").sub).toContain("worst vertex 1.0000 in");
   expect(madePhrase({ ...RUN, wire: 2, outcome: "unfinished", made: 3, interruptions: 1, worst_deviation_mm: null }, "mm")).toEqual({
     tone: "warning",
-    what: "House, wire 2",
+    what: "House, wire 3",
     sub: "interrupted after step 3 of 5 · 1 interruption · wirebend-kit",
   });
   expect(madePhrase({ ...RUN, outcome: null, problem: "line 4 is cut" }, "mm")).toEqual({ tone: "error", what: "House", sub: "line 4 is cut" });

@@ -22,7 +22,7 @@ function outcome({ outcome: what, made, steps }: RunEntry): string {
 /** One record in a line: whose wire and what became of it, and when. */
 export function madePhrase(run: RunEntry, unit: DisplayUnit): { readonly tone: Tone; readonly what: string; readonly sub: string } {
   const { name, wire, started, machine, interruptions, worst_deviation_mm: worst, problem } = run;
-  const what = `${name ?? "Unknown design"}${wire ? `, wire ${wire}` : ""}`;
+  const what = `${name ?? "Unknown design"}${wire ? `, wire ${wire + 1}` : ""}`;
   if (problem || !run.outcome) return { tone: "error", what, sub: problem ?? "Its journal cannot be read." };
   const parts = [
     outcome(run),

@@ -12,7 +12,7 @@ const NAMES: [&str; 8] = ["n", "feed mm", "rotate °", "bend °", "feed mm", "ro
 /// Every step, with the names of the columns on each page.
 pub(super) fn table(flow: &mut Flow, heading: &str, steps: &[SheetStep]) {
     flow.heading(heading, 2.0 * ROW + 6.0);
-    flow.text("Feed, then rotate, then bend; counted from 0, as the checks count. Rotations and bends that the machine is told are in its own signs; what has run is the wire that has been fed after the step.", SMALL);
+    flow.text("Feed, then rotate, then bend. Rotations and bends that the machine is told are in its own signs; what has run is the wire that has been fed after the step.", SMALL);
     flow.gap(1.0);
     names(flow);
     let mut run = 0.0;
@@ -25,7 +25,7 @@ pub(super) fn table(flow: &mut Flow, heading: &str, steps: &[SheetStep]) {
         let three = |values: [f64; 3]| values.map(|value| fixed(value, 3));
         let designed = three(step.designed);
         let told = step.told.map_or_else(|| ["–", "–", "–"].map(str::to_owned), three);
-        let mut cells = vec![index.to_string()];
+        let mut cells = vec![(index + 1).to_string()];
         cells.extend(designed);
         cells.extend(told);
         cells.push(fixed(run, 3));
