@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { ago, angle, count, length, longLength, money, number, percent, roughly, signed, speed, time } from "./format";
+import { ago, angle, asShown, count, length, longLength, money, number, percent, roughly, signed, speed, time } from "./format";
 import { parseAngle, parseLength, parseNumber } from "./parse";
 
 const thin = (text: string) => text.replaceAll("_", "\u202f").replaceAll("-", "\u2212");
@@ -49,6 +49,18 @@ describe("figures as a person reads them", () => {
 
   it("says how long ago", () => {
     expect([0, 12, 320, 7200, 90_000, 180_000].map(ago)).toEqual(["now", "12 s ago", "5 min ago", "2 h ago", "1 day ago", "2 days ago"]);
+  });
+});
+
+describe("sentences that were made elsewhere", () => {
+  it.each([
+    ["Double 1 edge (+118.9 mm, +0.24 USD)", "Double 1 edge (+4.681 in, +$0.24)"],
+    ["Move vertex 4 by 0.25 mm", "Move vertex 4 by 0.010 in"],
+    ["put in at least 859 mm of Aluminium 6061-T6, 3 mm: the last 400 mm", "put in at least 33.819 in of Aluminium 6061-T6, 3 mm: the last 15.748 in"],
+    ["edges of 12.0..20.0 mm, 23.50 CHF", "edges of 12.0..20.0 mm, 23.50 CHF"],
+  ])("%s", (told, shown) => {
+    expect(asShown(told, "inch")).toBe(shown);
+    expect(asShown("Move vertex 4 by 1250.5 mm", "mm")).toBe("Move vertex 4 by 1250.5 mm");
   });
 });
 

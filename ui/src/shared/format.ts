@@ -73,6 +73,15 @@ export function money(value: number, currency: string | null): string {
   return before === undefined ? `${sign}${text} ${currency}` : `${sign}${before}${text}`;
 }
 
+/**
+ * A sentence that was made elsewhere, with lengths in mm and prices with the code of their currency, as figures are shown here. Only a
+ * number right before "mm" is a length: of a range nothing is changed, nor in the name of a wire, where it follows a comma.
+ */
+export function asShown(text: string, unit: DisplayUnit): string {
+  const priced = text.replace(/(\d+\.\d\d) ([A-Z]{3})\b/g, (_, value: string, currency: string) => money(Number(value), currency));
+  return unit === "mm" ? priced : priced.replace(/(?<![\d.]|, )(\d+(?:\.\d+)?) mm\b/g, (_, mm: string) => length(Number(mm), unit));
+}
+
 /** A share of 1: "37 %". */
 export function percent(share: number, digits = 0): string {
   return `${number(share * 100, digits)} %`;

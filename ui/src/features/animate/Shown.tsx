@@ -1,6 +1,6 @@
 import type { Shown as ShownName } from "../../scene/interface";
 import { Segmented } from "../../shared/inputs";
-import { useUnit } from "../../shared/unit";
+import { useLengths } from "../../shared/unit";
 import { chooseShown, usePlayback, useProgram } from "../../state/program";
 import { worst } from "./steps";
 
@@ -8,7 +8,7 @@ import { worst } from "./steps";
 export function Shown() {
   const { made, askingMade, wire, program } = useProgram();
   const shown = usePlayback((playback) => playback.shown);
-  const unit = useUnit();
+  const { unit, said } = useLengths();
   const told = program?.wires[wire]?.steps.every((step) => step.told !== null) ?? false;
   const why = told ? null : "The wire is not compensated, so that nobody knows how it is made: see Check.";
   const off = worst(made, wire, unit);
@@ -34,7 +34,7 @@ export function Shown() {
       </p>
       {made?.notes.map((note) => (
         <p key={note.code + note.message} className="muted small">
-          {note.message}
+          {said(note.message)}
         </p>
       ))}
     </div>

@@ -2,7 +2,7 @@ import { useEffect, useRef, useState } from "react";
 import type { DiagnosticReport } from "../../generated/responses";
 import { Button } from "../../shared/Button";
 import { Mark } from "../../shared/Mark";
-import { useUnit } from "../../shared/unit";
+import { useLengths } from "../../shared/unit";
 import { useDesign } from "../../state/design";
 import { fixesOf, useFixes } from "../../state/fixes";
 import { highlight, select } from "../../state/selection";
@@ -47,14 +47,14 @@ function usePointing(reports: readonly DiagnosticReport[]) {
 /** One of several places of a kind: with its value, and its own fixes. */
 function Member({ report }: { readonly report: DiagnosticReport }) {
   const [open, setOpen] = useState(false);
-  const unit = useUnit();
+  const { unit, said } = useLengths();
   const fixes = fixesOf(report, useFixes((store) => store.fixes));
   const pointing = usePointing([report]);
   return (
     <li {...pointing.line}>
       <div className="member">
         <button type="button" className="check-what" onClick={() => show([report])} {...pointing.button}>
-          {whatOf(report)}
+          {said(whatOf(report))}
         </button>
         <span className="muted">{valueText(report.value, report.unit, unit)}</span>
         {fixes.length > 0 && (
@@ -71,7 +71,7 @@ function Member({ report }: { readonly report: DiagnosticReport }) {
 /** Diagnostics of a kind: what, value and limit, one action. */
 export function GroupLine({ group }: { readonly group: Group }) {
   const { reports, severity } = group;
-  const unit = useUnit();
+  const { unit, said } = useLengths();
   const [open, setOpen] = useState(false);
   const all = useFixes((store) => store.fixes);
   const [first] = reports;
@@ -91,13 +91,13 @@ export function GroupLine({ group }: { readonly group: Group }) {
       <div className="line-what">
         {somewhere ? (
           <button type="button" className="check-what" onClick={() => show(reports)} {...pointing.button}>
-            {titleOf(group)}
+            {said(titleOf(group))}
           </button>
         ) : (
-          titleOf(group)
+          said(titleOf(group))
         )}
       </div>
-      <div className="line-sub" title={sourceOf(group)}>{figuresOf(group, unit)}</div>
+      <div className="line-sub" title={sourceOf(group)}>{said(figuresOf(group, unit))}</div>
       {action && (
         <div className="line-action">
           <Button kind="link" aria-expanded={folds ? open : undefined} title={way?.title} onClick={() => (folds ? setOpen(!open) : way ? way.go() : show(reports))}>
@@ -116,7 +116,7 @@ export function GroupLine({ group }: { readonly group: Group }) {
               {reports.length > MOST && <li className="muted">and {reports.length - MOST} more</li>}
             </ul>
           )}
-          {single && first.unit && first.help && <p className="muted small">{first.help}.</p>}
+          {single && first.unit && first.help && <p className="muted small">{said(first.help)}.</p>}
         </div>
       )}
     </li>

@@ -3,6 +3,7 @@ import type { FormatEntry } from "../../generated/responses";
 import { Button } from "../../shared/Button";
 import { Checkbox } from "../../shared/inputs";
 import { Line } from "../../shared/Line";
+import { useLengths } from "../../shared/unit";
 import { useDesign } from "../../state/design";
 import { preview, setDespiteErrors, useExports } from "../../state/exports";
 import { useUi } from "../../state/ui";
@@ -16,6 +17,7 @@ export function Preview({ format }: { readonly format: FormatEntry }) {
   const { preview: shown, previewing, settings, despiteErrors } = useExports();
   const { vertices, edges, state, check } = useDesign();
   const showSection = useUi((ui) => ui.showSection);
+  const { said } = useLengths();
   useEffect(() => {
     const timer = window.setTimeout(() => void preview(), REST_MS);
     return () => window.clearTimeout(timer);
@@ -45,12 +47,12 @@ export function Preview({ format }: { readonly format: FormatEntry }) {
       )}
       {mine?.refused && !(mine.refused.errors && infeasible) && (
         <ul>
-          <Line tone="error" what="It cannot be written" sub={mine.refused.message} />
+          <Line tone="error" what="It cannot be written" sub={said(mine.refused.message)} />
         </ul>
       )}
       {mine?.seen?.notes.map((note) => (
         <p key={note.code + note.message} className="muted small">
-          {note.message}
+          {said(note.message)}
         </p>
       ))}
       {mine?.seen?.beginnings.map((beginning, index) => (

@@ -3,14 +3,14 @@ import { Button } from "../../shared/Button";
 import { Bar } from "../../shared/inputs";
 import { Line } from "../../shared/Line";
 import type { OtherSide } from "../../generated/responses";
-import { useUnit } from "../../shared/unit";
+import { useLengths } from "../../shared/unit";
 import { stopComparing, switchTo, useMachines } from "../../state/machines";
 import { differences, figures } from "./differences";
 
 /** What another machine changes for the design, and switching to it. */
 export function Comparison() {
   const { compared, machines, materials } = useMachines();
-  const unit = useUnit();
+  const { unit, said } = useLengths();
   const box = useRef<HTMLDivElement>(null);
   const answered = Boolean(compared?.to ?? compared?.problem);
   useEffect(() => {
@@ -34,7 +34,7 @@ export function Comparison() {
       )}
       {problem && (
         <ul>
-          <Line tone="error" what="It cannot be compared" sub={problem} />
+          <Line tone="error" what="It cannot be compared" sub={said(problem)} />
         </ul>
       )}
       {from && to && side && (
@@ -49,7 +49,7 @@ export function Comparison() {
           )}
           <ul>
             {differences(from, side).map((one) => (
-              <Line key={one.what} tone={one.tone} what={one.what} sub={one.sub} />
+              <Line key={one.what} tone={one.tone} what={one.what} sub={one.sub && said(one.sub)} />
             ))}
           </ul>
           <dl className="comparison-figures">

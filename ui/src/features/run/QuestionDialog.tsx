@@ -17,6 +17,7 @@ const WORDS: Readonly<Record<Question["kind"], readonly [string, string, string]
 /** What the operator asks before anything moves. Esc does nothing: it has to be answered. */
 export function QuestionDialog() {
   const { question, ordering } = useRun();
+  const { said } = useLengths();
   if (!question) return null;
   const { id, kind } = question;
   const [title, no, yes] = WORDS[kind];
@@ -45,12 +46,12 @@ export function QuestionDialog() {
       {question.lines.length > 0 && !question.doubt && (
         <ul className="question-lines selectable">
           {question.lines.map((line, index) => (
-            <li key={index}>{sentence(line)}</li>
+            <li key={index}>{sentence(said(line))}</li>
           ))}
         </ul>
       )}
       {question.doubt && <Doubtful doubt={question.doubt} />}
-      <p className="question">{question.question}</p>
+      <p className="question">{said(question.question)}</p>
     </Dialog>
   );
 }
@@ -64,7 +65,7 @@ function Doubtful({ doubt }: { readonly doubt: Doubt }) {
       <div>
         <dt>Step</dt>
         <dd>
-          {doubt.step} of {doubt.of}, wire {doubt.wire}
+          {doubt.step} of {doubt.of}, wire {doubt.wire + 1}
         </dd>
       </div>
       <div>

@@ -14,6 +14,7 @@ export function ClosingDialog() {
   const asked = useClosing((closing) => closing.asked);
   if (!asked) return null;
   const { phase, answer } = asked;
+  const does = DOES[phase];
   return (
     <Dialog
       title="Stop the machine and close?"
@@ -29,7 +30,10 @@ export function ClosingDialog() {
         </>
       }
     >
-      <p>{DOES[phase] ?? "A wire is being made."} It stops at once, and has to be homed before it moves again.</p>
+      <p>
+        {does ?? "A wire is being made."} {does === undefined ? "The machine" : "It"} stops at once, and has to be homed before it moves again.
+        {does === undefined && " The wire can be gone on with then: how far it came is recorded."}
+      </p>
     </Dialog>
   );
 }

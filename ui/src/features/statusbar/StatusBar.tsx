@@ -1,3 +1,4 @@
+import { useMemo } from "react";
 import { count } from "../../shared/format";
 import { Icon } from "../../shared/icons";
 import { Bar } from "../../shared/inputs";
@@ -7,21 +8,23 @@ import { useDesign } from "../../state/design";
 import { useProblems } from "../../state/problems";
 import { useUi } from "../../state/ui";
 import { useWork } from "../../state/work";
+import { lengthOf } from "../edit/geometry";
 import { checksPhrase, figures, savedPhrase, workPhrase } from "./figures";
 import "./statusbar.css";
 
 /** Figures of the design, and how things stand. */
 export function StatusBar() {
-  const { check, state } = useDesign();
+  const { check, state, vertices, edges } = useDesign();
   const unit = useUnit();
   const messages = useProblems((problems) => problems.problems.length);
   const showSection = useUi((ui) => ui.showSection);
   const checks = checksPhrase(check);
   const saved = savedPhrase(state);
+  const drawn = useMemo(() => lengthOf(edges.keys(), { vertices, edges }), [vertices, edges]);
   return (
     <footer className="status-bar" aria-label="Status">
       <dl className="status-figures">
-        {figures(check, unit).map(({ name, value, title }) => (
+        {figures(check, drawn, unit).map(({ name, value, title }) => (
           <div key={name} title={title}>
             <dt>{name}</dt>
             <dd>{value}</dd>

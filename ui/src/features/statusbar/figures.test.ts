@@ -21,22 +21,30 @@ const values = (all: ReturnType<typeof figures>) => all.map(({ value }) => value
 
 describe("figures", () => {
   it("shows one wire", () => {
-    expect(values(figures(check([wire()]), "mm"))).toEqual(["11\u202f821.4 mm", "12.22 m", "176", "52:10", "$23.50"]);
+    expect(values(figures(check([wire()]), 11_220, "mm"))).toEqual(["11\u202f821.4 mm", "12.22 m", "176", "52:10", "$23.50"]);
   });
 
   it("adds wires up, and does not show a sum that is not one", () => {
-    const all = figures(check([wire({ length_mm: 100, time_s: 60, currency: "EUR" }), wire({ length_mm: 50.5, time_s: null })]), "mm");
+    const all = figures(check([wire({ length_mm: 100, time_s: 60, currency: "EUR" }), wire({ length_mm: 50.5, time_s: null })]), 150, "mm");
     expect(values(all).slice(0, 1)).toEqual(["150.5 mm"]);
     expect(values(all).slice(3)).toEqual(["–", "–"]);
     expect(all[0]?.title).toBe("Designed length of all 2 wires, doubled edges counted twice");
   });
 
   it("has nothing to show before the first check", () => {
-    expect(values(figures(null, "mm"))).toEqual(["–", "–", "–", "–", "–"]);
+    expect(values(figures(null, 0, "mm"))).toEqual(["–", "–", "–", "–", "–"]);
   });
 });
 
 const state = (given: Partial<DesignState>): DesignState => designState({ file: "/there/bunny.wirebend", ...given });
+
+describe("figures of a design without a route", () => {
+  it("tells how long its wire is at least", () => {
+    const all = figures(check([wire({ length_mm: null, stock_mm: null, time_s: null, cost: null, bends: null })]), 1218.24, "mm");
+    expect(values(all)).toEqual(["≥ 1\u202f218.2 mm", "–", "–", "–", "–"]);
+    expect(values(figures(null, 25.4, "inch"))[0]).toBe("≥ 1.000 in");
+  });
+});
 
 describe("savedPhrase", () => {
   it("says what a file has, and passes on that nothing is kept", () => {

@@ -22,14 +22,18 @@ function sum(wires: readonly WireFigures[], of: (wire: WireFigures) => number | 
   return wires.length > 0 ? all : null;
 }
 
-export function figures(check: LiveCheck | null, unit: DisplayUnit): readonly Figure[] {
+/** `drawn`: the length of all edges, mm, each counted once. */
+export function figures(check: LiveCheck | null, drawn: number, unit: DisplayUnit): readonly Figure[] {
   const wires = check?.wires ?? [];
   const currencies = new Set(wires.map(({ currency }) => currency));
   const shown = (value: number | null, how: (value: number) => string): string => (value === null ? "–" : how(value));
   const cost = currencies.size === 1 ? sum(wires, (wire) => wire.cost) : null;
+  const routed = sum(wires, (wire) => wire.length_mm);
   const several = wires.length > 1 ? ` of all ${wires.length} wires` : "";
   return [
-    { name: "Wire", value: shown(sum(wires, (wire) => wire.length_mm), (mm) => length(mm, unit)), title: `Designed length${several}, doubled edges counted twice` },
+    routed === null && drawn > 0
+      ? { name: "Wire", value: `≥ ${length(drawn, unit)}`, title: "Every edge once: how many are laid twice is known once there is a wire" }
+      : { name: "Wire", value: shown(routed, (mm) => length(mm, unit)), title: `Designed length${several}, doubled edges counted twice` },
     { name: "Stock", value: shown(sum(wires, (wire) => wire.stock_mm), (mm) => longLength(mm, unit)), title: `Wire to load${several}: all feeds and the tail` },
     { name: "Bends", value: shown(sum(wires, (wire) => wire.bends), (many) => number(many, 0)), title: `Bends${several}` },
     { name: "Time", value: shown(sum(wires, (wire) => wire.time_s), time), title: `Estimated time on the machine${several}` },

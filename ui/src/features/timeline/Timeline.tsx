@@ -1,7 +1,8 @@
 import type { KeyboardEvent } from "react";
 import { Button } from "../../shared/Button";
-import { number, percent, time } from "../../shared/format";
+import { count, number, percent, time } from "../../shared/format";
 import { useLengths } from "../../shared/unit";
+import { hideByHand, useByHand } from "../../state/by_hand";
 import { machineSeconds, stepOf } from "../../state/clock";
 import { useDesign } from "../../state/design";
 import { back, forward, reset, scrub, useSpeeds } from "../../state/player";
@@ -20,6 +21,7 @@ export function Timeline() {
   const speeds = useSpeeds();
   const { length } = useLengths();
   const check = useDesign((design) => design.check);
+  const byHand = useByHand(({ played, moves }) => (played ? moves.length : null));
   const one = program?.wires[wire];
   if (!program || !one) return null;
   const total = one.steps.length;
@@ -57,21 +59,29 @@ export function Timeline() {
         onChange={scrub}
         onKeyDown={keys}
       />
-      <span className="timeline-step">
-        {live ? "making · " : ""}step {at + 1} / {total} · {percent(total > 0 ? step / total : 0)}
-      </span>
-      <span className="timeline-time muted">{time(machineSeconds(one.steps.map((each) => each.seconds), step))}</span>
+      {byHand === null ? (
+        <>
+          <span className="timeline-step">
+            {live ? "making · " : ""}step {at + 1} / {total} · {percent(total > 0 ? step / total : 0)}
+          </span>
+          <span className="timeline-time muted">{time(machineSeconds(one.steps.map((each) => each.seconds), step))}</span>
+        </>
+      ) : (
+        <span className="timeline-step muted">{count(byHand, "move")} by hand, not this program</span>
+      )}
       {stale && !live ? (
         <Button small why={asking ? "The program is being made." : null} title="The design has changed since the program was made" onClick={() => void makeProgram()}>
           Update
         </Button>
-      ) : live ? null : (
-        <span className="timeline-speeds muted">
+      ) : live || byHand !== null ? null : (
+        <span className="timeline-speeds muted" title="How many times as fast as the machine it is played: set under Animate">
           feed ×{number(speeds.feed * speeds.all, digits(speeds.feed * speeds.all))} · bend ×{number(speeds.bend * speeds.all, digits(speeds.bend * speeds.all))} · rotate ×
           {number(speeds.rotate * speeds.all, digits(speeds.rotate * speeds.all))}
         </span>
       )}
-      {played && !live && <Button kind="quiet" icon="close" aria-label="Back to the design" title="Back to the design" onClick={showDesignAgain} />}
+      {((played && !live) || byHand !== null) && (
+        <Button kind="quiet" icon="close" aria-label="Back to the design" title="Back to the design" onClick={played ? showDesignAgain : hideByHand} />
+      )}
     </section>
   );
 }
