@@ -111,6 +111,24 @@ it("fits a narrow panel and a wide one, and shows lengths in inches", async () =
   await editor.isClean("looks");
 });
 
+it("stays where a person has scrolled the panel to", async () => {
+  await editor.take("cube", "check", "edit", "run");
+  await editor.page.setViewportSize({ width: 1280, height: 600 });
+  const panel = editor.page.locator(".panel-sections");
+  const scroll = () => panel.evaluate((box) => [Math.round(box.scrollTop), box.scrollHeight - box.clientHeight]);
+  await editor.section("check").locator(".section-head").hover();
+  await editor.page.mouse.wheel(0, 5000);
+  const [at, end] = [async () => (await scroll())[0], async () => (await scroll())[1]];
+  await until(async () => (await at()) === (await end())).toBe(true);
+  const down = await at();
+  for (const y of [300, 320, 400]) await editor.page.mouse.move(1150, y);
+  // What is drawn anew is told of in the next frames.
+  await editor.page.keyboard.press("Control+a");
+  await editor.page.waitForTimeout(300);
+  expect(await at()).toBeGreaterThanOrEqual(down ?? 0);
+  await editor.page.setViewportSize(SIZES[0]);
+});
+
 it("keeps what is under the pointer in the panel where it is when something above it grows", async () => {
   await editor.take("cube", "check", "edit", "run");
   await editor.page.setViewportSize({ width: 1280, height: 600 });

@@ -30,11 +30,12 @@ export function useSteady(box: RefObject<HTMLElement | null>, parts: string): vo
     const { signal } = stop;
     const point = ({ target }: Event) => {
       // What has grown may come under a pointer that rests, before its growth is told: that is taken back, and nobody has pointed at it.
-      if (hold()) return;
+      if (scrolled.scrollTop === scroll && hold()) return;
       under = target instanceof Element ? target.closest(HELD) : null;
       look();
     };
     scrolled.addEventListener("pointerover", point, { signal });
+    scrolled.addEventListener("scroll", look, { signal });
     scrolled.addEventListener("pointerleave", () => void (under = null), { signal });
     return () => {
       stop.abort();
