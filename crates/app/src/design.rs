@@ -129,7 +129,8 @@ impl DesignInput {
         &self,
         progress: &dyn Progress,
     ) -> Result<(StencilSource, Vec<NoteReport>), AppError> {
-        let opened = self.open(progress)?.with_stencil(self);
+        let mut opened = self.open(progress)?;
+        opened.fetch_stencil(self)?;
         match opened.document.stencil {
             Some(stencil @ StencilSource::Embedded { .. }) => Ok((stencil, opened.notes)),
             _ => Err(AppError::NoSurface { name: opened.name }),

@@ -84,6 +84,7 @@ pub use runs::{
     RunsShowRequest, RunsShowResponse,
 };
 pub use simulate::{GapReport, SimulateRequest, SimulateResponse, SimulationModel, VertexReport};
+pub use stencil::StencilFileError;
 
 use std::path::PathBuf;
 

@@ -1,6 +1,6 @@
 //! The stencil of a document that has it in a file of its own.
 
-use std::path::Path;
+use std::path::{Component, Path};
 
 use wirebend_core::mesh::Stencil;
 use wirebend_files::document::{StencilSource, sha256_hex};
@@ -10,59 +10,84 @@ use crate::design::{DesignInput, Input, Opened};
 use crate::output::file_name;
 use crate::report::NoteReport;
 
-/// Why a stencil is not here.
+/// Why the stencil that a design has in a file of its own is not here.
 #[derive(Debug, thiserror::Error)]
-enum FetchError {
+#[non_exhaustive]
+pub enum StencilFileError {
+    /// The file cannot be read.
     #[error(transparent)]
     Read(#[from] ReadError),
+    /// It has no faces.
     #[error("{file} has no surface")]
-    NoSurface { file: String },
+    NoSurface {
+        /// The file.
+        file: String,
+    },
+    /// The design comes from no folder.
     #[error("{path} is beside a file, and this design comes from none")]
-    NoFolder { path: String },
+    NoFolder {
+        /// As the design says.
+        path: String,
+    },
+    /// It is not beside the design.
+    #[error("{path} leads out of the folder of the design, and a design reads nothing there")]
+    Outside {
+        /// As the design says.
+        path: String,
+    },
 }
 
 impl Opened {
-    /// The design with its stencil, which is read from the file where the document has it: what a person traces on is seen, and
-    /// stays with the design wherever that is saved. What hinders that is told, and the document goes on to name the file.
+    /// The design with its stencil. Without it, it is the same design: what hinders is told, and the document goes on to name the file.
     pub fn with_stencil(mut self, input: &DesignInput) -> Self {
-        let Some(StencilSource::File { path, sha256 }) = &self.document.stencil else { return self };
-        let (code, message) = match fetch(path, sha256, input) {
-            Ok((surface, as_it_was)) => {
-                let note = if as_it_was {
-                    (
-                        "stencil-read",
-                        format!("the stencil is read from {path}: saving puts it into the design"),
-                    )
-                } else {
-                    let advice = "look whether the wires still lie on it";
-                    (
-                        "stencil-changed",
-                        format!("the stencil {path} has changed since the design was saved: {advice}"),
-                    )
-                };
-                let name = file_name(Path::new(path));
-                self.document.stencil = Some(StencilSource::Embedded { surface, name });
-                note
-            }
-            Err(error) => {
-                let advice = "put the file back and open the design again, or open another stencil";
-                ("stencil-missing", format!("the stencil is not shown: {error}; {advice}"))
-            }
-        };
-        self.notes.push(NoteReport { code: code.into(), count: 1, message });
+        if let Err(error) = self.fetch_stencil(input) {
+            let advice = "put it beside the design and open that again, or open another stencil";
+            self.note("stencil-missing", format!("the stencil is not shown: {error}; {advice}"));
+        }
         self
+    }
+
+    /// Reads the stencil into the document from the file where that has it: what a person traces on stays with the design wherever it is
+    /// saved.
+    pub fn fetch_stencil(&mut self, input: &DesignInput) -> Result<(), StencilFileError> {
+        let Some(StencilSource::File { path, sha256 }) = &self.document.stencil else { return Ok(()) };
+        let (surface, as_it_was) = fetch(path, sha256, input)?;
+        let name = file_name(Path::new(path));
+        if as_it_was {
+            self.note(
+                "stencil-read",
+                format!("the stencil is read from {name}: saving puts it into the design"),
+            );
+        } else {
+            let advice = "look whether the wires still lie on it";
+            self.note(
+                "stencil-changed",
+                format!("the stencil {name} has changed since the design was saved: {advice}"),
+            );
+        }
+        self.document.stencil = Some(StencilSource::Embedded { surface, name });
+        Ok(())
+    }
+
+    fn note(&mut self, code: &'static str, message: String) {
+        self.notes.push(NoteReport { code: code.into(), count: 1, message });
     }
 }
 
-/// The surface, and whether its file is the one that the document means.
-fn fetch(path: &str, sha256: &str, input: &DesignInput) -> Result<(Stencil, bool), FetchError> {
+/// The surface, and whether its file is the one that the document means. Who passes a design on says nothing about what others keep
+/// elsewhere: only what is beside it is read.
+fn fetch(path: &str, sha256: &str, input: &DesignInput) -> Result<(Stencil, bool), StencilFileError> {
     let folder = match &input.input {
         Input::File(document) => document.parent(),
         Input::Bytes { .. } => None,
     };
-    let file = folder.ok_or_else(|| FetchError::NoFolder { path: path.to_owned() })?.join(path);
+    let within = |part| matches!(part, Component::Normal(_) | Component::CurDir);
+    if !Path::new(path).components().all(within) {
+        return Err(StencilFileError::Outside { path: path.to_owned() });
+    }
+    let file = folder.ok_or_else(|| StencilFileError::NoFolder { path: path.to_owned() })?.join(path);
     let (name, bytes) = (file.display().to_string(), read_file(&file)?);
     let surface = read(&bytes, &name, None, &ReadOptions::default())?.stencil;
-    let surface = surface.ok_or(FetchError::NoSurface { file: name })?;
+    let surface = surface.ok_or(StencilFileError::NoSurface { file: name })?;
     Ok((surface, sha256_hex(&bytes) == sha256))
 }

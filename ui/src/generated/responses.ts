@@ -1105,7 +1105,7 @@ export interface DesignState {
    */
   start: number | null;
   /**
-   * The file that the stencil was read from; null without a stencil, and where nobody knows.
+   * What the stencil is called, after its file; null without a stencil, and where nobody knows.
    */
   stencil: string | null;
   /**

@@ -49,7 +49,7 @@ pub struct DesignState {
     pub machine: Option<String>,
     /// The material's id.
     pub material: Option<String>,
-    /// The file that the stencil was read from; null without a stencil, and where nobody knows.
+    /// What the stencil is called, after its file; null without a stencil, and where nobody knows.
     pub stencil: Option<String>,
     /// Edges that may be laid twice.
     pub doublings: Vec<u32>,

@@ -63,6 +63,7 @@ impl AppError {
             | Self::Noise { .. }
             | Self::OnlyStencil { .. }
             | Self::NoSurface { .. }
+            | Self::Stencil(_)
             | Self::StartWithoutEdge { .. }
             | Self::DamagedJob { .. }
             | Self::NoVertex { .. } => ErrorKind::BadInput,
@@ -92,6 +93,7 @@ impl AppError {
             Self::ShippedProfile { .. } => "shipped-profile",
             Self::NoOwnFolder => "no-own-folder",
             Self::NoSurface { .. } => "no-surface",
+            Self::Stencil(_) => "stencil-missing",
             Self::Editor(error) => error.code(),
             Self::NoMachine { .. } => "no-machine",
             Self::OnlyStencil { .. } => "only-stencil",

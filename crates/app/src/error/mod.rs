@@ -14,6 +14,7 @@ use wirebend_profile::{Kind, ProfileError};
 pub use kind::ErrorKind;
 
 use crate::report::PlanReport;
+use crate::stencil::StencilFileError;
 use crate::{DriverProblem, EditorError, LiveProblem, OperatorError};
 
 /// Why a command came to nothing. The message says what to do.
@@ -83,6 +84,9 @@ pub enum AppError {
         /// The input.
         name: String,
     },
+    /// The surface of a design is in a file that cannot be had.
+    #[error(transparent)]
+    Stencil(#[from] StencilFileError),
     /// A number is outside what makes sense.
     #[error("{name} is {value}: {expected}")]
     Value {

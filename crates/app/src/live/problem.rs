@@ -94,7 +94,7 @@ pub enum LiveProblem {
         settings: Vec<SettingCheck>,
     },
     /// A job has fewer wires.
-    #[error("there is no wire {}: the job has {count}, counted from 1", .wire + 1)]
+    #[error("there is no wire {}: the job has {count}, counted from 1", .wire.saturating_add(1))]
     NoWire {
         /// Index of the wanted one, from 0.
         wire: usize,

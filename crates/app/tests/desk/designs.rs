@@ -74,6 +74,12 @@ fn a_stencil_is_put_into_the_design_and_drawn_as_triangles() {
     assert!(window.desk.stencil_mesh().is_empty());
     window.ask("open", file(&saved));
     assert_eq!(triangles(&window.desk.stencil_mesh()), (4, 3));
+    // Of a design whose stencil is in a file that is gone, it is that file which is told.
+    let mut naming: Value = serde_json::from_slice(&std::fs::read(&saved).unwrap()).unwrap();
+    naming["stencil"] = json!({"file": {"path": "gone.stl", "sha256": "0".repeat(64)}});
+    let naming = window.file("naming.wirebend", naming.to_string().as_bytes());
+    let refused = window.try_ask("put-stencil", file(&naming)).unwrap_err();
+    assert!(refused.code == "stencil-missing" && refused.message.contains("gone.stl"), "{refused:?}");
     // Lines are no surface.
     assert_eq!(window.try_ask("put-stencil", file(&example("house.obj"))).unwrap_err().code, "no-surface");
 }

@@ -11,7 +11,11 @@ use crate::{edit, example};
 
 /// A design that names a bunny beside it as its stencil.
 fn opened(folder: &Path, sha256: &str) -> (Editor, Vec<(String, String)>) {
-    let stencil = Some(StencilSource::File { path: "models/bunny.obj".into(), sha256: sha256.to_owned() });
+    opened_with(folder, "models/bunny.obj", sha256)
+}
+
+fn opened_with(folder: &Path, path: &str, sha256: &str) -> (Editor, Vec<(String, String)>) {
+    let stencil = Some(StencilSource::File { path: path.to_owned(), sha256: sha256.to_owned() });
     let path = folder.join("a.wirebend");
     fs::write(&path, Document { stencil, ..Document::default() }.to_bytes().unwrap()).unwrap();
     let (editor, notes) = Editor::open(&DesignInput::file(path), None, &NoProgress).unwrap();
@@ -52,6 +56,22 @@ fn a_stencil_that_has_changed_or_is_gone_is_told() {
     let (editor, notes) = opened(folder.path(), &sha256_hex(b"bunny"));
     assert_eq!((notes[0].0.as_str(), editor.view().stencil), ("stencil-missing", None));
     assert!(notes[0].1.contains("has no surface"), "{}", notes[0].1);
+}
+
+/// A design of a stranger has no business with what is kept elsewhere.
+#[test]
+fn a_stencil_outside_the_folder_of_the_design_is_not_read() {
+    let folder = tempfile::tempdir().unwrap();
+    let inner = folder.path().join("inner");
+    fs::create_dir(&inner).unwrap();
+    fs::copy(example("bunny.obj"), folder.path().join("bunny.obj")).unwrap();
+    let absolute = folder.path().join("bunny.obj");
+    for path in ["../bunny.obj", absolute.to_str().unwrap()] {
+        let (editor, notes) = opened_with(&inner, path, &sha256_hex(b""));
+        assert_eq!((notes[0].0.as_str(), editor.view().stencil), ("stencil-missing", None));
+        assert!(notes[0].1.contains("leads out of the folder"), "{}", notes[0].1);
+    }
+    assert!(opened_with(folder.path(), "./bunny.obj", "").0.view().stencil.is_some());
 }
 
 #[test]
