@@ -103,7 +103,9 @@ fn arcs_that_overlap_leave_less_than_nothing() {
     );
     let folded = [Step { feed: mm(5.0), bend: deg(180.0), ..Step::default() }];
     assert_eq!(straight_lengths(&folded, mm(3.0)), [None]);
-    assert!(matches!(intersection_lengths(&folded, mm(3.0)), Err(TangentError::NoCorner { step: 0, .. })));
+    let refused = intersection_lengths(&folded, mm(3.0)).unwrap_err();
+    assert!(matches!(refused, TangentError::NoCorner { step: 0, .. }));
+    assert!(refused.to_string().starts_with("step 1: "), "{refused}");
 }
 
 fn any_path() -> impl Strategy<Value = Vec<Point3<f64>>> {

@@ -151,7 +151,7 @@ mod tests {
 
     fn commands(axes: &mut Axes, step: (f64, f64, f64)) -> String {
         let step = Step { feed_mm: step.0, rotate_deg: step.1, bend_deg: step.2 };
-        let commands = axes.commands(&step, "step 0", 682).unwrap();
+        let commands = axes.commands(&step, "step 1", 682).unwrap();
         commands.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ")
     }
 
@@ -224,9 +224,9 @@ mod tests {
             ((1.0, 0.0, f64::NAN), "too-large"),
         ] {
             let step = Step { feed_mm: step.0, rotate_deg: step.1, bend_deg: step.2 };
-            let error = axes.commands(&step, "wire 0, step 1", 682).unwrap_err();
+            let error = axes.commands(&step, "wire 1, step 2", 682).unwrap_err();
             assert_eq!(error.code, code);
-            assert!(error.message.starts_with("wire 0, step 1: "), "{error}");
+            assert!(error.message.starts_with("wire 1, step 2: "), "{error}");
         }
         assert_eq!(format!("{axes:?}"), before);
         // What is left of zero by arithmetic is no feed backwards.

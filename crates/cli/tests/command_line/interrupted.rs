@@ -107,6 +107,25 @@ fn ctrl_c_stops_the_machine_and_the_wire_can_be_gone_on_with() {
     }
 }
 
+/// What is told to be typed is about the same wire.
+#[test]
+fn the_command_to_go_on_with_names_the_interrupted_wire() {
+    let shop = Shop::with("two-parts.obj");
+    let mut going = Going::start(&shop, &[RUN.as_slice(), &["--wire", "2"]].concat());
+    going.until("step 1 of");
+    going.send(Signal::INT);
+    let (status, told) = going.end();
+    assert_eq!((status, &told["wires"][0]["wire"]), (Some(130), &json!(1)));
+    let resume = told["wires"][0]["resume"].as_str().unwrap();
+    let said = shop.make(&["--yes", "--wire", "2"]).ended(2).err;
+    assert!(said.contains("wire 2 of this job was begun") && said.contains("--wire 2 --resume"), "{said}");
+
+    let words =
+        resume.strip_prefix("wirebend ").unwrap().replace("--resume", "--resume=not-made --yes --json");
+    let done = shop.run(&words.split(' ').collect::<Vec<_>>()).ended(0).json();
+    assert_eq!((&done["wires"][0]["wire"], &done["wires"][0]["outcome"]), (&json!(1), &json!("made")));
+}
+
 /// While it searches its reference, in real time. Nothing was sent, so nothing is in doubt.
 #[test]
 fn ctrl_c_stops_a_machine_that_homes() {

@@ -200,8 +200,12 @@ fn one_yes_is_for_one_wire() {
     assert_eq!(made["left_because"], "nobody-asked");
     let second = shop.make(&["--yes", "--json", "--wire", "2"]).ended(0).json();
     assert_eq!((&second["wires"][0]["wire"], &second["left"]), (&json!(1), &json!([])));
-    shop.make(&["--yes", "--wire", "3"]).ended(2);
-    shop.make(&["--yes", "--wire", "0"]).ended(2);
+    let said = Shop::with("two-parts.obj").make(&["--yes"]).ended(2).err;
+    assert!(said.contains("not begun: wire 2, "), "{said}");
+    let said = shop.make(&["--yes", "--wire", "3"]).ended(2).err;
+    assert!(said.contains("there is no wire 3: the job has 2"), "{said}");
+    let said = shop.make(&["--yes", "--wire", "0"]).ended(2).err;
+    assert!(said.contains("'--wire <N>'"), "{said}");
 }
 
 #[test]

@@ -22,9 +22,10 @@ impl Work {
     /// Whether it is what a journal is of, and can be sent.
     pub(super) fn fits(&self, heading: &Heading) -> Result<(), JobError> {
         let run = &self.run;
+        let number = |wire: usize| wire.saturating_add(1).to_string();
         let pairs = [
             ("job", heading.job_hash.clone(), run.job_hash.clone()),
-            ("wire", heading.wire.to_string(), run.wire.to_string()),
+            ("number", number(heading.wire), number(run.wire)),
             ("number of steps", heading.steps.to_string(), run.steps.to_string()),
             ("machine", heading.machine.clone(), run.machine.clone()),
         ];

@@ -291,6 +291,9 @@ fn a_journal_is_for_its_own_wire() {
     let mut other = work();
     other.run.job_hash = "b0".repeat(32);
     assert!(refused(other).contains("another wire: its job is 5a5a"));
+    let mut second = work();
+    second.run.wire += 1;
+    assert!(refused(second).contains("its number is 1, and that of the job is 2"));
     let mut fewer = work();
     fewer.steps.pop();
     assert!(refused(fewer).contains("has 5 steps, and 4 are there"));

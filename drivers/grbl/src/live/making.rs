@@ -62,7 +62,7 @@ impl Making {
             design: known(&run.design_hash),
             job: run.job_hash.clone(),
             machine: known(&run.machine),
-            wire: run.wire + 1,
+            wire: run.wire.saturating_add(1),
             steps: run.steps as usize,
             stock_mm: run.stock_mm,
         };
