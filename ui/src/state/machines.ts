@@ -1,6 +1,7 @@
 import { create } from "zustand";
 import type { CompareResponse, DriversResponse, MachineEntry, MachineViewResponse, MaterialEntry, OtherSide } from "../generated/responses";
 import { platform } from "../platform";
+import { useUnitStore } from "../shared/unit";
 import { checkDesign, edit, useDesign } from "./design";
 import { told } from "./problems";
 import { asking } from "./work";
@@ -46,7 +47,10 @@ export const useMachines = create<MachinesStore>()(() => ({
 export async function loadMachines(): Promise<void> {
   const [machines, materials] = await Promise.all([told(platform.ask("machines", {})), told(platform.ask("materials", {}))]);
   if (machines) useMachines.setState({ machines: machines.machines });
-  if (materials) useMachines.setState({ materials: materials.materials });
+  if (materials) {
+    useMachines.setState({ materials: materials.materials });
+    useUnitStore.setState({ names: materials.materials.map(({ name }) => name) });
+  }
 }
 
 let needed: Promise<void> | null = null;

@@ -5,6 +5,7 @@ import { Button } from "../../shared/Button";
 import { Field } from "../../shared/Field";
 import { TextInput } from "../../shared/inputs";
 import { Line } from "../../shared/Line";
+import { useLengths } from "../../shared/unit";
 import { useDesign } from "../../state/design";
 import { useExports, write } from "../../state/exports";
 import { told } from "../../state/problems";
@@ -14,6 +15,7 @@ import { beside, fileName } from "./groups";
 export function WriteFile({ format }: { readonly format: FormatEntry }) {
   const state = useDesign((design) => design.state);
   const { written, preview } = useExports();
+  const { said } = useLengths();
   const suggested = beside(state?.file ?? null, fileName(state?.name ?? "", format.extension));
   const [typed, setTyped] = useState<string | null>(null);
   /** A path that the system's dialog has asked about. */
@@ -42,13 +44,13 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
     if (thenWrite) await go(picked, true);
   };
   const refused = preview?.format === format.id ? preview.refused : null;
-  const why = busy ? "It is being written." : refused ? refused.message : null;
+  const why = busy ? "It is being written." : refused ? said(refused.message) : null;
   const done = written?.format === format.id ? written.files : [];
-  const said = useRef<HTMLDivElement>(null);
+  const answer = useRef<HTMLDivElement>(null);
   const [before] = useState(written);
   useEffect(() => {
     // It may come below what is seen of the panel.
-    if (written && written !== before) void said.current?.scrollIntoView({ block: "nearest" });
+    if (written && written !== before) void answer.current?.scrollIntoView({ block: "nearest" });
   }, [written, before]);
   return (
     <div className="stack">
@@ -74,7 +76,7 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
             <Line
               tone="error"
               what={problem.exists ? "There is such a file" : "It was not written"}
-              sub={problem.exists ? "It is kept unless you say that it may be replaced." : problem.message}
+              sub={problem.exists ? "It is kept unless you say that it may be replaced." : said(problem.message)}
               action={
                 problem.exists && (
                   <Button kind="link" onClick={() => void go(path, true)}>
@@ -91,7 +93,7 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
           {path === "" ? "Write…" : "Write"}
         </Button>
       </div>
-      <div ref={said} aria-live="polite">
+      <div ref={answer} aria-live="polite">
         {done.map((file) => (
           <p key={file} className="written">
             <span className="muted">Written: </span>

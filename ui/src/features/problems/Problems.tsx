@@ -1,6 +1,7 @@
 import { useEffect } from "react";
 import { Button } from "../../shared/Button";
 import { Mark } from "../../shared/Mark";
+import { useLengths } from "../../shared/unit";
 import { dismiss, type Problem, useProblems } from "../../state/problems";
 import "./problems.css";
 
@@ -11,6 +12,7 @@ const MOST = 4;
 
 function One({ problem }: { readonly problem: Problem }) {
   const { id, severity, message } = problem;
+  const { said } = useLengths();
   useEffect(() => {
     if (severity !== "info") return;
     const timer = setTimeout(() => dismiss(id), NEWS_MS);
@@ -19,7 +21,7 @@ function One({ problem }: { readonly problem: Problem }) {
   return (
     <li className={`problem ${severity}`}>
       <Mark tone={severity} />
-      <p className="selectable">{message}</p>
+      <p className="selectable">{said(message)}</p>
       <Button kind="quiet" icon="close" small aria-label="Dismiss" onClick={() => dismiss(id)} />
     </li>
   );

@@ -3,7 +3,7 @@ import { Button } from "../../shared/Button";
 import { Field } from "../../shared/Field";
 import { Select } from "../../shared/inputs";
 import { Line } from "../../shared/Line";
-import { useUnit } from "../../shared/unit";
+import { useLengths } from "../../shared/unit";
 import { useDesign } from "../../state/design";
 import { connect, isOpen, loadPorts, useRun } from "../../state/run";
 import { worded } from "../../state/wording";
@@ -15,7 +15,8 @@ import { interruptedPhrase } from "./records";
 export function Connect() {
   const machine = useDesign((design) => design.state?.machine ?? null);
   const { ports, portProblem, ordering, state, runs } = useRun();
-  const interrupted = interruptedPhrase(runs, useUnit());
+  const { unit, said } = useLengths();
+  const interrupted = interruptedPhrase(runs, unit);
   const [chosen, setChosen] = useState<string | null>(null);
   useEffect(() => {
     if (machine) void loadPorts();
@@ -32,7 +33,7 @@ export function Connect() {
       {!again && state?.problem && (
         <div role="alert">
           <ul>
-            <Line tone="error" what="The machine failed" sub={<span className="lines">{worded(state.problem)}</span>} />
+            <Line tone="error" what="The machine failed" sub={<span className="lines">{said(worded(state.problem))}</span>} />
           </ul>
         </div>
       )}

@@ -1,5 +1,6 @@
 import { Button } from "../../shared/Button";
 import { Line } from "../../shared/Line";
+import { useLengths } from "../../shared/unit";
 import { useDesign } from "../../state/design";
 import { useMachines } from "../../state/machines";
 import { order } from "../../state/run";
@@ -12,6 +13,7 @@ import { useProspect } from "./prospect";
 export function Session({ state }: { readonly state: MachineState }) {
   const designed = useDesign((design) => design.state?.machine ?? null);
   const machines = useMachines((store) => store.machines);
+  const { said } = useLengths();
   const all = buttons(state, useProspect());
   const name = (id: string | null) => machines?.find((machine) => machine.id === id)?.name ?? id ?? "none";
   const other = designed !== state.machine;
@@ -27,7 +29,7 @@ export function Session({ state }: { readonly state: MachineState }) {
       {state.problem && (
         <div role="alert">
           <ul>
-            <Line tone="error" what={state.phase === "failed" ? "The machine failed" : "That did not work"} sub={<span className="lines">{worded(state.problem)}</span>} />
+            <Line tone="error" what={state.phase === "failed" ? "The machine failed" : "That did not work"} sub={<span className="lines">{said(worded(state.problem))}</span>} />
           </ul>
         </div>
       )}

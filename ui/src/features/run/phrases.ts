@@ -1,7 +1,7 @@
 /** What is said of ports, wires and moves. */
 
 import type { PortEntry } from "../../generated/responses";
-import { angle, type DisplayUnit, length, time } from "../../shared/format";
+import { angle, asShown, type DisplayUnit, length, time } from "../../shared/format";
 import type { Tone } from "../../shared/Mark";
 import { worded } from "../../state/wording";
 import type { Move, Unfinished, WireRun, WireState } from "../../state/operator";
@@ -41,7 +41,7 @@ export function unfinishedPhrase({ made, of, in_doubt, resumable }: Unfinished):
 /** What became of a wire. */
 export function endedPhrase(run: WireRun, unit: DisplayUnit): { readonly tone: Tone; readonly what: string; readonly sub: string | null } {
   const { outcome, made, steps, elapsed_s, problem, deviations_mm } = run;
-  const sub = problem ? worded(problem) : null;
+  const sub = problem ? asShown(worded(problem), unit) : null;
   switch (outcome) {
     case "made": {
       const worst = deviations_mm ? Math.max(0, ...deviations_mm) : null;

@@ -32,7 +32,7 @@ export function ClosingDialog() {
     >
       <p>
         {does ?? "A wire is being made."} {does === undefined ? "The machine" : "It"} stops at once, and has to be homed before it moves again.
-        {does === undefined && " The wire can be gone on with then: how far it came is recorded."}
+        {does === undefined && " How far the wire has come is on record."}
       </p>
     </Dialog>
   );
