@@ -116,6 +116,9 @@ it("keeps what was moved, writes it, and makes it again", async () => {
   await button("Home").click();
   await stands("ready");
   await editor.choose(file, () => button("Replay…").click());
+  // What the file holds is read before it moves anything.
+  await dialog().getByText("It makes: feed 12.5 mm, rotate 90°, bend 45°, rotate -90°").waitFor();
+  await dialog().getByRole("button", { name: "Move", exact: true }).click();
   await until(async () => (await state()).position?.feed_mm.toFixed(1)).toBe("25.0");
   await stands("ready");
 
@@ -129,6 +132,7 @@ it("keeps what was moved, writes it, and makes it again", async () => {
   await editor.isCleanNow("run-foreign-moves");
   expect((await state()).position?.feed_mm.toFixed(1)).toBe("25.0");
   await asks.getByRole("button", { name: "Replay all the same" }).click();
+  await dialog().getByRole("button", { name: "Move", exact: true }).click();
   await until(async () => (await state()).position?.feed_mm.toFixed(1)).toBe("37.5");
   await asks.waitFor({ state: "detached" });
   await stands("ready");

@@ -56,7 +56,7 @@ impl Post<'_> {
         let mut at_reference = at_reference || homes;
         let connection = self.connected(order)?;
         connection.wire_used |= moves.iter().any(|one| matches!(one, Move::Feed { .. } | Move::Bend { .. }));
-        let made = make_all(connection, signs, moves, homes, &yes, |made| {
+        let mut told = |made| {
             at_reference = match made {
                 Move::Home => true,
                 Move::Feed { .. } => at_reference,
@@ -67,7 +67,13 @@ impl Post<'_> {
             }
             shared.hear(&OperatorEvent::Jogged { made });
             shared.catch_up();
-        });
+            // What comes after a homing is none.
+            if made == Move::Home && order != OrderName::Home {
+                shared.enter(Phase::Moving);
+            }
+        };
+        let homed = if homes { connection.home(&yes).map(|()| shared.enter(Phase::Moving)) } else { Ok(()) };
+        let made = homed.and_then(|()| make_all(connection, signs, moves, false, &yes, &mut told));
         // One that was not made to its end has turned something.
         self.at_reference = at_reference && made.is_ok();
         made?;
@@ -75,7 +81,8 @@ impl Post<'_> {
         Ok(())
     }
 
-    /// A person's word that the machine may be moved, which holds for a while. Nobody is asked where nothing moves.
+    /// A person's word that the machine may be moved, which holds for a while. Where nothing moves nobody is asked but for what is in a file,
+    /// which they have not seen.
     fn leave_to_move(
         &mut self,
         order: OrderName,
@@ -83,7 +90,7 @@ impl Post<'_> {
         more: Vec<String>,
         homes: bool,
     ) -> Result<Yes, AppError> {
-        if self.is_simulated() {
+        if self.is_simulated() && order != OrderName::Replay {
             return Ok(Yes::where_nothing_moves());
         }
         if let Some(yes) = self.leave.take().and_then(|leave| leave.holds(Instant::now())) {

@@ -22,10 +22,10 @@ pub(crate) fn about(
     let bends = kept.compensated.iter().filter(|step| step.bend_deg != 0.0).count();
     let fed: f64 = kept.compensated.iter().map(|step| step.feed_mm).sum();
     let which = if count > 1 { format!("wire {} of {count}", wire + 1) } else { "the wire".to_owned() };
-    lines.push(format!(
-        "{which}: {steps} steps, {bends} bends, {fed:.1} mm are fed; {} on the machine",
-        minutes(kept.time_s)
-    ));
+    let (steps, bends) = (counted(steps, "step"), counted(bends, "bend"));
+    // Of a wire that was begun nobody has reckoned how long the rest takes.
+    let time = if anew { format!("; {} on the machine", minutes(kept.time_s)) } else { String::new() };
+    lines.push(format!("{which}: {steps}, {bends}, {fed:.1} mm are fed{time}"));
     if anew {
         let tail = kept.stock_mm - fed;
         lines.push(format!(
@@ -55,6 +55,9 @@ pub(crate) fn about(
             shown(head)
         ));
     }
+    lines.push(
+        "whether the wire meets the machine or itself is not checked: watch it, with STOP at hand".to_owned(),
+    );
     if homes {
         lines.push("first the machine searches its reference: the bend axis moves at once".to_owned());
     }
@@ -66,6 +69,10 @@ pub(crate) fn about(
 /// Without the sign of what is shown as zero.
 fn shown(deg: f64) -> f64 {
     if deg.abs() < 0.05 { 0.0 } else { deg }
+}
+
+pub(super) fn counted(many: usize, one: &str) -> String {
+    if many == 1 { format!("1 {one}") } else { format!("{many} {one}s") }
 }
 
 fn minutes(seconds: f64) -> String {

@@ -132,14 +132,16 @@ impl Task<'_> {
                 }
                 Resume::GoOn { from, done } => {
                     lines.push(format!(
-                        "the machine still is in this wire, and has made {done} steps: it goes on at step {from} without homing"
+                        "the machine still is in this wire: of its steps {done} {} made; it goes on at step {from} without homing",
+                        if done == 1 { "is" } else { "are" }
                     ));
                     break self.ask_again(lines)?;
                 }
                 Resume::TakeUp { from } => {
                     lines.push(format!(
-                        "{} steps are made: it goes on at step {from}; leave the wire as it is",
-                        from - 1
+                        "of its steps {} {} made: it goes on at step {from}; leave the wire as it is",
+                        from - 1,
+                        if from == 2 { "is" } else { "are" }
                     ));
                     if making.homes {
                         lines.push("first the machine searches its reference: see that the wire is out of the way of the bend axis".to_owned());

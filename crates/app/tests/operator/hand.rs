@@ -61,6 +61,11 @@ fn a_machine_is_homed_jogged_recorded_and_replayed_on_one_connection() {
 
     seat.until_state(|state| state.recorded == 0);
     seat.operator.order(Order::Replay { file: Input::File(file), other_machine: false }).unwrap();
+    // Also where nothing moves a person sees first what a file holds.
+    let asked = seat.until_question();
+    assert_eq!(asked.kind, QuestionKind::Move);
+    assert!(asked.lines.iter().any(|line| line.starts_with("it makes: ")), "{asked:?}");
+    seat.operator.answer(asked.id, Answer::Yes).unwrap();
     assert_eq!(json!(jogged(&seat)), moves);
     seat.order(&json!({"order": "disconnect"}));
     let closed = seat.until_phase(Phase::Closed);
@@ -79,7 +84,9 @@ fn a_recording_begins_at_the_reference() {
     let file = shop.folder.path().join("a.wbmoves");
     seat.operator.save_recording(&Output { path: file.clone(), force: false }).unwrap();
     seat.operator.order(Order::Replay { file: Input::File(file), other_machine: false }).unwrap();
+    seat.operator.answer(seat.until_question().id, Answer::Yes).unwrap();
     seat.until_phase(Phase::Homing);
+    seat.until_phase(Phase::Moving);
     seat.until_phase(Phase::Ready);
     let at = seat.operator.state().position.unwrap();
     assert!((at.rotate_deg - 30.0).abs() < 0.1, "turned once, not twice: {at:?}");
