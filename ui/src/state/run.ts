@@ -231,3 +231,8 @@ export async function saveRecording(path: string): Promise<string | null> {
 export function stop(): void {
   void told(platform.stop());
 }
+
+// What became of the last wire is said of the design that it is of.
+useFiles.subscribe(({ opened }, before) => {
+  if (opened !== before.opened) useRun.setState({ ended: null });
+});

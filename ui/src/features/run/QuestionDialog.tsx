@@ -1,3 +1,4 @@
+import { useEffect, useState } from "react";
 import { Button } from "../../shared/Button";
 import { Dialog } from "../../shared/Dialog";
 import { angle, sentence } from "../../shared/format";
@@ -14,14 +15,28 @@ const WORDS: Readonly<Record<Question["kind"], readonly [string, string, string]
   doubt: ["Look at the wire", "I do not know", "It was made"],
 };
 
+/** A second click of a double one is no answer to the question that comes next, ms. */
+const READ = 700;
+
+/** Whether a question has only just come. */
+function useUnread(question: number | null): boolean {
+  const [read, setRead] = useState<number | null>(null);
+  useEffect(() => {
+    const timer = setTimeout(() => setRead(question), READ);
+    return () => clearTimeout(timer);
+  }, [question]);
+  return read !== question;
+}
+
 /** What the operator asks before anything moves. Esc does nothing: it has to be answered. */
 export function QuestionDialog() {
   const { question, ordering } = useRun();
+  const unread = useUnread(question?.id ?? null);
   const { said } = useLengths();
   if (!question) return null;
   const { id, kind } = question;
   const [title, no, yes] = WORDS[kind];
-  const why = ordering ? "The answer is on its way." : null;
+  const why = ordering ? "The answer is on its way." : kind === "doubt" && unread ? "Look at the wire first." : null;
   return (
     <Dialog
       key={id}
