@@ -28,7 +28,7 @@ it("writes each format of the machine, and each file begins as was shown", async
     await format().selectOption(id);
     const shown = await editor.loopback.ask("export", { format: id, settings: {} });
     const beginning = shown.beginnings[0] ?? null;
-    if (beginning === null) await section().locator(".preview figcaption", { hasText: "no text" }).waitFor();
+    if (beginning === null) await section().locator(".preview figcaption", { hasText: "nothing to read here" }).waitFor();
     else await until(() => preview().first().textContent()).toBe(beginning);
     const file = into(`out-${id}.${extension}`);
     await target().fill(file);

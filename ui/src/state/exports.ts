@@ -104,7 +104,7 @@ export async function preview(): Promise<void> {
 
 function refusal(error: unknown): { message: string; errors: boolean } {
   const message = error instanceof Error ? error.message : String(error);
-  return { message, errors: error instanceof Refused && error.refusal.kind === "not-feasible" };
+  return { message, errors: error instanceof Refused && error.refusal.code === "not-feasible" };
 }
 
 /** Writes the file. The person has been asked whether one that is there may be replaced. */

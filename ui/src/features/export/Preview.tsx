@@ -60,7 +60,7 @@ export function Preview({ format }: { readonly format: FormatEntry }) {
           <figcaption className="muted small">
             {mine.seen && mine.seen.beginnings.length > 1 ? `File ${index + 1} · ` : ""}
             {bytes(mine.seen?.bytes[index] ?? 0)}
-            {beginning === null ? " · no text" : ""}
+            {beginning === null ? " · nothing to read here: open the file" : ""}
           </figcaption>
           {beginning !== null && (
             <pre className="selectable" tabIndex={0} aria-label="First lines">

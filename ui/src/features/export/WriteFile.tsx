@@ -16,7 +16,7 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
   const state = useDesign((design) => design.state);
   const { written, preview } = useExports();
   const { said } = useLengths();
-  const suggested = beside(state?.file ?? null, fileName(state?.name ?? "", format.extension));
+  const suggested = beside(state?.file ?? null, fileName(state?.name ?? "", format));
   const [typed, setTyped] = useState<string | null>(null);
   /** A path that the system's dialog has asked about. */
   const [agreed, setAgreed] = useState<string | null>(null);
@@ -36,7 +36,7 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
     }
   };
   const browse = async (thenWrite: boolean) => {
-    const picked = await told(platform.pickSave(fileName(state?.name ?? "", format.extension), { name: format.name, extensions: [format.extension] }));
+    const picked = await told(platform.pickSave(fileName(state?.name ?? "", format), { name: format.name, extensions: [format.extension] }));
     if (picked === null) return;
     setTyped(picked);
     setAgreed(picked);

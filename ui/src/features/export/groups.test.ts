@@ -45,7 +45,12 @@ describe("fileName", () => {
     ["My frame", "pdf", "My frame.pdf"],
     ["a/b: c", "svg", "a-b- c.svg"],
     ["", "obj", "design.obj"],
-  ])("%s as %s is %s", (design, extension, name) => expect(fileName(design, extension)).toBe(name));
+  ])("%s as %s is %s", (design, extension, name) => expect(fileName(design, { id: "gcode", extension })).toBe(name));
+
+  it("keeps papers of one design apart", () => {
+    const names = ["template-pdf", "job-sheet"].map((id) => fileName("hook.wirebend", { id, extension: "pdf" }));
+    expect(names).toEqual(["hook-template.pdf", "hook-sheet.pdf"]);
+  });
 });
 
 describe("beside", () => {

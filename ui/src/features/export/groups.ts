@@ -23,9 +23,11 @@ export function grouped(formats: readonly FormatEntry[], driver: string | null):
 }
 
 /** A file name for a design in a format: "bunny.wirebend" as "gcode" is "bunny.gcode". */
-export function fileName(design: string, extension: string): string {
+export function fileName(design: string, { id, extension }: Pick<FormatEntry, "id" | "extension">): string {
+  // Papers of one design lie beside each other.
+  const paper = id === "job-sheet" ? "-sheet" : id.startsWith("template-") ? "-template" : "";
   const stem = design.replace(/\.(wirebend|wbjob)$/i, "").trim().replace(/[/\\:*?"<>|]+/g, "-");
-  return `${stem === "" ? "design" : stem}.${extension}`;
+  return `${stem === "" ? "design" : stem}${paper}.${extension}`;
 }
 
 /** Another file in the folder of a path: of the path that a design was saved at. Both kinds of separators are known. */
