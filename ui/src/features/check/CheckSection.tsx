@@ -7,6 +7,7 @@ import { useDesign } from "../../state/design";
 import { needFixes } from "../../state/fixes";
 import { useUi } from "../../state/ui";
 import { setAnnotations, useView } from "../../state/view";
+import { isCompensated } from "../viewport/marks";
 import { GroupLine } from "./GroupLine";
 import { fineOf, groupsOf, phraseOf } from "./texts";
 import "./check.css";
@@ -43,6 +44,7 @@ export function CheckSection() {
               {fine.map((text) => (
                 <Line key={text} tone="fine" what={text} />
               ))}
+              {check && isCompensated(check) && <Line tone="info" what="Whether it meets the machine or itself is not checked" />}
             </ul>
             <Checkbox checked={annotations} onChange={setAnnotations}>
               Annotations in the view

@@ -97,7 +97,8 @@ export function figuresOf({ reports }: Group, unit: DisplayUnit): string {
   if (!worst.unit) return sentence(worst.help);
   const [value, limit] = [valueText(worst.value, worst.unit, unit), valueText(worst.limit, worst.unit, unit)];
   const which = reports.length === 1 ? "" : isLeast(worst) ? "least " : "most ";
-  const parts = [value && `${which}${value}`, limit && `limit ${limit}`];
+  const what = worst.code.startsWith("feed_") ? "fed " : "";
+  const parts = [value && `${what}${which}${value}`, limit && `limit ${limit}`];
   const figures = parts.filter(Boolean).join(", ");
   if (!figures) return sentence(worst.help);
   // The key of the profile, in brackets at the end, is for the title.
