@@ -20,6 +20,12 @@ pub enum DocumentError {
         /// What is wrong.
         message: String,
     },
+    /// Nothing is in it.
+    #[error("{file}: the file is empty; take its last good copy")]
+    Empty {
+        /// The file.
+        file: String,
+    },
     /// A document of another kind.
     #[error("{file}: this is a \"{found}\" file, expected \"{expected}\"; open it as what it is")]
     WrongFormat {
@@ -133,6 +139,7 @@ impl DocumentError {
     pub fn code(&self) -> &'static str {
         match self {
             Self::Json { .. } => "document-json",
+            Self::Empty { .. } => "document-empty",
             Self::WrongFormat { .. } => "document-wrong-format",
             Self::Newer { .. } => "document-newer",
             Self::NoSuchVersion { .. } => "document-no-such-version",

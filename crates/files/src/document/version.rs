@@ -32,9 +32,12 @@ impl History {
     /// Reads a document of the present version, or of an older one, which is migrated.
     ///
     /// # Errors
-    /// [`DocumentError::Json`], [`DocumentError::WrongFormat`], [`DocumentError::Newer`] and
+    /// [`DocumentError::Empty`], [`DocumentError::Json`], [`DocumentError::WrongFormat`], [`DocumentError::Newer`] and
     /// [`DocumentError::NoSuchVersion`].
     pub(crate) fn open<T: DeserializeOwned>(&self, bytes: &[u8], file: &str) -> Result<T, DocumentError> {
+        if bytes.trim_ascii().is_empty() {
+            return Err(DocumentError::Empty { file: file.to_owned() });
+        }
         let json = |error: serde_json::Error| DocumentError::Json {
             file: file.to_owned(),
             line: error.line(),

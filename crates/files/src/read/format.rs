@@ -185,6 +185,23 @@ fn by_magic(bytes: &[u8]) -> Option<Format> {
     bytes.starts_with(b"PK\x03\x04").then_some(Format::ThreeMf)
 }
 
+/// What a file is that is no model whatever its name: the kinds that are dropped by mistake, which their readers would call damaged.
+pub(super) fn foreign(bytes: &[u8]) -> Option<&'static str> {
+    const MAGIC: [(&[u8], &str); 10] = [
+        (b"\x89PNG\r\n\x1a\n", "a PNG picture"),
+        (b"\xff\xd8\xff", "a JPEG picture"),
+        (b"GIF87a", "a GIF picture"),
+        (b"GIF89a", "a GIF picture"),
+        (b"%PDF-", "a PDF document"),
+        (b"ID3", "an MP3 recording"),
+        (b"\xff\xfb", "an MP3 recording"),
+        (b"\x1f\x8b", "an archive (gzip)"),
+        (b"7z\xbc\xaf\x27\x1c", "an archive (7z)"),
+        (b"\x7fELF", "a program"),
+    ];
+    MAGIC.iter().find(|(magic, _)| bytes.starts_with(magic)).map(|&(_, what)| what)
+}
+
 /// The format that the content looks like.
 fn sniff(bytes: &[u8]) -> Option<Format> {
     if bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r") {

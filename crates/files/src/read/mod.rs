@@ -80,6 +80,11 @@ pub fn read(
     }
     let source = Source { name };
     let format = format.map_or_else(|| detect(name, bytes), Ok)?;
+    if let Some(found) = format::foreign(bytes) {
+        let (file, found, expected) = (name.to_owned(), found.to_owned(), format.to_string().into());
+        let help = "open the model or drawing itself";
+        return Err(ReadError::Syntax { file, place: Place::File, found, expected, help });
+    }
     if !options.layers.is_empty() && !matches!(format, Format::Dxf | Format::Svg) {
         return Err(ReadError::NoLayers { file: name.to_owned(), format });
     }
