@@ -8,7 +8,8 @@ mod log;
 mod surroundings;
 mod telling;
 
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
+use std::io::Write;
 use std::process::ExitCode;
 use std::sync::Arc;
 
@@ -26,8 +27,14 @@ pub use telling::Telling;
 pub fn main() -> ExitCode {
     // The process of a driver is this program too, and knows of nothing else.
     let mut words = std::env::args_os().skip(1);
-    if words.next().is_some_and(|word| word == wirebend_app::CHILD_COMMAND) {
+    let first = words.next();
+    if first.as_deref().is_some_and(|word| word == wirebend_app::CHILD_COMMAND) {
         return wirebend_app::child_main(&words.collect::<Vec<_>>());
+    }
+    if let Some(text) = first.as_deref().and_then(OsStr::to_str).and_then(told_at_once) {
+        // Who has closed the output wants to read nothing.
+        let _ = writeln!(std::io::stdout(), "{text}");
+        return ExitCode::SUCCESS;
     }
     surroundings::prepare();
     let places = Places::of_person();
@@ -38,6 +45,19 @@ pub fn main() -> ExitCode {
             tracing::error!("{error:#}");
             ExitCode::FAILURE
         }
+    }
+}
+
+/// What is asked of every program, and opens no window.
+fn told_at_once(word: &str) -> Option<&'static str> {
+    match word {
+        "-h" | "--help" => Some(concat!(
+            "The window of WireBend-kit ",
+            env!("CARGO_PKG_VERSION"),
+            "\n\nUsage: wirebend-kit [FILE]\n\nFILE is a design (.wirebend), a model, a drawing or a table of bends. Without a window: `wirebend --help`."
+        )),
+        "-V" | "--version" => Some(concat!("wirebend-kit ", env!("CARGO_PKG_VERSION"))),
+        _ => None,
     }
 }
 
