@@ -182,21 +182,6 @@ fn an_empty_document_is_called_empty() {
     }
 }
 
-/// A reader would say what is damaged of them.
-#[test]
-fn what_is_no_model_is_called_what_it_is() {
-    for (bytes, found) in [
-        (b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR".as_slice(), "a PNG picture"),
-        (b"ID3\x04\0\0\0\0\x1f\x76", "an MP3 recording"),
-        (b"%PDF-1.7\n", "a PDF document"),
-    ] {
-        for name in ["a.stl", "a.obj", "a.ply", "a.3mf", "a.glb", "a.dxf", "a.wirebend"] {
-            let refused = read(bytes, name, None, &ReadOptions::default()).unwrap_err().to_string();
-            assert!(refused.starts_with(&format!("{name}: found {found}, expected ")), "{refused}");
-        }
-    }
-}
-
 #[test]
 fn a_packed_stencil_is_small() {
     let bunny =
