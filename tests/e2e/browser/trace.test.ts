@@ -109,3 +109,23 @@ it("draws on a plane, on the grid of it", async () => {
   expect(vertices.every(({ at_mm }) => Math.abs(at_mm[1]) < 1e-9)).toBe(true);
   await editor.isClean("trace-draw");
 });
+
+it("makes an edge as long as is typed, towards the pointer", async () => {
+  const canvas = await editor.page.locator(".viewport canvas").boundingBox();
+  await editor.page.mouse.move((canvas?.x ?? 0) + 620, (canvas?.y ?? 0) + 450, { steps: 3 });
+  await editor.page.getByText(/^edge \d+\.\d mm$/).waitFor();
+  await editor.page.keyboard.type("42.5");
+  await editor.page.getByText("edge 42.5▏ mm, Enter places it").waitFor();
+  await editor.page.keyboard.press("Enter");
+  await until(async () => (await editor.design()).vertices.length).toBe(4);
+  const { vertices, edges } = await editor.design();
+  const [from, to] = vertices.slice(-2).map(({ at_mm }) => at_mm);
+  expect(Math.hypot(...[0, 1, 2].map((k) => (to?.[k] ?? NaN) - (from?.[k] ?? NaN)))).toBeCloseTo(42.5, 9);
+  expect([edges.length, (to?.[0] ?? 0) > (from?.[0] ?? 0)]).toEqual([3, true]);
+  // The strand goes on from there, and a length that is given up leaves it open.
+  await editor.page.keyboard.type("7");
+  await editor.page.keyboard.press("Escape");
+  await trace().getByText("3 edges drawn").waitFor();
+  await editor.page.keyboard.press("Escape");
+  await trace().getByText("Click on the plane to begin a strand").waitFor();
+});

@@ -8,6 +8,7 @@ import { inDirections, snap, type SnapTarget } from "./snap";
 import type { Guide, Stage } from "./stage";
 import { Strand } from "./strand";
 import { SNAP_SHAPES, type Sign } from "./symbols";
+import { TypedEdge } from "./typed_edge";
 
 /** Clicks nearer than this are one, CSS pixels. */
 const ONE_PLACE = 4;
@@ -17,8 +18,10 @@ const ON_PLANE: ReadonlySet<SnapKind> = new Set(["vertex", "edge", "grid", "plan
 
 export class TraceTool implements ToolHandler {
   private readonly strand: Strand;
+  private readonly typed = new TypedEdge();
   private last: Place | null = null;
   private hovered = "";
+  private reads = false;
 
   constructor(
     private readonly stage: Stage,
@@ -28,7 +31,10 @@ export class TraceTool implements ToolHandler {
     this.strand = new Strand(
       (stroke) => listener.stroke(stroke),
       () => this.show(),
-      () => listener.strandEnded(),
+      () => {
+        this.typed.clear();
+        listener.strandEnded();
+      },
     );
   }
 
@@ -54,6 +60,11 @@ export class TraceTool implements ToolHandler {
     const apart = seen[0] && seen[1] ? Math.hypot(seen[0].x - seen[1].x, seen[0].y - seen[1].y) : Infinity;
     // The second click of a double one asks for nothing.
     if (apart < ONE_PLACE && target?.vertex === undefined) return;
+    this.take(target);
+  }
+
+  private take(target: SnapTarget | null): void {
+    this.typed.clear();
     // Who makes the stroke tells why it could not be made; the strand is over then.
     if (target) this.strand.click(target).catch(() => undefined);
     this.show();
@@ -73,7 +84,19 @@ export class TraceTool implements ToolHandler {
   }
 
   key(event: KeyboardEvent): boolean {
-    return (event.key === "Escape" || event.key === "Enter") && this.cancel();
+    if (event.ctrlKey || event.metaKey || event.altKey) return false;
+    const { key } = event;
+    if (this.strand.end && this.typed.type(key)) {
+      this.show();
+      return true;
+    }
+    if (key !== "Escape" && key !== "Enter") return false;
+    if (!this.typed.begun) return this.cancel();
+    // Without a way for it to go, a length says nothing yet.
+    if (key === "Enter" && this.edge()) this.take(this.target());
+    else if (key === "Escape") this.typed.clear();
+    this.show();
+    return true;
   }
 
   /** Ends the strand; whether there was one. */
@@ -102,7 +125,21 @@ export class TraceTool implements ToolHandler {
     this.show();
   }
 
+  /** Where the edge of the typed length ends. */
+  private edge(): SnapTarget | null {
+    const { end } = this.strand;
+    const way = this.pointed();
+    const at = end && way && this.typed.end(end.at, way.at, this.stage.units);
+    return at && { kind: "plane", at };
+  }
+
+  /** What a click takes. */
   private target(): SnapTarget | null {
+    return this.edge() ?? this.pointed();
+  }
+
+  /** What the pointer is on. */
+  private pointed(): SnapTarget | null {
     const { last, stage } = this;
     if (!last || stage.playing) return null;
     const { end } = this.strand;
@@ -138,10 +175,18 @@ export class TraceTool implements ToolHandler {
     if (target) signs.push({ at: target.at, shape: SNAP_SHAPES[target.kind], colour: acted, radius: 8.5 });
     if (end && target) lines.push({ from: end.at, to: target.at, look: { colour: acted } });
     stage.mark("trace", signs, lines);
-    const key = target ? `${target.kind} ${target.at.join()}` : "";
+    this.read(end && target ? this.typed.readout(end.at, target.at, stage.units) : null);
+    const place = this.typed.begun ? null : target;
+    const key = place ? `${place.kind} ${place.at.join()}` : "";
     if (key === this.hovered) return;
     this.hovered = key;
-    const seen = target && stage.projection.seen(target.at);
-    this.listener.hovered(target && seen ? { kind: "snap", snap: target.kind, at: target.at, x: seen.x, y: seen.y } : null);
+    const seen = place && stage.projection.seen(place.at);
+    this.listener.hovered(place && seen ? { kind: "snap", snap: place.kind, at: place.at, x: seen.x, y: seen.y } : null);
+  }
+
+  /** Another tool writes there too, and keeps what it has written. */
+  private read(text: string | null): void {
+    if (text !== null || this.reads) this.overlay.readout(text);
+    this.reads = text !== null;
   }
 }

@@ -77,7 +77,7 @@ export const KEYS: readonly KeyEntry[] = [
   { command: "select-connected", label: "Select connected", keys: ["L"], group: "Edit" },
   { command: "invert", label: "Invert selection", keys: ["Ctrl+I"], group: "Edit" },
   { command: "tool-select", label: "Select", keys: ["Q"], group: "Tools" },
-  { command: "tool-trace", label: "Trace", keys: ["T"], group: "Tools" },
+  { command: "tool-trace", label: "Trace; while a strand is drawn digits set the length of its edge", keys: ["T"], group: "Tools" },
   { command: "tool-draw", label: "Draw on a plane", keys: ["D"], group: "Tools" },
   { command: "move", label: "Move; then X, Y or Z locks an axis, digits set the distance", keys: ["G"], group: "Tools" },
   { command: "extrude", label: "Extrude an edge from each selected vertex", keys: ["E"], group: "Tools" },

@@ -16,7 +16,8 @@ export function Strand() {
     );
   }
   return (
-    <div className="row" role="status">
+    <div className="row wrap" role="status">
+      <span className="muted small">Type a length and Enter for an edge as long as that, towards the pointer.</span>
       <span className="grow">{count(strand, "edge")} drawn</span>
       <Button
         onClick={() => {
