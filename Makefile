@@ -49,7 +49,10 @@ run: check-tools ## open the window on a sample with the simulated machine; with
 
 .PHONY: run-window
 run-window: window ## open the window on the house
-	target/release/wirebend-kit $(HOUSE)
+	@mkdir -p $(RUN)
+	@# As a design: of a model a person is asked first what its numbers measure.
+	$(WIREBEND) import $(HOUSE) --units mm -o $(RUN)/house.wirebend --force
+	target/release/wirebend-kit $(RUN)/house.wirebend
 
 .PHONY: run-commands
 run-commands: build ## plan the bunny, compare machines, bend the house on the simulated machine; files go to target/run
