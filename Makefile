@@ -288,12 +288,12 @@ check-tools: ## are the tools here that everything else needs?
 	fi; \
 	exit $$missing
 
-# $(call install,packages) is the command that installs them. $(call obtain,packages) gives it where that can be done without asking, after
-# fetching the lists of packages, of which a fresh system has none or old ones. What could not be fetched or installed is told by
-# whoever looks for it next.
-install = apt-get install -y --no-install-recommends $(1)
+# $(call install,packages) is the command that installs them, after fetching the lists of packages, of which a fresh system has none or old
+# ones. $(call obtain,packages) gives it where that can be done without asking. What could not be installed is told by whoever looks for
+# it next.
+install = $(2)apt-get update; $(2)apt-get install -y --no-install-recommends $(1)
 obtain = if [ "$$(id -u)" = 0 ]; then as=env; elif sudo -n true 2>/dev/null; then as="sudo -n"; else as=; fi; \
-	if [ -n "$$as" ] && command -v apt-get >/dev/null; then $$as apt-get update; $$as $(call install,$(1)); fi
+	if [ -n "$$as" ] && command -v apt-get >/dev/null; then $(call install,$(1),$$as ); fi
 
 # The compiler for the controller and the simulator of its chip.
 FIRMWARE_PACKAGES := gcc-avr binutils-avr avr-libc libsimavr-dev libelf-dev pkg-config
