@@ -81,7 +81,7 @@ pub fn read(
     let source = Source { name };
     let format = format.map_or_else(|| detect(name, bytes), Ok)?;
     if let Some(found) = format::foreign(bytes) {
-        let (file, found, expected) = (name.to_owned(), found.to_owned(), format.to_string().into());
+        let (file, found, expected) = (name.to_owned(), found.to_owned(), format.title().into());
         let help = "open the model or drawing itself";
         return Err(ReadError::Syntax { file, place: Place::File, found, expected, help });
     }
