@@ -1,10 +1,10 @@
 /** Moving a selection: by the pointer, along a locked axis, by a typed distance, with or without snapping. Pure. */
 
 import type { Axis, Moved, Vec3 } from "./interface";
-import { MM_PER_INCH, type Units } from "./grid_spacing";
 import { allowed, type Constraint, displacement, FREE, onGrid, type Pointer } from "./move";
 import { NumberEntry } from "./number_entry";
 import type { Projection } from "./projection";
+import { lengthNumber, unitName, type Units, unitSize } from "./units";
 import { add, AXES, ORIGIN, scale, subtract } from "./vec";
 
 /** What a grab asks about the surroundings. */
@@ -71,10 +71,8 @@ export class Grab {
 
   /** How far it goes, as it is written beside the view. */
   get readout(): string {
-    const unit = this.units === "inch" ? MM_PER_INCH : 1;
-    const name = this.units === "inch" ? "in" : "mm";
-    const digits = this.units === "inch" ? 3 : 1;
-    const write = (value: number): string => (value / unit).toFixed(digits).replace("-", "−");
+    const name = unitName(this.units);
+    const write = (value: number): string => lengthNumber(value, this.units);
     if (this.axis && this.entry.shown !== "") return `${this.axis} ${this.entry.shown}▏ ${name}`;
     const [x, y, z] = this.by;
     if (this.axis) return `${this.axis} ${write({ x, y, z }[this.axis])} ${name}`;
@@ -84,7 +82,7 @@ export class Grab {
   /** mm. */
   private get typed(): number | null {
     const value = this.entry.value;
-    return value === null ? null : value * (this.units === "inch" ? MM_PER_INCH : 1);
+    return value === null ? null : value * unitSize(this.units);
   }
 
   private snapped(free: Vec3, around: Surroundings): Vec3 {

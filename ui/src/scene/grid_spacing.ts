@@ -1,8 +1,6 @@
 /** How far apart the lines of the grid are, so that they are neither a fog nor missing. */
 
-export type Units = "mm" | "inch";
-
-export const MM_PER_INCH = 25.4;
+import { unitName, type Units, unitSize } from "./units";
 
 export interface Spacing {
   /** mm. Every tenth line is stronger. */
@@ -16,7 +14,7 @@ const NARROWEST = 9;
 
 /** `pixel`: mm a CSS pixel where it is looked at. Powers of ten of the unit; of `snapped` mm where that is given, so that clicks go where lines are. */
 export function gridSpacing(pixel: number, units: Units, snapped = 0): Spacing {
-  const unit = snapped > 0 ? snapped : units === "inch" ? MM_PER_INCH : 1;
+  const unit = snapped > 0 ? snapped : unitSize(units);
   const power = Math.ceil(Math.log10((NARROWEST * pixel) / unit) - 1e-9);
   const mm = unit * 10 ** Math.max(power, snapped > 0 ? 0 : -1);
   const apart = Math.log10(mm / pixel / NARROWEST);
@@ -26,6 +24,5 @@ export function gridSpacing(pixel: number, units: Units, snapped = 0): Spacing {
 /** What the lines that can be seen stand for, as it is written. */
 export function spacingText({ mm, fine }: Spacing, units: Units): string {
   const shown = fine < 0.3 ? mm * 10 : mm;
-  const value = units === "inch" ? shown / MM_PER_INCH : shown;
-  return `${Number(value.toPrecision(3))} ${units === "inch" ? "in" : "mm"}`;
+  return `${Number((shown / unitSize(units)).toPrecision(3))} ${unitName(units)}`;
 }

@@ -8,7 +8,7 @@ import { type Change, DrawnDesign } from "./drawn_design";
 import { Gizmo } from "./gizmo";
 import type { Handle } from "./gizmo_parts";
 import { facing, Grid } from "./grid";
-import { gridSpacing, type Spacing, type Units } from "./grid_spacing";
+import { gridSpacing, type Spacing } from "./grid_spacing";
 import type {
   DrawingPlane,
   Layer,
@@ -33,6 +33,7 @@ import { type Sign, Symbols } from "./symbols";
 import { type Theme, THEMES } from "./theme";
 import { type TubeLook, Tubes } from "./tubes";
 import { ballAround, middle } from "./vec";
+import type { Units } from "./units";
 
 /** A line over the picture: a rubber band, an axis that is locked. */
 export interface Guide {

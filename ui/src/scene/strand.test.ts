@@ -1,14 +1,14 @@
 import { expect, it } from "vitest";
 import type { Stroke } from "./interface";
 import type { SnapTarget } from "./snap";
-import { Strand } from "./strand";
+import { type Asked, Strand } from "./strand";
 
 const place = (x: number): SnapTarget => ({ kind: "surface", at: [x, 0, 0] });
 const vertex = (id: number): SnapTarget => ({ kind: "vertex", at: [id * 100, 5, 0], vertex: id });
 const edge = (id: number, x: number): SnapTarget => ({ kind: "edge", at: [x, 9, 0], edge: id, along: 0.25 });
 
 /** Clicks in a row; answers with ids from 50 on, or as told. */
-async function clicked(targets: SnapTarget[], answer: (n: number) => number | null = (n) => 50 + n) {
+async function clicked(targets: (SnapTarget | Asked)[], answer: (n: number) => number | null = (n) => 50 + n) {
   const strokes: Stroke[] = [];
   let ended = 0;
   const strand = new Strand(
@@ -38,6 +38,16 @@ it("keeps the first place until the second makes an edge of the two", async () =
       split: null,
     },
   ]);
+});
+
+it("begins an edge of a length where the one before it has ended, however soon it is asked for", async () => {
+  const long = (mm: number): Asked => ([x, y, z]) => ({ kind: "plane", at: [x + mm, y, z] });
+  const { strokes } = await clicked([place(1), long(80), long(50)]);
+  expect(strokes.map(({ through }) => through.at(-1))).toEqual([
+    [81, 0, 0],
+    [131, 0, 0],
+  ]);
+  expect((await clicked([long(80)])).strokes).toEqual([]);
 });
 
 it("goes on from the vertex that the last stroke has made", async () => {

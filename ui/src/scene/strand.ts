@@ -10,6 +10,9 @@ export type StrandEnd =
   | { readonly kind: "place"; readonly at: Vec3 }
   | { readonly kind: "edge"; readonly id: number; readonly along: number; readonly at: Vec3 };
 
+/** A click whose place hangs on where its edge begins; null where there is none. */
+export type Asked = (from: Vec3) => SnapTarget | null;
+
 /** Clicks nearer than this ask for an edge without length, mm. */
 const SAME = 1e-6;
 
@@ -27,7 +30,7 @@ export class Strand {
   ) {}
 
   /** Resolves when the click was dealt with; rejects when the stroke could not be made, the strand is over then. */
-  click(target: SnapTarget): Promise<void> {
+  click(target: SnapTarget | Asked): Promise<void> {
     const { generation } = this;
     const done = this.queue.then(async () => {
       if (generation === this.generation) await this.take(target);
@@ -44,8 +47,10 @@ export class Strand {
     return open;
   }
 
-  private async take(target: SnapTarget): Promise<void> {
+  private async take(asked: SnapTarget | Asked): Promise<void> {
     const { end } = this;
+    const target = typeof asked === "function" ? end && asked(end.at) : asked;
+    if (!target) return;
     if (!end) {
       this.end = begun(target);
       this.changed();

@@ -6,7 +6,7 @@ import type { Overlay } from "./overlay";
 import type { Place, ToolHandler } from "./pointer";
 import { inDirections, snap, type SnapTarget } from "./snap";
 import type { Guide, Stage } from "./stage";
-import { Strand } from "./strand";
+import { type Asked, Strand } from "./strand";
 import { SNAP_SHAPES, type Sign } from "./symbols";
 import { TypedEdge } from "./typed_edge";
 
@@ -60,10 +60,10 @@ export class TraceTool implements ToolHandler {
     const apart = seen[0] && seen[1] ? Math.hypot(seen[0].x - seen[1].x, seen[0].y - seen[1].y) : Infinity;
     // The second click of a double one asks for nothing.
     if (apart < ONE_PLACE && target?.vertex === undefined) return;
-    this.take(target);
+    this.take(this.edge() ?? target);
   }
 
-  private take(target: SnapTarget | null): void {
+  private take(target: SnapTarget | Asked | null): void {
     this.typed.clear();
     // Who makes the stroke tells why it could not be made; the strand is over then.
     if (target) this.strand.click(target).catch(() => undefined);
@@ -93,7 +93,7 @@ export class TraceTool implements ToolHandler {
     if (key !== "Escape" && key !== "Enter") return false;
     if (!this.typed.begun) return this.cancel();
     // Without a way for it to go, a length says nothing yet.
-    if (key === "Enter" && this.edge()) this.take(this.target());
+    if (key === "Enter" && this.ending()) this.take(this.edge());
     else if (key === "Escape") this.typed.clear();
     this.show();
     return true;
@@ -125,17 +125,21 @@ export class TraceTool implements ToolHandler {
     this.show();
   }
 
-  /** Where the edge of the typed length ends. */
-  private edge(): SnapTarget | null {
-    const { end } = this.strand;
+  /** The edge of the typed length, towards what the pointer is on. */
+  private edge(): Asked | null {
     const way = this.pointed();
-    const at = end && way && this.typed.end(end.at, way.at, this.stage.units);
-    return at && { kind: "plane", at };
+    return way && this.typed.towards(way.at, this.stage.units);
+  }
+
+  /** Where it ends. */
+  private ending(): SnapTarget | null {
+    const { end } = this.strand;
+    return end && (this.edge()?.(end.at) ?? null);
   }
 
   /** What a click takes. */
   private target(): SnapTarget | null {
-    return this.edge() ?? this.pointed();
+    return this.ending() ?? this.pointed();
   }
 
   /** What the pointer is on. */

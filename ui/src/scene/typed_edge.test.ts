@@ -11,14 +11,14 @@ function typed(keys: string): TypedEdge {
 }
 
 it("ends where the pointer shows to, as far away as is typed, in the unit that is shown", () => {
-  expect(typed("25").end(FROM, TO, "mm")).toEqual([10, 15, 20]);
-  expect(typed("1").end(FROM, TO, "inch")?.map((x) => x.toFixed(2))).toEqual(["10.00", "15.24", "20.32"]);
+  expect(typed("25").towards(TO, "mm")?.(FROM)?.at).toEqual([10, 15, 20]);
+  expect(typed("1").towards(TO, "inch")?.(FROM)?.at.map((x) => x.toFixed(2))).toEqual(["10.00", "15.24", "20.32"]);
 });
 
 it("ends nowhere without a length, or without a way", () => {
-  expect(typed("").end(FROM, TO, "mm")).toBeNull();
-  expect(typed("0").end(FROM, TO, "mm")).toBeNull();
-  expect(typed("25").end(FROM, FROM, "mm")).toBeNull();
+  expect(typed("").towards(TO, "mm")).toBeNull();
+  expect(typed("0").towards(TO, "mm")).toBeNull();
+  expect(typed("25").towards(FROM, "mm")?.(FROM)).toBeNull();
 });
 
 it("takes the keys of a length, and leaves all others to those that they belong to", () => {

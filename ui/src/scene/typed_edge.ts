@@ -1,8 +1,9 @@
 /** The length of the edge that is being drawn, as it is typed: the pointer says the way. Pure. */
 
-import { MM_PER_INCH, type Units } from "./grid_spacing";
 import type { Vec3 } from "./interface";
 import { NumberEntry } from "./number_entry";
+import type { Asked } from "./strand";
+import { lengthNumber, unitName, type Units, unitSize } from "./units";
 import { along, direction, distance, subtract } from "./vec";
 
 export class TypedEdge {
@@ -21,17 +22,22 @@ export class TypedEdge {
     this.entry.clear();
   }
 
-  /** Where the edge ends that begins at `from` and goes towards a place; null where no length is typed, or no way is shown. */
-  end(from: Vec3, towards: Vec3, units: Units): Vec3 | null {
-    const length = this.entry.value;
-    const way = direction(subtract(towards, from));
-    return length && way ? along(from, way, length * (units === "inch" ? MM_PER_INCH : 1)) : null;
+  /**
+   * Where the edge ends, from wherever it begins, that goes towards a place; null where no length is typed. It is asked again when the
+   * edge is made: edges that are typed quickly each begin at the end of the one before.
+   */
+  towards(place: Vec3, units: Units): Asked | null {
+    const length = (this.entry.value ?? 0) * unitSize(units);
+    if (length === 0) return null;
+    return (from) => {
+      const way = direction(subtract(place, from));
+      return way && { kind: "plane", at: along(from, way, length) };
+    };
   }
 
   /** How long the edge is that ends here, or what is typed of it. */
   readout(from: Vec3, to: Vec3, units: Units): string {
-    if (this.begun) return `edge ${this.entry.shown}▏ ${units === "inch" ? "in" : "mm"}, Enter places it`;
-    const long = distance(from, to);
-    return units === "inch" ? `edge ${(long / MM_PER_INCH).toFixed(3)} in` : `edge ${long.toFixed(1)} mm`;
+    if (this.begun) return `edge ${this.entry.shown}▏ ${unitName(units)}, Enter places it`;
+    return `edge ${lengthNumber(distance(from, to), units)} ${unitName(units)}`;
   }
 }

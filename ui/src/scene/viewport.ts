@@ -2,7 +2,7 @@
 
 import { type Object3D, WebGLRenderer } from "three";
 import { Frames } from "./frames";
-import { spacingText, type Units } from "./grid_spacing";
+import { spacingText } from "./grid_spacing";
 import type {
   Axis,
   DrawingPlane,
@@ -27,6 +27,7 @@ import { Stage } from "./stage";
 import { type ThemeName, THEMES } from "./theme";
 import { TraceTool } from "./trace_tool";
 import { afterKey } from "./view_keys";
+import type { Units } from "./units";
 
 export interface ViewportOptions {
   /** Smooth edges; without a graphics card they cost most of the time. */
