@@ -2,7 +2,17 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
 
 const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(), listen: vi.fn() }));
-vi.mock("../platform", () => ({ platform, Refused: class Refused extends Error {} }));
+class Refused extends Error {
+  constructor(readonly refusal: { code: string; kind: string; message: string }) {
+    super(refusal.message);
+  }
+}
+vi.mock("../platform", () => ({
+  platform,
+  get Refused() {
+    return Refused;
+  },
+}));
 
 import type { FormatEntry } from "../generated/responses";
 import { type DesignState, useDesign } from "./design";
@@ -48,6 +58,15 @@ describe.each(elsewhere)("for %s", (_, go) => {
     await Promise.all(both);
     expect(useExports.getState()).toMatchObject(NOTHING);
   });
+});
+
+it.each([
+  ["not-feasible", true],
+  ["stage-not-reached", false],
+])("of a refusal for %s, that a person may want it all the same is %s", async (code, errors) => {
+  platform.ask.mockRejectedValue(new Refused({ code, kind: "not-feasible", message: "no" }));
+  await preview();
+  expect(useExports.getState().preview?.refused).toEqual({ message: "no", errors });
 });
 
 it("keeps what is said of a design while it is saved, drawn on or undone", () => {

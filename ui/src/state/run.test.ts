@@ -4,9 +4,10 @@ import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(async () => {}), listen: vi.fn() }));
 vi.mock("../platform", () => ({ platform, Refused: class Refused extends Error {} }));
 
+import { useFiles } from "./files";
 import { useProblems } from "./problems";
 import { answer, hearOperator, isOpen, loadPorts, order, stop, useRun } from "./run";
-import type { MachineState, Question } from "./operator";
+import type { MachineState, Question, WireRun } from "./operator";
 import { machineState } from "./testing";
 
 const state = (given: Partial<MachineState> = {}): MachineState => ({ ...machineState("ready", "home"), port: "sim", simulated: true, ...given });
@@ -19,6 +20,14 @@ beforeEach(() => {
 });
 afterEach(() => {
   vi.useRealTimers();
+});
+
+it("says what became of the last wire beside no other design", () => {
+  useRun.setState({ ended: { outcome: "made" } as WireRun });
+  useFiles.setState({ busy: "b.wirebend" });
+  expect(useRun.getState().ended).not.toBeNull();
+  useFiles.setState(({ opened }) => ({ opened: opened + 1 }));
+  expect(useRun.getState().ended).toBeNull();
 });
 
 describe("hearOperator", () => {
