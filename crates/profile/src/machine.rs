@@ -101,6 +101,9 @@ layer! {
         /// Bytes that stop the machine at once, whatever else it was sent: what the program itself writes to
         /// the port when the driver does not answer any more. Dropped like the settings.
         pub stop_bytes: Vec<u8>,
+        /// Text that the machine sends once it stands after its stop bytes, by which the program knows that it does.
+        /// Dropped like the settings.
+        pub stop_reply: String,
     }
 }
 

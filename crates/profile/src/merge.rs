@@ -49,7 +49,7 @@ impl Merged {
             return;
         };
         if wanted.is_some_and(|id| driver.get("id").is_some_and(|mine| mine != id)) {
-            for key in ["settings", "stop_bytes"] {
+            for key in ["settings", "stop_bytes", "stop_reply"] {
                 driver.remove(key);
                 forget(&mut self.provenance, &format!("driver.{key}"));
             }
