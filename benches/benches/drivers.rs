@@ -85,7 +85,7 @@ fn stop(c: &mut Criterion) {
             (0..count)
                 .map(|_| {
                     let open = Driver::start(&found, &launch).unwrap().open(&json!({})).unwrap();
-                    let outcome = Session::connect(open, "anywhere").unwrap().stop();
+                    let outcome = Session::connect(open, "anywhere", None).unwrap().stop();
                     assert_eq!(outcome.by, StoppedBy::EndOfDriver);
                     outcome.took
                 })

@@ -21,6 +21,8 @@ pub mod exit {
     pub const NOT_FEASIBLE: u8 = 4;
     /// Machine, driver or computer failure.
     pub const FAILURE: u8 = 5;
+    /// A machine was stopped, or its driver was lost, and the machine has not confirmed that it stands.
+    pub const MAY_MOVE: u8 = 6;
     /// Stopped by the person.
     pub const STOPPED: u8 = 130;
 }
@@ -91,6 +93,7 @@ pub(crate) fn report(error: &anyhow::Error, json: bool) -> ExitCode {
         None if error.is::<WrongUse>() => exit::USAGE,
         None if error.is::<BadInput>() => exit::BAD_INPUT,
         Some(ErrorKind::Stopped) => exit::STOPPED,
+        Some(ErrorKind::MayMove) => exit::MAY_MOVE,
         Some(ErrorKind::Failure) | None => exit::FAILURE,
     };
     let report = known.and_then(AppError::report);

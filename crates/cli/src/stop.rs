@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 use anyhow::Context;
-use wirebend_app::{StopHandle, StoppedBy};
+use wirebend_app::{Standstill, StopHandle, StoppedBy};
 
 use crate::errors::exit;
 
@@ -14,8 +14,8 @@ use crate::errors::exit;
 static HANDLE: Mutex<Option<StopHandle>> = Mutex::new(None);
 static PRESSED: AtomicBool = AtomicBool::new(false);
 
-/// From here on Ctrl-C, and the signal that asks a program to end, stop the machine. A second one ends the program,
-/// but not before the stop is out: signals are handled one after the other.
+/// From here on Ctrl-C, and the signal that asks a program to end, stop the machine: each time they come, for as long as one
+/// is connected. The program ends by itself once the machine stands, or has not confirmed it for too long.
 pub(crate) fn listen() -> anyhow::Result<()> {
     ctrlc::set_handler(pressed).context("Ctrl-C cannot be listened to, and without it nothing is moved")
 }
@@ -36,22 +36,25 @@ pub(crate) fn connect(handle: Option<&StopHandle>) {
 }
 
 fn pressed() {
-    let before = PRESSED.swap(true, Ordering::SeqCst);
+    PRESSED.store(true, Ordering::SeqCst);
     let handle = HANDLE.lock().unwrap_or_else(PoisonError::into_inner).clone();
-    if before || handle.is_none() {
-        // Nothing moves, or it was stopped before: a driver ends with the program.
+    let Some(handle) = handle else {
+        // Nothing moves: a driver ends with the program.
+        process::exit(exit::STOPPED.into());
+    };
+    if handle.standstill() == Some(Standstill::Confirmed) {
         process::exit(exit::STOPPED.into());
     }
-    stop(handle.as_ref());
+    stop(Some(&handle));
 }
 
 fn stop(handle: Option<&StopHandle>) {
     let Some(handle) = handle else { return };
     let outcome = handle.stop();
     let said = match outcome.by {
-        StoppedBy::Driver => "STOP was sent to the machine",
+        StoppedBy::Driver => "STOP was sent to the machine; waiting until it confirms that it stands",
         StoppedBy::Host => {
-            "STOP was written to the port: the driver did not do it; look whether the machine stands"
+            "the driver did not pass STOP on: it was written to the port; waiting until the machine confirms that it stands"
         }
         StoppedBy::NothingMore => "this machine cannot be stopped: it is sent nothing more; cut its power",
         StoppedBy::EndOfDriver => {

@@ -35,10 +35,11 @@ pub(crate) struct Process(ProcessHandle);
 #[derive(Debug, Clone)]
 pub(crate) struct ProcessHandle(Arc<Shared>);
 
-#[derive(Debug)]
 struct Shared {
     child: Mutex<Child>,
     group: u32,
+    /// Whom to tell at once when the process is lost.
+    lost: Mutex<Option<Arc<dyn Fn() + Send + Sync>>>,
     waiting: Mutex<Waiting>,
     /// Told when `Waiting::ending` is set.
     ended: Condvar,
@@ -46,6 +47,12 @@ struct Shared {
     words: Mutex<Words>,
     /// Told when the error stream is closed.
     silent: Condvar,
+}
+
+impl std::fmt::Debug for Shared {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Shared").field("group", &self.group).finish_non_exhaustive()
+    }
 }
 
 #[derive(Debug, Default)]
@@ -87,6 +94,7 @@ impl Process {
         let waiting = Waiting { next_id: 1, replies: HashMap::from([(0, greeter)]), ..Waiting::default() };
         let shared = Arc::new(Shared {
             group: child.id(),
+            lost: Mutex::default(),
             child: Mutex::new(child),
             waiting: Mutex::new(waiting),
             ended: Condvar::new(),
@@ -151,6 +159,12 @@ impl ProcessHandle {
     /// Ends the process now.
     pub fn kill(&self) {
         self.0.kill();
+    }
+
+    /// Whom to tell when the process ends otherwise than by the program's leave: at once, before anything is found out
+    /// about it, from whichever thread notices it first, and perhaps more than once.
+    pub fn when_lost(&self, tell: impl Fn() + Send + Sync + 'static) {
+        *lock(&self.0.lost) = Some(Arc::new(tell));
     }
 }
 
@@ -218,8 +232,17 @@ impl Shared {
             }
             waiting.killed = true;
         }
+        self.end_now();
+    }
+
+    /// Nothing of it is left that could use the port; then whoever has to know is told.
+    fn end_now(&self) {
         self.kill_group();
         let _ = lock(&self.child).kill();
+        let tell = lock(&self.lost).clone();
+        if let Some(tell) = tell {
+            tell();
+        }
     }
 
     /// Ends what the driver has started: it holds the driver's pipes and its port too.
@@ -259,6 +282,10 @@ impl Shared {
                 None => break Some(Ending::Garbage),
             }
         };
+        // One that was let go closes its pipe as it ends.
+        if lock(&self.requests).is_some() && lock(&self.lost).is_some() {
+            self.end_now();
+        }
         let died = self.bury();
         let mut waiting = lock(&self.waiting);
         waiting.ending =

@@ -7,8 +7,8 @@ use std::path::Path;
 use serde_json::json;
 use wirebend_driver_api::{Axis, Event, Motion, NumberedStep, Run, Step};
 use wirebend_driver_host::{
-    Armed, Asked, Confirmed, Driver, Found, HostError, Launch, Place, Purpose, Session, SessionError, State,
-    StoppedBy, TrustStore,
+    Armed, Asked, Confirmed, Driver, Found, HostError, Launch, Place, Purpose, Session, SessionError,
+    Standstill, State, StoppedBy, TrustStore,
 };
 
 fn session() -> Session {
@@ -20,7 +20,7 @@ fn session_with(library: &Path) -> Session {
     let found = Found::at(library, Place::App, &trust);
     let launch = Launch { program: wirebend_tests_built::driver_child(), memory_bytes: 256 << 20 };
     let open = Driver::start(&found, &launch).unwrap().open(&json!({})).unwrap();
-    Session::connect(open, "anywhere").unwrap()
+    Session::connect(open, "anywhere", None).unwrap()
 }
 
 fn yes() -> Confirmed {
@@ -195,12 +195,15 @@ fn no_is_no() {
 fn a_stop_ends_the_permission_to_move() {
     let (mut session, armed) = running(5);
     let outcome = session.stop();
-    assert_eq!((outcome.by, session.state()), (StoppedBy::Driver, State::Stopped));
+    // Sent is not stopped: that the machine says.
+    assert_eq!((outcome.by, session.state()), (StoppedBy::Driver, State::Stopping));
+    assert_eq!(session.standstill(), Some(Standstill::Awaited));
     assert!(matches!(session.send(&armed, &steps(3..=3)), Err(SessionError::Stale)));
     assert!(matches!(session.resume(&armed), Err(SessionError::Stale)));
-    assert!(refused(session.arm(run(3), yes())).contains("while the machine is stopped"));
+    assert!(refused(session.arm(run(3), yes())).contains("while the machine is being stopped"));
+    assert!(refused(session.home(&yes())).contains("while the machine is being stopped"));
     session.poll().unwrap();
-    assert_eq!(session.state(), State::Stopped);
+    assert_eq!((session.state(), session.standstill()), (State::Stopped, Some(Standstill::Confirmed)));
     session.home(&yes()).unwrap();
     session.poll().unwrap();
     session.arm(run(3), yes()).unwrap();
@@ -221,7 +224,7 @@ fn a_stop_from_elsewhere_is_noticed_before_the_next_motion() {
     assert_eq!(session.stop_handle().stop().by, StoppedBy::Driver);
     let error = session.arm(run(3), yes()).unwrap_err();
     assert!(matches!(error, SessionError::Host(HostError::StoppedBefore { .. })), "{error}");
-    assert_eq!(session.state(), State::Stopped);
+    assert_eq!(session.state(), State::Stopping);
 }
 
 /// Between a person's yes and the search: it was for a machine that nobody had stopped.
@@ -246,7 +249,7 @@ fn a_driver_that_only_writes_files_has_no_session() {
     let found = Found::at(&wirebend_tests_built::driver("template"), Place::App, &trust);
     let launch = Launch { program: wirebend_tests_built::driver_child(), memory_bytes: 256 << 20 };
     let open = Driver::start(&found, &launch).unwrap().open(&json!({})).unwrap();
-    let error = Session::connect(open, "anywhere").unwrap_err();
+    let error = Session::connect(open, "anywhere", None).unwrap_err();
     assert!(
         matches!(error, SessionError::Unsupported { .. }) && error.to_string().contains("'live'"),
         "{error}"
@@ -301,7 +304,8 @@ fn a_machine_goes_on_with_what_it_was_asked_for_alone() {
     assert_eq!((session.state(), session.going_on()), (State::Connected, None));
     assert!(matches!(session.take_up(Run::default(), &[], yes()), Err(SessionError::State { .. })));
 
-    let mut session = Session::connect_resuming(session.disconnect().unwrap(), "anywhere", "7").unwrap();
+    let mut session =
+        Session::connect_resuming(session.disconnect().unwrap(), "anywhere", "7", None).unwrap();
     assert!(matches!(session.poll(), Err(SessionError::OutOfOrder { .. })));
     assert_eq!(session.state(), State::Faulted);
 }

@@ -3,7 +3,7 @@
 use std::fs::File;
 use std::io::Write;
 use std::mem::ManuallyDrop;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::OnceLock;
 
@@ -19,7 +19,7 @@ pub(crate) enum Conduct {
 /// What it is to do now. Misdeeds that need no answer have been done when this returns, if it returns.
 pub(crate) fn conduct(now: &str) -> Conduct {
     let Some((when, how)) = told() else { return Conduct::Well };
-    if when != now {
+    if when != now || is_on_leash() {
         return Conduct::Well;
     }
     match how {
@@ -47,7 +47,18 @@ pub(crate) fn conduct(now: &str) -> Conduct {
 
 /// Whether it is to do something now that is no misdeed of the boundary.
 pub(crate) fn is_told(when: &str, how: &str) -> bool {
-    told() == Some((when, how))
+    told() == Some((when, how)) && !is_on_leash()
+}
+
+/// Whether it has to behave for now.
+fn is_on_leash() -> bool {
+    static LEASH: OnceLock<Option<PathBuf>> = OnceLock::new();
+    let leash =
+        || std::env::args().map(PathBuf::from).find(|word| word.extension().is_some_and(|e| e == "so"));
+    LEASH
+        .get_or_init(|| leash().map(|library| library.with_extension("leash")))
+        .as_ref()
+        .is_some_and(|l| l.exists())
 }
 
 /// When and how to misbehave: the process has the library's path among its arguments.

@@ -1,7 +1,8 @@
 //! A driver that misbehaves on demand. For tests only: it is never shipped.
 //!
 //! The name of the library says what it does and when: a copy named `WHEN-HOW.so` does `HOW` when it is
-//! asked `WHEN`, and is an ordinary driver otherwise. [`WHEN`] and [`HOW`] list them. With the setting
+//! asked `WHEN`, and is an ordinary driver otherwise. [`WHEN`] and [`HOW`] list them. As long as there is a file
+//! `WHEN-HOW.leash` beside it, it behaves. With the setting
 //! `machine` it moves one that outlives it, and that loses its cable, its driver or its memory at a step.
 
 #![cfg(unix)] // it misuses descriptors and signals
@@ -38,9 +39,9 @@ pub const WHEN: [&str; 17] = [
 ];
 
 /// How it can misbehave.
-pub const HOW: [&str; 19] = [
+pub const HOW: [&str; 20] = [
     "exit", "abort", "segfault", "hang", "spin", "flood", "garbage", "torrent", "deaf", "leak", "orphan",
-    "null", "status", "nonsense", "shout", "lie", "differ", "version", "old",
+    "null", "status", "nonsense", "shout", "lie", "differ", "version", "old", "mute",
 ];
 
 /// The table of this driver.

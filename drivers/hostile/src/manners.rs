@@ -24,10 +24,14 @@ fn settings(when: &str) -> Value {
     if is_told("connect", "differ") || is_told(when, "differ") { differs } else { json!([]) }
 }
 
-fn connected() -> Value {
+/// What it calls the session of a wire.
+const TOKEN: &str = "hostile-1";
+
+fn connected(request: &Value) -> Value {
     // Nobody has asked it to go on, and it has made more than it has taken.
     let lie = is_told("connect", "lie").then(|| json!({"accepted": 3, "done": 9}));
-    json!({"event": "connected", "identity": "nobody", "settings": settings("connect"), "going_on": lie})
+    let going_on = lie.or_else(|| (request["resume"] == TOKEN).then(|| json!({"accepted": 3, "done": 1})));
+    json!({"event": "connected", "identity": "nobody", "settings": settings("connect"), "going_on": going_on})
 }
 
 fn written() -> Value {
@@ -61,15 +65,17 @@ impl Instance {
         match name.as_str() {
             "encode" => reply = json!({"files": [{"text": "a wire\n"}]}),
             "ports" => reply = json!({"ports": [{"name": "anywhere", "likely": true}]}),
-            "connect" => self.events.push_back(connected()),
+            "connect" => self.events.push_back(connected(&request)),
             "home" => self.events.push_back(json!({"event": "homed"})),
             "send" => reply = self.send(&request),
             "jog" => self.events.push_back(json!({"event": "jogged"})),
             "pause" => self.events.push_back(json!({"event": "paused"})),
             "resume" => self.events.push_back(json!({"event": "resumed"})),
+            // One that is mute never says that the machine stands.
+            "stop" if is_told("stop", "mute") => {}
             "stop" => self.events.push_back(json!({"event": "stopped", "homed": false})),
             "write-settings" => self.events.push_back(written()),
-            "arm" => reply = json!({"token": "hostile-1"}),
+            "arm" => reply = json!({"token": TOKEN}),
             "disconnect" => {}
             _ => {
                 let error = json!({"code": "unknown-call", "message": format!("'{name}' is not known")});
@@ -83,6 +89,10 @@ impl Instance {
     pub fn poll(&mut self) -> String {
         if let Some(machine) = &mut self.machine {
             return machine.poll().and_then(|event| serde_json::to_string(&event).ok()).unwrap_or_default();
+        }
+        if is_told("poll", "lie") {
+            // A step of a wire that it was never told of.
+            return json!({"event": "done", "n": 86_419}).to_string();
         }
         self.events.pop_front().map(|event| event.to_string()).unwrap_or_default()
     }

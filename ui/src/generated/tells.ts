@@ -205,6 +205,10 @@ export type LeftBecause = "declined" | "nobody-asked";
  */
 export type RunOutcome = "made" | "made-before" | "stopped" | "failed" | "abandoned";
 /**
+ * Whether a machine that was stopped, or whose driver was lost, stands.
+ */
+export type Standstill = "awaited" | "confirmed" | "not-confirmed";
+/**
  * Who brought the stop about.
  */
 export type StoppedBy = "driver" | "nothing-more" | "end-of-driver" | "host";
@@ -215,7 +219,7 @@ export type SeverityName = "error" | "warning" | "info";
 /**
  * Whose turn it is.
  */
-export type ErrorKind = "usage" | "bad-input" | "not-feasible" | "failure" | "stopped";
+export type ErrorKind = "usage" | "bad-input" | "not-feasible" | "failure" | "stopped" | "may-move";
 
 export interface Tells {
   operator: OperatorEvent;
@@ -568,6 +572,10 @@ export interface WireRun {
    * The command that goes on with it, where there is something to go on with.
    */
   resume: string | null;
+  /**
+   * Whether the machine stands after a stop, or after its driver was lost; null where there was neither.
+   */
+  standstill: Standstill | null;
   /**
    * How many there are.
    */

@@ -103,7 +103,8 @@ export function hearOperator(event: OperatorEvent): void {
     case "run-ended":
       return useRun.setState({ ended: event.wires.at(-1) ?? null });
     case "stopped":
-      if (event.driver_ended) tell("warning", "The machine was stopped by ending its driver. Connect it again.", "driver-ended");
+      // Whether the machine stands is told with the state, once it is known.
+      if (event.driver_ended) tell("warning", "The driver did not pass STOP on and was ended. Connect the machine again.", "driver-ended");
       return;
     case "problem":
       // The section shows it beside the buttons that it is about.

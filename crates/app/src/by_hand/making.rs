@@ -49,8 +49,12 @@ pub(super) fn make(
         Err(_) if stop_of(&connection.session).is_some() => (true, None),
         Err(LiveProblem::Fault(error)) => (false, Some(RunProblem::from(&error))),
         Err(LiveProblem::Session(error)) => (false, Some(RunProblem::from(&error))),
-        Err(error) => return Err(error.into()),
+        Err(error) => {
+            connection.await_standstill();
+            return Err(error.into());
+        }
     };
+    let standstill = connection.await_standstill();
     Ok(JogResponse {
         machine: machine.profile.id.clone(),
         port: connection.port.clone(),
@@ -58,6 +62,7 @@ pub(super) fn make(
         made,
         of: moves.len(),
         stopped,
+        standstill,
         problem,
         output: None,
         notes: std::mem::take(&mut connection.hearing.warnings),

@@ -7,6 +7,7 @@ use std::path::PathBuf;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use wirebend_driver_host::Standstill;
 use wirebend_profile::{MachineProfile, Resolved};
 
 use crate::design::Input;
@@ -65,6 +66,8 @@ pub struct JogResponse {
     pub of: usize,
     /// Whether it was stopped.
     pub stopped: bool,
+    /// Whether the machine stands after a stop, or after its driver was lost; null where there was neither.
+    pub standstill: Option<Standstill>,
     /// What failed.
     pub problem: Option<RunProblem>,
     /// The recording.

@@ -20,6 +20,8 @@ pub enum ErrorKind {
     Failure,
     /// A person has stopped it.
     Stopped,
+    /// A machine was stopped, or its driver was lost, and the machine has not confirmed that it stands.
+    MayMove,
 }
 
 impl AppError {

@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use wirebend_driver_host::api::{Capability, Direction, Event, SettingCheck};
-use wirebend_driver_host::{OpenDriver, Session, State, StopLine, StopOutcome};
+use wirebend_driver_host::{OpenDriver, Session, Standstill, State, StopLine, StopOutcome};
 use wirebend_profile::MachineProfile;
 
 use super::LiveProblem;
@@ -91,15 +91,17 @@ impl App {
             None => port_of_simulated(&driver, at.unnamed)?,
         };
         let bytes = at.profile.driver.stop_bytes.clone().unwrap_or_default();
+        let reply = at.profile.driver.stop_reply.clone().unwrap_or_default();
         // The driver tells better what is wrong with a port.
-        let line =
-            StopLine::open(&port, &bytes).inspect_err(|error| tracing::warn!("{error}")).unwrap_or(None);
+        let line = StopLine::open(&port, &bytes, &reply)
+            .inspect_err(|error| tracing::warn!("{error}"))
+            .unwrap_or(None);
         progress.stage("connecting");
         let session = match at.token {
-            Some(token) => Session::connect_resuming(driver, &port, token),
-            None => Session::connect(driver, &port),
+            Some(token) => Session::connect_resuming(driver, &port, token, line.clone()),
+            None => Session::connect(driver, &port, line.clone()),
         };
-        let session = session.map_err(LiveProblem::from)?.with_stop_line(line.clone());
+        let session = session.map_err(LiveProblem::from)?;
         progress.connected(&session.stop_handle());
         tracing::info!("connected to {port}, which has not answered yet");
         let hearing = Hearing { progress, signs: at.signs, warnings: Vec::new(), settings: Vec::new() };
@@ -107,7 +109,14 @@ impl App {
         let wire_used = false;
         let mut connection =
             Connection { session, hearing, port, line, unnamed, driver_id, driver_version, wire_used };
-        connection.await_answer()?;
+        if let Err(error) = connection.await_answer() {
+            // Whatever was under way there when it was connected.
+            return Err(match connection.await_standstill() {
+                Some(Standstill::NotConfirmed) => LiveProblem::MayMove { during: "it was connected" },
+                _ => error,
+            }
+            .into());
+        }
         Ok(connection)
     }
 }
@@ -161,30 +170,10 @@ impl<'a> Connection<'a> {
 
     /// The same for a machine of which nothing was ordered. That it was stopped before is known.
     pub fn look_at_rest(&mut self) -> Result<(), LiveProblem> {
-        let stopped = self.session.state() == State::Stopped;
+        let stopped = matches!(self.session.state(), State::Stopping | State::Stopped);
         match self.look("it was at rest") {
             Err(LiveProblem::Stopped { .. }) if stopped && self.session.last_stop().is_none() => Ok(()),
             looked => looked.map(drop),
-        }
-    }
-
-    /// Waits until the machine says that it has stopped, since it cannot be asked to home before; not for longer than
-    /// `patience`, nor for one of which nothing is wanted any more.
-    pub fn await_stopped(&mut self, patience: Duration, unwanted: impl Fn() -> bool) {
-        let begun = Instant::now();
-        while begun.elapsed() < patience && !unwanted() {
-            let Ok(events) = self.session.poll() else { return };
-            for event in &events {
-                self.hearing.hear(event);
-                match event {
-                    Event::Stopped { .. } => return,
-                    Event::Fault { error, .. } => return self.hearing.warn(&error.code, &error.to_string()),
-                    _ => {}
-                }
-            }
-            if events.is_empty() {
-                std::thread::sleep(PAUSE);
-            }
         }
     }
 
@@ -243,7 +232,7 @@ fn look(
     during: &'static str,
 ) -> Result<Vec<Event>, LiveProblem> {
     let events = heard(session, hearing, during)?;
-    if session.state() == State::Stopped {
+    if matches!(session.state(), State::Stopping | State::Stopped) {
         return Err(LiveProblem::Stopped { during });
     }
     Ok(events)
@@ -310,7 +299,7 @@ fn look_until_held(
 }
 
 impl Hearing<'_> {
-    fn hear(&mut self, event: &Event) {
+    pub(super) fn hear(&mut self, event: &Event) {
         match event {
             Event::Connected { settings, .. } | Event::SettingsWritten { settings } => {
                 self.settings.clone_from(settings);

@@ -4,9 +4,11 @@ mod connect;
 mod news;
 mod person;
 mod problem;
+mod standstill;
 
 pub(crate) use connect::{At, Connection, Hearing, PAUSE, Unnamed, home, stop_of};
 pub use news::{Decision, Doubt, News};
 pub(crate) use person::Yes;
 pub use problem::LiveProblem;
 pub(crate) use problem::hard_stop;
+pub(crate) use standstill::{StopWatch, await_standstill};

@@ -61,6 +61,24 @@ pub enum LiveProblem {
         /// Who has stopped the machine.
         by: StoppedBy,
     },
+    /// It was stopped, or its driver was lost, and it has not confirmed that it stands.
+    #[error(
+        "the machine was stopped while {during}, and has not confirmed that it stands: it may still be moving. Cut its power, and look at it before you connect it again"
+    )]
+    MayMove {
+        /// What it did.
+        during: &'static str,
+    },
+    /// Nothing can be written down any more, and so the machine was stopped.
+    #[error("{error}; {}; then go on with `{resume}`", stopped_for_it(*.stands))]
+    Unrecorded {
+        /// Why not.
+        error: Box<JobError>,
+        /// Whether the machine has confirmed that it stands.
+        stands: bool,
+        /// How to go on.
+        resume: String,
+    },
     /// The machine does not answer.
     #[error(
         "the machine at {port} has not answered for {seconds} s: see whether it has power and whether the port is the right one"
@@ -215,6 +233,14 @@ fn there_are(known: &[String]) -> String {
     }
 }
 
+const fn stopped_for_it(stands: bool) -> &'static str {
+    if stands {
+        "the machine was stopped for it and stands: make room on the disk, or see that it can be written to"
+    } else {
+        "the machine was stopped for it and has not confirmed that it stands: cut its power; make room on the disk, or see that it can be written to"
+    }
+}
+
 const fn held_by(by: PausedBy) -> &'static str {
     match by {
         PausedBy::Program => "",
@@ -226,9 +252,7 @@ const fn held_by(by: PausedBy) -> &'static str {
 /// What a person does when a driver had to be ended.
 pub(crate) const fn hard_stop(by: StoppedBy) -> &'static str {
     match by {
-        StoppedBy::Host => {
-            "the stop was written to the port itself; look whether the machine stands, then connect it again"
-        }
+        StoppedBy::Host => "the stop was written to the port itself; connect the machine again",
         _ => "cut the power of the machine if it still moves, then connect it again",
     }
 }
@@ -275,7 +299,9 @@ impl LiveProblem {
             Self::Declined | Self::Stopped { .. } | Self::Held { .. } | Self::Unstopped { .. } => {
                 ErrorKind::Stopped
             }
+            Self::MayMove { .. } | Self::Unrecorded { stands: false, .. } => ErrorKind::MayMove,
             Self::NoAnswer { .. }
+            | Self::Unrecorded { .. }
             | Self::Fault(_)
             | Self::Session(_)
             | Self::Job(_)
@@ -295,6 +321,8 @@ impl LiveProblem {
             Self::Stopped { .. } => "stopped",
             Self::Held { .. } => "held",
             Self::Unstopped { .. } => "driver-ended",
+            Self::MayMove { .. } => "stop-not-confirmed",
+            Self::Unrecorded { error, .. } => job_code(error),
             Self::NoAnswer { .. } => "no-answer",
             Self::Fault(_) => "machine-fault",
             Self::Session(error) => error.code(),

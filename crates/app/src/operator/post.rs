@@ -1,8 +1,8 @@
 //! Where the operator stands: the thread that holds the connection and does what is ordered.
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
-use wirebend_driver_host::{State, StopLine, StopOutcome};
+use wirebend_driver_host::{Standstill, State, StopLine, StopOutcome};
 use wirebend_profile::{MachineProfile, Resolved};
 
 use super::ConnectRequest;
@@ -15,14 +15,16 @@ use super::state::Phase;
 use super::unfinished::Unfinished;
 use super::wire::ArmedWire;
 use crate::drivers::Signs;
-use crate::live::{At, Connection, Unnamed, Yes};
+use crate::live::{At, Connection, Unnamed, Yes, await_standstill};
 use crate::{App, AppError, LiveProblem, RunProblem};
 
 /// Between two looks at a machine that nobody has ordered anything of. A controller of the kit that waits for its next
 /// line is content with less, and a driver that computes its machine as fast as it can does not keep a core busy.
 const IDLE: Duration = Duration::from_millis(250);
-/// How long a machine that was stopped may take to say so.
-const STOPPING: Duration = Duration::from_millis(500);
+/// What a person has to know of a machine whose driver is lost, besides why.
+const CUT_ITS_POWER: &str = "the machine has not confirmed that it stands: cut its power";
+/// How long a machine that was stopped is waited for when the connection is to end.
+const CLOSING: Duration = Duration::from_secs(2);
 
 /// The operator's thread.
 pub(super) struct Post<'a> {
@@ -39,6 +41,8 @@ pub(super) struct Post<'a> {
     pub armed: Option<ArmedWire<'a>>,
     /// Both axes stand where the search for the reference has left them.
     pub at_reference: bool,
+    /// What to do with a machine that has not confirmed that it stands was told with the wire.
+    pub power_told: bool,
 }
 
 /// Says that the thread has ended, however it did.
@@ -76,6 +80,7 @@ pub(super) fn stand(app: &App, shared: &Shared, request: &ConnectRequest) {
         leave: None,
         armed: None,
         at_reference: false,
+        power_told: false,
     };
     shared.catch_up();
     let connected = post.connect();
@@ -91,6 +96,11 @@ pub(super) fn stand(app: &App, shared: &Shared, request: &ConnectRequest) {
             }
         }
     }
+}
+
+/// What failed, for a machine that has not confirmed that it stands.
+pub(super) fn with_power(RunProblem { code, message }: RunProblem) -> RunProblem {
+    RunProblem { code, message: format!("{message}; {CUT_ITS_POWER}") }
 }
 
 /// Whether what failed says that the machine is not as it was taken to be.
@@ -195,7 +205,11 @@ impl<'a> Post<'a> {
     /// What becomes of the machine after an order, or after something that nobody has ordered.
     fn conclude(&mut self, done: Result<(), AppError>) {
         let stop = self.shared.tell_stop();
-        self.come_to_rest(stop.is_some() || done.as_ref().is_err_and(is_of_machine));
+        let standstill = self.come_to_rest(stop.is_some() || done.as_ref().is_err_and(is_of_machine));
+        // What was told of these says what to do already.
+        let advised = std::mem::take(&mut self.power_told)
+            || stop.is_some_and(|stop| stop.driver_ended)
+            || matches!(done, Err(AppError::Live(LiveProblem::Unstopped { .. })));
         let problem = match (stop, done) {
             (Some(StopOutcome { driver_ended: true, by, .. }), _) => {
                 Some(RunProblem::from(&AppError::from(OperatorError::DriverEnded { by })))
@@ -205,6 +219,11 @@ impl<'a> Post<'a> {
             // A person has said it.
             (_, Ok(()) | Err(AppError::Live(LiveProblem::Declined))) => None,
             (_, Err(error)) => Some(RunProblem::from(&error)),
+        };
+        let problem = match problem {
+            problem if standstill != Some(Standstill::NotConfirmed) || advised => problem,
+            None => Some(RunProblem::from(&LiveProblem::MayMove { during: "it was connected" })),
+            Some(problem) => Some(with_power(problem)),
         };
         if let Some(problem) = problem {
             self.leave = None;
@@ -222,17 +241,24 @@ impl<'a> Post<'a> {
         });
     }
 
-    /// After a stop or a failure nothing that was said before holds any more.
-    fn come_to_rest(&mut self, upset: bool) {
+    /// After a stop or a failure nothing that was said before holds any more. What came of a stop since the machine was at
+    /// rest last.
+    fn come_to_rest(&mut self, upset: bool) -> Option<Standstill> {
+        let shared = self.shared;
+        let standstill = self.connection.as_mut().and_then(|connection| {
+            if connection.session.standstill() == Some(Standstill::Awaited) {
+                shared.change(|state| state.phase = Phase::Stopping);
+            }
+            let begun = Instant::now();
+            let unwanted = || shared.is_closing() && begun.elapsed() > CLOSING;
+            await_standstill(&mut connection.session, &mut connection.hearing, unwanted)
+        });
         let stop = self.connection.as_mut().and_then(|connection| connection.session.take_stop());
         let lost = self.phase() == Phase::Failed;
         if upset || lost || stop.is_some() {
             (self.leave, self.armed, self.at_reference) = (None, None, false);
         }
-        let Some(connection) = &mut self.connection else { return };
-        if stop.is_some() {
-            connection.await_stopped(STOPPING, || self.shared.is_closing());
-        }
+        standstill
     }
 
     fn phase(&self) -> Phase {
@@ -247,9 +273,12 @@ impl<'a> Post<'a> {
             State::Homed | State::Armed | State::Done => Phase::Ready,
             State::Stopped => Phase::Stopped,
             // A wire that is not gone on with is not held on to.
-            State::Disconnected | State::Interrupted | State::Running | State::Paused | State::Faulted => {
-                Phase::Failed
-            }
+            State::Disconnected
+            | State::Interrupted
+            | State::Running
+            | State::Paused
+            | State::Stopping
+            | State::Faulted => Phase::Failed,
         }
     }
 

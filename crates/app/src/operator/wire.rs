@@ -1,9 +1,11 @@
 //! A wire: armed, started, gone on with, given up.
 
+use wirebend_driver_host::Standstill;
+
 use super::error::OperatorError;
 use super::event::{OperatorEvent, QuestionKind};
 use super::order::OrderName;
-use super::post::Post;
+use super::post::{Post, with_power};
 use super::state::{Phase, WireState};
 use super::unfinished::Unfinished;
 use crate::design::Input;
@@ -161,8 +163,11 @@ impl<'a> Post<'a> {
         if let Some(connection) = &mut self.connection {
             response.notes.append(&mut connection.hearing.warnings);
         }
-        if let Some(problem) = response.wires.last().and_then(|made| made.problem.clone()) {
-            self.shared.problem(problem);
+        let last = response.wires.last();
+        if let Some(problem) = last.and_then(|made| made.problem.clone()) {
+            let may_move = last.is_some_and(|made| made.standstill == Some(Standstill::NotConfirmed));
+            self.power_told = may_move;
+            self.shared.problem(if may_move { with_power(problem) } else { problem });
         }
         if !response.wires.is_empty() {
             self.shared.hear(&OperatorEvent::RunEnded(Box::new(response)));

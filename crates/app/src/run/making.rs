@@ -4,11 +4,11 @@ use std::time::{Duration, Instant, SystemTime};
 
 use wirebend_driver_host::api::{DriverError, PausedBy};
 use wirebend_driver_host::jobs::{JobError, JobRun, Progress as Told, Resume, Standing};
-use wirebend_driver_host::{Session, StoppedBy};
+use wirebend_driver_host::{Session, Standstill, StoppedBy};
 
 use super::report::{RunOutcome, RunProblem, RunResponse, WireRun};
 use super::task::Task;
-use crate::live::{Hearing, PAUSE, Yes, home, stop_of};
+use crate::live::{Hearing, PAUSE, StopWatch, Yes, await_standstill, home, stop_of};
 use crate::simulate::KeptWire;
 use crate::{AppError, LiveProblem, News, Wish};
 
@@ -90,12 +90,17 @@ impl Making<'_, '_> {
     ) -> Result<WireRun, AppError> {
         let mut heard = Heard::default();
         let driven = self.begin(hearing, yes).and_then(|()| self.drive(hearing, &mut heard));
+        let standstill = self.see_it_stand(hearing);
         // What failed while a stop was on its way is its doing.
         let made = driven.is_ok() && self.run.account().standing == Standing::Finished;
         let stop = if made { None } else { stop_of(self.run.session()) };
         match driven {
             Ok(()) | Err(AppError::Live(LiveProblem::Stopped { .. })) => {}
-            Err(error @ AppError::Live(LiveProblem::Job(JobError::Journal(_)))) => return Err(error),
+            Err(AppError::Live(LiveProblem::Job(error @ JobError::Journal(_)))) => {
+                let stands = standstill.is_none_or(|standstill| standstill == Standstill::Confirmed);
+                let (error, resume) = (Box::new(error), self.task.command(self.wire, "--resume"));
+                return Err(LiveProblem::Unrecorded { error, stands, resume }.into());
+            }
             Err(AppError::Live(error @ (LiveProblem::Held { .. } | LiveProblem::Unstopped { .. }))) => {
                 heard.held = Some(RunProblem::from(&error));
             }
@@ -106,10 +111,9 @@ impl Making<'_, '_> {
                 return Err(error);
             }
         }
-        // One that ended the driver, or came before the wire was begun, the loop does not know of.
-        let standing = self.run.account().standing;
-        if stop.is_some() && !self.run.account().is_over() && standing != Standing::Stopped {
-            self.run.stop().1.map_err(LiveProblem::from)?;
+        // One that came before the wire was begun the loop does not know of.
+        if stop.is_some() && !self.run.account().is_over() {
+            self.run.note_stop().map_err(LiveProblem::from)?;
         }
         heard.stopped_by = heard.stopped_by.or(stop.map(|outcome| outcome.by));
         let deviations_mm = self.deviations(&heard)?;
@@ -117,7 +121,20 @@ impl Making<'_, '_> {
             self.run.note_deviations(deviations.clone()).map_err(LiveProblem::from)?;
         }
         self.keep(response)?;
-        self.report(&heard, deviations_mm)
+        self.report(&heard, standstill, deviations_mm)
+    }
+
+    /// Where the machine was stopped, or its driver was lost: waits until it stands, or nobody will know.
+    fn see_it_stand(&mut self, hearing: &mut Hearing) -> Option<Standstill> {
+        let mut watch = StopWatch::default();
+        while self.run.session().standstill() == Some(Standstill::Awaited) {
+            // What cannot be written down any more is seen all the same.
+            if self.look(hearing, &mut Heard::default()).is_err() {
+                return await_standstill(self.run.session(), hearing, || false);
+            }
+            watch.look(self.run.session(), hearing);
+        }
+        self.run.session().standstill()
     }
 
     fn begin(&mut self, hearing: &mut Hearing, yes: &Yes) -> Result<(), AppError> {
@@ -146,7 +163,9 @@ impl Making<'_, '_> {
 
     fn drive(&mut self, hearing: &mut Hearing, heard: &mut Heard) -> Result<(), AppError> {
         let mut told = None;
+        let mut watch = StopWatch::default();
         while !self.run.is_over() {
+            watch.look(self.run.session(), hearing);
             if let Some(wish) = hearing.progress.wish() {
                 self.grant(wish, hearing);
             }
@@ -186,7 +205,9 @@ impl Making<'_, '_> {
             Ok(told) => told,
             Err(error) => {
                 // What cannot be written down is not made.
-                let _ = self.run.stop();
+                if self.run.session().standstill().is_none() {
+                    let _ = self.run.stop();
+                }
                 return Err(LiveProblem::from(error).into());
             }
         };
@@ -214,7 +235,8 @@ impl Making<'_, '_> {
                     tracing::info!("step {n} of {of} is made");
                     self.tell(hearing);
                 }
-                Told::Sent { .. } | Told::Finished => {}
+                // It is read from the session at the end.
+                Told::Standstill { .. } | Told::Sent { .. } | Told::Finished => {}
             }
         }
         Ok(hold)
@@ -269,7 +291,12 @@ impl Making<'_, '_> {
         self.task.keep(self.run.record().as_ref(), &path, self.wire, response)
     }
 
-    fn report(&self, heard: &Heard, deviations_mm: Option<Vec<f64>>) -> Result<WireRun, AppError> {
+    fn report(
+        &self,
+        heard: &Heard,
+        standstill: Option<Standstill>,
+        deviations_mm: Option<Vec<f64>>,
+    ) -> Result<WireRun, AppError> {
         let account = self.run.account();
         let outcome = match account.standing {
             Standing::Finished => RunOutcome::Made,
@@ -284,6 +311,7 @@ impl Making<'_, '_> {
             in_doubt: account.in_doubt().map(|steps| [*steps.start(), *steps.end()]),
             elapsed_s: self.run.overview().elapsed.as_secs_f64(),
             stopped_by: heard.stopped_by.filter(|_| !over),
+            standstill,
             problem: fault.filter(|_| outcome == RunOutcome::Failed).or_else(|| heard.held.clone()),
             deviations_mm,
             // Of a wire of which nothing was sent there is nothing to go on with.

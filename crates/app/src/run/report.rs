@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::Serialize;
 use wirebend_driver_host::api::DriverError;
-use wirebend_driver_host::{SessionError, StoppedBy};
+use wirebend_driver_host::{SessionError, Standstill, StoppedBy};
 
 use crate::report::NoteReport;
 use crate::{AppError, DriverProblem, LiveProblem};
@@ -66,6 +66,8 @@ pub struct WireRun {
     pub elapsed_s: f64,
     /// Who brought a stop about; null without one, and for one of the machine itself.
     pub stopped_by: Option<StoppedBy>,
+    /// Whether the machine stands after a stop, or after its driver was lost; null where there was neither.
+    pub standstill: Option<Standstill>,
     /// What failed, or why it was stopped where nobody has asked for that.
     pub problem: Option<RunProblem>,
     /// How far each vertex is from the design, in mm, where a simulated machine made the wire.

@@ -2,6 +2,7 @@
 
 use std::time::Instant;
 
+use wirebend_driver_host::Standstill;
 use wirebend_driver_host::jobs::{JobRun, Journal, Resume, Settled};
 
 use super::about::about;
@@ -11,8 +12,8 @@ use super::task::Task;
 use crate::live::{Connection, Unnamed, Yes};
 use crate::{AppError, Decision, Doubt, LiveProblem};
 
-/// How long a stop may take to be told.
-const STOPPING: std::time::Duration = std::time::Duration::from_secs(2);
+/// The session knows what came of a stop long before.
+const STOPPING: std::time::Duration = std::time::Duration::from_secs(30);
 
 /// A wire that is not over, with its journal.
 pub(crate) struct Interrupted {
@@ -225,9 +226,12 @@ impl Task<'_> {
         noted.map_err(LiveProblem::from)?;
         // The machine tells that it has stopped before it can be asked to home.
         let begun = Instant::now();
-        while begun.elapsed() < STOPPING && making.run.session().poll().is_ok_and(|events| events.is_empty())
-        {
+        while making.run.session().standstill() == Some(Standstill::Awaited) && begun.elapsed() < STOPPING {
+            making.run.advance().map_err(LiveProblem::from)?;
             std::thread::sleep(crate::live::PAUSE);
+        }
+        if making.run.session().standstill() != Some(Standstill::Confirmed) {
+            return Err(LiveProblem::MayMove { during: "it was in the wire of before" }.into());
         }
         // A person has asked for this one, and so it ends nothing that follows.
         let _ = making.run.session().take_stop();

@@ -128,6 +128,7 @@ impl<'a> Task<'a> {
             stock_mm: kept.stock_mm,
             elapsed_s: 0.0,
             stopped_by: None,
+            standstill: None,
             problem: None,
             deviations_mm: None,
             resume: None,

@@ -13,7 +13,8 @@ use live::{JogArgs, MachineSettingsArgs, PortsArgs, ReplayArgs, RunArgs, RunsCom
 
 const AFTER: &str = "\
 Exit status: 0 done · 2 wrong use · 3 bad input · 4 not feasible on this machine (the report is \
-still printed) · 5 machine or driver failure · 130 stopped by the person.
+still printed) · 5 machine or driver failure · 6 nobody knows whether the machine stands: cut its \
+power · 130 stopped by the person.
 Messages go to the error stream, results to the standard output; - stands for standard input or output.";
 
 /// From a wireframe to a bent wire: check, plan, compensate, export, simulate.

@@ -4,7 +4,7 @@ use std::io::Write;
 
 use wirebend_app::{
     JogResponse, LeftBecause, MachineSettingsResponse, PortsResponse, RunOutcome, RunResponse, SeverityName,
-    StoppedBy, Usb, WireRun,
+    Standstill, StoppedBy, Usb, WireRun,
 };
 
 use super::number::{count, duration};
@@ -50,18 +50,7 @@ fn one_wire(out: &mut impl Write, err: &mut impl Write, wire: &WireRun) -> std::
         let style = severity_style(SeverityName::Error);
         writeln!(err, "{style}error{style:#}[{}]: {}", problem.code, problem.message)?;
     }
-    match wire.stopped_by {
-        Some(StoppedBy::EndOfDriver | StoppedBy::NothingMore) => {
-            writeln!(
-                err,
-                "the machine was not told: what it holds in its own memory may still be made; cut its power"
-            )?;
-        }
-        Some(StoppedBy::Host) => {
-            writeln!(err, "STOP was written to the port without an answer: look whether the machine stands")?;
-        }
-        Some(StoppedBy::Driver) | None => {}
-    }
+    standing(err, wire.stopped_by, wire.standstill)?;
     if let Some([first, last]) = wire.in_doubt {
         let which = if first == last { format!("step {first}") } else { format!("steps {first} to {last}") };
         writeln!(err, "nobody knows whether {which} of {steps} were made: look at the wire")?;
@@ -72,6 +61,25 @@ fn one_wire(out: &mut impl Write, err: &mut impl Write, wire: &WireRun) -> std::
     Ok(())
 }
 
+/// Whether the machine stands, and what to do if nobody knows.
+fn standing(
+    err: &mut impl Write,
+    by: Option<StoppedBy>,
+    standstill: Option<Standstill>,
+) -> std::io::Result<()> {
+    let told = !matches!(by, Some(StoppedBy::EndOfDriver | StoppedBy::NothingMore));
+    match standstill {
+        Some(Standstill::Confirmed) => writeln!(err, "the machine has confirmed that it stands"),
+        Some(Standstill::NotConfirmed | Standstill::Awaited) if told => {
+            writeln!(err, "the machine has NOT confirmed that it stands: cut its power")
+        }
+        Some(Standstill::NotConfirmed | Standstill::Awaited) => {
+            writeln!(err, "the machine was not told to stop and may still be moving: cut its power")
+        }
+        None => Ok(()),
+    }
+}
+
 pub(super) fn jog(out: &mut impl Write, err: &mut impl Write, found: &JogResponse) -> std::io::Result<()> {
     let made = count(found.made.len(), "move", "moves");
     let stopped = if found.stopped { ", then stopped" } else { "" };
@@ -80,6 +88,7 @@ pub(super) fn jog(out: &mut impl Write, err: &mut impl Write, found: &JogRespons
         let style = severity_style(SeverityName::Error);
         writeln!(err, "{style}error{style:#}[{}]: {}", problem.code, problem.message)?;
     }
+    standing(err, None, found.standstill)?;
     for note in found.notes.iter().filter(|note| note.code == "nothing-recorded") {
         writeln!(err, "note: {}", note.message)?;
     }

@@ -15,6 +15,7 @@ use std::io::Write;
 use anstyle::{AnsiColor, Style};
 use wirebend_app::{
     ExportResponse, ImportResponse, LeftBecause, NoteReport, Response, RunOutcome, RunResponse, SeverityName,
+    Standstill,
 };
 
 use crate::errors::{WrongUse, exit};
@@ -75,6 +76,9 @@ fn status(response: &Response) -> u8 {
         // Whoever asked to have it accepted has to hear that it is not.
         Response::DriverTrust(found) => return if found.accepted { exit::DONE } else { exit::USAGE },
         Response::Run(found) => return status_of_run(found),
+        Response::Jog(found) | Response::Replay(found) if may_move(found.standstill) => {
+            return exit::MAY_MOVE;
+        }
         Response::Jog(found) | Response::Replay(found) if found.stopped => return exit::STOPPED,
         Response::Jog(found) | Response::Replay(found) if found.problem.is_some() => return exit::FAILURE,
         Response::Jog(_)
@@ -97,10 +101,17 @@ fn status(response: &Response) -> u8 {
     if feasible { exit::DONE } else { exit::NOT_FEASIBLE }
 }
 
-/// A wire that failed counts before one that was stopped, and that before what nobody confirmed.
+/// Whether a machine was stopped that has not confirmed that it stands.
+fn may_move(standstill: Option<Standstill>) -> bool {
+    standstill.is_some_and(|standstill| standstill != Standstill::Confirmed)
+}
+
+/// A machine that may still be moving counts before all else, a wire that failed before one that was stopped, and that
+/// before what nobody confirmed.
 fn status_of_run(found: &RunResponse) -> u8 {
     let any = |outcome| found.wires.iter().any(|wire| wire.outcome == outcome);
     match found.left_because {
+        _ if found.wires.iter().any(|wire| may_move(wire.standstill)) => exit::MAY_MOVE,
         _ if any(RunOutcome::Failed) => exit::FAILURE,
         _ if any(RunOutcome::Stopped) => exit::STOPPED,
         Some(LeftBecause::Declined) => exit::STOPPED,

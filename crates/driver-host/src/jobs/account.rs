@@ -132,7 +132,7 @@ impl Account {
             }
             What::Paused if at_work => self.standing = Standing::Paused,
             What::Resumed if at_work => self.standing = Standing::Running,
-            What::Paused | What::Resumed | What::Made { .. } => {}
+            What::Paused | What::Resumed | What::Made { .. } | What::Standstill { .. } => {}
             What::Stopped { .. } => (self.standing, self.stopped) = (Standing::Stopped, true),
             What::Fault { .. } => self.standing = Standing::Faulted,
             What::Finished if done < steps => {

@@ -49,10 +49,15 @@ pub enum Progress {
     },
     /// The wire is made. The last that is told.
     Finished,
-    /// The machine was stopped. The last that is told.
+    /// A stop was sent, or the machine was stopped at the machine itself.
     Stopped {
         /// Who brought it about; `None` for the machine itself.
         by: Option<StoppedBy>,
+    },
+    /// What came of a stop, or of the stop that follows the loss of a driver. The last that is told.
+    Standstill {
+        /// Whether the machine has confirmed that it stands.
+        confirmed: bool,
     },
     /// The run is over, or takes no more steps; what was sent before may still be made, and is told.
     Fault {

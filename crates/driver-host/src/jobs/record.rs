@@ -103,6 +103,11 @@ impl Record {
             }
             What::Stopped { .. } => self.interrupted(at, "stopped".to_owned()),
             What::Fault { error, .. } => self.interrupted(at, error.to_string()),
+            What::Standstill { confirmed: false } => {
+                if let Some(last) = self.interruptions.last_mut() {
+                    last.what.push_str("; the machine has not confirmed that it stands");
+                }
+            }
             // What ended without a word: the program itself, or the computer. Who only asked has begun nothing.
             What::Connected { .. }
                 if !matches!(
@@ -111,6 +116,7 @@ impl Record {
                         | What::Connected { .. }
                         | What::Decided { .. }
                         | What::Stopped { .. }
+                        | What::Standstill { .. }
                         | What::Fault { .. }
                 ) =>
             {

@@ -15,7 +15,8 @@ use super::record::Record;
 use super::resume::{Resume, Settled};
 use super::work::Work;
 use crate::session::{
-    Armed, Confirmed, Purpose, Session, SessionError, State, StopHandle, StopOutcome, StoppedBy, turned,
+    Armed, Confirmed, Purpose, Session, SessionError, Standstill, State, StopHandle, StopOutcome, StoppedBy,
+    turned,
 };
 
 /// A wire that is made, or taken up again: a session, a journal, and the steps.
@@ -33,6 +34,8 @@ pub struct JobRun {
     pub(super) feed: Feed,
     /// A stop is written down once.
     stop_noted: bool,
+    /// And so is what came of it.
+    standstill_noted: bool,
 }
 
 impl std::fmt::Debug for JobRun {
@@ -65,7 +68,18 @@ impl JobRun {
         let pace = Pace::new(work.estimates.clone(), work.run.steps);
         let begun = clock.now();
         let (armed, feed) = (None, Feed::default());
-        Ok(Self { session, journal, work, clock, begun, pace, armed, feed, stop_noted: false })
+        Ok(Self {
+            session,
+            journal,
+            work,
+            clock,
+            begun,
+            pace,
+            armed,
+            feed,
+            stop_noted: false,
+            standstill_noted: false,
+        })
     }
 
     /// What may be done now.
@@ -127,7 +141,8 @@ impl JobRun {
         let what =
             What::Armed { token: armed.token().map(str::to_owned), after: self.account().done, going_on };
         self.note(what)?;
-        (self.armed, self.feed, self.stop_noted) = (Some(armed), Feed::default(), false);
+        (self.armed, self.feed) = (Some(armed), Feed::default());
+        (self.stop_noted, self.standstill_noted) = (false, false);
         Ok(())
     }
 
@@ -156,9 +171,14 @@ impl JobRun {
                     self.take(event, &mut told)?;
                 }
             }
+            // It was told before, and only what came of the stop is awaited.
+            Err(_) if self.feed.halted() && self.session.standstill().is_some() => {}
+            // A stop that has ended the driver.
+            Err(_) if self.session.last_stop().is_some() => self.was_stopped(&mut told)?,
             Err(error) => self.failed(&error, &mut told)?,
         }
         self.notice_stop(&mut told)?;
+        self.notice_standstill(&mut told)?;
         if matches!(self.session.state(), State::Armed | State::Running) {
             self.send_more(&mut told)?;
         }
@@ -232,13 +252,35 @@ impl JobRun {
 
     /// A stop by whomever is written down once.
     fn notice_stop(&mut self, told: &mut Vec<Progress>) -> Result<(), JobError> {
-        if self.session.state() != State::Stopped || self.stop_noted {
+        if !matches!(self.session.state(), State::Stopping | State::Stopped) || self.stop_noted {
+            return Ok(());
+        }
+        self.was_stopped(told)
+    }
+
+    fn was_stopped(&mut self, told: &mut Vec<Progress>) -> Result<(), JobError> {
+        if self.stop_noted {
             return Ok(());
         }
         let by = self.session.last_stop().map(|outcome| outcome.by);
         self.stopped(by)?;
         told.push(Progress::Stopped { by });
         Ok(())
+    }
+
+    /// Whether the machine stands is written down once it is known.
+    fn notice_standstill(&mut self, told: &mut Vec<Progress>) -> Result<(), JobError> {
+        let confirmed = match self.session.standstill() {
+            Some(Standstill::Confirmed) => true,
+            Some(Standstill::NotConfirmed) => false,
+            Some(Standstill::Awaited) | None => return Ok(()),
+        };
+        if self.standstill_noted {
+            return Ok(());
+        }
+        self.standstill_noted = true;
+        told.push(Progress::Standstill { confirmed });
+        if self.account().is_over() { Ok(()) } else { self.note(What::Standstill { confirmed }) }
     }
 
     fn stopped(&mut self, by: Option<StoppedBy>) -> Result<(), JobError> {
@@ -274,6 +316,16 @@ impl JobRun {
         (outcome, noted)
     }
 
+    /// Writes down a stop that came before the wire was begun, or that has ended the driver, and what came of it.
+    ///
+    /// # Errors
+    /// [`JobError::Journal`].
+    pub fn note_stop(&mut self) -> Result<(), JobError> {
+        let mut told = Vec::new();
+        self.was_stopped(&mut told)?;
+        self.notice_standstill(&mut told)
+    }
+
     /// What stops the machine from any thread.
     #[must_use]
     pub fn stop_handle(&self) -> StopHandle {
@@ -306,11 +358,14 @@ impl JobRun {
     }
 
     /// Whether [`JobRun::advance`] has nothing more to do: the wire is made or given up, or the machine was stopped
-    /// or failed, and has to be homed or connected anew.
+    /// or failed, and has to be homed or connected anew. Not as long as a machine that may move was not heard of.
     #[must_use]
     pub fn is_over(&self) -> bool {
         let state = self.session.state();
         let (sent, done) = self.session.progress();
+        if self.session.standstill().is_some() && !self.standstill_noted {
+            return false;
+        }
         self.account().is_over()
             // What was taken before a refusal is still made, and heard of.
             || self.feed.halted() && (state == State::Faulted || sent == done)

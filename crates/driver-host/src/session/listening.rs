@@ -3,7 +3,7 @@
 use wirebend_driver_api::{Event, SettingCheck};
 
 use super::axes::OffZero;
-use super::{Session, SessionError, State};
+use super::{Session, SessionError, Standstill, State};
 
 impl Session {
     /// Takes what the driver reports, and moves the state along.
@@ -12,6 +12,10 @@ impl Session {
     /// [`SessionError::Host`] when the driver fails or refuses, [`SessionError::OutOfOrder`] when its account
     /// cannot be true: the state is [`State::Faulted`] then.
     pub fn poll(&mut self) -> Result<Vec<Event>, SessionError> {
+        if self.lost && self.guard.standstill() == Some(Standstill::Awaited) {
+            // The program itself waits for the machine; there is nobody else to hear.
+            return Ok(Vec::new());
+        }
         let polled = self.driver.poll();
         // A driver that refuses to report no longer trusts its connection.
         let mut events = polled.inspect_err(|_| self.driver_failed())?;
@@ -26,6 +30,7 @@ impl Session {
             self.state = self.state.after(event);
         }
         self.notice_stop();
+        self.see_stop_through();
         Ok(events)
     }
 
@@ -35,18 +40,29 @@ impl Session {
         let complete = self.done == self.sent && self.steps == Some(self.done);
         let believed = match event {
             Event::Done { n } => *n == self.done + 1 && *n <= self.sent,
-            Event::Finished => complete || self.state != State::Running,
+            Event::Finished => complete || !matches!(self.state, State::Running | State::Paused),
             Event::Connected { going_on: Some(going_on), .. } => going_on.done <= going_on.accepted,
             _ => true,
         };
         match event {
             Event::Done { n } if believed => self.done = *n,
-            Event::Homed => self.off = OffZero::default(),
+            Event::Homed => {
+                self.off = OffZero::default();
+                self.guard.rests();
+            }
+            Event::Jogged => self.guard.rests(),
+            Event::Finished if believed => self.guard.rests(),
+            Event::Stopped { .. } => self.guard.confirm(),
+            // It no longer waits for the stop.
+            Event::Fault { .. } if self.guard.standstill() == Some(Standstill::Awaited) => self.lose_driver(),
             Event::Connected { settings, going_on, identity, .. } => {
                 self.identity.clone_from(identity);
                 self.off = OffZero::default();
                 self.differences = differences(settings);
                 self.going_on = *going_on;
+                if going_on.is_none() {
+                    self.guard.rests();
+                }
                 if let Some(going_on) = going_on {
                     (self.sent, self.done) = (going_on.accepted, going_on.done);
                 }
@@ -59,7 +75,7 @@ impl Session {
         if believed {
             return Ok(());
         }
-        self.state = State::Faulted;
+        self.driver_failed();
         let n = if let Event::Done { n } = event { *n } else { self.done };
         Err(SessionError::OutOfOrder { n, done: self.done, sent: self.sent })
     }

@@ -5,10 +5,12 @@ mod axes;
 mod error;
 mod listening;
 mod motions;
+mod standstill;
 mod state;
 mod stop;
 mod stop_line;
 
+use serde::de::DeserializeOwned;
 use wirebend_driver_api::{Call, Capability, GoingOn, SettingCheck, deadline};
 
 use crate::driver::OpenDriver;
@@ -17,6 +19,8 @@ pub use armed::{Armed, Asked, Confirmed, Purpose};
 use axes::OffZero;
 pub use error::SessionError;
 pub(crate) use motions::turned;
+pub use standstill::Standstill;
+use standstill::{DRIVER_CONFIRMS_WITHIN, GIVE_UP_AFTER, SessionGuard};
 pub use state::State;
 use state::{Act, Transition};
 use stop::Arming;
@@ -45,20 +49,23 @@ pub struct Session {
     going_on: Option<GoingOn>,
     /// The last that the machine said of holding.
     holds: bool,
-    stop_line: Option<StopLine>,
+    guard: SessionGuard,
     /// What the machine says that it is.
     identity: String,
+    /// The driver was ended because the machine may move and the driver is not to be trusted with that.
+    lost: bool,
 }
 
 impl Session {
     /// Opens a port. The machine's answer comes by [`Session::poll`]; until then the state is
-    /// [`State::Disconnected`].
+    /// [`State::Disconnected`]. `line` is the program's own way to the port, by which it stops the machine where the
+    /// driver does not, or is lost while the machine may move. It has to be opened before: see [`StopLine::open`].
     ///
     /// # Errors
     /// [`SessionError::Unsupported`] for a driver that only writes files; [`SessionError::Host`] when the
     /// port cannot be opened.
-    pub fn connect(driver: OpenDriver, port: &str) -> Result<Self, SessionError> {
-        Self::connected(driver, port, None)
+    pub fn connect(driver: OpenDriver, port: &str, line: Option<StopLine>) -> Result<Self, SessionError> {
+        Self::connected(driver, port, None, line)
     }
 
     /// The same with the token of an earlier arming: where the machine still is in that wire, it becomes
@@ -67,11 +74,21 @@ impl Session {
     ///
     /// # Errors
     /// As [`Session::connect`].
-    pub fn connect_resuming(driver: OpenDriver, port: &str, token: &str) -> Result<Self, SessionError> {
-        Self::connected(driver, port, Some(token.to_owned()))
+    pub fn connect_resuming(
+        driver: OpenDriver,
+        port: &str,
+        token: &str,
+        line: Option<StopLine>,
+    ) -> Result<Self, SessionError> {
+        Self::connected(driver, port, Some(token.to_owned()), line)
     }
 
-    fn connected(driver: OpenDriver, port: &str, resume: Option<String>) -> Result<Self, SessionError> {
+    fn connected(
+        driver: OpenDriver,
+        port: &str,
+        resume: Option<String>,
+        line: Option<StopLine>,
+    ) -> Result<Self, SessionError> {
         let arming = Arming::first();
         let session = Self {
             driver,
@@ -86,20 +103,20 @@ impl Session {
             resuming: resume.is_some(),
             going_on: None,
             holds: false,
-            stop_line: None,
+            guard: SessionGuard::default(),
             identity: String::new(),
+            lost: false,
         };
         session.require(Capability::Live)?;
+        session.guard.use_line(line);
+        let guard = session.guard.copy();
+        session.driver.handle().when_lost(move || guard.driver_is_lost());
+        if session.resuming {
+            // It may be in the middle of the wire.
+            session.guard.may_move();
+        }
         session.driver.call("connecting", &Call::Connect { port: port.to_owned(), resume })?;
         Ok(session)
-    }
-
-    /// Lets a stop write to the port itself where the driver does not pass it on. The line has to be opened
-    /// before the driver is connected: see [`StopLine::open`].
-    #[must_use]
-    pub fn with_stop_line(mut self, line: Option<StopLine>) -> Self {
-        self.stop_line = line;
-        self
     }
 
     /// How far the machine was in the wire of the token when it was connected; `None` when it is not in it any
@@ -160,6 +177,13 @@ impl Session {
         outcome
     }
 
+    /// Whether the machine stands after the last stop, or after its driver was lost; `None` when there was neither
+    /// since. While it is awaited, [`Session::poll`] follows it.
+    #[must_use]
+    pub fn standstill(&self) -> Option<Standstill> {
+        self.guard.standstill()
+    }
+
     /// How the last stop through this session or one of its handles went.
     #[must_use]
     pub fn last_stop(&self) -> Option<StopOutcome> {
@@ -170,6 +194,7 @@ impl Session {
     #[must_use]
     pub fn take_stop(&mut self) -> Option<StopOutcome> {
         self.notice_stop();
+        self.guard.forget();
         self.arming.take_stopped()
     }
 
@@ -177,7 +202,7 @@ impl Session {
     #[must_use]
     pub fn stop_handle(&self) -> StopHandle {
         let can_stop = self.driver.description().can(Capability::Stop);
-        StopHandle::new(self.driver.handle(), self.arming.clone(), can_stop, self.stop_line.clone())
+        StopHandle::new(self.driver.handle(), self.arming.clone(), can_stop, self.guard.copy())
     }
 
     /// Closes the port and gives the driver back.
@@ -196,20 +221,45 @@ impl Session {
         if now != self.known {
             self.known = now;
             if !matches!(self.state, State::Disconnected | State::Faulted) {
-                self.state = State::Stopped;
+                let awaited = self.guard.standstill() == Some(Standstill::Awaited);
+                self.state = if awaited { State::Stopping } else { State::Stopped };
             }
         }
     }
 
-    /// What it was asked it did not do, and it may be gone.
+    /// A driver that does not bring the machine's confirmation in time is ended: the program asks for it itself.
+    fn see_stop_through(&mut self) {
+        let Some(awaited) = self.guard.awaited_for() else { return };
+        if awaited > DRIVER_CONFIRMS_WITHIN && !self.lost && self.guard.line().is_some() {
+            self.lose_driver();
+        } else if awaited > GIVE_UP_AFTER && self.guard.line().is_none() {
+            self.guard.give_up();
+            self.state = State::Faulted;
+        }
+    }
+
+    /// What it was asked it did not do, and it may be gone. Where the machine may move, nothing more is left to it.
     fn driver_failed(&mut self) {
+        if self.guard.concerns() {
+            self.lose_driver();
+        }
+        self.state = State::Faulted;
+        self.share_port();
+    }
+
+    /// Ends the driver, for whose loss the guard stops the machine.
+    fn lose_driver(&mut self) {
+        self.lost = true;
+        self.driver.handle().kill();
+        // One that had ended before was noticed then.
+        self.guard.driver_is_lost();
         self.state = State::Faulted;
         self.share_port();
     }
 
     /// Lets a new driver open the port although this program keeps it.
     fn share_port(&self) {
-        if let Some(line) = &self.stop_line {
+        if let Some(line) = self.guard.line() {
             line.share();
         }
     }
@@ -222,7 +272,19 @@ impl Session {
 
     /// A call that moves the machine or leads to it: not after a stop.
     fn motion(&self, during: &'static str, call: &Call) -> Result<(), HostError> {
-        self.driver.motion_for::<serde_json::Value>(during, call, deadline::CALL, self.unstopped()).map(drop)
+        self.motion_for::<serde_json::Value>(during, call).map(drop)
+    }
+
+    /// From here on the machine may move, unless the driver says no.
+    fn motion_for<T: DeserializeOwned>(&self, during: &'static str, call: &Call) -> Result<T, HostError> {
+        let before = self.guard.may_move();
+        let called = self.driver.motion_for(during, call, deadline::CALL, self.unstopped());
+        if let Err(HostError::Refused { .. } | HostError::StoppedBefore { .. }) = &called
+            && !before
+        {
+            self.guard.rests();
+        }
+        called
     }
 
     fn may(&self, act: Act) -> Result<State, SessionError> {
@@ -247,7 +309,7 @@ impl Session {
     /// A refusal leaves the machine as it is; any other failure of the driver is a fault.
     fn faulting<T>(&mut self, result: Result<T, HostError>) -> Result<T, SessionError> {
         match &result {
-            Err(HostError::Refused { error, .. }) if error.has_panicked() => self.state = State::Faulted,
+            Err(HostError::Refused { error, .. }) if error.has_panicked() => self.driver_failed(),
             Ok(_) | Err(HostError::Refused { .. }) => {}
             Err(HostError::StoppedBefore { .. }) => self.notice_stop(),
             Err(_) => self.driver_failed(),

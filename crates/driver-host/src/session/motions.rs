@@ -23,6 +23,7 @@ impl Session {
             return Err(SessionError::Stale);
         }
         let next = self.may(Act::Home)?;
+        self.guard.forget();
         let called = self.motion("homing", &Call::Home);
         self.faulting(called)?;
         self.state = next;
@@ -39,6 +40,7 @@ impl Session {
     /// [`SessionError`].
     pub fn arm(&mut self, purpose: Purpose, _confirmed: Confirmed) -> Result<Armed, SessionError> {
         let next = self.may(Act::Arm)?;
+        self.guard.forget();
         let (steps, after, token) = match purpose {
             Purpose::Wire(run) => {
                 let (steps, after, rotate_at_deg) = (run.steps, run.after, run.rotate_at_deg);
@@ -78,6 +80,7 @@ impl Session {
         _confirmed: Confirmed,
     ) -> Result<Armed, SessionError> {
         let next = self.may(Act::TakeUp)?;
+        self.guard.forget();
         if !self.differences.is_empty() {
             return Err(SessionError::SettingsDiffer { settings: self.differences.clone() });
         }
@@ -110,12 +113,12 @@ impl Session {
             return Err(SessionError::Steps { sent: self.sent, total });
         }
         let call = Call::Send(Batch { steps: steps.to_vec(), last: last == total });
-        let called = self.driver.motion_for("sending steps", &call, deadline::CALL, self.unstopped());
+        let called = self.motion_for("sending steps", &call);
         let taken: Sent = self.faulting(called)?;
         // To nothing some drivers answer with nothing.
         let accepted = if steps.is_empty() { self.sent } else { taken.accepted };
         if accepted < self.sent || accepted > last {
-            self.state = State::Faulted;
+            self.driver_failed();
             return Err(SessionError::OutOfOrder { n: accepted, done: self.sent, sent: last });
         }
         let newly = steps.iter().filter(|step| step.n <= accepted);
@@ -174,7 +177,11 @@ impl Session {
     pub fn write_settings(&mut self, _confirmed: &Confirmed) -> Result<(), SessionError> {
         self.require(Capability::Settings)?;
         let next = self.may(Act::WriteSettings)?;
-        let called = self.motion("writing settings", &Call::WriteSettings);
+        let call = Call::WriteSettings;
+        let called = self
+            .driver
+            .motion_for::<serde_json::Value>("writing settings", &call, deadline::CALL, self.unstopped())
+            .map(drop);
         self.faulting(called)?;
         self.state = next;
         Ok(())

@@ -24,7 +24,9 @@ pub enum State {
     Paused,
     /// The wire is made.
     Done,
-    /// It was stopped.
+    /// A stop was sent, and the machine has not confirmed that it stands.
+    Stopping,
+    /// It was stopped, and stands.
     Stopped,
     /// It, its line or its driver failed.
     Faulted,
@@ -32,7 +34,7 @@ pub enum State {
 
 impl State {
     /// Every state.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::Disconnected,
         Self::Connected,
         Self::Homed,
@@ -41,6 +43,7 @@ impl State {
         Self::Running,
         Self::Paused,
         Self::Done,
+        Self::Stopping,
         Self::Stopped,
         Self::Faulted,
     ];
@@ -57,6 +60,7 @@ impl fmt::Display for State {
             Self::Running => "running",
             Self::Paused => "paused",
             Self::Done => "done",
+            Self::Stopping => "being stopped",
             Self::Stopped => "stopped",
             Self::Faulted => "faulted",
         })
@@ -145,7 +149,8 @@ impl State {
                 Self::Homed
             }
             (Event::Connected { homed: false, .. }, Self::Disconnected) => Self::Connected,
-            (Event::Finished, Self::Running) => Self::Done,
+            // A machine that holds at its very end has made the wire all the same.
+            (Event::Finished, Self::Running | Self::Paused) => Self::Done,
             (Event::Paused { .. }, Self::Running) => Self::Paused,
             (Event::Resumed, Self::Paused) => Self::Running,
             (Event::Stopped { .. }, Self::Disconnected | Self::Faulted) => self,

@@ -13,7 +13,7 @@ use crate::driver::to_body;
 use crate::frame::Mark;
 use crate::process::ProcessHandle;
 
-use super::stop_line::StopLine;
+use super::standstill::{Guard, Standstill};
 
 /// Stops a machine from any thread.
 #[derive(Debug, Clone)]
@@ -21,7 +21,7 @@ pub struct StopHandle {
     process: ProcessHandle,
     arming: Arming,
     can_stop: bool,
-    line: Option<StopLine>,
+    guard: Guard,
 }
 
 /// Which arming is in force. A stop moves it on, and so every token of before becomes stale.
@@ -86,11 +86,11 @@ pub enum StoppedBy {
     /// closed with it. What the machine holds in its own memory may still be made: cut its power.
     EndOfDriver,
     /// This program: the driver did not pass the stop on, and so the stop bytes of the machine's profile were
-    /// written to the port by the program itself. Nobody has heard whether the machine took them: look.
+    /// written to the port by the program itself.
     Host,
 }
 
-/// How a stop went.
+/// How a stop was sent. Whether the machine stands is known later: [`StopHandle::standstill`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct StopOutcome {
     /// Who brought it about.
@@ -102,43 +102,49 @@ pub struct StopOutcome {
 }
 
 impl StopHandle {
-    pub(super) const fn new(
-        process: ProcessHandle,
-        arming: Arming,
-        can_stop: bool,
-        line: Option<StopLine>,
-    ) -> Self {
-        Self { process, arming, can_stop, line }
+    pub(super) const fn new(process: ProcessHandle, arming: Arming, can_stop: bool, guard: Guard) -> Self {
+        Self { process, arming, can_stop, guard }
     }
 
-    /// Stops the machine. Does not depend on the driver: one that has not answered within
-    /// [`deadline::STOP`] is ended, whatever else it is doing.
+    /// Sends a stop. Does not depend on the driver: one that has not answered within [`deadline::STOP`] is ended,
+    /// whatever else it is doing, and where the machine's profile has stop bytes the program writes them to the port
+    /// itself, until the machine confirms. It can be asked for as often as a person wants.
     #[must_use = "a driver that had to be ended cannot have told the machine"]
     pub fn stop(&self) -> StopOutcome {
         let started = Instant::now();
         // In one moment with the place in the queue: no motion that was allowed before comes after it.
         let latch = || {
             self.arming.end();
+            self.guard.stop_begins();
             true
         };
         let answer = self.process.request_if(Mark::Call, to_body(&Call::Stop), deadline::STOP, latch);
         // What answers nonsense cannot be relied on to have done it.
         let sound = |body: &[u8]| serde_json::from_slice::<serde_json::Map<String, Value>>(body).is_ok();
         let passed_on = answer.is_ok_and(|frame| frame.mark == Mark::Ok && sound(&frame.body));
-        if !passed_on {
-            self.process.kill();
-        }
-        // A driver that is gone has told nobody, whatever it was told: the bytes go out in any such case.
-        let told = passed_on && self.can_stop;
-        let written = !told && self.line.as_ref().is_some_and(StopLine::write);
-        let by = match (passed_on, self.can_stop) {
-            (true, true) => StoppedBy::Driver,
-            _ if written => StoppedBy::Host,
-            (true, false) => StoppedBy::NothingMore,
-            (false, _) => StoppedBy::EndOfDriver,
-        };
-        let outcome = StopOutcome { by, driver_ended: !passed_on, took: started.elapsed() };
+        let by = self.brought_about(passed_on);
+        let driver_ended = !passed_on || by == StoppedBy::Host;
+        let outcome = StopOutcome { by, driver_ended, took: started.elapsed() };
         self.arming.note(outcome);
         outcome
+    }
+
+    fn brought_about(&self, passed_on: bool) -> StoppedBy {
+        if passed_on && self.can_stop {
+            return StoppedBy::Driver;
+        }
+        if passed_on && self.guard.line().is_none() {
+            self.guard.give_up();
+            return StoppedBy::NothingMore;
+        }
+        // A driver that has told nobody is of no use, whatever it was told: it would read the machine's reply.
+        self.process.kill();
+        if self.guard.take_over() { StoppedBy::Host } else { StoppedBy::EndOfDriver }
+    }
+
+    /// Whether the machine stands after the last stop, or after its driver was lost; `None` when there was neither.
+    #[must_use]
+    pub fn standstill(&self) -> Option<Standstill> {
+        self.guard.standstill()
     }
 }

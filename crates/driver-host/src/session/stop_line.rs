@@ -6,7 +6,9 @@
 //! Arduino: while the program holds one, the end of a driver leaves the machine in its session.
 
 use std::fmt;
+use std::io;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Why the program cannot write to a port itself.
 #[derive(Debug, thiserror::Error)]
@@ -15,7 +17,7 @@ pub struct StopLineError {
     /// The port.
     pub port: String,
     /// Why.
-    pub cause: std::io::Error,
+    pub cause: io::Error,
 }
 
 /// A port with the bytes that stop the machine at it. A copy is the same line.
@@ -23,13 +25,17 @@ pub struct StopLineError {
 pub struct StopLine {
     port: Arc<imp::Port>,
     bytes: Arc<[u8]>,
+    /// What the machine sends once it stands; empty where that is not known.
+    reply: Arc<[u8]>,
+    gone: Arc<AtomicBool>,
 }
 
 /// Bytes can be lost on a disturbed line, and a machine takes a stop as often as it comes.
 const TIMES: usize = 5;
 
 impl StopLine {
-    /// Opens a port beside the driver, without touching its settings. `bytes` are the machine's realtime stop.
+    /// Opens a port beside the driver, without touching its settings. `bytes` are the machine's realtime stop, `reply`
+    /// is what the machine sends once it stands after them; without a reply nothing can be confirmed over this line.
     ///
     /// `None` where there is nothing to write or nothing to write to: for a port that is no serial device, such
     /// as the name of a simulated machine, for no bytes, and on Windows, where a port that is open cannot be
@@ -39,23 +45,56 @@ impl StopLine {
     ///
     /// # Errors
     /// [`StopLineError`] when there is such a device and it cannot be opened.
-    pub fn open(port: &str, bytes: &[u8]) -> Result<Option<Self>, StopLineError> {
+    pub fn open(port: &str, bytes: &[u8], reply: &str) -> Result<Option<Self>, StopLineError> {
         if bytes.is_empty() {
             return Ok(None);
         }
         match imp::Port::open(port) {
-            Ok(opened) => Ok(opened.map(|port| Self { port: Arc::new(port), bytes: bytes.into() })),
+            Ok(opened) => Ok(opened.map(|port| Self {
+                port: Arc::new(port),
+                bytes: bytes.into(),
+                reply: reply.as_bytes().into(),
+                gone: Arc::default(),
+            })),
             Err(cause) => Err(StopLineError { port: port.to_owned(), cause }),
         }
+    }
+
+    /// The first write after the driver is gone: what the machine has said before is no reply to it.
+    pub(super) fn write_first(&self) -> bool {
+        self.port.forget_input();
+        self.write()
     }
 
     /// Writes the bytes several times, before everything that still waits to be sent, which is thrown away.
     /// Whether the system has taken them at least once.
     pub(super) fn write(&self) -> bool {
         self.port.throw_away();
-        let one = |_| self.port.write(&self.bytes);
+        let mut taken = false;
         // Each on its own: the system takes some and then has no room.
-        (0..TIMES).map(one).filter(|taken| *taken).count() > 0
+        for _ in 0..TIMES {
+            match self.port.write(&self.bytes) {
+                Ok(whole) => taken |= whole,
+                Err(error) if is_full(&error) => {}
+                Err(_) => self.gone.store(true, Ordering::SeqCst),
+            }
+        }
+        taken
+    }
+
+    /// Whether the port is gone, as when the cable was pulled: nothing reaches the machine over it any more.
+    pub(super) fn is_gone(&self) -> bool {
+        self.gone.load(Ordering::SeqCst)
+    }
+
+    /// What has come from the machine. Only once no driver reads the port any more.
+    pub(super) fn read(&self) -> Vec<u8> {
+        self.port.read()
+    }
+
+    /// Whether what has come has the reply in it.
+    pub(super) fn confirms(&self, heard: &[u8]) -> bool {
+        !self.reply.is_empty() && heard.windows(self.reply.len()).any(|part| *part == *self.reply)
     }
 
     /// Lets a new driver open the port after one that was killed.
@@ -68,6 +107,11 @@ impl fmt::Debug for StopLine {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("StopLine").field("bytes", &self.bytes).finish_non_exhaustive()
     }
+}
+
+/// The system has no room at this moment.
+fn is_full(error: &io::Error) -> bool {
+    matches!(error.kind(), io::ErrorKind::WouldBlock | io::ErrorKind::Interrupted)
 }
 
 #[cfg(unix)]
@@ -94,8 +138,20 @@ mod imp {
             Ok((is_device && isatty(&opened)).then_some(Self(opened)))
         }
 
-        pub fn write(&self, bytes: &[u8]) -> bool {
-            rustix::io::write(&self.0, bytes) == Ok(bytes.len())
+        pub fn write(&self, bytes: &[u8]) -> io::Result<bool> {
+            Ok(rustix::io::write(&self.0, bytes)? == bytes.len())
+        }
+
+        pub fn read(&self) -> Vec<u8> {
+            let mut bytes = vec![0; 1024];
+            // Nothing there and no port at all are the same here: writing tells them apart.
+            let count = rustix::io::read(&self.0, bytes.as_mut_slice()).unwrap_or_default();
+            bytes.truncate(count);
+            bytes
+        }
+
+        pub fn forget_input(&self) {
+            let _ = tcflush(&self.0, QueueSelector::IFlush);
         }
 
         pub fn throw_away(&self) {
@@ -122,7 +178,15 @@ mod imp {
             Ok(None)
         }
 
-        pub fn write(&self, _bytes: &[u8]) -> bool {
+        pub fn write(&self, _bytes: &[u8]) -> io::Result<bool> {
+            match self.0 {}
+        }
+
+        pub fn read(&self) -> Vec<u8> {
+            match self.0 {}
+        }
+
+        pub fn forget_input(&self) {
             match self.0 {}
         }
 

@@ -179,7 +179,9 @@ impl<'a> Life<'a> {
                 assert_eq!(encoded.files[0].text, "a wire\n");
             }
             Stage::Ports => assert_eq!(self.open.as_ref().unwrap().ports()?[0].name, "anywhere"),
-            Stage::Connect => self.session = Some(Session::connect(self.open.take().unwrap(), "anywhere")?),
+            Stage::Connect => {
+                self.session = Some(Session::connect(self.open.take().unwrap(), "anywhere", None)?);
+            }
             Stage::Poll => return self.polled(State::Connected),
             Stage::WriteSettings => {
                 self.session().write_settings(&yes())?;

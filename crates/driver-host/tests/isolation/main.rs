@@ -102,7 +102,7 @@ fn expected(when: &str, how: &str) -> &'static [&'static str] {
         ("entry", "version") | ("entry" | "describe", "null" | "status" | "nonsense" | "flood") => {
             &["driver-load", "driver-broken"]
         }
-        ("send", "lie") => &["out-of-order"],
+        ("send" | "poll", "lie") => &["out-of-order"],
         ("connect" | "write-settings", "differ") => &["settings-differ"],
         // A driver may print. The next four are about answers, of which `close` has none and nobody reads
         // that of `open`, and a version is about the table.
@@ -145,7 +145,9 @@ fn no_misdeed_of_a_driver_hurts_this_program() {
     let when = hostile_words("WHEN");
     let missing: Vec<_> = when.iter().filter(|when| Stage::of(when).is_none()).collect();
     assert!(missing.is_empty(), "the life of a driver has no such call: {missing:?}");
-    let how = hostile_words("HOW");
+    let mut how = hostile_words("HOW");
+    // What becomes of a stop that nobody confirms takes seconds: the tests of the stop line have it.
+    how.retain(|how| *how != "mute");
     assert_eq!((when.len(), how.len()), (17, 19), "words were added: say here what has to happen");
     for_each_pair(&when, &how, |when, how| {
         let mut verdict = Ok(());

@@ -75,8 +75,8 @@ impl Shop {
         let found = Found::at(&self.library, Place::App, &trust);
         let driver = Driver::start(&found, &self.launch).unwrap().open(&settings).unwrap();
         let mut session = match token {
-            Some(token) => Session::connect_resuming(driver, "file", token).unwrap(),
-            None => Session::connect(driver, "file").unwrap(),
+            Some(token) => Session::connect_resuming(driver, "file", token, None).unwrap(),
+            None => Session::connect(driver, "file", None).unwrap(),
         };
         while session.state() == State::Disconnected {
             session.poll().unwrap();

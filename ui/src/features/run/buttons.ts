@@ -41,7 +41,7 @@ const WAIT: Readonly<Record<Phase, string>> = {
   armed: "A wire is armed: start or disarm it first.",
   making: "A wire is being made.",
   holding: "The machine holds in the middle of a wire.",
-  stopping: "The machine is being stopped.",
+  stopping: "STOP was sent. Waiting until the machine confirms that it stands.",
   stopped: "The machine was stopped: home it first.",
   failed: "The machine failed: connect it again.",
   closed: "Connect a machine first.",

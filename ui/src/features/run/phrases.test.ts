@@ -32,12 +32,19 @@ describe("wires", () => {
     expect(unfinishedPhrase({ ...unfinished(0), resumable: false })).toMatch(/cannot be gone on with/);
   });
 
-  const run: WireRun = { id: "1", resume: null, stock_mm: 700, stopped_by: null, wire: 0, outcome: "made", made: 31, steps: 31, in_doubt: null, elapsed_s: 192, problem: null, deviations_mm: [0.02, 0.08] };
+  const run: WireRun = { id: "1", resume: null, stock_mm: 700, stopped_by: null, standstill: null, wire: 0, outcome: "made", made: 31, steps: 31, in_doubt: null, elapsed_s: 192, problem: null, deviations_mm: [0.02, 0.08] };
 
   it("tells what became of one", () => {
     expect(endedPhrase(run, "mm")).toEqual({ tone: "fine", what: "The wire is made, in 3:12", sub: "Worst vertex 0.08 mm from the design." });
     expect(endedPhrase({ ...run, deviations_mm: null }, "mm").sub).toBeNull();
     expect(endedPhrase({ ...run, outcome: "stopped", made: 14 }, "mm").what).toBe("Stopped after step 14 of 31");
+    expect(endedPhrase({ ...run, outcome: "stopped", standstill: "confirmed", made: 14 }, "mm").what).toBe("Stopped after step 14 of 31");
+    // Whoever reads "stopped" lets go of the power switch.
+    expect(endedPhrase({ ...run, outcome: "stopped", standstill: "not-confirmed", made: 14 }, "mm")).toMatchObject({
+      tone: "error",
+      what: "Not confirmed that the machine stands, after step 14 of 31",
+      sub: "Cut the power of the machine, then look at it and at the wire.",
+    });
     expect(endedPhrase({ ...run, outcome: "failed", made: 3, problem: { code: "line", message: "The line is cut." } }, "mm")).toMatchObject({ tone: "error", sub: "The line is cut." });
   });
 });

@@ -40,8 +40,12 @@ export function unfinishedPhrase({ made, of, in_doubt, resumable }: Unfinished):
 
 /** What became of a wire. */
 export function endedPhrase(run: WireRun, unit: DisplayUnit): { readonly tone: Tone; readonly what: string; readonly sub: string | null } {
-  const { outcome, made, steps, elapsed_s, problem, deviations_mm } = run;
+  const { outcome, made, steps, elapsed_s, problem, deviations_mm, standstill } = run;
   const sub = problem ? asShown(worded(problem), unit) : null;
+  if (standstill && standstill !== "confirmed") {
+    const what = `Not confirmed that the machine stands, after step ${made} of ${steps}`;
+    return { tone: "error", what, sub: "Cut the power of the machine, then look at it and at the wire." };
+  }
   switch (outcome) {
     case "made": {
       const worst = deviations_mm ? Math.max(0, ...deviations_mm) : null;

@@ -6,8 +6,8 @@ use wirebend_driver_api::{DriverError, GoingOn};
 
 use crate::session::StoppedBy;
 
-/// The version of the format; a journal of a later one is refused.
-pub const VERSION: u32 = 1;
+/// The version of the format; a journal of a later one is refused. Since 2 there is [`What::Standstill`].
+pub const VERSION: u32 = 2;
 
 /// A line of a journal.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -70,6 +70,12 @@ pub enum What {
         /// Who brought it about; absent when the machine stopped by itself or at a button of its own.
         #[serde(default)]
         by: Option<StoppedBy>,
+    },
+    /// What came of a stop, or of the stop that follows the loss of a driver: whether the machine has confirmed that it
+    /// stands. Where this is missing, the program ended before it was known.
+    Standstill {
+        /// Whether it has.
+        confirmed: bool,
     },
     /// The machine, its line or its driver failed.
     Fault {

@@ -28,6 +28,8 @@ fn story() -> Vec<What> {
         What::Paused,
         What::Resumed,
         What::Fault { error, in_doubt: Some(2) },
+        What::Stopped { by: None },
+        What::Standstill { confirmed: false },
         What::Connected { identity: "kit 1.0".into(), going_on: None },
         What::Decided { n: 2, made: true },
         What::Decided { n: 3, made: false },
@@ -58,7 +60,7 @@ fn what_is_written_is_read() {
     assert_eq!(whats, story());
     assert!(!read.torn);
     assert_eq!((read.account.done, read.account.standing), (4, Standing::Finished));
-    assert_eq!(read.account.heading, Heading { version: 1, ..heading() });
+    assert_eq!(read.account.heading, Heading { version: 2, ..heading() });
     // Other programs can read it, too: every line is JSON.
     for line in String::from_utf8(fs::read(path).unwrap()).unwrap().lines() {
         let line: serde_json::Value = serde_json::from_str(line).unwrap();
@@ -90,11 +92,11 @@ fn what_contradicts_the_journal_is_not_written() {
 #[test]
 fn a_journal_of_a_later_program_is_left_alone() {
     let (_folder, path) = written(0);
-    let later = entry(What::Job(Heading { version: 2, ..heading() }));
+    let later = entry(What::Job(Heading { version: 3, ..heading() }));
     fs::remove_file(&path).unwrap();
     Log::create(&path, &body(&later).unwrap()).unwrap();
     let error = Journal::open(&path).unwrap_err().to_string();
-    assert!(error.contains("version 2") && error.contains("update"), "{error}");
+    assert!(error.contains("version 3") && error.contains("update"), "{error}");
 }
 
 /// A line whose hash fits and whose entry makes no sense is named as well.

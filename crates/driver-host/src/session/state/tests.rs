@@ -65,7 +65,7 @@ proptest! {
                 referenced = match state {
                     State::Homed => true,
                     // A wire that goes on has its reference from before, and needs no other.
-                    State::Done => referenced || before == State::Running,
+                    State::Done => referenced || matches!(before, State::Running | State::Paused),
                     State::Stopped | State::Faulted | State::Connected | State::Disconnected => false,
                     _ => referenced,
                 };
@@ -115,11 +115,30 @@ fn a_stop_or_a_fault_is_left_by_homing_alone() {
     }
 }
 
+/// Somebody presses hold as the last step ends: the wire is made, and the machine free for the next.
+#[test]
+fn a_wire_that_ends_while_the_machine_holds_is_made() {
+    assert_eq!(State::Paused.after(&Event::Finished), State::Done);
+}
+
+/// As long as it may move, nothing but another stop is asked of it, and only its own word ends that.
+#[test]
+fn a_stop_is_over_when_the_machine_says_so() {
+    for act in ACTS {
+        assert!(matches!(State::Stopping.on(act), Transition::Refused { .. }), "{act}");
+    }
+    for event in events() {
+        let ends = matches!(event, Event::Stopped { .. } | Event::Fault { .. });
+        assert_eq!(State::Stopping.after(&event) != State::Stopping, ends, "{event:?}");
+    }
+}
+
 /// A machine that moves is not told other steps for each degree.
 #[test]
 fn settings_are_written_at_rest_alone_and_cost_the_reference() {
     for state in State::ALL {
-        let moves = [State::Disconnected, State::Running, State::Paused, State::Interrupted].contains(&state);
+        let moves = [State::Disconnected, State::Running, State::Paused, State::Interrupted, State::Stopping]
+            .contains(&state);
         match state.on(Act::WriteSettings) {
             Transition::Refused { .. } => assert!(moves, "refused while {state}"),
             Transition::To(next) => {

@@ -1,0 +1,213 @@
+//! Whether the machine stands: after a stop, and after its driver was lost.
+
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::stop_line::StopLine;
+
+/// How long a machine has to confirm a stop before nobody waits for it any more.
+pub(super) const GIVE_UP_AFTER: Duration = Duration::from_secs(10);
+/// How long the driver has for it before the program takes the port over.
+pub(super) const DRIVER_CONFIRMS_WITHIN: Duration = Duration::from_secs(3);
+/// Between two writes of the stop bytes by the program itself.
+const AGAIN: Duration = Duration::from_millis(100);
+/// Between two looks for the reply.
+const LOOK: Duration = Duration::from_millis(10);
+
+/// Whether a machine that was stopped, or whose driver was lost, stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Standstill {
+    /// The stop is repeated until the machine confirms it.
+    Awaited,
+    /// The machine has confirmed that it stands.
+    Confirmed,
+    /// The machine has not confirmed it: it may still be moving. Cut its power.
+    NotConfirmed,
+}
+
+/// Stops the machine when its driver is lost, and knows whether it stands. A copy is the same one: the session, its
+/// stop handles and the driver's process share it.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Guard(Arc<Shared>);
+
+#[derive(Debug, Default)]
+struct Shared {
+    known: Mutex<Known>,
+    /// Told when the machine stands, and when nobody waits for it any more.
+    settled: Condvar,
+}
+
+#[derive(Debug, Default)]
+struct Known {
+    line: Option<StopLine>,
+    /// The machine may move: something was asked of it that has not ended.
+    moves: bool,
+    /// The last stop, or the loss of the driver, and what came of it.
+    standstill: Option<Standstill>,
+    since: Option<Instant>,
+    /// A thread writes the stop bytes.
+    insists: bool,
+    /// The session is over.
+    over: bool,
+}
+
+impl Guard {
+    fn lock(&self) -> MutexGuard<'_, Known> {
+        self.0.known.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    pub fn use_line(&self, line: Option<StopLine>) {
+        self.lock().line = line;
+    }
+
+    pub fn line(&self) -> Option<StopLine> {
+        self.lock().line.clone()
+    }
+
+    /// The machine is about to be asked to move. Whether it might move before.
+    pub fn may_move(&self) -> bool {
+        std::mem::replace(&mut self.lock().moves, true)
+    }
+
+    /// What was asked of the machine has ended.
+    pub fn rests(&self) {
+        self.lock().moves = false;
+    }
+
+    /// What came of the last stop; `None` when there was none since the machine was last known to stand.
+    pub fn standstill(&self) -> Option<Standstill> {
+        self.lock().standstill
+    }
+
+    /// How long the confirmation has been awaited.
+    pub fn awaited_for(&self) -> Option<Duration> {
+        let known = self.lock();
+        known.since.filter(|_| known.standstill == Some(Standstill::Awaited)).map(|since| since.elapsed())
+    }
+
+    /// A stop is on its way.
+    pub fn stop_begins(&self) {
+        let mut known = self.lock();
+        (known.standstill, known.since) = (Some(Standstill::Awaited), Some(Instant::now()));
+    }
+
+    /// The machine has said that it stands. Whether anybody has waited for that.
+    pub fn confirm(&self) {
+        let mut known = self.lock();
+        known.moves = false;
+        if known.standstill.is_some() {
+            known.standstill = Some(Standstill::Confirmed);
+        }
+        self.0.settled.notify_all();
+    }
+
+    /// Nobody can find out whether the machine stands.
+    pub fn give_up(&self) {
+        let mut known = self.lock();
+        if known.standstill == Some(Standstill::Awaited) {
+            known.standstill = Some(Standstill::NotConfirmed);
+        }
+        self.0.settled.notify_all();
+    }
+
+    /// Whoever goes on has heard of the last stop.
+    pub fn forget(&self) {
+        let mut known = self.lock();
+        if known.standstill != Some(Standstill::Awaited) {
+            known.standstill = None;
+        }
+    }
+
+    /// The driver's process is gone, or about to be. Where the machine may move, the program stops it.
+    pub fn driver_is_lost(&self) {
+        if self.concerns() {
+            self.take_over();
+        }
+    }
+
+    /// Whether the machine may move, or a stop is not confirmed yet.
+    pub fn concerns(&self) -> bool {
+        let known = self.lock();
+        !known.over && (known.moves || known.standstill == Some(Standstill::Awaited))
+    }
+
+    /// Writes the stop bytes to the port, and again until the machine confirms. Whether the system has taken them.
+    pub fn take_over(&self) -> bool {
+        let (line, first) = {
+            let mut known = self.lock();
+            let Some(line) = known.line.clone() else {
+                known.standstill = Some(Standstill::NotConfirmed);
+                self.0.settled.notify_all();
+                return false;
+            };
+            (known.standstill, known.since) = (Some(Standstill::Awaited), Some(Instant::now()));
+            (line, !std::mem::replace(&mut known.insists, true))
+        };
+        if !first {
+            return line.write();
+        }
+        let written = line.write_first();
+        let guard = self.clone();
+        thread::spawn(move || guard.insist(&line));
+        written
+    }
+
+    /// Repeats the stop bytes until the machine replies, the port is gone, or it has taken too long.
+    fn insist(&self, line: &StopLine) {
+        let (mut written, mut heard) = (Instant::now(), Vec::new());
+        let mut known = self.lock();
+        let ends = loop {
+            heard.append(&mut line.read());
+            let late = known.since.is_none_or(|since| since.elapsed() > GIVE_UP_AFTER);
+            if line.confirms(&heard) {
+                break Standstill::Confirmed;
+            } else if known.over || late || line.is_gone() {
+                break Standstill::NotConfirmed;
+            }
+            if written.elapsed() >= AGAIN {
+                written = Instant::now();
+                line.write();
+            }
+            known = self.0.settled.wait_timeout(known, LOOK).unwrap_or_else(PoisonError::into_inner).0;
+        };
+        (known.insists, known.standstill) = (false, Some(ends));
+        known.moves &= ends != Standstill::Confirmed;
+        self.0.settled.notify_all();
+    }
+
+    /// The session is over: the port is left alone from now on.
+    fn end(&self) {
+        self.lock().over = true;
+        self.0.settled.notify_all();
+    }
+}
+
+/// The session's own: the guard's work ends with it. Declared after the driver, so that one that has to be killed at the
+/// end of the session leaves no machine moving.
+#[derive(Debug, Default)]
+pub(super) struct SessionGuard(Guard);
+
+impl SessionGuard {
+    pub fn copy(&self) -> Guard {
+        self.0.clone()
+    }
+}
+
+impl std::ops::Deref for SessionGuard {
+    type Target = Guard;
+
+    fn deref(&self) -> &Guard {
+        &self.0
+    }
+}
+
+impl Drop for SessionGuard {
+    fn drop(&mut self) {
+        self.0.end();
+    }
+}
