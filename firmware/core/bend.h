@@ -6,5 +6,8 @@
 
 /* Where the bend axis goes for a phase of a bend to `bend` steps; for phases that move it. */
 int32_t wb_bend_target(const struct wb_settings *settings, uint8_t phase, int32_t bend);
+/* Where it goes to take the peg off a wire that it was bending from this side, from where it stands. `placed`: its
+ * position means something; else it goes a whole way back from where it is. */
+int32_t wb_bend_clear(const struct wb_settings *settings, int8_t side, int32_t position, bool placed);
 
 #endif

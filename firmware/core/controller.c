@@ -4,6 +4,7 @@
 #include "hal.h"
 #include "motion.h"
 #include "replies.h"
+#include "wire_side.h"
 
 /* Without a valid frame for so long, no other line begins. */
 #define HOST_LOST_TICKS ((uint16_t)(1000000uL / WB_TICK_US))
@@ -21,6 +22,7 @@ void wb_start(struct wb_controller *c, void *board, uint8_t reset)
     };
     wb_settings_load(&c->settings, board);
     c->boots = wb_settings_boots(board);
+    c->wire_side = wb_wire_side_load(board);
     if (reset == WB_RESET_WATCHDOG) {
         wb_motion_alarm(c, WB_ALARM_WATCHDOG);
         c->alarm_told = true; /* the boot frame tells */
@@ -121,6 +123,9 @@ static uint8_t objection(const struct wb_controller *c, const struct wb_command 
         return WB_ERROR_IN_ALARM;
     }
     if (line->letter == WB_COMMAND_PEG) {
+        if (c->wire_side) {
+            return WB_ERROR_NOT_HOMED; /* not while it presses on the wire */
+        }
         return line->field[0] == 0 || line->field[0] == 1 ? 0 : WB_ERROR_RANGE;
     }
     if (!c->homed) {

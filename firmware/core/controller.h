@@ -70,6 +70,8 @@ struct wb_controller {
 
     uint8_t alarm;
     uint8_t peg;
+    int8_t wire_side; /* the side from which the peg may press on the wire; 0 when it does not */
+    bool placed;      /* the bend axis was homed since the start: its position means something */
     bool homed;
     bool held;      /* by pause: no phase begins */
     bool hold_next; /* the host is gone: no line begins */

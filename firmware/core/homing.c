@@ -54,7 +54,7 @@ bool wb_homing_move(const struct wb_controller *c, uint8_t phase, struct wb_move
 
 bool wb_homing_ended(struct wb_controller *c, uint8_t phase, uint8_t end)
 {
-    if (phase == WB_LEAVES_AGAIN) {
+    if (phase == WB_LEAVES_AGAIN || phase == WB_LEAVES_WIRE) {
         return end == WB_END_REACHED;
     }
     if (end != WB_END_SWITCH) {
@@ -66,6 +66,7 @@ bool wb_homing_ended(struct wb_controller *c, uint8_t phase, uint8_t end)
             return false; /* pressed from the first step on: it sticks */
         }
         c->stepper.position[WB_BEND] = wb_setting(&c->settings, WB_SETTING_HOME_POSITION);
+        c->placed = true;
     }
     return true;
 }

@@ -3,6 +3,7 @@
 #include "bend.h"
 #include "flash.h"
 #include "homing.h"
+#include "wire_side.h"
 
 /* What a phase waits for. */
 enum { TO_BEGIN, A_MOVE, THE_PEG };
@@ -15,6 +16,9 @@ bool wb_motion_busy(const struct wb_controller *c)
 void wb_motion_flush(struct wb_controller *c)
 {
     c->queued = 0;
+    if (c->phase != WB_NO_PHASE && c->doing == THE_PEG) {
+        c->peg = WB_PEG_UNKNOWN; /* on its way: the next line tells it again, and waits for it */
+    }
     c->phase = WB_NO_PHASE;
     c->head = c->stepper.position[WB_ROTATE];
     c->fed = c->stepper.position[WB_FEED];
@@ -84,16 +88,28 @@ static bool peg_to(struct wb_controller *c, uint8_t peg)
     return true;
 }
 
+/* Keeps from which side the peg may press on the wire. Before it comes out, and after it is in. */
+static void set_wire_side(struct wb_controller *c, int8_t side)
+{
+    if (c->wire_side != side) {
+        c->wire_side = side;
+        wb_wire_side_store(c->board, side);
+    }
+}
+
 /* Begins a phase; false when the line has nothing to do in it. */
 static bool begin(struct wb_controller *c)
 {
     const struct wb_line *line = &c->line;
     struct wb_move move = {.axis = WB_BEND, .until = WB_UNTIL_COUNT};
     switch (c->phase) {
+    case WB_LEAVES_WIRE:
+        return bend_to(c, wb_bend_clear(&c->settings, c->wire_side, c->stepper.position[WB_BEND], c->placed));
     case WB_PEG_CLEARS:
     case WB_PEG_GOES:
         return peg_to(c, WB_PEG_IN);
     case WB_PEG_COMES:
+        set_wire_side(c, line->bend < 0 ? -1 : 1);
         return peg_to(c, WB_PEG_OUT);
     case WB_PEG_BY_HAND:
         return peg_to(c, line->feed ? WB_PEG_OUT : WB_PEG_IN);
@@ -134,7 +150,7 @@ static uint8_t phase_after(const struct wb_controller *c)
 
 static bool homing(const struct wb_controller *c)
 {
-    return c->phase >= WB_LEAVES_SWITCH && c->phase <= WB_SEEKS_SLOW;
+    return c->phase == WB_LEAVES_WIRE || (c->phase >= WB_LEAVES_SWITCH && c->phase <= WB_SEEKS_SLOW);
 }
 
 /* What the end of a move leads to: true when the phase is over. */
@@ -189,7 +205,12 @@ static void take_line(struct wb_controller *c)
     c->line = c->queue[c->first];
     c->first = (uint8_t)((c->first + 1) % WB_QUEUE);
     c->queued--;
-    c->phase = c->line.letter == WB_COMMAND_PEG ? WB_PEG_BY_HAND : WB_PEG_CLEARS;
+    if (c->line.letter == WB_COMMAND_PEG) {
+        c->phase = WB_PEG_BY_HAND;
+    } else {
+        /* Only homing can follow a bend that was ended in its middle. */
+        c->phase = c->wire_side ? WB_LEAVES_WIRE : WB_PEG_CLEARS;
+    }
     c->doing = TO_BEGIN;
     c->homing_ticks = 0;
     c->homing_tick = wb_ticks(c);
@@ -214,6 +235,9 @@ void wb_motion_run(struct wb_controller *c)
             }
         } else if (!phase_over(c)) {
             return;
+        }
+        if (c->phase == WB_PEG_CLEARS || c->phase == WB_PEG_GOES) {
+            set_wire_side(c, 0);
         }
         c->phase = phase_after(c);
         c->doing = TO_BEGIN;

@@ -7,6 +7,7 @@
 /* Every line goes through these in order, and skips what it has not. */
 enum wb_phase {
     WB_NO_PHASE,
+    WB_LEAVES_WIRE, /* homing only: the peg goes off a wire that it was bending, the way that it came */
     WB_PEG_CLEARS, /* the peg goes in before anything else moves */
     WB_FEEDS,
     WB_ROTATES,

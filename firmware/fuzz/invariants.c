@@ -20,7 +20,7 @@
 
 static bool homing(const struct wb_controller *c)
 {
-    return c->phase >= WB_LEAVES_SWITCH && c->phase <= WB_GOES_TO_ZERO;
+    return c->phase == WB_LEAVES_WIRE || (c->phase >= WB_LEAVES_SWITCH && c->phase <= WB_GOES_TO_ZERO);
 }
 
 static int32_t size(int32_t value)
@@ -46,6 +46,7 @@ void world_check(struct world *world)
     MUST((uint8_t)(host->send_in - host->send_out) < SEND_ROOM);
     MUST(c->phase <= WB_PEG_BY_HAND && c->alarm <= WB_ALARM_LATE_PULSE && c->peg <= WB_PEG_UNKNOWN);
     MUST(!c->homed || c->settings.good);
+    MUST(!c->homed || !c->wire_side || c->phase != WB_NO_PHASE);
     MUST(!c->stepper.moving || c->phase != WB_NO_PHASE);
     MUST(c->stepper.moving == (host->step_at != NEVER));
     for (uint8_t axis = 0; axis < WB_AXES; axis++) {
@@ -71,7 +72,8 @@ static void pulse(struct world *world, const struct wb_host_event *event, const 
     MUST(before->homed || homing(before));
     MUST(!world->stopped || homing(before));
     /* The peg is in while the wire moves, and while the bend axis looks for its switch. */
-    bool swings = before->phase == WB_SWINGS || before->phase == WB_BACKS_OFF;
+    bool swings = before->phase == WB_SWINGS || before->phase == WB_BACKS_OFF ||
+                  before->phase == WB_LEAVES_WIRE;
     MUST(swings || world->peg_us == wb_setting(&c->settings, WB_SETTING_PEG_IN_US));
     MUST(!swings || axis == WB_BEND);
     if (axis == WB_BEND) {
