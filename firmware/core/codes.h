@@ -53,6 +53,9 @@
 #define WB_RESET_BROWN_OUT 2 /* The voltage was too low */
 #define WB_RESET_WATCHDOG 3 /* The watchdog */
 
+#define WB_MACHINE_WIREBEND_KIT 1 /* The WireBend-kit bender: Arduino Uno with a CNC Shield V3 */
+#define WB_MACHINE_HOWTOMECHATRONICS 2 /* The bender of howtomechatronics.com: Arduino Uno with three drivers on wires of their own */
+
 #define WB_SETTINGS_COUNT 24
 #define WB_SETTING_FEED_STEPS_PER_M 1 /* steps/m: Steps of the feed motors for a metre of wire */
 #define WB_SETTING_ROTATE_STEPS_PER_REV 2 /* steps/rev: Steps of the head for a full turn */

@@ -4,7 +4,9 @@
 #ifndef WB_MACHINE_H
 #define WB_MACHINE_H
 
-#define WB_MACHINE_ID 2
+#include "codes.h"
+
+#define WB_MACHINE_ID WB_MACHINE_HOWTOMECHATRONICS
 
 /*                     port bit   Uno  in the sketch */
 #define WB_PIN_FEED_STEP   D, 5 /* D5   feederStepper(1, 5, 6) */

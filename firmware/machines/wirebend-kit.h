@@ -2,7 +2,9 @@
 #ifndef WB_MACHINE_H
 #define WB_MACHINE_H
 
-#define WB_MACHINE_ID 1
+#include "codes.h"
+
+#define WB_MACHINE_ID WB_MACHINE_WIREBEND_KIT
 
 /*                     port bit   Uno  CNC Shield V3 */
 #define WB_PIN_FEED_STEP   D, 2 /* D2   X.STEP, and A.STEP by the jumpers that make A a copy of X */

@@ -139,7 +139,8 @@ fn constants(codes: &[Code], settings: &[Setting]) -> String {
         "error" => ("Refusal", "Why it does not do what it was asked."),
         "alarm" => ("Alarm", "Why it has stopped."),
         "state" => ("State", "What it does."),
-        _ => ("Reset", "Why it has started."),
+        "reset" => ("Reset", "Why it has started."),
+        _ => ("Machine", "The machine that a firmware was built for: its pins, and its first settings."),
     };
     let mut groups: Vec<&str> = codes.iter().map(|code| code.group.as_str()).collect();
     groups.dedup();
@@ -167,12 +168,18 @@ fn constants(codes: &[Code], settings: &[Setting]) -> String {
         if !letters {
             text.push_str("\n    /// For a person.\n    #[must_use]\n    pub const fn meaning(self) -> &'static str {\n        match self {\n");
             for code in &members {
-                let _ = writeln!(
-                    text,
-                    "            Self::{} => {:?},",
-                    camel(&code.name),
-                    code.meaning.to_lowercase().replace("stop byte", "STOP byte")
-                );
+                let meaning = match group {
+                    "machine" => code.meaning.clone(),
+                    _ => code.meaning.to_lowercase().replace("stop byte", "STOP byte"),
+                };
+                let _ = writeln!(text, "            Self::{} => {meaning:?},", camel(&code.name));
+            }
+            text.push_str("        }\n    }\n");
+        }
+        if group == "machine" {
+            text.push_str("\n    /// Its file in `firmware/machines`, by which its firmware is built.\n    #[must_use]\n    pub const fn name(self) -> &'static str {\n        match self {\n");
+            for code in &members {
+                let _ = writeln!(text, "            Self::{} => {:?},", camel(&code.name), code.name);
             }
             text.push_str("        }\n    }\n");
         }
@@ -222,7 +229,8 @@ fn manual(codes: &[Code], settings: &[Setting]) -> String {
         "error" => "Errors of `e`",
         "alarm" => "Alarms of `x` and `t`",
         "state" => "States of `t`",
-        _ => "Causes of a reset of `b`",
+        "reset" => "Causes of a reset of `b`",
+        _ => "Machines of `b` and `o`",
     };
     let mut group = "";
     for code in codes {

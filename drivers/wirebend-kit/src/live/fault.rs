@@ -2,19 +2,26 @@
 
 use wirebend_driver_api::{DriverError, SettingCheck};
 
-use crate::protocol::{Alarm, Refusal, SETTINGS, VERSION, Versions};
+use crate::protocol::{Alarm, Machine, Refusal, SETTINGS, VERSION, Versions};
 
 pub(super) fn identity(versions: Option<Versions>) -> String {
     match versions {
         Some(Versions { firmware, machine, .. }) => {
-            let built_for = match machine {
-                1 => "WireBend-kit".to_owned(),
-                2 => "HowToMechatronics".to_owned(),
-                other => format!("machine {other}"),
-            };
-            format!("{built_for}, firmware {}.{:02}", firmware / 100, firmware % 100)
+            format!("{}, firmware {}.{:02}", built_for(machine), firmware / 100, firmware % 100)
         }
         None => "WireBend-kit, in the session of before".to_owned(),
+    }
+}
+
+fn machine(code: u32) -> Option<Machine> {
+    u8::try_from(code).ok().and_then(Machine::of)
+}
+
+fn built_for(code: u32) -> String {
+    match machine(code) {
+        Some(Machine::WirebendKit) => "WireBend-kit".to_owned(),
+        Some(Machine::Howtomechatronics) => "HowToMechatronics".to_owned(),
+        None => format!("machine {code}"),
     }
 }
 
@@ -70,6 +77,27 @@ pub(super) fn other_version(versions: Versions) -> DriverError {
             versions.protocol
         ),
         "flash the firmware that came with this program: firmware/README.md says how",
+    )
+}
+
+pub(super) fn other_machine(found: u32, expected: u32) -> DriverError {
+    let flash = match machine(expected) {
+        Some(expected) => format!("make -C firmware flash MACHINE={} PORT=…", expected.name()),
+        None => "make -C firmware flash MACHINE=… PORT=…, with the name of its file in firmware/machines"
+            .to_owned(),
+    };
+    DriverError::new(
+        "other-machine",
+        format!(
+            "the board has the firmware for {}, this profile wants that for {}: its motors and its servo are on other \
+             pins, so nothing was moved or stored",
+            built_for(found),
+            built_for(expected)
+        ),
+        format!(
+            "flash the firmware for the machine that is there ({flash}), or choose the profile of the machine that the \
+             firmware was built for; 'firmware_machine' of the driver's settings says which one a profile wants"
+        ),
     )
 }
 

@@ -56,6 +56,9 @@ impl Machine {
             if versions.protocol != VERSION {
                 return self.lose(fault::other_version(versions));
             }
+            if versions.machine != self.built_for {
+                return self.lose(fault::other_machine(versions.machine, self.built_for));
+            }
         }
         match self.doing {
             Doing::Connecting => {

@@ -70,6 +70,8 @@ pub(super) struct Machine {
     pub(super) doing: Doing,
     pub(super) token: Option<Token>,
     pub(super) versions: Option<Versions>,
+    /// The machine that its firmware must be built for.
+    pub(super) built_for: u32,
     /// How often the controller has started.
     pub(super) boots: u32,
     /// The controller's settings as far as they were read; nothing where it says that they are damaged.
@@ -97,6 +99,7 @@ impl Machine {
             now,
         );
         Self {
+            built_for: settings.firmware_machine,
             settings,
             link,
             console: Console::default(),

@@ -39,11 +39,16 @@ pub(crate) struct Session {
 
 impl Session {
     pub fn open(name: &str, resume: Option<&str>, settings: &Rc<Settings>) -> Result<Self, DriverError> {
-        let port: Box<dyn Port> = match pace(name)? {
+        let pace = pace(name)?;
+        let port: Box<dyn Port> = match pace {
             Some(pace) => Box::new(Simulated::new(pace, settings)?),
             None => Box::new(Serial { line: serial::open(name, BAUD)?, opened: Instant::now() }),
         };
-        let machine = Machine::new(Rc::clone(settings), resume, port.now());
+        let mut machine = Machine::new(Rc::clone(settings), resume, port.now());
+        if pace.is_some() {
+            // It has no pins: what it was compiled for is as good as any.
+            machine.built_for = simulated::FIRMWARE_MACHINE;
+        }
         Ok(Self { port: Some(port), machine })
     }
 

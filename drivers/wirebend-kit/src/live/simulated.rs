@@ -9,8 +9,11 @@ use super::port::Port;
 use crate::bench::{Bench, BenchError, Bender, Compliance, ErrorTerm, Noise, Peg, Scale, Wire};
 use crate::controller::{Controller, HZ, Seen, Sight};
 use crate::link::{Ask, Link, News};
-use crate::protocol::Reset;
+use crate::protocol::{Machine, Reset};
 use crate::settings::{Settings, expected};
+
+/// The machine of which build.rs compiles the first settings.
+pub(super) const FIRMWARE_MACHINE: u32 = Machine::WirebendKit as u32;
 
 /// How its time goes.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -286,6 +286,48 @@ impl Reset {
     }
 }
 
+/// The machine that a firmware was built for: its pins, and its first settings.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[repr(u8)]
+pub enum Machine {
+    /// The WireBend-kit bender: Arduino Uno with a CNC Shield V3.
+    WirebendKit = 1,
+    /// The bender of howtomechatronics.com: Arduino Uno with three drivers on wires of their own.
+    Howtomechatronics = 2,
+}
+
+impl Machine {
+    /// The one with this code.
+    #[must_use]
+    pub const fn of(code: u8) -> Option<Self> {
+        Some(match code {
+            1 => Self::WirebendKit,
+            2 => Self::Howtomechatronics,
+            _ => return None,
+        })
+    }
+
+    /// For a person.
+    #[must_use]
+    pub const fn meaning(self) -> &'static str {
+        match self {
+            Self::WirebendKit => "The WireBend-kit bender: Arduino Uno with a CNC Shield V3",
+            Self::Howtomechatronics => {
+                "The bender of howtomechatronics.com: Arduino Uno with three drivers on wires of their own"
+            }
+        }
+    }
+
+    /// Its file in `firmware/machines`, by which its firmware is built.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::WirebendKit => "wirebend-kit",
+            Self::Howtomechatronics => "howtomechatronics",
+        }
+    }
+}
+
 /// A setting of the controller.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Setting {

@@ -4,7 +4,7 @@ mod codes;
 mod frame;
 mod reply;
 
-pub use codes::{Alarm, Command, Refusal, Reply, Reset, SETTINGS, Setting, State};
+pub use codes::{Alarm, Command, Machine, Refusal, Reply, Reset, SETTINGS, Setting, State};
 pub use frame::{Line, Lines, NO_SESSION, STOP, sealed};
 pub use reply::{Heard, Status, Versions};
 

@@ -27,6 +27,11 @@ impl Settings {
                 format!("is {}: a time from 0 to 30 s is expected", self.boot_s),
             ),
             (
+                (1..=255).contains(&self.firmware_machine),
+                "firmware_machine",
+                format!("is {}: a number from 1 to 255 is expected", self.firmware_machine),
+            ),
+            (
                 self.home_position_deg.abs() >= limit,
                 "home_position_deg",
                 format!(
@@ -77,6 +82,8 @@ mod tests {
         for (settings, name) in [
             (Settings { boot_s: 30.1, ..shipped.clone() }, "boot_s"),
             (Settings { boot_s: f64::NAN, ..shipped.clone() }, "boot_s"),
+            (Settings { firmware_machine: 0, ..shipped.clone() }, "firmware_machine"),
+            (Settings { firmware_machine: 256, ..shipped.clone() }, "firmware_machine"),
             (Settings { home_position_deg: -limit + 0.5, ..shipped.clone() }, "home_position_deg"),
             (Settings { home_back_off_deg: beyond, ..shipped.clone() }, "home_back_off_deg"),
             (Settings { near_side_deg: limit + 0.5, ..shipped }, "near_side_deg"),

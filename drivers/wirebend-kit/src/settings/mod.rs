@@ -6,6 +6,7 @@ mod stored;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::protocol::Machine;
 pub(crate) use stored::{Difference, differences, expected, steps};
 
 /// The machine as it is built. The comments below are shown in a form. What the firmware stores is compared with
@@ -17,6 +18,10 @@ pub struct Settings {
     /// How long a board that has just been connected may take to start, s. Opening its port restarts an Uno.
     #[schemars(range(min = 0, max = 30))]
     pub boot_s: f64,
+    /// The machine that the firmware on the board must be built for: 1 the WireBend-kit, 2 that of howtomechatronics.com,
+    /// another number for a machine of your own in firmware/machines. A board with other pins is refused.
+    #[schemars(range(min = 1, max = 255))]
+    pub firmware_machine: u32,
     /// Steps of the feed motors for a millimetre of wire: steps a turn by the circumference of the wheel. Feed a metre, measure, and correct.
     #[schemars(range(min = 1, max = 1000))]
     pub feed_steps_per_mm: f64,
@@ -101,6 +106,7 @@ impl Default for Settings {
     fn default() -> Self {
         Self {
             boot_s: 2.5,
+            firmware_machine: Machine::WirebendKit as u32,
             // 6400 a turn of a wheel of 37.42 mm.
             feed_steps_per_mm: 54.44,
             // 6400 a turn, belt 18/7.

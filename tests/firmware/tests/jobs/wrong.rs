@@ -3,13 +3,16 @@
 use rustix::process::Signal;
 use serde_json::json;
 use wirebend_driver_wirebend_kit::protocol::{Lines, NO_SESSION, sealed};
-use wirebend_tests_firmware::{Behind, OnPty, Options, UnoError};
+use wirebend_tests_firmware::{Behind, OnPty, Options, Port, Uno, UnoError, firmware};
 
 use crate::at_port::AtPort;
 use crate::bender::{Moment, ways};
 use crate::interrupted::{GEARS, Job, MACHINE, coarse};
 use crate::shop::{Running, Shop, example, shared};
 use wirebend_tests_firmware::board::{Host, MS};
+
+/// Where the stored settings end.
+const SETTINGS_END: usize = 102;
 
 type Answer = Box<dyn FnMut(&[u8]) -> Vec<u8> + Send>;
 
@@ -104,6 +107,47 @@ fn a_port_that_is_no_machine_is_told_from_one() {
     for (port, running, says) in started {
         running.wait().ended(5).says(says);
         drop(port);
+    }
+}
+
+/// With the firmware of another machine a motor runs where a servo is told to stand: what goes out on the pins and what
+/// stays in the memory is as if nobody had connected.
+#[test]
+fn a_board_with_the_firmware_of_another_machine_is_refused() {
+    let _others = shared();
+    let job = Job::cube();
+    let mut clone = coarse();
+    clone["id"] = json!("clone-kit");
+    clone["driver"]["settings"]["firmware_machine"] = json!(2);
+    let shop = Shop::new(&[coarse(), clone]);
+    for (flashed, machine, advice) in [
+        ("howtomechatronics", MACHINE, "make -C firmware flash MACHINE=wirebend-kit"),
+        ("wirebend-kit", "clone-kit", "make -C firmware flash MACHINE=howtomechatronics"),
+    ] {
+        let board = Uno::new(&firmware(flashed)).unwrap().on_pty(Options::default()).unwrap();
+        let port = board.port().to_str().unwrap();
+        let before = board.with(Uno::eeprom).unwrap();
+        let settings = ["machine-settings", "--machine", machine, "--port", port, "--write", "--yes"];
+        shop.ran("r", &settings).ended(5).says("the board has the firmware for").says(advice);
+        let home = ["jog", "--machine", machine, "--port", port, "--yes", "home"];
+        shop.ran("r", &home).ended(5).says(advice);
+        if machine == MACHINE {
+            run(job, "other-machine", port).wait().ended(5).says(advice);
+        }
+        // The number of starts is counted up, before the settings and in the ring behind them.
+        let (after, pins) = board.with(|uno| (uno.eeprom(), uno.pins())).unwrap();
+        assert_eq!(after[2..SETTINGS_END], before[2..SETTINGS_END], "{flashed}: settings were stored");
+        // D8 of the kit keeps its drivers off.
+        let high: Vec<_> =
+            pins.iter().filter(|pin| pin.level && (pin.port, pin.bit) != (Port::B, 0)).collect();
+        assert_eq!(high, Vec::<&wirebend_tests_firmware::PinChange>::new(), "{flashed}: a pin was moved");
+    }
+    // The firmware that the profile wants is taken, whichever it is.
+    for (flashed, machine) in [("howtomechatronics", "clone-kit"), ("wirebend-kit", MACHINE)] {
+        let board = Uno::new(&firmware(flashed)).unwrap().on_pty(Options::default()).unwrap();
+        let port = board.port().to_str().unwrap();
+        let settings = ["machine-settings", "--machine", machine, "--port", port, "--write", "--yes"];
+        shop.ran("r", &settings).ended(0);
     }
 }
 
