@@ -1,5 +1,6 @@
 #include "controller.h"
 
+#include "boots.h"
 #include "flash.h"
 #include "hal.h"
 #include "motion.h"
@@ -21,7 +22,7 @@ void wb_start(struct wb_controller *c, void *board, uint8_t reset)
         .alarm_told = true,
     };
     wb_settings_load(&c->settings, board);
-    c->boots = wb_settings_boots(board);
+    c->boots = wb_boots_count(board);
     c->wire_side = wb_wire_side_load(board);
     if (reset == WB_RESET_WATCHDOG) {
         wb_motion_alarm(c, WB_ALARM_WATCHDOG);

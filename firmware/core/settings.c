@@ -4,12 +4,19 @@
 #include "flash.h"
 #include "hal.h"
 
-/* Where things are stored. */
-#define BOOTS 0
-#define VERSION 2
-#define MACHINE 3
-#define VALUES 4
-#define SUM (VALUES + 4 * WB_SETTINGS_COUNT)
+/* They are stored twice, each copy with its own checksum: a write that a reset or a loss of power cuts spoils one copy at
+ * most. The first copy is written first, so it is the newer one where both are sound and differ. */
+static const WB_FLASH uint16_t COPY[2] = {256, 512};
+/* A copy. Its version is written last, and taken away before anything else of it changes. */
+#define VERSION 0
+#define MACHINE 1
+#define VALUES 2
+#define NO_VERSION 0xFF
+
+/* Firmware 1.00 kept fewer settings, once. They are taken over, with the defaults of those that it did not know. */
+#define OLD_COPY 2
+#define OLD_VERSION 1
+#define OLD_COUNT 24
 
 static const WB_FLASH struct { int32_t least, most; } RANGE[WB_SETTINGS_COUNT] = {WB_SETTINGS_RANGES};
 static const WB_FLASH int32_t DEFAULTS[WB_SETTINGS_COUNT] = {WB_MACHINE_DEFAULTS};
@@ -33,44 +40,82 @@ static bool consistent(const struct wb_settings *settings)
            wb_setting(settings, WB_SETTING_HOME_BACK_OFF) <= wb_setting(settings, WB_SETTING_HOME_TRAVEL);
 }
 
-void wb_settings_load(struct wb_settings *settings, void *board)
+/* The values of a copy of a version that has so many; whether all of it is sound. */
+static bool read_copy(struct wb_settings *settings, void *board, uint16_t copy, uint8_t version, uint8_t count)
 {
-    uint16_t crc = WB_SETTINGS_VERSION;
-    for (uint16_t at = VERSION; at < SUM; at++) {
+    uint16_t sum = (uint16_t)(copy + VALUES + 4u * count);
+    uint16_t crc = version;
+    for (uint16_t at = copy; at < sum; at++) {
         crc = wb_crc16(crc, hal_stored(board, at));
     }
-    uint16_t told = (uint16_t)(hal_stored(board, SUM) | hal_stored(board, SUM + 1) << 8);
-    settings->good = crc == told && hal_stored(board, VERSION) == WB_SETTINGS_VERSION &&
-                     hal_stored(board, MACHINE) == WB_MACHINE_ID;
+    uint16_t told = (uint16_t)(hal_stored(board, sum) | hal_stored(board, (uint16_t)(sum + 1)) << 8);
+    bool good = crc == told && hal_stored(board, copy + VERSION) == version &&
+                hal_stored(board, copy + MACHINE) == WB_MACHINE_ID;
     for (uint8_t i = 0; i < WB_SETTINGS_COUNT; i++) {
-        uint32_t value = 0;
-        for (uint8_t k = 4; k > 0; k--) {
-            value = value << 8 | hal_stored(board, (uint16_t)(VALUES + 4 * i + k - 1));
+        uint32_t value = (uint32_t)DEFAULTS[i];
+        for (uint8_t k = 4; i < count && k > 0; k--) {
+            value = value << 8 | hal_stored(board, (uint16_t)(copy + VALUES + 4u * i + k - 1u));
         }
         settings->value[i] = (int32_t)value;
-        settings->good = settings->good && allowed(i, settings->value[i]);
+        good = good && allowed(i, settings->value[i]);
     }
-    settings->good = settings->good && consistent(settings);
+    return good && consistent(settings);
 }
 
-static void store(const struct wb_settings *settings, void *board)
+static void write_copy(const struct wb_settings *settings, void *board, uint16_t copy)
 {
-    uint16_t crc = WB_SETTINGS_VERSION;
-    for (uint16_t at = VERSION; at < SUM; at++) {
-        uint8_t byte;
-        if (at == VERSION) {
-            byte = WB_SETTINGS_VERSION;
-        } else if (at == MACHINE) {
-            byte = WB_MACHINE_ID;
-        } else {
+    uint16_t crc = wb_crc16(WB_SETTINGS_VERSION, WB_SETTINGS_VERSION);
+    hal_store(board, copy + VERSION, NO_VERSION);
+    for (uint16_t at = MACHINE; at < VALUES + 4 * WB_SETTINGS_COUNT; at++) {
+        uint8_t byte = WB_MACHINE_ID;
+        if (at != MACHINE) {
             uint16_t offset = (uint16_t)(at - VALUES);
             byte = (uint8_t)((uint32_t)settings->value[offset / 4] >> (8 * (offset % 4)));
         }
         crc = wb_crc16(crc, byte);
-        hal_store(board, at, byte);
+        hal_store(board, (uint16_t)(copy + at), byte);
     }
-    hal_store(board, SUM, (uint8_t)crc);
-    hal_store(board, SUM + 1, (uint8_t)(crc >> 8));
+    uint16_t sum = (uint16_t)(copy + VALUES + 4 * WB_SETTINGS_COUNT);
+    hal_store(board, sum, (uint8_t)crc);
+    hal_store(board, (uint16_t)(sum + 1), (uint8_t)(crc >> 8));
+    hal_store(board, copy + VERSION, WB_SETTINGS_VERSION);
+}
+
+static void store(const struct wb_settings *settings, void *board)
+{
+    write_copy(settings, board, COPY[0]);
+    write_copy(settings, board, COPY[1]);
+    /* What is older must not come back when both are damaged. */
+    if (hal_stored(board, OLD_COPY + VERSION) == OLD_VERSION) {
+        hal_store(board, OLD_COPY + VERSION, NO_VERSION);
+    }
+}
+
+static bool same(void *board)
+{
+    for (uint16_t at = 0; at < VALUES + 4 * WB_SETTINGS_COUNT + 2; at++) {
+        if (hal_stored(board, (uint16_t)(COPY[0] + at)) != hal_stored(board, (uint16_t)(COPY[1] + at))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+void wb_settings_load(struct wb_settings *settings, void *board)
+{
+    bool first = read_copy(settings, board, COPY[0], WB_SETTINGS_VERSION, WB_SETTINGS_COUNT);
+    settings->good = first;
+    if (first) {
+        if (!same(board)) {
+            write_copy(settings, board, COPY[1]);
+        }
+    } else if (read_copy(settings, board, COPY[1], WB_SETTINGS_VERSION, WB_SETTINGS_COUNT)) {
+        settings->good = true;
+        write_copy(settings, board, COPY[0]);
+    } else if (read_copy(settings, board, OLD_COPY, OLD_VERSION, OLD_COUNT)) {
+        settings->good = true;
+        store(settings, board);
+    }
 }
 
 bool wb_settings_change(struct wb_settings *settings, void *board, int32_t id, int32_t value, bool *known)
@@ -96,13 +141,4 @@ void wb_settings_defaults(struct wb_settings *settings, void *board)
     }
     store(settings, board);
     settings->good = true;
-}
-
-uint16_t wb_settings_boots(void *board)
-{
-    uint16_t boots = (uint16_t)(hal_stored(board, BOOTS) | hal_stored(board, BOOTS + 1) << 8);
-    boots = (uint16_t)(boots + 1);
-    hal_store(board, BOOTS, (uint8_t)boots);
-    hal_store(board, BOOTS + 1, (uint8_t)(boots >> 8));
-    return boots;
 }

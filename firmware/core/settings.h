@@ -7,8 +7,8 @@
 
 #include "codes.h"
 
-/* Layout of what is stored. Another one is refused like damage. */
-#define WB_SETTINGS_VERSION 1
+/* Layout of what is stored. That of firmware 1.00, version 1, is taken over; another one is refused like damage. */
+#define WB_SETTINGS_VERSION 2
 
 struct wb_settings {
     bool good;                        /* false: nothing may move */
@@ -18,14 +18,11 @@ struct wb_settings {
 /* The value of a setting by its id. */
 int32_t wb_setting(const struct wb_settings *settings, uint8_t id);
 
-/* Reads what is stored; not `good` when its version or checksum is wrong or a value is out of range. */
+/* Reads what is stored; not `good` when the version or checksum of both copies is wrong or a value is out of range. */
 void wb_settings_load(struct wb_settings *settings, void *board);
 /* Changes one and stores all. false when there is no such id (`known` says so) or the value is out of range. */
 bool wb_settings_change(struct wb_settings *settings, void *board, int32_t id, int32_t value, bool *known);
 /* Takes and stores what the machine's file says. */
 void wb_settings_defaults(struct wb_settings *settings, void *board);
-
-/* How often the controller has started, this time counted. */
-uint16_t wb_settings_boots(void *board);
 
 #endif

@@ -130,7 +130,7 @@ static void line(struct world *world, struct text text)
     case 'e': {
         size_t count;
         uint8_t *stored = wb_host_stored(world->host, &count);
-        int32_t address = number(&text) & 127;
+        int32_t address = number(&text) & 1023;
         stored[address] = (uint8_t)number(&text);
         break;
     }

@@ -27,6 +27,7 @@ struct wb_host {
     uint8_t event_in, event_out;
     bool powered;
     uint8_t stored[STORED];
+    uint32_t stores_left;
 };
 
 static void note(struct wb_host *host, enum wb_host_kind kind, uint16_t value, bool on)
@@ -118,7 +119,11 @@ uint8_t hal_stored(void *board, uint16_t address)
 
 void hal_store(void *board, uint16_t address, uint8_t byte)
 {
-    ((struct wb_host *)board)->stored[address] = byte;
+    struct wb_host *host = board;
+    if (host->stored[address] != byte && host->stores_left > 0) {
+        host->stores_left--;
+        host->stored[address] = byte;
+    }
 }
 
 /* --- the world */
@@ -128,6 +133,7 @@ struct wb_host *wb_host_new(void)
     struct wb_host *host = calloc(1, sizeof *host);
     if (host) {
         memset(host->stored, 0xFF, sizeof host->stored);
+        host->stores_left = UINT32_MAX;
     }
     return host;
 }
@@ -152,6 +158,7 @@ void wb_host_reset(struct wb_host *host, uint8_t cause)
     host->send_in = host->send_out = 0;
     host->motors = false;
     host->powered = true;
+    host->stores_left = UINT32_MAX;
     wb_start(&host->controller, host, cause);
     poll(host);
 }
@@ -233,6 +240,11 @@ bool wb_host_next(struct wb_host *host, struct wb_host_event *event)
     *event = host->event[host->event_out];
     host->event_out = (uint8_t)((host->event_out + 1) % EVENTS);
     return true;
+}
+
+void wb_host_fail_after(struct wb_host *host, uint32_t bytes)
+{
+    host->stores_left = bytes;
 }
 
 uint8_t *wb_host_stored(struct wb_host *host, size_t *count)

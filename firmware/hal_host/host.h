@@ -46,6 +46,8 @@ void wb_host_switch(struct wb_host *host, bool high);
 uint64_t wb_host_run(struct wb_host *host, uint64_t until /* cycles */);
 /* The next event, if one waits. */
 bool wb_host_next(struct wb_host *host, struct wb_host_event *event);
+/* Power fails when so many more bytes are stored: the others are lost, until the next reset. */
+void wb_host_fail_after(struct wb_host *host, uint32_t bytes);
 /* What is stored: bytes that outlive power, as many as there are. */
 uint8_t *wb_host_stored(struct wb_host *host, size_t *count);
 

@@ -27,6 +27,7 @@ unsafe extern "C" {
     fn wb_host_switch(host: *mut RawHost, high: bool);
     fn wb_host_run(host: *mut RawHost, until: u64) -> u64;
     fn wb_host_next(host: *mut RawHost, event: *mut RawEvent) -> bool;
+    fn wb_host_fail_after(host: *mut RawHost, bytes: u32);
     fn wb_host_stored(host: *mut RawHost, count: *mut usize) -> *mut u8;
 }
 
@@ -78,6 +79,11 @@ impl Host {
         let mut event = RawEvent::default();
         // SAFETY: as in `reset`; `event` is written, not kept.
         unsafe { wb_host_next(self.0.as_ptr(), &raw mut event) }.then_some(event)
+    }
+
+    pub fn fail_after(&mut self, bytes: u32) {
+        // SAFETY: as in `reset`.
+        unsafe { wb_host_fail_after(self.0.as_ptr(), bytes) }
     }
 
     pub fn stored(&mut self) -> &mut [u8] {

@@ -118,6 +118,11 @@ impl Controller {
         }
     }
 
+    /// Power fails when so many more bytes are stored: the others are lost, until the next reset.
+    pub fn fail_after(&mut self, bytes: u32) {
+        self.host.fail_after(bytes);
+    }
+
     /// The bytes that outlive power.
     pub fn stored(&mut self) -> &mut [u8] {
         self.host.stored()

@@ -6,7 +6,7 @@ use super::{PATIENCE, Time};
 use crate::protocol::{State, Status};
 
 /// What stores something is repeated when nothing is heard of it for so long.
-const STORED_WITHIN: Time = Time::from_millis(600);
+const STORED_WITHIN: Time = Time::from_millis(1200);
 
 /// A request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,7 +26,7 @@ pub enum Ask {
 }
 
 impl Ask {
-    /// What is stored takes some milliseconds a byte, all of the settings a third of a second. A repetition would
+    /// What is stored takes some milliseconds a byte, all of the settings, twice, three quarters of a second. A repetition would
     /// be answered too, and its refusal be taken for that of the next request.
     const fn patience(self) -> Time {
         match self {

@@ -10,6 +10,13 @@ use super::{BEND, Board, Reset, Seen, What};
 /// The core, started anew.
 pub struct Host(Controller);
 
+impl Host {
+    /// Power fails when so many more bytes are stored, until the next reset.
+    pub fn fail_after(&mut self, bytes: u32) {
+        self.0.fail_after(bytes);
+    }
+}
+
 impl Board for Host {
     const NAME: &'static str = "host";
 

@@ -14,6 +14,7 @@ mod figures;
 mod frames;
 mod homing;
 mod jobs;
+mod kept;
 mod limits;
 mod lines;
 mod pulses;

@@ -5,9 +5,9 @@ use wirebend_driver_wirebend_kit::protocol::{Reset, SETTINGS, Setting};
 use crate::talk::Talk;
 use wirebend_tests_firmware::board::{Avr, Board, Host};
 
-/// Where the settings stand in the stored bytes: version, machine, 24 numbers of 4 bytes, checksum. The number of
-/// starts is before them.
-const STORED: std::ops::Range<usize> = 2..2 + 2 + 24 * 4 + 2;
+/// Where the settings stand in the stored bytes, twice: version, machine, numbers of 4 bytes, checksum.
+pub const COPIES: [usize; 2] = [256, 512];
+pub const LENGTH: usize = 2 + SETTINGS.len() * 4 + 2;
 /// With damaged settings nothing moves, and they are not shown; 72 is H, 77 M, 67 C, 87 W, 75 K, 90 Z.
 const DAMAGED: [(&str, &str); 6] = [
     ("H1", "e7,1,72"),
@@ -18,7 +18,7 @@ const DAMAGED: [(&str, &str); 6] = [
     ("Z5", "e7,1,90"),
 ];
 
-fn value<B: Board>(talk: &mut Talk<B>, id: u8) -> i32 {
+pub fn value<B: Board>(talk: &mut Talk<B>, id: u8) -> i32 {
     let answers = talk.asked(&format!("C{id}"));
     let value = answers[0].strip_prefix(&format!("v{id},")).unwrap_or_else(|| panic!("{id}: {answers:?}"));
     value.parse().unwrap()
@@ -110,10 +110,12 @@ fn settings_outlive_a_reset() {
 fn damaged<B: Board>(bits: &[u8]) {
     let mut talk = Talk::<B>::open();
     let good = talk.table.board.stored();
-    for place in STORED {
+    for place in 0..LENGTH {
         for bit in bits {
             let mut bytes = good.clone();
-            bytes[place] ^= 1 << bit;
+            for copy in COPIES {
+                bytes[copy + place] ^= 1 << bit;
+            }
             talk.table.board.store(&bytes);
             talk.reset(Reset::PowerOn);
             talk.begin_session(3);
