@@ -87,6 +87,8 @@ pub struct Link {
     stopping: Option<Time>,
     heard_at: Time,
     queried_at: Time,
+    /// How it stands is asked at once.
+    query_now: bool,
     /// The first question that was not answered, and how many there were.
     unanswered: Option<(Time, u32)>,
     /// The controller is in no session any more; it is spoken to when a new one is opened.
@@ -110,6 +112,7 @@ impl Link {
             stopping: None,
             heard_at: now,
             queried_at: now,
+            query_now: false,
             unanswered: None,
             lost: false,
             silent: false,
@@ -152,6 +155,11 @@ impl Link {
     /// Asks for something that is no line.
     pub fn ask(&mut self, ask: Ask) {
         self.asks.push(ask);
+    }
+
+    /// Asks at once how it stands.
+    pub fn query(&mut self) {
+        self.query_now = true;
     }
 
     /// Whether every request has had its effect.
@@ -325,7 +333,7 @@ impl Link {
         }
         // A controller that has been silent since it was asked is asked again before it thinks us gone.
         let unanswered = self.heard_at < self.queried_at && now >= self.queried_at + 2 * PATIENCE;
-        if unanswered || now >= self.queried_at + QUERY_EVERY {
+        if std::mem::take(&mut self.query_now) || unanswered || now >= self.queried_at + QUERY_EVERY {
             self.queried_at = now;
             self.out.extend(sealed("Q", self.session));
             let (since, asked) = self.unanswered.unwrap_or((now, 0));

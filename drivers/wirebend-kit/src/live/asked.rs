@@ -17,6 +17,8 @@ const AHEAD: u32 = 12;
 impl Machine {
     pub fn home(&mut self, now: Duration) -> Result<(), DriverError> {
         self.require_rest("home")?;
+        // Who homes has seen that it stands.
+        self.ending = None;
         (self.homed, self.halt, self.wire) = (false, Halt::No, None);
         let busy = self.status.is_some_and(|status| matches!(status.state, State::Running | State::Held));
         if busy {

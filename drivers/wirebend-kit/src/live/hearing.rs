@@ -5,11 +5,14 @@ use std::time::Duration;
 use wirebend_driver_api::{DriverError, Event, GoingOn, PausedBy, SettingCheck, Step};
 
 use super::fault;
-use super::machine::{Doing, Halt, Homing, Machine, session_id};
+use super::machine::{Doing, Ending, Halt, Homing, Machine, session_id};
 use super::wire::Wire;
 use crate::link::{Ask, News};
 use crate::protocol::{Alarm, Refusal, State, Status, VERSION, Versions};
 use crate::settings::{Difference, differences};
+
+/// How long an end may wait for where the axes stand: an answer takes 20 ms on a line that is not disturbed.
+const STANDS_WITHIN: Duration = Duration::from_millis(500);
 
 impl Machine {
     /// Takes what has come.
@@ -18,6 +21,9 @@ impl Machine {
         self.link.advance(bytes, now);
         for news in self.link.take_news() {
             self.hear(news, now);
+        }
+        if self.ending.as_ref().is_some_and(|ending| ending.until <= now) {
+            self.tell_end();
         }
         self.conclude();
     }
@@ -119,6 +125,12 @@ impl Machine {
 
     fn stands(&mut self, status: Status) {
         let first = self.status.replace(status).is_none();
+        // It stands: no step is made after an alarm.
+        if self.ending.is_some() && status.state == State::Alarm {
+            self.told = None;
+            self.tell_position(status);
+            self.tell_end();
+        }
         if self.doing == Doing::Homing(Homing::Asking) {
             let back = -status.position[1];
             if back == 0 {
@@ -172,6 +184,7 @@ impl Machine {
 
     /// The controller has started anew, or is in nobody's session.
     fn restarted(&mut self) {
+        self.tell_end();
         self.head_unknown = true;
         // What it was busy with is over.
         self.status = None;
@@ -227,14 +240,22 @@ impl Machine {
         }
         let in_doubt = self.in_doubt();
         self.give_up();
+        let mut events = Vec::new();
         if alarm == Alarm::Stop {
             if !asked {
-                self.report(Event::Warning(fault::stopped_unasked()));
+                events.push(Event::Warning(fault::stopped_unasked()));
             }
-            self.report(Event::Stopped { homed: false });
+            events.push(Event::Stopped { homed: false });
         } else {
-            self.report(Event::Fault { error: fault::alarm(alarm), in_doubt, disconnected: false });
+            events.push(Event::Fault { error: fault::alarm(alarm), in_doubt, disconnected: false });
         }
+        self.link.query();
+        self.ending = Some(Ending { events, until: now + STANDS_WITHIN });
+    }
+
+    /// Tells of an end that waited for where the axes stand.
+    fn tell_end(&mut self) {
+        self.events.extend(self.ending.take().into_iter().flat_map(|ending| ending.events));
     }
 
     fn in_doubt(&self) -> Option<u32> {
@@ -251,6 +272,7 @@ impl Machine {
             return;
         }
         let in_doubt = self.in_doubt();
+        self.tell_end();
         self.give_up();
         self.doing = Doing::Over;
         self.report(Event::Fault { error, in_doubt, disconnected: true });

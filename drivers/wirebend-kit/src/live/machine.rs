@@ -61,6 +61,13 @@ pub(super) enum Halt {
     Told(Alarm),
 }
 
+/// An end that is told as soon as the controller says where its axes stand, or when it does not say so in time.
+#[derive(Debug)]
+pub(super) struct Ending {
+    pub events: Vec<Event>,
+    pub until: Duration,
+}
+
 /// A controller, and what was made of it.
 pub(super) struct Machine {
     pub(super) settings: Rc<Settings>,
@@ -85,6 +92,8 @@ pub(super) struct Machine {
     pub(super) homed: bool,
     pub(super) held: bool,
     pub(super) halt: Halt,
+    /// What has ended everything, and is told with where the axes stand.
+    pub(super) ending: Option<Ending>,
     pub(super) wire: Option<Wire>,
 }
 
@@ -116,6 +125,7 @@ impl Machine {
             homed: false,
             held: false,
             halt: Halt::No,
+            ending: None,
             wire: None,
         }
     }

@@ -9,5 +9,6 @@ mod bender;
 mod cube;
 mod interrupted;
 mod shop;
+mod standing;
 mod stop;
 mod wrong;

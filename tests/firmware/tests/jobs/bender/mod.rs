@@ -62,6 +62,8 @@ pub struct Bender<B> {
     /// Where the bend axis really stands, and the edge of its switch, steps.
     bend: i64,
     switch_at: i64,
+    /// The wire of the switch is broken, which reads as pressed.
+    broken: bool,
     bench: Bench,
     pub pulses: Pulses,
     pub stops: Vec<Stop>,
@@ -84,6 +86,7 @@ impl<B: Board> Bender<B> {
             board: B::new(),
             bend: steps(BEND_AT_DEG.into()),
             switch_at: steps(SWITCH_DEG.into()),
+            broken: false,
             bench: bench.with_bend_axis_at(BEND_AT_DEG.into()).unwrap(),
             pulses: Pulses::default(),
             stops: Vec::new(),
@@ -121,8 +124,14 @@ impl<B: Board> Bender<B> {
         self.board.now() - self.pulses.last().map_or(0, |pulse| pulse.at).max(self.servo_at)
     }
 
+    /// Breaks the wire of the switch.
+    pub fn break_switch(&mut self) {
+        self.broken = true;
+        self.move_switch();
+    }
+
     fn move_switch(&mut self) {
-        self.board.set_switch(self.bend <= self.switch_at);
+        self.board.set_switch(self.broken || self.bend <= self.switch_at);
     }
 
     fn pulsed(&mut self, at: u64, axis: usize, forward: bool) {

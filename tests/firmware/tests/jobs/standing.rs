@@ -1,0 +1,164 @@
+//! Where the axes stand when a step is ended in its middle: what the driver tells against the pulses on the pins.
+
+use std::time::Instant;
+
+use wirebend_driver_api::{Axis, Batch, Event, MachineDriver, MachineSession, NumberedStep, Run, Step};
+use wirebend_driver_wirebend_kit::WirebendKit;
+use wirebend_tests_firmware::board::{Avr, Board, MS, Reset};
+
+use crate::at_port::AtPort;
+use crate::bender::{Bender, net};
+use crate::interrupted::{GEARS, Job, coarse};
+use crate::shop::{DEADLINE, shared};
+
+/// A step that takes seconds on each axis; bends to the negative side.
+const STEP: Step = Step { feed_mm: 400.0, rotate_deg: 200.0, bend_deg: -120.0 };
+
+/// A homed machine that makes a wire of this step, connected by the driver.
+struct Making {
+    at: AtPort<Avr>,
+    session: Box<dyn MachineSession>,
+    told: Vec<Event>,
+    /// Pulses of the bend axis up to its zero.
+    zero: i64,
+}
+
+impl Making {
+    fn new() -> Self {
+        let at = AtPort::<Avr>::new(GEARS, Some(&Job::cube().stored), true);
+        let settings = serde_json::from_value(coarse()["driver"]["settings"].clone()).unwrap();
+        let session = WirebendKit::open(settings).unwrap().connect(&at.port, None).unwrap();
+        let mut making = Self { at, session, told: Vec::new(), zero: 0 };
+        making.until(|event| matches!(event, Event::Connected { .. }));
+        making.session.home().unwrap();
+        making.until(|event| *event == Event::Homed);
+        making.zero = making.at.with(|bender| net(bender.pulses.all(), Axis::Bend));
+        making.session.arm(&Run { steps: 2, ..Run::default() }).unwrap();
+        let back = Step { rotate_deg: -STEP.rotate_deg, ..STEP };
+        let steps = [(1, STEP), (2, back)].map(|(n, step)| NumberedStep { n, step });
+        let begun = Instant::now();
+        while making.session.send(&Batch { steps: steps.to_vec(), last: true }).unwrap().accepted < 2 {
+            assert!(begun.elapsed() < DEADLINE);
+            making.session.poll().unwrap();
+        }
+        making
+    }
+
+    fn until(&mut self, mut wanted: impl FnMut(&Event) -> bool) {
+        let begun = Instant::now();
+        loop {
+            assert!(begun.elapsed() < DEADLINE, "{:?}", self.told.last());
+            let Some(event) = self.session.poll().unwrap() else { continue };
+            self.told.push(event.clone());
+            if wanted(&event) {
+                return;
+            }
+        }
+    }
+
+    /// Until this axis has made so many steps of the job, in its own direction.
+    fn underway(&mut self, axis: Axis, steps: i64) {
+        let begun = Instant::now();
+        let zero = self.zero;
+        let reached = move |bender: &mut Bender<Avr>| {
+            let from = if axis == Axis::Bend { zero } else { 0 };
+            (net(bender.pulses.all(), axis) - from).abs() >= steps
+        };
+        while !self.at.with(reached) {
+            assert!(begun.elapsed() < DEADLINE);
+            if let Some(event) = self.session.poll().unwrap() {
+                self.told.push(event);
+            }
+        }
+    }
+
+    /// What the pins have made, in the units of the program.
+    fn counted(&self) -> Step {
+        let zero = self.zero;
+        let [feed, rotate, bend] = self.at.with(move |bender| {
+            let all = bender.pulses.all();
+            [net(all, Axis::Feed), net(all, Axis::Rotate), net(all, Axis::Bend) - zero]
+                .map(|steps| f64::from(i32::try_from(steps).unwrap()))
+        });
+        Step {
+            feed_mm: feed / GEARS.feed_steps_per_mm,
+            rotate_deg: rotate * 360.0 / f64::from(GEARS.rotate_steps_per_turn),
+            bend_deg: bend * 360.0 / f64::from(GEARS.bend_steps_per_turn),
+        }
+    }
+
+    /// The last that was told of where the axes stand, before the event that ended it.
+    fn told(&self) -> Option<Step> {
+        let before = self.told.iter().rev().skip(1).take_while(|event| !matches!(event, Event::Done { .. }));
+        before.clone().find_map(|event| match event {
+            Event::Position(step) => Some(*step),
+            _ => None,
+        })
+    }
+
+    #[track_caller]
+    fn stands(&self, what: &str) {
+        let (told, counted) = (self.told().expect("a position"), self.counted());
+        // Half a step: both are whole numbers of steps.
+        let apart = |a: f64, b: f64, step: f64| (a - b).abs() < step / 2.0;
+        let feed = apart(told.feed_mm, counted.feed_mm, 1.0 / GEARS.feed_steps_per_mm);
+        let rotate = apart(told.rotate_deg, counted.rotate_deg, 0.2);
+        let bend = apart(told.bend_deg, counted.bend_deg, 0.16);
+        assert!(feed && rotate && bend, "{what}: told {told:?}, made {counted:?}");
+    }
+}
+
+/// Steps into a step, on each axis: in its feed, in its rotation, in its swing past zero.
+const MOMENTS: [(Axis, i64); 4] =
+    [(Axis::Feed, 700), (Axis::Feed, 1501), (Axis::Rotate, 333), (Axis::Bend, 150)];
+
+#[test]
+fn a_stop_in_a_step_tells_how_far_each_axis_got() {
+    let _others = shared();
+    for (axis, steps) in MOMENTS {
+        let mut making = Making::new();
+        making.underway(axis, steps);
+        making.session.stop().unwrap();
+        making.until(|event| matches!(event, Event::Stopped { .. }));
+        making.stands(&format!("STOP in {axis:?}"));
+        let told = making.told().unwrap();
+        let whole = (told.feed_mm - STEP.feed_mm).abs() < 0.1 && told.rotate_deg.abs() > 199.0;
+        assert!(!whole || axis == Axis::Bend, "{axis:?}: in the middle of it, {told:?}");
+    }
+}
+
+#[test]
+fn an_alarm_in_a_step_tells_how_far_each_axis_got() {
+    let _others = shared();
+    let mut making = Making::new();
+    making.underway(Axis::Bend, 150);
+    // The peg is out and swings to the other side: on its way back it meets a switch that reads pressed.
+    making.at.with(|bender| bender.break_switch());
+    making.until(|event| matches!(event, Event::Fault { .. }));
+    let Some(Event::Fault { error, in_doubt, .. }) = making.told.last() else { unreachable!() };
+    assert_eq!((error.code.as_str(), *in_doubt), ("alarm", Some(1)), "{error}");
+    making.stands("switch hit");
+}
+
+/// A controller that was reset counts from zero: nothing of where it stood is told as if it knew.
+#[test]
+fn a_reset_in_a_step_tells_no_position() {
+    let _others = shared();
+    let mut making = Making::new();
+    making.underway(Axis::Feed, 700);
+    making.told.clear();
+    making.at.with(|bender| bender.reset(Reset::External));
+    making.until(|event| matches!(event, Event::Fault { .. }));
+    let Some(Event::Fault { error, in_doubt, .. }) = making.told.last() else { unreachable!() };
+    assert_eq!((error.code.as_str(), *in_doubt), ("restarted", Some(1)));
+    if let Some(told) = making.told() {
+        assert!(told.feed_mm > 0.0, "of before the reset: {told:?}");
+    }
+    let from = making.told.len();
+    let end = making.at.with(|bender| bender.board.now()) + 1000 * MS;
+    while making.at.with(|bender| bender.board.now()) < end {
+        making.told.extend(making.session.poll().unwrap());
+    }
+    let after = making.told[from..].iter().filter(|event| matches!(event, Event::Position(_))).count();
+    assert_eq!(after, 0, "a position that nobody knows");
+}
