@@ -13,6 +13,7 @@
 #define WB_COMMAND_READ_SETTING 'C' /* Asks for a setting */
 #define WB_COMMAND_WRITE_SETTING 'W' /* Changes a setting and stores it; at rest only */
 #define WB_COMMAND_LOAD_DEFAULTS 'L' /* Stores the settings that were compiled in, and answers with the first; at rest only */
+#define WB_COMMAND_RELEASE 'R' /* Turns the motor drivers off, at rest only: the machine has to be homed again */
 
 #define WB_REPLY_BOOT 'b' /* Has started; sealed with 65535 */
 #define WB_REPLY_OPEN 'o' /* The session with this id is open; sealed with 65535 */
@@ -34,6 +35,8 @@
 #define WB_ERROR_DAMAGED 8 /* The line came damaged: to be sent again from the next number */
 #define WB_ERROR_GAP 9 /* The number is not the next one */
 #define WB_ERROR_NO_SESSION 10 /* No session is open */
+#define WB_ERROR_HOLD_INPUT 11 /* The hold input is open: close it and go on */
+#define WB_ERROR_EMERGENCY 12 /* The emergency stop is pressed: release it first */
 
 #define WB_ALARM_NONE 0 /* None */
 #define WB_ALARM_STOP 1 /* Stopped by the STOP byte */
@@ -42,6 +45,8 @@
 #define WB_ALARM_WATCHDOG 4 /* The controller hung and was started again by its watchdog */
 #define WB_ALARM_HOST_LOST 5 /* No valid frame for a second: holds after the running line; left by go-on */
 #define WB_ALARM_LATE_PULSE 6 /* A step pulse came too late */
+#define WB_ALARM_EMERGENCY 7 /* The emergency stop is pressed, or its sense wire is broken */
+#define WB_ALARM_HOLD_INPUT 8 /* The hold input is open, by a door or a feed hold: slows down and holds; left by go-on once it is closed */
 
 #define WB_STATE_IDLE 0 /* At rest */
 #define WB_STATE_RUNNING 1 /* Makes a line */
@@ -56,7 +61,7 @@
 #define WB_MACHINE_WIREBEND_KIT 1 /* The WireBend-kit bender: Arduino Uno with a CNC Shield V3 */
 #define WB_MACHINE_HOWTOMECHATRONICS 2 /* The bender of howtomechatronics.com: Arduino Uno with three drivers on wires of their own */
 
-#define WB_SETTINGS_COUNT 24
+#define WB_SETTINGS_COUNT 26
 #define WB_SETTING_FEED_STEPS_PER_M 1 /* steps/m: Steps of the feed motors for a metre of wire */
 #define WB_SETTING_ROTATE_STEPS_PER_REV 2 /* steps/rev: Steps of the head for a full turn */
 #define WB_SETTING_BEND_STEPS_PER_REV 3 /* steps/rev: Steps of the bend axis for a full turn */
@@ -81,6 +86,8 @@
 #define WB_SETTING_HOME_TRAVEL 22 /* steps: Longest way of a search */
 #define WB_SETTING_HOME_TIME_MS 23 /* ms: Longest time of homing */
 #define WB_SETTING_INVERTED 24 /* bits: Inverted: 1 feed, 2 rotate, 4 bend, 8 switch that closes when pressed */
+#define WB_SETTING_RELEASE_S 25 /* s: Time at rest after which the motor drivers are turned off; 0 never */
+#define WB_SETTING_INPUTS 26 /* bits: Inputs that are wired, by contacts that open: 1 hold, 2 emergency stop */
 
 #define WB_SETTINGS_RANGES \
     {1000, 1000000}, \
@@ -106,7 +113,9 @@
     {1, 100000}, \
     {100, 1000000}, \
     {1000, 600000}, \
-    {0, 15}
+    {0, 15}, \
+    {0, 36000}, \
+    {0, 3}
 
 #define WB_INVERTED_FEED 1
 #define WB_INVERTED_ROTATE 2

@@ -7,7 +7,11 @@
 #include "replies.h"
 #include "wire_side.h"
 
+/* An input counts as open after so many ticks in a row: 4 ms are longer than a disturbance of its wire. */
+#define OPEN_TICKS 4
+
 /* Without a valid frame for so long, no other line begins. */
+#define TICKS_A_S ((uint16_t)(1000000uL / WB_TICK_US))
 #define HOST_LOST_TICKS ((uint16_t)(1000000uL / WB_TICK_US))
 
 void wb_start(struct wb_controller *c, void *board, uint8_t reset)
@@ -24,9 +28,21 @@ void wb_start(struct wb_controller *c, void *board, uint8_t reset)
     wb_settings_load(&c->settings, board);
     c->boots = wb_boots_count(board);
     c->wire_side = wb_wire_side_load(board);
+    c->inputs = c->settings.good ? (uint8_t)wb_setting(&c->settings, WB_SETTING_INPUTS) : 0;
     if (reset == WB_RESET_WATCHDOG) {
         wb_motion_alarm(c, WB_ALARM_WATCHDOG);
         c->alarm_told = true; /* the boot frame tells */
+    }
+}
+
+/* What of the settings an interrupt looks at. */
+static void settings_changed(struct wb_controller *c)
+{
+    c->homed = false; /* positions in steps may mean something else now */
+    c->inputs = c->settings.good ? (uint8_t)wb_setting(&c->settings, WB_SETTING_INPUTS) : 0;
+    if (!c->inputs) {
+        c->hold_open = 0;
+        c->emergency_open = 0;
     }
 }
 
@@ -51,9 +67,32 @@ void wb_on_byte(struct wb_controller *c, uint8_t byte, bool damaged)
     }
 }
 
+static void watch_inputs(struct wb_controller *c)
+{
+    if (!wb_input_open(c, WB_INPUT_HOLD)) {
+        c->hold_open = 0;
+    } else if (c->hold_open < OPEN_TICKS) {
+        c->hold_open++;
+    }
+    if (!wb_input_open(c, WB_INPUT_EMERGENCY)) {
+        c->emergency_open = 0;
+    } else if (c->emergency_open < OPEN_TICKS && ++c->emergency_open == OPEN_TICKS) {
+        wb_stepper_cut(&c->stepper); /* its motors have no power any more */
+    }
+}
+
 void wb_on_tick(struct wb_controller *c)
 {
     c->ticks++;
+    /* Short: a step may wait for it. */
+    if (c->inputs) {
+        watch_inputs(c);
+    }
+}
+
+bool wb_input_open(const struct wb_controller *c, uint8_t input)
+{
+    return (c->inputs & input) && hal_input_open(c->board, input);
 }
 
 bool wb_on_step(struct wb_controller *c)
@@ -76,7 +115,7 @@ uint16_t wb_ticks(struct wb_controller *c)
 
 uint8_t wb_state(const struct wb_controller *c)
 {
-    if (c->alarm != WB_ALARM_NONE && c->alarm != WB_ALARM_HOST_LOST) {
+    if (c->alarm != WB_ALARM_NONE && c->alarm != WB_ALARM_HOST_LOST && c->alarm != WB_ALARM_HOLD_INPUT) {
         return WB_STATE_ALARM;
     }
     if (c->held || (c->hold_next && c->phase == WB_NO_PHASE)) {
@@ -116,6 +155,13 @@ static uint8_t objection(const struct wb_controller *c, const struct wb_command 
     const struct wb_settings *settings = &c->settings;
     if (!settings->good) {
         return WB_ERROR_SETTINGS;
+    }
+    if (wb_input_open(c, WB_INPUT_EMERGENCY)) {
+        return WB_ERROR_EMERGENCY;
+    }
+    /* What begins at an open door would have to be let go on by a person at once. */
+    if (!wb_motion_busy(c) && wb_input_open(c, WB_INPUT_HOLD)) {
+        return WB_ERROR_HOLD_INPUT;
     }
     if (line->letter == WB_COMMAND_HOME) {
         return wb_motion_busy(c) ? WB_ERROR_NOT_IDLE : 0;
@@ -158,6 +204,7 @@ static bool leave_alarm(struct wb_controller *c)
         c->hold_next = false;
         c->homed = false;
         c->held = false;
+        c->input_holds = false;
         c->stepper.hold = false;
     }
     return !stopped;
@@ -211,7 +258,11 @@ static uint8_t go_on(struct wb_controller *c)
     if (wb_state(c) == WB_STATE_ALARM) {
         return WB_ERROR_IN_ALARM;
     }
+    if (wb_input_open(c, WB_INPUT_HOLD)) {
+        return WB_ERROR_HOLD_INPUT;
+    }
     c->held = false;
+    c->input_holds = false;
     c->hold_next = false;
     c->stepper.hold = false;
     c->alarm = WB_ALARM_NONE;
@@ -260,8 +311,7 @@ static uint8_t write_setting(struct wb_controller *c, int32_t id, int32_t value)
     if (!wb_settings_change(&c->settings, c->board, id, value, &known)) {
         return known ? WB_ERROR_RANGE : WB_ERROR_UNKNOWN;
     }
-    /* Positions in steps may mean something else now. */
-    c->homed = false;
+    settings_changed(c);
     wb_tell_setting(c, (uint8_t)id);
     return 0;
 }
@@ -272,9 +322,19 @@ static uint8_t load_defaults(struct wb_controller *c)
         return WB_ERROR_NOT_IDLE;
     }
     wb_settings_defaults(&c->settings, c->board);
-    c->homed = false;
+    settings_changed(c);
     /* A status may come unasked for this; a setting may not. */
     wb_tell_setting(c, 1);
+    return 0;
+}
+
+static uint8_t release(struct wb_controller *c)
+{
+    if (wb_motion_busy(c)) {
+        return WB_ERROR_NOT_IDLE;
+    }
+    wb_motion_release(c);
+    wb_tell_status(c);
     return 0;
 }
 
@@ -298,6 +358,8 @@ static uint8_t obey(struct wb_controller *c, const struct wb_command *command)
         return write_setting(c, command->field[0], command->field[1]);
     case WB_COMMAND_LOAD_DEFAULTS:
         return load_defaults(c);
+    case WB_COMMAND_RELEASE:
+        return release(c);
     case WB_COMMAND_QUERY:
         wb_tell_status(c);
         return 0;
@@ -358,6 +420,47 @@ static void watch_host(struct wb_controller *c)
     }
 }
 
+/* Inputs that are open. STOP and the emergency stop latch an alarm, a hold is left by go-on. */
+static void see_inputs(struct wb_controller *c)
+{
+    if (wb_state(c) == WB_STATE_ALARM) {
+        return;
+    }
+    if (c->emergency_open == OPEN_TICKS) {
+        wb_motion_alarm(c, WB_ALARM_EMERGENCY);
+    } else if (c->hold_open == OPEN_TICKS && !c->input_holds) {
+        c->held = true;
+        c->input_holds = true;
+        c->stepper.hold = true;
+        c->alarm = WB_ALARM_HOLD_INPUT;
+        c->alarm_told = false;
+    } else if (c->input_holds && c->hold_open == 0 && !wb_motion_busy(c)) {
+        /* Closed, and there is nothing that would go on by itself. */
+        c->held = false;
+        c->input_holds = false;
+        c->stepper.hold = false;
+        c->alarm = c->hold_next ? WB_ALARM_HOST_LOST : WB_ALARM_NONE;
+    }
+}
+
+/* The motors of a machine that nobody uses get hot for nothing. */
+static void watch_rest(struct wb_controller *c)
+{
+    uint16_t now = wb_ticks(c);
+    uint16_t passed = (uint16_t)(now - c->rest_tick);
+    c->rest_tick = now;
+    uint8_t state = wb_state(c);
+    if (!c->motors || !c->settings.good || wb_motion_busy(c) || state == WB_STATE_HELD) {
+        c->rest_ticks = 0;
+        return;
+    }
+    c->rest_ticks += passed;
+    uint32_t most = (uint32_t)wb_setting(&c->settings, WB_SETTING_RELEASE_S) * TICKS_A_S;
+    if (most > 0 && c->rest_ticks > most) {
+        wb_motion_release(c);
+    }
+}
+
 static void tell_news(struct wb_controller *c)
 {
     if (!c->boot_told && hal_send_room(c->board) >= WB_REPLY_MOST) {
@@ -393,9 +496,11 @@ static void see_stop(struct wb_controller *c)
 bool wb_poll(struct wb_controller *c)
 {
     see_stop(c);
+    see_inputs(c);
     bool more = receive(c);
     wb_motion_run(c);
     watch_host(c);
+    watch_rest(c);
     tell_news(c);
     return more;
 }

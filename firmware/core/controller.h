@@ -18,7 +18,7 @@
 /* Version of the wire protocol; the host refuses another. */
 #define WB_PROTOCOL 1
 /* Version of this firmware, as 100 * major + minor. */
-#define WB_FIRMWARE 100
+#define WB_FIRMWARE 110
 
 /* Lines that wait; a host sends at most four ahead. */
 #define WB_QUEUE 8
@@ -44,6 +44,8 @@ struct wb_controller {
     volatile bool stop_asked;
     volatile uint8_t stop_mark; /* what came before this place is not looked at any more */
     volatile uint16_t ticks;
+    volatile uint8_t inputs; /* those that are wired */
+    volatile uint8_t hold_open, emergency_open; /* for how many ticks they have been, up to enough */
     struct wb_frame frame;
 
     /* The session. */
@@ -67,12 +69,16 @@ struct wb_controller {
     int32_t fed;        /* the same of the feed */
     uint32_t homing_ticks; /* since homing began */
     uint16_t homing_tick;
+    uint32_t rest_ticks; /* at rest with the drivers on */
+    uint16_t rest_tick;
 
     uint8_t alarm;
     uint8_t peg;
     int8_t wire_side; /* the side from which the peg may press on the wire; 0 when it does not */
     bool placed;      /* the bend axis was homed since the start: its position means something */
     bool homed;
+    bool motors;      /* the drivers are on */
+    bool input_holds; /* what holds is the hold input */
     bool held;      /* by pause: no phase begins */
     bool hold_next; /* the host is gone: no line begins */
 };
@@ -89,6 +95,8 @@ void wb_on_step_rest(struct wb_controller *controller);
 
 /* What it does: one of the states in codes.h. */
 uint8_t wb_state(const struct wb_controller *controller);
+/* Whether an input that is wired is open now. */
+bool wb_input_open(const struct wb_controller *controller, uint8_t input);
 /* Ticks since the start, over and over. */
 uint16_t wb_ticks(struct wb_controller *controller);
 

@@ -11,6 +11,10 @@
 #define WB_TIMER_HZ 2000000uL   /* ticks of the step timer, 1/s */
 #define WB_TICK_US 1024u        /* period of the system tick, us */
 
+/* Bits of the setting `inputs`. */
+#define WB_INPUT_HOLD 1u
+#define WB_INPUT_EMERGENCY 2u
+
 enum wb_axis { WB_FEED, WB_ROTATE, WB_BEND, WB_AXES };
 
 /* Nothing of the board's interrupts comes between these two. Not nested. */
@@ -25,6 +29,10 @@ void hal_pulse(void *board, uint8_t axis);
 bool hal_switch_high(void *board);
 /* Motor drivers on: they hold. */
 void hal_motors_on(void *board);
+/* Motor drivers off: whoever turns an axis turns it, and nobody counts. */
+void hal_motors_off(void *board);
+/* Whether the contact of an input is open, or its wire broken. From interrupts too. */
+bool hal_input_open(void *board, uint8_t input);
 
 /* The first step interrupt comes after so many ticks. */
 void hal_timer_start(void *board, uint16_t ticks);

@@ -25,6 +25,7 @@ bool wb_homing_move(const struct wb_controller *c, uint8_t phase, struct wb_move
     int32_t travel = wb_setting(settings, WB_SETTING_HOME_TRAVEL);
     int32_t back_off = wb_setting(settings, WB_SETTING_HOME_BACK_OFF);
     move->rate = (uint16_t)wb_setting(settings, WB_SETTING_HOME_FAST_RATE);
+    move->readings = WB_SWITCH_SAMPLES;
     switch (phase) {
     case WB_LEAVES_SWITCH:
         if (travel > PRESSED_BACK_OFFS * back_off) {

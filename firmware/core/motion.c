@@ -32,10 +32,19 @@ void wb_motion_alarm(struct wb_controller *c, uint8_t alarm)
     wb_motion_flush(c);
     c->stepper.hold = false;
     c->held = false;
+    c->input_holds = false;
     c->hold_next = false;
     c->homed = false;
     c->alarm = alarm;
     c->alarm_told = false;
+}
+
+void wb_motion_release(struct wb_controller *c)
+{
+    hal_motors_off(c->board);
+    c->motors = false;
+    c->homed = false;
+    c->placed = false;
 }
 
 /* Begins a move of an axis; false when there is none to make. */
@@ -60,12 +69,14 @@ static bool drive(struct wb_controller *c, struct wb_move *move)
     return true;
 }
 
-/* The bend axis to a place. On the way to its switch it must not meet it. */
+/* The bend axis to a place. It must not meet its switch; in homing it may come from there. */
 static bool bend_to(struct wb_controller *c, int32_t target)
 {
     int32_t home = wb_setting(&c->settings, WB_SETTING_HOME_POSITION);
-    struct wb_move move = {.axis = WB_BEND, .steps = target - c->stepper.position[WB_BEND]};
-    move.until = (move.steps < 0) == (home < 0) ? WB_UNTIL_PRESSED : WB_UNTIL_COUNT;
+    struct wb_move move = {.axis = WB_BEND, .readings = WB_SWITCH_SAMPLES};
+    move.steps = target - c->stepper.position[WB_BEND];
+    bool towards = (move.steps < 0) == (home < 0);
+    move.until = towards || c->line.letter == WB_COMMAND_MOVE ? WB_UNTIL_PRESSED : WB_UNTIL_COUNT;
     return drive(c, &move);
 }
 
@@ -101,7 +112,8 @@ static void set_wire_side(struct wb_controller *c, int8_t side)
 static bool begin(struct wb_controller *c)
 {
     const struct wb_line *line = &c->line;
-    struct wb_move move = {.axis = WB_BEND, .until = WB_UNTIL_COUNT};
+    /* Pressed, or its wire broken, it ends every move. */
+    struct wb_move move = {.axis = WB_BEND, .until = WB_UNTIL_PRESSED, .readings = WB_GUARD_SAMPLES};
     switch (c->phase) {
     case WB_LEAVES_WIRE:
         return bend_to(c, wb_bend_clear(&c->settings, c->wire_side, c->stepper.position[WB_BEND], c->placed));
@@ -215,6 +227,7 @@ static void take_line(struct wb_controller *c)
     c->homing_ticks = 0;
     c->homing_tick = wb_ticks(c);
     hal_motors_on(c->board);
+    c->motors = true;
 }
 
 void wb_motion_run(struct wb_controller *c)
@@ -239,7 +252,11 @@ void wb_motion_run(struct wb_controller *c)
         if (c->phase == WB_PEG_CLEARS || c->phase == WB_PEG_GOES) {
             set_wire_side(c, 0);
         }
-        c->phase = phase_after(c);
+        uint8_t next = phase_after(c);
+        if (next == WB_NO_PHASE && wb_input_open(c, WB_INPUT_EMERGENCY)) {
+            return; /* its motors may have had no power at the end: an alarm follows, or it was a disturbance */
+        }
+        c->phase = next;
         c->doing = TO_BEGIN;
     }
     c->homed = c->homed || c->line.letter == WB_COMMAND_HOME;

@@ -33,6 +33,8 @@ bool wb_motion_busy(const struct wb_controller *c);
 void wb_motion_run(struct wb_controller *c);
 /* Forgets every line; the one that is made is over. */
 void wb_motion_flush(struct wb_controller *c);
+/* Turns the motor drivers off, at rest: nobody knows any more where the axes are. */
+void wb_motion_release(struct wb_controller *c);
 /* Latches an alarm: nothing moves until the machine is homed. */
 void wb_motion_alarm(struct wb_controller *c, uint8_t alarm);
 

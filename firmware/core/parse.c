@@ -44,7 +44,7 @@ enum wb_parsed wb_parse(const char *payload, struct wb_command *command)
         {WB_COMMAND_PEG, true, 1},           {WB_COMMAND_PAUSE, false, 0},
         {WB_COMMAND_GO_ON, false, 0},        {WB_COMMAND_HEAD, false, 1},
         {WB_COMMAND_READ_SETTING, false, 1}, {WB_COMMAND_WRITE_SETTING, false, 2},
-        {WB_COMMAND_LOAD_DEFAULTS, false, 0},
+        {WB_COMMAND_LOAD_DEFAULTS, false, 0}, {WB_COMMAND_RELEASE, false, 0},
     };
     uint8_t form = 0;
     while (FORMS[form].letter != *payload) {

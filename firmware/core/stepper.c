@@ -88,7 +88,7 @@ static bool switched(struct wb_stepper *stepper)
     bool pressed = hal_switch_high(stepper->board) != move->switch_inverted;
     bool wanted = move->until != WB_UNTIL_RELEASED;
     stepper->samples = pressed == wanted ? (uint8_t)(stepper->samples + 1) : 0;
-    return stepper->samples >= WB_SWITCH_SAMPLES;
+    return stepper->samples >= move->readings;
 }
 
 bool wb_stepper_pulse(struct wb_stepper *stepper)

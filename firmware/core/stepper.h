@@ -13,6 +13,8 @@
 
 /* How often in a row the switch has to read the same, once a step: motors make noise on its wire. */
 #define WB_SWITCH_SAMPLES 4
+/* The same while an axis moves that does not turn towards it: more, for they are fast. */
+#define WB_GUARD_SAMPLES 16
 
 /* What ends a move before its last step. */
 enum wb_until {
@@ -32,6 +34,7 @@ enum wb_end {
 struct wb_move {
     uint8_t axis;
     uint8_t until;
+    uint8_t readings;      /* of the switch in a row that end it */
     bool inverted;         /* the motor turns the other way */
     bool switch_inverted;  /* the switch reads low when pressed */
     int32_t steps;

@@ -9,6 +9,7 @@
  *   t 500          so many milliseconds pass
  *   w 1            the switch reads low (0), high (1), or as the bend axis stands (2)
  *   r 3            a reset with this cause
+ *   i 2            inputs are open: 1 hold, 2 emergency stop, 3 both, 0 none
  *   e 5 255        a stored byte has changed
  * Numbers are what is left of anything by 32 bits. */
 #include "invariants.h"
@@ -126,6 +127,9 @@ static void line(struct world *world, struct text text)
         break;
     case 'r':
         world_reset(world, (uint8_t)(number(&text) & 3));
+        break;
+    case 'i':
+        wb_host_inputs(world->host, (uint8_t)(number(&text) & 3));
         break;
     case 'e': {
         size_t count;

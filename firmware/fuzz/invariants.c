@@ -44,8 +44,9 @@ void world_check(struct world *world)
     MUST(c->received_in < WB_RECEIVED && c->received_out < WB_RECEIVED);
     MUST(c->frame.length <= WB_LINE_MOST);
     MUST((uint8_t)(host->send_in - host->send_out) < SEND_ROOM);
-    MUST(c->phase <= WB_PEG_BY_HAND && c->alarm <= WB_ALARM_LATE_PULSE && c->peg <= WB_PEG_UNKNOWN);
-    MUST(!c->homed || c->settings.good);
+    MUST(c->phase <= WB_PEG_BY_HAND && c->alarm <= WB_ALARM_HOLD_INPUT && c->peg <= WB_PEG_UNKNOWN);
+    MUST(!c->homed || (c->settings.good && c->motors));
+    MUST(c->motors == host->motors);
     MUST(!c->homed || !c->wire_side || c->phase != WB_NO_PHASE);
     MUST(!c->stepper.moving || c->phase != WB_NO_PHASE);
     MUST(c->stepper.moving == (host->step_at != NEVER));
@@ -67,7 +68,8 @@ static void pulse(struct world *world, const struct wb_host_event *event, const 
     world->pulses[axis] += (event->on != 0) != inverted ? 1 : -1;
     int32_t position = (int32_t)(world->pulses[axis] + world->offset[axis]);
     MUST(before->settings.good && world->host->motors);
-    MUST(before->alarm == WB_ALARM_NONE || before->alarm == WB_ALARM_HOST_LOST);
+    MUST(before->alarm == WB_ALARM_NONE || before->alarm == WB_ALARM_HOST_LOST ||
+         before->alarm == WB_ALARM_HOLD_INPUT);
     MUST(before->session != WB_NO_SESSION);
     MUST(before->homed || homing(before));
     MUST(!world->stopped || homing(before));
@@ -188,6 +190,7 @@ static void settings(struct world *world, uint16_t session)
         {WB_SETTING_BEND_RATE, 8000},         {WB_SETTING_HOME_FAST_RATE, 4000},
         {WB_SETTING_HOME_SLOW_RATE, 2000},    {WB_SETTING_FEED_ACCELERATION, 400000},
         {WB_SETTING_ROTATE_ACCELERATION, 400000}, {WB_SETTING_BEND_ACCELERATION, 400000},
+        {WB_SETTING_INPUTS, 3},               {WB_SETTING_RELEASE_S, 2},
     };
     struct wb_settings *stored = &world->host->controller.settings;
     wb_settings_defaults(stored, world->host);

@@ -19,6 +19,9 @@ void wb_motors_begin(void)
     wb_pin_output(WB_PIN_BEND_DIR);
     /* Pull-up of the switch: a broken wire reads as pressed. */
     wb_pin_high(WB_PIN_SWITCH);
+    /* And of the inputs: a broken wire reads as open. */
+    wb_pin_high(WB_PIN_HOLD);
+    wb_pin_high(WB_PIN_EMERGENCY);
 }
 
 void hal_direction(void *board, uint8_t axis, bool forward)
@@ -69,4 +72,18 @@ void hal_motors_on(void *board)
 #ifdef WB_PIN_MOTORS_OFF
     wb_pin_low(WB_PIN_MOTORS_OFF);
 #endif
+}
+
+void hal_motors_off(void *board)
+{
+    (void)board;
+#ifdef WB_PIN_MOTORS_OFF
+    wb_pin_high(WB_PIN_MOTORS_OFF);
+#endif
+}
+
+bool hal_input_open(void *board, uint8_t input)
+{
+    (void)board;
+    return input == WB_INPUT_HOLD ? wb_pin_is_high(WB_PIN_HOLD) : wb_pin_is_high(WB_PIN_EMERGENCY);
 }

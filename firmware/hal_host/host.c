@@ -20,6 +20,7 @@ struct wb_host {
     uint64_t now, step_at, tick_at, sent_at;
     bool switch_high;
     bool motors;
+    uint8_t inputs_open;
     bool forward[WB_AXES];
     uint8_t send[SEND_ROOM];
     uint8_t send_in, send_out;
@@ -72,6 +73,20 @@ void hal_motors_on(void *board)
         host->motors = true;
         note(host, WB_HOST_MOTORS, 1, true);
     }
+}
+
+void hal_motors_off(void *board)
+{
+    struct wb_host *host = board;
+    if (host->motors) {
+        host->motors = false;
+        note(host, WB_HOST_MOTORS, 0, false);
+    }
+}
+
+bool hal_input_open(void *board, uint8_t input)
+{
+    return (((struct wb_host *)board)->inputs_open & input) != 0;
 }
 
 void hal_timer_start(void *board, uint16_t ticks)
@@ -191,6 +206,11 @@ void wb_host_receive_all(struct wb_host *host, const uint8_t *bytes, size_t coun
 void wb_host_switch(struct wb_host *host, bool high)
 {
     host->switch_high = high;
+}
+
+void wb_host_inputs(struct wb_host *host, uint8_t open)
+{
+    host->inputs_open = open;
 }
 
 /* The interrupt that is next, when it comes before `until`. */

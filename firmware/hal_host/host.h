@@ -16,7 +16,7 @@ enum wb_host_kind {
     WB_HOST_PULSE, /* `value`: axis, `on`: direction as the motor sees it */
     WB_HOST_PEG,   /* `value`: servo pulse width, us */
     WB_HOST_SENT,  /* `value`: a byte to the host */
-    WB_HOST_MOTORS /* the drivers were turned on */
+    WB_HOST_MOTORS /* the drivers were turned on or off */
 };
 
 struct wb_host_event {
@@ -42,6 +42,8 @@ void wb_host_receive(struct wb_host *host, uint8_t byte, bool damaged);
 void wb_host_receive_all(struct wb_host *host, const uint8_t *bytes, size_t count);
 /* The level of the switch from now on. */
 void wb_host_switch(struct wb_host *host, bool high);
+/* The contacts of these inputs are open from now on, those of the others closed. */
+void wb_host_inputs(struct wb_host *host, uint8_t open);
 /* Lets time pass until `until`, or until events wait; gives the time. */
 uint64_t wb_host_run(struct wb_host *host, uint64_t until /* cycles */);
 /* The next event, if one waits. */

@@ -18,6 +18,8 @@
 #define WB_PIN_SWITCH      B, 3 /* D11  limitSwitch, input with pull-up: low when pressed */
 #define WB_PIN_PEG         D, 2 /* D2   servo01; the program makes its edges, to about 10 us */
 /* No pin turns the drivers off: they hold from power-on. */
+#define WB_PIN_EMERGENCY   C, 0 /* A0   sense of the emergency stop: a contact to ground that opens; not in the sketch */
+#define WB_PIN_HOLD        C, 1 /* A1   door or feed hold: a contact to ground that opens; not in the sketch */
 
 /* In the order of firmware/protocol/settings.csv. HTM: from the sketch; the others are estimates to begin with.
  * The sketch counts from where a positive bend begins; a negative one begins 43 degrees further. Zero here is in the
@@ -46,6 +48,8 @@
     48,     /* between them, steps: 3 degrees */                                                     \
     3700,   /* longest search, steps: from one end to the other and some */                          \
     60000,  /* longest homing, ms */                                                                 \
-    12      /* inverted: 4 bend, whose switch lies where the sketch counts up; 8 switch, low when pressed */
+    12,     /* inverted: 4 bend, whose switch lies where the sketch counts up; 8 switch, low when pressed */ \
+    0,      /* motors never released */                                                            \
+    0       /* no inputs wired */
 
 #endif

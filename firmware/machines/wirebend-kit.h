@@ -15,6 +15,8 @@
 #define WB_PIN_BEND_DIR    D, 6 /* D6   Y.DIR */
 #define WB_PIN_MOTORS_OFF  B, 0 /* D8   EN, low turns the drivers on */
 #define WB_PIN_SWITCH      B, 2 /* D10  Y limit, normally closed to ground: open or broken reads high */
+#define WB_PIN_EMERGENCY   C, 0 /* A0   Abort, sense of the emergency stop: a contact to ground that opens */
+#define WB_PIN_HOLD        C, 1 /* A1   Hold, door or feed hold: a contact to ground that opens */
 #define WB_PIN_PEG         B, 3 /* D11  Z limit, signal of the servo */
 #define WB_PEG_AT_OC2A          /* which is the pin that timer 2 can drive */
 
@@ -43,6 +45,8 @@
     120,    /* between them, steps: 2 degrees */                                                   \
     20000,  /* longest search, steps: from one end to the other and some */                        \
     90000,  /* longest homing, ms */                                                               \
-    0       /* nothing inverted */
+    0,      /* nothing inverted */                                                                 \
+    0,      /* motors never released */                                                            \
+    0       /* no inputs wired */
 
 #endif

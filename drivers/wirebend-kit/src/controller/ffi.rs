@@ -25,6 +25,7 @@ unsafe extern "C" {
     fn wb_host_receive(host: *mut RawHost, byte: u8, damaged: bool);
     fn wb_host_receive_all(host: *mut RawHost, bytes: *const u8, count: usize);
     fn wb_host_switch(host: *mut RawHost, high: bool);
+    fn wb_host_inputs(host: *mut RawHost, open: u8);
     fn wb_host_run(host: *mut RawHost, until: u64) -> u64;
     fn wb_host_next(host: *mut RawHost, event: *mut RawEvent) -> bool;
     fn wb_host_fail_after(host: *mut RawHost, bytes: u32);
@@ -68,6 +69,11 @@ impl Host {
     pub fn switch(&mut self, high: bool) {
         // SAFETY: as in `reset`.
         unsafe { wb_host_switch(self.0.as_ptr(), high) }
+    }
+
+    pub fn inputs(&mut self, open: u8) {
+        // SAFETY: as in `reset`.
+        unsafe { wb_host_inputs(self.0.as_ptr(), open) }
     }
 
     pub fn run(&mut self, until: u64) -> u64 {

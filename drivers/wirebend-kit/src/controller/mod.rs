@@ -40,6 +40,8 @@ pub enum Sight {
     Sent(u8),
     /// The motor drivers were turned on.
     MotorsOn,
+    /// The motor drivers were turned off.
+    MotorsOff,
 }
 
 /// A controller.
@@ -97,6 +99,11 @@ impl Controller {
         self.host.switch(high);
     }
 
+    /// The contacts of its inputs from now on: whether that of the hold and that of the emergency stop is open.
+    pub fn set_inputs(&mut self, hold_open: bool, emergency_open: bool) {
+        self.host.inputs(u8::from(hold_open) | u8::from(emergency_open) << 1);
+    }
+
     /// Lets time pass until `until`, or until something can be seen.
     pub fn run(&mut self, until: u64) -> Option<Seen> {
         loop {
@@ -139,6 +146,7 @@ fn sight(event: ffi::RawEvent) -> Option<Sight> {
         0 => Sight::Pulse { axis, forward: event.on != 0 },
         1 => Sight::Peg { width_us: event.value },
         2 => Sight::Sent(u8::try_from(event.value).ok()?),
-        _ => Sight::MotorsOn,
+        _ if event.on != 0 => Sight::MotorsOn,
+        _ => Sight::MotorsOff,
     })
 }

@@ -286,7 +286,7 @@ impl Link {
     }
 
     fn alarmed(&mut self, alarm: Alarm) {
-        if alarm != Alarm::HostLost {
+        if !matches!(alarm, Alarm::HostLost | Alarm::HoldInput) {
             self.queue.alarmed();
         }
         self.news.push(News::Alarm(alarm));

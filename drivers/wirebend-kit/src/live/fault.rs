@@ -128,6 +128,8 @@ pub(super) fn refused(command: u8, error: Refusal, homing: bool) -> DriverError 
     let help = match error {
         Refusal::Settings => "write the settings of the profile to the machine",
         Refusal::NotHomed | Refusal::InAlarm => "home the machine",
+        Refusal::Emergency => "release the emergency stop, then home the machine",
+        Refusal::HoldInput => "close the door or release the feed hold, then try again",
         Refusal::SoftLimit => "turn the head back, or correct the limits of the axes",
         _ => "home the machine and try again",
     };
@@ -138,6 +140,9 @@ pub(super) fn alarm(alarm: Alarm) -> DriverError {
     let help = match alarm {
         Alarm::Limit => "see what turned the bend axis to its switch, then home the machine",
         Alarm::Homing => "look at the switch and its wires, and at the direction of the bend axis",
+        Alarm::Emergency => {
+            "find out why it was pressed, release it, home the machine, and say whether the step in doubt was made"
+        }
         Alarm::LatePulse => "lower the speeds in the profile, then home the machine",
         _ => "home the machine",
     };
@@ -157,6 +162,33 @@ pub(super) fn host_lost() -> DriverError {
         "host-lost",
         "the machine has heard nothing for a second and holds after its step",
         "look at the cable, then let it go on",
+    )
+}
+
+pub(super) fn hold_input() -> DriverError {
+    DriverError::new(
+        "hold-input",
+        "the hold input of the machine is open: it slows down and holds",
+        "close the door or release the feed hold, see that nobody is at the machine, then let it go on",
+    )
+}
+
+pub(super) fn released() -> DriverError {
+    DriverError::new(
+        "released",
+        "the machine has released its motors at rest, and does not know any more where its axes are",
+        "home it before the next wire; 'release_after_s' of the driver's settings says after how long",
+    )
+}
+
+pub(super) fn older_firmware(versions: Option<Versions>) -> DriverError {
+    DriverError::new(
+        "older-firmware",
+        format!(
+            "the board has an older firmware ({}): it lacks settings that this driver needs",
+            identity(versions)
+        ),
+        "flash the firmware that came with this program: firmware/README.md says how; its settings are taken over",
     )
 }
 

@@ -148,6 +148,16 @@ impl Machine {
         }
         self.tell_position(status);
         self.tell_hold(status);
+        self.tell_release(status);
+    }
+
+    /// At rest it has let its motors go, and does not know any more where its axes are.
+    fn tell_release(&mut self, status: Status) {
+        if self.homed && !status.homed && status.state == State::Idle && self.doing == Doing::Nothing {
+            self.give_up();
+            self.report(Event::Warning(fault::released()));
+            self.report(Event::Stopped { homed: false });
+        }
     }
 
     fn tell_position(&mut self, status: Status) {
@@ -170,12 +180,20 @@ impl Machine {
         }
         self.held = held;
         let silence = status.alarm == Alarm::HostLost;
+        let input = status.alarm == Alarm::HoldInput;
         if held && silence {
             self.report(Event::Warning(fault::host_lost()));
         }
+        if held && input {
+            self.report(Event::Warning(fault::hold_input()));
+        }
         // A stop ends a hold without going on.
         if held {
-            let by = if silence { PausedBy::Silence } else { PausedBy::Program };
+            let by = match status.alarm {
+                Alarm::HostLost => PausedBy::Silence,
+                Alarm::HoldInput => PausedBy::Machine,
+                _ => PausedBy::Program,
+            };
             self.report(Event::Paused { by });
         } else if status.state != State::Alarm {
             self.report(Event::Resumed);
@@ -200,6 +218,12 @@ impl Machine {
         match (command, self.doing) {
             // Told with the settings.
             (b'C', _) if error == Refusal::Settings => {}
+            // It holds on.
+            (b'G', _) if error == Refusal::HoldInput => self.report(Event::Warning(fault::hold_input())),
+            // It has fewer settings than this driver knows.
+            (b'C', Doing::Connecting) if error == Refusal::Unknown => {
+                self.lose(fault::older_firmware(self.versions));
+            }
             (b'S', Doing::Homing(Homing::Opening)) if error == Refusal::NotIdle => {
                 self.link.stop(now);
                 self.doing = Doing::Homing(Homing::Stopping);
@@ -216,7 +240,7 @@ impl Machine {
     }
 
     fn alarmed(&mut self, alarm: Alarm, now: Duration) {
-        if alarm == Alarm::HostLost {
+        if matches!(alarm, Alarm::HostLost | Alarm::HoldInput) {
             return; // the status tells of the hold
         }
         match self.doing {

@@ -218,7 +218,7 @@ impl Simulated {
                 }
             }
             Sight::Sent(byte) => self.sent.push(byte),
-            Sight::MotorsOn => {}
+            Sight::MotorsOn | Sight::MotorsOff => {}
         }
     }
 }

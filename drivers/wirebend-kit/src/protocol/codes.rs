@@ -28,6 +28,8 @@ pub enum Command {
     WriteSetting = b'W',
     /// Stores the settings that were compiled in, and answers with the first; at rest only.
     LoadDefaults = b'L',
+    /// Turns the motor drivers off, at rest only: the machine has to be homed again.
+    Release = b'R',
 }
 
 impl Command {
@@ -46,6 +48,7 @@ impl Command {
             b'C' => Self::ReadSetting,
             b'W' => Self::WriteSetting,
             b'L' => Self::LoadDefaults,
+            b'R' => Self::Release,
             _ => return None,
         })
     }
@@ -118,6 +121,10 @@ pub enum Refusal {
     Gap = 9,
     /// No session is open.
     NoSession = 10,
+    /// The hold input is open: close it and go on.
+    HoldInput = 11,
+    /// The emergency stop is pressed: release it first.
+    Emergency = 12,
 }
 
 impl Refusal {
@@ -135,6 +142,8 @@ impl Refusal {
             8 => Self::Damaged,
             9 => Self::Gap,
             10 => Self::NoSession,
+            11 => Self::HoldInput,
+            12 => Self::Emergency,
             _ => return None,
         })
     }
@@ -153,6 +162,8 @@ impl Refusal {
             Self::Damaged => "the line came damaged: to be sent again from the next number",
             Self::Gap => "the number is not the next one",
             Self::NoSession => "no session is open",
+            Self::HoldInput => "the hold input is open: close it and go on",
+            Self::Emergency => "the emergency stop is pressed: release it first",
         }
     }
 }
@@ -175,6 +186,10 @@ pub enum Alarm {
     HostLost = 5,
     /// A step pulse came too late.
     LatePulse = 6,
+    /// The emergency stop is pressed, or its sense wire is broken.
+    Emergency = 7,
+    /// The hold input is open, by a door or a feed hold: slows down and holds; left by go-on once it is closed.
+    HoldInput = 8,
 }
 
 impl Alarm {
@@ -189,6 +204,8 @@ impl Alarm {
             4 => Self::Watchdog,
             5 => Self::HostLost,
             6 => Self::LatePulse,
+            7 => Self::Emergency,
+            8 => Self::HoldInput,
             _ => return None,
         })
     }
@@ -204,6 +221,10 @@ impl Alarm {
             Self::Watchdog => "the controller hung and was started again by its watchdog",
             Self::HostLost => "no valid frame for a second: holds after the running line; left by go-on",
             Self::LatePulse => "a step pulse came too late",
+            Self::Emergency => "the emergency stop is pressed, or its sense wire is broken",
+            Self::HoldInput => {
+                "the hold input is open, by a door or a feed hold: slows down and holds; left by go-on once it is closed"
+            }
         }
     }
 }
@@ -344,7 +365,7 @@ pub struct Setting {
 }
 
 /// Every setting, in order of their numbers, which count from 1.
-pub const SETTINGS: [Setting; 24] = [
+pub const SETTINGS: [Setting; 26] = [
     Setting { id: 1, name: "feed_steps_per_m", unit: "steps/m", least: 1000, most: 1_000_000 },
     Setting { id: 2, name: "rotate_steps_per_rev", unit: "steps/rev", least: 200, most: 1_000_000 },
     Setting { id: 3, name: "bend_steps_per_rev", unit: "steps/rev", least: 200, most: 1_000_000 },
@@ -369,4 +390,6 @@ pub const SETTINGS: [Setting; 24] = [
     Setting { id: 22, name: "home_travel", unit: "steps", least: 100, most: 1_000_000 },
     Setting { id: 23, name: "home_time_ms", unit: "ms", least: 1000, most: 600_000 },
     Setting { id: 24, name: "inverted", unit: "bits", least: 0, most: 15 },
+    Setting { id: 25, name: "release_s", unit: "s", least: 0, most: 36_000 },
+    Setting { id: 26, name: "inputs", unit: "bits", least: 0, most: 3 },
 ];

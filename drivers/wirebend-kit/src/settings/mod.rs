@@ -97,6 +97,13 @@ pub struct Settings {
     pub rotate_inverted: bool,
     /// Whether the motor of the bend axis turns the other way.
     pub bend_inverted: bool,
+    /// Time at rest after which the motors are released, s; 0 never. The machine has to be homed after it.
+    #[schemars(range(min = 0, max = 36_000))]
+    pub release_after_s: u32,
+    /// Whether a contact for a door or a feed hold is wired (A1): open, the machine slows down and holds.
+    pub hold_input: bool,
+    /// Whether a sense contact of the emergency stop is wired (A0): open, everything ends, and no step counts as made.
+    pub emergency_input: bool,
     /// Whether the switch closes when it is pressed. The published one opens, so that a broken wire is noticed.
     pub switch_closes: bool,
 }
@@ -137,6 +144,9 @@ impl Default for Settings {
             feed_inverted: false,
             rotate_inverted: false,
             bend_inverted: false,
+            release_after_s: 0,
+            hold_input: false,
+            emergency_input: false,
             switch_closes: false,
         }
     }

@@ -29,6 +29,7 @@ const PACE: &[&str] = &[
     "home_fast_rate",
     "home_slow_rate",
     "home_time_ms",
+    "release_s",
 ];
 
 /// How far something may go, given in round numbers of another unit: a step apart is rounding.
@@ -67,6 +68,11 @@ pub(crate) fn expected(settings: &Settings) -> [i32; SETTINGS.len()] {
         "home_back_off" => bend(s.home_back_off_deg),
         "home_travel" => bend(s.home_travel_deg),
         "home_time_ms" => s.home_time_s * 1000.0,
+        "release_s" => s.release_after_s.into(),
+        "inputs" => {
+            let wired = [(s.hold_input, 1.0), (s.emergency_input, 2.0)];
+            wired.into_iter().map(|(wired, bit)| if wired { bit } else { 0.0 }).sum()
+        }
         _ => bits,
     };
     SETTINGS.map(|setting| steps(by_name(setting.name)))

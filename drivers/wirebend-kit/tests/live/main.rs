@@ -15,7 +15,7 @@ use wirebend_driver_api::{Axis, Event, Motion, PausedBy, Step};
 fn a_machine_is_met_homed_and_armed() {
     let mut table = Table::new(json!({}));
     let Event::Connected { identity, settings, homed, going_on } = table.connected() else { panic!() };
-    assert_eq!((identity.as_str(), homed, going_on), ("WireBend-kit, firmware 1.00", false, None));
+    assert_eq!((identity.as_str(), homed, going_on), ("WireBend-kit, firmware 1.10", false, None));
     assert_eq!(settings, [], "a machine that was set up as its profile says");
     table.home();
     let token = table.arm(0, 1, 0.0);
@@ -138,6 +138,23 @@ fn a_stop_ends_everything_until_the_machine_is_homed() {
     assert_eq!(table.until(|event| matches!(event, Event::Stopped { .. })), Event::Stopped { homed: false });
     let refused = table.session.jog(Motion { axis: Axis::Feed, by: 1.0 }).unwrap_err();
     assert_eq!(refused.code, "not-homed");
+    table.home();
+    table.jog(Motion { axis: Axis::Feed, by: 1.0 });
+}
+
+/// Whoever turned the axes meanwhile, nobody has counted: it is said, and nothing is moved before it was homed.
+#[test]
+fn motors_that_were_released_at_rest_ask_for_homing() {
+    let mut table = Table::new(json!({ "release_after_s": 5 }));
+    let Event::Connected { settings, .. } = table.connected() else { panic!() };
+    assert_eq!(settings, []);
+    table.home();
+    table.stopped = true; // a warning is what is waited for
+    let warning = table.until(|event| matches!(event, Event::Warning(_)));
+    let Event::Warning(warning) = warning else { unreachable!() };
+    assert_eq!(warning.code, "released");
+    table.until(|event| *event == Event::Stopped { homed: false });
+    assert_eq!(table.session.jog(Motion { axis: Axis::Feed, by: 1.0 }).unwrap_err().code, "not-homed");
     table.home();
     table.jog(Motion { axis: Axis::Feed, by: 1.0 });
 }

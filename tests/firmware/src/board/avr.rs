@@ -12,6 +12,9 @@ const DIRECTION: [u8; 3] = [5, 7, 6];
 const MOTORS_OFF: u8 = 0;
 const SWITCH: u8 = 2;
 const PEG: u8 = 3;
+/// Pins of port C.
+const EMERGENCY: u8 = 0;
+const HOLD: u8 = 1;
 /// So much the width of a servo's pulse may differ from what was asked, µs.
 const SERVO_TOLERANCE_US: u64 = 8;
 /// How long it may run before its pins are looked at: less than the shortest interval of the bend axis, whose
@@ -78,6 +81,11 @@ impl Board for Avr {
 
     fn set_switch(&mut self, high: bool) {
         self.uno.set_input(Port::B, SWITCH, high).unwrap();
+    }
+
+    fn set_inputs(&mut self, hold_open: bool, emergency_open: bool) {
+        self.uno.set_input(Port::C, HOLD, hold_open).unwrap();
+        self.uno.set_input(Port::C, EMERGENCY, emergency_open).unwrap();
     }
 
     fn reset(&mut self, cause: Reset) {

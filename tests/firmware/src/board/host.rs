@@ -41,6 +41,10 @@ impl Board for Host {
         self.0.set_switch(high);
     }
 
+    fn set_inputs(&mut self, hold_open: bool, emergency_open: bool) {
+        self.0.set_inputs(hold_open, emergency_open);
+    }
+
     fn reset(&mut self, cause: Reset) {
         self.0.reset(cause);
     }
@@ -67,5 +71,6 @@ fn what(sight: Sight) -> What {
         Sight::Peg { width_us } => What::Servo { width_us },
         Sight::Sent(byte) => What::Byte(byte),
         Sight::MotorsOn => What::Motors(true),
+        Sight::MotorsOff => What::Motors(false),
     }
 }

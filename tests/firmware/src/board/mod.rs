@@ -59,6 +59,8 @@ pub trait Board {
     fn run(&mut self, until: u64) -> Vec<Seen>;
     /// The level of the pin of the switch.
     fn set_switch(&mut self, high: bool);
+    /// Whether the contacts of the hold input and of the emergency stop's sense are open.
+    fn set_inputs(&mut self, hold_open: bool, emergency_open: bool);
     /// A reset with this cause.
     fn reset(&mut self, cause: Reset);
     /// Bytes that outlive power.

@@ -2,7 +2,10 @@
 
 use std::time::Instant;
 
-use wirebend_driver_api::{Axis, Batch, Event, MachineDriver, MachineSession, NumberedStep, Run, Step};
+use serde_json::{Value, json};
+use wirebend_driver_api::{
+    Axis, Batch, Event, MachineDriver, MachineSession, NumberedStep, PausedBy, Run, Step,
+};
 use wirebend_driver_wirebend_kit::WirebendKit;
 use wirebend_tests_firmware::board::{Avr, Board, MS, Reset};
 
@@ -25,11 +28,19 @@ struct Making {
 
 impl Making {
     fn new() -> Self {
+        Self::with(coarse()["driver"]["settings"].clone())
+    }
+
+    /// The same with other settings than those that the board has.
+    fn with(settings: Value) -> Self {
         let at = AtPort::<Avr>::new(GEARS, Some(&Job::cube().stored), true);
-        let settings = serde_json::from_value(coarse()["driver"]["settings"].clone()).unwrap();
+        at.with(|bender| bender.board.set_inputs(false, false));
+        let settings = serde_json::from_value(settings).unwrap();
         let session = WirebendKit::open(settings).unwrap().connect(&at.port, None).unwrap();
         let mut making = Self { at, session, told: Vec::new(), zero: 0 };
         making.until(|event| matches!(event, Event::Connected { .. }));
+        making.session.write_settings().unwrap();
+        making.until(|event| *event == Event::SettingsWritten { settings: Vec::new() });
         making.session.home().unwrap();
         making.until(|event| *event == Event::Homed);
         making.zero = making.at.with(|bender| net(bender.pulses.all(), Axis::Bend));
@@ -133,7 +144,7 @@ fn an_alarm_in_a_step_tells_how_far_each_axis_got() {
     let mut making = Making::new();
     making.underway(Axis::Bend, 150);
     // The peg is out and swings to the other side: on its way back it meets a switch that reads pressed.
-    making.at.with(|bender| bender.break_switch());
+    making.at.with(Bender::break_switch);
     making.until(|event| matches!(event, Event::Fault { .. }));
     let Some(Event::Fault { error, in_doubt, .. }) = making.told.last() else { unreachable!() };
     assert_eq!((error.code.as_str(), *in_doubt), ("alarm", Some(1)), "{error}");
@@ -161,4 +172,56 @@ fn a_reset_in_a_step_tells_no_position() {
     }
     let after = making.told[from..].iter().filter(|event| matches!(event, Event::Position(_))).count();
     assert_eq!(after, 0, "a position that nobody knows");
+}
+
+/// Both inputs wired.
+fn wired() -> Value {
+    let mut settings = coarse()["driver"]["settings"].clone();
+    settings["hold_input"] = json!(true);
+    settings["emergency_input"] = json!(true);
+    settings
+}
+
+/// To go on while it is open is refused and ends nothing.
+#[test]
+fn an_open_door_is_told_and_left_by_a_person() {
+    let _others = shared();
+    let mut making = Making::with(wired());
+    making.underway(Axis::Feed, 700);
+    making.at.with(|bender| bender.board.set_inputs(true, false));
+    making.until(|event| *event == Event::Paused { by: PausedBy::Machine });
+    making.session.resume().unwrap();
+    making.told.clear();
+    making.until(|event| matches!(event, Event::Warning(_) | Event::Fault { .. }));
+    let Some(Event::Warning(warning)) = making.told.last() else { panic!("{:?}", making.told.last()) };
+    assert_eq!(warning.code, "hold-input");
+    making.at.with(|bender| bender.board.set_inputs(false, false));
+    making.session.resume().unwrap();
+    making.until(|event| *event == Event::Resumed);
+    making.until(|event| *event == Event::Done { n: 1 });
+    let steps = making.counted().feed_mm * GEARS.feed_steps_per_mm;
+    let whole = STEP.feed_mm * GEARS.feed_steps_per_mm;
+    assert!(steps > whole - 1.0, "{steps} steps of the first feed, not {whole}");
+}
+
+#[test]
+fn after_an_emergency_stop_the_step_is_in_doubt() {
+    let _others = shared();
+    let mut making = Making::with(wired());
+    making.underway(Axis::Rotate, 333);
+    making.at.with(|bender| bender.board.set_inputs(false, true));
+    making.until(|event| matches!(event, Event::Fault { .. }));
+    let Some(Event::Fault { error, in_doubt, .. }) = making.told.last() else { unreachable!() };
+    assert_eq!((error.code.as_str(), *in_doubt), ("alarm", Some(1)), "{error}");
+    assert!(error.message.contains("emergency stop"), "{error}");
+    assert!(!making.told.iter().any(|event| matches!(event, Event::Done { .. })));
+    making.stands("emergency stop");
+    // While it is pressed the machine does not home, and says why.
+    making.session.home().unwrap();
+    making.until(|event| matches!(event, Event::Fault { .. }));
+    let Some(Event::Fault { error, .. }) = making.told.last() else { unreachable!() };
+    assert!(error.help.contains("release the emergency stop"), "{error}");
+    making.at.with(|bender| bender.board.set_inputs(false, false));
+    making.session.home().unwrap();
+    making.until(|event| *event == Event::Homed);
 }
