@@ -17,7 +17,7 @@
 #define WB_PIN_BEND_DIR    B, 2 /* D10 */
 #define WB_PIN_SWITCH      B, 3 /* D11  limitSwitch, input with pull-up: low when pressed */
 #define WB_PIN_PEG         D, 2 /* D2   servo01; the program makes its edges, to about 10 us */
-/* No pin turns the drivers off: they hold from power-on. */
+#define WB_PIN_MOTORS_OFF  B, 4 /* D12  EN of the three drivers, with a pull-up; not in the sketch, where they are always on */
 #define WB_PIN_EMERGENCY   C, 0 /* A0   sense of the emergency stop: a contact to ground that opens; not in the sketch */
 #define WB_PIN_HOLD        C, 1 /* A1   door or feed hold: a contact to ground that opens; not in the sketch */
 
