@@ -46,7 +46,7 @@
 #define WB_ALARM_HOST_LOST 5 /* No valid frame for a second: holds after the running line; left by go-on */
 #define WB_ALARM_LATE_PULSE 6 /* A step pulse came too late */
 #define WB_ALARM_EMERGENCY 7 /* The emergency stop is pressed, or its sense wire is broken */
-#define WB_ALARM_HOLD_INPUT 8 /* The hold input is open, by a door or a feed hold: slows down and holds; left by go-on once it is closed */
+#define WB_ALARM_HOLD_INPUT 8 /* The hold input is open: holds, and is left by go-on once it is closed */
 
 #define WB_STATE_IDLE 0 /* At rest */
 #define WB_STATE_RUNNING 1 /* Makes a line */
@@ -59,7 +59,7 @@
 #define WB_RESET_WATCHDOG 3 /* The watchdog */
 
 #define WB_MACHINE_WIREBEND_KIT 1 /* The WireBend-kit bender: Arduino Uno with a CNC Shield V3 */
-#define WB_MACHINE_HOWTOMECHATRONICS 2 /* The bender of howtomechatronics.com: Arduino Uno with three drivers on wires of their own */
+#define WB_MACHINE_HOWTOMECHATRONICS 2 /* The bender of howtomechatronics.com: Arduino Uno and three drivers */
 
 #define WB_SETTINGS_COUNT 26
 #define WB_SETTING_FEED_STEPS_PER_M 1 /* steps/m: Steps of the feed motors for a metre of wire */

@@ -188,7 +188,7 @@ pub enum Alarm {
     LatePulse = 6,
     /// The emergency stop is pressed, or its sense wire is broken.
     Emergency = 7,
-    /// The hold input is open, by a door or a feed hold: slows down and holds; left by go-on once it is closed.
+    /// The hold input is open: holds, and is left by go-on once it is closed.
     HoldInput = 8,
 }
 
@@ -222,9 +222,7 @@ impl Alarm {
             Self::HostLost => "no valid frame for a second: holds after the running line; left by go-on",
             Self::LatePulse => "a step pulse came too late",
             Self::Emergency => "the emergency stop is pressed, or its sense wire is broken",
-            Self::HoldInput => {
-                "the hold input is open, by a door or a feed hold: slows down and holds; left by go-on once it is closed"
-            }
+            Self::HoldInput => "the hold input is open: holds, and is left by go-on once it is closed",
         }
     }
 }
@@ -313,7 +311,7 @@ impl Reset {
 pub enum Machine {
     /// The WireBend-kit bender: Arduino Uno with a CNC Shield V3.
     WirebendKit = 1,
-    /// The bender of howtomechatronics.com: Arduino Uno with three drivers on wires of their own.
+    /// The bender of howtomechatronics.com: Arduino Uno and three drivers.
     Howtomechatronics = 2,
 }
 
@@ -333,9 +331,7 @@ impl Machine {
     pub const fn meaning(self) -> &'static str {
         match self {
             Self::WirebendKit => "The WireBend-kit bender: Arduino Uno with a CNC Shield V3",
-            Self::Howtomechatronics => {
-                "The bender of howtomechatronics.com: Arduino Uno with three drivers on wires of their own"
-            }
+            Self::Howtomechatronics => "The bender of howtomechatronics.com: Arduino Uno and three drivers",
         }
     }
 
