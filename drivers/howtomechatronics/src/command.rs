@@ -41,6 +41,23 @@ pub(crate) fn echoed(line: &str) -> Option<Command> {
     number("Feed ").map(Command::Feed).or_else(rotate).or_else(|| number("Bend ").map(Command::Bend))
 }
 
+/// Whether a line is one that the sketch prints besides, such as `// MANUAL MODE //`, or nothing.
+pub(crate) fn is_remark(line: &str) -> bool {
+    line.is_empty() || (line.starts_with("//") && line.ends_with("//"))
+}
+
+/// Whether a line is that of another controller, whatever goes on: grbl's greeting and answers, or a sealed line of the
+/// WireBend-kit's firmware, which ends with `*` and four hexadecimal digits.
+pub(crate) fn is_of_another(line: &str) -> bool {
+    let begins = |word: &str| line.get(..word.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(word));
+    let sealed = line
+        .rsplit_once('*')
+        .is_some_and(|(_, seal)| seal.len() == 4 && seal.bytes().all(|byte| byte.is_ascii_hexdigit()));
+    sealed
+        || line == "ok"
+        || ["grbl", "error:", "alarm:", "[msg:", "<idle|", "<alarm|"].into_iter().any(begins)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -54,5 +71,18 @@ mod tests {
         assert_eq!(echoed("  // MANUAL MODE //"), None);
         assert_eq!(echoed("Feed mm wire."), None);
         assert_eq!(echoed("Bend 99999999999 degrees."), None);
+    }
+
+    #[test]
+    fn other_controllers_are_known_by_what_they_say() {
+        for line in
+            ["Grbl 1.1h ['$' for help]", "error:9", "ok", "[MSG:'$H'|'$X' to unlock]", "o1,0,0,1*3F0A"]
+        {
+            assert!(is_of_another(line) && !is_remark(line), "{line}");
+        }
+        for line in ["", "// MANUAL MODE //", "Feed 38mm wire.", "ready", "2 * 1234567"] {
+            assert!(!is_of_another(line), "{line}");
+        }
+        assert!(is_remark("// MANUAL MODE //") && is_remark("") && !is_remark("ready"));
     }
 }

@@ -36,8 +36,8 @@ impl MachineDriver for HowToMechatronics {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             description: "The Arduino bender of HowToMechatronics and its clones: whole millimetres and \
                           degrees, as a file or sent by the clock. The machine moves its arm when the port is \
-                          opened, does not say when it has finished, and cannot be stopped by the program: \
-                          keep its power switch at hand. No machine has been run by this driver."
+                          opened, acknowledges nothing, so that steps count as made by the clock alone, and \
+                          cannot be stopped by the program: keep its power switch at hand. No machine has been run by this driver."
                 .to_owned(),
             capabilities: [Capability::Export, Capability::Live, Capability::Ports].into(),
             formats: vec![FormatDescription {

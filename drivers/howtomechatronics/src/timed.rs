@@ -10,7 +10,7 @@ use std::time::Duration;
 use wirebend_driver_api::{Batch, Direction, DriverError, Event, NumberedStep, Run, Sent, Step};
 
 use crate::Settings;
-use crate::command::{Command, echoed};
+use crate::command::{Command, echoed, is_of_another, is_remark};
 use crate::whole::Axes;
 
 /// Steps that are taken ahead; the program sends more when they are made.
@@ -232,6 +232,12 @@ impl Timed {
             going_on: None,
         });
         self.events.push_back(Event::Warning(DriverError::new(
+            "no-acknowledgement",
+            "this machine never says that it has made something: a step counts as made when the time that it is reckoned \
+             to take is over, even where no machine is at the port",
+            "watch it, and see that the port is the right one",
+        )));
+        self.events.push_back(Event::Warning(DriverError::new(
             "homed-by-hand",
             "this machine does not tell where its axes are; the program takes them to be at their start",
             "before arming turn the wire head and the bend arm to their start by hand, where the sketch has not \
@@ -250,8 +256,26 @@ impl Timed {
     /// The published sketch prints each motion as it has read it, when it begins. Clones need not, so nothing
     /// is waited for; but what it says is believed.
     fn heard(&mut self, text: &str, now: Duration) {
-        let (Some(read), Some((sent, end))) = (echoed(text), self.under_way) else {
+        if self.state == State::Lost {
             return;
+        }
+        if is_of_another(text) {
+            let message = format!("the machine says '{text}': another controller is at this port");
+            let help =
+                "see that the port and the machine's profile are the right ones; its driver is not this one";
+            return self.fail(DriverError::new("other-machine", message, help), false);
+        }
+        let Some((sent, end)) = self.under_way else { return };
+        let Some(read) = echoed(text) else {
+            // Some send back what they were sent.
+            if is_remark(text) || text == sent.to_string() {
+                return;
+            }
+            let message =
+                format!("the machine says '{text}' to '{sent}', which this driver does not understand");
+            let help =
+                "see that the port and the machine's profile are the right ones, and what its sketch prints";
+            return self.fail(DriverError::new("not-understood", message, help), false);
         };
         if read == sent {
             // It has begun later than was reckoned with: what follows has to wait for longer.
