@@ -57,7 +57,14 @@ pub(crate) fn machine_settings(
     let signs = Signs::of(&machine.figures()?);
     let port = request.port.as_deref();
     // A simulated machine is set as its profile says: there is nothing to compare.
-    let at = At { profile: &machine.profile, signs, port, unnamed: Unnamed::Refuse, token: None };
+    let at = At {
+        profile: &machine.profile,
+        signs,
+        port,
+        unnamed: Unnamed::Refuse,
+        token: None,
+        axes_at_zero: false,
+    };
     let mut connection = app.connect(&at, progress)?;
     let description = connection.session.driver().description();
     if request.write && !description.can(Capability::Settings) {

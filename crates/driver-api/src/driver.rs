@@ -55,7 +55,8 @@ pub trait MachineDriver: Sized + 'static {
 /// `jog` only when the state of the session allows it; a driver refuses what it knows to be wrong all
 /// the same.
 pub trait MachineSession {
-    /// Finds the machine's reference.
+    /// Finds the machine's reference. Where a person brings the axes there, as `connected` has told
+    /// ([`ReferenceBy::Person`](crate::ReferenceBy::Person)), nothing moves: they stand there now.
     ///
     /// # Errors
     /// [`DriverError`].

@@ -23,8 +23,11 @@ pub enum Event {
         /// after a reset, or cannot tell. Since 1.1.
         #[serde(default)]
         going_on: Option<GoingOn>,
+        /// Who brings the axes to their reference. Since 1.2.
+        #[serde(default)]
+        reference: ReferenceBy,
     },
-    /// The machine has found its reference.
+    /// The machine has found its reference, or has taken the place where it stands as that.
     Homed,
     /// A step has been made: the machine says so, or its time is over where no machine says anything.
     Done {
@@ -89,6 +92,18 @@ pub enum Event {
     #[serde(other)]
     #[schemars(skip)]
     Unknown,
+}
+
+/// Who brings the axes to their reference.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ReferenceBy {
+    /// The machine: on `home` its axes move to their switches.
+    #[default]
+    Machine,
+    /// A person. On `home` nothing moves: the place where the axes stand then is taken as zero, so that the program
+    /// has to ask first whether they stand there.
+    Person,
 }
 
 /// Why a machine holds.

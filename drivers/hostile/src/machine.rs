@@ -12,7 +12,9 @@ use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
-use wirebend_driver_api::{Batch, Call, DriverError, Event, GoingOn, PausedBy, Sent, SettingCheck};
+use wirebend_driver_api::{
+    Batch, Call, DriverError, Event, GoingOn, PausedBy, ReferenceBy, Sent, SettingCheck,
+};
 
 /// How many steps it takes ahead.
 const ROOM: u32 = 3;
@@ -176,7 +178,8 @@ impl Machine {
             matters: true,
         };
         let settings = self.settings.misset.then(other).into_iter().collect();
-        self.events.push_back(Event::Connected { identity, settings, homed: false, going_on });
+        let reference = ReferenceBy::default();
+        self.events.push_back(Event::Connected { identity, settings, homed: false, going_on, reference });
         if self.holds {
             self.events.push_back(Event::Paused { by: PausedBy::Silence });
         }

@@ -7,7 +7,7 @@
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use wirebend_driver_api::{Batch, Direction, DriverError, Event, NumberedStep, Run, Sent, Step};
+use wirebend_driver_api::{Batch, Direction, DriverError, Event, NumberedStep, ReferenceBy, Run, Sent, Step};
 
 use crate::Settings;
 use crate::command::{Command, echoed, is_of_another, is_remark};
@@ -230,6 +230,7 @@ impl Timed {
             settings: Vec::new(),
             homed: true,
             going_on: None,
+            reference: ReferenceBy::default(),
         });
         self.events.push_back(Event::Warning(DriverError::new(
             "no-acknowledgement",

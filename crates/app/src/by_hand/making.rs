@@ -1,12 +1,12 @@
 //! Moves made one after the other, each to its end before the next.
 
-use wirebend_driver_host::api::{Capability, Event};
+use wirebend_driver_host::api::{Capability, Event, ReferenceBy};
 use wirebend_driver_host::{Armed, Purpose, SessionError, State};
 use wirebend_profile::{MachineProfile, Resolved};
 
 use super::{Hand, JogResponse, Move};
 use crate::drivers::Signs;
-use crate::live::{At, Connection, Unnamed, Yes, stop_of};
+use crate::live::{At, Connection, Unnamed, Yes, Zero, stop_of};
 use crate::run::RunProblem;
 use crate::{App, AppError, LiveProblem, Progress};
 
@@ -25,8 +25,14 @@ pub(super) fn make(
     progress: &dyn Progress,
 ) -> Result<JogResponse, AppError> {
     let signs = Signs::of(&machine.figures()?);
-    let at =
-        At { profile: &machine.profile, signs, port: hand.port, unnamed: Unnamed::Simulate, token: None };
+    let at = At {
+        profile: &machine.profile,
+        signs,
+        port: hand.port,
+        unnamed: Unnamed::Simulate,
+        token: None,
+        axes_at_zero: hand.axes_at_zero,
+    };
     let mut connection = app.connect(&at, progress)?;
     require(&connection, moves)?;
     // It counts every move from its reference.
@@ -35,6 +41,10 @@ pub(super) fn make(
         && connection.can_home();
     let lines = lines(&connection, machine, moves, more, homes);
     let yes = Yes::ask(progress, lines, QUESTION, hand.confirmed)?;
+    if homes || moves.first() == Some(&Move::Home) {
+        // Before any of them is made.
+        connection.ask_zero(if homes { hand.zero } else { Zero::Wire })?;
+    }
     let mut made = Vec::new();
     let ended = make_all(&mut connection, signs, moves, homes, &yes, |one| {
         made.push(one);
@@ -96,7 +106,7 @@ pub(crate) fn lines(
     let mut lines = vec![format!("{name} at {} ({})", connection.port, connection.session.identity())];
     lines.extend(connection.why_here());
     lines.extend(more);
-    if homes {
+    if homes && connection.reference() == ReferenceBy::Machine {
         lines.push("first it searches its reference: the bend axis moves at once".to_owned());
     }
     let told: Vec<String> = moves.iter().take(TOLD).map(ToString::to_string).collect();
@@ -143,6 +153,8 @@ fn make_one(
         None => connection.session.arm(Purpose::ByHand, yes.confirmed()?)?,
     };
     connection.hearing.progress.stage(&one.to_string());
+    // What was said of where the axes stand was said before this.
+    connection.hearing.moved();
     connection.session.jog(&token, motion)?;
     while !connection.look_until_held("it was moved by hand")?.contains(&Event::Jogged) {}
     *armed = Some(token);

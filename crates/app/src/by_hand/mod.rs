@@ -11,6 +11,7 @@ use wirebend_driver_host::Standstill;
 use wirebend_profile::{MachineProfile, Resolved};
 
 use crate::design::Input;
+use crate::live::Zero;
 use crate::output::Output;
 use crate::report::NoteReport;
 use crate::run::RunProblem;
@@ -32,6 +33,10 @@ pub struct JogRequest {
     /// Whether the person has said already that the machine may move.
     #[serde(default)]
     pub confirmed: bool,
+    /// Whether the person has said already that the place where the axes stand may count as zero, for a machine without
+    /// switches. It counts once.
+    #[serde(default)]
+    pub axes_at_zero: bool,
     /// A file for the moves that were made, to be replayed.
     pub record: Option<Output>,
 }
@@ -49,6 +54,10 @@ pub struct ReplayRequest {
     /// Whether the person has said already that the machine may move.
     #[serde(default)]
     pub confirmed: bool,
+    /// Whether the person has said already that every axis stands at zero, for a machine without switches. It counts
+    /// once.
+    #[serde(default)]
+    pub axes_at_zero: bool,
 }
 
 /// What was moved.
@@ -84,7 +93,9 @@ pub(crate) fn jog(app: &App, request: &JogRequest, progress: &dyn Progress) -> R
     }
     request.moves.iter().try_for_each(|one| one.check())?;
     let machine = app.library.machine(&request.machine)?;
-    let hand = Hand { port: request.port.as_deref(), confirmed: request.confirmed };
+    let (confirmed, axes_at_zero) = (request.confirmed, request.axes_at_zero);
+    let zero = Zero::Moves;
+    let hand = Hand { port: request.port.as_deref(), confirmed, axes_at_zero, zero };
     let mut response = make(app, &machine, &hand, &request.moves, Vec::new(), progress)?;
     if let Some(output) = &request.record {
         if response.made.is_empty() {
@@ -108,7 +119,9 @@ pub(crate) fn replay(
     let file = MovesFile::open(&name, &bytes)?;
     let machine = app.library.machine(request.machine.as_ref().unwrap_or(&file.machine))?;
     let lines = other_machine(&name, &file, &machine, request.machine.is_some())?;
-    let hand = Hand { port: request.port.as_deref(), confirmed: request.confirmed };
+    let (confirmed, axes_at_zero) = (request.confirmed, request.axes_at_zero);
+    let zero = Zero::Wire;
+    let hand = Hand { port: request.port.as_deref(), confirmed, axes_at_zero, zero };
     make(app, &machine, &hand, &file.moves, lines, progress)
 }
 
@@ -144,4 +157,7 @@ fn other_machine(
 struct Hand<'a> {
     port: Option<&'a str>,
     confirmed: bool,
+    axes_at_zero: bool,
+    /// What the moves count from.
+    zero: Zero,
 }

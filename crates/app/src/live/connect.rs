@@ -2,12 +2,12 @@
 
 use std::time::{Duration, Instant};
 
-use wirebend_driver_host::api::{Capability, Direction, Event, SettingCheck};
+use wirebend_driver_host::api::{Capability, Direction, Event, ReferenceBy, SettingCheck};
 use wirebend_driver_host::{OpenDriver, Session, Standstill, State, StopLine, StopOutcome};
 use wirebend_profile::MachineProfile;
 
 use super::LiveProblem;
-use super::person::Yes;
+use super::person::{Yes, Zero};
 use crate::drivers::{Signs, opened};
 use crate::{App, AppError, News, NoteReport, Progress};
 
@@ -27,6 +27,8 @@ pub(crate) struct At<'a> {
     pub unnamed: Unnamed<'a>,
     /// The token of an earlier arming.
     pub token: Option<&'a str>,
+    /// A person has said already that every axis stands at zero, for machines whose axes they bring there.
+    pub axes_at_zero: bool,
 }
 
 /// What to do where no port is named.
@@ -63,6 +65,8 @@ pub(crate) struct Hearing<'a> {
     pub warnings: Vec<NoteReport>,
     /// What the machine last said of its settings.
     pub settings: Vec<SettingCheck>,
+    /// A person has said that every axis stands at zero. It counts once, and not after a move.
+    at_zero: bool,
 }
 
 impl Drop for Hearing<'_> {
@@ -104,7 +108,13 @@ impl App {
         let session = session.map_err(LiveProblem::from)?;
         progress.connected(&session.stop_handle());
         tracing::info!("connected to {port}, which has not answered yet");
-        let hearing = Hearing { progress, signs: at.signs, warnings: Vec::new(), settings: Vec::new() };
+        let hearing = Hearing {
+            progress,
+            signs: at.signs,
+            warnings: Vec::new(),
+            settings: Vec::new(),
+            at_zero: at.axes_at_zero,
+        };
         let unnamed = at.port.is_none();
         let wire_used = false;
         let mut connection =
@@ -142,7 +152,7 @@ impl<'a> Connection<'a> {
         self.unnamed.then(|| what.to_owned())
     }
 
-    /// Whether the machine can search its reference.
+    /// Whether the machine can be homed: it searches its reference, or a person has brought the axes there.
     pub fn can_home(&self) -> bool {
         self.session.driver().description().can(Capability::Home)
     }
@@ -209,6 +219,25 @@ impl<'a> Connection<'a> {
         (session.map(again), made)
     }
 
+    /// Who brings the axes to their reference, where the machine can be homed.
+    pub fn reference(&self) -> ReferenceBy {
+        self.session.reference()
+    }
+
+    /// Asks whether every axis stands at zero, where a person brings them there and has not said it yet. The next homing
+    /// does not ask again.
+    pub fn ask_zero(&mut self, wanted: Zero) -> Result<(), LiveProblem> {
+        if self.session.reference() == ReferenceBy::Person {
+            self.hearing.at_zero = self.hearing.said_zero(wanted)?;
+        }
+        Ok(())
+    }
+
+    /// The same where they were asked otherwise.
+    pub const fn zero_was_said(&mut self) {
+        self.hearing.at_zero = true;
+    }
+
     /// Lets the machine find its reference.
     pub fn home(&mut self, yes: &Yes) -> Result<(), LiveProblem> {
         home(&mut self.session, &mut self.hearing, yes)
@@ -263,9 +292,18 @@ fn heard(
 
 /// Lets the machine find its reference.
 pub(crate) fn home(session: &mut Session, hearing: &mut Hearing, yes: &Yes) -> Result<(), LiveProblem> {
-    hearing.progress.stage("homing");
-    hearing.progress.news(&News::Homing);
-    tracing::info!("homing");
+    match session.reference() {
+        ReferenceBy::Machine => {
+            hearing.progress.stage("homing");
+            hearing.progress.news(&News::Homing);
+            tracing::info!("homing");
+        }
+        ReferenceBy::Person => {
+            hearing.said_zero(Zero::Wire)?;
+            hearing.progress.stage("setting zero");
+            tracing::info!("a person has said that every axis stands at zero");
+        }
+    }
     let homing = session.home(&yes.confirmed()?);
     if homing.is_err() && stop_of(session).is_some() {
         return Err(LiveProblem::Stopped { during: "it was to search its reference" });
@@ -299,6 +337,24 @@ fn look_until_held(
 }
 
 impl Hearing<'_> {
+    /// The axes do not stand where they did.
+    pub const fn moved(&mut self) {
+        self.at_zero = false;
+    }
+
+    /// A person's word that every axis stands at zero: what they have said before counts once.
+    fn said_zero(&mut self, wanted: Zero) -> Result<bool, LiveProblem> {
+        if std::mem::take(&mut self.at_zero) {
+            return Ok(true);
+        }
+        self.progress.news(&News::About { lines: wanted.lines() });
+        match self.progress.confirm(wanted.question()) {
+            Some(true) => Ok(true),
+            Some(false) => Err(LiveProblem::Declined),
+            None => Err(LiveProblem::ZeroNotConfirmed),
+        }
+    }
+
     pub(super) fn hear(&mut self, event: &Event) {
         match event {
             Event::Connected { settings, .. } | Event::SettingsWritten { settings } => {

@@ -8,7 +8,7 @@ mod standstill;
 
 pub(crate) use connect::{At, Connection, Hearing, PAUSE, Unnamed, home, stop_of};
 pub use news::{Decision, Doubt, News};
-pub(crate) use person::Yes;
+pub(crate) use person::{Yes, Zero};
 pub use problem::LiveProblem;
 pub(crate) use problem::hard_stop;
 pub(crate) use standstill::{StopWatch, await_standstill};

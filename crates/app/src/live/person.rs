@@ -38,3 +38,34 @@ impl Yes {
         Confirmed::by(&Asked { question: self.question.clone() }, |_| true).ok_or(LiveProblem::NotConfirmed)
     }
 }
+
+/// What zero is wanted for, on a machine whose axes a person brings there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Zero {
+    /// For a wire, or the rest of one, or moves that were recorded: all of it counts from there.
+    Wire,
+    /// For moves by hand, such as those that bring the axes to zero.
+    Moves,
+}
+
+impl Zero {
+    /// What a person has to know before they answer.
+    pub fn lines(self) -> Vec<String> {
+        let taken = "this machine has no switches, and nothing moves for this: the place where the axes stand now is taken as zero";
+        let more = match self {
+            Self::Wire => {
+                "turn the head to its zero mark, and bring the bend axis to its zero: by hand with the motors off, or by jogging before"
+            }
+            Self::Moves => "before a wire you are asked again whether every axis stands at zero",
+        };
+        vec![taken.to_owned(), more.to_owned()]
+    }
+
+    /// The question.
+    pub const fn question(self) -> &'static str {
+        match self {
+            Self::Wire => "Does every axis stand at zero?",
+            Self::Moves => "May these moves count from where the axes stand now?",
+        }
+    }
+}

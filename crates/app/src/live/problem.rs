@@ -30,6 +30,11 @@ pub enum LiveProblem {
     /// Nobody is there to be asked.
     #[error("nobody is here to say whether the machine may move: look that it may, and say --yes")]
     NotConfirmed,
+    /// Nobody is there to be asked where the axes stand.
+    #[error(
+        "nobody is here to say whether every axis stands at zero, which --yes alone does not say: this machine has no switches; bring the axes there, and say --axes-at-zero"
+    )]
+    ZeroNotConfirmed,
     /// A person has said no.
     #[error("nothing was moved")]
     Declined,
@@ -279,6 +284,7 @@ impl LiveProblem {
             Self::NoPort { .. }
             | Self::FilesOnly { .. }
             | Self::NotConfirmed
+            | Self::ZeroNotConfirmed
             | Self::NoWire { .. }
             | Self::Unfinished { .. }
             | Self::SeveralUnfinished { .. }
@@ -317,6 +323,7 @@ impl LiveProblem {
             Self::NoPort { .. } => "no-port",
             Self::FilesOnly { .. } => "files-only",
             Self::NotConfirmed => "not-confirmed",
+            Self::ZeroNotConfirmed => "zero-not-confirmed",
             Self::Declined => "declined",
             Self::Stopped { .. } => "stopped",
             Self::Held { .. } => "held",

@@ -2,6 +2,9 @@
 
 use std::time::Instant;
 
+use wirebend_driver_host::State;
+use wirebend_driver_host::api::ReferenceBy;
+
 use super::event::{OperatorEvent, QuestionKind};
 use super::leave::Leave;
 use super::order::OrderName;
@@ -9,7 +12,7 @@ use super::post::Post;
 use super::state::Phase;
 use crate::by_hand::{QUESTION, lines, make_all, moves_of, require};
 use crate::design::Input;
-use crate::live::Yes;
+use crate::live::{Yes, Zero};
 use crate::{AppError, Move};
 
 impl Post<'_> {
@@ -41,19 +44,31 @@ impl Post<'_> {
         record: bool,
     ) -> Result<(), AppError> {
         let at_reference = self.at_reference;
+        let by_hand = self.is_zeroed_by_hand();
         let connection = self.connected(order)?;
         require(connection, moves)?;
-        // A recording counts from the reference.
-        let homes = order == OrderName::Replay
-            && !at_reference
-            && moves.first() != Some(&Move::Home)
+        // A recording counts from the reference. Where a person brings the axes to zero, they do it by jogging.
+        let homed = matches!(connection.session.state(), State::Homed | State::Armed | State::Done);
+        let homes = match order {
+            OrderName::Replay => !at_reference,
+            _ => by_hand && !homed,
+        } && moves.first() != Some(&Move::Home)
             && connection.can_home();
-        let yes = self.leave_to_move(order, moves, more, homes)?;
+        let sets_zero = order == OrderName::Home && by_hand;
+        let yes = if sets_zero {
+            // Nothing moves for it.
+            Yes::where_nothing_moves()
+        } else {
+            self.leave_to_move(order, moves, more, homes)?
+        };
+        if homes || moves.first() == Some(&Move::Home) {
+            self.ask_zero(order, if homes && order == OrderName::Jog { Zero::Moves } else { Zero::Wire })?;
+        }
         self.armed = None;
         let (signs, shared) = (self.signs, self.shared);
         shared.enter(if order == OrderName::Home { Phase::Homing } else { Phase::Moving });
         // Until they are where a wire begins again.
-        let mut at_reference = at_reference || homes;
+        let mut at_reference = at_reference || (homes && order != OrderName::Jog);
         let connection = self.connected(order)?;
         connection.wire_used |= moves.iter().any(|one| matches!(one, Move::Feed { .. } | Move::Bend { .. }));
         let mut told = |made| {
@@ -77,7 +92,23 @@ impl Post<'_> {
         // One that was not made to its end has turned something.
         self.at_reference = at_reference && made.is_ok();
         made?;
-        self.leave = Some(Leave::new(yes, Instant::now()));
+        if !sets_zero {
+            self.leave = Some(Leave::new(yes, Instant::now()));
+        }
+        Ok(())
+    }
+
+    /// Whether a person brings the axes to their reference.
+    fn is_zeroed_by_hand(&self) -> bool {
+        self.connection.as_ref().is_some_and(|connection| connection.reference() == ReferenceBy::Person)
+    }
+
+    /// Asks whether every axis stands at zero, where a person brings them there: each time, whatever they have said before.
+    pub fn ask_zero(&mut self, order: OrderName, wanted: Zero) -> Result<(), AppError> {
+        if self.is_zeroed_by_hand() {
+            self.ask(QuestionKind::Move, wanted.lines(), wanted.question())?;
+            self.connected(order)?.zero_was_said();
+        }
         Ok(())
     }
 
@@ -98,7 +129,7 @@ impl Post<'_> {
         }
         let machine = self.machine.clone();
         let mut about = lines(self.connected(order)?, &machine, moves, more, homes);
-        if moves.contains(&Move::Home) {
+        if moves.contains(&Move::Home) && !self.is_zeroed_by_hand() {
             about.push("to search its reference it moves the bend axis at once".to_owned());
         }
         self.ask(QuestionKind::Move, about, QUESTION)

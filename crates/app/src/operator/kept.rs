@@ -2,11 +2,11 @@
 
 use std::collections::BTreeSet;
 
-use wirebend_driver_host::api::Capability;
+use wirebend_driver_host::api::{Capability, ReferenceBy};
 use wirebend_driver_host::{StopHandle, StopOutcome};
 
 use super::error::OperatorError;
-use super::order::{Answer, Order};
+use super::order::{Answer, Order, OrderName};
 use super::state::{MachineState, Phase, allowed, knows};
 use crate::{Move, Wish};
 
@@ -25,6 +25,8 @@ pub(super) struct Kept {
     pub state: MachineState,
     /// What the driver of the machine can do; nothing as long as none is connected.
     pub abilities: BTreeSet<Capability>,
+    /// Where a person brings its axes to zero, by jogging too, it can be moved by hand before it is homed.
+    pub reference: ReferenceBy,
     /// The state was changed by another thread, and nobody has heard of it.
     pub untold: bool,
     pub order: Option<Order>,
@@ -52,6 +54,7 @@ impl Kept {
         Self {
             state,
             abilities: BTreeSet::new(),
+            reference: ReferenceBy::default(),
             untold: true,
             order: None,
             // It is being connected.
@@ -78,7 +81,13 @@ impl Kept {
         } else {
             allowed(phase)
         };
-        let can = can.iter().copied().filter(|order| knows(&self.abilities, *order)).collect();
+        let jog = self.jogs_first(phase) && !can.is_empty();
+        let can = can
+            .iter()
+            .copied()
+            .chain(jog.then_some(OrderName::Jog))
+            .filter(|order| knows(&self.abilities, *order))
+            .collect();
         let busy = self.busy && self.life != Life::Ended;
         MachineState { busy, can, ..self.state.clone() }
     }
@@ -94,7 +103,8 @@ impl Kept {
         }
         let at_work = matches!(phase, Phase::Making | Phase::Holding);
         let finds_itself = matches!(order, Order::Jog { moves, .. } if moves.first() == Some(&Move::Home));
-        let homes = finds_itself && matches!(phase, Phase::Connected | Phase::Stopped);
+        let homes = (finds_itself && matches!(phase, Phase::Connected | Phase::Stopped))
+            || (order_name == OrderName::Jog && self.jogs_first(phase));
         if !allowed(phase).contains(&order_name) && !homes {
             return Err(OperatorError::NotNow { order: order_name, phase });
         }
@@ -108,6 +118,10 @@ impl Kept {
             Phase::Failed => OperatorError::NotNow { order: order_name, phase },
             _ => OperatorError::Unable { order: order_name },
         })
+    }
+
+    fn jogs_first(&self, phase: Phase) -> bool {
+        self.reference == ReferenceBy::Person && matches!(phase, Phase::Connected | Phase::Stopped)
     }
 
     /// A stop is on its way.
@@ -129,7 +143,7 @@ impl Kept {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::operator::{OrderName, Question, QuestionKind};
+    use crate::operator::{Question, QuestionKind};
 
     /// Were it still to be carried out, a machine would move because of what was said before somebody stopped it.
     #[test]

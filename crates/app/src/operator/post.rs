@@ -128,6 +128,7 @@ impl<'a> Post<'a> {
             port: self.named.as_deref(),
             unnamed: Unnamed::Simulate,
             token: None,
+            axes_at_zero: false,
         };
         let connected = self.app.connect(&at, self.shared);
         if let (Err(_), Some(port)) = (&connected, &self.named) {
@@ -149,7 +150,7 @@ impl<'a> Post<'a> {
                 .is_ok_and(|ports| ports.iter().any(|port| port.simulated && port.name == connection.port));
         let abilities = driver.description().capabilities.clone();
         let unfinished = Unfinished::last_on(self.app, &self.machine.profile.id, &connection.port);
-        self.shared.know(abilities);
+        self.shared.know(abilities, connection.reference());
         self.shared.change_untold(|state| {
             state.port = Some(connection.port.clone());
             state.simulated = simulated;

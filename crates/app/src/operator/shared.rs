@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-use wirebend_driver_host::api::Capability;
+use wirebend_driver_host::api::{Capability, ReferenceBy};
 use wirebend_driver_host::{StopHandle, StopOutcome};
 
 use super::error::OperatorError;
@@ -235,8 +235,9 @@ impl Shared {
         });
     }
 
-    pub fn know(&self, abilities: BTreeSet<Capability>) {
-        self.lock().abilities = abilities;
+    pub fn know(&self, abilities: BTreeSet<Capability>, reference: ReferenceBy) {
+        let mut kept = self.lock();
+        (kept.abilities, kept.reference) = (abilities, reference);
     }
 
     pub fn problem(&self, problem: RunProblem) {

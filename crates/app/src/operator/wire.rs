@@ -9,7 +9,7 @@ use super::post::{Post, with_power};
 use super::state::{Phase, WireState};
 use super::unfinished::Unfinished;
 use crate::design::Input;
-use crate::live::{Connection, Unnamed, Yes};
+use crate::live::{Connection, Unnamed, Yes, Zero};
 use crate::run::{Task, about};
 use crate::{AppError, Decision, LiveProblem, RunHow, RunRequest, RunResponse};
 
@@ -53,6 +53,10 @@ impl<'a> Post<'a> {
         let ArmedWire { task, wire, yes } = self.armed.take().ok_or_else(|| not_now.clone())?;
         // Another program may have begun it meanwhile.
         task.require_clear(wire)?;
+        if homes {
+            // Before anything of the wire is written down.
+            self.ask_zero(OrderName::Start, Zero::Wire)?;
+        }
         let connection = self.connection.take().ok_or(not_now)?;
         let mut response = task.response();
         response.port = Some(connection.port.clone());
@@ -140,8 +144,16 @@ impl<'a> Post<'a> {
         accept_settings: bool,
     ) -> Result<Task<'a>, AppError> {
         let port = self.named.clone();
-        let request =
-            RunRequest { job, port, wire: Some(wire), how, confirmed: false, accept_settings, record: None };
+        let request = RunRequest {
+            job,
+            port,
+            wire: Some(wire),
+            how,
+            confirmed: false,
+            axes_at_zero: false,
+            accept_settings,
+            record: None,
+        };
         let task = Task::open(self.app, request, self.shared)?;
         let (planned, wanted) = (&task.setup.machine.profile, &self.machine.profile);
         if planned.id != wanted.id {

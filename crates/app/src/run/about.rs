@@ -1,10 +1,12 @@
 //! What a person reads before they say yes.
 
+use wirebend_driver_host::api::ReferenceBy;
+
 use super::task::Task;
 use crate::AppError;
 use crate::live::Connection;
 
-/// What will happen to a wire. `anew`: it is begun, with new wire. `homes`: the machine searches its reference first.
+/// What will happen to a wire. `anew`: it is begun, with new wire. `homes`: the reference is found first.
 pub(crate) fn about(
     task: &Task,
     connection: &Connection,
@@ -59,11 +61,22 @@ pub(crate) fn about(
         "whether the wire meets the machine or itself is not checked: watch it, with STOP at hand".to_owned(),
     );
     if homes {
-        lines.push("first the machine searches its reference: the bend axis moves at once".to_owned());
+        lines.push(first(connection.reference(), "the bend axis moves at once"));
     }
     let objections = task.job.contents().objections.iter();
     lines.extend(objections.map(|objection| format!("the job was made although {objection}")));
     Ok(lines)
+}
+
+/// How the reference is found before a wire; `moves`: what a person has to see to where the machine moves for it.
+pub(super) fn first(reference: ReferenceBy, moves: &str) -> String {
+    match reference {
+        ReferenceBy::Machine => format!("first the machine searches its reference: {moves}"),
+        ReferenceBy::Person => {
+            "first you are asked whether every axis stands at zero: this machine has no switches to find it"
+                .to_owned()
+        }
+    }
 }
 
 /// Without the sign of what is shown as zero.

@@ -6,7 +6,7 @@ use super::about::about;
 use super::making::{Making, Watch};
 use super::report::{LeftBecause, RunOutcome, RunResponse};
 use super::task::Task;
-use crate::live::{Connection, Unnamed, Yes};
+use crate::live::{Connection, Unnamed, Yes, Zero};
 use crate::{AppError, LiveProblem};
 
 impl Task<'_> {
@@ -20,12 +20,12 @@ impl Task<'_> {
         response.port = Some(connection.port.clone());
         response.identity = Some(connection.session.identity().to_owned());
         for (place, &wire) in wanted.iter().enumerate() {
-            let yes = match self.ask(&connection, wire, place == 0) {
+            let yes = match self.ask(&mut connection, wire, place == 0) {
                 Ok(yes) => yes,
                 // What is made is made: the answer tells of the rest.
                 Err(AppError::Live(problem)) if place > 0 => {
                     response.left_because = Some(match problem {
-                        LiveProblem::NotConfirmed => LeftBecause::NobodyAsked,
+                        LiveProblem::NotConfirmed | LiveProblem::ZeroNotConfirmed => LeftBecause::NobodyAsked,
                         _ => LeftBecause::Declined,
                     });
                     response.left = wanted[place..].to_vec();
@@ -48,7 +48,7 @@ impl Task<'_> {
         Ok(response)
     }
 
-    fn ask(&self, connection: &Connection, wire: usize, first: bool) -> Result<Yes, AppError> {
+    fn ask(&self, connection: &mut Connection, wire: usize, first: bool) -> Result<Yes, AppError> {
         let lines = about(self, connection, wire, true, connection.can_home())?;
         let question = if first {
             "Is the wire in, and may the machine move?"
@@ -56,7 +56,12 @@ impl Task<'_> {
             "Is the wire before taken out and new wire in, and may the machine move?"
         };
         // The person who said yes with the request could not know when the wire before would be done.
-        Ok(Yes::ask(self.progress, lines, question, first && self.request.confirmed)?)
+        let yes = Yes::ask(self.progress, lines, question, first && self.request.confirmed)?;
+        if connection.can_home() {
+            // Before anything of the wire is written down.
+            connection.ask_zero(Zero::Wire)?;
+        }
+        Ok(yes)
     }
 
     /// Makes a wire from its beginning. `homes`: the machine searches its reference first. The connection is given

@@ -34,6 +34,10 @@ pub struct RunRequest {
     /// they are asked.
     #[serde(default)]
     pub confirmed: bool,
+    /// Whether the person has said already that every axis stands at zero, for a machine without switches. It counts
+    /// once.
+    #[serde(default)]
+    pub axes_at_zero: bool,
     /// Whether to make wires although the machine's settings are not those of its profile.
     #[serde(default)]
     pub accept_settings: bool,

@@ -5,7 +5,7 @@ use std::time::Instant;
 use wirebend_driver_host::Standstill;
 use wirebend_driver_host::jobs::{JobRun, Journal, Resume, Settled};
 
-use super::about::about;
+use super::about::{about, first};
 use super::making::{Making, Watch};
 use super::report::{RunOutcome, RunResponse, WireRun};
 use super::task::Task;
@@ -145,7 +145,8 @@ impl Task<'_> {
                         if from == 2 { "is" } else { "are" }
                     ));
                     if making.homes {
-                        lines.push("first the machine searches its reference: see that the wire is out of the way of the bend axis".to_owned());
+                        let reference = making.run.session().reference();
+                        lines.push(first(reference, "see that the wire is out of the way of the bend axis"));
                     }
                     break self.ask_again(lines)?;
                 }

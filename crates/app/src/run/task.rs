@@ -70,6 +70,7 @@ impl<'a> Task<'a> {
             port: self.request.port.as_deref(),
             unnamed,
             token,
+            axes_at_zero: self.request.axes_at_zero,
         }
     }
 

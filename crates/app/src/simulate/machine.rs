@@ -42,7 +42,14 @@ impl<'a> Simulator<'a> {
             return Ok(None);
         }
         drop(driver);
-        let at = At { profile, signs: setup.signs, port: Some(PORT), unnamed: Unnamed::Refuse, token: None };
+        let at = At {
+            profile,
+            signs: setup.signs,
+            port: Some(PORT),
+            unnamed: Unnamed::Refuse,
+            token: None,
+            axes_at_zero: false,
+        };
         Ok(Some(Self { connection: app.connect(&at, &NoProgress)?, setup }))
     }
 

@@ -1,9 +1,12 @@
 //! A machine that stays connected, as a window has it: on the simulated machine of the kit, on one that misbehaves, and
-//! on a board at a terminal.
+//! on boards at a terminal.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // a test may stop at what cannot be
 #![cfg(unix)] // the driver that misbehaves is
 
+#[cfg(target_os = "linux")]
+#[path = "../../../cli/tests/command_line/bender.rs"]
+mod bender;
 #[cfg(target_os = "linux")]
 #[path = "../../../cli/tests/command_line/board.rs"]
 #[allow(dead_code)] // the command line's tests use the rest
@@ -14,7 +17,13 @@ mod boards;
 #[allow(dead_code, unused_imports)] // the exports' tests use the rest
 mod cases;
 mod faults;
+#[cfg(target_os = "linux")]
+#[path = "../../../../drivers/grbl/tests/pty/model/mod.rs"]
+#[allow(dead_code)] // the driver's own tests use the rest
+mod grbl_model;
 mod hand;
 mod shop;
 mod stops;
 mod wires;
+#[cfg(target_os = "linux")]
+mod zeroed;

@@ -100,6 +100,7 @@ impl Shop {
             wire: None,
             how,
             confirmed: true,
+            axes_at_zero: false,
             accept_settings: false,
             record: None,
         };

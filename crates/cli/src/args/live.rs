@@ -17,6 +17,14 @@ pub(crate) struct PortArgs {
     pub yes: bool,
 }
 
+/// Where the axes stand.
+#[derive(Debug, Args)]
+pub(crate) struct ZeroArgs {
+    /// Say that every axis of a machine without switches stands at zero (for `jog`: where it counts from), instead of being asked; --yes does not say it
+    #[arg(long)]
+    pub axes_at_zero: bool,
+}
+
 #[derive(Debug, Args)]
 pub(crate) struct RunArgs {
     /// Job to make, or - for standard input
@@ -24,6 +32,8 @@ pub(crate) struct RunArgs {
     pub job: PathBuf,
     #[command(flatten)]
     pub at: PortArgs,
+    #[command(flatten)]
+    pub zero: ZeroArgs,
     /// Make this wire alone, counted from 1
     #[arg(long, value_name = "N")]
     pub wire: Option<NonZeroUsize>,
@@ -72,6 +82,8 @@ pub(crate) struct JogArgs {
     pub machine: String,
     #[command(flatten)]
     pub at: PortArgs,
+    #[command(flatten)]
+    pub zero: ZeroArgs,
     /// Write the moves that were made to this file (.wbmoves), to be replayed
     #[arg(long, value_name = "FILE")]
     pub record: Option<PathBuf>,
@@ -90,6 +102,8 @@ pub(crate) struct ReplayArgs {
     pub file: PathBuf,
     #[command(flatten)]
     pub at: PortArgs,
+    #[command(flatten)]
+    pub zero: ZeroArgs,
     /// Machine, by id: to replay what was recorded on another one, or before its profile was changed
     #[arg(long, short, value_name = "ID")]
     pub machine: Option<String>,

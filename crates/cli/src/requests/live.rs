@@ -10,7 +10,7 @@ use crate::args::live::{JogArgs, MachineSettingsArgs, PortsArgs, ReplayArgs, Run
 use crate::errors::WrongUse;
 
 pub(super) fn run(args: RunArgs) -> anyhow::Result<Request> {
-    let RunArgs { job, at, wire, resume, abandon, accept_settings, record, force } = args;
+    let RunArgs { job, at, zero, wire, resume, abandon, accept_settings, record, force } = args;
     let wire = wire.map(|wire| wire.get() - 1);
     let how = match resume {
         Some(answer) => RunHow::Resume { decided: answer.decision() },
@@ -23,26 +23,34 @@ pub(super) fn run(args: RunArgs) -> anyhow::Result<Request> {
         wire,
         how,
         confirmed: at.yes,
+        axes_at_zero: zero.axes_at_zero,
         accept_settings,
         record: record.map(|path| Output { path, force }),
     }))
 }
 
 pub(super) fn jog(args: JogArgs) -> anyhow::Result<Request> {
-    let JogArgs { machine, at, record, force, moves: words } = args;
+    let JogArgs { machine, at, zero, record, force, moves: words } = args;
     Ok(Request::Jog(JogRequest {
         machine,
         port: at.port,
         moves: moves(&words).map_err(WrongUse)?,
         confirmed: at.yes,
+        axes_at_zero: zero.axes_at_zero,
         record: record.map(|path| Output { path, force }),
     }))
 }
 
 pub(super) fn replay(args: ReplayArgs) -> anyhow::Result<Request> {
-    let ReplayArgs { file, at, machine } = args;
+    let ReplayArgs { file, at, zero, machine } = args;
     let file = input(&file)?;
-    Ok(Request::Replay(ReplayRequest { file, machine, port: at.port, confirmed: at.yes }))
+    Ok(Request::Replay(ReplayRequest {
+        file,
+        machine,
+        port: at.port,
+        confirmed: at.yes,
+        axes_at_zero: zero.axes_at_zero,
+    }))
 }
 
 pub(super) fn ports(args: PortsArgs) -> Request {

@@ -12,14 +12,14 @@ use crate::runs::Shop;
 use crate::{example, wirebend};
 
 /// The program with a person in front of it.
-struct Asked {
+pub struct Asked {
     child: Child,
     person: File,
     seen: String,
 }
 
 impl Asked {
-    fn start(shop: &Shop, arguments: &[&str]) -> Self {
+    pub fn start(shop: &Shop, arguments: &[&str]) -> Self {
         let (far, near, _) = terminal();
         let near = File::from(near);
         let child = Command::new(wirebend())
@@ -35,7 +35,13 @@ impl Asked {
         Self { child, person: File::from(far), seen: String::new() }
     }
 
-    fn sees(&mut self, what: &str) -> &mut Self {
+    pub fn sees(&mut self, what: &str) -> &mut Self {
+        self.until(what);
+        self
+    }
+
+    /// What was said until then.
+    pub fn until(&mut self, what: &str) -> String {
         while !self.seen.contains(what) {
             let mut bytes = [0; 1024];
             // A terminal that nobody has open any more ends with an error.
@@ -43,16 +49,15 @@ impl Asked {
             assert!(count > 0, "{what} is not in {}", self.seen);
             self.seen.push_str(&String::from_utf8_lossy(&bytes[..count]));
         }
-        self.seen.clear();
-        self
+        std::mem::take(&mut self.seen)
     }
 
-    fn says(&mut self, line: &str) -> &mut Self {
+    pub fn says(&mut self, line: &str) -> &mut Self {
         writeln!(self.person, "{line}").unwrap();
         self
     }
 
-    fn status(&mut self) -> Option<i32> {
+    pub fn status(&mut self) -> Option<i32> {
         // What it writes must go somewhere, or it waits.
         let mut rest = Vec::new();
         let _ = self.person.read_to_end(&mut rest);

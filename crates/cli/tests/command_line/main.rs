@@ -5,6 +5,8 @@
 #[cfg(target_os = "linux")]
 mod asked;
 #[cfg(target_os = "linux")]
+mod bender;
+#[cfg(target_os = "linux")]
 mod board;
 mod by_hand;
 mod c_drivers;
@@ -23,6 +25,13 @@ mod statuses;
 #[cfg(target_os = "linux")]
 mod stop;
 mod wrong_files;
+#[cfg(target_os = "linux")]
+mod zeroed;
+
+#[cfg(target_os = "linux")]
+#[path = "../../../../drivers/grbl/tests/pty/model/mod.rs"]
+#[allow(dead_code)] // the driver's own tests use the rest
+mod grbl_model;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};

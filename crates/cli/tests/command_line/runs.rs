@@ -27,19 +27,27 @@ impl Shop {
     }
 
     pub fn planned(name: &str, more: &[&str]) -> Self {
-        let guard = CORES.read().unwrap_or_else(PoisonError::into_inner);
-        Self::new(name, more, Cores::Shared { _guard: guard })
+        Self::new("wirebend-kit", name, more, Self::shared())
+    }
+
+    /// For another machine.
+    pub fn on(name: &str, machine: &str) -> Self {
+        Self::new(machine, name, &[], Self::shared())
+    }
+
+    fn shared() -> Cores {
+        Cores::Shared { _guard: CORES.read().unwrap_or_else(PoisonError::into_inner) }
     }
 
     /// While no other shop is open.
     pub fn alone(name: &str, more: &[&str]) -> Self {
         let guard = CORES.write().unwrap_or_else(PoisonError::into_inner);
-        Self::new(name, more, Cores::Alone { _guard: guard })
+        Self::new("wirebend-kit", name, more, Cores::Alone { _guard: guard })
     }
 
-    fn new(name: &str, more: &[&str], cores: Cores) -> Self {
+    fn new(machine: &str, name: &str, more: &[&str], cores: Cores) -> Self {
         let shop = Self { folder: tempfile::tempdir().unwrap(), _cores: cores };
-        let plan = ["plan", &example(name), "-m", "wirebend-kit", "-o", "a.wbjob"];
+        let plan = ["plan", &example(name), "-m", machine, "-o", "a.wbjob"];
         shop.run(&[&plan[..], more].concat()).ended(0);
         shop
     }

@@ -1,8 +1,8 @@
-//! A driver of 1.0 and a program of 1.1 understand each other, and the other way round.
+//! A driver of 1.0 and a program of 1.2 understand each other, and the other way round.
 
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
-use wirebend_driver_api::{ArmedReply, Call, Event, GoingOn, Port, Ports, Run};
+use wirebend_driver_api::{ArmedReply, Call, Event, GoingOn, Port, Ports, ReferenceBy, Run};
 
 fn read<T: DeserializeOwned>(json: Value) -> T {
     serde_json::from_value(json).unwrap()
@@ -57,4 +57,30 @@ fn the_events_of_1_1_are_written_so() {
     let written: Event = read(json!({"event": "settings-written"}));
     assert_eq!(written, Event::SettingsWritten { settings: Vec::new() });
     assert_eq!(read::<Call>(json!({"call": "write-settings"})), Call::WriteSettings);
+}
+
+/// A driver of before says nothing of who finds the reference: there the machine does. As one in C writes it otherwise,
+/// word for word.
+#[test]
+fn who_brings_the_axes_to_their_reference_is_told_since_1_2() {
+    let reference = |json| match read(json) {
+        Event::Connected { reference, .. } => reference,
+        other => panic!("{other:?}"),
+    };
+    let before =
+        json!({"event": "connected", "identity": "it", "settings": [], "homed": false, "going_on": null});
+    assert_eq!(reference(before), ReferenceBy::Machine);
+    let told = |by: &str| json!({"event": "connected", "identity": "it", "reference": by});
+    assert_eq!(reference(told("person")), ReferenceBy::Person);
+    assert_eq!(reference(told("machine")), ReferenceBy::Machine);
+    // A program of before passes over a key that it does not know: what it knows is where it was.
+    let connected = Event::Connected {
+        identity: "it".into(),
+        settings: Vec::new(),
+        homed: false,
+        going_on: None,
+        reference: ReferenceBy::Person,
+    };
+    let written = serde_json::to_value(connected).unwrap();
+    assert_eq!((&written["event"], &written["reference"]), (&json!("connected"), &json!("person")));
 }

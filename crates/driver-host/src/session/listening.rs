@@ -55,7 +55,8 @@ impl Session {
             Event::Stopped { .. } => self.guard.confirm(),
             // It no longer waits for the stop.
             Event::Fault { .. } if self.guard.standstill() == Some(Standstill::Awaited) => self.lose_driver(),
-            Event::Connected { settings, going_on, identity, .. } => {
+            Event::Connected { settings, going_on, identity, reference, .. } => {
+                self.reference = *reference;
                 self.identity.clone_from(identity);
                 self.off = OffZero::default();
                 self.differences = differences(settings);

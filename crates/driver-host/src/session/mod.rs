@@ -11,7 +11,7 @@ mod stop;
 mod stop_line;
 
 use serde::de::DeserializeOwned;
-use wirebend_driver_api::{Call, Capability, GoingOn, SettingCheck, deadline};
+use wirebend_driver_api::{Call, Capability, GoingOn, ReferenceBy, SettingCheck, deadline};
 
 use crate::driver::OpenDriver;
 use crate::error::HostError;
@@ -54,6 +54,8 @@ pub struct Session {
     identity: String,
     /// The driver was ended because the machine may move and the driver is not to be trusted with that.
     lost: bool,
+    /// Who brings its axes to their reference.
+    reference: ReferenceBy,
 }
 
 impl Session {
@@ -106,6 +108,7 @@ impl Session {
             guard: SessionGuard::default(),
             identity: String::new(),
             lost: false,
+            reference: ReferenceBy::default(),
         };
         session.require(Capability::Live)?;
         session.guard.use_line(line);
@@ -136,6 +139,13 @@ impl Session {
     #[must_use]
     pub fn identity(&self) -> &str {
         &self.identity
+    }
+
+    /// Who brings the axes to their reference. Where a person does, [`Session::home`] moves nothing, and their yes has to be
+    /// that the axes stand there.
+    #[must_use]
+    pub const fn reference(&self) -> ReferenceBy {
+        self.reference
     }
 
     /// The state.

@@ -8,7 +8,8 @@ use super::state::Act;
 use super::{Armed, Confirmed, Purpose, Session, SessionError, State};
 
 impl Session {
-    /// Lets the machine find its reference: it moves.
+    /// Lets the machine find its reference: it moves. Where a person has brought the axes there
+    /// ([`Session::reference`]) nothing moves, and the place where they stand is taken as zero.
     ///
     /// # Errors
     /// [`SessionError`].

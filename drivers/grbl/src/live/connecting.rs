@@ -2,10 +2,11 @@
 
 use std::time::Duration;
 
-use wirebend_driver_api::{DriverError, Event};
+use wirebend_driver_api::{DriverError, Event, ReferenceBy};
 
 use super::protocol::{Phase, Protocol};
 use super::status::State;
+use crate::settings::Homing;
 
 /// Opening the port resets most boards; their loader takes up to two seconds.
 const NUDGE_AFTER: Duration = Duration::from_millis(2500);
@@ -206,6 +207,10 @@ impl Protocol {
             settings,
             homed: false,
             going_on: None,
+            reference: match self.settings.homing {
+                Homing::Switches => ReferenceBy::Machine,
+                Homing::None => ReferenceBy::Person,
+            },
         });
         if reading.parts().1 {
             self.event(Event::Stopped { homed: false });

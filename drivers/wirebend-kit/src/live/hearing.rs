@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use wirebend_driver_api::{DriverError, Event, GoingOn, PausedBy, SettingCheck, Step};
+use wirebend_driver_api::{DriverError, Event, GoingOn, PausedBy, ReferenceBy, SettingCheck, Step};
 
 use super::fault;
 use super::machine::{Doing, Ending, Halt, Homing, Machine, session_id};
@@ -349,6 +349,7 @@ impl Machine {
             settings: self.checks(),
             homed: self.homed,
             going_on,
+            reference: ReferenceBy::Machine,
         };
         self.report(event);
         if status.state == State::Alarm {

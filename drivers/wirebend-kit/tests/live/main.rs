@@ -14,7 +14,7 @@ use wirebend_driver_api::{Axis, Event, Motion, PausedBy, Step};
 #[test]
 fn a_machine_is_met_homed_and_armed() {
     let mut table = Table::new(json!({}));
-    let Event::Connected { identity, settings, homed, going_on } = table.connected() else { panic!() };
+    let Event::Connected { identity, settings, homed, going_on, .. } = table.connected() else { panic!() };
     assert_eq!((identity.as_str(), homed, going_on), ("WireBend-kit, firmware 1.10", false, None));
     assert_eq!(settings, [], "a machine that was set up as its profile says");
     table.home();

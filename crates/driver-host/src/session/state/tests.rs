@@ -1,7 +1,7 @@
 //! What can be said of any row of acts and reports.
 
 use proptest::prelude::*;
-use wirebend_driver_api::{DriverError, GoingOn, PausedBy};
+use wirebend_driver_api::{DriverError, GoingOn, PausedBy, ReferenceBy};
 
 use super::*;
 
@@ -10,8 +10,13 @@ const ACTS: [Act; 8] =
 
 fn events() -> Vec<Event> {
     let error = DriverError::new("x", "x", "x");
-    let connected =
-        |homed, going_on| Event::Connected { identity: String::new(), settings: Vec::new(), homed, going_on };
+    let connected = |homed, going_on| Event::Connected {
+        identity: String::new(),
+        settings: Vec::new(),
+        homed,
+        going_on,
+        reference: ReferenceBy::default(),
+    };
     vec![
         connected(false, None),
         connected(true, None),
