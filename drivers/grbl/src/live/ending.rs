@@ -18,7 +18,8 @@ const HOME_WITHIN: Duration = Duration::from_mins(1);
 const JOG_ENDS_WITHIN: Duration = Duration::from_secs(1);
 /// A feed hold at grbl's default acceleration takes about one second.
 const HALT_WITHIN: Duration = Duration::from_secs(2);
-/// A reset takes a few ms; after an alarm the controller waits half a second first.
+/// A reset takes a few ms; after an alarm the controller does nothing for half a second first
+/// (`report_alarm_message` in `report.c`).
 const GREET_WITHIN: Duration = Duration::from_secs(1);
 const MOST_RESETS: u32 = 4;
 /// A greeting so soon after a reset was asked for is the answer to it, though another came first.
@@ -38,8 +39,10 @@ impl Protocol {
     /// The axes are where their zero is.
     pub(super) fn homed(&mut self) {
         self.phase = Phase::Ready;
-        self.machine.homed = true;
+        self.machine.is_homed();
         self.event(Event::Homed);
+        // From here on positions count from another place.
+        self.tell_position();
     }
 
     pub(super) fn homing_late(&mut self, since: Duration) {
@@ -166,6 +169,18 @@ impl Protocol {
         self.phase = Phase::Resetting(Reset { stop, since: self.now, tries: 1, greeted: false });
     }
 
+    /// After a limit the controller waits for a reset, and has forgotten those that came before it said so
+    /// (`EXEC_ALARM_HARD_LIMIT` in `protocol.c`).
+    pub(super) fn waits_for_reset(&mut self) {
+        if let Phase::Resetting(reset) = &mut self.phase
+            && !reset.greeted
+        {
+            reset.since = self.now;
+            self.machine.reset_at = Some(self.now);
+            self.at_once(RESET);
+        }
+    }
+
     pub(super) fn reset_late(&mut self) {
         let Phase::Resetting(reset) = &mut self.phase else { return };
         if reset.greeted || self.now.saturating_sub(reset.since) < GREET_WITHIN {
@@ -187,20 +202,28 @@ impl Protocol {
 
     /// A greeting.
     pub(super) fn greeted(&mut self, name: &str) {
-        self.machine.began_anew();
-        self.incoming.clear();
+        let late = self.machine.reset_at.is_some_and(|at| self.now.saturating_sub(at) <= ECHO);
         let stop = match self.phase {
-            Phase::Greeting(_) | Phase::Reading(_) => return self.greeted_first(name),
+            Phase::Greeting(_) | Phase::Reading(_) => {
+                self.machine.met();
+                return self.greeted_first(name);
+            }
             Phase::Over => return,
-            Phase::Resetting(reset) => reset.stop,
+            Phase::Resetting(reset) => {
+                self.machine.began_anew(true);
+                reset.stop
+            }
             Phase::Halting { .. } | Phase::Mute => {
+                self.machine.began_anew(false);
                 self.machine.homed = false;
                 false
             }
-            Phase::Ready if self.machine.reset_at.is_some_and(|at| self.now.saturating_sub(at) <= ECHO) => {
+            Phase::Ready if late => {
+                self.machine.began_anew(true);
                 return self.asking.begin();
             }
             Phase::Ready | Phase::Homing { .. } | Phase::Jogging { .. } | Phase::Making(_) => {
+                self.machine.began_anew(false);
                 self.machine.homed = false;
                 self.fault(DriverError::new(
                     "controller-reset",

@@ -42,11 +42,6 @@ impl Incoming {
         }
         lines
     }
-
-    /// Forgets the line that is under way: the machine has begun anew.
-    pub fn clear(&mut self) {
-        *self = Self::default();
-    }
 }
 
 fn read(line: Vec<u8>) -> Line {

@@ -29,8 +29,14 @@ pub(super) struct Machine {
     pub reset_at: Option<Duration>,
     /// How many axes it reports.
     pub axes: usize,
-    /// From the machine's zero to the program's, in its units.
+    /// From the machine's zero to the program's, in its units, as it last told.
     offset: Vec<f64>,
+    /// The same before a reset that has taken G92 away: positions count from there until it is homed.
+    counted_from: Option<Vec<f64>>,
+    /// It counts anew, nobody knows from where, until it is homed.
+    lost: bool,
+    /// Where it was last heard of.
+    place: Option<Place>,
     position: Option<Step>,
 }
 
@@ -41,26 +47,64 @@ impl Machine {
         words.into_iter().flatten().collect::<Vec<_>>().join(", ")
     }
 
-    /// Forgets what a reset changes.
-    pub fn began_anew(&mut self) {
-        self.state = None;
-        self.offset.clear();
+    /// Forgets what a reset changes. A soft reset takes G92 away and keeps the position; one that nobody asked for may
+    /// have been the board's own, or its power, after which it counts from zero (`main.c`).
+    pub fn began_anew(&mut self, asked_for: bool) {
+        let offset = std::mem::take(&mut self.offset);
+        self.met();
+        if asked_for {
+            self.counted_from.get_or_insert(offset);
+        } else {
+            self.lost = true;
+        }
     }
 
-    /// The position of a report in mm and degrees, where it is a new one.
-    pub fn moved_to(&mut self, status: &Status, settings: &Settings) -> Option<Step> {
+    /// It has greeted. Where it stands is told then, even where it was told before.
+    pub fn met(&mut self) {
+        self.offset.clear();
+        (self.state, self.place, self.position) = (None, None, None);
+    }
+
+    /// Its axes are where their zero is.
+    pub fn is_homed(&mut self) {
+        (self.homed, self.lost, self.counted_from) = (true, false, None);
+    }
+
+    /// What a report says of where the axes are.
+    pub fn reports(&mut self, status: &Status) {
         if let Some(offset) = &status.offset {
             self.offset.clone_from(offset);
         }
-        let (values, offset) = match &status.place {
-            Place::Machine(values) => (values, self.offset.as_slice()),
-            Place::Work(values) => (values, [].as_slice()),
-        };
+        let (Place::Machine(values) | Place::Work(values)) = &status.place;
         self.axes = values.len();
+        self.place = Some(status.place.clone());
+    }
+
+    /// Where the axes are in mm and degrees, unless that was told already or nobody knows it.
+    pub fn moved_to(&mut self, settings: &Settings) -> Option<Step> {
+        if self.lost {
+            return None;
+        }
+        let place = self.place.as_ref()?;
+        let (Place::Machine(values) | Place::Work(values)) = place;
+        // What is counted from another zero cannot be told without both zeros.
+        let unrelated =
+            self.counted_from.as_ref().is_some_and(|before| before.is_empty() || self.offset.is_empty());
+        if unrelated && matches!(place, Place::Work(_)) {
+            return None;
+        }
+        let known = |offset: &[f64], at: usize| offset.get(at).copied().unwrap_or_default();
+        // From what is reported to what positions count from.
+        let from = |at| match (place, &self.counted_from) {
+            (Place::Machine(_), None) => known(&self.offset, at),
+            (Place::Machine(_), Some(before)) => known(before, at),
+            (Place::Work(_), None) => 0.0,
+            (Place::Work(_), Some(before)) => known(before, at) - known(&self.offset, at),
+        };
         let unit = if self.reports_inches() { MM_PER_INCH } else { 1.0 };
         let [feed, rotate, bend] = settings.axes().map(|(_, axis)| {
             let place = axis.place();
-            values.get(place).map(|value| (value - offset.get(place).copied().unwrap_or_default()) * unit)
+            values.get(place).map(|value| (value - from(place)) * unit)
         });
         let position = Step {
             feed_mm: feed? / settings.feed_units_per_mm,

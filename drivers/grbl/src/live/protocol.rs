@@ -158,6 +158,8 @@ impl Protocol {
             self.machine.build = Some(build.trim_end_matches(':').to_owned());
         } else if message.starts_with("MSG:'$H'") {
             self.machine.state = Some(State::Alarm);
+        } else if message == "MSG:Reset to continue" {
+            self.waits_for_reset();
         }
     }
 
@@ -181,9 +183,8 @@ impl Protocol {
         let counts = self.asking.answered() && self.stream.is_over();
         let state = status.state;
         let before = self.machine.state.replace(state);
-        if let Some(position) = self.machine.moved_to(status, &self.settings) {
-            self.event(Event::Position(position));
-        }
+        self.machine.reports(status);
+        self.tell_position();
         let rests = counts && state == State::Idle;
         match &self.phase {
             Phase::Greeting(_) => self.found(),
@@ -201,6 +202,13 @@ impl Protocol {
             Phase::Halting { .. } if counts => self.halted(state),
             Phase::Resetting(reset) if reset.greeted => self.settled(state),
             _ => {}
+        }
+    }
+
+    /// Tells where the axes are, where that is known and was not told.
+    pub(super) fn tell_position(&mut self) {
+        if let Some(position) = self.machine.moved_to(&self.settings) {
+            self.event(Event::Position(position));
         }
     }
 

@@ -3,6 +3,7 @@
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // a test may stop at what cannot be
 
+mod interrupted;
 #[allow(dead_code)] // tests of the command line use the rest
 mod model;
 
@@ -71,7 +72,6 @@ fn until(session: &mut dyn MachineSession, wanted: impl Fn(&Event) -> bool) -> V
 }
 
 /// All events until one is what is waited for.
-#[allow(dead_code)] // for the wires that are interrupted
 fn until_told(session: &mut dyn MachineSession, wanted: impl Fn(&Event) -> bool) -> Vec<Event> {
     let begin = Instant::now();
     let mut events = Vec::new();
