@@ -23,6 +23,15 @@ pub(crate) enum Unwritable {
     TooFar { what: &'static str, position: f64 },
 }
 
+/// Lines, and where the axes stand when all of them are made. Within a stretch no move sets right what another has moved:
+/// a line that was changed on its way shows at its end.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Stretch {
+    pub lines: Vec<String>,
+    /// Feed, rotation and bend as written, in units of the machine, from where the program began.
+    pub end: [f64; 3],
+}
+
 /// A program that is being written: where the axes are, exactly and as written.
 #[derive(Debug, Clone)]
 pub(crate) struct Program {
@@ -90,10 +99,15 @@ impl Program {
     }
 
     /// The head turned from where it begins to a place, for a wire that is taken up again. Nothing for zero.
-    pub fn turned_to(&mut self, rotate_deg: f64) -> Result<Vec<String>, Unwritable> {
+    pub fn turned_to(&mut self, rotate_deg: f64) -> Result<Option<Stretch>, Unwritable> {
         let settings = Rc::clone(&self.settings);
         let line = self.rotate.by(rotate_deg, &settings)?;
-        Ok(self.numbered(line.into_iter().collect()))
+        let end = self.written();
+        Ok(line.map(|line| Stretch { lines: self.numbered(vec![line]), end }))
+    }
+
+    fn written(&self) -> [f64; 3] {
+        [&self.feed, &self.rotate, &self.bend].map(|axis| axis.written(&self.settings))
     }
 
     /// What comes after the last step.
@@ -105,6 +119,12 @@ impl Program {
     /// A step: feed and rotate with the pin in, then pin out, bend, back, pin in. A part that is too small
     /// to be written is left out here and made up for by the next.
     pub fn step(&mut self, step: &Step) -> Result<Vec<String>, Unwritable> {
+        Ok(self.stretches(step)?.into_iter().flat_map(|stretch| stretch.lines).collect())
+    }
+
+    /// The same in stretches. A move to a position (G90) makes up for a wrong one of its axis before it, so that each move
+    /// of a bend ends a stretch there; distances (G91) leave what is wrong in them to the end of the step.
+    pub fn stretches(&mut self, step: &Step) -> Result<Vec<Stretch>, Unwritable> {
         let settings = Rc::clone(&self.settings);
         // A step that cannot be written leaves no trace.
         let (mut feed, mut rotate, mut bend) = (self.feed.clone(), self.rotate.clone(), self.bend.clone());
@@ -112,27 +132,47 @@ impl Program {
         let mut lines = Vec::new();
         lines.extend(feed.by(step.feed_mm, &settings)?);
         lines.extend(rotate.by(step.rotate_deg, &settings)?);
-        let mut bends = Vec::new();
+        // The moves of the bend, and where each ends.
+        let mut bends: Vec<(Vec<String>, f64)> = Vec::new();
         for part in parts(step.bend_deg, settings.arc_step_deg) {
             if let Some(line) = bend.to(before + part, &settings)? {
-                bends.extend(dwell(settings.arc_dwell_s, !bends.is_empty()));
-                bends.push(line);
+                let mut lines: Vec<String> =
+                    dwell(settings.arc_dwell_s, !bends.is_empty()).into_iter().collect();
+                lines.push(line);
+                bends.push((lines, bend.written(&settings)));
             }
         }
+        let mut stretches = Vec::new();
+        let end = |bend_at| [feed.written(&settings), rotate.written(&settings), bend_at];
         if !bends.is_empty() {
             if settings.bend_returns {
-                bends.extend(bend.to(before, &settings)?);
+                let line = bend.to(before, &settings)?;
+                bends.extend(line.map(|line| (vec![line], bend.written(&settings))));
             }
             lines.extend_from_slice(&settings.pin_out);
             lines.extend(dwell(settings.pin_dwell_s, !settings.pin_out.is_empty()));
-            lines.append(&mut bends);
+            for (moves, bend_at) in bends {
+                lines.extend(moves);
+                if settings.mode == Mode::Absolute {
+                    stretches.push(Stretch { lines: std::mem::take(&mut lines), end: end(bend_at) });
+                }
+            }
             lines.extend_from_slice(&settings.pin_in);
             lines.extend(dwell(settings.pin_dwell_s, !settings.pin_in.is_empty()));
         } else if settings.bend_returns {
             bend.exact = before;
         }
+        let end = end(bend.written(&settings));
+        match stretches.last_mut() {
+            // What takes the pin in moves no axis.
+            Some(last) => last.lines.append(&mut lines),
+            None => stretches.push(Stretch { lines, end }),
+        }
         (self.feed, self.rotate, self.bend) = (feed, rotate, bend);
-        Ok(self.numbered(lines))
+        for stretch in &mut stretches {
+            stretch.lines = self.numbered(std::mem::take(&mut stretch.lines));
+        }
+        Ok(stretches)
     }
 
     fn numbered(&mut self, lines: Vec<String>) -> Vec<String> {
@@ -169,6 +209,13 @@ fn dwell(seconds: f64, wanted: bool) -> Option<String> {
 }
 
 impl AxisAt {
+    /// Where it is as written, in units of the machine.
+    fn written(&self, settings: &Settings) -> f64 {
+        #[allow(clippy::cast_precision_loss)] // at most a million with four digits
+        let last_digits = self.written as f64;
+        last_digits / 10f64.powi(i32::from(settings.decimals))
+    }
+
     fn by(&mut self, amount: f64, settings: &Settings) -> Result<Option<String>, Unwritable> {
         if !amount.is_finite() {
             return Err(Unwritable::NotFinite { what: self.what, value: amount });

@@ -302,8 +302,13 @@ impl Protocol {
     /// wire could start: the reference is lost for all purposes.
     fn in_doubt(&mut self) -> Option<u32> {
         let Phase::Making(making) = &self.phase else { return None };
-        let Part::Step(n) = making.part else { return None };
+        let step = match making.part {
+            Part::Step(n) => Some(n),
+            // The head is somewhere on its way.
+            Part::Turn => None,
+            _ => return None,
+        };
         self.machine.homed = false;
-        Some(n)
+        step
     }
 }

@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use wirebend_driver_api::{SettingCheck, Step};
 
+use super::place::Standing;
 use super::status::{Place, State, Status};
 use crate::program::trimmed;
 use crate::settings::{Homing, Settings};
@@ -68,6 +69,21 @@ impl Machine {
     /// Its axes are where their zero is.
     pub fn is_homed(&mut self) {
         (self.homed, self.lost, self.counted_from) = (true, false, None);
+    }
+
+    /// Where the axes stood at the last report, counted as the controller reports it.
+    pub fn standing(&self, settings: &Settings) -> Option<Standing> {
+        let (Place::Machine(values) | Place::Work(values)) = self.place.as_ref()?;
+        let (unit, digit) = if self.reports_inches() { (MM_PER_INCH, 1e-4) } else { (1.0, 1e-3) };
+        let [feed, rotate, bend] = settings.axes().map(|(_, axis)| {
+            let steps = self.settings.get(&format!("$10{}", axis.place()));
+            (values.get(axis.place()), steps.and_then(|steps| steps.parse().ok()))
+        });
+        Some(Standing {
+            at: [feed.0? * unit, rotate.0? * unit, bend.0? * unit],
+            steps: [feed.1, rotate.1, bend.1],
+            digit: digit * unit,
+        })
     }
 
     /// What a report says of where the axes are.

@@ -5,10 +5,12 @@ use std::rc::Rc;
 
 use wirebend_driver_api::{Batch, DriverError, Event, PausedBy, Run, Sent};
 
+use super::machine::Machine;
+use super::place::{self, Standing};
 use super::protocol::{Phase, Protocol};
 use super::status::State;
 use super::stream::dwell_of;
-use crate::program::Program;
+use crate::program::{Program, Stretch};
 use crate::settings::{Names, Settings};
 
 /// So many steps are taken ahead.
@@ -23,7 +25,21 @@ pub(super) struct Making {
     /// How many the wire has.
     steps: usize,
     start: Vec<String>,
-    waiting: VecDeque<(u32, Vec<String>)>,
+    /// Turns the head to where the made part of the wire has left it.
+    turn: Option<Stretch>,
+    waiting: VecDeque<(u32, Vec<Stretch>)>,
+    /// What is left of the step under way.
+    rest: VecDeque<Stretch>,
+    /// Where the axes stand when what is under way is made.
+    end: [f64; 3],
+    /// Where they stood when the program began.
+    began: Option<Standing>,
+    /// How many lines were sent since.
+    moves: u32,
+    /// Lines are under way.
+    busy: bool,
+    /// The last report says that the axes stand elsewhere.
+    displaced: bool,
     /// The last step that was taken.
     taken: Option<u32>,
     /// The last step of the wire has been taken.
@@ -38,6 +54,8 @@ pub(super) enum Part {
     /// Nothing has been sent.
     Armed,
     Start,
+    /// The head is turned to its place.
+    Turn,
     /// At rest, waiting for a step.
     Between,
     Step(u32),
@@ -71,20 +89,27 @@ impl Making {
             return Err(DriverError::new("no-such-step", message, "plan the wire again"));
         }
         let mut program = Program::new(Rc::clone(settings), &names)?;
-        let mut start = program.start();
+        let start = program.start();
         // The machine was homed since, so that its head is not where the made part of the wire left it.
-        start.extend(program.turned_to(run.rotate_at_deg).map_err(|why| {
+        let turn = program.turned_to(run.rotate_at_deg).map_err(|why| {
             DriverError::new(
                 "step",
                 format!("the head cannot be turned to its place: {why}"),
                 "look at the plan",
             )
-        })?);
+        })?;
         Ok(Self {
             start,
+            turn,
             program,
             steps: names.steps,
             waiting: VecDeque::new(),
+            rest: VecDeque::new(),
+            end: [0.0; 3],
+            began: None,
+            moves: 0,
+            busy: false,
+            displaced: false,
             taken: (run.after > 0).then_some(run.after),
             last: false,
             part: Part::Armed,
@@ -112,7 +137,7 @@ impl Making {
                 whole = false;
                 break;
             }
-            let lines = program.step(&numbered.step).map_err(|why| {
+            let lines = program.stretches(&numbered.step).map_err(|why| {
                 DriverError::new(
                     "step",
                     format!("step {n} of the run cannot be sent: {why}"),
@@ -151,15 +176,31 @@ impl Making {
 
     /// What is to be sent next, where the machine is at rest and something waits.
     fn next_lines(&mut self) -> Option<Vec<String>> {
+        if self.busy {
+            return None;
+        }
+        let lines = self.next_part();
+        self.busy = lines.is_some();
+        lines
+    }
+
+    fn next_part(&mut self) -> Option<Vec<String>> {
         match self.part {
             Part::Armed if !self.waiting.is_empty() || self.last => {
                 self.part = Part::Start;
                 Some(std::mem::take(&mut self.start))
             }
+            // A step of several stretches goes on with the next.
+            Part::Step(_) => self.rest.pop_front().map(|stretch| self.begin(stretch)),
             Part::Between => {
-                if let Some((n, lines)) = self.waiting.pop_front() {
+                if let Some(turn) = self.turn.take() {
+                    self.part = Part::Turn;
+                    return Some(self.begin(turn));
+                }
+                if let Some((n, stretches)) = self.waiting.pop_front() {
                     self.part = Part::Step(n);
-                    return Some(lines);
+                    self.rest = stretches.into();
+                    return self.rest.pop_front().map(|stretch| self.begin(stretch));
                 }
                 if !self.last {
                     return None;
@@ -169,6 +210,24 @@ impl Making {
             }
             _ => None,
         }
+    }
+
+    /// Refuses a machine that does not stand where the lines that it has taken end.
+    fn arrived(&self, machine: &Machine, settings: &Settings) -> Result<(), DriverError> {
+        let standing = machine.standing(settings);
+        let (Some(began), Some(standing)) = (&self.began, standing) else { return Ok(()) };
+        let Some(displaced) = place::displaced(began, &standing, self.end, self.moves) else { return Ok(()) };
+        let during = match self.part {
+            Part::Step(n) => format!("in step {n}"),
+            _ => "before the first step".to_owned(),
+        };
+        Err(displaced.error(&during, settings))
+    }
+
+    fn begin(&mut self, stretch: Stretch) -> Vec<String> {
+        self.end = stretch.end;
+        self.moves = self.moves.saturating_add(u32::try_from(stretch.lines.len()).unwrap_or(u32::MAX));
+        stretch.lines
     }
 }
 
@@ -202,16 +261,34 @@ impl Protocol {
             return self.watch_answer(state);
         }
         match making.part {
-            Part::Start => making.part = Part::Between,
-            Part::Step(n) => {
+            Part::Start => {
+                making.began = self.machine.standing(&self.settings);
                 making.part = Part::Between;
-                self.event(Event::Done { n });
+            }
+            Part::Turn | Part::Step(_) => {
+                if let Err(error) = making.arrived(&self.machine, &self.settings) {
+                    // A report may have been damaged itself: the next one has the say.
+                    if std::mem::replace(&mut making.displaced, true) {
+                        self.fail(error);
+                    }
+                    return;
+                }
+                making.displaced = false;
+                if making.rest.is_empty() {
+                    let made = std::mem::replace(&mut making.part, Part::Between);
+                    if let Part::Step(n) = made {
+                        self.event(Event::Done { n });
+                    }
+                }
             }
             Part::End => {
                 self.phase = Phase::Ready;
                 return self.event(Event::Finished);
             }
             Part::Armed | Part::Between => {}
+        }
+        if let Phase::Making(making) = &mut self.phase {
+            making.busy = false;
         }
         self.go_on();
     }

@@ -2,11 +2,14 @@
 
 mod asking;
 mod calls;
+#[cfg(test)]
+mod changed;
 mod connecting;
 mod ending;
 mod incoming;
 mod machine;
 mod making;
+mod place;
 mod protocol;
 mod reply;
 mod status;

@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // a test may stop at what cannot be
 
 mod interrupted;
+mod line;
 #[allow(dead_code)] // tests of the command line use the rest
 mod model;
 
