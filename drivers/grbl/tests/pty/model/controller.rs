@@ -3,6 +3,7 @@
 use std::collections::VecDeque;
 use std::io::{Read, Write};
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 
 use super::{Build, Events, Record, STEPS_PER_UNIT};
 
@@ -10,8 +11,9 @@ use super::{Build, Events, Record, STEPS_PER_UNIT};
 pub(super) const PLANNER: usize = 15;
 /// Bytes of the receive buffer.
 const RECEIVE_BUFFER: usize = 128;
-/// After `ALARM:` the controller does nothing for 500 ms (`report_alarm_message`), here turns.
-const ALARM_TURNS: u32 = 500;
+/// After `ALARM:` the controller does nothing for so long (`report_alarm_message`). By the clock, since what the driver
+/// waits for is: turns take longer where other tests run beside.
+const ALARM: Duration = Duration::from_millis(500);
 /// A report has `WCO:` so often (`REPORT_WCO_REFRESH_IDLE_COUNT`, `_BUSY_COUNT`).
 const OFFSET_IDLE: u32 = 10;
 const OFFSET_BUSY: u32 = 30;
@@ -31,7 +33,7 @@ enum Ending {
     /// It has said its alarm, and does nothing for a while.
     Alarm {
         critical: bool,
-        turns: u32,
+        until: Instant,
     },
     /// It waits for a reset, after a limit.
     Locked,
@@ -181,7 +183,7 @@ impl<P: Read + Write> Controller<P> {
         if let Some(code) = alarm.or(moved.then_some(3)) {
             self.planner.clear();
             self.state = State::Alarm;
-            self.ending = Ending::Alarm { critical: code < 3, turns: ALARM_TURNS };
+            self.ending = Ending::Alarm { critical: code < 3, until: Instant::now() + ALARM };
             self.say(&format!("ALARM:{code}"));
         }
     }
@@ -209,17 +211,14 @@ impl<P: Read + Write> Controller<P> {
     /// Whether an alarm or a reset keeps it from its lines. A report that was asked for meanwhile is not written.
     fn is_kept(&mut self) -> bool {
         match self.ending {
-            Ending::Alarm { critical, turns: 0 } => {
+            Ending::Alarm { until, .. } if Instant::now() < until => return true,
+            Ending::Alarm { critical, .. } => {
                 self.ending = Ending::Not;
                 if critical {
                     self.say("[MSG:Reset to continue]");
                     // One that came before is forgotten.
                     (self.ending, self.reset_asked) = (Ending::Locked, false);
                 }
-            }
-            Ending::Alarm { critical, turns } => {
-                self.ending = Ending::Alarm { critical, turns: turns - 1 };
-                return true;
             }
             Ending::Locked if self.reset_asked => self.ending = Ending::Not,
             Ending::Locked => return true,
