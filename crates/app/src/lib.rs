@@ -102,6 +102,8 @@ pub struct App {
     drivers: DriverFolders,
     /// Where journals and records of wires are; without a place, no wire is made.
     runs: Option<PathBuf>,
+    /// Whether drivers are asked for the limits of their machines: where it was said where they are.
+    asks_drivers: bool,
 }
 
 impl App {
@@ -116,13 +118,13 @@ impl App {
         for folder in profile_folders {
             refused.extend(library.add_folder(folder).refused);
         }
-        Ok(Self { library, refused, drivers: DriverFolders::default(), runs: None })
+        Ok(Self { library, refused, drivers: DriverFolders::default(), asks_drivers: false, runs: None })
     }
 
     /// The same with drivers from other places than the folders beside the program.
     #[must_use]
     pub fn with_drivers(self, drivers: DriverFolders) -> Self {
-        Self { drivers, ..self }
+        Self { drivers, asks_drivers: true, ..self }
     }
 
     /// The same with a folder for journals and records of the wires that are made.

@@ -15,7 +15,7 @@ use wirebend_profile::{
 };
 
 use crate::AppError;
-use crate::drivers::Signs;
+use crate::drivers::{Signs, Told};
 use crate::report::NoteReport;
 
 /// A machine with a wire in it, and the profiles that say so.
@@ -25,16 +25,30 @@ pub(crate) struct Setup {
     pub material: Resolved<MaterialProfile>,
     pub model: Machine,
     pub signs: Signs,
+    /// What the machine's driver said when it was asked for its limits, which `machine` has by now.
+    pub driver: Told,
     pub currency: Option<String>,
 }
 
 impl crate::App {
     /// A machine and a material by id; without a material the one that the machine names.
     pub(crate) fn setup(&self, machine: &str, material: Option<&str>) -> Result<Setup, AppError> {
-        let machine = self.library.machine(machine)?;
+        let mut machine = self.library.machine(machine)?;
         let own = machine.profile.default_material.as_deref().unwrap_or_default();
         let material = self.library.material(material.unwrap_or(own))?;
-        Setup::new(machine, material)
+        let driver = self.with_driver_limits(&mut machine);
+        let mut setup = Setup { driver, ..Setup::new(machine, material)? };
+        setup.model.scatter = self.scatter(&setup.machine.profile)?;
+        Ok(setup)
+    }
+
+    /// How far bends scatter by the errors that the machine's profile names.
+    fn scatter(&self, machine: &MachineProfile) -> Result<Option<Sourced<Angle>>, AppError> {
+        let Some(id) = &machine.error else { return Ok(None) };
+        let errors = self.library.noise(id)?;
+        let Some(sigma) = &errors.profile.bend.sigma_deg else { return Ok(None) };
+        let source = source(&errors, "bend.sigma_deg", Some(&sigma.source));
+        Ok(Some(Sourced { value: deg(sigma.value)?, source }))
     }
 }
 
@@ -48,7 +62,7 @@ impl Setup {
         let wire = material.figures()?;
         let model = model(&machine, &figures, &material, &wire)?;
         let signs = Signs::of(&figures);
-        Ok(Self { machine, material, model, signs, currency: wire.currency })
+        Ok(Self { machine, material, model, signs, driver: Told::default(), currency: wire.currency })
     }
 
     /// The machine's id.
@@ -118,6 +132,7 @@ fn model(
     let angle = |key: &str, figure: &Figure, value: f64| {
         Ok::<_, AppError>(Sourced { value: deg(value)?, source: stated_source(key, figure) })
     };
+    let feed = limits.max_feed_mm.map(|feed| length("limits.max_feed_mm", &stated.max_feed_mm, feed));
     let stock = limits.max_stock_mm.map(|stock| length("limits.max_stock_mm", &stated.max_stock_mm, stock));
     let (thin, thick) = (&machine.profile.wire.min_diameter_mm, &machine.profile.wire.max_diameter_mm);
     let diameter = mm(wire.diameter_mm)?;
@@ -128,11 +143,16 @@ fn model(
             largest_bend: angle("limits.max_bend_deg", &stated.max_bend_deg, limits.max_bend_deg)?,
             least_edge: length("limits.min_edge_mm", &stated.min_edge_mm, limits.min_edge_mm)?,
             least_feed: length("limits.min_feed_mm", &stated.min_feed_mm, limits.min_feed_mm)?,
+            most_feed: feed.transpose()?,
             most_stock: stock.transpose()?,
             tail: length("limits.tail_mm", &stated.tail_mm, limits.tail_mm)?,
             least_diameter: length("wire.min_diameter_mm", thin, figures.min_diameter_mm)?,
             most_diameter: length("wire.max_diameter_mm", thick, figures.max_diameter_mm)?,
-            head_source: stated_source("limits.max_rotation_deg", &stated.max_rotation_deg),
+            head_sources: [
+                stated_source("limits.min_rotation_deg", &stated.min_rotation_deg),
+                stated_source("limits.max_rotation_deg", &stated.max_rotation_deg),
+            ],
+            axis_source: stated_source("bend.axis_limit_deg", &machine.profile.bend.axis_limit_deg),
         },
         head: HeadLimits {
             least: deg(limits.min_rotation_deg)?,
@@ -156,6 +176,7 @@ fn model(
         },
         bend_radius: FeedModel::new(pin, diameter, wire.k_factor).bend_radius,
         straight: deg(figures.bend_resolution_deg / 2.0)?,
+        scatter: None, // from another profile: filled in by `App::setup`
     })
 }
 

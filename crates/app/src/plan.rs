@@ -139,6 +139,8 @@ impl App {
         progress: &dyn Progress,
     ) -> Result<Planned, AppError> {
         let mut opened = opened;
+        setup.driver.require_settings()?;
+        opened.notes.extend(setup.driver.note.clone());
         opened.notes.extend(estimated_springback(&setup));
         let document = &opened.document;
         let start = choices.start.map(VertexId).or(document.start);

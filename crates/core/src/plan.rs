@@ -3,7 +3,7 @@
 use nalgebra::Point3;
 
 use crate::bend::{Frame, NominalProgram, PathError, program_of_path};
-use crate::checks::{Code, Diagnostic, MachineLimits, Place, Severity, Wire, check_wire};
+use crate::checks::{Code, Diagnostic, MachineLimits, Place, Severity, Sourced, Wire, check_wire};
 use crate::compensate::{CompensatedProgram, Compensation, StepError, compensate};
 use crate::estimate::{TimeModel, WireModel, stock};
 use crate::route::{Doubling, Route, RouteError, RouteOptions, doubling, route};
@@ -33,6 +33,8 @@ pub struct Machine {
     pub bend_radius: Length,
     /// A change of direction up to this is not bent: half of what the bend axis resolves.
     pub straight: Angle,
+    /// How far its bends scatter (one standard deviation), where that is known.
+    pub scatter: Option<Sourced<Angle>>,
 }
 
 /// Which edges are travelled twice.
@@ -191,6 +193,7 @@ pub fn plan_wire(
         diameter: machine.wire.diameter,
         bend_radius: machine.bend_radius,
         straight: machine.straight,
+        scatter: machine.scatter.as_ref(),
         limits: &machine.limits,
     });
     plan.diagnostics.extend(refusals);

@@ -30,11 +30,13 @@ pub(crate) fn published_machine() -> Machine {
             largest_bend: paper(deg(155.0)),
             least_edge: paper(mm(20.4)),
             least_feed: paper(mm(25.0)),
+            most_feed: None,
             most_stock: None,
             tail: paper(mm(400.0)),
             least_diameter: paper(mm(2.8)),
             most_diameter: paper(mm(3.2)),
-            head_source: "the paper".to_owned(),
+            head_sources: ["the paper".to_owned(), "the paper".to_owned()],
+            axis_source: "the paper".to_owned(),
         },
         head: HeadLimits { least: deg(-360.0), most: deg(360.0), seconds_per_degree: 1.0 / 131.3 },
         compensation: Compensation {
@@ -54,6 +56,7 @@ pub(crate) fn published_machine() -> Machine {
         wire: WireModel { diameter: mm(3.0), density_kg_per_m3: 2700.0, price_per_mm: Some(0.00199) },
         bend_radius: mm(3.0),
         straight: deg(0.01676 / 2.0),
+        scatter: None,
     }
 }
 

@@ -40,8 +40,8 @@ extern "C" {
 #define WIREBEND_ABI_MAJOR 1u
 /* A larger minor has more messages or extensions; nothing that was there has changed. 1.1 has more calls
    ("ports", "write-settings") and events ("settings-written", "made"), and keys with defaults in those of
-   1.0: "resume" of "connect", "token" in the reply of "arm", "going_on" of "connected". 1.2 has one key more,
-   "reference" of "connected": "machine" (the default) or "person". */
+   1.0: "resume" of "connect", "token" in the reply of "arm", "going_on" of "connected". 1.2 has the call "limits",
+   and one key more, "reference" of "connected": "machine" (the default) or "person". */
 #define WIREBEND_ABI_MINOR 2u
 
 /* What a function returns. */

@@ -15,6 +15,9 @@ pub enum Call {
     Encode(Box<Encode>),
     /// Lists the ports of this computer. Needs no connection. Reply: [`Ports`](crate::Ports). Since 1.1.
     Ports,
+    /// Tells how far the axes go and how fast, with the settings of this instance. Needs no connection. Reply:
+    /// [`Limits`](crate::Limits). Since 1.2.
+    Limits,
     /// Opens a port and greets the machine. Reply: `{}`; then the event `connected` or `fault`.
     Connect {
         /// Name of the port, such as `/dev/ttyUSB0` or `COM3`.

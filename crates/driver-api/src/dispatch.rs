@@ -75,6 +75,7 @@ impl<D: MachineDriver> Instance<D> {
         match call {
             Call::Encode(asked) => return to_json(&self.driver.encode(&asked.format, &asked.job)?),
             Call::Ports => return to_json(&Ports { ports: self.driver.ports()? }),
+            Call::Limits => return to_json(&self.driver.limits()),
             Call::Connect { port, resume } => {
                 if self.session.is_some() {
                     let message = "the driver has a connection already";

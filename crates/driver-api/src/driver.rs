@@ -3,7 +3,9 @@
 use schemars::JsonSchema;
 use serde::de::DeserializeOwned;
 
-use crate::{ArmedReply, Batch, Description, DriverError, Encoded, Event, Job, Motion, Port, Run, Sent};
+use crate::{
+    ArmedReply, Batch, Description, DriverError, Encoded, Event, Job, Limits, Motion, Port, Run, Sent,
+};
 
 /// A driver: settings turned into something that writes jobs and, where it can, moves a machine.
 ///
@@ -27,6 +29,13 @@ pub trait MachineDriver: Sized + 'static {
     /// # Errors
     /// [`DriverError`] that names the wire and the step that the format cannot hold.
     fn encode(&self, format: &str, job: &Job) -> Result<Encoded, DriverError>;
+
+    /// How far the axes go and how fast, with these settings and whatever else the driver knows of its machine: what
+    /// [`MachineDriver::encode`] and [`MachineSession::send`] would refuse is here, so that no wire is begun that
+    /// cannot be ended.
+    fn limits(&self) -> Limits {
+        Limits::default()
+    }
 
     /// The ports that a machine can be at. With the feature `serial`, `serial::ports` lists those of the
     /// computer.

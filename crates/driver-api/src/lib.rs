@@ -29,6 +29,7 @@ mod error;
 mod event;
 mod glue;
 mod job;
+mod limits;
 mod port;
 mod schemas;
 #[cfg(feature = "serial")]
@@ -48,6 +49,7 @@ pub use error::DriverError;
 pub use event::{Direction, Event, GoingOn, PausedBy, ReferenceBy, SettingCheck};
 pub use glue::table;
 pub use job::{DesignStep, Job, MachineRef, MaterialRef, Step, Wire};
+pub use limits::{AxisLimit, AxisRate, Extent, Limits};
 pub use port::{Port, Ports, Usb};
 pub use schemas::message_schemas;
 pub use table::{Reply, SafeTable, TableError};

@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde_json::Value;
 
-use crate::{ArmedReply, Call, Description, DriverError, Encoded, Event, Ports, Sent};
+use crate::{ArmedReply, Call, Description, DriverError, Encoded, Event, Limits, Ports, Sent};
 
 /// Name and JSON Schema of each message that crosses the boundary.
 #[must_use]
@@ -16,6 +16,7 @@ pub fn message_schemas() -> Vec<(&'static str, Value)> {
         ("armed", schema_of::<ArmedReply>()),
         ("sent", schema_of::<Sent>()),
         ("ports", schema_of::<Ports>()),
+        ("limits", schema_of::<Limits>()),
         ("event", schema_of::<Event>()),
         ("error", schema_of::<DriverError>()),
     ]

@@ -9,7 +9,7 @@ use serde::de::DeserializeOwned;
 use serde_json::Value;
 use wirebend_driver_api::conformance::{Broken, Subject};
 use wirebend_driver_api::{
-    Call, Description, DriverError, Encode, Encoded, Event, Job, Port, Ports, Reply, deadline,
+    Call, Description, DriverError, Encode, Encoded, Event, Job, Limits, Port, Ports, Reply, deadline,
 };
 
 use crate::child::MINOR;
@@ -144,6 +144,21 @@ impl OpenDriver {
     /// [`HostError::Refused`] for a driver that lacks `ports`; else as every call.
     pub fn ports(&self) -> Result<Vec<Port>, HostError> {
         self.call_for::<Ports>("the ports", &Call::Ports, deadline::CALL).map(|listed| listed.ports)
+    }
+
+    /// How far the axes of its machine go and how fast; nothing for a driver that was made before it could be asked.
+    ///
+    /// # Errors
+    /// [`HostError`].
+    pub fn limits(&self) -> Result<Limits, HostError> {
+        match self.call_for("its limits", &Call::Limits, deadline::CALL) {
+            Err(HostError::Refused { error, .. })
+                if ["unknown-call", "unsupported"].contains(&error.code.as_str()) =>
+            {
+                Ok(Limits::default())
+            }
+            told => told,
+        }
     }
 
     /// Asks something whose answer has a shape.

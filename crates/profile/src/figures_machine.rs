@@ -55,6 +55,9 @@ pub struct LimitFigures {
     pub min_edge_mm: f64,
     /// Shortest feed, millimetres.
     pub min_feed_mm: f64,
+    /// Longest single feed, millimetres; `None`: no limit.
+    #[serde(default)]
+    pub max_feed_mm: Option<f64>,
     /// Longest stock, millimetres; `None`: no limit.
     pub max_stock_mm: Option<f64>,
     /// End of the stock that cannot be fed, millimetres.
@@ -122,6 +125,7 @@ impl MachineProfile {
             max_bend_deg: v(&limits.max_bend_deg)?,
             min_edge_mm: v(&limits.min_edge_mm)?,
             min_feed_mm: v(&limits.min_feed_mm)?,
+            max_feed_mm: v(&limits.max_feed_mm),
             max_stock_mm: v(&limits.max_stock_mm),
             tail_mm: v(&limits.tail_mm)?,
             min_rotation_deg: v(&limits.min_rotation_deg)?,

@@ -138,6 +138,8 @@ layer! {
         pub min_edge_mm: Sourced<f64>,
         /// Shortest feed that can be commanded, after compensation, millimetres.
         pub min_feed_mm: Sourced<f64>,
+        /// Longest feed that can be commanded at once, after compensation, millimetres; absent: no limit.
+        pub max_feed_mm: Sourced<f64>,
         /// Longest stock that the machine takes, millimetres; absent: no limit (a spool).
         pub max_stock_mm: Sourced<f64>,
         /// End of the stock that cannot be fed, millimetres.

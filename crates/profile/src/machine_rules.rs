@@ -81,6 +81,7 @@ impl MachineProfile {
         let pairs = [
             ("wire.max_diameter_mm", &wire.min_diameter_mm, &wire.max_diameter_mm, true),
             ("limits.max_bend_deg", &limits.min_bend_deg, &limits.max_bend_deg, false),
+            ("limits.max_feed_mm", &limits.min_feed_mm, &limits.max_feed_mm, false),
             ("limits.max_rotation_deg", &limits.min_rotation_deg, &limits.max_rotation_deg, false),
         ];
         for (key, low, high, may_be_equal) in pairs {
@@ -127,6 +128,7 @@ impl MachineProfile {
             ("bend.pin_radius_mm", &self.bend.pin_radius_mm),
             ("bend.rod_radius_mm", &self.bend.rod_radius_mm),
             ("bend.orbit_radius_mm", &self.bend.orbit_radius_mm),
+            ("limits.max_feed_mm", &self.limits.max_feed_mm),
             ("bend.axis_limit_deg", &self.bend.axis_limit_deg),
         ];
         for (key, figure) in above_zero {

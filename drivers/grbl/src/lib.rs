@@ -2,6 +2,7 @@
 
 mod codes;
 mod export;
+mod limits;
 mod live;
 mod program;
 mod settings;
@@ -9,8 +10,8 @@ mod settings;
 use std::rc::Rc;
 
 use wirebend_driver_api::{
-    Capability, Content, Description, DriverError, Encoded, Files, FormatDescription, Job, MachineDriver,
-    MachineSession, Port, serial,
+    Capability, Content, Description, DriverError, Encoded, Files, FormatDescription, Job, Limits,
+    MachineDriver, MachineSession, Port, serial,
 };
 
 pub use settings::{Comments, Homing, Letter, Mode, Moves, Settings, Streaming};
@@ -70,6 +71,10 @@ impl MachineDriver for Grbl {
         }
         let files = (0..job.wires.len()).map(|index| export::wire(&self.settings, job, index));
         Ok(Encoded { files: files.collect::<Result<_, _>>()?, notes: Vec::new() })
+    }
+
+    fn limits(&self) -> Limits {
+        limits::of(&self.settings)
     }
 
     fn ports(&self) -> Result<Vec<Port>, DriverError> {

@@ -8,7 +8,7 @@ use crate::settings::{Letter, Mode, Moves, Names, Settings};
 
 /// The largest position in units of the machine. Beyond it grbl, which counts in single precision, could no
 /// longer tell two positions a tenth of a unit apart.
-const FARTHEST: f64 = 1e6;
+pub(crate) const FARTHEST: f64 = 1e6;
 /// The highest line number that grbl takes (error 27).
 const LAST_LINE: u32 = 9_999_999;
 

@@ -18,12 +18,13 @@ use conduct::{Conduct, conduct};
 use wirebend_driver_api::{ABI_MAJOR, ABI_MINOR, Buffer, Bytes, OK, REFUSED, Table};
 
 /// When it can misbehave.
-pub const WHEN: [&str; 17] = [
+pub const WHEN: [&str; 18] = [
     "entry",
     "describe",
     "open",
     "encode",
     "ports",
+    "limits",
     "connect",
     "home",
     "arm",

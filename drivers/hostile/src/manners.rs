@@ -65,6 +65,9 @@ impl Instance {
         match name.as_str() {
             "encode" => reply = json!({"files": [{"text": "a wire\n"}]}),
             "ports" => reply = json!({"ports": [{"name": "anywhere", "likely": true}]}),
+            "limits" => {
+                reply = json!({"limits": [{"axis": "feed", "of": "step", "most": 1e6, "reason": "patience"}]})
+            }
             "connect" => self.events.push_back(connected(&request)),
             "home" => self.events.push_back(json!({"event": "homed"})),
             "send" => reply = self.send(&request),

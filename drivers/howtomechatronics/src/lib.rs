@@ -3,6 +3,7 @@
 //! `README.md` says exactly what is written and sent, and what the machine cannot do.
 
 mod command;
+mod limits;
 mod pace;
 mod program;
 mod session;
@@ -12,8 +13,8 @@ mod whole;
 
 use serde_json::Value;
 use wirebend_driver_api::{
-    Capability, Content, Description, DriverError, Encoded, Files, FormatDescription, Job, MachineDriver,
-    MachineSession, Port, serial,
+    Capability, Content, Description, DriverError, Encoded, Files, FormatDescription, Job, Limits,
+    MachineDriver, MachineSession, Port, serial,
 };
 
 pub use settings::Settings;
@@ -62,6 +63,10 @@ impl MachineDriver for HowToMechatronics {
             return Err(DriverError::unknown_format(format, &[FORMAT]));
         }
         program::encode(job, self.settings.most_feed_mm)
+    }
+
+    fn limits(&self) -> Limits {
+        limits::of(&self.settings)
     }
 
     fn ports(&self) -> Result<Vec<Port>, DriverError> {

@@ -11,9 +11,9 @@ const NOTHING_MM: f64 = 1e-6;
 /// A bend below this is none, degrees: the noise of computing with floats.
 const NO_BEND_DEG: f64 = 1e-9;
 /// More wire than any coil has, mm.
-const LARGEST_FEED_MM: f64 = 1e6;
+pub(crate) const LARGEST_FEED_MM: f64 = 1e6;
 /// The sketch counts 16 steps a degree in 16 bits: 32767 / 16.
-const LARGEST_ANGLE_DEG: f64 = 2047.0;
+pub(crate) const LARGEST_ANGLE_DEG: f64 = 2047.0;
 
 /// The three axes with what they still owe.
 #[derive(Debug, Clone, Default)]

@@ -8,6 +8,7 @@
 pub mod bench;
 pub mod controller;
 mod export;
+mod limits;
 pub mod link;
 mod live;
 pub mod protocol;
@@ -16,8 +17,8 @@ mod settings;
 use std::rc::Rc;
 
 use wirebend_driver_api::{
-    Capability, Content, Description, DriverError, Encoded, Files, FormatDescription, Job, MachineDriver,
-    MachineSession, Port,
+    Capability, Content, Description, DriverError, Encoded, Files, FormatDescription, Job, Limits,
+    MachineDriver, MachineSession, Port,
 };
 
 pub use settings::Settings;
@@ -78,6 +79,10 @@ impl MachineDriver for WirebendKit {
         }
         let files = (0..job.wires.len()).map(|index| export::wire(job, index));
         Ok(Encoded { files: files.collect::<Result<_, _>>()?, notes: Vec::new() })
+    }
+
+    fn limits(&self) -> Limits {
+        limits::of(&self.settings)
     }
 
     fn ports(&self) -> Result<Vec<Port>, DriverError> {

@@ -2,6 +2,7 @@
 
 mod check;
 mod job;
+mod limits;
 mod list;
 mod making;
 mod problem;
@@ -18,6 +19,7 @@ use crate::{App, AppError, ExportFormat};
 pub(crate) use check::check;
 pub use check::{DriverCheckRequest, DriverCheckResponse, RuleReport};
 pub(crate) use job::{Stages, job};
+pub(crate) use limits::Told;
 pub(crate) use list::drivers;
 pub use list::{DriverEntry, DriverState, DriversRequest, DriversResponse};
 pub(crate) use making::{opened, work};

@@ -11,6 +11,7 @@ mod board;
 mod by_hand;
 mod c_drivers;
 mod compare;
+mod driver_limits;
 mod driver_settings;
 mod driver_settings_inherited;
 mod drivers;

@@ -1,8 +1,8 @@
 //! Bends that the machine cannot make: every pair of edges that the route makes neighbours.
 
-use super::{Code, Diagnostic, Limit, Quantity, Severity, Wire, is_near};
-use crate::compensate::BendError;
-use crate::units::Angle;
+use super::{Code, Diagnostic, Limit, Quantity, ROUNDING, Severity, Wire, is_near};
+use crate::compensate::{BendError, BendModel};
+use crate::units::{Angle, digits_apart};
 
 pub(super) fn check(wire: &Wire, found: &mut Vec<Diagnostic>) {
     // The schedule knows to which side; before it, the wider side counts.
@@ -23,12 +23,18 @@ pub(super) fn check(wire: &Wire, found: &mut Vec<Diagnostic>) {
             continue;
         }
         let room = (limit.value.abs() - bend.abs()).deg();
-        let (code, severity, verdict) = if room < -1e-9 {
+        let (code, severity, verdict) = if room < -ROUNDING {
             (Code::BendTooSharp, Severity::Error, "more than the machine makes")
         } else if is_near(room.max(0.0), limit.value.deg()) {
             (Code::BendNearLimit, Severity::Warning, "close to the most that the machine makes")
         } else {
             continue;
+        };
+        // At the limit but for rounding the two read alike, as they should.
+        let digits = if room.abs() <= ROUNDING {
+            1
+        } else {
+            digits_apart(bend.abs().deg(), limit.value.abs().deg(), 1)
         };
         found.push(Diagnostic {
             code,
@@ -36,7 +42,11 @@ pub(super) fn check(wire: &Wire, found: &mut Vec<Diagnostic>) {
             place: wire.place_of_step(step),
             measured: Some(Quantity::Angle(bend)),
             limit: Some(Limit { value: Quantity::Angle(limit.value), source: limit.source.clone() }),
-            message: format!("the bend{} is {bend:.1}, {verdict} ({:.1})", at(wire, step), limit.value),
+            message: format!(
+                "the bend{} is {bend:.digits$}, {verdict} ({:.digits$})",
+                at(wire, step),
+                limit.value
+            ),
             help: "open the angle between the two edges, or start the wire at this vertex".to_owned(),
         });
     }
@@ -52,11 +62,12 @@ fn unreachable(wire: &Wire, found: &mut Vec<Diagnostic>) {
             BendError::FoldBack { bend } => (Code::FoldBack, bend, None),
         };
         // Said before, with a clearer reason: by the check of fold backs, or as beyond the limit.
-        let (least, largest) = (wire.limits.least_bend.value, wire.limits.largest_bend.value);
-        if bend.abs() == Angle::HALF_TURN || bend < least || bend > largest {
+        let (least, largest) = (wire.limits.least_bend.value.deg(), wire.limits.largest_bend.value.deg());
+        let beyond = bend.deg() < least - ROUNDING || bend.deg() > largest + ROUNDING;
+        if bend.abs() == Angle::HALF_TURN || beyond {
             continue;
         }
-        let source = "springback and setback of this wire on this machine".to_owned();
+        let source = reach_source(wire, bend);
         found.push(Diagnostic {
             code,
             severity: Severity::Error,
@@ -65,11 +76,24 @@ fn unreachable(wire: &Wire, found: &mut Vec<Diagnostic>) {
             limit: limit.map(|largest| Limit { value: Quantity::Angle(largest), source }),
             message: format!("the bend{}: {}", at(wire, failed.step), failed.error),
             help: match failed.error {
-                BendError::OutOfReach { largest, .. } => format!("keep the bend below {largest:.1}"),
+                BendError::OutOfReach { largest, .. } => format!("keep the bend below {largest:.2}"),
                 BendError::FoldBack { .. } => "open the angle between the two edges".to_owned(),
                 BendError::TooSmall { .. } => "make the bend larger, or the edges straight".to_owned(),
             },
         });
+    }
+}
+
+/// What keeps a bend from being made: the end of the axis, or the peg that slips off the wire before it.
+pub(super) fn reach_source(wire: &Wire, bend: Angle) -> String {
+    let model = &wire.compensation.bend;
+    let unlimited = BendModel { axis_limit: None, ..model.clone() };
+    match (model.axis_limit, unlimited.command(bend)) {
+        (Some(limit), Ok(axis)) => {
+            let source = &wire.limits.axis_source;
+            format!("the bend axis, which would have to go to {axis:.1} and goes to {limit:.1} [{source}]")
+        }
+        _ => "springback and setback of this wire on this machine".to_owned(),
     }
 }
 

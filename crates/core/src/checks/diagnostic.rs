@@ -64,6 +64,8 @@ codes! {
     BendOutOfReach = "bend_out_of_reach",
     /// A bend is smaller than the peg can make.
     BendTooSmall = "bend_too_small",
+    /// A bend is smaller than bends scatter on the machine.
+    BendInScatter = "bend_in_scatter",
     /// A corner is gentler than the bend axis resolves.
     CornerNotMade = "corner_not_made",
     /// The wire folds straight back.

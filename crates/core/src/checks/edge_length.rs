@@ -1,7 +1,7 @@
 //! Designed edges that are too short for the machine's head to fit between two bends.
 
-use super::{Code, Diagnostic, Limit, Place, Quantity, Severity, Wire, is_near};
-use crate::units::Length;
+use super::{Code, Diagnostic, Limit, Place, Quantity, ROUNDING, Severity, Wire, is_near};
+use crate::units::{Length, digits_apart};
 
 pub(super) fn check(wire: &Wire, found: &mut Vec<Diagnostic>) {
     // With a program the straight parts are known, of which an edge may be a piece; until then each
@@ -20,14 +20,16 @@ pub(super) fn check(wire: &Wire, found: &mut Vec<Diagnostic>) {
 fn judge(wire: &Wire, place: Place, length: Length, found: &mut Vec<Diagnostic>) {
     let limit = &wire.limits.least_edge;
     let room = (length - limit.value).mm();
-    let (code, severity) = if room < 0.0 {
+    let too_short = room < -ROUNDING;
+    let (code, severity) = if too_short {
         (Code::EdgeTooShort, Severity::Error)
-    } else if is_near(room, limit.value.mm()) {
+    } else if is_near(room.max(0.0), limit.value.mm()) {
         (Code::EdgeNearLimit, Severity::Warning)
     } else {
         return;
     };
     let edges: Vec<String> = place.edges.iter().map(ToString::to_string).collect();
+    let digits = if room.abs() <= ROUNDING { 1 } else { digits_apart(length.mm(), limit.value.mm(), 1) };
     let name = if edges.len() > 1 { "edges" } else { "edge" };
     found.push(Diagnostic {
         code,
@@ -35,13 +37,13 @@ fn judge(wire: &Wire, place: Place, length: Length, found: &mut Vec<Diagnostic>)
         measured: Some(Quantity::Length(length)),
         limit: Some(Limit { value: Quantity::Length(limit.value), source: limit.source.clone() }),
         message: format!(
-            "{name} {} {} {length:.1} long; the shortest that the machine makes is {:.1}",
+            "{name} {} {} {length:.digits$} long; the shortest that the machine makes is {:.digits$}",
             edges.join(", "),
             if edges.len() > 1 { "are" } else { "is" },
             limit.value
         ),
-        help: if room < 0.0 {
-            format!("make it at least {:.1} longer, or scale the design up", Length::computed(-room))
+        help: if too_short {
+            format!("make it at least {:.digits$} longer, or scale the design up", Length::computed(-room))
         } else {
             "leave it, or make it a little longer".to_owned()
         },

@@ -51,6 +51,10 @@ fn judge(wire: &Wire, step: usize, designed: Length, feed: Length, found: &mut V
             format!("{} after compensation; the machine cannot feed less than {:.1}", fed(), least.value);
         let help = format!("make the edge at least {:.1} longer", Length::computed(-room));
         (Code::FeedTooShort, Severity::Error, (least.value, &least.source), message, help)
+    } else if let Some(longest) = wire.limits.most_feed.as_ref().filter(|longest| feed > longest.value) {
+        let message = format!("{}; the machine feeds at most {:.1} at once", fed(), longest.value);
+        let help = "shorten the straight part, or put a bend into it".to_owned();
+        (Code::FeedTooLong, Severity::Error, (longest.value, &longest.source), message, help)
     } else if let Some((longest, stock)) = most.filter(|(longest, _)| feed > *longest) {
         let message = format!("{}; the stock without its tail is only {longest:.1}", fed());
         let help = "divide the edge among two wires".to_owned();

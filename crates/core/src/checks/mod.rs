@@ -13,6 +13,8 @@ mod feed_length;
 mod fold_back;
 mod parallel_edges;
 mod rotation;
+mod sharp_vertex;
+mod slight_bend;
 mod small_corner;
 mod stock_length;
 mod wire_diameter;
@@ -48,6 +50,8 @@ pub struct MachineLimits {
     pub least_edge: Sourced<Length>,
     /// The shortest feed.
     pub least_feed: Sourced<Length>,
+    /// The longest single feed, if there is one.
+    pub most_feed: Option<Sourced<Length>>,
     /// The longest stock that it takes, if there is one.
     pub most_stock: Option<Sourced<Length>>,
     /// The end of the stock that cannot be fed.
@@ -56,8 +60,10 @@ pub struct MachineLimits {
     pub least_diameter: Sourced<Length>,
     /// The thickest wire.
     pub most_diameter: Sourced<Length>,
-    /// Where the limits of the head come from.
-    pub head_source: String,
+    /// Where the limits of the head come from, the lower one first.
+    pub head_sources: [String; 2],
+    /// Where the limit of the bend axis comes from; `BendModel` has its value.
+    pub axis_source: String,
 }
 
 /// A wireframe, before any machine is asked.
@@ -104,6 +110,8 @@ pub struct Wire<'a> {
     pub bend_radius: Length,
     /// A change of direction up to this is not bent.
     pub straight: Angle,
+    /// How far bends scatter on the machine (one standard deviation), where that is known.
+    pub scatter: Option<&'a Sourced<Angle>>,
     /// What the machine can do.
     pub limits: &'a MachineLimits,
 }
@@ -150,6 +158,8 @@ pub fn check_wire(wire: &Wire) -> Vec<Diagnostic> {
         euler_path::check,
         edge_length::check,
         bend_angle::check,
+        sharp_vertex::check,
+        slight_bend::check,
         fold_back::check,
         small_corner::check,
         feed_length::check,
@@ -163,6 +173,9 @@ pub fn check_wire(wire: &Wire) -> Vec<Diagnostic> {
     }
     found
 }
+
+/// What arithmetic may leave between a value and a limit that it is at, mm or degrees.
+const ROUNDING: f64 = 1e-9;
 
 /// Whether a value is on the right side of a limit, but by less than a twentieth of it.
 fn is_near(distance: f64, limit: f64) -> bool {

@@ -245,3 +245,115 @@ fn a_fold_back_is_judged_by_the_side_that_makes_it() {
     assert!(!plan.is_feasible());
     assert!(only(&plan.diagnostics, Code::FoldBack).is_error(), "nothing else says why");
 }
+
+/// A corner of so many degrees with legs of 80 mm, at the vertex 1.
+fn corner(bend_deg: f64) -> [[f64; 3]; 3] {
+    let turn = f64::to_radians(bend_deg);
+    [[0., 0., 0.], [80., 0., 0.], [80. + 80. * turn.cos(), 80. * turn.sin(), 0.]]
+}
+
+/// Read with too few digits, a value beyond a limit is the limit, and the person looks for the fault elsewhere.
+#[test]
+fn what_is_beyond_a_limit_never_reads_like_it() {
+    let found = checked(&chain(&corner(155.0001)));
+    let message = &only(&found, Code::BendTooSharp).message;
+    assert!(message.contains("is 155.0001°") && message.contains("(155.0000°)"), "{message}");
+    // At the limit it can be made, also after the arithmetic of a corner from its coordinates.
+    for bend in [155.0, -155.0] {
+        let found = checked(&chain(&corner(bend)));
+        assert!(found.iter().all(|d| !d.is_error()), "{found:#?}");
+        assert!(only(&found, Code::BendNearLimit).message.contains("155.0°"));
+    }
+    let short =
+        |length: f64| checked(&chain(&[[0., 0., 0.], [40., 0., 0.], [40., length, 0.], [0., length, 0.]]));
+    let found = short(20.399_96);
+    let message = &only(&found, Code::EdgeTooShort).message;
+    assert!(message.contains("20.39996 mm") && message.contains("20.40000 mm"), "{message}");
+    let mut short_axis = published_machine();
+    short_axis.compensation.bend.axis_limit = Some(deg(100.0));
+    let largest = short_axis.compensation.bend.largest(deg(1.0));
+    let found = on(&short_axis, &chain(&corner(largest.deg() + 0.0004)), &PlanOptions::default());
+    let message = &only(&found, Code::BendOutOfReach).message;
+    assert!(
+        !message.contains(&format!(
+            "{:.2}° is out of reach: the largest that can be made to this side is {:.2}°",
+            largest.deg(),
+            largest.deg()
+        )),
+        "{message}"
+    );
+}
+
+/// A design with many odd vertices is drawn for long before it has a route.
+#[test]
+fn a_vertex_that_no_wire_can_pass_is_told_before_there_is_a_route() {
+    // Four spikes: at each tip two edges at 170°, and no route since four feet are odd.
+    let tip = |k: f64| {
+        let along = [k * 40.0, 0.0, 0.0];
+        let spread = 100.0 * f64::to_radians(5.0).tan();
+        [along, [along[0] - spread, 100.0, 0.0], [along[0] + spread, 100.0, 0.0]]
+    };
+    let mut points = Vec::new();
+    let mut edges = Vec::new();
+    for k in 0..4_u32 {
+        let first = points.len();
+        points.extend(tip(f64::from(k)));
+        edges.extend([(first, first + 1), (first, first + 2)]);
+    }
+    // A hub that all eight ends meet, and two more ends of it.
+    points.extend([[60., 400., 0.], [60., 500., 0.], [160., 500., 0.], [-40., 500., 0.]]);
+    let hub = points.len() - 4;
+    edges.extend((0..4).flat_map(|k| [(3 * k + 1, hub), (3 * k + 2, hub)]));
+    edges.extend([(hub, hub + 1), (hub, hub + 2), (hub, hub + 3)]);
+    let w = wireframe(&points, &edges);
+    let plan = plan_wire(&w, &w.components()[0], &published_machine(), &PlanOptions::default(), |_| ());
+    assert!(plan.route.is_none(), "three ends and a hub of eleven edges are odd");
+    let sharp: Vec<_> = plan.diagnostics.iter().filter(|d| d.code == Code::BendTooSharp).collect();
+    let tips: Vec<_> = sharp.iter().map(|d| d.place.vertices[0].0).collect();
+    assert_eq!(tips, [0, 3, 6, 9], "{:#?}", plan.diagnostics);
+    // The edges of a tip are 10° apart: the wire turns by 170°.
+    assert!(sharp[0].is_error() && sharp[0].message.contains("170.0°"), "{}", sharp[0].message);
+    // A closed wire may have its two ends at one of them.
+    let closed = on(&published_machine(), &w, &PlanOptions { closed: true, ..PlanOptions::default() });
+    assert!(closed.iter().filter(|d| d.code == Code::BendTooSharp).all(|d| !d.is_error()));
+    // With the axis cut short nothing else is out of reach before than behind: the same tips, by another limit.
+    let mut short_axis = published_machine();
+    short_axis.limits.largest_bend.value = deg(175.0);
+    short_axis.limits.least_bend.value = deg(-175.0);
+    short_axis.compensation.bend.axis_limit = Some(deg(130.0));
+    let found = on(&short_axis, &w, &PlanOptions::default());
+    assert!(
+        found.iter().any(|d| d.code == Code::BendOutOfReach && d.place.vertices == [VertexId(3)]),
+        "{found:#?}"
+    );
+}
+
+/// Half a degree drawn, and the wire comes out bent by a degree to the other side.
+#[test]
+fn a_bend_that_is_lost_in_the_scatter_is_warned_of() {
+    let mut machine = published_machine();
+    machine.scatter = Some(Sourced { value: deg(1.4), source: "the paper".to_owned() });
+    let said = |bend| on(&machine, &chain(&corner(bend)), &PlanOptions::default());
+    let found = said(0.5);
+    let slight = only(&found, Code::BendInScatter);
+    assert_eq!((slight.severity, slight.place.vertices[0]), (Severity::Warning, VertexId(1)));
+    assert!(slight.message.contains("0.5°") && slight.message.contains("1.4°"), "{}", slight.message);
+    assert!(said(1.5).iter().all(|d| d.code != Code::BendInScatter));
+    assert!(
+        checked(&chain(&corner(0.5))).iter().all(|d| d.code != Code::BendInScatter),
+        "nobody knows the scatter"
+    );
+}
+
+/// The machine's controller refuses it with the wire half made.
+#[test]
+fn a_single_feed_may_be_too_long() {
+    let mut machine = published_machine();
+    machine.limits.most_feed =
+        Some(Sourced { value: mm(100.0), source: "driver setting feed_most_mm".to_owned() });
+    let found =
+        on(&machine, &chain(&[[0., 0., 0.], [120., 0., 0.], [120., 60., 0.]]), &PlanOptions::default());
+    let long = only(&found, Code::FeedTooLong);
+    assert_eq!((long.place.step, long.is_error()), (Some(0), true));
+    assert_eq!(long.limit.as_ref().unwrap().source, "driver setting feed_most_mm");
+}

@@ -32,7 +32,10 @@ pub struct BendModel {
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum BendError {
     /// The axis or the peg cannot go that far.
-    #[error("a bend of {bend:.2} is out of reach: the largest that can be made to this side is {largest:.2}")]
+    #[error(
+        "a bend of {bend:.digits$} is out of reach: the largest that can be made to this side is {largest:.digits$}",
+        digits = crate::units::digits_apart(bend.abs().deg(), largest.deg(), 2)
+    )]
     OutOfReach {
         /// The bend.
         bend: Angle,

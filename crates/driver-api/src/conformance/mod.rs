@@ -13,6 +13,7 @@
 
 mod describing;
 mod exporting;
+mod limiting;
 mod moving;
 mod opening;
 mod sample;
@@ -79,6 +80,7 @@ pub fn check(subject: &mut dyn Subject) -> Conformance {
     };
     if opening::check(subject, &mut found) {
         exporting::check(subject, &description, &mut found);
+        limiting::check(subject, &description, &mut found);
         moving::check(subject, &description, &mut found);
     }
     found.note("closes without being open", subject.close().map_err(|broken| broken.0));

@@ -1,8 +1,10 @@
-//! A driver of 1.0 and a program of 1.2 understand each other, and the other way round.
+//! A driver of 1.0 and a program of a later minor understand each other, and the other way round.
 
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
-use wirebend_driver_api::{ArmedReply, Call, Event, GoingOn, Port, Ports, ReferenceBy, Run};
+use wirebend_driver_api::{
+    ArmedReply, Axis, AxisLimit, Call, Event, Extent, GoingOn, Limits, Port, Ports, ReferenceBy, Run,
+};
 
 fn read<T: DeserializeOwned>(json: Value) -> T {
     serde_json::from_value(json).unwrap()
@@ -83,4 +85,16 @@ fn who_brings_the_axes_to_their_reference_is_told_since_1_2() {
     };
     let written = serde_json::to_value(connected).unwrap();
     assert_eq!((&written["event"], &written["reference"]), (&json!("connected"), &json!("person")));
+}
+
+/// As a driver in C writes it; one that tells nothing has no limits.
+#[test]
+fn the_call_of_1_2_runs_behind_the_table() {
+    let mut table = super::table_of_plain();
+    table.open(b"{}").unwrap();
+    assert_eq!(read::<Limits>(super::value(super::ask(&mut table, &Call::Limits))), Limits::default());
+    let told: Limits =
+        read(json!({"limits": [{"axis": "feed", "of": "step", "most": 7000, "setting": "longest"}]}));
+    assert_eq!(told.limits, [AxisLimit::of_setting(Axis::Feed, Extent::Step, 7000.0, "longest")]);
+    assert_eq!(read::<Call>(json!({"call": "limits"})), Call::Limits);
 }

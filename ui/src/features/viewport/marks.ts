@@ -18,6 +18,7 @@ const ABOUT_VERTICES: ReadonlySet<string> = new Set([
   "bend_out_of_reach",
   "bend_too_small",
   "fold_back",
+  "bend_in_scatter",
   "corner_not_made",
   "rotation_out_of_range",
   "coincident_vertices",
