@@ -170,10 +170,11 @@ impl App {
         progress.stage("planning");
         for (index, component) in bent.iter().enumerate() {
             progress.advance(index as u64, bent.len() as u64);
+            let here = start.filter(|vertex| component.vertices.binary_search(vertex).is_ok());
             let options = PlanOptions {
-                doubling: doubling_choice(document, component, choices, &mut replaced),
+                doubling: doubling_choice(document, component, choices, here, &mut replaced),
                 closed: choices.closed,
-                start: start.filter(|vertex| component.vertices.binary_search(vertex).is_ok()),
+                start: here,
                 reversed: choices.reverse,
             };
             let mut took = BTreeMap::new();
@@ -190,7 +191,9 @@ impl App {
             opened.notes.push(NoteReport {
                 code: "doublings-replaced".into(),
                 count: replaced,
-                message: format!("{replaced} accepted doublings leave too many odd vertices: the cheapest ones are used instead"),
+                message: format!(
+                    "{replaced} accepted doublings leave no route: the cheapest ones are used instead"
+                ),
             });
         }
         // Of a single wire, everything is said with it.
@@ -202,18 +205,21 @@ impl App {
     }
 }
 
-/// The doublings that the document has accepted, where they make a route possible or nothing else was
-/// asked for; else the cheapest. Counts accepted ones that are not used.
+/// The doublings that the document has accepted, where they make a route possible from the wanted start or nothing
+/// else was asked for; else the cheapest. Counts accepted ones that are not used.
 fn doubling_choice(
     document: &Document,
     component: &Component,
     choices: &PlanChoices,
+    start: Option<VertexId>,
     replaced: &mut usize,
 ) -> DoublingChoice {
     let here = |edge: &EdgeId| component.edges.binary_search(edge).is_ok();
     let accepted: Vec<EdgeId> = document.doublings.iter().copied().filter(here).collect();
-    let odd = document.wireframe.odd_vertices(component, &accepted).len();
-    if choices.double && odd > if choices.closed { 0 } else { 2 } {
+    let odd = document.wireframe.odd_vertices(component, &accepted);
+    // An open wire whose ends are odd begins at one of them.
+    let begins = start.is_none_or(|start| odd.is_empty() || odd.contains(&start));
+    if choices.double && (!begins || odd.len() > if choices.closed { 0 } else { 2 }) {
         *replaced += accepted.len();
         return DoublingChoice::Cheapest;
     }

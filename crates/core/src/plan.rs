@@ -172,7 +172,7 @@ pub fn plan_wire(
             Ok(found) => plan.route = Some(found),
             // The check of odd vertices says it with the cheapest way out.
             Err(RouteError::Odd { .. }) => {}
-            Err(error) => refusals.push(refusal(&error)),
+            Err(error) => refusals.push(refused_start(refusal(&error), &error, &plan.proposal)),
         }
     }
     done(Stage::Route);
@@ -300,6 +300,19 @@ fn refusal(error: &RouteError) -> Diagnostic {
         }
         .to_owned(),
     }
+}
+
+/// A start that no walk has is one after the edges of the proposal are travelled twice.
+fn refused_start(refusal: Diagnostic, error: &RouteError, proposal: &Doubling) -> Diagnostic {
+    if !matches!(error, RouteError::Start { .. }) || proposal.edges.is_empty() {
+        return refusal;
+    }
+    let edges = match proposal.edges.len() {
+        1 => "1 edge".to_owned(),
+        count => format!("{count} edges"),
+    };
+    let help = format!("{}, or travel {edges} twice: that adds {:.1}", refusal.help, proposal.added);
+    Diagnostic { help, ..refusal }
 }
 
 /// A segment without length: the check of the design names the edge, this one the route.

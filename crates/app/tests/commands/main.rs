@@ -4,6 +4,7 @@
 
 mod compare;
 mod profiles;
+mod starts;
 
 use std::path::PathBuf;
 
