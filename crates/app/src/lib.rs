@@ -29,6 +29,7 @@ mod ports;
 mod profile_check;
 mod profile_explain;
 mod profile_new;
+mod profile_springback;
 mod progress;
 mod report;
 mod run;
@@ -73,6 +74,7 @@ pub use profile_explain::{
     AncestorReport, OverriddenReport, ProfileExplainRequest, ProfileExplainResponse, ValueReport,
 };
 pub use profile_new::{ProfileNewRequest, ProfileNewResponse, ProfilePlace};
+pub use profile_springback::{SamplePlace, SpringbackReport, SpringbackSample};
 pub use progress::{NoProgress, Progress, Wish};
 pub use report::{
     CompensatedReport, DiagnosticReport, NoteReport, PlanReport, ProgramReport, RouteReport, SeverityName,
@@ -100,10 +102,10 @@ pub struct App {
     library: Library,
     refused: Vec<ProfileError>,
     drivers: DriverFolders,
-    /// Where journals and records of wires are; without a place, no wire is made.
-    runs: Option<PathBuf>,
     /// Whether drivers are asked for the limits of their machines: where it was said where they are.
     asks_drivers: bool,
+    /// Where journals and records of wires are; without a place, no wire is made.
+    runs: Option<PathBuf>,
 }
 
 impl App {

@@ -99,7 +99,7 @@ fn mm(value: f64) -> Result<Length, AppError> {
     Length::from_mm(value).map_err(not_finite)
 }
 
-fn deg(value: f64) -> Result<Angle, AppError> {
+pub(crate) fn deg(value: f64) -> Result<Angle, AppError> {
     Angle::from_deg(value).map_err(not_finite)
 }
 
@@ -211,7 +211,10 @@ fn bend_model(
     })
 }
 
-fn springback(material: &str, stated: &wirebend_profile::Springback) -> Result<Springback, AppError> {
+pub(crate) fn springback(
+    material: &str,
+    stated: &wirebend_profile::Springback,
+) -> Result<Springback, AppError> {
     let curve = |pairs: &[wirebend_profile::LossPoint]| {
         let points: Vec<SpringbackPoint> = pairs
             .iter()

@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_profile::{ExplainedValue, Kind};
 
+use crate::profile_springback::{self, SpringbackReport};
 use crate::{App, AppError, Progress};
 
 /// What to explain.
@@ -31,6 +32,9 @@ pub struct ProfileExplainResponse {
     pub chain: Vec<AncestorReport>,
     /// Its values, in the order in which the shipped files have them.
     pub values: Vec<ValueReport>,
+    /// The curve of a material's springback table; absent where there is no table.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub springback: Option<SpringbackReport>,
 }
 
 /// A profile of a chain.
@@ -102,7 +106,17 @@ pub(crate) fn explain(
         file: ancestor.file,
         shipped: ancestor.shipped,
     };
+    // What only serves to be inherited from may lack what a curve needs.
+    let springback = match kind {
+        Kind::Material if !explained.is_abstract => {
+            let material = app.library.material(&request.id)?;
+            let stated = material.profile.springback.as_ref();
+            stated.map(|stated| profile_springback::report(&request.id, stated)).transpose()?.flatten()
+        }
+        _ => None,
+    };
     Ok(ProfileExplainResponse {
+        springback,
         kind,
         id: request.id.clone(),
         name: explained.name,

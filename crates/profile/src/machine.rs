@@ -197,7 +197,7 @@ layer! {
         /// Peg: radius R of the peg's orbit, millimetres.
         pub orbit_radius_mm: Sourced<f64>,
         /// Peg: offset s of the orbit's centre from the start of the bend along the wire,
-        /// millimetres.
+        /// millimetres; below zero where it lies before it.
         pub orbit_offset_mm: Sourced<f64>,
         /// Largest commanded axis angle either way, degrees.
         pub axis_limit_deg: Sourced<f64>,

@@ -111,6 +111,16 @@ impl MachineProfile {
             faults.push(
                 Fault::new("bend.orbit_radius_mm", orbit.value, expected).against("bend.rod_radius_mm"),
             );
+            return;
+        }
+        // Further back, the orbit ends behind the pin, and the peg never touches the wire.
+        let least = -(orbit.value.powi(2) - contact.powi(2)).sqrt();
+        if let Some(offset) = self.bend.orbit_offset_mm.as_ref().filter(|offset| offset.value <= least) {
+            let expected =
+                format!("above {least:.3}, from where the orbit reaches the wire ahead of the pin");
+            faults.push(
+                Fault::new("bend.orbit_offset_mm", offset.value, expected).against("bend.orbit_radius_mm"),
+            );
         }
     }
 
@@ -118,6 +128,7 @@ impl MachineProfile {
         let above_zero = [
             ("wire.min_diameter_mm", &self.wire.min_diameter_mm),
             ("wire.max_diameter_mm", &self.wire.max_diameter_mm),
+            ("limits.max_feed_mm", &self.limits.max_feed_mm),
             ("limits.max_stock_mm", &self.limits.max_stock_mm),
             ("feed.rate_mm_per_s", &self.feed.rate_mm_per_s),
             ("feed.resolution_mm", &self.feed.resolution_mm),
@@ -128,7 +139,6 @@ impl MachineProfile {
             ("bend.pin_radius_mm", &self.bend.pin_radius_mm),
             ("bend.rod_radius_mm", &self.bend.rod_radius_mm),
             ("bend.orbit_radius_mm", &self.bend.orbit_radius_mm),
-            ("limits.max_feed_mm", &self.limits.max_feed_mm),
             ("bend.axis_limit_deg", &self.bend.axis_limit_deg),
         ];
         for (key, figure) in above_zero {
@@ -138,7 +148,6 @@ impl MachineProfile {
             ("limits.min_edge_mm", &self.limits.min_edge_mm),
             ("limits.min_feed_mm", &self.limits.min_feed_mm),
             ("limits.tail_mm", &self.limits.tail_mm),
-            ("bend.orbit_offset_mm", &self.bend.orbit_offset_mm),
             ("time.fixed_per_bend_s", &self.time.fixed_per_bend_s),
         ];
         for (key, figure) in zero_or_more {

@@ -5,7 +5,8 @@ use std::io::Write;
 use anstyle::Style;
 use serde_json::Value;
 use wirebend_app::{
-    ProfileCheckResponse, ProfileExplainResponse, ProfileNewResponse, SeverityName, ValueReport,
+    ProfileCheckResponse, ProfileExplainResponse, ProfileNewResponse, SamplePlace, SeverityName,
+    SpringbackReport, SpringbackSample, ValueReport,
 };
 
 use super::severity_style;
@@ -99,6 +100,29 @@ pub(super) fn explain(out: &mut impl Write, found: &ProfileExplainResponse) -> s
         let long = long(value);
         for text in long.iter().chain(&value.source).flat_map(|text| wrapped(text, COLUMNS - margin.len())) {
             writeln!(out, "{margin}{dim}{text}{dim:#}")?;
+        }
+    }
+    found.springback.as_ref().map_or(Ok(()), |curve| springback(out, curve))
+}
+
+/// The curve of a springback table, a line for each bend.
+fn springback(out: &mut impl Write, curve: &SpringbackReport) -> std::io::Result<()> {
+    writeln!(out, "\nspringback: {}", curve.rule)?;
+    let same = curve.positive == curve.negative;
+    let sides: &[(&str, &[SpringbackSample])] = if same {
+        &[("either side", &curve.positive)]
+    } else {
+        &[("positive side", &curve.positive), ("negative side", &curve.negative)]
+    };
+    for (side, samples) in sides {
+        writeln!(out, "  {side}: bend, loss")?;
+        for SpringbackSample { bend_deg, loss_deg, place } in *samples {
+            let place = match place {
+                SamplePlace::Pair => "  pair",
+                SamplePlace::Between => "",
+                SamplePlace::Beyond => "  beyond the pairs",
+            };
+            writeln!(out, "    {bend_deg:>6.1}°  {loss_deg:>6.2}°{place}")?;
         }
     }
     Ok(())

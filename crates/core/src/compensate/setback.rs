@@ -39,11 +39,21 @@ pub enum PegGeometryError {
         /// `r_e`.
         peg: Length,
     },
+    /// The peg meets the wire's axis only behind the pin.
+    #[error(
+        "the peg never touches the wire: with an orbit offset of {offset} its orbit of radius {orbit_radius} ends before the pin"
+    )]
+    Behind {
+        /// s.
+        offset: Length,
+        /// R.
+        orbit_radius: Length,
+    },
 }
 
 impl PegGeometry {
     /// The geometry from the radius R of the peg's orbit, the offset s of its centre from the pin
-    /// along the wire, the centreline radius `r_n` of the bend (pin and half the wire) and the
+    /// along the wire (below zero where it lies before the pin), the centreline radius `r_n` of the bend (pin and half the wire) and the
     /// effective radius `r_e` of the peg (rod and half the wire).
     ///
     /// # Errors
@@ -69,6 +79,10 @@ impl PegGeometry {
             peg: peg.mm(),
             reach: 0.0,
         };
+        // Where it touches straight wire: s + √(R² - r_e²) ahead of the pin.
+        if geometry.offset + (geometry.orbit_radius.powi(2) - geometry.peg.powi(2)).sqrt() <= 0.0 {
+            return Err(PegGeometryError::Behind { offset, orbit_radius });
+        }
         geometry.reach = geometry.find_reach();
         Ok(geometry)
     }

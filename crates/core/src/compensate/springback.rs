@@ -39,13 +39,13 @@ pub enum SpringbackError {
     NotIncreasing(usize),
 }
 
-/// A monotone curve through measured pairs: piecewise cubic after Fritsch and Carlson (SIAM J.
-/// Numer. Anal. 17, 1980) in the angle that has to be bent; outside of what was measured the loss
-/// stays that of the nearest pair.
+/// A curve through measured pairs, straight from each to the next in the angle that has to be bent; outside of what was
+/// measured the loss stays that of the nearest pair. What lies between two pairs is between their losses: no measurement
+/// says that it could be more.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpringbackCurve {
-    /// Formed angle, angle to bend to, and slope of the second over the first; radians.
-    knots: Vec<[f64; 3]>,
+    /// Formed angle and angle to bend to, both ascending; radians.
+    knots: Vec<[f64; 2]>,
 }
 
 impl SpringbackCurve {
@@ -57,58 +57,39 @@ impl SpringbackCurve {
         if points.is_empty() {
             return Err(SpringbackError::Empty);
         }
-        let mut knots: Vec<[f64; 3]> = Vec::with_capacity(points.len());
+        let mut knots: Vec<[f64; 2]> = Vec::with_capacity(points.len());
         for (k, point) in points.iter().enumerate() {
             if point.formed < Angle::ZERO || point.loss < Angle::ZERO {
                 return Err(SpringbackError::Range(k));
             }
-            let knot = [point.formed.rad(), (point.formed + point.loss).rad(), 1.0];
+            let knot = [point.formed.rad(), (point.formed + point.loss).rad()];
             if knots.last().is_some_and(|last| knot[0] <= last[0] || knot[1] <= last[1]) {
                 return Err(SpringbackError::NotIncreasing(k));
             }
             knots.push(knot);
-        }
-        let secants: Vec<f64> = knots.windows(2).map(|w| (w[1][1] - w[0][1]) / (w[1][0] - w[0][0])).collect();
-        for k in 1..knots.len().saturating_sub(1) {
-            // The harmonic mean lies within the region that keeps the cubic monotone.
-            knots[k][2] = 2.0 * secants[k - 1] * secants[k] / (secants[k - 1] + secants[k]);
-        }
-        if let (Some(&first), Some(&last)) = (secants.first(), secants.last()) {
-            let end = knots.len() - 1;
-            knots[0][2] = 1.0_f64.min(3.0 * first);
-            knots[end][2] = 1.0_f64.min(3.0 * last);
         }
         Ok(Self { knots })
     }
 
     /// The angle to bend to for an angle to be left; both not negative, radians.
     fn bend_to(&self, formed: f64) -> f64 {
-        let (first, last) = (self.knots[0], self.knots[self.knots.len() - 1]);
-        if formed <= first[0] {
-            return formed + first[1] - first[0];
-        }
-        let k = self.knots.partition_point(|knot| knot[0] < formed);
-        let Some([x1, y1, m1]) = self.knots.get(k).copied() else {
-            return formed + last[1] - last[0];
-        };
-        let [x0, y0, m0] = self.knots[k - 1];
-        let h = x1 - x0;
-        let t = (formed - x0) / h;
-        let (t2, t3) = (t * t, t * t * t);
-        y0 * (2.0 * t3 - 3.0 * t2 + 1.0)
-            + h * m0 * (t3 - 2.0 * t2 + t)
-            + y1 * (3.0 * t2 - 2.0 * t3)
-            + h * m1 * (t3 - t2)
+        self.along(formed, |[formed, bent]| [formed, bent])
     }
 
     /// The angle that is left; zero where the wire springs back all the way.
     fn left(&self, bent: f64) -> f64 {
-        let at_rest = self.bend_to(0.0);
-        if bent <= at_rest {
-            return 0.0;
-        }
-        // The loss is not negative, so what is left is between 0 and what was bent.
-        super::increasing_root(0.0, bent, |formed| self.bend_to(formed) - bent)
+        self.along(bent, |[formed, bent]| [bent, formed]).max(0.0)
+    }
+
+    /// The curve over one of its two angles. Beyond the first and the last pair the two angles differ as there.
+    fn along(&self, x: f64, axes: impl Fn([f64; 2]) -> [f64; 2]) -> f64 {
+        let next = self.knots.partition_point(|&knot| axes(knot)[0] < x);
+        let [x1, y1] = axes(self.knots[next.min(self.knots.len() - 1)]);
+        let Some(before) = next.checked_sub(1).filter(|_| next < self.knots.len()) else {
+            return x + y1 - x1;
+        };
+        let [x0, y0] = axes(self.knots[before]);
+        y0 + (y1 - y0) * (x - x0) / (x1 - x0)
     }
 }
 

@@ -50,7 +50,11 @@ fn setback_is_the_published_derivation() {
 /// The axis position found by moving the peg itself: its centre E = `T + u·l + n·r_e` touches the
 /// bent leg from outside, l along it from the tangent point T, and is R away from F = (s, 0).
 fn brute_force_axis(bend: f64) -> f64 {
-    let (orbit, offset, pin, peg) = (20.4, 12.0, 3.0, 4.675);
+    brute_force_axis_at(12.0, bend)
+}
+
+fn brute_force_axis_at(offset: f64, bend: f64) -> f64 {
+    let (orbit, pin, peg) = (20.4, 3.0, 4.675);
     let theta = bend.to_radians();
     let (u, n) = ((theta.cos(), theta.sin()), (theta.sin(), -theta.cos()));
     let tangent = (pin * theta.sin(), pin * (1.0 - theta.cos()));
@@ -136,6 +140,10 @@ fn wrong_tables_and_dimensions_are_refused() {
         PegGeometry::new(mm(4.0), mm(12.0), mm(3.0), mm(4.0)),
         Err(PegGeometryError::NoContact { .. })
     ));
+    // The orbit is √(20.4² - 4.675²) = 19.857 wide where it is 4.675 off the wire's axis.
+    let far_back = |offset| PegGeometry::new(mm(20.4), mm(offset), mm(3.0), mm(4.675));
+    assert!(far_back(-19.8).is_ok());
+    assert!(matches!(far_back(-19.9), Err(PegGeometryError::Behind { .. })));
 }
 
 #[test]
@@ -177,6 +185,30 @@ proptest! {
         } else {
             prop_assert!(kind == 1 && bend.abs() < 15.0);
         }
+    }
+
+    /// Two pairs say nothing of a loss that is larger than both.
+    #[test]
+    fn between_two_pairs_no_loss_is_beyond_theirs(bend in 0.1..179.0_f64, side: bool) {
+        let table = table();
+        let bend = if side { bend } else { -bend };
+        let loss = table.bend_to(deg(bend)).abs().deg() - bend.abs();
+        let pairs: &[(f64, f64)] =
+            if side { &[(10.0, 4.9), (130.0, 8.6)] } else { &[(15.0, 3.0), (30.0, 6.1), (60.0, 6.0), (120.0, 9.5)] };
+        let next = pairs.partition_point(|pair| pair.0 < bend.abs());
+        let one = pairs[next.saturating_sub(1).min(pairs.len() - 1)].1;
+        let other = pairs[next.min(pairs.len() - 1)].1;
+        prop_assert!(loss >= one.min(other) - 1e-9 && loss <= one.max(other) + 1e-9, "{loss} at {bend}");
+    }
+
+    /// The orbit's centre may lie before the start of the bend: the equations are the same. Bends up to the reach.
+    #[test]
+    fn setback_holds_for_an_orbit_to_either_side(offset in -15.0..18.0_f64, part in 0.0..1.0_f64) {
+        let peg = PegGeometry::new(mm(20.4), mm(offset), mm(3.0), mm(4.675)).unwrap();
+        let bend = peg.reach().deg().min(170.0) * part * 0.999;
+        let axis = peg.axis_for(deg(bend)).unwrap();
+        prop_assert!((axis.deg() - brute_force_axis_at(offset, bend)).abs() < 1e-6, "{axis:?} at {offset}");
+        prop_assert!((peg.bend_at(axis).deg() - bend).abs() < 1e-6);
     }
 
     #[test]

@@ -93,7 +93,11 @@ fn a_machine_that_contradicts_itself_is_refused() {
         ("bend.pin_radius_mm", 0.0, "expected a value above 0"),
         ("bend.rod_radius_mm", 0.0, "expected a value above 0"),
         ("bend.orbit_radius_mm", 0.0, "expected a value above 0"),
-        ("bend.orbit_offset_mm", -1.0, "expected 0 or more"),
+        (
+            "bend.orbit_offset_mm",
+            -20.0,
+            "expected above -19.833, from where the orbit reaches the wire ahead of the pin",
+        ),
         ("bend.axis_limit_deg", 0.0, "expected a value above 0"),
         ("time.fixed_per_bend_s", -1.0, "expected 0 or more"),
     ];

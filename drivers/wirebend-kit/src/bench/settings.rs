@@ -30,8 +30,12 @@ impl Bender {
         positive("the rod's radius", self.rod_radius_mm)?;
         positive("the orbit's radius", self.orbit_radius_mm)?;
         let offset = self.orbit_offset_mm;
-        let fits = offset.is_finite() && offset >= 0.0;
-        demand(fits, "the orbit's offset", offset, "a length of zero or more")?;
+        demand(
+            offset.is_finite(),
+            "the orbit's offset",
+            offset,
+            "a length, below zero before the start of the bend",
+        )?;
         let limit = self.axis_limit_deg;
         demand(limit > 0.0 && limit < 180.0, "the bend axis' limit", limit, "an angle between 0 and 180")
     }
