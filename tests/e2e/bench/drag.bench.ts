@@ -124,7 +124,7 @@ async function drags(times: number, draws: boolean, sight: Sight, press: { x: nu
       { what: "every move heard, until checks of it or a later one, 95 of 100", measured: ms(within(every, 0.95)), aim: null },
     ],
     notes: [
-      `${sent} moves, ${(1000 / within(gaps, 0.5)).toFixed(0)} a second, to ${mm.toFixed(0)} mm away; ${feasible} of ${all.length} answers say: can be made.`,
+      `${sent} moves, ${(1000 / within(gaps, 0.5)).toFixed(0)} a second, to ${mm.toFixed(0)} mm away; ${feasible} of ${all.length} answers say: within the limits.`,
       `${sent - heard} moves came to the page together with the next, ${heard - all.length} were overtaken by a newer one before they were asked.`,
     ],
   };

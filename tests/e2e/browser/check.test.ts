@@ -43,7 +43,7 @@ it("mends 22 odd vertices with the edges that add least, shows it before, and ta
   await fixesOf("22 odd vertices");
   await check().getByText("Double 11 edges (+601.4 mm").waitFor();
   await editor.button("Preview").click();
-  await check().getByText("Stock, time and cost in all are known once there is a wire that can be made.").waitFor();
+  await check().getByText("Stock, time and cost in all are known once there is a wire within the machine's limits.").waitFor();
   expect(await editor.button("Preview").getAttribute("aria-pressed")).toBe("true");
   await editor.isClean("check-preview");
 
@@ -88,7 +88,7 @@ it("says an edge is too short as soon as it is, and moves a vertex to mend it", 
   expect(Number(then)).toBeLessThan(Number(now));
   await fix.getByRole("button", { name: "Apply" }).click();
   await check().getByText("Edges long enough").waitFor();
-  expect(await editor.phrase("check")).toMatch(/can be made/);
+  expect(await editor.phrase("check")).toMatch(/within the machine's limits; collisions not checked/);
 });
 
 it("answers while a vertex is dragged, before it is let go", async () => {
@@ -105,7 +105,7 @@ it("answers while a vertex is dragged, before it is let go", async () => {
   await until(() => editor.phrase("check")).toMatch(/to fix/);
   expect((await editor.design()).vertices).toEqual(before.vertices);
   await mouse.move(from.x, from.y - 5 / sight.pixel, { steps: 8 });
-  await until(() => editor.phrase("check")).toMatch(/can be made/);
+  await until(() => editor.phrase("check")).toMatch(/within the machine's limits; collisions not checked/);
   await mouse.move(to.x, to.y, { steps: 4 });
   await mouse.up();
   await until(() => editor.phrase("check")).toMatch(/to fix/);

@@ -42,7 +42,7 @@ it("says before and after of another machine, and then switches", async () => {
   const figures = beside.locator(".comparison-figures");
   await figures.getByText(`${clock(from.time_s ?? NaN)} → ${clock(other?.time_s ?? NaN)}`).waitFor();
   await figures.getByText(`${from.stock_mm?.toFixed(1)} mm → ${other?.stock_mm?.toFixed(1)} mm`).waitFor();
-  await beside.getByText("It can be made on both").waitFor();
+  await beside.getByText("Within the limits of both; collisions not checked").waitFor();
   await editor.isClean("machine-compare");
   expect((await editor.design()).state.machine).toBe("wirebend-kit");
   await beside.getByRole("button", { name: "Switch", exact: true }).click();
@@ -100,7 +100,7 @@ it("says what becomes feasible elsewhere", async () => {
   await list.locator(".machine-card").filter({ hasText: "Pensa" }).click();
   const { to } = await editor.loopback.ask("compare", { against: ["pensa-diwire-pro"] });
   const more = to[0]?.newly_feasible.diagnostics.length ?? 0;
-  if (more > 0) await list.getByText(/becomes? feasible|It can be made/).first().waitFor();
+  if (more > 0) await list.getByText(/becomes? feasible|within the machine's limits/).first().waitFor();
   else await list.getByText(/on both/).waitFor();
   await editor.page.keyboard.press("Escape");
   await list.waitFor({ state: "detached" });

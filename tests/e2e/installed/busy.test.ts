@@ -23,7 +23,7 @@ it("stops the machine by its key while the page is too busy to hear of it", asyn
     await driven.click(button("Skip")).catch(() => {});
     await driven.click(button("All examples"));
     await driven.click("//dialog//button[contains(@class,'card')][.//*[normalize-space(.)='House']]");
-    await driven.until(says("can be made"), "the house can be made");
+    await driven.until(says("within the machine's limits"), "the house is within the limits");
     await driven.click(section("Run"));
     await driven.choose("#section-run select", "sim:10");
     await driven.click(button("Connect"));

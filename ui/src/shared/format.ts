@@ -116,3 +116,6 @@ export function ago(seconds: number): string {
   if (seconds < 86_400) return `${Math.floor(seconds / 3600)} h ago`;
   return `${count(Math.floor(seconds / 86_400), "day")} ago`;
 }
+
+/** What a design without errors is: no limit is passed, and nothing has looked at whether one part hits another. */
+export const LIMITS_ONLY = "within the machine's limits; collisions not checked";

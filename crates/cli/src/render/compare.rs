@@ -49,7 +49,7 @@ fn table(out: &mut impl Write, found: &CompareResponse) -> std::io::Result<()> {
         &[
             row("", &|side| side.machine.clone(), &none),
             row("wire", &|side| side.material.clone(), &none),
-            row("feasible", &|side| if side.feasible { "yes" } else { "no" }.to_owned(), &none),
+            row("in limits", &|side| if side.feasible { "yes" } else { "no" }.to_owned(), &none),
             row("errors", &|side| side.errors.to_string(), &|other| {
                 Some(signed_count(from.errors, other.side.errors))
             }),
@@ -100,7 +100,7 @@ fn signed(magnitude: &str, is_less: bool) -> String {
     format!("{}{magnitude}", if is_less { "-" } else { "+" })
 }
 
-/// What cannot be made on a machine that can be made on the first one, and the other way round.
+/// What is beyond the limits of a machine and within those of the first one, and the other way round.
 fn differences(
     out: &mut impl Write,
     from: &MachineSide,

@@ -101,22 +101,27 @@ fn wire(out: &mut impl Write, report: &WireReport) -> std::io::Result<()> {
 pub(super) fn check(out: &mut impl Write, found: &CheckResponse) -> std::io::Result<()> {
     notes(out, &found.notes)?;
     list(out, &found.diagnostics.iter().collect::<Vec<_>>())?;
-    let verdict = if found.feasible { "can be made" } else { "cannot be made" };
+    let verdict = if found.feasible { "within the limits of" } else { "cannot be made on" };
     summary(
         out,
-        &format!("{verdict} on {} with {}", found.machine, found.material),
+        &format!("{verdict} {} with {}{}", found.machine, found.material, unchecked(found.feasible)),
         &found.diagnostics.iter().collect::<Vec<_>>(),
     )
 }
 
-/// Everything that the checks say of a plan, and whether it can be made.
+/// Everything that the checks say of a plan, and whether it is within the machine's limits.
 pub(crate) fn diagnostics(out: &mut impl Write, report: &PlanReport) -> std::io::Result<()> {
     let of_wires = report.wires().iter().flat_map(|wire| &wire.diagnostics);
     let mut all: Vec<&DiagnosticReport> = report.diagnostics().iter().chain(of_wires).collect();
     all.sort_by_key(|diagnostic| diagnostic.severity as u8);
     list(out, &all)?;
-    let verdict = if report.feasible() { "can be made" } else { "cannot be made as it is" };
-    summary(out, verdict, &all)
+    let verdict = if report.feasible() { "within the machine's limits" } else { "cannot be made as it is" };
+    summary(out, &format!("{verdict}{}", unchecked(report.feasible())), &all)
+}
+
+/// What nothing looks at yet: that no limit is passed does not say that no part hits another.
+const fn unchecked(feasible: bool) -> &'static str {
+    if feasible { "; collisions not checked" } else { "" }
 }
 
 fn summary(out: &mut impl Write, verdict: &str, all: &[&DiagnosticReport]) -> std::io::Result<()> {

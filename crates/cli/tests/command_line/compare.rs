@@ -36,7 +36,7 @@ fn a_comparison_fits_its_schema() {
 fn a_person_reads_what_changes() {
     // Two bends over 155 degrees, two edges under 25 mm: see the golden case.
     let said = plan("bunny.obj", &[&BUNNY[..], &["--compare", "pensa-diwire-pro"]].concat()).ended(4).err;
-    assert_eq!(row(&said, "feasible"), ["feasible", "no", "yes"]);
+    assert_eq!(row(&said, "in limits"), ["in limits", "no", "yes"]);
     assert_eq!(row(&said, "errors"), ["errors", "4", "0 (-4)"]);
     assert_eq!(row(&said, "feeds"), ["feeds", "176", "176 (same)"]);
     assert_eq!(row(&said, "wire"), ["wire", "aluminium-6061-t6-3mm", "steel-0-9mm"]);
@@ -46,7 +46,7 @@ fn a_person_reads_what_changes() {
     let arguments = ["-m", "wirebend-kit", "--compare", "howtomechatronics", "--compare", "wirebend-kit"];
     let ran = plan("two-parts.obj", &arguments).ended(0);
     assert!(ran.out.is_empty(), "reports go to the error stream");
-    assert_eq!(row(&ran.err, "feasible"), ["feasible", "yes", "no", "yes"]);
+    assert_eq!(row(&ran.err, "in limits"), ["in limits", "yes", "no", "yes"]);
     assert!(ran.err.contains("howtomechatronics: 2 errors that wirebend-kit does not have"), "{}", ran.err);
     assert!(ran.err.contains("  vertex 5: the bend at vertex 5 is 135.0°"), "{}", ran.err);
     assert!(ran.err.contains("wirebend-kit: no other errors than on wirebend-kit"), "{}", ran.err);

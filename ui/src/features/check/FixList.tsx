@@ -1,6 +1,6 @@
 import { useRef, useState } from "react";
 import { Button } from "../../shared/Button";
-import { count, money, signed, time } from "../../shared/format";
+import { count, LIMITS_ONLY, money, signed, time } from "../../shared/format";
 import { useInSight } from "../../shared/sight";
 import { useLengths } from "../../shared/unit";
 import { useDesign } from "../../state/design";
@@ -26,7 +26,7 @@ function useChange(): (fix: Fix) => string {
 const isFirst = ({ length_mm, stock_mm, time_s, cost }: Fix["change"]): boolean => length_mm === null && stock_mm === null && time_s === null && cost === null;
 
 function afterwards(change: Fix["change"], errors: number): string {
-  if (errors === 0) return "then it can be made";
+  if (errors === 0) return `then ${LIMITS_ONLY}`;
   return isFirst(change) ? `then there is a wire, with ${count(errors, "error")} along it` : `then ${count(errors, "error")}`;
 }
 
@@ -48,7 +48,7 @@ function Figures({ fix }: { readonly fix: Fix }) {
       </tr>
     );
   };
-  if (isFirst(change)) return <p className="muted small">Stock, time and cost in all are known once there is a wire that can be made.</p>;
+  if (isFirst(change)) return <p className="muted small">Stock, time and cost in all are known once there is a wire within the machine's limits.</p>;
   const errors = check?.diagnostics.filter(({ severity }) => severity === "error").length ?? 0;
   return (
     <table className="before-after">

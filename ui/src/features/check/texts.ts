@@ -1,5 +1,5 @@
 import type { DiagnosticReport, LiveCheck } from "../../generated/responses";
-import { angle, count, type DisplayUnit, length, number, sentence } from "../../shared/format";
+import { angle, count, type DisplayUnit, LIMITS_ONLY, length, number, sentence } from "../../shared/format";
 import type { Tone } from "../../shared/Mark";
 import { isCompensated } from "../viewport/marks";
 
@@ -27,6 +27,7 @@ const NAMES: Readonly<Record<string, { one(report: Place): string; many(count: s
   bend_out_of_reach: { one: (r) => `Bend${at(r)} out of reach of the axis`, many: (n) => `${n} bends out of reach of the axis` },
   bend_too_small: { one: (r) => `Bend${at(r)} too small`, many: (n) => `${n} bends too small` },
   fold_back: { one: (r) => `The wire folds back${at(r)}`, many: (n) => `The wire folds back at ${n} places` },
+  bend_in_scatter: { one: (r) => `Bend${at(r)} smaller than bends scatter`, many: (n) => `${n} bends smaller than bends scatter` },
   corner_not_made: { one: (r) => `Corner${at(r)} gentler than the axis resolves`, many: (n) => `${n} corners gentler than the axis resolves` },
   rotation_out_of_range: { one: (r) => `The head would have to turn too far${at(r)}`, many: (n) => `The head would have to turn too far at ${n} places` },
   coincident_vertices: { one: (r) => `Vertices lie on each other${at(r)}`, many: (n) => `${n} pairs of vertices lie on each other` },
@@ -126,8 +127,8 @@ export function phraseOf(check: LiveCheck | null, machine: boolean, empty: boole
   const errors = many(check, "error");
   if (errors > 0) return { phrase: `${errors} to fix`, tone: "error" };
   const warnings = many(check, "warning");
-  if (warnings > 0) return { phrase: `can be made, ${warnings} to look at`, tone: "warning" };
-  return check.feasible ? { phrase: "can be made", tone: "fine" } : { phrase: "cannot be made", tone: "error" };
+  if (warnings > 0) return { phrase: `${warnings} to look at, else ${LIMITS_ONLY}`, tone: "warning" };
+  return check.feasible ? { phrase: LIMITS_ONLY, tone: "fine" } : { phrase: "cannot be made", tone: "error" };
 }
 
 /** What was checked and is fine: only what the figures show to have been checked, of all wires. */

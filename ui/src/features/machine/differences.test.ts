@@ -44,9 +44,9 @@ describe("differences", () => {
     ]);
   });
 
-  it("says first whether it can be made at all, where that changes", () => {
+  it("says first whether it is within the limits at all, where that changes", () => {
     const to = other({ feasible: true, errors: 0, newly_feasible: objections("edge_too_short") });
-    expect(differences(side, to)[0]).toEqual({ tone: "fine", what: "It can be made", sub: null });
+    expect(differences(side, to)[0]).toEqual({ tone: "fine", what: "It is within the machine's limits; collisions not checked", sub: null });
     const back = differences({ ...side, feasible: true }, other({ newly_infeasible: objections("edge_too_short") }));
     expect(back[0]?.tone).toBe("error");
   });
@@ -57,7 +57,7 @@ describe("differences", () => {
 
   it("says that nothing changes", () => {
     expect(differences(side, other({}))).toEqual([{ tone: "warning", what: "The same 4 errors on both", sub: null }]);
-    expect(differences({ ...side, feasible: true }, other({ feasible: true }))).toEqual([{ tone: "fine", what: "It can be made on both", sub: null }]);
+    expect(differences({ ...side, feasible: true }, other({ feasible: true }))).toEqual([{ tone: "fine", what: "Within the limits of both; collisions not checked", sub: null }]);
   });
 
   it("names a kind that it does not know by its code", () => {

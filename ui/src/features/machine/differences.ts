@@ -1,7 +1,7 @@
 /** What another machine changes for a design, in phrases. */
 
 import type { MachineSide, OtherSide, WireDiagnostic } from "../../generated/responses";
-import { count, type DisplayUnit, longLength, money, time } from "../../shared/format";
+import { count, type DisplayUnit, LIMITS_ONLY, longLength, money, time } from "../../shared/format";
 import type { Tone } from "../../shared/Mark";
 
 export interface Difference {
@@ -19,6 +19,7 @@ const NOUNS: Readonly<Record<string, readonly [string, string]>> = {
   bend_too_sharp: ["sharp bend", "sharp bends"],
   bend_out_of_reach: ["bend out of reach", "bends out of reach"],
   bend_too_small: ["small bend", "small bends"],
+  bend_in_scatter: ["slight bend", "slight bends"],
   corner_not_made: ["gentle corner", "gentle corners"],
   fold_back: ["fold back", "fold backs"],
   rotation_out_of_range: ["rotation out of range", "rotations out of range"],
@@ -73,9 +74,9 @@ export function figures(from: MachineSide, to: OtherSide, unit: DisplayUnit): re
 /** What becomes feasible and what does not any more; that nothing changes is said as well. */
 export function differences(from: MachineSide, to: OtherSide): readonly Difference[] {
   const found = [...objections(to.newly_feasible.diagnostics, "feasible"), ...objections(to.newly_infeasible.diagnostics, "infeasible")];
-  if (to.feasible && !from.feasible) found.unshift({ tone: "fine", what: "It can be made", sub: null });
+  if (to.feasible && !from.feasible) found.unshift({ tone: "fine", what: `It is ${LIMITS_ONLY}`, sub: null });
   if (!to.feasible && from.feasible) found.unshift({ tone: "error", what: "It cannot be made as it is", sub: null });
   if (found.length > 0) return found;
-  const what = to.feasible ? "It can be made on both" : to.errors === 1 ? "The same error on both" : `The same ${to.errors} errors on both`;
+  const what = to.feasible ? "Within the limits of both; collisions not checked" : to.errors === 1 ? "The same error on both" : `The same ${to.errors} errors on both`;
   return [{ tone: to.feasible ? "fine" : "warning", what, sub: null }];
 }

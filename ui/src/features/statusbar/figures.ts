@@ -2,7 +2,7 @@
 
 import type { LiveCheck, WireFigures } from "../../generated/responses";
 import type { DesignState } from "../../state/design";
-import { count, type DisplayUnit, length, longLength, money, number, time } from "../../shared/format";
+import { count, type DisplayUnit, LIMITS_ONLY, length, longLength, money, number, time } from "../../shared/format";
 
 export interface Figure {
   readonly name: string;
@@ -48,7 +48,7 @@ export function savedPhrase(state: DesignState | null): { readonly text: string;
   return { text, warning: state.unkept };
 }
 
-/** "3 to fix", "2 to look at", "all checks fine"; null before the first answer. */
+/** "3 to fix", "2 to look at", "within the machine's limits; collisions not checked"; null before the first answer. */
 export function checksPhrase(check: LiveCheck | null): { readonly text: string; readonly tone: "error" | "warning" | "fine" } | null {
   if (!check) return null;
   const of = (severity: string) => check.diagnostics.filter((diagnostic) => diagnostic.severity === severity).length;
@@ -56,7 +56,7 @@ export function checksPhrase(check: LiveCheck | null): { readonly text: string; 
   if (errors > 0) return { text: `${errors} to fix`, tone: "error" };
   if (!check.feasible) return { text: "not feasible", tone: "error" };
   if (warnings > 0) return { text: `${count(warnings, "warning")}`, tone: "warning" };
-  return { text: "all checks fine", tone: "fine" };
+  return { text: LIMITS_ONLY, tone: "fine" };
 }
 
 /** What long work is called, by what was asked for. */

@@ -148,8 +148,11 @@ fn facts(flow: &mut Flow, heading: &str, facts: &[(String, String)]) {
 fn checks(flow: &mut Flow, sheet: &JobSheet) {
     flow.heading("Checks", 8.0);
     if sheet.findings.is_empty() {
-        let verdict = if sheet.feasible { "Nothing is objected to." } else { "See the notes." };
+        let verdict = if sheet.feasible { "No errors, no warnings." } else { "See the notes." };
         flow.text(verdict, Type::new(3.2));
+    }
+    if sheet.feasible {
+        flow.text("Within the machine's limits; collisions not checked.", Type::new(3.2));
     }
     for finding in &sheet.findings {
         let Finding { severity, code, message, help } = finding;
