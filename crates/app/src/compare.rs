@@ -57,11 +57,11 @@ pub struct MachineSide {
     pub time_s: Option<f64>,
     /// Stock to load, in mm.
     pub stock_mm: Option<f64>,
-    /// Price of the designed length, in `currency`; null also where the price is not known.
+    /// Price of the wire that is fed, in `currency`; null also where the price is not known.
     pub cost: Option<f64>,
     /// Of the cost.
     pub currency: Option<String>,
-    /// Mass of the designed length, in g.
+    /// Mass of the wire that is fed, in g.
     pub mass_g: Option<f64>,
 }
 

@@ -207,13 +207,17 @@ pub struct WireReport {
     pub feasible: bool,
     /// Time on the machine, in s.
     pub time_s: Option<f64>,
-    /// Price of the designed length, in `currency`; null where the price is not known.
+    /// Price of the wire that is fed, in `currency`; null where the price is not known, and where nothing can be fed.
     pub cost: Option<f64>,
+    /// The same of the stock, which has the tail that cannot be fed.
+    pub stock_cost: Option<f64>,
     /// Of the cost.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub currency: Option<String>,
-    /// Mass of the designed length, in g.
+    /// Mass of the wire that is fed, in g.
     pub mass_g: Option<f64>,
+    /// Mass of the stock, in g.
+    pub stock_mass_g: Option<f64>,
     /// What each stage took, in ms.
     pub timings_ms: BTreeMap<&'static str, f64>,
 }
@@ -273,7 +277,7 @@ impl WireReport {
         setup: &Setup,
         timings_ms: BTreeMap<&'static str, f64>,
     ) -> Self {
-        let length = plan.nominal.as_ref().map(wirebend_core::bend::NominalProgram::length);
+        let fed = plan.compensated.as_ref().map(wirebend_core::compensate::CompensatedProgram::feed_total);
         let wire = &setup.model.wire;
         let ids = |edges: &[EdgeId]| edges.iter().map(|id| id.0).collect();
         let length_of = |edges: &mut dyn Iterator<Item = EdgeId>| -> Length {
@@ -311,9 +315,11 @@ impl WireReport {
             diagnostics: plan.diagnostics.iter().map(DiagnosticReport::from).collect(),
             feasible: plan.is_feasible(),
             time_s: plan.seconds,
-            cost: length.and_then(|length| wire.cost(length)),
+            cost: fed.and_then(|fed| wire.cost(fed)),
+            stock_cost: plan.stock.and_then(|stock| wire.cost(stock)),
             currency: setup.currency.clone(),
-            mass_g: length.map(|length| wire.mass_g(length)),
+            mass_g: fed.map(|fed| wire.mass_g(fed)),
+            stock_mass_g: plan.stock.map(|stock| wire.mass_g(stock)),
             timings_ms,
         }
     }

@@ -34,11 +34,13 @@ pub struct WireFigures {
     pub bends: Option<usize>,
     /// Time on the machine, s.
     pub time_s: Option<f64>,
-    /// Price of the designed length.
+    /// Price of the wire that is fed.
     pub cost: Option<f64>,
+    /// Price of the stock, which has the tail that cannot be fed.
+    pub stock_cost: Option<f64>,
     /// Of the cost.
     pub currency: Option<String>,
-    /// Mass, g.
+    /// Mass of the wire that is fed, g.
     pub mass_g: Option<f64>,
     /// The vertices in the order of the walk.
     pub route: Vec<u32>,
@@ -146,6 +148,7 @@ impl WireFigures {
             bends: wire.program.as_ref().map(|program| program.bends),
             time_s: wire.time_s,
             cost: wire.cost,
+            stock_cost: wire.stock_cost,
             currency: wire.currency.clone(),
             mass_g: wire.mass_g,
             route: wire.route.as_ref().map(|route| route.vertices.clone()).unwrap_or_default(),

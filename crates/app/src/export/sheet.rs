@@ -52,10 +52,14 @@ fn facts(setup: &Setup, wire: &Wire, length: Length) -> Vec<(String, String)> {
     let unknown = || "not known".to_owned();
     let model = &setup.model.wire;
     let fed = wire.compensated.as_ref().map(|steps| steps.iter().map(|step| step.feed).sum::<Length>());
-    let cost = model.cost(length).map(|cost| match &setup.currency {
-        Some(currency) => format!("{cost:.2} {currency}"),
-        None => format!("{cost:.2}"),
-    });
+    let stock = wire.stock_mm.and_then(|stock| Length::from_mm(stock).ok());
+    let cost = |length: Option<Length>| {
+        model.cost(length?).map(|cost| match &setup.currency {
+            Some(currency) => format!("{cost:.2} {currency}"),
+            None => format!("{cost:.2}"),
+        })
+    };
+    let mass = |length: Option<Length>| length.map(|length| format!("{:.1} g", model.mass_g(length)));
     let fact = |name: &str, value: Option<String>| (name.to_owned(), value.unwrap_or_else(unknown));
     vec![
         fact("stock to cut", wire.stock_mm.map(|stock| format!("{stock:.1} mm"))),
@@ -64,8 +68,10 @@ fn facts(setup: &Setup, wire: &Wire, length: Length) -> Vec<(String, String)> {
         fact("length as designed", Some(length.to_string())),
         fact("bends", Some(wire.bend_count().to_string())),
         fact("time on the machine", wire.time_s.map(duration)),
-        fact("mass as designed", Some(format!("{:.1} g", model.mass_g(length)))),
-        fact("cost as designed", cost),
+        fact("mass of what is fed", mass(fed)),
+        fact("mass of the stock", mass(stock)),
+        fact("cost of what is fed", cost(fed)),
+        fact("cost of the stock", cost(stock)),
     ]
 }
 
@@ -91,7 +97,10 @@ fn figures(setup: &Setup) -> Vec<Figure> {
         figure(of_material, "K-factor", "", &material.k_factor),
         springback(setup),
         figure(of_machine, "largest bend", "°", &limits.max_bend_deg),
+        figure(of_machine, "farthest turn of the bend axis", "°", &bend.axis_limit_deg),
+        figure(of_machine, "farthest turn of the head", "°", &limits.max_rotation_deg),
         figure(of_machine, "shortest feed", " mm", &limits.min_feed_mm),
+        figure(of_machine, "longest feed", " mm", &limits.max_feed_mm),
         figure(of_machine, "tail that is not fed", " mm", &limits.tail_mm),
         figure(of_machine, "feed speed", " mm/s", &machine.feed.rate_mm_per_s),
         figure(of_machine, "rotate speed", "°/s", &machine.rotate.rate_deg_per_s),

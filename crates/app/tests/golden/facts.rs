@@ -87,7 +87,12 @@ impl Case {
         let length = |wire: &wirebend_app::WireReport| wire.route.as_ref().map(|route| route.length_mm);
         near("length", wires.iter().map(length).sum(), facts.length_mm);
         near("time", wires.iter().map(|wire| wire.time_s).sum(), facts.time_s);
-        near("cost", wires.iter().map(|wire| wire.cost).sum(), facts.cost);
+        // Published prices are of designed lengths; ours are of what is fed, at the same price a millimetre.
+        let cost = |wire: &wirebend_app::WireReport| {
+            let fed = wire.compensated.as_ref()?.feed_mm;
+            Some(wire.cost? / fed * wire.route.as_ref()?.length_mm)
+        };
+        near("cost", wires.iter().map(cost).sum(), facts.cost);
         for (machine, &feasible) in &facts.feasible {
             assert_eq!(self.plan(machine).feasible(), feasible, "{about} on {machine}; {because}");
         }

@@ -88,10 +88,14 @@ fn wire(out: &mut impl Write, report: &WireReport) -> std::io::Result<()> {
     }
     let mut figures = Vec::new();
     figures.extend(report.time_s.map(|seconds| format!("{} on the machine", duration(seconds))));
-    figures.extend(report.mass_g.map(|mass| format!("{mass:.1} g")));
-    figures.extend(
-        report.cost.map(|cost| format!("{cost:.2} {}", report.currency.as_deref().unwrap_or_default())),
-    );
+    let with_stock = |fed: String, stock: Option<String>| match stock {
+        Some(stock) => format!("{fed} (stock {stock})"),
+        None => fed,
+    };
+    let mass = |mass: f64| format!("{mass:.1} g");
+    let price = |cost: f64| format!("{cost:.2} {}", report.currency.as_deref().unwrap_or_default());
+    figures.extend(report.mass_g.map(|fed| with_stock(mass(fed), report.stock_mass_g.map(mass))));
+    figures.extend(report.cost.map(|fed| with_stock(price(fed), report.stock_cost.map(price))));
     if !figures.is_empty() {
         line(out, "takes", figures.join(", "))?;
     }

@@ -7,6 +7,7 @@ import { checksPhrase, figures, savedPhrase, workPhrase } from "./figures";
 const wire = (given: Partial<WireFigures> = {}): WireFigures => ({
   bends: 176,
   cost: 23.5,
+  stock_cost: 24.3,
   currency: "USD",
   length_mm: 11_821.4,
   mass_g: 226,

@@ -28,6 +28,7 @@ export function figures(check: LiveCheck | null, drawn: number, unit: DisplayUni
   const currencies = new Set(wires.map(({ currency }) => currency));
   const shown = (value: number | null, how: (value: number) => string): string => (value === null ? "–" : how(value));
   const cost = currencies.size === 1 ? sum(wires, (wire) => wire.cost) : null;
+  const stockCost = currencies.size === 1 ? sum(wires, (wire) => wire.stock_cost) : null;
   const routed = sum(wires, (wire) => wire.length_mm);
   const several = wires.length > 1 ? ` of all ${wires.length} wires` : "";
   return [
@@ -37,7 +38,7 @@ export function figures(check: LiveCheck | null, drawn: number, unit: DisplayUni
     { name: "Stock", value: shown(sum(wires, (wire) => wire.stock_mm), (mm) => longLength(mm, unit)), title: `Wire to load${several}: all feeds and the tail` },
     { name: "Bends", value: shown(sum(wires, (wire) => wire.bends), (many) => number(many, 0)), title: `Bends${several}` },
     { name: "Time", value: shown(sum(wires, (wire) => wire.time_s), time), title: `Estimated time on the machine${several}` },
-    { name: "Cost", value: shown(cost, (value) => money(value, wires[0]?.currency ?? null)), title: `Price of the designed length${several}: the tail that cannot be fed is not counted` },
+    { name: "Cost", value: shown(cost, (value) => money(value, wires[0]?.currency ?? null)), title: `Price of the wire that is fed${several}; of the stock, with the tail that cannot be fed: ${shown(stockCost, (value) => money(value, wires[0]?.currency ?? null))}` },
   ];
 }
 
