@@ -25,7 +25,7 @@ fn an_unknown_key_is_answered_with_the_nearest_one() {
         "mine.json",
         &text,
         expect![[r#"
-            profile-shape: mine.json:7: unknown field `max_bend`, expected one of `min_bend_deg`, `max_bend_deg`, `min_edge_mm`, `min_feed_mm`, `max_stock_mm`, `tail_mm`, `min_rotation_deg`, `max_rotation_deg` (column 10); did you mean `max_bend_deg` or `max_rotation_deg`?
+            profile-shape: mine.json:7: unknown field `max_bend`, expected one of `min_bend_deg`, `max_bend_deg`, `min_edge_mm`, `min_feed_mm`, `max_feed_mm`, `max_stock_mm`, `tail_mm`, `min_rotation_deg`, `max_rotation_deg` (column 10); did you mean `max_bend_deg` or `max_feed_mm` or `max_rotation_deg`?
         "#]],
     );
 }
