@@ -124,6 +124,10 @@ export type Files = "each-wire" | "one";
  */
 export type DriverState = "shipped" | "accepted" | "unknown" | "changed" | "refused";
 /**
+ * Where a sample lies among the pairs of its table.
+ */
+export type SamplePlace = "pair" | "between" | "beyond";
+/**
  * A change that a person asks for. Lengths in mm, vertices and edges by their ids.
  */
 export type EditRequest =
@@ -969,7 +973,7 @@ export interface WireFigures {
    */
   bends: number | null;
   /**
-   * Price of the designed length.
+   * Price of the wire that is fed.
    */
   cost: number | null;
   /**
@@ -981,13 +985,17 @@ export interface WireFigures {
    */
   length_mm: number | null;
   /**
-   * Mass, g.
+   * Mass of the wire that is fed, g.
    */
   mass_g: number | null;
   /**
    * The vertices in the order of the walk.
    */
   route: number[];
+  /**
+   * Price of the stock, which has the tail that cannot be fed.
+   */
+  stock_cost: number | null;
   /**
    * Stock to load, mm.
    */
@@ -1243,7 +1251,7 @@ export interface MachineSide {
    */
   bends: number | null;
   /**
-   * Price of the designed length, in `currency`; null also where the price is not known.
+   * Price of the wire that is fed, in `currency`; null also where the price is not known.
    */
   cost: number | null;
   /**
@@ -1267,7 +1275,7 @@ export interface MachineSide {
    */
   machine: string;
   /**
-   * Mass of the designed length, in g.
+   * Mass of the wire that is fed, in g.
    */
   mass_g: number | null;
   /**
@@ -1301,7 +1309,7 @@ export interface OtherSide {
   bends: number | null;
   change: Change;
   /**
-   * Price of the designed length, in `currency`; null also where the price is not known.
+   * Price of the wire that is fed, in `currency`; null also where the price is not known.
    */
   cost: number | null;
   /**
@@ -1325,7 +1333,7 @@ export interface OtherSide {
    */
   machine: string;
   /**
-   * Mass of the designed length, in g.
+   * Mass of the wire that is fed, in g.
    */
   mass_g: number | null;
   /**
@@ -1670,6 +1678,10 @@ export interface ProfileExplainResponse {
    */
   name: string;
   /**
+   * The curve of a material's springback table; absent where there is no table.
+   */
+  springback?: SpringbackReport | null;
+  /**
    * Its values, in the order in which the shipped files have them.
    */
   values: ValueReport[];
@@ -1690,6 +1702,37 @@ export interface AncestorReport {
    * Whether it comes with the program.
    */
   shipped: boolean;
+}
+/**
+ * What a wire loses of bends, by its table.
+ */
+export interface SpringbackReport {
+  /**
+   * To the negative side; bends without their sign.
+   */
+  negative: SpringbackSample[];
+  /**
+   * To the positive side, bends ascending.
+   */
+  positive: SpringbackSample[];
+  /**
+   * What lies between and beyond the pairs.
+   */
+  rule: string;
+}
+/**
+ * The curve at one place.
+ */
+export interface SpringbackSample {
+  /**
+   * The bend that is left, degrees.
+   */
+  bend_deg: number;
+  /**
+   * What the wire loses of it, degrees: it is bent that much farther.
+   */
+  loss_deg: number;
+  place: SamplePlace;
 }
 /**
  * One value.
