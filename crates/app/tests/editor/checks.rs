@@ -2,7 +2,8 @@
 
 use serde_json::json;
 use wirebend_app::{
-    AppError, CheckRequest, DesignInput, Editor, Moved, NoProgress, PlanChoices, Request, Response,
+    App, AppError, CheckRequest, DesignInput, DriverFolders, Editor, Moved, NoProgress, PlanChoices, Request,
+    Response,
 };
 
 use crate::{app, edit, example, open};
@@ -54,4 +55,26 @@ fn another_machine_is_checked_at_once_and_without_one_nothing_is() {
     assert_eq!(editor.check(&app(), &[]).unwrap(), kit);
     let mut bare = Editor::new(&app(), None, None).unwrap();
     assert!(matches!(bare.check(&app(), &[]), Err(AppError::NoMachine { .. })));
+}
+
+/// A corner that is dragged away from a straight part makes a feed that the controller refuses in the middle of a wire.
+#[test]
+fn a_check_while_dragging_knows_the_limits_of_the_driver() {
+    let folder = wirebend_tests_built::driver("wirebend-kit").parent().unwrap().to_owned();
+    let drivers = DriverFolders {
+        own: Some(vec![folder]),
+        program: Some(wirebend_tests_built::driver_child()),
+        ..DriverFolders::default()
+    };
+    let app = App::new(&[]).unwrap().with_drivers(drivers);
+    let mut editor = open("u-sample.obj");
+    assert!(editor.check(&app, &[]).unwrap().feasible);
+    // The first side of the U lies along its first edge: 8 m of it.
+    let there = editor.document().wireframe.vertices().next().unwrap().1.position;
+    let next = editor.document().wireframe.vertices().nth(1).unwrap().1.position;
+    let away = there + (there - next).normalize() * 8000.0;
+    let check = editor.check(&app, &[Moved { vertex: 0, at_mm: [away.x, away.y, away.z] }]).unwrap();
+    let long = check.diagnostics.iter().find(|d| d.code == "feed_too_long").unwrap();
+    assert!(long.limit_source.as_ref().unwrap().contains("driver setting feed_most_mm"), "{long:?}");
+    assert!(!check.feasible);
 }
