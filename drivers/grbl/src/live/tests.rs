@@ -37,7 +37,12 @@ impl Conversation for Protocol {
             Call::Pause => self.pause(now)?,
             Call::Resume => self.resume(now)?,
             Call::Stop => self.stop(now)?,
-            Call::Encode(_) | Call::Ports | Call::Connect { .. } | Call::Disconnect | Call::WriteSettings => {
+            Call::Encode(_)
+            | Call::Ports
+            | Call::Limits
+            | Call::Connect { .. }
+            | Call::Disconnect
+            | Call::WriteSettings => {
                 return Err(DriverError::unsupported("do that within a conversation"));
             }
         }
