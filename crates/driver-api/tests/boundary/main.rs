@@ -184,6 +184,6 @@ fn extensions_are_found_by_name_and_revision() {
 #[test]
 fn every_message_has_a_schema() {
     let schemas = wirebend_driver_api::message_schemas();
-    assert_eq!(schemas.len(), 8);
+    assert_eq!(schemas.len(), 9);
     assert!(schemas.iter().all(|(_, schema)| schema.get("$schema").is_some()));
 }
