@@ -37,6 +37,14 @@ impl Input {
         }
     }
 
+    /// The folder in which files may be that the input names; none for bytes.
+    pub(crate) fn folder(&self) -> Option<&Path> {
+        match self {
+            Self::File(path) => path.parent(),
+            Self::Bytes { .. } => None,
+        }
+    }
+
     /// The name without its folder and extension.
     pub(crate) fn stem(&self) -> String {
         let name = match self {
@@ -153,6 +161,7 @@ impl DesignInput {
             clr: self.clr_mm.map(|clr| length("--clr", clr)).transpose()?,
             tolerance: length("--tolerance", positive("--tolerance", self.tolerance_mm)?)?,
             layers: self.layers.clone(),
+            folder: self.input.folder().map(Path::to_owned),
             ..ReadOptions::default()
         };
         let imported = read(bytes, &name, self.format, &options)?;

@@ -6,7 +6,7 @@ use wirebend_core::mesh::Stencil;
 use wirebend_files::document::{StencilSource, sha256_hex};
 use wirebend_files::read::{ReadError, ReadOptions, read, read_file};
 
-use crate::design::{DesignInput, Input, Opened};
+use crate::design::{DesignInput, Opened};
 use crate::output::file_name;
 use crate::report::NoteReport;
 
@@ -77,17 +77,15 @@ impl Opened {
 /// The surface, and whether its file is the one that the document means. Who passes a design on says nothing about what others keep
 /// elsewhere: only what is beside it is read.
 fn fetch(path: &str, sha256: &str, input: &DesignInput) -> Result<(Stencil, bool), StencilFileError> {
-    let folder = match &input.input {
-        Input::File(document) => document.parent(),
-        Input::Bytes { .. } => None,
-    };
+    let folder = input.input.folder();
     let within = |part| matches!(part, Component::Normal(_) | Component::CurDir);
     if !Path::new(path).components().all(within) {
         return Err(StencilFileError::Outside { path: path.to_owned() });
     }
     let file = folder.ok_or_else(|| StencilFileError::NoFolder { path: path.to_owned() })?.join(path);
     let (name, bytes) = (file.display().to_string(), read_file(&file)?);
-    let surface = read(&bytes, &name, None, &ReadOptions::default())?.stencil;
+    let options = ReadOptions { folder: file.parent().map(Path::to_owned), ..ReadOptions::default() };
+    let surface = read(&bytes, &name, None, &options)?.stencil;
     let surface = surface.ok_or(StencilFileError::NoSurface { file: name })?;
     Ok((surface, sha256_hex(&bytes) == sha256))
 }

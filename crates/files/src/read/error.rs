@@ -216,15 +216,13 @@ pub enum ReadError {
         /// How deep it is read at most.
         limit: usize,
     },
-    /// Geometry that is in another file.
-    #[error("{file}{place}: the geometry is in another file, {name}, which is not read; {help}")]
+    /// Geometry in other files that cannot be read.
+    #[error("{file}: the geometry is in other files that cannot be read: {missing}; {help}")]
     Elsewhere {
         /// The file.
         file: String,
-        /// Where.
-        place: Place,
-        /// The other file, shortened.
-        name: String,
+        /// The other files, shortened, and why not.
+        missing: String,
         /// What to do.
         help: &'static str,
     },
@@ -298,7 +296,6 @@ impl ReadError {
             | Self::NoCorner { place, .. }
             | Self::Loop { place, .. }
             | Self::TooDeep { place, .. }
-            | Self::Elsewhere { place, .. }
             | Self::Unsupported { place, .. } => place,
             Self::Document(error) => return error.line(),
             _ => return None,

@@ -4,6 +4,7 @@
 //! announces. Errors name the file, the line, what was found and what to do.
 
 mod assembly;
+mod beside;
 mod columns;
 mod drawing;
 mod dxf;
@@ -127,7 +128,11 @@ pub fn read_file(path: &Path) -> Result<Vec<u8>, ReadError> {
     const MIB: u64 = 1 << 20;
     let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
     let mesh = ["stl", "ply", "3mf", "glb", "gltf"].iter().any(|mesh| extension.eq_ignore_ascii_case(mesh));
-    let limit = if mesh { 512 * MIB } else { 64 * MIB };
+    read_up_to(path, if mesh { 512 * MIB } else { 64 * MIB })
+}
+
+/// The bytes of a file, up to a limit.
+fn read_up_to(path: &Path, limit: u64) -> Result<Vec<u8>, ReadError> {
     let name = path.display().to_string();
     let io = |error| ReadError::Io { file: name.clone(), error };
     let file = std::fs::File::open(path).map_err(io)?;

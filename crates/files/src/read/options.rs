@@ -1,5 +1,7 @@
 //! How a file is to be read.
 
+use std::path::PathBuf;
+
 use wirebend_core::bend::Convention;
 use wirebend_core::units::Length;
 
@@ -83,6 +85,8 @@ pub struct ReadOptions {
     pub tolerance: Length,
     /// The layers of a drawing to read, by name in any case. Empty: all that are not off, frozen or hidden.
     pub layers: Vec<String>,
+    /// The folder of the file, in which the files that it names are looked for. None: it may name none.
+    pub folder: Option<PathBuf>,
 }
 
 /// The default of [`ReadOptions::tolerance`], in mm: what benders typically miss a feed by (Bend-Forming's σ of
@@ -103,6 +107,7 @@ impl Default for ReadOptions {
             convention: Convention::default(),
             tolerance: Length::from_mm(DEFAULT_TOLERANCE_MM).unwrap_or_default(),
             layers: Vec::new(),
+            folder: None,
         }
     }
 }

@@ -170,7 +170,7 @@ fn gltf() {
             read-loop: a.glb, node 0: node 0 holds itself; export the file again, with its parts resolved
             read-index: a.glb: 0 names no node: they count from 0 and there are 0; correct the index or export the file again
             read-unsupported: a.glb: a model that requires "KHR_draco_mesh_compression" is not read; export it without compression and extensions
-            read-elsewhere: a.glb, buffer 0: the geometry is in another file, "bunny.bin", which is not read; export as .glb or with embedded buffers
+            read-elsewhere: a.glb: the geometry is in other files that cannot be read: "bunny.bin" (its folder is not known); open the file itself from its folder, with these files beside it, or export the model as .glb
             read-syntax: a.glb, buffer 0: found "application/octet-stream;base64,###", expected a data address with base64; export or download the file again
             read-too-deep: a.glb, node 256: nodes in nodes are more than 256 deep; export the file again, with its parts resolved
             read-index: a.glb, accessor 1: 9 names no vertex: they count from 0 and there are 4; correct the index or export the file again

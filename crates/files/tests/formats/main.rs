@@ -17,6 +17,7 @@ mod dxf_splines;
 mod errors;
 mod meshes;
 mod models;
+mod models_beside;
 mod pdf_files;
 mod pictures;
 mod programs;

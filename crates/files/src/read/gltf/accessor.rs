@@ -2,9 +2,10 @@
 
 use nalgebra::Point3;
 
+use super::super::beside::Beside;
 use super::super::error::{Place, ReadError};
 use super::super::text::Source;
-use super::file::{Accessor, Root, embedded};
+use super::file::{Accessor, EMBEDDED, Root, embedded};
 
 const HELP: &str = "export the file again";
 
@@ -13,6 +14,7 @@ pub(super) struct Data<'a> {
     pub(super) source: Source<'a>,
     pub(super) root: &'a Root,
     binary: Option<&'a [u8]>,
+    beside: Beside<'a>,
     decoded: Vec<Option<Vec<u8>>>,
 }
 
@@ -27,8 +29,13 @@ struct Layout {
 }
 
 impl<'a> Data<'a> {
-    pub(super) fn new(source: Source<'a>, root: &'a Root, binary: Option<&'a [u8]>) -> Self {
-        Self { source, root, binary, decoded: root.buffers.iter().map(|_| None).collect() }
+    pub(super) fn new(
+        source: Source<'a>,
+        root: &'a Root,
+        binary: Option<&'a [u8]>,
+        beside: Beside<'a>,
+    ) -> Self {
+        Self { source, root, binary, beside, decoded: root.buffers.iter().map(|_| None).collect() }
     }
 
     /// An entry of a list of the file.
@@ -161,7 +168,7 @@ impl<'a> Data<'a> {
             (Some(uri), _) => {
                 let decoded = match self.decoded[index].take() {
                     Some(decoded) => decoded,
-                    None => embedded(uri, index, self.source)?,
+                    None => self.bytes(uri, index)?,
                 };
                 Ok(self.decoded[index].insert(decoded))
             }
@@ -171,6 +178,18 @@ impl<'a> Data<'a> {
                 Err(self.source.syntax(place, "no bytes", "bytes in the file", "export as .glb"))
             }
         }
+    }
+
+    /// The bytes of a buffer with an address: in the JSON, or in a file of their own.
+    fn bytes(&mut self, uri: &str, buffer: usize) -> Result<Vec<u8>, ReadError> {
+        if let Some(data) = uri.strip_prefix(EMBEDDED) {
+            return embedded(data, buffer, self.source);
+        }
+        if let Some(bytes) = self.beside.read(uri)? {
+            return Ok(bytes);
+        }
+        let uris = self.root.buffers.iter().filter_map(|buffer| buffer.uri.as_deref());
+        Err(self.beside.missing(self.source.name, uris.filter(|uri| !uri.starts_with(EMBEDDED))))
     }
 }
 

@@ -5,7 +5,7 @@ use base64::prelude::BASE64_STANDARD;
 use serde::Deserialize;
 
 use super::super::error::{Place, ReadError};
-use super::super::text::{Source, excerpt};
+use super::super::text::Source;
 
 const DAMAGED: &str = "export or download the file again";
 
@@ -24,6 +24,7 @@ pub(super) struct Root {
     pub(super) buffers: Vec<Buffer>,
     pub(super) animations: Vec<serde::de::IgnoredAny>,
     pub(super) cameras: Vec<serde::de::IgnoredAny>,
+    pub(super) images: Vec<serde::de::IgnoredAny>,
 }
 
 #[derive(Debug, Default, Deserialize)]
@@ -164,13 +165,12 @@ fn chunks<'a>(bytes: &'a [u8], source: Source<'_>) -> Result<(&'a [u8], Option<&
     Ok((json.unwrap_or_default(), binary))
 }
 
-/// The bytes of a buffer that are written into the JSON.
-pub(super) fn embedded(uri: &str, buffer: usize, source: Source<'_>) -> Result<Vec<u8>, ReadError> {
+/// What the address of bytes begins with that are written into the JSON.
+pub(super) const EMBEDDED: &str = "data:";
+
+/// The bytes of a buffer that are written into the JSON, as they stand behind [`EMBEDDED`].
+pub(super) fn embedded(data: &str, buffer: usize, source: Source<'_>) -> Result<Vec<u8>, ReadError> {
     let place = Place::Item("buffer", buffer);
-    let Some(data) = uri.strip_prefix("data:") else {
-        let help = "export as .glb or with embedded buffers";
-        return Err(ReadError::Elsewhere { file: source.name.to_owned(), place, name: excerpt(uri), help });
-    };
     let decoded = data.split_once(";base64,").and_then(|(_, text)| BASE64_STANDARD.decode(text.trim()).ok());
     decoded.ok_or_else(|| source.syntax(place, data, "a data address with base64", DAMAGED))
 }

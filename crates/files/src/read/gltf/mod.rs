@@ -1,4 +1,5 @@
-//! glTF 2.0, as text with embedded buffers or binary (`.glb`): triangles are a stencil, lines a wireframe.
+//! glTF 2.0, as text or binary (`.glb`), with buffers in the file or in files beside it: triangles are a stencil, lines
+//! a wireframe.
 //!
 //! The format measures in metres and has y up; here are millimetres and z up, so the model is turned by 90° about x.
 //! The JSON is read here and not by a crate, since the one that there is panics on damaged buffers. Normals,
@@ -12,6 +13,7 @@ use nalgebra::{Affine3, Matrix4, Quaternion, UnitQuaternion, Vector3};
 use self::accessor::Data;
 use self::file::{Node, Primitive, open};
 use super::Imported;
+use super::beside::Beside;
 use super::drawing::Drawing;
 use super::error::{Place, ReadError};
 use super::format::Format;
@@ -50,8 +52,9 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
     let mut drawing = Drawing { unit_mm: Some(METRE_MM), ..Drawing::default() };
     drawing.notes.add(NoteKind::AxisUp, 1);
     drawing.notes.add(NoteKind::ElementsIgnored, root.animations.len() + root.cameras.len());
-    let mut walk =
-        Walk { data: Data::new(source, &root, binary), drawing, open: Vec::new(), met: 0, corners: 0 };
+    drawing.notes.add(NoteKind::ImagesIgnored, root.images.len());
+    let data = Data::new(source, &root, binary, Beside::new(options.folder.as_deref()));
+    let mut walk = Walk { data, drawing, open: Vec::new(), met: 0, corners: 0 };
     let upright = Affine3::from_matrix_unchecked(Matrix4::new(
         1.0, 0.0, 0.0, 0.0, //
         0.0, 0.0, -1.0, 0.0, //
