@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use wirebend_core::units::Length;
-use wirebend_files::document::{Document, SourceFile, StencilSource, sha256_hex};
+use wirebend_files::document::{Document, Job, SourceFile, StencilSource, sha256_hex};
 use wirebend_files::read::{DEFAULT_TOLERANCE_MM, Format, LengthUnit, ReadOptions, read, read_file};
 
 use crate::export::is_job;
@@ -127,6 +127,8 @@ impl DesignInput {
         progress.stage("reading");
         let (name, bytes) = self.input.load()?;
         if is_job(&name, &bytes) {
+            // One that cannot be opened is no job that is planned already.
+            Job::open(&bytes, &name)?;
             return Err(AppError::IsAJob { name });
         }
         self.open_bytes(name, &bytes)

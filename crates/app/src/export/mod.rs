@@ -14,6 +14,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use wirebend_core::units::Length;
 use wirebend_files::document::Job;
+use wirebend_files::read::decode;
 use wirebend_files::write;
 
 use crate::design::DesignInput;
@@ -227,14 +228,15 @@ pub(crate) fn no_fonts() -> NoteReport {
 
 /// Whether bytes are a job: by name, or by the mark that every job has near its start.
 pub(crate) fn is_job(name: &str, bytes: &[u8]) -> bool {
-    let start = String::from_utf8_lossy(&bytes[..bytes.len().min(4096)]).into_owned();
+    let start = decode(&bytes[..bytes.len().min(4096)]);
     Path::new(name).extension().is_some_and(|extension| extension.eq_ignore_ascii_case("wbjob"))
         || (start.trim_start().starts_with('{') && start.contains("\"wbjob\""))
 }
 
 /// Opens a job; its hash has to fit.
 pub(crate) fn open_job(name: &str, bytes: &[u8]) -> Result<Job, AppError> {
-    if !is_job(name, bytes) {
+    // Of nothing at all its name says enough.
+    if !is_job(name, bytes) && !decode(bytes).trim().is_empty() {
         return Err(AppError::NotAJob { name: name.to_owned() });
     }
     Ok(Job::open(bytes, name)?)

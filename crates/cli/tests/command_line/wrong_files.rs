@@ -58,6 +58,29 @@ fn wrong_files_are_refused_by_name_and_place() {
     }
 }
 
+/// A job that was cut off while it was copied, whichever command meets it.
+#[test]
+fn an_empty_document_is_bad_input_and_says_what_it_should_be() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("empty.wbjob"), "").unwrap();
+    std::fs::write(folder.path().join("blank.wirebend"), " \n").unwrap();
+    std::fs::write(folder.path().join("empty.txt"), "").unwrap();
+    let machine = ["--machine", "wirebend-kit"];
+    for (arguments, expected) in [
+        (["simulate", "empty.wbjob"].as_slice(), "expected a WireBend job"),
+        (&["simulate", "-"], "expected a WireBend job"),
+        (&["export", "empty.wbjob", "-o", "out.svg"], "expected a WireBend job"),
+        (&["run", "empty.wbjob", "--port", "sim"], "expected a WireBend job"),
+        (&[&["plan", "empty.wbjob"], machine.as_slice()].concat(), "expected a WireBend job"),
+        (&[&["plan", "blank.wirebend"], machine.as_slice()].concat(), "expected a WireBend project"),
+        (&["import", "empty.txt"], "no model, drawing or program in it (the file is empty)"),
+        (&["import", "-"], "no model, drawing or program in it (the file is empty)"),
+    ] {
+        let ran = run_in(folder.path(), arguments, b"").ended(3);
+        assert!(ran.err.contains(expected), "{arguments:?}: {}", ran.err);
+    }
+}
+
 #[test]
 fn a_surface_without_lines_says_how_to_get_some() {
     let folder = tempfile::tempdir().unwrap();

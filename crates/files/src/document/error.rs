@@ -21,10 +21,12 @@ pub enum DocumentError {
         message: String,
     },
     /// Nothing is in it.
-    #[error("{file}: the file is empty; take its last good copy")]
+    #[error("{file}: the file is empty, expected {expected}; take its last good copy")]
     Empty {
         /// The file.
         file: String,
+        /// What should be in it.
+        expected: &'static str,
     },
     /// A document of another kind.
     #[error("{file}: this is a \"{found}\" file, expected \"{expected}\"; open it as what it is")]

@@ -11,7 +11,7 @@ use super::layout;
 use super::snapshot::ProfileSnapshot;
 use super::version::History;
 
-const HISTORY: History = History { format: "wbjob", migrations: &[] };
+const HISTORY: History = History { format: "wbjob", title: "a WireBend job", migrations: &[] };
 
 /// A job as it was sealed: its contents and the hash that proves them.
 #[derive(Debug, Clone, PartialEq)]

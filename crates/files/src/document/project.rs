@@ -15,7 +15,7 @@ use super::stencil::{StencilFile, StencilSource};
 use super::version::History;
 use crate::read::LengthUnit;
 
-const HISTORY: History = History { format: "wirebend", migrations: &[] };
+const HISTORY: History = History { format: "wirebend", title: "a WireBend project", migrations: &[] };
 
 /// A project: the wireframe and all that belongs to it. Positions are millimetres.
 #[derive(Debug, Clone, PartialEq, Default)]

@@ -5,6 +5,7 @@ use serde::de::DeserializeOwned;
 use serde_json::Value;
 
 use super::error::DocumentError;
+use crate::read::utf8;
 
 /// From one version of a format to the next.
 pub(crate) type Migration = fn(Value) -> Result<Value, serde_json::Error>;
@@ -13,6 +14,8 @@ pub(crate) type Migration = fn(Value) -> Result<Value, serde_json::Error>;
 pub(crate) struct History {
     /// The value of the key "format".
     pub(crate) format: &'static str,
+    /// What a document of it is called.
+    pub(crate) title: &'static str,
     /// Entry k makes version k + 2 of version k + 1.
     pub(crate) migrations: &'static [Migration],
 }
@@ -35,8 +38,9 @@ impl History {
     /// [`DocumentError::Empty`], [`DocumentError::Json`], [`DocumentError::WrongFormat`], [`DocumentError::Newer`] and
     /// [`DocumentError::NoSuchVersion`].
     pub(crate) fn open<T: DeserializeOwned>(&self, bytes: &[u8], file: &str) -> Result<T, DocumentError> {
+        let bytes = &*utf8(bytes);
         if bytes.trim_ascii().is_empty() {
-            return Err(DocumentError::Empty { file: file.to_owned() });
+            return Err(DocumentError::Empty { file: file.to_owned(), expected: self.title });
         }
         let json = |error: serde_json::Error| DocumentError::Json {
             file: file.to_owned(),

@@ -69,7 +69,7 @@ impl Drawing {
             }
         }
         if stencil.is_none() && self.edges.is_empty() {
-            return Err(source.empty("edges and no faces"));
+            return Err(source.empty("edges and no faces", &self.notes));
         }
         let wireframe = self.wireframe(&used, source, options)?;
         Ok(Imported {

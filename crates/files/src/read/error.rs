@@ -125,12 +125,14 @@ pub enum ReadError {
         available: String,
     },
     /// The file is well formed and holds nothing of use.
-    #[error("{file}: no {expected} in it; check that the right file was exported, with its geometry")]
+    #[error("{file}: no {expected} in it{but}; check that the right file was exported, with its geometry")]
     Empty {
         /// The file.
         file: String,
         /// What was looked for.
         expected: &'static str,
+        /// What was found instead, in brackets.
+        but: String,
     },
     /// A position or an edge that no wireframe can have.
     #[error("{file}{place}: {error}; check units and scale")]

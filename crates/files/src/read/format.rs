@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use super::error::ReadError;
 use super::table::Table;
-use super::text::{decode, lines};
+use super::text::{decode, lines, utf8};
 
 /// A format that can be read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -169,6 +169,10 @@ pub fn detect(name: &str, bytes: &[u8]) -> Result<Format, ReadError> {
         (_, Some(format)) => Ok(format),
         // A table without any number still gets the error of its reader, with a line.
         ([Format::Xyz, ..], None) if extension.as_deref() != Some("txt") => Ok(Format::Xyz),
+        _ if utf8(bytes).trim_ascii().is_empty() => {
+            let (file, but) = (name.to_owned(), super::NOTHING.to_owned());
+            Err(ReadError::Empty { file, expected: "model, drawing or program", but })
+        }
         _ => Err(ReadError::UnknownFormat { file: name.to_owned() }),
     }
 }
@@ -185,8 +189,9 @@ fn by_magic(bytes: &[u8]) -> Option<Format> {
     bytes.starts_with(b"PK\x03\x04").then_some(Format::ThreeMf)
 }
 
-/// What a file is that is no model whatever its name: the kinds that are dropped by mistake, which their readers would call damaged.
-pub(super) fn foreign(bytes: &[u8]) -> Option<&'static str> {
+/// What a file is that is no model whatever its name, and what to do: the kinds that are dropped by mistake, which their readers would
+/// call damaged.
+pub(super) fn foreign(bytes: &[u8]) -> Option<(&'static str, &'static str)> {
     const MAGIC: [(&[u8], &str); 10] = [
         (b"\x89PNG\r\n\x1a\n", "a PNG picture"),
         (b"\xff\xd8\xff", "a JPEG picture"),
@@ -199,12 +204,20 @@ pub(super) fn foreign(bytes: &[u8]) -> Option<&'static str> {
         (b"7z\xbc\xaf\x27\x1c", "an archive (7z)"),
         (b"\x7fELF", "a program"),
     ];
-    MAGIC.iter().find(|(magic, _)| bytes.starts_with(magic)).map(|&(_, what)| what)
+    if super::stl::is_binary(bytes) {
+        return None;
+    }
+    if bytes.starts_with(b"\xff\xfe\0\0") || bytes.starts_with(b"\0\0\xfe\xff") {
+        return Some(("a text in UTF-32", "save it as UTF-8"));
+    }
+    let found = MAGIC.iter().find(|(magic, _)| bytes.starts_with(magic));
+    found.map(|&(_, what)| (what, "open the model or drawing itself"))
 }
 
 /// The format that the content looks like.
 fn sniff(bytes: &[u8]) -> Option<Format> {
-    if bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r") {
+    let is_ply = |bytes: &[u8]| bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r");
+    if is_ply(bytes) {
         return Some(Format::Ply);
     }
     if let Some(format) = by_magic(bytes) {
@@ -214,6 +227,9 @@ fn sniff(bytes: &[u8]) -> Option<Format> {
         return Some(Format::Stl);
     }
     let text = decode(&bytes[..bytes.len().min(SNIFFED)]);
+    if is_ply(text.as_bytes()) {
+        return Some(Format::Ply);
+    }
     if text.contains('\0') {
         return None;
     }

@@ -28,6 +28,7 @@ mod text;
 mod threemf;
 mod xyz;
 
+use std::borrow::Cow;
 use std::io::Read;
 use std::path::Path;
 
@@ -43,6 +44,8 @@ pub use program::{ImportedProgram, wireframe_of_path};
 use crate::document::Document;
 pub(crate) use text::LIMIT;
 use text::Source;
+pub use text::decode;
+pub(crate) use text::utf8;
 
 /// What a file held. Positions are millimetres in the frame of the file.
 #[derive(Debug, Clone)]
@@ -81,14 +84,34 @@ pub fn read(
     }
     let source = Source { name };
     let format = format.map_or_else(|| detect(name, bytes), Ok)?;
-    if let Some(found) = format::foreign(bytes) {
+    if let Some((found, help)) = format::foreign(bytes) {
         let (file, found, expected) = (name.to_owned(), found.to_owned(), format.title().into());
-        let help = "open the model or drawing itself";
         return Err(ReadError::Syntax { file, place: Place::File, found, expected, help });
     }
     if !options.layers.is_empty() && !matches!(format, Format::Dxf | Format::Svg) {
         return Err(ReadError::NoLayers { file: name.to_owned(), format });
     }
+    // Any bytes may stand in the head of a binary STL.
+    let text = if stl::is_binary(bytes) { Cow::Borrowed(bytes) } else { utf8(bytes) };
+    let bytes = &*text;
+    read_as(bytes, source, format, options).map_err(|error| match error {
+        ReadError::Empty { file, expected, .. } if bytes.trim_ascii().is_empty() => {
+            ReadError::Empty { file, expected, but: NOTHING.to_owned() }
+        }
+        other => other,
+    })
+}
+
+/// What an error says of a file without any bytes.
+const NOTHING: &str = " (the file is empty)";
+
+fn read_as(
+    bytes: &[u8],
+    source: Source<'_>,
+    format: Format,
+    options: &ReadOptions,
+) -> Result<Imported, ReadError> {
+    let name = source.name;
     match format {
         Format::Obj => obj::read(bytes, source, options),
         Format::Stl => stl::read(bytes, source, options),

@@ -278,6 +278,13 @@ impl Notes {
         }
     }
 
+    /// What was counted, for the error that nothing else was there; without what was assumed.
+    pub(crate) fn but(&self) -> String {
+        let counted = self.0.iter().filter(|note| !note.kind.words().1.is_empty());
+        let counted: Vec<String> = counted.map(Note::to_string).collect();
+        if counted.is_empty() { String::new() } else { format!(" ({})", counted.join(", ")) }
+    }
+
     pub(crate) fn into_vec(self) -> Vec<Note> {
         self.0
     }

@@ -153,7 +153,7 @@ pub(crate) fn finish(
     mut notes: Notes,
 ) -> Result<Imported, ReadError> {
     if steps.iter().all(|step| step.feed == Length::ZERO) {
-        return Err(source.empty("feed of more than 0"));
+        return Err(source.empty("feed of more than 0", &notes));
     }
     if steps.last().is_some_and(|step| step.bend != Angle::ZERO) {
         notes.add(NoteKind::EndsOnBend, 1);

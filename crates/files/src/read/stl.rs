@@ -33,9 +33,8 @@ pub(super) fn is_binary(bytes: &[u8]) -> bool {
 pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> Result<Imported, ReadError> {
     let mut drawing = Drawing::default();
     let mut corners = HashMap::new();
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").filter(|_| !is_binary(bytes)).unwrap_or(bytes);
     if bytes.is_empty() {
-        return Err(source.empty("triangles"));
+        return Err(source.empty("triangles", &drawing.notes));
     }
     if is_text(bytes) {
         text(bytes, source, &mut drawing, &mut corners)?;
@@ -43,7 +42,7 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
         binary(bytes, source, &mut drawing, &mut corners)?;
     }
     if drawing.faces.is_empty() {
-        return Err(source.empty("triangles"));
+        return Err(source.empty("triangles", &drawing.notes));
     }
     drawing.notes.add(NoteKind::NormalsIgnored, drawing.faces.len());
     drawing.finish(Format::Stl, source, options)

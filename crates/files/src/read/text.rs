@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use super::error::{Place, ReadError};
+use super::note::Notes;
 
 /// The most vertices, faces, edges or steps that a file may hold.
 pub(crate) const LIMIT: usize = 5_000_000;
@@ -44,8 +45,9 @@ impl Source<'_> {
         ReadError::Syntax { file: self.file(), place, found, expected, help }
     }
 
-    pub(crate) fn empty(self, expected: &'static str) -> ReadError {
-        ReadError::Empty { file: self.file(), expected }
+    /// Nothing remained; the notes say what was there.
+    pub(crate) fn empty(self, expected: &'static str, notes: &Notes) -> ReadError {
+        ReadError::Empty { file: self.file(), expected, but: notes.but() }
     }
 
     pub(crate) fn truncated(self, place: Place, announced: String, available: String) -> ReadError {
@@ -131,10 +133,50 @@ pub(crate) fn excerpt(text: &str) -> String {
     format!("\"{shown}\"")
 }
 
-/// Bytes as text without a byte order mark. What is not UTF-8 is replaced: it can only be in names
-/// and comments, or an error will show it.
-pub(crate) fn decode(bytes: &[u8]) -> Cow<'_, str> {
-    String::from_utf8_lossy(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes))
+/// How many words of a text without a byte order mark tell that it is in UTF-16.
+const TELLING: usize = 16;
+
+/// Text in UTF-16 as UTF-8, and UTF-8 without its byte order mark; all else as it is. Half a character becomes a
+/// replacement character, which is in no number.
+pub(crate) fn utf8(bytes: &[u8]) -> Cow<'_, [u8]> {
+    let Some(word) = utf16(bytes) else {
+        return Cow::Borrowed(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes));
+    };
+    let words = bytes.chunks(2).map(|pair| pair.try_into().map_or(u16::from(b'?'), word));
+    let text = char::decode_utf16(words).map(|c| c.unwrap_or(char::REPLACEMENT_CHARACTER));
+    let text: String = text.skip_while(|c| *c == '\u{feff}').collect();
+    Cow::Owned(text.into_bytes())
+}
+
+/// How two bytes are a word, if the bytes are UTF-16: by their mark, else by a beginning in ASCII.
+fn utf16(bytes: &[u8]) -> Option<fn([u8; 2]) -> u16> {
+    // Four bytes FF FE 0 0 are the mark of UTF-32.
+    if bytes.starts_with(b"\xff\xfe") && !bytes.starts_with(b"\xff\xfe\0\0") {
+        return Some(u16::from_le_bytes);
+    }
+    if bytes.starts_with(b"\xfe\xff") {
+        return Some(u16::from_be_bytes);
+    }
+    let begins = |high: usize| {
+        let mut words = bytes.chunks_exact(2).take(TELLING);
+        let plain = |byte: u8| byte.is_ascii_graphic() || byte.is_ascii_whitespace();
+        bytes.len() >= 4 && words.all(|word| word[high] == 0 && plain(word[1 - high]))
+    };
+    match (begins(1), begins(0)) {
+        (true, _) => Some(u16::from_le_bytes),
+        (_, true) => Some(u16::from_be_bytes),
+        _ => None,
+    }
+}
+
+/// Bytes as text, see [`utf8`]. What is not UTF-8 is replaced: it can only be in names and comments, or an error will
+/// show it.
+#[must_use]
+pub fn decode(bytes: &[u8]) -> Cow<'_, str> {
+    match utf8(bytes) {
+        Cow::Borrowed(bytes) => String::from_utf8_lossy(bytes),
+        Cow::Owned(bytes) => Cow::Owned(String::from_utf8_lossy(&bytes).into_owned()),
+    }
 }
 
 /// Lines with their numbers from 1, whichever of LF, CR LF and CR ends them.
@@ -166,6 +208,26 @@ mod tests {
             assert_eq!(index(bad, true), None, "{bad}");
         }
         assert_eq!(index("-1", false), None);
+    }
+
+    #[test]
+    fn utf_16_is_text() {
+        let words: Vec<u16> = "v 1 ä 😀\n".encode_utf16().collect();
+        let little: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
+        let big: Vec<u8> = words.iter().flat_map(|word| word.to_be_bytes()).collect();
+        for bytes in [[b"\xff\xfe", little.as_slice()].concat(), [b"\xfe\xff", big.as_slice()].concat()] {
+            assert_eq!(decode(&bytes), "v 1 ä 😀\n");
+        }
+        // Without a mark the beginning tells.
+        let plain: Vec<u8> = "v 0 0 0\nv 1 0 0\n# ä".encode_utf16().flat_map(u16::to_le_bytes).collect();
+        assert_eq!(decode(&plain), "v 0 0 0\nv 1 0 0\n# ä");
+        assert_eq!(decode(b"\xef\xbb\xbfv 1"), "v 1");
+        // Half a character at the end, and half of a pair.
+        assert_eq!(decode(b"\xff\xfea\0b"), "a?");
+        assert_eq!(decode(b"\xff\xfe\0\xd8a\0"), "\u{fffd}a");
+        for other in [b"".as_slice(), b"a", b"a\0", b"\0\0\0\0", b"\xff\xfe\0\0a\0\0\0"] {
+            assert_eq!(utf8(other), other);
+        }
     }
 
     #[test]

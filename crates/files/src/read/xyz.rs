@@ -37,7 +37,7 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
         drawing.point_lines.push(table.rows[row].0);
     }
     let (Some(&first), Some(&last)) = (drawing.points.first(), drawing.points.last()) else {
-        return Err(source.empty("points"));
+        return Err(source.empty("points", &drawing.notes));
     };
     let factor = drawing.factor(options);
     let closed = drawing.points.len() > 3 && (last - first).norm() * factor <= options.weld.mm();

@@ -1,5 +1,6 @@
 //! No bytes make a reader panic, and none make it believe a count.
 
+use base64::Engine as _;
 use proptest::prelude::*;
 use proptest::sample::Index;
 use wirebend_files::document::{Document, Job};
@@ -17,7 +18,7 @@ fn read_as_all(bytes: &[u8], options: &ReadOptions) {
 }
 
 /// Small valid files of every format, to be broken.
-fn valid_files() -> Vec<(Format, Vec<u8>)> {
+pub fn valid_files() -> Vec<(Format, Vec<u8>)> {
     let text = |format, text: &str| (format, text.as_bytes().to_vec());
     let mut stl = vec![0_u8; 84 + 100];
     stl[80] = 2;
@@ -32,7 +33,10 @@ fn valid_files() -> Vec<(Format, Vec<u8>)> {
     let drawings = super::broken_drawings::small_files()
         .into_iter()
         .map(|(name, bytes)| (detect(name, &bytes).unwrap(), bytes));
+    let buffer = base64::prelude::BASE64_STANDARD.encode(super::models::buffer());
+    let buffer = format!("{{\"uri\": \"data:;base64,{buffer}\", \"byteLength\": 60}}");
     let mut files = vec![
+        text(Format::Gltf, &super::models::scene("[{\"mesh\": 0}]", super::models::QUAD, &buffer)),
         text(Format::Obj, "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1/1/1 2//2 3 -1\nl 1 2 3\nvn 0 0 1\n"),
         (Format::Stl, stl),
         text(

@@ -66,7 +66,7 @@ fn dxf() {
             read-syntax: a.dxf, line 16: found a degree of 3 with 2 control points; it is 1 to 25, and less than the points, expected degree, knots and control points that fit together; export the file again
             read-syntax: a.dxf, line 16: found 3 knots; degree and control points ask for 4, expected degree, knots and control points that fit together; export the file again
             read-syntax: a.dxf, line 16: found knot 2 is out of order or repeated too often, expected degree, knots and control points that fit together; export the file again
-            read-empty: a.dxf: no edges and no faces in it; check that the right file was exported, with its geometry
+            read-empty: a.dxf: no edges and no faces in it (1 text ignored); check that the right file was exported, with its geometry
             read-index: a.dxf, line 16: "gone" names no block: the file has 0; correct the index or export the file again
             read-syntax: a.dxf, line 17: found "ten", expected a group code, which is a whole number from -5 to 1071; correct the line or export the file again
             read-loop: a.dxf, line 32: block "a" holds itself; export the file again, with its parts resolved
@@ -76,7 +76,7 @@ fn dxf() {
             read-truncated: a.dxf, line 7: a value of group 10 has to follow, but the file ends; the file is cut off or damaged: export or download it again
             read-syntax: a.dxf, line 1: found "AC1032···binary", expected a group code, which is a whole number from -5 to 1071; correct the line or export the file again
             read-syntax: a.dxf, line 2: found "8 0", expected 0 SECTION; check that this is a DXF file; DWG files have to be saved as DXF
-            read-empty: a.dxf: no edges and no faces in it; check that the right file was exported, with its geometry
+            read-empty: a.dxf: no edges and no faces in it (the file is empty); check that the right file was exported, with its geometry
         "#]],
     );
     let mut bytes = b"AutoCAD Binary DXF\r\n\x1a\0".to_vec();
@@ -182,7 +182,7 @@ fn svg() {
             read-loop: a.svg, line 2: element "#b" holds itself; export the file again, with its parts resolved
             read-too-deep: a.svg, line 2: elements in elements are more than 256 deep; export the file again, with its parts resolved
             read-syntax: a.svg, line 3: found expected 'path' tag, not 'svg' at 3:1, expected an XML text with an svg element; export the file again as plain SVG, or correct the line
-            read-empty: a.svg: no edges and no faces in it; check that the right file was exported, with its geometry
+            read-empty: a.svg: no edges and no faces in it (1 text ignored); check that the right file was exported, with its geometry
             read-syntax: a.svg, line 1: found "5%", expected another value of x2 (not a length without the size of page or font); export the file again as plain SVG, or correct the line
             read-syntax: a.svg, line 1: found "0 0 0 1", expected another value of viewBox (viewBox has a negative or zero size); export the file again as plain SVG, or correct the line
             read-syntax: a.svg, line 1: found "html", expected an svg element around all others; check that this is an SVG file

@@ -178,7 +178,11 @@ fn a_document_comes_back_as_it_was() {
 fn an_empty_document_is_called_empty() {
     for nothing in ["", " \n"] {
         let refused = Document::open(nothing.as_bytes(), "a.wirebend").unwrap_err();
-        assert_eq!(refused.to_string(), "a.wirebend: the file is empty; take its last good copy");
+        let expected = "a.wirebend: the file is empty, expected a WireBend project; take its last good copy";
+        assert_eq!(refused.to_string(), expected);
+        let refused = Job::open(nothing.as_bytes(), "a.wbjob").unwrap_err();
+        let expected = "a.wbjob: the file is empty, expected a WireBend job; take its last good copy";
+        assert_eq!(refused.to_string(), expected);
     }
 }
 

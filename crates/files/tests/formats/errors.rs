@@ -48,7 +48,7 @@ fn obj() {
             read-syntax: a.obj, line 4: found "v 1 2 3 0", expected a finite position; correct the weight, the fourth number
             read-number: a.obj, line 4: "3e400" is not a finite number; correct the line or export the file again
             read-wireframe: a.obj, line 4: (1, 2, 2000000000) is not a position: each coordinate must be a number within ±1 000 000 mm; check units and scale
-            read-empty: a.obj: no edges and no faces in it; check that the right file was exported, with its geometry
+            read-empty: a.obj: no edges and no faces in it (3 unused vertices dropped); check that the right file was exported, with its geometry
         "#]],
     );
     assert_eq!(import("a.obj", "\n# x\nv 1").unwrap_err().line(), Some(3));
@@ -77,7 +77,7 @@ fn stl() {
             read-syntax: a.stl, line 6: found "face", expected solid, facet normal, outer loop, three vertices, endloop, endfacet, endsolid; correct the line or export the file again
             read-empty: a.stl: no triangles in it; check that the right file was exported, with its geometry
             read-truncated: a.stl: a binary STL starts with 84 bytes, but there are 5; the file is cut off or damaged: export or download it again
-            read-empty: a.stl: no triangles in it; check that the right file was exported, with its geometry
+            read-empty: a.stl: no triangles in it (the file is empty); check that the right file was exported, with its geometry
             read-syntax: a.stl, line 1: found "# a picture", expected solid, with which an STL in text begins; this is text, but no STL: open the model itself, or rename the file to what it is
             read-syntax: a.stl, line 3: found "# of a later line", expected solid, with which an STL in text begins; this is text, but no STL: open the model itself, or rename the file to what it is
             read-empty: a.stl: no triangles in it; check that the right file was exported, with its geometry
@@ -149,7 +149,7 @@ fn tables() {
             read-syntax: a.xyz, line 2: found "4 5", expected three numbers; every row needs x, y and z; complete the row or delete it
             read-syntax: a.xyz, line 1: found "1 2 3 4", expected three numbers; name the columns in a header line, as x,y,z
             read-number: a.xyz, line 2: "inf" is not a finite number; correct the line or export the file again
-            read-empty: a.xyz: no points in it; check that the right file was exported, with its geometry
+            read-empty: a.xyz: no points in it (1 comment ignored); check that the right file was exported, with its geometry
         "#]],
     );
     check(
@@ -205,13 +205,13 @@ fn programs() {
         "a.dsw",
         &scripts,
         &expect![[r#"
-        read-syntax: a.dsw, line 2: found "-3", expected a feed of 0 or more; a wire is only fed forward; correct the line
-        read-syntax: a.dsw, line 1: found "FEED 10 20", expected FEED, ROTATE, BEND or PINZ and one number; a script holds commands, not instructions to a person; write each as a command
-        read-syntax: a.dsw, line 1: found "FEED 10 (never closed", expected a comment that ends with ); close the comment on its line
-        read-empty: a.dsw: no feed of more than 0 in it; check that the right file was exported, with its geometry
-        read-wireframe: a.dsw, line 2: (2000001, 0, 0) is not a position: each coordinate must be a number within ±1 000 000 mm; check units and scale
-        read-syntax: a.dsw, line 1: found "PINZ", expected FEED, ROTATE, BEND or PINZ and one number; a script holds commands, not instructions to a person; write each as a command
-    "#]],
+            read-syntax: a.dsw, line 2: found "-3", expected a feed of 0 or more; a wire is only fed forward; correct the line
+            read-syntax: a.dsw, line 1: found "FEED 10 20", expected FEED, ROTATE, BEND or PINZ and one number; a script holds commands, not instructions to a person; write each as a command
+            read-syntax: a.dsw, line 1: found "FEED 10 (never closed", expected a comment that ends with ); close the comment on its line
+            read-empty: a.dsw: no feed of more than 0 in it (1 comment ignored); check that the right file was exported, with its geometry
+            read-wireframe: a.dsw, line 2: (2000001, 0, 0) is not a position: each coordinate must be a number within ±1 000 000 mm; check units and scale
+            read-syntax: a.dsw, line 1: found "PINZ", expected FEED, ROTATE, BEND or PINZ and one number; a script holds commands, not instructions to a person; write each as a command
+        "#]],
     );
     check(
         "a.txt",
@@ -248,13 +248,13 @@ fn frames() {
         "a.json",
         &texts,
         &expect![[r#"
-        read-syntax: a.json, line 1: found EOF while parsing a list, expected an object with node_list and element_list; export the assembly again, or correct the line
-        read-index: a.json, element 0: 1 names no node: there are 0; correct the index or export the file again
-        read-syntax: a.json, element 0: found "1 ends", expected two end_node_ids; give the element two ends
-        read-syntax: a.json: found "cubit", expected a unit: millimeter, centimeter, meter or inch; choose the unit yourself when importing
-        read-syntax: a.json, node 1: found "node_id 0 again", expected another node_id; give every node an id of its own
-        read-empty: a.json: no edges and no faces in it; check that the right file was exported, with its geometry
-    "#]],
+            read-syntax: a.json, line 1: found EOF while parsing a list, expected an object with node_list and element_list; export the assembly again, or correct the line
+            read-index: a.json, element 0: 1 names no node: there are 0; correct the index or export the file again
+            read-syntax: a.json, element 0: found "1 ends", expected two end_node_ids; give the element two ends
+            read-syntax: a.json: found "cubit", expected a unit: millimeter, centimeter, meter or inch; choose the unit yourself when importing
+            read-syntax: a.json, node 1: found "node_id 0 again", expected another node_id; give every node an id of its own
+            read-empty: a.json: no edges and no faces in it (1 unused vertex dropped); check that the right file was exported, with its geometry
+        "#]],
     );
 }
 

@@ -14,6 +14,7 @@ mod documents;
 mod drawn;
 mod dxf;
 mod dxf_splines;
+mod encodings;
 mod errors;
 mod meshes;
 mod models;

@@ -5,7 +5,7 @@ use base64::prelude::BASE64_STANDARD;
 use serde::Deserialize;
 
 use super::super::error::{Place, ReadError};
-use super::super::text::Source;
+use super::super::text::{Source, utf8};
 
 const DAMAGED: &str = "export or download the file again";
 
@@ -115,8 +115,7 @@ pub(super) struct Buffer {
 /// The JSON, and the bytes behind it in a binary file.
 pub(super) fn open<'a>(bytes: &'a [u8], source: Source<'_>) -> Result<(Root, Option<&'a [u8]>), ReadError> {
     let (json, binary) = if bytes.starts_with(b"glTF") { chunks(bytes, source)? } else { (bytes, None) };
-    let json = json.strip_prefix(b"\xef\xbb\xbf").unwrap_or(json);
-    let root = serde_json::from_slice(json).map_err(|error| {
+    let root = serde_json::from_slice(&utf8(json)).map_err(|error| {
         source.refused(Place::Line(error.line()), &error, "a glTF object as JSON", DAMAGED)
     })?;
     Ok((root, binary))

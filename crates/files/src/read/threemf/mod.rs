@@ -41,7 +41,7 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
     let model = package.take_part(&first)?;
     package.drawing.unit_mm = Some(model.unit_mm);
     if model.items.is_empty() {
-        return Err(source.empty("objects to build"));
+        return Err(source.empty("objects to build", &package.drawing.notes));
     }
     let mut assembly = Assembly { package, open: Vec::new(), met: 0 };
     assembly.package.parts.insert(first.clone(), model);
