@@ -22,6 +22,8 @@ pub(crate) struct Drawing {
     pub(crate) supports: Vec<u32>,
     pub(crate) edges: Vec<(u32, u32)>,
     pub(crate) faces: Vec<Vec<u32>>,
+    /// Sides of faces that the file hides, lower index first: they become no edges.
+    pub(crate) hidden_sides: HashSet<(u32, u32)>,
     /// How many millimetres the unit is that the file names.
     pub(crate) unit_mm: Option<f64>,
     pub(crate) layers: Vec<String>,
@@ -60,7 +62,11 @@ impl Drawing {
         let stencil = self.stencil(&used, source)?;
         if let Some(stencil) = &stencil {
             if options.face_edges {
-                self.edges.extend(stencil.face_edges());
+                let sides = stencil.face_edges();
+                let all = sides.len();
+                let before = self.edges.len();
+                self.edges.extend(sides.into_iter().filter(|side| !self.hidden_sides.contains(side)));
+                self.notes.add(NoteKind::HiddenIgnored, all - (self.edges.len() - before));
             } else {
                 if !self.edges.is_empty() {
                     self.notes.add(NoteKind::FacesToStencil, stencil.faces().len());

@@ -116,6 +116,13 @@ impl<'a> Pen<'a> {
         self.join(place, first, outline.closed)
     }
 
+    /// Adds a corner of faces, and gives its index.
+    pub(super) fn corner(&mut self, place: &Place, point: Point3<f64>) -> Result<u32, ReadError> {
+        self.within(place, &point)?;
+        self.point(place, point)?;
+        Ok(index(self.drawing.points.len()) - 1)
+    }
+
     /// Refuses what no wireframe has room for before a curve that goes there is cut into any number of pieces.
     fn within(&self, place: &Place, point: &Point3<f64>) -> Result<(), ReadError> {
         let vertex = Vertex { position: point * self.factor, support: false };

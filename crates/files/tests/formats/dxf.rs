@@ -227,7 +227,7 @@ fn all_that_is_not_read_is_counted() {
         "HATCH",
         "DIMENSION",
         "LEADER",
-        "3DFACE",
+        "3DSOLID",
         "SOLID",
         "IMAGE",
         "POINT",

@@ -13,6 +13,7 @@ mod broken_models;
 mod documents;
 mod drawn;
 mod dxf;
+mod dxf_faces;
 mod dxf_splines;
 mod encodings;
 mod errors;

@@ -4,11 +4,13 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use nalgebra::{Affine3, Point3, Translation3};
 
+use super::super::drawing::Drawing;
 use super::super::error::{Place, ReadError};
 use super::super::note::NoteKind;
 use super::super::outline::Pen;
 use super::super::text::excerpt;
 use super::entity::{Insert, Shape};
+use super::skin::Skin;
 
 /// How deep blocks may hold blocks.
 const DEEPEST: usize = 64;
@@ -47,6 +49,7 @@ pub(super) struct Content {
 /// Draws entities, and those of blocks where they are put in.
 pub(super) struct Plotter<'a> {
     pub(super) pen: Pen<'a>,
+    skin: Skin,
     content: &'a Content,
     /// Empty: all that are on.
     wanted: BTreeSet<String>,
@@ -73,7 +76,7 @@ impl<'a> Plotter<'a> {
             return Err(ReadError::NoSuchLayer { file, name, have: have.join(", ") });
         }
         pen.drawing.layers = known.into_iter().map(str::to_owned).collect();
-        Ok(Self { pen, content, wanted, open: Vec::new(), met: 0 })
+        Ok(Self { pen, skin: Skin::default(), content, wanted, open: Vec::new(), met: 0 })
     }
 
     /// Why what is on a layer is left out, if it is.
@@ -107,15 +110,24 @@ impl<'a> Plotter<'a> {
             }
             match &entity.shape {
                 Shape::Outline(outline) => self.pen.draw(&entity.place, &outline.mapped(map))?,
-                Shape::Joined(outline) => {
+                Shape::Fitted(outline) => {
                     self.pen.drawing.notes.add(NoteKind::FitPointsJoined, 1);
                     self.pen.draw(&entity.place, &outline.mapped(map))?;
                 }
+                Shape::Faces(faces) => self.skin.add(&mut self.pen, &entity.place, faces, map)?,
+                Shape::Broken(error) => return error.take().map_or(Ok(()), |error| Err(*error)),
                 Shape::Ignored(kind) => self.pen.drawing.notes.add(*kind, 1),
                 Shape::Insert(insert) => self.insert(&entity.place, insert, map, layer)?,
             }
         }
         Ok(())
+    }
+
+    /// The drawing, with the sides of faces that are not to become edges.
+    pub(super) fn finish(self) -> Drawing {
+        let mut drawing = self.pen.drawing;
+        drawing.hidden_sides = self.skin.hidden_sides();
+        drawing
     }
 
     fn meet(&mut self, place: &Place) -> Result<(), ReadError> {

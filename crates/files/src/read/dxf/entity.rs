@@ -1,5 +1,7 @@
 //! What a record of the drawing is: an outline, a block put in, or something that is counted.
 
+use std::cell::RefCell;
+
 use nalgebra::{Affine3, Matrix3, Point3, Vector3};
 use wirebend_core::curve::EllipticArc;
 use wirebend_core::units::Angle;
@@ -7,6 +9,7 @@ use wirebend_core::units::Angle;
 use super::super::error::ReadError;
 use super::super::note::NoteKind;
 use super::super::outline::{Outline, Piece};
+use super::faces::{self, Faces};
 use super::record::Record;
 use super::spline;
 
@@ -14,11 +17,14 @@ use super::spline;
 #[derive(Debug)]
 pub(super) enum Shape {
     Outline(Outline),
-    /// Straight edges through the points on a spline that has no control points.
-    Joined(Outline),
+    /// A curve through the points on a spline that has no control points.
+    Fitted(Outline),
+    Faces(Faces),
     Insert(Box<Insert>),
     /// The kind of note that counts it.
     Ignored(NoteKind),
+    /// What cannot be read, which is an error where it is drawn.
+    Broken(RefCell<Option<Box<ReadError>>>),
 }
 
 /// A block put in, once or in rows and columns.
@@ -35,7 +41,17 @@ pub(super) struct Insert {
 }
 
 /// Of every record but the vertices of a polyline, which follow theirs as records of their own.
-pub(super) fn shape(record: &Record<'_>) -> Result<Shape, ReadError> {
+pub(super) fn shape(record: &Record<'_>) -> Shape {
+    read(record).unwrap_or_else(Shape::broken)
+}
+
+impl Shape {
+    pub(super) fn broken(error: ReadError) -> Self {
+        Self::Broken(RefCell::new(Some(Box::new(error))))
+    }
+}
+
+fn read(record: &Record<'_>) -> Result<Shape, ReadError> {
     let outline = match record.kind.as_str() {
         "LINE" => {
             let mut outline = Outline::new(record.point(10)?);
@@ -47,6 +63,7 @@ pub(super) fn shape(record: &Record<'_>) -> Result<Shape, ReadError> {
         "ARC" => arc(record, record.needed(50)?, record.needed(51)?)?,
         "ELLIPSE" => ellipse(record)?,
         "SPLINE" | "HELIX" => return spline::shape(record),
+        "3DFACE" => return faces::face(record),
         "INSERT" => return Ok(Shape::Insert(Box::new(insert(record)?))),
         other => return Ok(Shape::Ignored(ignored(other))),
     };
@@ -63,10 +80,8 @@ fn ignored(kind: &str) -> NoteKind {
         "DIMENSION" | "ARC_DIMENSION" | "LARGE_RADIAL_DIMENSION" | "LEADER" | "MLEADER" | "MULTILEADER" => {
             NoteKind::DimensionsIgnored
         }
-        "3DFACE" | "SOLID" | "TRACE" | "MESH" | "3DSOLID" | "BODY" | "REGION" | "SURFACE"
-        | "EXTRUDEDSURFACE" | "LOFTEDSURFACE" | "REVOLVEDSURFACE" | "SWEPTSURFACE" | "PLANESURFACE" => {
-            NoteKind::SurfacesIgnored
-        }
+        "SOLID" | "TRACE" | "MESH" | "3DSOLID" | "BODY" | "REGION" | "SURFACE" | "EXTRUDEDSURFACE"
+        | "LOFTEDSURFACE" | "REVOLVEDSURFACE" | "SWEPTSURFACE" | "PLANESURFACE" => NoteKind::SurfacesIgnored,
         "IMAGE" | "OLEFRAME" | "OLE2FRAME" | "UNDERLAY" | "PDFUNDERLAY" => NoteKind::ImagesIgnored,
         "POINT" => NoteKind::PointsIgnored,
         _ => NoteKind::ElementsIgnored,

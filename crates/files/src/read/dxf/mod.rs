@@ -1,7 +1,7 @@
 //! DXF, ASCII or binary: the lines and curves of a drawing.
 //!
 //! LINE, LWPOLYLINE, POLYLINE (plane and in space, with bulges), ARC, CIRCLE, ELLIPSE, SPLINE and HELIX are read,
-//! in blocks, too. All else is counted. The groups are read here and not by a crate, since those that there are drop
+//! in blocks, too; 3DFACE and the meshes of POLYLINE are a stencil. All else is counted. The groups are read here and not by a crate, since those that there are drop
 //! what they do not know in silence and cannot name the line of a wrong number.
 //!
 //! Coordinates are right-handed with z up, as in the file. Entities with an extrusion have axes of their own: one of
@@ -9,14 +9,17 @@
 
 mod blocks;
 mod entity;
+mod faces;
 mod pairs;
 mod record;
+mod skin;
 mod spline;
 
 use nalgebra::{Affine3, Point3};
 
 use self::blocks::{Block, Content, Entity, Plotter};
 use self::entity::{Corner, Shape, affine, bulged, shape};
+use self::faces::{Head, Mesh};
 use self::pairs::{BINARY, Pairs};
 use self::record::{Record, Records};
 use super::Imported;
@@ -61,7 +64,7 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
     let pen = Pen::new(source, drawing, options);
     let mut plotter = Plotter::new(pen, &content, &options.layers)?;
     plotter.draw(&content.entities, &Affine3::identity(), None)?;
-    plotter.pen.drawing.finish(Format::Dxf, source, options)
+    plotter.finish().finish(Format::Dxf, source, options)
 }
 
 /// Millimetres of the values of `$INSUNITS`; 0 is no unit.
@@ -110,6 +113,8 @@ struct Scan<'a> {
 struct Polyline {
     entity: Entity,
     corners: Vec<Corner>,
+    /// What it is instead of a line.
+    mesh: Option<Mesh>,
     closed: bool,
     in_space: bool,
     map: Affine3<f64>,
@@ -195,7 +200,12 @@ impl<'a> Scan<'a> {
         self.source.room(record.place.clone(), self.count, "entities")?;
         self.count += 1;
         match (record.kind.as_str(), &mut self.polyline) {
-            ("VERTEX", Some(polyline)) => return polyline.vertex(record),
+            ("VERTEX", Some(polyline)) => {
+                if let Err(error) = polyline.vertex(record) {
+                    polyline.broken(error);
+                }
+                return Ok(());
+            }
             ("SEQEND", _) => {
                 self.end_polyline();
                 return Ok(());
@@ -209,18 +219,13 @@ impl<'a> Scan<'a> {
         let layer = record.text(8).map_or_else(|| "0".to_owned(), |name| name.to_lowercase());
         let place = record.place.clone();
         if record.kind != "POLYLINE" {
-            let shape = shape(record)?;
+            let shape = shape(record);
             self.put(Entity { place, layer, hidden, shape });
             return Ok(());
         }
-        // 16 and 64 are meshes.
-        let meshed = record.flag(16 | 64)?;
-        let kind = if meshed { NoteKind::SurfacesIgnored } else { NoteKind::PointsIgnored };
-        let (closed, in_space) = (record.flag(1)?, record.flag(8)?);
-        let map = if in_space { Affine3::identity() } else { affine(&record.axes()?) };
-        let entity = Entity { place, layer, hidden, shape: Shape::Ignored(kind) };
-        let (corners, elevation) = (Vec::new(), record.real(30)?.unwrap_or_default());
-        self.polyline = Some(Polyline { entity, corners, closed, in_space, map, elevation });
+        // A polyline without vertices is counted as a point.
+        let entity = Entity { place, layer, hidden, shape: Shape::Ignored(NoteKind::PointsIgnored) };
+        self.polyline = Some(Polyline::new(record, entity));
         Ok(())
     }
 
@@ -232,19 +237,10 @@ impl<'a> Scan<'a> {
         }
     }
 
-    /// A polyline without vertices is counted as a point.
     fn end_polyline(&mut self) {
-        let Some(mut polyline) = self.polyline.take() else { return };
-        let meshed = matches!(polyline.entity.shape, Shape::Ignored(NoteKind::SurfacesIgnored));
-        let outline = if polyline.in_space {
-            Outline::polyline(polyline.corners.iter().map(|(point, _)| *point), polyline.closed)
-        } else {
-            bulged(&polyline.corners, polyline.closed)
-        };
-        if let (false, Some(outline)) = (meshed, outline) {
-            polyline.entity.shape = Shape::Outline(outline.mapped(&polyline.map));
+        if let Some(polyline) = self.polyline.take() {
+            self.put(polyline.finish(self.source));
         }
-        self.put(polyline.entity);
     }
 
     fn end_block(&mut self) {
@@ -265,8 +261,38 @@ impl<'a> Scan<'a> {
 }
 
 impl Polyline {
+    fn new(record: &Record<'_>, entity: Entity) -> Self {
+        let (map, corners) = (Affine3::identity(), Vec::new());
+        let mut polyline =
+            Self { entity, corners, mesh: None, closed: false, in_space: false, map, elevation: 0.0 };
+        if let Err(error) = polyline.begin(record) {
+            polyline.broken(error);
+        }
+        polyline
+    }
+
+    fn begin(&mut self, record: &Record<'_>) -> Result<(), ReadError> {
+        self.mesh = Mesh::of(record)?;
+        (self.closed, self.in_space) = (record.flag(1)?, record.flag(8)?);
+        if !self.in_space && self.mesh.is_none() {
+            self.map = affine(&record.axes()?);
+        }
+        self.elevation = record.real(30)?.unwrap_or_default();
+        Ok(())
+    }
+
+    /// What is wrong first is told, if it is drawn.
+    fn broken(&mut self, error: ReadError) {
+        if !matches!(self.entity.shape, Shape::Broken(_)) {
+            self.entity.shape = Shape::broken(error);
+        }
+    }
+
     /// Vertices of 16 steer a curve that others, of 8, follow.
     fn vertex(&mut self, record: &Record<'_>) -> Result<(), ReadError> {
+        if let Some(mesh) = &mut self.mesh {
+            return mesh.vertex(record);
+        }
         if record.flag(16)? {
             return Ok(());
         }
@@ -274,5 +300,25 @@ impl Polyline {
         let z = if self.in_space { point.z } else { self.elevation };
         self.corners.push((Point3::new(point.x, point.y, z), record.real(42)?.unwrap_or_default()));
         Ok(())
+    }
+
+    fn finish(mut self, source: Source<'_>) -> Entity {
+        if matches!(self.entity.shape, Shape::Broken(_)) {
+            return self.entity;
+        }
+        if let Some(mesh) = self.mesh {
+            let head = Head { source, place: self.entity.place.clone() };
+            self.entity.shape = mesh.finish(&head).unwrap_or_else(Shape::broken);
+            return self.entity;
+        }
+        let outline = if self.in_space {
+            Outline::polyline(self.corners.iter().map(|(point, _)| *point), self.closed)
+        } else {
+            bulged(&self.corners, self.closed)
+        };
+        if let Some(outline) = outline {
+            self.entity.shape = Shape::Outline(outline.mapped(&self.map));
+        }
+        self.entity
     }
 }

@@ -33,7 +33,7 @@ pub(super) fn shape(record: &Record<'_>) -> Result<Shape, ReadError> {
     if control.is_empty() {
         let closed = record.flag(1)?;
         return Ok(match Outline::polyline(fit, closed) {
-            Some(outline) => Shape::Joined(outline),
+            Some(outline) => Shape::Fitted(outline),
             // A helix of a program that leaves its spline away.
             None => Shape::Ignored(NoteKind::ElementsIgnored),
         });
