@@ -219,8 +219,8 @@ impl NoteKind {
                 "curves made straight edges within the tolerance",
             ),
             Self::FitPointsJoined => (
-                "spline without control points: its fit points are joined by straight edges",
-                "splines without control points: their fit points are joined by straight edges",
+                "spline without control points: a cubic one is laid through its fit points",
+                "splines without control points: cubic ones are laid through their fit points",
             ),
             Self::BlocksExploded => {
                 ("block or part put in where it is used", "blocks or parts put in where they are used")

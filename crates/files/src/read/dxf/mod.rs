@@ -10,6 +10,7 @@
 mod blocks;
 mod entity;
 mod faces;
+mod fit;
 mod pairs;
 mod record;
 mod skin;

@@ -7,9 +7,11 @@ use super::super::error::ReadError;
 use super::super::note::NoteKind;
 use super::super::outline::{Outline, Piece};
 use super::entity::Shape;
+use super::fit::{Ends, through};
 use super::record::Record;
 
-/// By its control points, weights and knots; without control points the points that it was fitted to are joined.
+/// By its control points, weights and knots; without control points through the points that it was fitted to, and with
+/// the directions of its ends where they are given.
 pub(super) fn shape(record: &Record<'_>) -> Result<Shape, ReadError> {
     let source = record.source;
     let (mut control, mut fit) = (Vec::new(), Vec::new());
@@ -31,12 +33,7 @@ pub(super) fn shape(record: &Record<'_>) -> Result<Shape, ReadError> {
         return Err(record.lacks(20));
     }
     if control.is_empty() {
-        let closed = record.flag(1)?;
-        return Ok(match Outline::polyline(fit, closed) {
-            Some(outline) => Shape::Fitted(outline),
-            // A helix of a program that leaves its spline away.
-            None => Shape::Ignored(NoteKind::ElementsIgnored),
-        });
+        return fitted(record, &fit);
     }
     let degree = record.whole(71)?.ok_or_else(|| record.lacks(71))?;
     let degree = usize::try_from(degree).unwrap_or_default();
@@ -47,4 +44,19 @@ pub(super) fn shape(record: &Record<'_>) -> Result<Shape, ReadError> {
     // The first point that the curve has, which is not always a control point.
     let start = spline.start();
     Ok(Shape::Outline(Outline { start, pieces: vec![Piece::Spline(spline)], closed: false }))
+}
+
+fn fitted(record: &Record<'_>, fit: &[Point3<f64>]) -> Result<Shape, ReadError> {
+    let direction = |code: i32| -> Result<_, ReadError> {
+        Ok(if record.find(code).is_some() { Some(record.point(code)?.coords) } else { None })
+    };
+    let ends = if record.flag(1)? { Ends::Closed } else { Ends::Open([direction(12)?, direction(13)?]) };
+    Ok(match through(fit, ends) {
+        Some(spline) => {
+            let closed = ends == Ends::Closed;
+            Shape::Fitted(Outline { start: spline.start(), pieces: vec![Piece::Spline(spline)], closed })
+        }
+        // A helix of a program that leaves its spline away, or points on one another.
+        None => Shape::Ignored(NoteKind::ElementsIgnored),
+    })
 }
