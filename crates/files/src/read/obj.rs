@@ -80,14 +80,14 @@ impl Scan<'_> {
     fn vertex(&mut self, line: usize, code: &str, words: &[&str]) -> Result<(), ReadError> {
         let source = self.source;
         source.room(Place::Line(line), self.drawing.points.len(), "vertices")?;
-        let numbers = words.iter().map(|word| source.number(line, word)).collect::<Result<Vec<f64>, _>>()?;
-        let point = match *numbers.as_slice() {
-            [x, y, z] => Point3::new(x, y, z),
+        let number = |word: &str| source.number(line, word);
+        let point = match *words {
+            [x, y, z] => Point3::new(number(x)?, number(y)?, number(z)?),
             // A weight divides, three or four more numbers are a colour.
-            [x, y, z, w] => Point3::new(x / w, y / w, z / w),
+            [x, y, z, w] => Point3::new(number(x)?, number(y)?, number(z)?) / number(w)?,
             [x, y, z, _, _, _] | [x, y, z, _, _, _, _] => {
                 self.drawing.notes.add(NoteKind::AttributesIgnored, 1);
-                Point3::new(x, y, z)
+                Point3::new(number(x)?, number(y)?, number(z)?)
             }
             _ => {
                 let help = "a vertex is v x y z; correct the line";

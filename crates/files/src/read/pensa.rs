@@ -33,8 +33,7 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
             ("FEED", [_, value]) => commands.feed(line, feed_of(source, line, value, factor)?),
             ("ROTATE", [_, value]) => commands.rotate(line, angle_of(source, line, value)?),
             ("BEND", [_, value]) => commands.bend(line, angle_of(source, line, value)?),
-            ("PINZ", [_, value]) => {
-                source.number(line, value)?;
+            ("PINZ", [_, value]) if value.parse::<f64>().is_ok() => {
                 notes.add(NoteKind::PinsIgnored, 1);
             }
             _ => {

@@ -5,7 +5,7 @@ use std::io::Cursor;
 use nalgebra::Point3;
 use ply_rs_bw::parser::{ParseError, Parser, Reader};
 use ply_rs_bw::ply::{
-    ElementDef, Encoding, Property, PropertyAccess, PropertyAccessResult, PropertyType, ScalarType,
+    ElementDef, Encoding, Header, Property, PropertyAccess, PropertyAccessResult, PropertyType, ScalarType,
 };
 
 use super::Imported;
@@ -15,6 +15,9 @@ use super::format::Format;
 use super::note::NoteKind;
 use super::options::ReadOptions;
 use super::text::Source;
+
+/// The properties that are read, of whichever element.
+const READ: [&str; 7] = ["x", "y", "z", "vertex1", "vertex2", "vertex_indices", "vertex_index"];
 
 /// One entry of any element: what of it is read.
 #[derive(Debug, Default)]
@@ -83,14 +86,19 @@ fn wholes(property: Property) -> Option<Vec<i64>> {
 pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> Result<Imported, ReadError> {
     let parser = Parser::<Entry>::new();
     let mut input = Reader::new(Cursor::new(bytes));
-    let header = parser.read_header(&mut input).map_err(|error| refuse(source, &error))?;
+    let mut header = parser.read_header(&mut input).map_err(|error| refuse(source, &error))?;
+    let plain = without_odd_numbers(bytes, position(&input), &header);
+    let bytes = plain.as_deref().unwrap_or(bytes);
+    if plain.is_some() {
+        input = Reader::new(Cursor::new(bytes));
+        header = parser.read_header(&mut input).map_err(|error| refuse(source, &error))?;
+    }
     let mut drawing = Drawing::default();
     let named = header.comments.len() + header.obj_infos.len();
     drawing.notes.add(NoteKind::CommentsIgnored, named);
     let mut corners = 0;
     for (_, element) in &header.elements {
-        let left =
-            bytes.len().saturating_sub(usize::try_from(input.get_ref().position()).unwrap_or(usize::MAX));
+        let left = bytes.len().saturating_sub(position(&input));
         check_count(element, header.encoding, left, source)?;
         let entries = parser
             .read_payload_for_element(&mut input, element, &header)
@@ -123,14 +131,59 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
                 _ => drawing.notes.add(NoteKind::StatementsIgnored, 1),
             }
         }
-        let read = ["x", "y", "z", "vertex1", "vertex2", "vertex_indices", "vertex_index"];
-        let ignored = element.properties.iter().filter(|(name, _)| !read.contains(&name.as_str())).count();
+        let ignored = element.properties.iter().filter(|(name, _)| !READ.contains(&name.as_str())).count();
         drawing.notes.add(NoteKind::AttributesIgnored, ignored.saturating_mul(element.count));
     }
-    let end = usize::try_from(input.get_ref().position()).unwrap_or(bytes.len());
-    drawing.notes.add(NoteKind::TrailingIgnored, bytes[end.min(bytes.len())..].trim_ascii().len());
+    let end = position(&input).min(bytes.len());
+    drawing.notes.add(NoteKind::TrailingIgnored, bytes[end..].trim_ascii().len());
     check_indices(&drawing, source)?;
     drawing.finish(Format::Ply, source, options)
+}
+
+/// How far the bytes have been read.
+fn position(input: &Reader<Cursor<&[u8]>>) -> usize {
+    usize::try_from(input.get_ref().position()).unwrap_or(usize::MAX)
+}
+
+/// A text with 0 for what is no finite number in the columns that are not read, in whatever spelling: the parser takes
+/// none of them. None where there is nothing to replace.
+fn without_odd_numbers(bytes: &[u8], at: usize, header: &Header) -> Option<Vec<u8>> {
+    let is_odd = |word: &[u8]| {
+        let size = word.strip_prefix(b"-").unwrap_or(word);
+        ["nan", "inf", "1.#"]
+            .iter()
+            .any(|odd| size.get(..3).is_some_and(|start| start.eq_ignore_ascii_case(odd.as_bytes())))
+    };
+    let (head, body) = bytes.split_at_checked(at)?;
+    if header.encoding != Encoding::Ascii || !body.split(u8::is_ascii_whitespace).any(is_odd) {
+        return None;
+    }
+    let mut text = head.to_vec();
+    let mut lines = body.split_inclusive(|&byte| byte == b'\n');
+    for (_, element) in &header.elements {
+        for line in lines.by_ref().take(element.count) {
+            let mut words = line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
+            for (name, property) in &element.properties {
+                let is_read = READ.contains(&name.as_str());
+                let mut count = 1;
+                if let PropertyType::List(..) = property.data_type {
+                    let word = words.next().unwrap_or_default();
+                    count =
+                        std::str::from_utf8(word).ok().and_then(|word| word.parse().ok()).unwrap_or_default();
+                    text.extend([word, b" "].concat());
+                }
+                for word in words.by_ref().take(count) {
+                    let word = if is_odd(word) && !is_read { b"0" } else { word };
+                    text.extend([word, b" "].concat());
+                }
+            }
+            // What is too much stays for the parser to refuse.
+            text.extend(words.flat_map(|word| [word, b" "].concat()));
+            text.push(b'\n');
+        }
+    }
+    text.extend(lines.flatten());
+    Some(text)
 }
 
 /// Refuses a count that the bytes left cannot hold, before anything is made for it.

@@ -56,6 +56,14 @@ fn opens_solid(bytes: &[u8]) -> bool {
     bytes.get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"))
 }
 
+/// Whether a line begins a triangle, with three words for its normal.
+fn is_facet(line: &[u8]) -> bool {
+    let mut words = line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
+    let is =
+        |word: Option<&[u8]>, name: &str| word.is_some_and(|word| word.eq_ignore_ascii_case(name.as_bytes()));
+    is(words.next(), "facet") && is(words.next(), "normal") && words.count() == 3
+}
+
 type Corners = HashMap<[u32; 3], u32>;
 
 /// The first line of a text that is not blank, and its number from 1; `None` where a byte is no text.
@@ -202,6 +210,15 @@ impl Read for Input<'_> {
         if self.at == self.start && opens_solid(rest) {
             let given = opening.len().min(buffer.len());
             buffer[..given].copy_from_slice(&opening[..given]);
+            self.at += length;
+            line.set(line.get() + 1);
+            return Ok(given);
+        }
+        // A program that has no normal writes what its language calls that. They are not read.
+        let facet = b"facet normal 0 0 0\n";
+        if is_facet(&rest[..length]) && length <= rest.len() {
+            let given = facet.len().min(buffer.len());
+            buffer[..given].copy_from_slice(&facet[..given]);
             self.at += length;
             line.set(line.get() + 1);
             return Ok(given);

@@ -17,6 +17,7 @@ mod dxf_faces;
 mod dxf_splines;
 mod encodings;
 mod errors;
+mod left_out;
 mod meshes;
 mod models;
 mod models_beside;
