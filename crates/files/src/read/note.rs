@@ -91,7 +91,7 @@ pub enum NoteKind {
     ImagesIgnored,
     /// Filters, masks, clip paths and markers: what they hide is read, what they add is not.
     FiltersIgnored,
-    /// Style sheets.
+    /// Rules of style sheets that hide something, and what it is they do not say in a way that is understood.
     StylesIgnored,
     /// References to other files or to what is not there.
     ReferencesIgnored,
@@ -240,9 +240,10 @@ impl NoteKind {
             Self::FiltersIgnored => {
                 ("filter, mask, clip path or marker ignored", "filters, masks, clip paths or markers ignored")
             }
-            Self::StylesIgnored => {
-                ("style sheet ignored: what it hides is read", "style sheets ignored: what they hide is read")
-            }
+            Self::StylesIgnored => (
+                "rule of a style sheet not understood: what it hides is read",
+                "rules of style sheets not understood: what they hide is read",
+            ),
             Self::ReferencesIgnored => (
                 "reference to another file or a missing element ignored",
                 "references to other files or missing elements ignored",

@@ -27,6 +27,7 @@ mod programs;
 mod real_files;
 mod round_trips;
 mod svg;
+mod svg_styles;
 mod tables;
 mod templates;
 mod written_models;

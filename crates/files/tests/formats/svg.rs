@@ -229,7 +229,6 @@ fn what_is_hidden_or_not_read_is_counted() {
     expect_test::expect![[r#"
         the size of the page, in mm or the like, gives the scale
         y points down in the file: the drawing is mirrored so that it looks the same with y up
-        1 style sheet ignored: what it hides is read
         1 text ignored
         1 picture ignored
         3 hidden elements left out

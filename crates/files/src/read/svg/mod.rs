@@ -5,12 +5,13 @@
 //! as what they are until they are made straight edges, which is why this reads elements itself: the libraries that
 //! make pictures turn them into single-precision cubics first, and drop what is not painted.
 //!
-//! Fill, stroke and colour mean nothing here; what is hidden is left out and counted. Nothing outside the file is
+//! Fill, stroke and colour mean nothing here; what is hidden, by itself or by a style sheet, is left out and counted. Nothing outside the file is
 //! looked at.
 
 mod page;
 mod path;
 mod shape;
+mod style;
 mod tree;
 mod walk;
 
@@ -36,7 +37,7 @@ use super::text::{Source, decode};
 pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> Result<Imported, ReadError> {
     let text = decode(bytes);
     let document = parse(&text, source)?;
-    let tree = Tree::new(&document, source);
+    let tree = Tree::new(&document, source)?;
     let root = document.root_element();
     if root.tag_name().name() != "svg" {
         let help = "check that this is an SVG file";
@@ -55,7 +56,7 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
     )));
     let pen = Pen::new(source, drawing, options);
     let mut walk = Walk::new(&tree, pen, &options.layers)?;
-    walk.children(root, &Context::new(mirror * sheet.map, sheet.page))?;
+    walk.root(root, Context::new(mirror * sheet.map, sheet.page))?;
     walk.pen.drawing.finish(Format::Svg, source, options)
 }
 

@@ -1,12 +1,12 @@
 //! The elements of an SVG file, by id and by line.
 
-use std::borrow::Cow;
 use std::collections::HashMap;
 
 use roxmltree::{Document, Error, Node, ParsingOptions};
 
 use super::super::error::{Place, ReadError};
 use super::super::text::{LIMIT, Source};
+use super::style::Styles;
 
 /// How many bytes entities may become.
 const MOST_EXPANDED: usize = 64 << 20;
@@ -21,6 +21,7 @@ pub(super) struct Tree<'a, 'input> {
     pub(super) source: Source<'a>,
     pub(super) document: &'a Document<'input>,
     by_id: HashMap<&'a str, Node<'a, 'input>>,
+    pub(super) styles: Styles,
     /// Where each line begins.
     lines: Vec<usize>,
 }
@@ -82,13 +83,21 @@ fn expanded(text: &str) -> Option<usize> {
 }
 
 impl<'a, 'input> Tree<'a, 'input> {
-    pub(super) fn new(document: &'a Document<'input>, source: Source<'a>) -> Self {
+    /// # Errors
+    /// [`ReadError::Unsupported`] for style sheets that are too large for as many elements.
+    pub(super) fn new(document: &'a Document<'input>, source: Source<'a>) -> Result<Self, ReadError> {
+        let Some(styles) = Styles::of(document) else {
+            let (file, what) =
+                (source.name.to_owned(), "a style sheet of so many rules for so many elements".to_owned());
+            let help = "export the file again without style sheets";
+            return Err(ReadError::Unsupported { file, place: Place::File, what, help });
+        };
         let elements = document.descendants().filter(Node::is_element);
         // Of elements with one id the first has it.
         let by_id = elements.rev().filter_map(|node| Some((node.attribute("id")?, node))).collect();
         let ends = document.input_text().bytes().enumerate().filter(|(_, byte)| *byte == b'\n');
         let lines = std::iter::once(0).chain(ends.map(|(at, _)| at + 1)).collect();
-        Self { source, document, by_id, lines }
+        Ok(Self { source, document, by_id, styles, lines })
     }
 
     pub(super) fn by_id(&self, id: &str) -> Option<Node<'a, 'input>> {
@@ -111,15 +120,4 @@ impl<'a, 'input> Tree<'a, 'input> {
         let (file, place) = (self.source.name.to_owned(), self.place(node));
         ReadError::Unsupported { file, place, what: what.to_owned(), help }
     }
-}
-
-/// A property, from the style attribute or else from one of its own.
-pub(super) fn property<'a>(node: Node<'a, '_>, name: &str) -> Option<Cow<'a, str>> {
-    let in_style = node.attribute("style").and_then(|style| {
-        let mut pairs = style.split(';').filter_map(|pair| pair.split_once(':'));
-        pairs.rfind(|(key, _)| key.trim() == name).map(|(_, value)| value.trim())
-    });
-    in_style
-        .or_else(|| node.attribute(name))
-        .map(|value| value.trim().trim_end_matches("!important").trim().into())
 }

@@ -14,7 +14,7 @@ use super::super::text::excerpt;
 use super::page::{Along, Page, fit};
 use super::path::affine;
 use super::shape::{length, shape};
-use super::tree::{Tree, property};
+use super::tree::Tree;
 use super::{aspect, view_box};
 
 const SVG: &str = "http://www.w3.org/2000/svg";
@@ -75,12 +75,21 @@ impl<'a, 'input> Walk<'a, 'input> {
             let file = tree.source.name.to_owned();
             return Err(ReadError::NoSuchLayer { file, name: excerpt(name), have });
         }
-        let sheets = tree.document.descendants().filter(|node| node.tag_name().name() == "style").count();
-        pen.drawing.notes.add(NoteKind::StylesIgnored, sheets);
+        pen.drawing.notes.add(NoteKind::StylesIgnored, tree.styles.misunderstood);
         Ok(Self { tree, pen, layers, open: Vec::new(), met: 0 })
     }
 
-    pub(super) fn children(&mut self, node: Node<'a, 'input>, context: &Context) -> Result<(), ReadError> {
+    /// The outermost page with all that is on it.
+    pub(super) fn root(&mut self, root: Node<'a, 'input>, mut context: Context) -> Result<(), ReadError> {
+        if self.is_none(root) {
+            self.pen.drawing.notes.add(NoteKind::HiddenIgnored, 1);
+            return Ok(());
+        }
+        context.visible = self.is_visible(root, &context);
+        self.children(root, &context)
+    }
+
+    fn children(&mut self, node: Node<'a, 'input>, context: &Context) -> Result<(), ReadError> {
         let inner = self.within(node, context)?;
         node.children().filter(Node::is_element).try_for_each(|child| self.element(child, &inner))
     }
@@ -108,7 +117,7 @@ impl<'a, 'input> Walk<'a, 'input> {
             | "circle" | "ellipse" => None,
             _ => Some(NoteKind::ElementsIgnored),
         };
-        if property(node, "display").as_deref() == Some("none") {
+        if self.is_none(node) {
             self.pen.drawing.notes.add(NoteKind::HiddenIgnored, 1);
             return Ok(());
         }
@@ -154,9 +163,7 @@ impl<'a, 'input> Walk<'a, 'input> {
     /// What holds within an element: its transform, and whether it is visible and wanted.
     fn context(&self, node: Node<'a, 'input>, around: &Context) -> Result<Context, ReadError> {
         let mut context = around.clone();
-        let style = node.attribute("style").unwrap_or_default();
-        let in_style = |name: &str| style.split(';').any(|pair| pair.trim_start().starts_with(name));
-        if in_style("transform") || node.has_attribute("transform-origin") {
+        if self.tree.styles.moves(node) || node.has_attribute("transform-origin") {
             let help = "write it as an attribute transform without origin, as plain SVG has it";
             return Err(self.tree.unsupported(node, "a transform of a style, or with an origin,", help));
         }
@@ -166,17 +173,27 @@ impl<'a, 'input> Walk<'a, 'input> {
                 transform.map_err(|error| self.tree.refuse(node, "transform", &error.to_string()))?;
             context.map *= affine(&transform);
         }
-        if let Some(visibility) = property(node, "visibility").filter(|value| value != "inherit") {
-            context.visible = visibility == "visible";
-        }
+        context.visible = self.is_visible(node, around);
         context.wanted |= self.layers.iter().any(|layer| named(node, layer));
         Ok(context)
+    }
+
+    /// Whether neither it nor what it holds is there.
+    fn is_none(&self, node: Node<'_, '_>) -> bool {
+        self.tree.styles.property(node, "display") == Some("none")
+    }
+
+    fn is_visible(&self, node: Node<'_, '_>, around: &Context) -> bool {
+        match self.tree.styles.property(node, "visibility") {
+            None | Some("inherit" | "unset") => around.visible,
+            Some(visibility) => matches!(visibility, "visible" | "initial"),
+        }
     }
 
     /// Counts what hides or adds something that is not looked at.
     fn effects(&mut self, node: Node<'_, '_>) {
         let effects = ["clip-path", "mask", "filter", "marker", "marker-start", "marker-mid", "marker-end"];
-        let has = |name: &&str| property(node, name).is_some_and(|value| value != "none");
+        let has = |name: &&str| self.tree.styles.property(node, name).is_some_and(|value| value != "none");
         self.pen.drawing.notes.add(NoteKind::FiltersIgnored, effects.iter().filter(|name| has(name)).count());
     }
 
