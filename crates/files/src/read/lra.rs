@@ -14,7 +14,7 @@ use super::columns::Columns;
 use super::error::ReadError;
 use super::format::Format;
 use super::note::{NoteKind, Notes};
-use super::options::ReadOptions;
+use super::options::{Handedness, ReadOptions};
 use super::program::finish;
 use super::table::Table;
 use super::text::{Source, decode};
@@ -45,17 +45,28 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
         notes.add(NoteKind::UnitsAssumed, 1);
     }
 
+    let handedness = options.handedness.or(table.handedness);
+    let over = handedness == Some(Handedness::Left);
+    notes.add(NoteKind::LeftHanded, usize::from(over));
+
     let digit = table.last_place(columns.length);
     let rows = Rows { table: &table, source, options, columns, factor, digit };
     let mut steps: Vec<Step> = Vec::new();
     let mut lines = Vec::new();
     let mut before = Before::default();
+    let mut turns = false;
     for row in 0..table.rows.len() {
         source.room(table.place(row), row, "steps")?;
-        let step = rows.step(row, &mut before, &mut notes)?;
+        let mut step = rows.step(row, &mut before, &mut notes)?;
+        // Half a turn is the same either way.
+        turns |= step.rotate.rad().sin().abs() > 1e-9;
+        if over {
+            step.rotate = -step.rotate;
+        }
         steps.push(options.convention.apply(step));
         lines.push(table.rows[row].0);
     }
+    notes.add(NoteKind::HandednessAssumed, usize::from(handedness.is_none() && turns));
     finish(Format::Lra, source, options, (steps, &lines), notes)
 }
 

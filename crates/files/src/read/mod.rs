@@ -38,7 +38,7 @@ use wirebend_core::wireframe::Wireframe;
 pub use error::{Place, ReadError};
 pub use format::{Format, UnknownName, detect};
 pub use note::{Note, NoteKind};
-pub use options::{DEFAULT_TOLERANCE_MM, LengthUnit, ReadOptions};
+pub use options::{DEFAULT_TOLERANCE_MM, Handedness, LengthUnit, ReadOptions};
 pub use program::{ImportedProgram, wireframe_of_path};
 
 use crate::document::Document;

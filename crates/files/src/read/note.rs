@@ -51,6 +51,10 @@ pub enum NoteKind {
     PolylineClosed,
     /// A bend radius of zero.
     RadiusAssumed,
+    /// Nothing says which way the rotations of a table turn.
+    HandednessAssumed,
+    /// A table says that its rotations turn the other way.
+    LeftHanded,
     /// A program that ends on a bend, which no feed follows.
     EndsOnBend,
     /// Bends of a table that are negative although its angles should have no sign.
@@ -136,6 +140,8 @@ impl NoteKind {
             Self::ColumnsIgnored => "columns-ignored",
             Self::PolylineClosed => "polyline-closed",
             Self::RadiusAssumed => "radius-assumed",
+            Self::HandednessAssumed => "handedness-assumed",
+            Self::LeftHanded => "left-handed",
             Self::EndsOnBend => "ends-on-bend",
             Self::NegativeAngles => "negative-angles",
             Self::RotationsUnused => "rotations-unused",
@@ -199,6 +205,11 @@ impl NoteKind {
                 "no bend radius given: lengths are taken from corner to corner; give a centreline radius",
                 "",
             ),
+            Self::HandednessAssumed => (
+                "nothing says which way rotations turn: taken by the right-hand rule along the wire; the table of a left-handed machine gives the mirror image, so give its handedness",
+                "",
+            ),
+            Self::LeftHanded => ("the table is left-handed: its rotations are turned the other way", ""),
             Self::EndsOnBend => ("the program ends on a bend that no feed follows; it is kept", ""),
             Self::NegativeAngles => (
                 "bend with a minus sign, taken as a bend to the other side",

@@ -64,6 +64,30 @@ impl LengthUnit {
     }
 }
 
+/// Which way a positive rotation of a table turns the axis of the next bend.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Handedness {
+    /// By the right-hand rule about the direction in which the wire runs.
+    Right,
+    /// The other way.
+    Left,
+}
+
+impl Handedness {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Right, Self::Left];
+
+    /// "right" or "left".
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Right => "right",
+            Self::Left => "left",
+        }
+    }
+}
+
 /// Settings of every reader; the default reads millimetres, welds at 1 µm and follows curves to 0.1 mm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReadOptions {
@@ -80,6 +104,8 @@ pub struct ReadOptions {
     pub clr: Option<Length>,
     /// How the machine that a program was written for counts its axes.
     pub convention: Convention,
+    /// Which way the rotations of a table of bends turn. None: what the table says, else right (which is noted).
+    pub handedness: Option<Handedness>,
     /// How far the straight edges that a curve of a drawing becomes may be from it, in mm after scaling; 0.1 µm
     /// or more.
     pub tolerance: Length,
@@ -105,6 +131,7 @@ impl Default for ReadOptions {
             face_edges: false,
             clr: None,
             convention: Convention::default(),
+            handedness: None,
             tolerance: Length::from_mm(DEFAULT_TOLERANCE_MM).unwrap_or_default(),
             layers: Vec::new(),
             folder: None,

@@ -1,7 +1,7 @@
 //! Tables of numbers as spreadsheets and bending machines write them.
 
 use super::error::{Place, ReadError};
-use super::options::LengthUnit;
+use super::options::{Handedness, LengthUnit};
 use super::text::{Source, lines};
 
 /// Rows of cells. Separators are `;`, tab, `,` or blanks, in this order of preference; the decimal
@@ -13,6 +13,8 @@ pub(crate) struct Table<'a> {
     /// The other rows with their line; empty cells at the end are cut off, blank lines left out.
     pub(crate) rows: Vec<(usize, Vec<&'a str>)>,
     pub(crate) comments: usize,
+    /// What the comments and the names of columns say of handedness.
+    pub(crate) handedness: Option<Handedness>,
     decimal_comma: bool,
 }
 
@@ -30,11 +32,12 @@ pub(crate) struct Column {
 impl<'a> Table<'a> {
     /// A table from any text; one without numbers is a table too, and its reader says so.
     pub(crate) fn parse(text: &'a str) -> Self {
-        let mut comments = 0;
+        let (mut comments, mut handedness) = (0, None);
         let mut content = Vec::new();
         for (number, line) in lines(text).filter(|(_, line)| !line.trim().is_empty()) {
             if line.trim_start().starts_with('#') {
                 comments += 1;
+                handedness = handedness.or_else(|| hand(line));
             } else {
                 content.push((number, line));
             }
@@ -46,8 +49,11 @@ impl<'a> Table<'a> {
         let is_header = rows.first().is_some_and(|(_, row)| {
             row.iter().any(|cell| cell.starts_with(|c: char| c.is_alphabetic()) && !number_like(cell))
         });
-        let header = is_header.then(|| rows.remove(0).1.into_iter().map(Column::parse).collect());
-        Self { header, rows, comments, decimal_comma: matches!(separator, Some(';' | '\t')) }
+        let header: Option<Vec<Column>> =
+            is_header.then(|| rows.remove(0).1.into_iter().map(Column::parse).collect());
+        let of_column = |column: &Column| hand(&format!("handed {}", column.more.join(" ")));
+        let handedness = handedness.or_else(|| header.iter().flatten().find_map(of_column));
+        Self { header, rows, comments, handedness, decimal_comma: matches!(separator, Some(';' | '\t')) }
     }
 
     /// Whether the first rows hold numbers and nothing else.
@@ -103,6 +109,19 @@ impl Column {
         let name = words.next().unwrap_or_default();
         let more: Vec<String> = words.collect();
         Self { name, unit: more.iter().find_map(|word| LengthUnit::from_word(word)), more }
+    }
+}
+
+/// What a line says of handedness, as "left-handed" or "handedness: left".
+fn hand(line: &str) -> Option<Handedness> {
+    let line = line.to_lowercase();
+    let words = || line.split(|c: char| !c.is_alphanumeric());
+    let says = |list: &[&str]| words().any(|word| list.contains(&word));
+    let about = words().any(|word| word.ends_with("handed") || word == "handedness");
+    match (about, says(&["left", "lh", "lefthanded"]), says(&["right", "rh", "righthanded"])) {
+        (true, true, false) => Some(Handedness::Left),
+        (true, false, true) => Some(Handedness::Right),
+        _ => None,
     }
 }
 

@@ -3,7 +3,7 @@
 use nalgebra::{Point3, Vector3};
 use wirebend_core::bend::{Convention, Frame, Sign, Step, program_of_path, replay};
 use wirebend_core::units::Angle;
-use wirebend_files::read::{Format, Imported, ReadOptions, read};
+use wirebend_files::read::{Format, Handedness, Imported, ReadOptions, read};
 
 use super::{import, mm, notes, step};
 
@@ -174,14 +174,17 @@ fn columns_that_are_not_needed_are_counted() {
     };
     let assumed = "units not given: taken as mm".to_owned();
     let header = "the first row is a header".to_owned();
-    let said = |count: &str| [header.clone(), format!("{count} ignored"), assumed.clone()];
+    let turned = "nothing says which way rotations turn: taken by the right-hand rule along the wire; \
+                  the table of a left-handed machine gives the mirror image, so give its handedness"
+        .to_owned();
+    let said = |count: &str| [header.clone(), format!("{count} ignored"), assumed.clone(), turned.clone()];
     let military = "C,F,E,G,Y\n57,3,90,90,57\n95.712,3,0,90,34\n145.693,3,225,60,45.268\n217.102,,,,68.268\n";
     assert_eq!(ignored(military), said("1 column"));
     let corners = "Lcorner,R,A,CLR\n60,90,90,3\n40,-90,90,3\n50,-135,60,3\n70\n";
     assert_eq!(ignored(corners), said("1 column"));
     let all = "N,D_mm,L_mm,R,Rabs,A,CLR\n1,57,57,90,90,90,3\n2,95.712,34,-90,0,90,3\n3,145.693,45.268,-135,225,60,3\n\
                4,217.102,68.268\n";
-    assert_eq!(ignored(all), said("3 columns")[..2]);
+    assert_eq!(ignored(all), [&said("3 columns")[..2], &said("3 columns")[3..]].concat());
 }
 
 /// Lengths between corners need no radius, single lengths no cell but their own: what is beside them may be missing.
@@ -235,6 +238,7 @@ fn a_radius_of_each_row_and_the_names_of_ybc() {
             "1 column ignored",
             "units not given: taken as mm",
             "1 bend with a minus sign, taken as a bend to the other side",
+            "nothing says which way rotations turn: taken by the right-hand rule along the wire; the table of a left-handed machine gives the mirror image, so give its handedness",
         ]
     "#]]
     .assert_debug_eq(&notes(&imported.notes));
@@ -269,4 +273,39 @@ fn a_table_of_a_spreadsheet_without_names() {
         assert!((ours.feed.mm() - expected.feed.mm()).abs() < 1e-9, "{ours:?} {expected:?}");
         assert_eq!((ours.rotate, ours.bend), (expected.rotate, expected.bend));
     }
+}
+
+/// The same wire for a machine that counts rotations the other way.
+#[test]
+fn the_table_of_a_left_handed_machine_says_so_or_is_told() {
+    let mirrored = "L,R,A,CLR\n57,-90,90,3\n34,90,90,3\n45.268,135,60,3\n68.268\n";
+    let left = ReadOptions { handedness: Some(Handedness::Left), ..ReadOptions::default() };
+    let said = "the table is left-handed: its rotations are turned the other way";
+    for (options, table) in [
+        (&left, mirrored.to_owned()),
+        (&ReadOptions::default(), format!("# Handedness: left\n{mirrored}")),
+        (&ReadOptions::default(), format!("# part 7, left-handed control\n{mirrored}")),
+        (&ReadOptions::default(), mirrored.replace("L,R,", "L,R [left],")),
+        (&ReadOptions::default(), mirrored.replace("L,R,", "L,R_lh,")),
+    ] {
+        let imported = import_table(&table, options);
+        assert!(notes(&imported.notes).contains(&said.to_owned()), "{table}");
+        assert_near(&imported.program.unwrap().path, &wire(), 0.005, &table);
+    }
+    let assumed = |table: &str, options: &ReadOptions| {
+        notes(&import_table(table, options).notes)
+            .iter()
+            .any(|note| note.starts_with("nothing says which way rotations turn"))
+    };
+    let plain = ReadOptions::default();
+    assert!(assumed(mirrored, &plain));
+    let right = ReadOptions { handedness: Some(Handedness::Right), ..ReadOptions::default() };
+    assert!(!assumed(mirrored, &right) && !assumed(mirrored, &left));
+    assert!(!assumed(&format!("# right-handed\n{mirrored}"), &plain));
+    assert!(
+        assumed(&format!("# left over from a right turn\n{mirrored}"), &plain),
+        "words alone say nothing"
+    );
+    // A flat wire has no other hand.
+    assert!(!assumed("L,R,A\n10,180,90\n20,-180,45\n30\n", &plain));
 }
