@@ -141,7 +141,7 @@ pub(crate) fn compare(
     // A misspelt id is told before any work is done.
     let others = request.against.iter().map(|machine| app.library.machine(machine));
     let others = others.collect::<Result<Vec<_>, _>>()?;
-    let opened = request.design.open(progress)?.with_wireframe()?;
+    let opened = app.designed(request.design.open(progress)?, &request.choices)?.with_wireframe()?;
     let from = app.plan_design(copy(&opened), &request.choices, progress)?;
     let mut notes = from.opened.notes.clone();
     let (from, before) = (MachineSide::new(&from), from.report());
@@ -179,6 +179,7 @@ fn copy(opened: &Opened) -> Opened {
         format: opened.format,
         document: opened.document.clone(),
         layers: Vec::new(),
+        program: opened.program.clone(),
         notes: opened.notes.clone(),
     }
 }

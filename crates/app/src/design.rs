@@ -6,10 +6,13 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use wirebend_core::units::Length;
 use wirebend_files::document::{Document, Job, SourceFile, StencilSource, sha256_hex};
-use wirebend_files::read::{DEFAULT_TOLERANCE_MM, Format, LengthUnit, ReadOptions, read, read_file};
+use wirebend_files::read::{
+    DEFAULT_TOLERANCE_MM, Format, Handedness, LengthUnit, ReadOptions, read, read_file,
+};
 
 use crate::export::is_job;
 use crate::output::file_name;
+use crate::program::{ProgramKind, ReadProgram};
 use crate::report::NoteReport;
 use crate::{AppError, Progress};
 
@@ -85,6 +88,12 @@ pub struct DesignInput {
     /// The layers of a drawing to read; empty: all that are not hidden.
     #[serde(default)]
     pub layers: Vec<String>,
+    /// Which way the rotations of a table of bends turn, where the table does not say.
+    #[serde(default)]
+    pub handedness: Option<Handedness>,
+    /// What the steps of a program are, where the program does not say.
+    #[serde(default)]
+    pub program: Option<ProgramKind>,
 }
 
 fn format_by_name<'de, D: serde::Deserializer<'de>>(deserializer: D) -> Result<Option<Format>, D::Error> {
@@ -119,6 +128,8 @@ impl DesignInput {
             clr_mm: None,
             tolerance_mm: default_tolerance_mm(),
             layers: Vec::new(),
+            handedness: None,
+            program: None,
         }
     }
 
@@ -163,15 +174,18 @@ impl DesignInput {
             clr: self.clr_mm.map(|clr| length("--clr", clr)).transpose()?,
             tolerance: length("--tolerance", positive("--tolerance", self.tolerance_mm)?)?,
             layers: self.layers.clone(),
+            handedness: self.handedness,
             folder: self.input.folder().map(Path::to_owned),
             ..ReadOptions::default()
         };
         let imported = read(bytes, &name, self.format, &options)?;
         if imported.document.is_some() && !self.reads_plainly() {
-            let options = "--scale, --units, --weld, --face-edges, --clr, --tolerance and --layer";
+            let options = "--scale, --units, --weld, --face-edges, --clr, --tolerance, --layer, --handedness and --program";
             return Err(AppError::Settled { name, options, instead: "import the original again" });
         }
-        let notes: Vec<NoteReport> = imported.notes.iter().map(NoteReport::from).collect();
+        let mut notes: Vec<NoteReport> = imported.notes.iter().map(NoteReport::from).collect();
+        let program = imported.program.map(|program| ReadProgram::new(program, self, imported.format));
+        notes.extend(program.as_ref().and_then(ReadProgram::assumed));
         for note in &notes {
             tracing::info!(code = %note.code, count = note.count, "{}", note.message);
         }
@@ -186,7 +200,7 @@ impl DesignInput {
                 ..Document::new(imported.wireframe)
             },
         };
-        Ok(Opened { name, format: imported.format, document, layers: imported.layers, notes })
+        Ok(Opened { name, format: imported.format, document, layers: imported.layers, program, notes })
     }
 }
 
@@ -197,13 +211,22 @@ pub(crate) struct Opened {
     pub document: Document,
     /// Of a drawing.
     pub layers: Vec<String>,
+    /// Of a file that is one.
+    pub program: Option<ReadProgram>,
     pub notes: Vec<NoteReport>,
 }
 
 impl Opened {
     /// A design that is open already.
     pub const fn of(name: String, document: Document) -> Self {
-        Self { name, format: Format::Wirebend, document, layers: Vec::new(), notes: Vec::new() }
+        Self {
+            name,
+            format: Format::Wirebend,
+            document,
+            layers: Vec::new(),
+            program: None,
+            notes: Vec::new(),
+        }
     }
 
     /// The design, if it has a wireframe to work on.
@@ -223,7 +246,7 @@ fn positive(name: &'static str, value: f64) -> Result<f64, AppError> {
     }
 }
 
-fn length(name: &'static str, mm: f64) -> Result<Length, AppError> {
+pub(crate) fn length(name: &'static str, mm: f64) -> Result<Length, AppError> {
     let wrong =
         || AppError::Value { name, value: mm.to_string(), expected: "give a length in mm, 0 or more" };
     Length::from_mm(mm).ok().filter(|length| *length >= Length::ZERO).ok_or_else(wrong)

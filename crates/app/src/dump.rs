@@ -85,7 +85,7 @@ pub(crate) fn dump(
     progress: &dyn Progress,
 ) -> Result<DumpResponse, AppError> {
     let stage = request.stage;
-    let opened = request.design.open(progress)?;
+    let opened = app.designed(request.design.open(progress)?, &request.choices)?;
     let value = match stage {
         DumpStage::Stencil => stencil(&opened),
         DumpStage::Wireframe => wireframe(&opened),

@@ -8,6 +8,7 @@ use wirebend_files::document::Document;
 
 use crate::design::DesignInput;
 use crate::output::Output;
+use crate::plan::PlanChoices;
 use crate::report::NoteReport;
 use crate::{App, AppError, Progress};
 
@@ -16,6 +17,12 @@ use crate::{App, AppError, Progress};
 pub struct ImportRequest {
     /// The design.
     pub design: DesignInput,
+    /// The machine that a compensated program was written for.
+    #[serde(default)]
+    pub machine: Option<String>,
+    /// The wire that it was written for; absent, the one that the machine's profile names.
+    #[serde(default)]
+    pub material: Option<String>,
     /// Where the document goes; absent, it is returned. A file whose name ends with `.obj` gets the wireframe alone.
     pub output: Option<Output>,
 }
@@ -56,12 +63,15 @@ pub struct StencilReport {
 }
 
 pub(crate) fn import(
-    _app: &App,
+    app: &App,
     request: &ImportRequest,
     progress: &dyn Progress,
 ) -> Result<ImportResponse, AppError> {
     request.output.as_ref().map_or(Ok(()), Output::check)?;
-    let opened = request.design.open(progress)?;
+    let ImportRequest { machine, material, .. } = request;
+    let choices =
+        PlanChoices { machine: machine.clone(), material: material.clone(), ..PlanChoices::default() };
+    let opened = app.designed(request.design.open(progress)?, &choices)?;
     progress.stage("writing");
     let as_obj = request.output.as_ref().is_some_and(Output::is_obj);
     let contents = if as_obj { wireframe_obj(&opened.document)? } else { opened.document.to_bytes()? };

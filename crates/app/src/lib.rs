@@ -30,6 +30,7 @@ mod profile_check;
 mod profile_explain;
 mod profile_new;
 mod profile_springback;
+mod program;
 mod progress;
 mod report;
 mod run;
@@ -75,6 +76,7 @@ pub use profile_explain::{
 };
 pub use profile_new::{ProfileNewRequest, ProfileNewResponse, ProfilePlace};
 pub use profile_springback::{SamplePlace, SpringbackReport, SpringbackSample};
+pub use program::ProgramKind;
 pub use progress::{NoProgress, Progress, Wish};
 pub use report::{
     CompensatedReport, DiagnosticReport, NoteReport, PlanReport, ProgramReport, RouteReport, SeverityName,
@@ -92,7 +94,7 @@ use std::path::PathBuf;
 
 pub use wirebend_driver_host::api::{Capability, SettingCheck, Usb};
 pub use wirebend_driver_host::{CHILD_COMMAND, Standstill, StopHandle, StopOutcome, StoppedBy, child_main};
-pub use wirebend_files::read::{Format, LengthUnit};
+pub use wirebend_files::read::{Format, Handedness, LengthUnit};
 pub use wirebend_profile::Kind as ProfileKind;
 use wirebend_profile::{Library, ProfileError};
 

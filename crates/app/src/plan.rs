@@ -20,6 +20,7 @@ use crate::{App, AppError, Progress};
 
 /// What a person may choose of a plan; what is not chosen is taken from the document.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
+#[allow(clippy::struct_excessive_bools)] // each is an option of its own
 pub struct PlanChoices {
     /// The machine.
     pub machine: Option<String>,
@@ -36,6 +37,9 @@ pub struct PlanChoices {
     /// Whether the wire runs the other way.
     #[serde(default)]
     pub reverse: bool,
+    /// Whether the wire runs as the program runs from which the design was read.
+    #[serde(default)]
+    pub keep_order: bool,
 }
 
 /// What to check.
@@ -139,6 +143,8 @@ impl App {
         progress: &dyn Progress,
     ) -> Result<Planned, AppError> {
         let mut opened = opened;
+        opened.require_designed()?;
+        let settled = opened.settled(choices)?;
         setup.driver.require_settings()?;
         opened.notes.extend(setup.driver.note.clone());
         opened.notes.extend(estimated_springback(&setup));
@@ -176,6 +182,7 @@ impl App {
                 closed: choices.closed,
                 start: here,
                 reversed: choices.reverse,
+                settled: settled.clone(),
             };
             let mut took = BTreeMap::new();
             let mut last = Instant::now();
@@ -326,7 +333,7 @@ pub(crate) fn check(
     request: &CheckRequest,
     progress: &dyn Progress,
 ) -> Result<CheckResponse, AppError> {
-    let opened = request.design.open(progress)?.with_wireframe()?;
+    let opened = app.designed(request.design.open(progress)?, &request.choices)?.with_wireframe()?;
     let planned = app.plan_design(opened, &request.choices, progress)?;
     let of_wires = planned.wires.iter().flat_map(|wire| &wire.diagnostics);
     let mut all: Vec<&Diagnostic> = planned.design.iter().chain(of_wires).collect();
@@ -347,7 +354,7 @@ pub(crate) fn plan(
 ) -> Result<PlanResponse, AppError> {
     request.output.as_ref().map_or(Ok(()), Output::check)?;
     let started = Instant::now();
-    let opened = request.design.open(progress)?.with_wireframe()?;
+    let opened = app.designed(request.design.open(progress)?, &request.choices)?.with_wireframe()?;
     let read_ms = started.elapsed().as_secs_f64() * 1000.0;
     let mut planned = app.plan_design(opened, &request.choices, progress)?;
     if let Some(first) = planned.timings.first_mut() {

@@ -64,6 +64,8 @@ pub struct PlanOptions {
     pub start: Option<VertexId>,
     /// Whether the wire runs the other way: it ends where it would have started.
     pub reversed: bool,
+    /// The walk, where it is settled: no other is looked for, and no edge is doubled but those that it passes again.
+    pub settled: Option<Route>,
 }
 
 /// A stage of the pipeline that has been done.
@@ -138,7 +140,11 @@ pub fn plan_wire(
     let mut refusals = Vec::new();
     let asked = options.doubling == DoublingChoice::Cheapest;
     let most_odd = if asked { MOST_ODD_ASKED } else { MOST_ODD_PROPOSED };
-    let proposal = match doubling(wireframe, component, options.start, options.closed, most_odd) {
+    let proposal = match &options.settled {
+        Some(_) => Ok(Doubling::default()),
+        None => doubling(wireframe, component, options.start, options.closed, most_odd),
+    };
+    let proposal = match proposal {
         Ok(proposal) => proposal,
         // Nobody has asked for it: the check of odd vertices says enough.
         Err(RouteError::TooManyOdd { .. }) if !asked => Doubling::default(),
@@ -148,6 +154,7 @@ pub fn plan_wire(
         }
     };
     let doubled = match &options.doubling {
+        _ if options.settled.is_some() => again(options.settled.as_ref()),
         DoublingChoice::Accepted(edges) => edges.clone(),
         DoublingChoice::Cheapest => proposal.edges.clone(),
     };
@@ -203,6 +210,12 @@ pub fn plan_wire(
     plan
 }
 
+/// The edges that a walk passes once more.
+fn again(walk: Option<&Route>) -> Vec<EdgeId> {
+    let traversals = walk.into_iter().flat_map(|walk| &walk.traversals);
+    traversals.filter(|traversal| traversal.again).map(|traversal| traversal.edge).collect()
+}
+
 #[derive(Default)]
 struct Failures {
     path: Option<PathError>,
@@ -217,16 +230,19 @@ fn find_route(
     options: &PlanOptions,
 ) -> Result<Route, RouteError> {
     let limits = &machine.limits;
-    let found = route(
-        wireframe,
-        &plan.component,
-        &RouteOptions {
-            doubled: plan.doubled.clone(),
-            start: options.start,
-            closed: options.closed,
-            sharpest_bend: Some(limits.largest_bend.value.max(-limits.least_bend.value)),
-        },
-    )?;
+    let found = match &options.settled {
+        Some(settled) => settled.clone(),
+        None => route(
+            wireframe,
+            &plan.component,
+            &RouteOptions {
+                doubled: plan.doubled.clone(),
+                start: options.start,
+                closed: options.closed,
+                sharpest_bend: Some(limits.largest_bend.value.max(-limits.least_bend.value)),
+            },
+        )?,
+    };
     Ok(if options.reversed { found.reversed() } else { found })
 }
 

@@ -139,6 +139,18 @@ fn sharp_bends_are_avoided_where_the_edges_can_be_paired_otherwise() {
     }
 }
 
+/// A program settles the walk: along an edge twice where it goes back.
+#[test]
+fn a_walk_through_vertices_is_a_route() {
+    let w = wireframe(&[[0.; 3], [10., 0., 0.], [10., 10., 0.], [0., 10., 0.]], &[(0, 1), (1, 2), (2, 0)]);
+    let walk = [0, 1, 2, 0, 1].map(VertexId);
+    let found = Route::through(&w, &walk).unwrap();
+    assert_eq!(found.vertices(), walk);
+    assert_eq!(found.traversals.iter().map(|t| t.again).collect::<Vec<_>>(), [false, false, false, true]);
+    assert_covers(&w, &w.components()[0], &found, &[found.traversals[3].edge]);
+    assert_eq!(Route::through(&w, &[VertexId(0), VertexId(3)]), None, "no edge joins them");
+}
+
 #[test]
 fn a_hub_with_more_edges_than_can_be_paired_is_refused() {
     let rim = |k: usize| {

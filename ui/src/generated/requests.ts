@@ -270,6 +270,10 @@ export type LengthUnit = "mm" | "cm" | "m" | "inch";
  */
 export type Kind = "machine" | "material" | "noise";
 /**
+ * Which way a positive rotation of a table turns the axis of the next bend.
+ */
+export type Handedness = "right" | "left";
+/**
  * Where the bytes come from.
  */
 export type Input =
@@ -288,6 +292,10 @@ export type Input =
         name: string;
       };
     };
+/**
+ * What the steps of a program are.
+ */
+export type ProgramKind = "nominal" | "compensated";
 /**
  * What a window orders. A stop is none of these: it is always possible.
  */
@@ -693,11 +701,19 @@ export interface DesignInput {
    * Its format, where name and contents do not tell.
    */
   format?: string | null;
+  /**
+   * Which way the rotations of a table of bends turn, where the table does not say.
+   */
+  handedness?: Handedness | null;
   input: Input;
   /**
    * The layers of a drawing to read; empty: all that are not hidden.
    */
   layers?: string[];
+  /**
+   * What the steps of a program are, where the program does not say.
+   */
+  program?: ProgramKind | null;
   /**
    * Factor on all coordinates, after units.
    */

@@ -84,7 +84,9 @@ impl Editor {
         keep_in: Option<&Path>,
         progress: &dyn Progress,
     ) -> Result<(Self, Vec<NoteReport>), AppError> {
-        Ok(Self::begun_with(input.open(progress)?.with_stencil(input), input, None, keep_in))
+        let opened = input.open(progress)?;
+        opened.require_designed()?;
+        Ok(Self::begun_with(opened.with_stencil(input), input, None, keep_in))
     }
 
     /// The same for a machine and a material, where the file names none, and by another name than the file's, if one is
@@ -103,8 +105,10 @@ impl Editor {
         let mut opened = input.open(progress)?.with_stencil(input);
         if let Some((machine, material)) = machine.filter(|_| opened.document.machine.is_none()) {
             let setup = app.setup(machine, material)?;
+            opened = opened.turned_back(&setup)?;
             (opened.document.machine, opened.document.material) = changing::snapshots(&setup)?;
         }
+        opened.require_designed()?;
         Ok(Self::begun_with(opened, input, called, keep_in))
     }
 

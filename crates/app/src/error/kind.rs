@@ -65,6 +65,9 @@ impl AppError {
             | Self::Noise { .. }
             | Self::OnlyStencil { .. }
             | Self::NoSurface { .. }
+            | Self::Compensated { .. }
+            | Self::OtherCompensation { .. }
+            | Self::NoOrder { .. }
             | Self::Stencil(_)
             | Self::StartWithoutEdge { .. }
             | Self::DamagedJob { .. }
@@ -90,6 +93,9 @@ impl AppError {
             Self::SeveralKinds { .. } => "several-kinds",
             Self::OtherKind { .. } => "other-kind",
             Self::OpenParent { .. } => "open-parent",
+            Self::Compensated { .. } => "compensated",
+            Self::OtherCompensation { .. } => "other-compensation",
+            Self::NoOrder { .. } => "no-order",
             Self::NoFile => "no-file",
             Self::NoExample { .. } => "no-example",
             Self::ShippedProfile { .. } => "shipped-profile",

@@ -217,6 +217,36 @@ pub enum AppError {
         /// The input.
         name: String,
     },
+    /// A program that is what a machine was told, and nobody says which.
+    #[error(
+        "{name} is a program that was compensated for a machine, and not the design: name that machine with --machine, and its wire with --material, to turn it back, or take it as it stands with --program nominal"
+    )]
+    Compensated {
+        /// The program.
+        name: String,
+    },
+    /// A program that was not compensated for this machine and this wire.
+    #[error(
+        "{name}, step {step}: no design leads to this feed on {machine} with {material}; name the machine and the material that the program was compensated for, or take it as it stands with --program nominal"
+    )]
+    OtherCompensation {
+        /// The program.
+        name: String,
+        /// The step, from 1.
+        step: usize,
+        /// The machine.
+        machine: String,
+        /// The material.
+        material: String,
+    },
+    /// An order is to be kept that there is not.
+    #[error(
+        "{name} has no order to keep: --keep-order is for the file of a program, such as WireBend-kit text, a Pensa script or an LRA table; plan that file itself"
+    )]
+    NoOrder {
+        /// The design.
+        name: String,
+    },
     /// Options were given that have no effect on what is settled already.
     #[error("{name} is taken as it is: {options} would have no effect; leave them out, or {instead}")]
     Settled {

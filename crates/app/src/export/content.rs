@@ -69,7 +69,8 @@ impl Content {
         if is_job(&name, &bytes) {
             return Self::of_job(&name, &bytes, title, request);
         }
-        let opened = request.design.open_bytes(name, &bytes)?.with_wireframe()?;
+        let opened = request.design.open_bytes(name, &bytes)?;
+        let opened = app.designed(opened, &request.choices)?.with_wireframe()?;
         let planned = app.plan_design(opened, &request.choices, progress)?;
         Self::of_plan(planned, title)
     }
@@ -116,13 +117,15 @@ impl Content {
             let planned = contents.machine.id.clone();
             return Err(AppError::OtherMachine { name: name.to_owned(), planned, wanted: wanted.clone() });
         }
-        let PlanChoices { machine: _, material, double, closed, start, reverse } = &request.choices;
+        let PlanChoices { machine: _, material, double, closed, start, reverse, keep_order } =
+            &request.choices;
         let other_material = material.as_ref().is_some_and(|id| *id != contents.material.id);
         if other_material
             || *double
             || *closed
             || start.is_some()
             || *reverse
+            || *keep_order
             || !request.design.reads_plainly()
         {
             let options = "--material and the options of reading and of the route";

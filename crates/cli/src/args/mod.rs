@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
-use wirebend_app::{DumpStage, Format, LengthUnit, ProfileKind};
+use wirebend_app::{DumpStage, Format, Handedness, LengthUnit, ProfileKind, ProgramKind};
 
 use live::{JogArgs, MachineSettingsArgs, PortsArgs, ReplayArgs, RunArgs, RunsCommand};
 
@@ -64,6 +64,12 @@ pub(crate) enum Command {
         file: PathBuf,
         #[command(flatten)]
         read: ReadArgs,
+        /// Machine that a compensated program was written for, by id
+        #[arg(long, short, value_name = "ID")]
+        machine: Option<String>,
+        /// Wire that it was written for, by id
+        #[arg(long, value_name = "ID", requires = "machine")]
+        material: Option<String>,
         #[command(flatten)]
         output: OutputArgs,
     },
@@ -295,6 +301,12 @@ pub(crate) struct ReadArgs {
     /// Read this layer of a drawing only, by name; may be given again
     #[arg(long = "layer", value_name = "NAME")]
     pub layers: Vec<String>,
+    /// Way in which the rotations of a table turn, where the table does not say: right or left
+    #[arg(long, value_name = "HAND", value_parser = handedness_parser())]
+    pub handedness: Option<Handedness>,
+    /// What the steps of a program are, where it does not say: nominal (the design), or compensated (what a machine was told)
+    #[arg(long, value_name = "KIND", value_parser = program_parser())]
+    pub program: Option<ProgramKind>,
 }
 
 /// What to work on.
@@ -319,6 +331,7 @@ pub(crate) struct ExportedArgs {
 
 /// On which machine, and which way the wire runs.
 #[derive(Debug, Args)]
+#[allow(clippy::struct_excessive_bools)] // each is an option of its own
 pub(crate) struct ChoiceArgs {
     /// Machine, by id (see `wirebend machines`)
     #[arg(long, short, value_name = "ID")]
@@ -338,6 +351,9 @@ pub(crate) struct ChoiceArgs {
     /// Run the wire the other way
     #[arg(long)]
     pub reverse: bool,
+    /// Run the wire as the program runs that is read, from its start to its end
+    #[arg(long, conflicts_with_all = ["double", "closed", "start"])]
+    pub keep_order: bool,
 }
 
 /// Where the result goes.
@@ -372,6 +388,18 @@ fn parse_setting(text: &str) -> Result<(String, serde_json::Value), String> {
 
 fn parse_unit(word: &str) -> Result<LengthUnit, String> {
     LengthUnit::from_word(word).ok_or_else(|| "expected mm, cm, m or inch".to_owned())
+}
+
+fn handedness_parser() -> impl TypedValueParser<Value = Handedness> {
+    // The parser before has refused every other word.
+    PossibleValuesParser::new(Handedness::ALL.map(Handedness::name))
+        .map(|word| if word == Handedness::Left.name() { Handedness::Left } else { Handedness::Right })
+}
+
+fn program_parser() -> impl TypedValueParser<Value = ProgramKind> {
+    let compensated = ProgramKind::Compensated;
+    PossibleValuesParser::new(ProgramKind::ALL.map(ProgramKind::name))
+        .map(move |word| if word == compensated.name() { compensated } else { ProgramKind::Nominal })
 }
 
 fn kind_parser() -> impl TypedValueParser<Value = ProfileKind> {

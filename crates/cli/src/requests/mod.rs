@@ -48,10 +48,11 @@ pub(crate) fn prepare(command: Command) -> anyhow::Result<Prepared> {
         Command::Driver(DriverCommand::Trust { library, sha256 }) => {
             written(Request::DriverTrust(DriverTrustRequest { library, sha256 }))
         }
-        Command::Import { file, read, output } => {
+        Command::Import { file, read, machine, material, output } => {
             let (output, contents) = place(output, true);
             let design = design(&DesignArgs { file, read })?;
-            Prepared::Request(Box::new(Request::Import(ImportRequest { design, output })), contents)
+            let request = ImportRequest { design, machine, material, output };
+            Prepared::Request(Box::new(Request::Import(request)), contents)
         }
         Command::Check { design: args, choices: chosen } => {
             written(Request::Check(CheckRequest { design: design(&args)?, choices: choices(chosen) }))
@@ -168,7 +169,8 @@ fn input(file: &Path) -> anyhow::Result<Input> {
 }
 
 fn design(args: &DesignArgs) -> anyhow::Result<DesignInput> {
-    let ReadArgs { from, scale, units, weld, face_edges, clr, tolerance, layers } = &args.read;
+    let ReadArgs { from, scale, units, weld, face_edges, clr, tolerance, layers, handedness, program } =
+        &args.read;
     Ok(DesignInput {
         input: input(&args.file)?,
         format: *from,
@@ -179,10 +181,12 @@ fn design(args: &DesignArgs) -> anyhow::Result<DesignInput> {
         clr_mm: *clr,
         tolerance_mm: *tolerance,
         layers: layers.clone(),
+        handedness: *handedness,
+        program: *program,
     })
 }
 
 fn choices(args: ChoiceArgs) -> PlanChoices {
-    let ChoiceArgs { machine, material, double, closed, start, reverse } = args;
-    PlanChoices { machine, material, double, closed, start, reverse }
+    let ChoiceArgs { machine, material, double, closed, start, reverse, keep_order } = args;
+    PlanChoices { machine, material, double, closed, start, reverse, keep_order }
 }

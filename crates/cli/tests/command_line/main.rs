@@ -19,6 +19,7 @@ mod drivers_refused;
 mod interrupted;
 mod outputs;
 mod profiles;
+mod programs;
 mod results;
 mod runs;
 mod simulations;

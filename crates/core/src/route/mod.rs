@@ -47,6 +47,19 @@ impl Route {
         first.into_iter().chain(self.traversals.iter().map(|t| t.to)).collect()
     }
 
+    /// The walk through vertices in an order; none where two that follow one another have no edge.
+    #[must_use]
+    pub fn through(wireframe: &Wireframe, vertices: &[VertexId]) -> Option<Self> {
+        let mut seen = std::collections::BTreeSet::new();
+        let traversal = |pair: &[VertexId]| {
+            let joins =
+                |edge: &EdgeId| wireframe.edge(*edge).is_some_and(|ends| ends.other(pair[0]) == pair[1]);
+            let edge = wireframe.incident(pair[0]).iter().copied().find(joins)?;
+            Some(Traversal { edge, from: pair[0], to: pair[1], again: !seen.insert(edge) })
+        };
+        vertices.windows(2).map(traversal).collect::<Option<_>>().map(|traversals| Self { traversals })
+    }
+
     /// The same walk from its other end.
     #[must_use]
     pub fn reversed(&self) -> Self {

@@ -18,6 +18,7 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
     for (line, text) in lines(&decode(bytes)) {
         let (command, comment) = text.split_at(text.find(['#', ';']).unwrap_or(text.len()));
         notes.add(NoteKind::CommentsIgnored, usize::from(!comment.is_empty()));
+        commands.comment(comment.trim_start_matches(['#', ';']));
         let words: Vec<&str> = command.split_whitespace().collect();
         source.room(Place::Line(line), commands.len(), "steps")?;
         match *words.as_slice() {
@@ -31,7 +32,8 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
             }
         }
     }
+    let told = commands.told();
     let (steps, lines) = commands.finish(&mut notes);
     let steps = steps.into_iter().map(|step| options.convention.apply(step)).collect();
-    finish(Format::Kit, source, options, (steps, &lines), notes)
+    finish(Format::Kit, source, options, (steps, &lines), told, notes)
 }

@@ -67,7 +67,7 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
         lines.push(table.rows[row].0);
     }
     notes.add(NoteKind::HandednessAssumed, usize::from(handedness.is_none() && turns));
-    finish(Format::Lra, source, options, (steps, &lines), notes)
+    finish(Format::Lra, source, options, (steps, &lines), false, notes)
 }
 
 /// What a row needs to be read.

@@ -24,7 +24,10 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
     let mut notes = Notes::default();
     for (line, text) in lines(&decode(bytes)) {
         let (code, comments) = without_comments(source, line, text)?;
-        notes.add(NoteKind::CommentsIgnored, comments);
+        notes.add(NoteKind::CommentsIgnored, comments.len());
+        for comment in comments {
+            commands.comment(comment);
+        }
         let words: Vec<&str> = code.split_whitespace().collect();
         source.room(Place::Line(line), commands.len(), "steps")?;
         let command = words.first().map(|word| word.to_ascii_uppercase()).unwrap_or_default();
@@ -43,25 +46,30 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
             }
         }
     }
+    let told = commands.told();
     let (steps, lines) = commands.finish(&mut notes);
     let steps = steps.into_iter().map(|step| options.convention.apply(step)).collect();
-    finish(Format::Pensa, source, options, (steps, &lines), notes)
+    finish(Format::Pensa, source, options, (steps, &lines), told, notes)
 }
 
-/// A line without what is in parentheses, and how many of those there were.
-fn without_comments(source: Source<'_>, line: usize, text: &str) -> Result<(String, usize), ReadError> {
+/// A line without what is in parentheses, and that.
+fn without_comments<'a>(
+    source: Source<'_>,
+    line: usize,
+    text: &'a str,
+) -> Result<(String, Vec<&'a str>), ReadError> {
     let mut code = String::new();
     let mut rest = text;
-    let mut comments = 0;
+    let mut comments = Vec::new();
     while let Some((before, after)) = rest.split_once('(') {
-        let Some((_, behind)) = after.split_once(')') else {
+        let Some((comment, behind)) = after.split_once(')') else {
             let help = "close the comment on its line";
             return Err(source.syntax(Place::Line(line), text, "a comment that ends with )", help));
         };
         code.push_str(before);
         code.push(' ');
         rest = behind;
-        comments += 1;
+        comments.push(comment);
     }
     code.push_str(rest);
     Ok((code, comments))

@@ -25,6 +25,15 @@ pub struct ImportedProgram {
     pub path: Vec<Point3<f64>>,
     /// The path as vertices of the wireframe, without repeats in a row.
     pub traversal: Vec<VertexId>,
+    /// Whether a comment says that a driver of this program wrote it: then it is what a machine was told, compensated
+    /// and in the machine's signs.
+    pub told: bool,
+}
+
+/// Whether a comment is the first line of what drivers write for a machine: the hash of the design.
+fn names_design(comment: &str) -> bool {
+    let words: Vec<&str> = comment.split_whitespace().collect();
+    matches!(words.as_slice(), ["design", hash] if hash.len() == 64 && hash.bytes().all(|b| b.is_ascii_hexdigit()))
 }
 
 /// The wireframe that a path (mm) makes, and the path as its vertices.
@@ -74,6 +83,8 @@ pub(crate) struct Commands {
     step: Step,
     /// Whether `step` holds a feed already.
     fed: bool,
+    /// As [`ImportedProgram::told`].
+    told: bool,
 }
 
 impl Commands {
@@ -110,6 +121,16 @@ impl Commands {
 
     pub(crate) fn len(&self) -> usize {
         self.steps.len()
+    }
+
+    /// A comment, which may say who wrote the program.
+    pub(crate) fn comment(&mut self, text: &str) {
+        self.told |= names_design(text);
+    }
+
+    /// Whether a driver of this program wrote it.
+    pub(crate) const fn told(&self) -> bool {
+        self.told
     }
 
     /// The steps and the line of each. A rotation that no bend follows is dropped and counted.
@@ -150,6 +171,7 @@ pub(crate) fn finish(
     source: Source<'_>,
     options: &ReadOptions,
     (steps, lines): (Vec<Step>, &[usize]),
+    told: bool,
     mut notes: Notes,
 ) -> Result<Imported, ReadError> {
     if steps.iter().all(|step| step.feed == Length::ZERO) {
@@ -167,7 +189,7 @@ pub(crate) fn finish(
     notes.add(NoteKind::VerticesMerged, path.len().saturating_sub(wireframe.vertex_count()));
     let merged = (traversal.len().saturating_sub(1)).saturating_sub(wireframe.edge_count());
     notes.add(NoteKind::EdgesMerged, merged);
-    let program = ImportedProgram { program: NominalProgram::from_steps(steps), path, traversal };
+    let program = ImportedProgram { program: NominalProgram::from_steps(steps), path, traversal, told };
     Ok(Imported {
         format,
         wireframe,

@@ -95,3 +95,19 @@ fn a_polyline_is_closed_where_it_comes_back() {
     assert!((first - Point3::new(76.2, 50.8, 25.4)).norm() < 1e-9);
     assert_eq!(notes(&named.notes), ["the first row is a header", "1 column ignored"]);
 }
+
+/// What a driver writes for a machine begins with the hash of the design; a remark on a design says nothing.
+#[test]
+fn a_program_that_a_driver_wrote_is_known() {
+    let hash = "0123456789abcdef".repeat(4);
+    let told = |name: &str, text: String| import(name, text).unwrap().program.unwrap().told;
+    assert!(told("a.txt", format!("# design {hash}\nF 10\n")));
+    assert!(told("a.dsw", format!("(design {hash})\nFEED 10\n")));
+    for text in ["F 10\n".to_owned(), "# design 12\nF 10\n".to_owned(), format!("# no design {hash}\nF 10\n")]
+    {
+        assert!(!told("a.txt", text));
+    }
+    assert!(!told("a.dsw", "(design by hand)\nFEED 10\n".to_owned()));
+    // A table is of the finished part, whoever wrote it.
+    assert!(!told("a.csv", format!("# design {hash}\nL,R,A\n10,0,0\n")));
+}
