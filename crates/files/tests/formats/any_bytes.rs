@@ -58,6 +58,13 @@ pub fn valid_files() -> Vec<(Format, Vec<u8>)> {
         (Format::Wirebend, document.to_bytes().unwrap()),
     ];
     files.extend(drawings);
+    files.extend([
+        (Format::Obj, include_bytes!("../../../../fuzz/seeds/obj/utf16.obj").to_vec()),
+        (Format::Ply, include_bytes!("../../../../fuzz/seeds/ply/odd.ply").to_vec()),
+        (Format::Stl, include_bytes!("../../../../fuzz/seeds/stl/odd.stl").to_vec()),
+        (Format::Lra, include_bytes!("../../../../fuzz/seeds/lra/left.csv").to_vec()),
+        (Format::Pensa, include_bytes!("../../../../fuzz/seeds/pensa/told.dsw").to_vec()),
+    ]);
     files
 }
 

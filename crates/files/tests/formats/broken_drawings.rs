@@ -243,6 +243,8 @@ pub fn small_files() -> Vec<(&'static str, Vec<u8>)> {
         ("a.3mf", of_model(&model("", &object, "<item objectid=\"1\"/>"))),
         ("a.3mf", package(&[("3D/3dmodel.model", &model("", &object, "<item objectid=\"1\"/>"))], false)),
         ("a.glb", glb(&scene("[{\"mesh\": 0}]", QUAD, "{}"), &buffer())),
+        ("a.dxf", include_bytes!("../../../../fuzz/seeds/dxf/faces.dxf").to_vec()),
+        ("a.svg", include_bytes!("../../../../fuzz/seeds/svg/styles.svg").to_vec()),
     ]
 }
 
@@ -274,6 +276,11 @@ fn small_files_do_not_ask_for_much_work() {
     let attributes: String = (0..20_000).map(|k| format!(" a{k}=\"\"")).collect();
     let error = import("a.svg", page(&format!("<g{attributes}/>"))).map(|i| i.notes).unwrap_err();
     assert!(error.to_string().contains("attributes of one element"), "{error}");
+
+    let (rules, lines) = (".a{display:none}".repeat(2000), "<line class=\"a\"/>".repeat(2000));
+    let error =
+        import("a.svg", page(&format!("<style>{rules}</style>{lines}"))).map(|i| i.notes).unwrap_err();
+    assert!(error.to_string().contains("a style sheet of so many rules"), "{error}");
 
     let moves = "M0 0".repeat(100_000);
     let uses = "<use href=\"#p\"/>".repeat(10_000);

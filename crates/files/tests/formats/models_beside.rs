@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use expect_test::expect;
+use proptest::prelude::*;
 use wirebend_files::read::{Imported, ReadError, ReadOptions, read};
 
 use super::drawn::rounded;
@@ -83,4 +84,27 @@ fn a_buffer_beside_the_file_is_not_believed() {
     // No byte of it is on the disk.
     file.set_len(600 << 20).unwrap();
     assert_eq!(from_folder(&quad("a.bin"), Some(folder.path())).unwrap_err().code(), "read-too-large");
+}
+
+proptest! {
+    /// Whatever a model calls its buffer, and whatever is in it, is a model or an error; and nothing but files in the
+    /// folder is read.
+    #[test]
+    fn any_buffer_beside_the_file(bytes in prop::collection::vec(any::<u8>(), 0..100), uri in "[a-c./%\\\\:2eE0 -]{0,12}") {
+        let folder = tempfile::tempdir().unwrap();
+        let inner = folder.path().join("a");
+        std::fs::create_dir_all(&inner).unwrap();
+        // A name that leads here has led out of the folder of the model.
+        for name in ["a.b", "b", "c"] {
+            std::fs::write(folder.path().join(name), buffer()).unwrap();
+        }
+        std::fs::write(inner.join("a"), &bytes).unwrap();
+        let uri = uri.replace('\\', "\\\\");
+        for uri in [uri.as_str(), "a"] {
+            match from_folder(&quad(uri), Some(&inner)) {
+                Ok(_) => prop_assert!(bytes.len() >= 60, "{}", uri),
+                Err(error) => prop_assert!(error.to_string().contains("a.gltf"), "{}", error),
+            }
+        }
+    }
 }
