@@ -227,9 +227,8 @@ impl<'a> Connection<'a> {
     /// Asks whether every axis stands at zero, where a person brings them there and has not said it yet. The next homing
     /// does not ask again.
     pub fn ask_zero(&mut self, wanted: Zero) -> Result<(), LiveProblem> {
-        if self.session.reference() == ReferenceBy::Person {
-            self.hearing.at_zero = self.hearing.said_zero(wanted)?;
-        }
+        let by_hand = self.reference() == ReferenceBy::Person;
+        self.hearing.at_zero = by_hand && self.hearing.said_zero(wanted)?;
         Ok(())
     }
 
