@@ -94,7 +94,7 @@ impl Rig {
             }
             Sight::Peg { width_us } => self.pegs.push(width_us),
             Sight::Sent(byte) => sent.push(byte),
-            Sight::MotorsOn => {}
+            Sight::MotorsOn | Sight::MotorsOff => {}
         }
     }
 
