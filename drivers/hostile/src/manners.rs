@@ -66,7 +66,8 @@ impl Instance {
             "encode" => reply = json!({"files": [{"text": "a wire\n"}]}),
             "ports" => reply = json!({"ports": [{"name": "anywhere", "likely": true}]}),
             "limits" => {
-                reply = json!({"limits": [{"axis": "feed", "of": "step", "most": 1e6, "reason": "patience"}]})
+                reply =
+                    json!({"limits": [{"axis": "feed", "of": "step", "most": 1e6, "reason": "patience"}]});
             }
             "connect" => self.events.push_back(connected(&request)),
             "home" => self.events.push_back(json!({"event": "homed"})),

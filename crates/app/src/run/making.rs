@@ -302,6 +302,8 @@ impl Making<'_, '_> {
             Standing::Finished => RunOutcome::Made,
             Standing::Abandoned => RunOutcome::Abandoned,
             Standing::Stopped => RunOutcome::Stopped,
+            // What fails while a stop is on its way is its doing.
+            Standing::Faulted if account.stopped => RunOutcome::Stopped,
             _ => RunOutcome::Failed,
         };
         let over = account.is_over();

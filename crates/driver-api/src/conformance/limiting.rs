@@ -19,7 +19,7 @@ fn told(subject: &mut dyn Subject, description: &Description) -> Result<(), Stri
                 _ => Err(format!("it refused: {}", String::from_utf8_lossy(&refusal))),
             };
         }
-        reply => done(Ok(reply))?,
+        reply @ Reply::Ok(_) => done(Ok(reply))?,
     };
     let Limits { limits, rates } =
         serde_json::from_slice(&reply).map_err(|error| format!("the limits cannot be read: {error}"))?;

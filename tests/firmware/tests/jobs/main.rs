@@ -8,6 +8,7 @@ mod at_port;
 mod bender;
 mod cube;
 mod interrupted;
+mod lost;
 mod shop;
 mod standing;
 mod stop;

@@ -212,7 +212,7 @@ fn candidates(finding: Finding, all: &[Finding], trials: &mut Trials) -> Vec<Can
         | Code::FeedNearLimit
         | Code::ArcsOverlap => found.extend(lengths::candidates(finding, trials)),
         Code::BendNearLimit | Code::BendInScatter | Code::CornerNotMade => {
-            found.extend(bends::moves(finding, trials))
+            found.extend(bends::moves(finding, trials));
         }
         Code::BendTooSharp | Code::BendOutOfReach | Code::BendTooSmall => {
             found.extend(bends::moves(finding, trials));

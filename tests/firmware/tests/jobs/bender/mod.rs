@@ -4,7 +4,7 @@
 mod moment;
 mod pulses;
 
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use wirebend_driver_api::Axis;
 use wirebend_driver_wirebend_kit::bench::{Bench, Bender as Head, Compliance, Made, Peg, Scale, Wire};
@@ -68,6 +68,8 @@ pub struct Bender<B> {
     pub pulses: Pulses,
     pub stops: Vec<Stop>,
     sent: Vec<u8>,
+    /// Bytes to the controller that come before this moment are lost on the line.
+    deaf_until: Option<Instant>,
     /// Cycle at which the wire to the controller is free again.
     wire_free: u64,
     /// The last cycle at which the servo was told something.
@@ -91,6 +93,7 @@ impl<B: Board> Bender<B> {
             pulses: Pulses::default(),
             stops: Vec::new(),
             sent: Vec::new(),
+            deaf_until: None,
             wire_free: 0,
             servo_at: 0,
             watches: Vec::new(),
@@ -122,6 +125,11 @@ impl<B: Board> Bender<B> {
     /// Time since anything has moved, in cycles.
     pub fn still_for(&self) -> u64 {
         self.board.now() - self.pulses.last().map_or(0, |pulse| pulse.at).max(self.servo_at)
+    }
+
+    /// Whatever the host sends from here on is lost, for a time.
+    pub fn deafen(&mut self, time: Duration) {
+        self.deaf_until = Instant::now().checked_add(time);
     }
 
     /// Breaks the wire of the switch.
@@ -177,6 +185,9 @@ impl<B: Board + Send + 'static> Behind for Bender<B> {
     }
 
     fn send(&mut self, bytes: &[u8]) {
+        if self.deaf_until.is_some_and(|until| Instant::now() < until) {
+            return;
+        }
         for &byte in bytes {
             self.wire_free = self.wire_free.max(self.board.now()) + BYTE_CYCLES;
             if byte == STOP {
