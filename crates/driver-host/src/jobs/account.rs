@@ -113,6 +113,14 @@ impl Account {
                 self.accepted = *n;
                 self.works();
             }
+            What::NotTaken { after } => {
+                if *after > sent || *after < accepted.max(done) {
+                    return Err(format!(
+                        "no step after {after} was taken, with {accepted} taken and {sent} sent"
+                    ));
+                }
+                self.sent = *after;
+            }
             What::Done { n } => {
                 if *n != done + 1 || *n > sent {
                     return Err(format!("step {n} was made, after {done} and with {sent} sent"));

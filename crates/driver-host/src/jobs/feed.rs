@@ -22,6 +22,8 @@ pub(super) struct Feed {
     ended: bool,
     /// It has failed or refused: nothing more is sent.
     halted: bool,
+    /// What was sent last it has not answered: nobody knows what it has taken of it.
+    unanswered: bool,
 }
 
 impl Feed {
@@ -59,6 +61,7 @@ impl JobRun {
         self.sending();
         let batch: Vec<NumberedStep> = (sent + 1..=last).zip(self.steps_after(sent)).map(numbered).collect();
         let Some(armed) = &self.armed else { return Err(JobError::NotBegun) };
+        self.feed.unanswered = true;
         match self.session.send(armed, &batch) {
             Ok(taken) => {
                 self.feed.room = Some(taken.free);
@@ -67,12 +70,30 @@ impl JobRun {
                     self.note(What::Accepted { n: taken.accepted })?;
                     told.push(Progress::Sent { n: taken.accepted });
                 }
+                self.feed.unanswered = false;
                 Ok(())
             }
             // A stop came first: it is told of by itself.
-            Err(SessionError::Stale | SessionError::Host(HostError::StoppedBefore { .. })) => Ok(()),
-            Err(error) => self.failed(&error, told),
+            Err(SessionError::Stale | SessionError::Host(HostError::StoppedBefore { .. })) => {
+                self.feed.unanswered = false;
+                Ok(())
+            }
+            Err(error) => {
+                // Refused is answered: it has taken none of them, and makes what it had taken before.
+                self.feed.unanswered = !matches!(error, SessionError::Host(HostError::Refused { .. }));
+                self.failed(&error, told)
+            }
         }
+    }
+
+    /// What was about to be sent and was not taken is in no doubt, where the driver has said so.
+    pub(super) fn note_not_taken(&mut self) -> Result<(), JobError> {
+        let after = self.session.progress().0;
+        // Of a wire that was not begun this time the session knows nothing.
+        if self.armed.is_none() || self.feed.unanswered || after >= self.account().sent {
+            return Ok(());
+        }
+        self.note(What::NotTaken { after })
     }
 
     fn steps_after(&self, sent: u32) -> impl Iterator<Item = wirebend_driver_api::Step> {

@@ -234,6 +234,7 @@ impl JobRun {
         in_doubt: Option<u32>,
         told: &mut Vec<Progress>,
     ) -> Result<(), JobError> {
+        self.note_not_taken()?;
         self.note(What::Fault { error: error.clone(), in_doubt })?;
         let in_doubt = self.account().in_doubt().map(|steps| (*steps.start(), *steps.end()));
         self.pace.holds(self.clock.now());
@@ -285,6 +286,9 @@ impl JobRun {
 
     fn stopped(&mut self, by: Option<StoppedBy>) -> Result<(), JobError> {
         self.catch_up()?;
+        if !self.account().is_over() {
+            self.note_not_taken()?;
+        }
         (self.armed, self.stop_noted) = (None, true);
         self.feed.halt();
         self.pace.holds(self.clock.now());

@@ -108,6 +108,21 @@ fn a_machine_and_a_journal_that_contradict_each_other_are_told_apart() {
     );
 }
 
+/// Of what the driver has refused, or had no room for, nobody is asked.
+#[test]
+fn steps_that_were_not_taken_are_in_no_doubt() {
+    let mut account = after(&[armed(0), intent(1, 4), What::Accepted { n: 3 }, What::Done { n: 1 }]);
+    account.count(&What::NotTaken { after: 3 }).unwrap();
+    assert_eq!(account.in_doubt(), Some(2..=3));
+    // They are sent later, as if for the first time.
+    account.count(&intent(4, 5)).unwrap();
+    account.count(&What::NotTaken { after: 2 }).unwrap_err();
+    account.count(&What::NotTaken { after: 6 }).unwrap_err();
+    let mut refused = after(&[armed(0), intent(1, 4)]);
+    refused.count(&What::NotTaken { after: 0 }).unwrap();
+    assert_eq!((refused.in_doubt(), Resume::decide(&refused, None)), (None, Resume::TakeUp { from: 1 }));
+}
+
 /// What a driver had taken and not passed on to the machine died with it: it is sent again.
 #[test]
 fn steps_that_died_with_the_driver_are_sent_again() {

@@ -6,7 +6,8 @@ use wirebend_driver_api::{DriverError, GoingOn};
 
 use crate::session::StoppedBy;
 
-/// The version of the format; a journal of a later one is refused. Since 2 there is [`What::Standstill`].
+/// The version of the format; a journal of a later one is refused. Since 2 there are [`What::Standstill`] and
+/// [`What::NotTaken`].
 pub const VERSION: u32 = 2;
 
 /// A line of a journal.
@@ -55,6 +56,11 @@ pub enum What {
     Accepted {
         /// The last.
         n: u32,
+    },
+    /// The driver has refused, or has no room for, the steps after this one: they were not sent.
+    NotTaken {
+        /// The last that it has taken.
+        after: u32,
     },
     /// A step has been made.
     Done {
