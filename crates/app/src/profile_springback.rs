@@ -12,7 +12,8 @@ use crate::machine;
 const EVERY_DEG: u32 = 15;
 
 /// What is done where nobody has measured.
-const RULE: &str = "straight from each pair to the next; below the first pair and above the last the loss stays that of the nearest pair";
+const RULE: &str =
+    "straight from pair to pair; before the first and after the last the loss stays that of the nearest pair";
 
 /// What a wire loses of bends, by its table.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]

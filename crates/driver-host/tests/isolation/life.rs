@@ -15,6 +15,7 @@ pub enum Stage {
     Open,
     Encode,
     Ports,
+    Limits,
     Connect,
     Poll,
     WriteSettings,
@@ -33,11 +34,12 @@ pub enum Stage {
 pub const CALLS: [&str; 10] =
     ["poll", "write-settings", "home", "jog", "arm", "send", "pause", "resume", "stop", "disconnect"];
 
-const ORDER: [Stage; 16] = [
+const ORDER: [Stage; 17] = [
     Stage::Start,
     Stage::Open,
     Stage::Encode,
     Stage::Ports,
+    Stage::Limits,
     Stage::Connect,
     Stage::Poll,
     Stage::WriteSettings,
@@ -179,6 +181,7 @@ impl<'a> Life<'a> {
                 assert_eq!(encoded.files[0].text, "a wire\n");
             }
             Stage::Ports => assert_eq!(self.open.as_ref().unwrap().ports()?[0].name, "anywhere"),
+            Stage::Limits => assert_eq!(self.open.as_ref().unwrap().limits()?.limits.len(), 1),
             Stage::Connect => {
                 self.session = Some(Session::connect(self.open.take().unwrap(), "anywhere", None)?);
             }
