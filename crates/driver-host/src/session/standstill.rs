@@ -130,10 +130,15 @@ impl Guard {
         }
     }
 
-    /// Whether the machine may move, or a stop is not confirmed yet.
+    /// Whether the machine has to be stopped when its driver is lost: it may move, or a stop is not confirmed yet. What
+    /// was given up is not begun again by itself.
     pub fn concerns(&self) -> bool {
         let known = self.lock();
-        !known.over && (known.moves || known.standstill == Some(Standstill::Awaited))
+        let wanted = match known.standstill {
+            Some(standstill) => standstill == Standstill::Awaited,
+            None => known.moves,
+        };
+        wanted && !known.over
     }
 
     /// Writes the stop bytes to the port, and again until the machine confirms. Whether the system has taken them.

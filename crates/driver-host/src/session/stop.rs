@@ -114,8 +114,9 @@ impl StopHandle {
         let started = Instant::now();
         // In one moment with the place in the queue: no motion that was allowed before comes after it.
         let latch = || {
-            self.arming.end();
+            // Whoever sees that it was stopped has to see that the machine is waited for.
             self.guard.stop_begins();
+            self.arming.end();
             true
         };
         let answer = self.process.request_if(Mark::Call, to_body(&Call::Stop), deadline::STOP, latch);

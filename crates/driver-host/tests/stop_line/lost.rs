@@ -149,6 +149,23 @@ fn a_driver_that_is_killed_is_missed_by_itself() {
     }
 }
 
+/// It is given up once, and said so: whoever asks again hears the same at once.
+#[test]
+fn a_machine_that_moves_and_never_answers_is_given_up() {
+    let (folder, port) = (tempfile::tempdir().unwrap(), Port::new());
+    let kept = Kept::new(folder.path(), "exit");
+    let (mut session, _armed) = in_state(&kept.library, &port, "running");
+    kill(&session);
+    port.heard(5);
+    let begun = Instant::now();
+    settles(&mut session, Standstill::NotConfirmed, "for ever");
+    for _ in 0..3 {
+        session.poll().unwrap_err();
+        assert_eq!(session.standstill(), Some(Standstill::NotConfirmed));
+    }
+    assert!(begun.elapsed() < Duration::from_secs(15), "{:?}", begun.elapsed());
+}
+
 /// Were it stopped, a machine that waits for its next wire would have to be homed for nothing.
 #[test]
 fn a_machine_at_rest_is_left_alone() {

@@ -15,7 +15,7 @@ use wirebend_tests_firmware::board::{Board, HZ, MS, Reset};
 pub enum What {
     /// The program is killed, and takes its driver with it.
     ProgramKilled,
-    /// The driver's process is killed.
+    /// The driver's process is killed: the program stops the machine itself.
     DriverKilled,
     /// The reset pin of the controller is touched.
     ControllerReset,
@@ -116,6 +116,9 @@ impl Case {
             What::Stopped => assert_eq!(ran.status.code(), Some(130), "{told}"),
             _ => assert_eq!(ran.status.code(), Some(5), "{told}"),
         }
+        if matches!(self.what, What::Stopped | What::DriverKilled) {
+            assert!(told.contains("the machine has confirmed that it stands"), "{told}");
+        }
         if self.what != What::ProgramKilled {
             assert!(told.contains("--resume"), "it does not say how to go on: {told}");
         }
@@ -125,7 +128,7 @@ impl Case {
     fn check_quiet<B: Board + Send + 'static>(&self, at: &AtPort<B>, since: u64) {
         let what = self.what;
         at.with(move |bender| match what {
-            What::Stopped => {
+            What::Stopped | What::DriverKilled => {
                 let stop = bender.stops.first().expect("a STOP");
                 let after = bender.pulses.all().iter().filter(|pulse| pulse.at > stop.at).count();
                 assert_eq!(after, 0, "pulses after the STOP");

@@ -46,7 +46,7 @@ impl Case {
             let file = job.file.to_str().unwrap();
             job.shop.ran(runs, &["run", file, "--port", &at.port, "--yes", answer])
         };
-        let keeps = matches!(self.what, What::ProgramKilled | What::DriverKilled | What::CablePulled);
+        let keeps = matches!(self.what, What::ProgramKilled | What::CablePulled);
         let told = if keeps && !self.reset_on_open {
             resume("--resume").ended(0);
             check_unbroken(job, at);
@@ -65,7 +65,7 @@ impl Case {
 
     /// Whether the machine makes lines that nobody hears of.
     fn may_run_on(&self) -> bool {
-        !matches!(self.what, What::ControllerReset | What::PowerLost | What::Stopped)
+        matches!(self.what, What::ProgramKilled | What::CablePulled)
     }
 
     /// A person looks at the wire and says of each step in doubt whether it was made to its end.
@@ -103,7 +103,7 @@ impl Case {
         let twice = if bending { 0 } else { net(&truth.part, Axis::Feed) };
         assert_eq!(net(&pulses, Axis::Feed), net(&job.pulses, Axis::Feed) + twice, "feed");
         // A head that was turned in part and then forgotten stays off by that; one that is remembered is turned back.
-        let forgotten = self.what != What::Stopped || self.reset_on_open;
+        let forgotten = !matches!(self.what, What::Stopped | What::DriverKilled) || self.reset_on_open;
         let stood = net(before_line(truth.whole), Axis::Rotate) + net(&truth.part, Axis::Rotate);
         let off = if forgotten { stood - net(before_line(taken), Axis::Rotate) } else { 0 };
         assert_eq!(net(&pulses, Axis::Rotate), net(&job.pulses, Axis::Rotate) + off, "rotate");
