@@ -42,6 +42,8 @@ pub struct MachineSettingsResponse {
     pub settings: Vec<SettingCheck>,
     /// Whether it is set so that wires come out as planned.
     pub fits: bool,
+    /// Whether the machine's driver can write settings.
+    pub writable: bool,
     /// Whether the settings were written this time.
     pub written: bool,
     /// What a person should know.
@@ -76,12 +78,14 @@ pub(crate) fn machine_settings(
         connection.write_settings(&yes)?;
     }
     let settings = std::mem::take(&mut connection.hearing.settings);
+    let writable = connection.session.driver().description().can(Capability::Settings);
     Ok(MachineSettingsResponse {
         machine: machine.profile.id.clone(),
         port: connection.port.clone(),
         identity: connection.session.identity().to_owned(),
         fits: !settings.iter().any(|setting| setting.matters),
         settings,
+        writable,
         written: request.write,
         notes: std::mem::take(&mut connection.hearing.warnings),
     })

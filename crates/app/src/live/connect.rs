@@ -194,7 +194,9 @@ impl<'a> Connection<'a> {
         if settings.is_empty() || accept {
             return Ok(());
         }
-        Err(LiveProblem::SettingsDiffer { machine: machine.to_owned(), port: self.port.clone(), settings })
+        let writable = self.session.driver().description().can(Capability::Settings);
+        let (machine, port) = (machine.to_owned(), self.port.clone());
+        Err(LiveProblem::SettingsDiffer { machine, port, settings, writable })
     }
 
     /// Writes the profile's settings to the machine, for good, and waits until it has told what came of it.

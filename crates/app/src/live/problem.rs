@@ -105,8 +105,9 @@ pub enum LiveProblem {
     Job(#[from] JobError),
     /// The machine is set otherwise than its profile says.
     #[error(
-        "the machine is not set as the profile of '{machine}' says, and wires would come out wrong: {}; write them with `wirebend machine-settings --machine {machine} --port {port} --write`, or make wires all the same with --accept-settings",
-        listed(settings)
+        "the machine is not set as the profile of '{machine}' says, and wires would come out wrong: {}; {}, or make wires all the same with --accept-settings",
+        listed(settings),
+        how_to_set(machine, port, *.writable)
     )]
     SettingsDiffer {
         /// The machine.
@@ -115,6 +116,8 @@ pub enum LiveProblem {
         port: String,
         /// Which.
         settings: Vec<SettingCheck>,
+        /// Whether its driver can write them.
+        writable: bool,
     },
     /// A job has fewer wires.
     #[error("there is no wire {}: the job has {count}, counted from 1", .wire.saturating_add(1))]
@@ -262,6 +265,15 @@ pub(crate) const fn hard_stop(by: StoppedBy) -> &'static str {
     }
 }
 
+fn how_to_set(machine: &str, port: &str, writable: bool) -> String {
+    if writable {
+        format!("write them with `wirebend machine-settings --machine {machine} --port {port} --write`")
+    } else {
+        "its driver cannot write them: set them at the machine with its own program, or correct the profile"
+            .to_owned()
+    }
+}
+
 fn listed(settings: &[SettingCheck]) -> String {
     let one = |s: &SettingCheck| format!("{} is {}, not {}", s.name, s.machine, s.expected);
     settings.iter().map(one).collect::<Vec<_>>().join(", ")
@@ -370,5 +382,29 @@ const fn job_code(error: &JobError) -> &'static str {
         JobError::Contradiction(_) => "contradiction",
         JobError::Nothing(_) => "nothing",
         JobError::NotBegun => "not-begun",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A command that the driver refuses leads a person in a circle.
+    #[test]
+    fn settings_are_written_by_a_command_only_where_the_driver_can() {
+        let told = |writable| {
+            let setting = SettingCheck {
+                name: "$100".to_owned(),
+                machine: "80".to_owned(),
+                expected: "40".to_owned(),
+                matters: true,
+            };
+            let (machine, port) = ("bender".to_owned(), "/dev/ttyUSB0".to_owned());
+            LiveProblem::SettingsDiffer { machine, port, settings: vec![setting], writable }.to_string()
+        };
+        assert!(told(true).contains("$100 is 80, not 40; write them with `wirebend machine-settings"));
+        assert!(told(false).contains("$100 is 80, not 40; its driver cannot write them"));
+        assert!(!told(false).contains("--write"), "{}", told(false));
+        assert!([true, false].into_iter().all(|writable| told(writable).contains("--accept-settings")));
     }
 }

@@ -138,6 +138,12 @@ pub(super) fn machine_settings(
     if found.written {
         return writeln!(err, "the settings were written; home the machine before it moves");
     }
+    if !found.fits && !found.writable {
+        return writeln!(
+            err,
+            "its driver cannot write settings: set them at the machine with its own program, or correct the profile"
+        );
+    }
     if !found.fits {
         let (machine, port) = (&found.machine, &found.port);
         writeln!(
