@@ -150,7 +150,9 @@ impl Guard {
                 self.0.settled.notify_all();
                 return false;
             };
-            (known.standstill, known.since) = (Some(Standstill::Awaited), Some(Instant::now()));
+            if known.standstill != Some(Standstill::Awaited) {
+                (known.standstill, known.since) = (Some(Standstill::Awaited), Some(Instant::now()));
+            }
             (line, !std::mem::replace(&mut known.insists, true))
         };
         if !first {
