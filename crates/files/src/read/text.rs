@@ -169,7 +169,7 @@ fn utf16(bytes: &[u8]) -> Option<fn([u8; 2]) -> u16> {
     }
 }
 
-/// Bytes as text, see [`utf8`]. What is not UTF-8 is replaced: it can only be in names and comments, or an error will
+/// Bytes as text, see `utf8`. What is not UTF-8 is replaced: it can only be in names and comments, or an error will
 /// show it.
 #[must_use]
 pub fn decode(bytes: &[u8]) -> Cow<'_, str> {
