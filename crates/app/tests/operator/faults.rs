@@ -15,7 +15,7 @@ const ALL: [u64; 8] = [1, 2, 3, 4, 5, 6, 7, 8];
 
 /// The controller starts anew in the middle of a wire: what was sent and not reported a person looks at.
 #[test]
-fn a_wire_is_finished_after_a_reset_with_doubts_asked_one_by_one() {
+fn a_wire_is_finished_after_a_reset_with_the_doubt_asked() {
     for (how, made) in [("reset", false), ("reset-after", true)] {
         let shop = Shop::faulty(3, how);
         let (seat, job) = (connected(&shop), shop.cube("odd"));
@@ -31,9 +31,7 @@ fn a_wire_is_finished_after_a_reset_with_doubts_asked_one_by_one() {
         seat.resume(&job);
         let asked = seat.says(if made { Answer::Made } else { Answer::NotMade });
         assert_eq!((asked.kind, asked.doubt.unwrap().step), (QuestionKind::Doubt, 3));
-        if made {
-            assert_eq!(seat.says(Answer::NotMade).doubt.unwrap().step, 4);
-        }
+        // Three steps were taken of the four that were sent: of the fourth nobody is asked.
         let asked = seat.says(Answer::Yes);
         assert_eq!(asked.kind, QuestionKind::GoOn);
         // The same happens at step 3 to whoever makes that again.
@@ -45,7 +43,7 @@ fn a_wire_is_finished_after_a_reset_with_doubts_asked_one_by_one() {
         seat.until_phase(Phase::Ready);
         assert_eq!(shop.made(), ALL, "each step was made once");
         let record = shop.record();
-        assert_eq!((record.outcome, record.decisions.len()), (Outcome::Finished, 2));
+        assert_eq!((record.outcome, record.decisions.len()), (Outcome::Finished, 1));
     }
 }
 
