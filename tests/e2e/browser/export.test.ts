@@ -47,6 +47,14 @@ it("writes each format of the machine, and each file begins as was shown", async
 it("says that a file is written where a person sees it, in a low window too", async () => {
   const whole = editor.page.viewportSize();
   await editor.page.setViewportSize({ width: 1280, height: 600 });
+  // The preview comes after the file: the last moment at which something can move the line.
+  let letGo = (): void => {};
+  const held = new Promise<void>((go) => (letGo = go));
+  await editor.page.route("**/ask", async (route) => {
+    const asked = route.request().postDataJSON() as { ask: string; output?: unknown };
+    if (asked.ask === "export" && !asked.output) await held;
+    await route.continue();
+  });
   await format().selectOption("lra-csv");
   await target().fill(into("low.csv"));
   // The last that is seen of the panel is the button.
@@ -59,6 +67,10 @@ it("says that a file is written where a person sees it, in a low window too", as
     return at.contains(document.elementFromPoint((left + right) / 2, (top + bottom) / 2));
   };
   await until(() => written.evaluate(isSeen)).toBe(true);
+  letGo();
+  await preview().first().waitFor();
+  await until(() => written.evaluate(isSeen)).toBe(true);
+  await editor.page.unroute("**/ask");
   if (whole) await editor.page.setViewportSize(whole);
 });
 

@@ -48,10 +48,11 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
   const done = written?.format === format.id ? written.files : [];
   const answer = useRef<HTMLDivElement>(null);
   const [before] = useState(written);
+  const previewed = preview?.format === format.id;
   useEffect(() => {
-    // It may come below what is seen of the panel.
+    // It may come below what is seen of the panel, and a preview that arrives after it moves it down again.
     if (written && written !== before) void answer.current?.scrollIntoView({ block: "nearest" });
-  }, [written, before]);
+  }, [written, before, previewed]);
   return (
     <div className="stack">
       <Field label="File">
