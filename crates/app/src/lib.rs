@@ -60,7 +60,7 @@ pub use editor::{
 pub use error::{AppError, ErrorKind};
 pub use export::{ExportFormat, ExportRequest, ExportResponse};
 pub use import::{ImportRequest, ImportResponse};
-pub use live::{Decision, Doubt, LiveProblem, News};
+pub use live::{Decided, Decision, Doubt, LiveProblem, News, PartOfStep};
 pub use machine_settings::{MachineSettingsRequest, MachineSettingsResponse};
 pub use operator::{
     Answer, ConnectRequest, MachineState, Operator, OperatorError, OperatorEvent, OperatorListener, Order,

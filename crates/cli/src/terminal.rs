@@ -4,7 +4,7 @@ use std::io::{BufRead, IsTerminal, Write};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
 
-use wirebend_app::{Decision, Doubt, News, NoProgress, Progress, SeverityName, StopHandle};
+use wirebend_app::{Decision, Doubt, News, NoProgress, PartOfStep, Progress, SeverityName, StopHandle};
 
 use crate::progress::Bar;
 use crate::{render, stop};
@@ -44,21 +44,44 @@ impl Terminal {
         }
     }
 
+    /// A line of the person's.
+    fn line(&self, prompt: &str) -> Option<String> {
+        let ask = || {
+            let _ = write!(std::io::stderr(), "{prompt} ");
+            let _ = std::io::stderr().flush();
+            read_line()
+        };
+        match &self.bar {
+            Some(bar) => bar.aside(ask),
+            None => ask(),
+        }
+    }
+
+    /// How much of a feed or a turn was made; `None` when they cannot tell.
+    fn measured(&self, question: &str, whole: f64) -> Option<f64> {
+        if whole.abs() < NOTHING {
+            return Some(0.0);
+        }
+        loop {
+            let line = self.line(&format!("{question}, between 0 and {whole:.1}? [Enter: I cannot tell]"))?;
+            let word = line.trim();
+            if word.is_empty() {
+                return None;
+            }
+            let within = |part: &f64| *part >= whole.min(0.0) - NOTHING && *part <= whole.max(0.0) + NOTHING;
+            if let Some(part) = word.replace(',', ".").parse().ok().filter(within) {
+                return Some(part);
+            }
+        }
+    }
+
     /// Asks until one of the answers is given; `None` when nobody is there, or they press Ctrl-C.
     fn ask(&self, question: &str, answers: &[&str]) -> Option<usize> {
         if !is_interactive() {
             return None;
         }
         loop {
-            let prompt = || {
-                let _ = write!(std::io::stderr(), "{question} [{}] ", answers.join("/"));
-                let _ = std::io::stderr().flush();
-                read_line()
-            };
-            let line = match &self.bar {
-                Some(bar) => bar.aside(prompt),
-                None => prompt(),
-            }?;
+            let line = self.line(&format!("{question} [{}]", answers.join("/")))?;
             let word = line.trim().to_lowercase();
             let fits = |answer: &&str| !word.is_empty() && answer.to_lowercase().starts_with(&word);
             if let Some(found) = answers.iter().position(fits) {
@@ -71,6 +94,9 @@ impl Terminal {
         }
     }
 }
+
+/// Less than this is nothing, mm and degrees.
+const NOTHING: f64 = 0.05;
 
 /// Whether a person reads and writes.
 fn is_interactive() -> bool {
@@ -135,10 +161,30 @@ impl Progress for Terminal {
         }
         self.say(&format!("{doubt}. Look at the wire."));
         match self.ask("Was this step made to its end?", &["yes", "no", "I do not know"])? {
-            0 => Some(Decision::Made),
-            1 => Some(Decision::NotMade),
-            _ => None,
+            0 => return Some(Decision::Made),
+            1 => {}
+            _ => self.say(
+                "Count the bends of the wire: with the bend of this step in it, the step was made. Without it, measure.",
+            ),
         }
+        let whole = doubt.told.bend_deg;
+        self.say(&format!(
+            "Its bend of {whole:.1}° is made from the beginning, so that only feed and rotation count."
+        ));
+        if let Some(part) = doubt.counted {
+            let counted = format!(
+                "Is it {:.1} mm fed and {:.1}° turned, as the machine counts?",
+                part.feed_mm, part.rotate_deg
+            );
+            match self.ask(&counted, &["yes", "no", "I do not know"])? {
+                0 => return Some(Decision::AsCounted),
+                1 => {}
+                _ => return None,
+            }
+        }
+        let feed_mm = self.measured("How many mm of it were fed", doubt.told.feed_mm)?;
+        let rotate_deg = self.measured("How many degrees was it turned", doubt.told.rotate_deg)?;
+        Some(Decision::Part(PartOfStep { feed_mm, rotate_deg }))
     }
 
     fn connected(&self, handle: &StopHandle) {

@@ -82,10 +82,14 @@ pub struct Run {
     #[serde(default)]
     pub after: u32,
     /// Where the head stands, degrees from its reference, in the machine's signs: the sum of what the steps that
-    /// are made have turned it. A machine that has lost its head takes it to stand there. One that has found its
+    /// are made have turned it, and of what is turned of the next. A machine that has lost its head takes it to stand there. One that has found its
     /// reference anew, so that the head stands at zero, turns it there before the next step. Since 1.1.
     #[serde(default)]
     pub rotate_at_deg: f64,
+    /// How much of the step after `after` is fed already, mm: a step that was interrupted, of which the rest is sent under
+    /// its number. Since 1.2.
+    #[serde(default)]
+    pub fed_mm: f64,
     /// What a simulated machine has to know of the bender and of the wire. Others pass over it. Since 1.1.
     #[serde(default)]
     pub bench: Option<Box<Bench>>,

@@ -51,6 +51,19 @@ pub enum Event {
         /// Whether it still knows where its axes are.
         homed: bool,
     },
+    /// The machine stands in the middle of a step, and has not begun those after it; every step before was reported.
+    /// Told before `stopped` or `fault`, or after a `fault` as soon as the machine stands. Since 1.2.
+    PartMade {
+        /// The step.
+        step: u32,
+        /// How much of its feed and its rotation was made, and where the bend axis stands, in the machine's signs; absent
+        /// when the machine cannot tell.
+        #[serde(default)]
+        made: Option<Step>,
+        /// The axis that was on its way stands exactly there. False where it may have lost steps as it stopped.
+        #[serde(default)]
+        exact: bool,
+    },
     /// Where the axes are, in the machine's signs.
     Position(Step),
     /// The driver's settings are in the machine, which has been asked for them afterwards. Since 1.1.
@@ -81,7 +94,8 @@ pub enum Event {
         /// What happened and what to do.
         #[serde(flatten)]
         error: DriverError,
-        /// The step of which nobody knows whether it was made.
+        /// The step of which nobody knows whether it was made: the machine has not begun those after it, and will not.
+        /// Absent where there is none, and where a machine that still has steps may go on by itself.
         #[serde(default)]
         in_doubt: Option<u32>,
         /// Whether the port is closed.

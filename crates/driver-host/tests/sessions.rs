@@ -302,7 +302,7 @@ fn a_machine_goes_on_with_what_it_was_asked_for_alone() {
     let mut session = session_with(&library);
     session.poll().unwrap();
     assert_eq!((session.state(), session.going_on()), (State::Connected, None));
-    assert!(matches!(session.take_up(Run::default(), &[], yes()), Err(SessionError::State { .. })));
+    assert!(matches!(session.take_up(Run::default(), &[], 0.0, yes()), Err(SessionError::State { .. })));
 
     let mut session =
         Session::connect_resuming(session.disconnect().unwrap(), "anywhere", "7", None).unwrap();

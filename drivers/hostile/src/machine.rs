@@ -13,7 +13,7 @@ use std::path::PathBuf;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use wirebend_driver_api::{
-    Batch, Call, DriverError, Event, GoingOn, PausedBy, ReferenceBy, Sent, SettingCheck,
+    Batch, Call, DriverError, Event, GoingOn, PausedBy, ReferenceBy, Sent, SettingCheck, Step,
 };
 
 /// How many steps it takes ahead.
@@ -27,6 +27,15 @@ pub(crate) struct Settings {
     alone: u32,
     holds_by_hand: u32,
     misset: bool,
+    /// What it says of the step that a stop has ended in its middle.
+    cut: Option<Cut>,
+}
+
+/// How far a step is that was ended in its middle.
+#[derive(Debug, Clone, Copy, Deserialize)]
+struct Cut {
+    made: Option<Step>,
+    exact: bool,
 }
 
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -69,6 +78,8 @@ struct Kept {
     made: Vec<u32>,
     /// Where the head was said to stand, for each arming.
     heads: Vec<f64>,
+    /// Every step as it was told.
+    told: Vec<Step>,
 }
 
 #[derive(Debug)]
@@ -145,6 +156,12 @@ impl Machine {
                 (self.going_on, self.holds) = (false, false);
                 self.kept.session = None;
                 self.save();
+                if let Some(Cut { made, exact }) = self.settings.cut
+                    && self.kept.done < self.kept.accepted
+                {
+                    let step = self.kept.done + 1;
+                    self.events.push_back(Event::PartMade { step, made, exact });
+                }
                 self.events.push_back(Event::Stopped { homed: false });
             }
             Call::Disconnect => {}
@@ -196,6 +213,7 @@ impl Machine {
             }
             self.kept.accepted += 1;
             assert_eq!(step.n, self.kept.accepted, "a gap");
+            self.kept.told.push(step.step);
         }
         self.kept.ends |= batch.last && self.kept.accepted == self.kept.steps;
         self.save();
@@ -232,19 +250,20 @@ impl Machine {
                 self.holds = true;
                 self.events.extend([Event::Done { n }, Event::Paused { by: PausedBy::Machine }]);
             }
-            Some(How::Unplug | How::UnplugAfter) => self.fault(n, "unplugged"),
+            // It may go on by itself.
+            Some(How::Unplug | How::UnplugAfter) => self.fault(None, "unplugged"),
             Some(How::Reset | How::ResetAfter) => {
                 self.kept.session = None;
                 self.save();
-                self.fault(n, "reset");
+                self.fault(Some(n), "reset");
             }
         }
     }
 
-    fn fault(&mut self, n: u32, code: &str) {
+    fn fault(&mut self, in_doubt: Option<u32>, code: &str) {
         self.holds = true;
         let error = DriverError::new(code, "as it was told to", "connect again");
-        self.events.push_back(Event::Fault { error, in_doubt: Some(n), disconnected: true });
+        self.events.push_back(Event::Fault { error, in_doubt, disconnected: true });
     }
 
     fn make(&mut self) {

@@ -3,7 +3,15 @@
 /**
  * What a person says to a question.
  */
-export type Answer = "yes" | "no" | "made" | "not-made";
+export type Answer =
+  | "yes"
+  | "no"
+  | "made"
+  | "not-made"
+  | "as-counted"
+  | {
+      part: PartOfStep;
+    };
 /**
  * A change that a person asks for. Lengths in mm, vertices and edges by their ids.
  */
@@ -349,7 +357,7 @@ export type MachineOrder =
       /**
        * What became of the first step of which nobody knows; absent, a person is asked.
        */
-      decided?: Decision | null;
+      decided?: Decided | null;
       /**
        * Hash of its job.
        */
@@ -419,7 +427,13 @@ export type Move =
 /**
  * What a person says of a step in doubt.
  */
-export type Decision = "made" | "not-made";
+export type Decision =
+  | "made"
+  | "not-made"
+  | "as-counted"
+  | {
+      part: PartOfStep;
+    };
 
 export interface Requests {
   about: AboutRequest;
@@ -479,6 +493,19 @@ export interface AnswerMachine {
    * The number of the question.
    */
   question: number;
+}
+/**
+ * How much of a step is in the wire, in canonical signs. What it bends counts for nothing: a bend is made from its beginning.
+ */
+export interface PartOfStep {
+  /**
+   * Fed, mm.
+   */
+  feed_mm: number;
+  /**
+   * Turned, degrees.
+   */
+  rotate_deg: number;
 }
 /**
  * Changes the driver's settings in a profile of the person's own.
@@ -785,6 +812,16 @@ export interface OpenExample {
  */
 export interface OrderMachine {
   request: MachineOrder;
+}
+/**
+ * What a person says of one step. It counts for that step alone, however often it is said.
+ */
+export interface Decided {
+  /**
+   * The step, from 1.
+   */
+  step: number;
+  what: Decision;
 }
 /**
  * Asks for the ports.

@@ -392,6 +392,10 @@ export type Seen = "document" | "wireframe" | "stencil" | "both" | "job";
  * What became of a wire.
  */
 export type Outcome = "finished" | "abandoned" | "unfinished";
+/**
+ * Who has said how much of a step is made.
+ */
+export type ToldBy = "machine" | "person";
 
 export interface Responses {
   about: AboutResponse;
@@ -598,6 +602,11 @@ export interface Question {
  * A step of which nobody knows whether it was made.
  */
 export interface Doubt {
+  before: PartOfStep;
+  /**
+   * How much of it is in the wire as the machine has counted; null where it cannot tell.
+   */
+  counted: PartOfStep | null;
   designed: StepReport;
   /**
    * The last step that was sent: when this one was made, the next ones up to it are in doubt, too.
@@ -616,6 +625,19 @@ export interface Doubt {
    * Index of the wire, from 0.
    */
   wire: number;
+}
+/**
+ * How much of a step is in the wire, in canonical signs. What it bends counts for nothing: a bend is made from its beginning.
+ */
+export interface PartOfStep {
+  /**
+   * Fed, mm.
+   */
+  feed_mm: number;
+  /**
+   * Turned, degrees.
+   */
+  rotate_deg: number;
 }
 /**
  * A setting of the machine against what the driver's settings say.
@@ -2471,7 +2493,7 @@ export interface Record {
    */
   corners_mm: [number, number, number][];
   /**
-   * What a person said of steps that nobody knew of, in order.
+   * What was said of steps that were in doubt, in order.
    */
   decisions: Decision[];
   /**
@@ -2498,7 +2520,7 @@ export interface Record {
   started: string;
 }
 /**
- * What a person said of a step.
+ * What was said of a step in doubt: by a person, or by the machine where it could tell how far it was.
  */
 export interface Decision {
   /**
@@ -2510,9 +2532,27 @@ export interface Decision {
    */
   made: boolean;
   /**
+   * How much of it was in the wire, where it was made in part; its rest was made then.
+   */
+  part: PartInWire | null;
+  /**
    * The step.
    */
   step: number;
+}
+/**
+ * How much of a step was in the wire, in the machine's signs.
+ */
+export interface PartInWire {
+  by: ToldBy;
+  /**
+   * Fed, mm.
+   */
+  feed_mm: number;
+  /**
+   * Turned, degrees.
+   */
+  rotate_deg: number;
 }
 /**
  * A stop or a failure.

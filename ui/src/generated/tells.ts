@@ -167,7 +167,15 @@ export type PausedBy = "program" | "silence" | "machine";
 /**
  * What a person says to a question.
  */
-export type Answer = "yes" | "no" | "made" | "not-made";
+export type Answer =
+  | "yes"
+  | "no"
+  | "made"
+  | "not-made"
+  | "as-counted"
+  | {
+      part: PartOfStep;
+    };
 /**
  * One axis by an amount, in canonical signs, or the search for the reference.
  */
@@ -348,6 +356,11 @@ export interface Question {
  * A step of which nobody knows whether it was made.
  */
 export interface Doubt {
+  before: PartOfStep;
+  /**
+   * How much of it is in the wire as the machine has counted; null where it cannot tell.
+   */
+  counted: PartOfStep | null;
   designed: StepReport;
   /**
    * The last step that was sent: when this one was made, the next ones up to it are in doubt, too.
@@ -366,6 +379,19 @@ export interface Doubt {
    * Index of the wire, from 0.
    */
   wire: number;
+}
+/**
+ * How much of a step is in the wire, in canonical signs. What it bends counts for nothing: a bend is made from its beginning.
+ */
+export interface PartOfStep {
+  /**
+   * Fed, mm.
+   */
+  feed_mm: number;
+  /**
+   * Turned, degrees.
+   */
+  rotate_deg: number;
 }
 /**
  * A setting of the machine against what the driver's settings say.

@@ -4,7 +4,7 @@ import type { OperatorEvent, StepReport } from "../generated/tells";
 import type { Told } from "../platform";
 
 export type { Answer, MachineOrder as Order, Move } from "../generated/requests";
-export type { Doubt, MachineState, News, OperatorEvent, OrderName, Phase, Question, Unfinished, WireRun, WireState } from "../generated/tells";
+export type { Doubt, MachineState, News, OperatorEvent, OrderName, PartOfStep, Phase, Question, Unfinished, WireRun, WireState } from "../generated/tells";
 
 /** Feed in mm, the others in degrees, in canonical signs. */
 export type Axes = StepReport;

@@ -6,7 +6,7 @@ import { type DesignStore, useDesign } from "./design";
 import { useFiles } from "./files";
 import { StepWatch } from "./live_step";
 import { useMachines, viewOf } from "./machines";
-import type { Axes, WireState } from "./operator";
+import type { Axes, Doubt, WireState } from "./operator";
 import { told } from "./problems";
 import { asking } from "./work";
 
@@ -232,6 +232,13 @@ export async function showLive({ job_hash, name, wire, made }: Pick<WireState, "
   const step = steps[made];
   const at = watch.at(made, step && { told: step.told ?? step.designed, seconds: step.seconds }, axes);
   usePlayback.setState({ live: true, step: Math.min(at, steps.length) });
+}
+
+/** Shows a wire as far as it is made, with what the machine has counted of the step of which nobody is sure. */
+export async function showDoubt(wire: Pick<WireState, "job_hash" | "name" | "wire">, { step, counted }: Doubt): Promise<void> {
+  const upTo = { ...wire, made: step - 1 };
+  await showLive(upTo, { feed_mm: 0, rotate_deg: 0, bend_deg: 0 });
+  if (counted) await showLive(upTo, { ...counted, bend_deg: 0 });
 }
 
 /** The machine is done with the wire: the person may play it. */

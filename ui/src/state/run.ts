@@ -5,7 +5,7 @@ import { type ConsoleLine, withLines } from "./console";
 import { useDesign } from "./design";
 import { useFiles } from "./files";
 import { tell, told } from "./problems";
-import { endLive, showLive } from "./program";
+import { endLive, showDoubt, showLive } from "./program";
 import { type Answer, type MachineState, type Move, operatorEvent, type OperatorEvent, type Order, type Question, type WireRun } from "./operator";
 import { useUi } from "./ui";
 import { worded } from "./wording";
@@ -55,6 +55,7 @@ function standAsAnswered(state: MachineState | null, before: number): void {
 function stand(state: MachineState | null): void {
   useRun.setState(({ question }) => ({ state, question: state?.question === undefined ? question : state.question }));
   if (state && isMade(state)) showWire();
+  else if (state?.wire && state.question?.doubt) void showDoubt(state.wire, state.question.doubt);
   else endLive();
 }
 

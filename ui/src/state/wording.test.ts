@@ -9,7 +9,7 @@ describe("worded", () => {
     ["unfinished", "wire 1 of this job was begun on Monday and is not over: 3 of 5 steps are made; go on with `wirebend run x --resume`, or give it up with `wirebend run x --abandon`", "3 of 5 steps are made"],
     ["moves-of-another", "up.wbmoves was recorded on 'a', not on 'b'; to replay it all the same, say --machine b", "recorded on 'a', not on 'b'"],
     ["no-port", "say with --port where the machine is; there are: sim", "port"],
-    ["contradiction", "the machine counts 4 steps, the journal 3. With `run x --resume=made` or `run x --resume=not-made` the machine is stopped", "The machine counts 4 steps, the journal 3"],
+    ["contradiction", "the machine counts 4 steps, the journal 3. With `run x --resume=made:N`, `run x --resume=not-made:N` or `run x --resume=part:N:MM:DEGREES` of the first step N that it is unknown of, the machine is stopped, and the answer is taken", "The machine counts 4 steps, the journal 3"],
     ["only-stencil", "bunny.stl holds a surface and no lines: import it with --face-edges to take the edges of its faces, or trace a wireframe on it", "bunny.stl holds a surface"],
     ["value", "--scale is 0: a number above 0", "Scale is 0: a number above 0"],
   ])("keeps the fact of %s, and names no option or command", (code, message, fact) => {

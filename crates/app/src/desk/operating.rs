@@ -10,7 +10,7 @@ use wirebend_files::document::{Job, save_atomically};
 use super::{Desk, Tell};
 use crate::output::Output;
 use crate::{
-    Answer, AppError, ConnectRequest, Decision, Input, MachineState, Move, NoProgress, Operator,
+    Answer, AppError, ConnectRequest, Decided, Input, MachineState, Move, NoProgress, Operator,
     OperatorError, OperatorEvent, Order, Phase, Progress,
 };
 
@@ -69,7 +69,7 @@ pub enum MachineOrder {
         wire: usize,
         /// What became of the first step of which nobody knows; absent, a person is asked.
         #[serde(default)]
-        decided: Option<Decision>,
+        decided: Option<Decided>,
         /// Whether to make it although the machine's settings are not those of its profile.
         #[serde(default)]
         accept_settings: bool,

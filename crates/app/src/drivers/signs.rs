@@ -2,9 +2,10 @@
 
 use wirebend_core::bend::{Convention, Sign, Step};
 use wirebend_driver_host::api::{self, Axis, Motion};
+use wirebend_driver_host::jobs::Part;
 use wirebend_profile::MachineFigures;
 
-use crate::{Move, StepReport};
+use crate::{Move, PartOfStep, StepReport};
 
 /// The signs of a machine.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -41,6 +42,16 @@ impl Signs {
             rotate_deg: step.rotate_deg * factor(self.0.rotate),
             bend_deg: step.bend_deg * factor(self.0.bend),
         }
+    }
+
+    /// How much of a step is in the wire, as the machine counts it.
+    pub fn part(self, part: Part) -> PartOfStep {
+        PartOfStep { feed_mm: part.feed_mm, rotate_deg: part.rotate_deg * factor(self.0.rotate) }
+    }
+
+    /// How much of a step is in the wire as a person says it, as the machine counts it.
+    pub fn told_part(self, part: PartOfStep) -> Part {
+        Part { feed_mm: part.feed_mm, rotate_deg: part.rotate_deg * factor(self.0.rotate) }
     }
 
     /// A place on a wire that was made with the machine's signs, in the frame of the turtle that starts it.

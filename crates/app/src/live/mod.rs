@@ -7,7 +7,7 @@ mod problem;
 mod standstill;
 
 pub(crate) use connect::{At, Connection, Hearing, PAUSE, Unnamed, home, stop_of};
-pub use news::{Decision, Doubt, News};
+pub use news::{Decided, Decision, Doubt, News, PartOfStep};
 pub(crate) use person::{Yes, Zero};
 pub use problem::LiveProblem;
 pub(crate) use problem::hard_stop;

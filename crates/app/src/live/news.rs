@@ -70,31 +70,71 @@ pub struct Doubt {
     pub last: u32,
     /// What it was to do to the wire: feed, then rotate, then bend, as designed.
     pub designed: StepReport,
-    /// What the machine was told.
+    /// What the machine is told of the whole of it.
     pub told: StepReport,
+    /// How much of it was in the wire before it was sent last.
+    pub before: PartOfStep,
+    /// How much of it is in the wire as the machine has counted; null where it cannot tell.
+    pub counted: Option<PartOfStep>,
+}
+
+/// How much of a step is in the wire, in canonical signs. What it bends counts for nothing: a bend is made from its beginning.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PartOfStep {
+    /// Fed, mm.
+    pub feed_mm: f64,
+    /// Turned, degrees.
+    pub rotate_deg: f64,
 }
 
 /// What a person says of a step in doubt.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Decision {
     /// It was made to its end.
     Made,
-    /// It was not made.
+    /// Nothing was made of what was sent of it.
     NotMade,
+    /// As much is in the wire as the machine has counted: the rest is made.
+    AsCounted,
+    /// So much is in the wire, as they have measured: the rest is made.
+    Part(PartOfStep),
+}
+
+/// What a person says of one step. It counts for that step alone, however often it is said.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Decided {
+    /// The step, from 1.
+    pub step: u32,
+    /// What became of it.
+    pub what: Decision,
 }
 
 impl std::fmt::Display for Doubt {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Self { wire, step, of, designed, .. } = self;
+        let Self { wire, step, of, designed, told, counted, .. } = self;
         let StepReport { feed_mm, rotate_deg, bend_deg } = designed;
-        // What is shown as zero has no sign.
-        let shown = |deg: f64| if deg.abs() < 0.05 { 0.0 } else { deg };
         let (rotate_deg, bend_deg) = (shown(*rotate_deg), shown(*bend_deg));
         write!(
             f,
             "nobody knows whether step {step} of {of} of wire {} was made: {feed_mm:.1} mm of wire, turned {rotate_deg:.1}°, bent {bend_deg:.1}°",
             wire + 1
+        )?;
+        let Some(part) = counted else { return Ok(()) };
+        write!(
+            f,
+            "; it was stopped on its way: the machine counts {:.1} of {:.1} mm fed and {:.1}° of {:.1}° turned, and may have lost steps as it stopped",
+            part.feed_mm,
+            told.feed_mm,
+            shown(part.rotate_deg),
+            shown(told.rotate_deg)
         )
     }
+}
+
+/// What is shown as zero has no sign.
+fn shown(deg: f64) -> f64 {
+    if deg.abs() < 0.05 { 0.0 } else { deg }
 }

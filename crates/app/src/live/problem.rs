@@ -168,7 +168,9 @@ pub enum LiveProblem {
     },
     /// A person has to look at the wire.
     #[error(
-        "{doubt}; look at the wire, and say `{command}=made` when it was made to its end, or `{command}=not-made` when it was not; of one that was made in part, first bring the wire to where the step begins or ends"
+        "{doubt}; look at the wire, and say `{command}=made:{n}` when it was made to its end, `{command}=not-made:{n}` when nothing of it was,{counted} or `{command}=part:{n}:MM:DEGREES` with how much was fed and turned: the rest is made then, and its bend from the beginning",
+        n = doubt.step,
+        counted = counted(doubt, command)
     )]
     InDoubt {
         /// The step.
@@ -176,9 +178,31 @@ pub enum LiveProblem {
         /// The command without the answer.
         command: String,
     },
+    /// A person has said something of a step that is in no doubt.
+    #[error(
+        "nobody has to know what became of step {step}: {made} {} made, and {}; say `{command}` without that answer",
+        if *made == 1 { "step is" } else { "steps are" },
+        in_doubt.map_or_else(|| "no step is in doubt".to_owned(), |n| format!("step {n} is the one in doubt"))
+    )]
+    OtherStep {
+        /// The step that was named.
+        step: u32,
+        /// The first that is in doubt.
+        in_doubt: Option<u32>,
+        /// The last that is made.
+        made: u32,
+        /// The command without the answer.
+        command: String,
+    },
+    /// The machine has not counted how much of a step it has made.
+    #[error("nobody has counted how much of step {step} is made: measure it")]
+    NotCounted {
+        /// The step.
+        step: u32,
+    },
     /// The machine and the journal cannot both be right, and nobody has said that it may be stopped.
     #[error(
-        "{reason}. With `{command}=made` or `{command}=not-made` the machine is stopped, and the answer is taken for the first step in doubt"
+        "{reason}. With `{command}=made:N`, `{command}=not-made:N` or `{command}=part:N:MM:DEGREES` of the first step N that it is unknown of, the machine is stopped, and the answer is taken"
     )]
     Contradiction {
         /// What contradicts what.
@@ -274,6 +298,15 @@ fn how_to_set(machine: &str, port: &str, writable: bool) -> String {
     }
 }
 
+/// The answer that takes what the machine has counted, where it has.
+fn counted(doubt: &Doubt, command: &str) -> String {
+    let step = doubt.step;
+    doubt
+        .counted
+        .map(|_| format!(" `{command}=as-counted:{step}` when what the machine counts is right,"))
+        .unwrap_or_default()
+}
+
 fn listed(settings: &[SettingCheck]) -> String {
     let one = |s: &SettingCheck| format!("{} is {}, not {}", s.name, s.machine, s.expected);
     settings.iter().map(one).collect::<Vec<_>>().join(", ")
@@ -302,6 +335,8 @@ impl LiveProblem {
             | Self::SeveralUnfinished { .. }
             | Self::NothingBegun { .. }
             | Self::InDoubt { .. }
+            | Self::OtherStep { .. }
+            | Self::NotCounted { .. }
             | Self::Contradiction { .. }
             | Self::NoRun { .. }
             | Self::SeveralRuns { .. }
@@ -353,6 +388,8 @@ impl LiveProblem {
             Self::SeveralUnfinished { .. } => "several-unfinished",
             Self::NothingBegun { .. } => "nothing-begun",
             Self::InDoubt { .. } => "in-doubt",
+            Self::OtherStep { .. } => "other-step",
+            Self::NotCounted { .. } => "not-counted",
             Self::Contradiction { .. } => "contradiction",
             Self::NowhereToRecord => "nowhere-to-record",
             Self::RunsFolder { .. } => "runs-folder",
@@ -378,6 +415,7 @@ const fn job_code(error: &JobError) -> &'static str {
         JobError::OtherWire { .. } => "other-wire",
         JobError::Steps { .. } => "steps",
         JobError::InDoubt { .. } | JobError::NotInDoubt { .. } => "in-doubt",
+        JobError::NotOfStep { .. } => "not-of-step",
         JobError::AtWork => "at-work",
         JobError::Contradiction(_) => "contradiction",
         JobError::Nothing(_) => "nothing",

@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::design::Input;
-use crate::{Decision, Move};
+use crate::{Decided, Move, PartOfStep};
 
 /// What an operator is told to do. A stop is none of these: it is always possible.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
@@ -46,9 +46,9 @@ pub enum Order {
         job: Input,
         /// Index of the wire, from 0.
         wire: usize,
-        /// What became of the first step of which nobody knows; absent, a person is asked.
+        /// What became of the first step of which nobody knows; absent, a person is asked where the machine cannot tell.
         #[serde(default)]
-        decided: Option<Decision>,
+        decided: Option<Decided>,
         /// Whether to make it although the machine's settings are not those of its profile.
         #[serde(default)]
         accept_settings: bool,
@@ -145,7 +145,7 @@ impl fmt::Display for OrderName {
 }
 
 /// What a person says to a question.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Answer {
     /// Yes.
@@ -154,6 +154,10 @@ pub enum Answer {
     No,
     /// A step in doubt was made to its end.
     Made,
-    /// A step in doubt was not made.
+    /// Nothing was made of what was sent of a step in doubt.
     NotMade,
+    /// As much of it is in the wire as the machine has counted: the rest is made.
+    AsCounted,
+    /// So much of it is in the wire: the rest is made.
+    Part(PartOfStep),
 }

@@ -74,10 +74,15 @@ impl Shared {
         let fits = match answer {
             Answer::No => true,
             Answer::Yes => !of_doubt,
-            Answer::Made | Answer::NotMade => of_doubt,
+            Answer::Made | Answer::NotMade | Answer::Part(_) => of_doubt,
+            Answer::AsCounted => open.doubt.as_ref().is_some_and(|doubt| doubt.counted.is_some()),
         };
         if !fits {
-            let expected = if of_doubt { "made, not-made, or no when nobody knows" } else { "yes or no" };
+            let expected = if of_doubt {
+                "made, not-made, as-counted where it was, a part, or no when nobody knows"
+            } else {
+                "yes or no"
+            };
             return Err(OperatorError::WrongAnswer { id, expected });
         }
         kept.answer = Some(answer);

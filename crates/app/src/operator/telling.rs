@@ -42,11 +42,13 @@ impl Progress for Shared {
     }
 
     fn decide(&self, doubt: &Doubt) -> Option<Decision> {
-        let question = "Look at the wire: was this step made to its end?";
+        let question = "Look at the wire: how much of this step was made?";
         self.ask(QuestionKind::Doubt, Some(vec![doubt.to_string()]), question, Some(doubt.clone()));
         match self.answered(None)? {
             Answer::Made => Some(Decision::Made),
             Answer::NotMade => Some(Decision::NotMade),
+            Answer::AsCounted => Some(Decision::AsCounted),
+            Answer::Part(part) => Some(Decision::Part(part)),
             Answer::Yes | Answer::No => None,
         }
     }

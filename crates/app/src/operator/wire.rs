@@ -11,7 +11,7 @@ use super::unfinished::Unfinished;
 use crate::design::Input;
 use crate::live::{Connection, Unnamed, Yes, Zero};
 use crate::run::{Task, about};
-use crate::{AppError, Decision, LiveProblem, RunHow, RunRequest, RunResponse};
+use crate::{AppError, Decided, LiveProblem, RunHow, RunRequest, RunResponse};
 
 /// A wire to which a person has said yes.
 pub(super) struct ArmedWire<'a> {
@@ -74,7 +74,7 @@ impl<'a> Post<'a> {
         &mut self,
         job: Input,
         wire: usize,
-        decided: Option<Decision>,
+        decided: Option<Decided>,
         accept_settings: bool,
     ) -> Result<(), AppError> {
         self.armed = None;

@@ -2,6 +2,7 @@
 
 mod about;
 mod begin;
+mod doubt;
 mod making;
 mod report;
 mod resume;
@@ -12,7 +13,7 @@ use serde::Deserialize;
 
 use crate::design::Input;
 use crate::output::Output;
-use crate::{App, AppError, Decision, Progress};
+use crate::{App, AppError, Decided, Progress};
 pub(crate) use about::about;
 pub use report::{LeftBecause, RunOutcome, RunProblem, RunResponse, WireRun};
 pub(crate) use task::Task;
@@ -46,7 +47,7 @@ pub struct RunRequest {
 }
 
 /// What to do with a job's wires.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(tag = "how", rename_all = "kebab-case")]
 pub enum RunHow {
     /// To make them from their beginning.
@@ -54,8 +55,8 @@ pub enum RunHow {
     Begin,
     /// To go on with the one that was interrupted.
     Resume {
-        /// What became of the first step of which nobody knows; absent, a person is asked.
-        decided: Option<Decision>,
+        /// What became of the first step of which nobody knows; absent, a person is asked where the machine cannot tell.
+        decided: Option<Decided>,
     },
     /// To give up what was interrupted, so that it can be begun anew. Nothing moves for it.
     Abandon,

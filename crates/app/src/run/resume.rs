@@ -6,11 +6,12 @@ use wirebend_driver_host::Standstill;
 use wirebend_driver_host::jobs::{JobRun, Journal, Resume, Settled};
 
 use super::about::{about, first};
+use super::doubt::is_settled;
 use super::making::{Making, Watch};
 use super::report::{RunOutcome, RunResponse, WireRun};
 use super::task::Task;
 use crate::live::{Connection, Unnamed, Yes};
-use crate::{AppError, Decision, Doubt, LiveProblem};
+use crate::{AppError, Decided, LiveProblem};
 
 /// The session knows what came of a stop long before.
 const STOPPING: std::time::Duration = std::time::Duration::from_secs(30);
@@ -54,7 +55,7 @@ enum Settling {
 
 impl Task<'_> {
     /// Goes on with the wire that was interrupted; says so when there is none.
-    pub fn resume(&self, decided: Option<Decision>) -> Result<RunResponse, AppError> {
+    pub fn resume(&self, decided: Option<Decided>) -> Result<RunResponse, AppError> {
         let mut response = self.response();
         let Some(interrupted) = self.interrupted(&mut response)? else { return Ok(response) };
         let (token, begun_at) = (interrupted.token(), interrupted.begun_at());
@@ -76,7 +77,7 @@ impl Task<'_> {
         connection: Connection<'c>,
         interrupted: Interrupted,
         homes: bool,
-        decided: Option<Decision>,
+        decided: Option<Decided>,
         response: &mut RunResponse,
     ) -> (Option<Connection<'c>>, Result<(), AppError>) {
         let Interrupted { wire, id, journal } = interrupted;
@@ -119,31 +120,42 @@ impl Task<'_> {
         &self,
         making: &mut Making,
         mut lines: Vec<String>,
-        mut decided: Option<Decision>,
+        mut decided: Option<Decided>,
     ) -> Result<Settling, AppError> {
+        // What was said before, and was written down then, is not said again.
+        decided = decided.filter(|decided| !is_settled(&making.run, self.setup.signs, *decided));
         let yes = loop {
-            match making.run.resume_from() {
-                Resume::Contradiction(contradiction) => {
+            match (making.run.resume_from(), decided) {
+                (Resume::Contradiction(contradiction), _) => {
                     self.stop_contradiction(making, &contradiction.to_string(), decided.is_some())?;
                 }
-                // What was said with the request was said of the first step in doubt alone.
-                Resume::Ask { in_doubt, last } => self.decide(making, in_doubt, last, decided.take())?,
-                Resume::Nothing(settled) => {
+                (Resume::Ask { in_doubt, last }, _) => {
+                    self.decide(making, in_doubt, last, decided.take())?;
+                }
+                // A person may know better than the machine.
+                (Resume::TakeUp { from }, Some(said))
+                    if said.step == from && making.run.doubtful().is_some() =>
+                {
+                    self.decide(making, from, from, decided.take())?;
+                }
+                (_, Some(said)) => return Err(self.not_in_doubt(making, said).into()),
+                (Resume::Nothing(settled), None) => {
                     return Ok(Settling::Nothing(Box::new(self.settled(making, settled)?)));
                 }
-                Resume::GoOn { from, done } => {
+                (Resume::GoOn { from, done }, None) => {
                     lines.push(format!(
                         "the machine still is in this wire: of its steps {done} {} made; it goes on at step {from} without homing",
                         if done == 1 { "is" } else { "are" }
                     ));
                     break self.ask_again(lines)?;
                 }
-                Resume::TakeUp { from } => {
+                (Resume::TakeUp { from }, None) => {
                     lines.push(format!(
                         "of its steps {} {} made: it goes on at step {from}; leave the wire as it is",
                         from - 1,
                         if from == 2 { "is" } else { "are" }
                     ));
+                    lines.extend(self.rest_of(making, from)?);
                     if making.homes {
                         let reference = making.run.session().reference();
                         lines.push(first(reference, "see that the wire is out of the way of the bend axis"));
@@ -195,26 +207,6 @@ impl Task<'_> {
         }
         let journal = Journal::open(&kept.path).map_err(LiveProblem::from)?;
         Ok(Some(Interrupted { wire, id: kept.id, journal }))
-    }
-
-    /// A person looks whether a step was made.
-    fn decide(
-        &self,
-        making: &mut Making,
-        step: u32,
-        last: u32,
-        decided: Option<Decision>,
-    ) -> Result<(), AppError> {
-        let (designed, told) = self.step(making.wire, step)?;
-        let of = making.run.account().heading.steps;
-        let doubt = Doubt { wire: making.wire, step, of, last, designed, told };
-        let said = decided.or_else(|| self.progress.decide(&doubt));
-        let Some(said) = said else {
-            let command = self.command(making.wire, "--resume");
-            return Err(LiveProblem::InDoubt { doubt: Box::new(doubt), command }.into());
-        };
-        making.run.decide(step, said == Decision::Made).map_err(LiveProblem::from)?;
-        Ok(())
     }
 
     fn stop_contradiction(&self, making: &mut Making, reason: &str, decided: bool) -> Result<(), AppError> {

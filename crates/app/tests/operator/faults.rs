@@ -1,7 +1,7 @@
 //! Machines, lines and drivers that fail.
 
 use serde_json::json;
-use wirebend_app::{Answer, Decision, Order, OrderName, Outcome, Phase, QuestionKind, RunOutcome};
+use wirebend_app::{Answer, Decided, Decision, Order, OrderName, Outcome, Phase, QuestionKind, RunOutcome};
 
 use crate::shop::{Seat, Shop};
 
@@ -99,7 +99,7 @@ fn a_doubt_is_decided_with_the_order() {
     seat.start(&job);
     seat.until_problem();
     seat.until_phase(Phase::Failed);
-    let decided = Some(Decision::Made);
+    let decided = Some(Decided { step: 8, what: Decision::Made });
     seat.operator
         .order(Order::ResumeRun { job: job.clone(), wire: 0, decided, accept_settings: false })
         .unwrap();

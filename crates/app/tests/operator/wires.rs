@@ -2,7 +2,8 @@
 
 use serde_json::json;
 use wirebend_app::{
-    Answer, Decision, Input, Move, Order, OrderName, Outcome, Phase, QuestionKind, RunHow, RunOutcome,
+    Answer, Decided, Decision, Input, Move, Order, OrderName, Outcome, Phase, QuestionKind, RunHow,
+    RunOutcome,
 };
 
 use crate::shop::Shop;
@@ -137,7 +138,9 @@ fn an_interrupted_wire_is_gone_on_with_wherever_a_person_likes() {
     let shop = Shop::new();
     let job = shop.cube("wirebend-kit");
     leave_after(&shop, &job, 2);
-    let made = shop.run(&job, "sim:max", RunHow::Resume { decided: Some(Decision::NotMade) }).unwrap();
+    let step = shop.record().made + 1;
+    let decided = Some(Decided { step, what: Decision::NotMade });
+    let made = shop.run(&job, "sim:max", RunHow::Resume { decided }).unwrap();
     assert_eq!(made.wires[0].outcome, RunOutcome::Made);
     assert_eq!(shop.record().outcome, Outcome::Finished);
 

@@ -3,8 +3,8 @@
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
-use clap::{Args, Subcommand, ValueEnum};
-use wirebend_app::{Decision, Move};
+use clap::{Args, Subcommand};
+use wirebend_app::{Decided, Decision, Move, PartOfStep};
 
 /// Where the machine is, and that it may move.
 #[derive(Debug, Args)]
@@ -37,8 +37,8 @@ pub(crate) struct RunArgs {
     /// Make this wire alone, counted from 1
     #[arg(long, value_name = "N")]
     pub wire: Option<NonZeroUsize>,
-    /// Go on with what was interrupted; with an answer, say whether the step of which nobody knows was made
-    #[arg(long, value_name = "ANSWER", num_args = 0..=1, require_equals = true, default_missing_value = "ask", conflicts_with = "abandon")]
+    /// Go on with what was interrupted; with an answer, say what became of step N, of which nobody knows: made:N, not-made:N, as-counted:N (the rest of it is made from where the machine has counted), part:N:MM:DEGREES (from what was fed and turned as you measure it)
+    #[arg(long, value_name = "ANSWER", num_args = 0..=1, require_equals = true, default_missing_value = "ask", conflicts_with = "abandon", value_parser = answer)]
     pub resume: Option<Answer>,
     /// Give up what was interrupted, so that the wire can be begun anew; nothing moves
     #[arg(long)]
@@ -54,25 +54,29 @@ pub(crate) struct RunArgs {
     pub force: bool,
 }
 
-/// What a person says of a step in doubt.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Answer {
-    /// Ask me
-    Ask,
-    /// The step was made to its end
-    Made,
-    /// The step was not made
-    NotMade,
-}
+/// What a person says of a step in doubt; nothing where they are to be asked.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Answer(pub Option<Decided>);
 
-impl Answer {
-    pub const fn decision(self) -> Option<Decision> {
-        match self {
-            Self::Ask => None,
-            Self::Made => Some(Decision::Made),
-            Self::NotMade => Some(Decision::NotMade),
-        }
+/// `ask`, or a word, the step, and for a part what was fed and turned.
+fn answer(text: &str) -> Result<Answer, String> {
+    if text == "ask" {
+        return Ok(Answer(None));
     }
+    let expected = "made:N, not-made:N, as-counted:N or part:N:MM:DEGREES, where N is the step in doubt";
+    let mut words = text.split(':');
+    let (word, step) = (words.next().unwrap_or_default(), words.next());
+    let step = step.and_then(|n| n.parse().ok()).filter(|n| *n > 0).ok_or(expected)?;
+    let figures: Option<Vec<f64>> =
+        words.map(|word| word.parse().ok().filter(|figure: &f64| figure.is_finite())).collect();
+    let what = match (word, figures.ok_or(expected)?.as_slice()) {
+        ("made", []) => Decision::Made,
+        ("not-made", []) => Decision::NotMade,
+        ("as-counted", []) => Decision::AsCounted,
+        ("part", &[feed_mm, rotate_deg]) => Decision::Part(PartOfStep { feed_mm, rotate_deg }),
+        _ => return Err(expected.to_owned()),
+    };
+    Ok(Answer(Some(Decided { step, what })))
 }
 
 #[derive(Debug, Args)]

@@ -6,14 +6,16 @@ use wirebend_app::{
 };
 
 use super::{Contents, Prepared, input, place};
-use crate::args::live::{JogArgs, MachineSettingsArgs, PortsArgs, ReplayArgs, RunArgs, RunsCommand, moves};
+use crate::args::live::{
+    Answer, JogArgs, MachineSettingsArgs, PortsArgs, ReplayArgs, RunArgs, RunsCommand, moves,
+};
 use crate::errors::WrongUse;
 
 pub(super) fn run(args: RunArgs) -> anyhow::Result<Request> {
     let RunArgs { job, at, zero, wire, resume, abandon, accept_settings, record, force } = args;
     let wire = wire.map(|wire| wire.get() - 1);
     let how = match resume {
-        Some(answer) => RunHow::Resume { decided: answer.decision() },
+        Some(Answer(decided)) => RunHow::Resume { decided },
         None if abandon => RunHow::Abandon,
         None => RunHow::Begin,
     };

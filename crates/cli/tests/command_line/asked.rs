@@ -40,14 +40,29 @@ impl Asked {
         self
     }
 
+    /// Which of these comes first.
+    fn sees_one_of(&mut self, these: [&str; 2]) -> usize {
+        loop {
+            if let Some(first) = these.iter().position(|one| self.seen.contains(one)) {
+                self.seen.clear();
+                return first;
+            }
+            self.read();
+        }
+    }
+
+    fn read(&mut self) {
+        let mut bytes = [0; 1024];
+        // A terminal that nobody has open any more ends with an error.
+        let count = self.person.read(&mut bytes).unwrap_or_default();
+        assert!(count > 0, "no more than {}", self.seen);
+        self.seen.push_str(&String::from_utf8_lossy(&bytes[..count]));
+    }
+
     /// What was said until then.
     pub fn until(&mut self, what: &str) -> String {
         while !self.seen.contains(what) {
-            let mut bytes = [0; 1024];
-            // A terminal that nobody has open any more ends with an error.
-            let count = self.person.read(&mut bytes).unwrap_or_default();
-            assert!(count > 0, "{what} is not in {}", self.seen);
-            self.seen.push_str(&String::from_utf8_lossy(&bytes[..count]));
+            self.read();
         }
         std::mem::take(&mut self.seen)
     }
@@ -103,11 +118,22 @@ fn a_person_says_what_became_of_steps_in_doubt() {
     going.end();
     let mut asked = Asked::start(&shop, &[&RUN[..], &["--resume"]].concat());
     asked.sees("made to its end?").says("I do not know");
+    // They are told how to find out, and may not be able to.
+    let told = asked.until("mm of it were fed");
+    assert!(told.contains("Count the bends"), "{told}");
+    asked.says("");
     assert_eq!(asked.status(), Some(2), "nobody knows, and so nothing moves");
     let mut asked = Asked::start(&shop, &[&RUN[..], &["--resume"]].concat());
     asked.sees("made to its end?").says("yes");
     asked.sees("made to its end?").says("no");
-    asked.sees("go on?").says("yes");
+    // What cannot be is asked again.
+    asked.sees("mm of it were fed").says("1000");
+    asked.sees("mm of it were fed").says("4,5");
+    // Which of the steps turn the head is for the plan to say.
+    if asked.sees_one_of(["degrees was it turned", "go on?"]) == 0 {
+        asked.says("0").sees("go on?");
+    }
+    asked.says("yes");
     assert_eq!(asked.status(), Some(0));
     assert_eq!(shop.list()[0]["outcome"], "finished");
 }

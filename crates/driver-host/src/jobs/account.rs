@@ -2,6 +2,8 @@
 
 use std::ops::RangeInclusive;
 
+use wirebend_driver_api::Step;
+
 use super::journal::{Heading, What};
 
 /// How far a wire is.
@@ -21,6 +23,38 @@ pub struct Account {
     pub standing: Standing,
     /// It was stopped since it was armed last: the machine's session is over.
     pub stopped: bool,
+    /// How much of the first step that is not made is in the wire, as far as that is settled.
+    pub part: Part,
+    /// How far the machine says that it is with the first step in doubt.
+    pub part_made: Option<PartMade>,
+}
+
+/// How much of a step is in the wire, in the machine's signs. Its bend is made from the beginning in any case: bends count
+/// from the zero of their axis.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Part {
+    /// Fed, mm.
+    pub feed_mm: f64,
+    /// Turned, degrees.
+    pub rotate_deg: f64,
+}
+
+impl Part {
+    /// What is left of a step.
+    #[must_use]
+    pub fn rest(self, step: Step) -> Step {
+        let Step { feed_mm, rotate_deg, bend_deg } = step;
+        Step { feed_mm: feed_mm - self.feed_mm, rotate_deg: rotate_deg - self.rotate_deg, bend_deg }
+    }
+}
+
+/// How far the machine says that it is with what was sent of a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PartMade {
+    /// Fed and turned, and where the bend axis stands, in the machine's signs; nothing where it cannot tell.
+    pub made: Option<Step>,
+    /// The axis that was on its way stands exactly there.
+    pub exact: bool,
 }
 
 /// What happened last to a wire.
@@ -47,7 +81,7 @@ pub enum Standing {
 }
 
 impl Account {
-    pub(super) const fn new(heading: Heading) -> Self {
+    pub(super) fn new(heading: Heading) -> Self {
         Self {
             heading,
             sent: 0,
@@ -56,6 +90,8 @@ impl Account {
             token: None,
             standing: Standing::Begun,
             stopped: false,
+            part: Part::default(),
+            part_made: None,
         }
     }
 
@@ -79,6 +115,23 @@ impl Account {
         }
     }
 
+    fn is_made(&mut self, n: u32) {
+        (self.done, self.accepted) = (n, self.accepted.max(n));
+        (self.part, self.part_made) = (Part::default(), None);
+    }
+
+    /// The machine has stopped, and makes none of the steps after this one.
+    fn not_begun_after(&mut self, n: u32) {
+        (self.sent, self.accepted) = (n, self.accepted.min(n));
+    }
+
+    fn require_first_in_doubt(&self, at_work: bool, n: u32) -> Result<(), String> {
+        if at_work || n != self.done + 1 || n > self.sent {
+            return Err(format!("step {n} is not the first in doubt"));
+        }
+        Ok(())
+    }
+
     /// Counts one more entry; what is wrong when it cannot be.
     pub(super) fn count(&mut self, what: &What) -> Result<(), String> {
         let Self { sent, accepted, done, standing, .. } = *self;
@@ -98,7 +151,7 @@ impl Account {
                     return Err(format!("it was armed anew with step {} in doubt", done + 1));
                 }
                 self.token.clone_from(token);
-                (self.standing, self.stopped) = (Standing::Armed, false);
+                (self.standing, self.stopped, self.part_made) = (Standing::Armed, false, None);
             }
             What::Intent { from, to } => {
                 if !at_work || *from != sent + 1 || to < from || *to > steps {
@@ -125,24 +178,42 @@ impl Account {
                 if *n != done + 1 || *n > sent {
                     return Err(format!("step {n} was made, after {done} and with {sent} sent"));
                 }
-                (self.done, self.accepted) = (*n, accepted.max(*n));
+                self.is_made(*n);
                 self.works();
             }
+            What::PartMade { n, made, exact } => {
+                if *n != done + 1 || *n > sent {
+                    return Err(format!("step {n} was begun, after {done} and with {sent} sent"));
+                }
+                self.not_begun_after(*n);
+                self.part_made = Some(PartMade { made: *made, exact: *exact });
+            }
             What::Decided { n, made } => {
-                if at_work || *n != done + 1 || *n > sent {
-                    return Err(format!("step {n} is not the first in doubt"));
-                }
+                self.require_first_in_doubt(at_work, *n)?;
                 if *made {
-                    (self.done, self.accepted) = (*n, accepted.max(*n));
+                    self.is_made(*n);
                 } else {
-                    (self.sent, self.accepted) = (done, done);
+                    self.not_begun_after(done);
                 }
+                self.part_made = None;
+            }
+            What::Part { n, feed_mm, rotate_deg, .. } => {
+                self.require_first_in_doubt(at_work, *n)?;
+                self.not_begun_after(done);
+                let part = Part { feed_mm: *feed_mm, rotate_deg: *rotate_deg };
+                (self.part, self.part_made) = (part, None);
             }
             What::Paused if at_work => self.standing = Standing::Paused,
             What::Resumed if at_work => self.standing = Standing::Running,
             What::Paused | What::Resumed | What::Made { .. } | What::Standstill { .. } => {}
             What::Stopped { .. } => (self.standing, self.stopped) = (Standing::Stopped, true),
-            What::Fault { .. } => self.standing = Standing::Faulted,
+            What::Fault { in_doubt, .. } => {
+                if let Some(n) = in_doubt.filter(|n| self.heading.version > 2 && *n == done + 1 && *n <= sent)
+                {
+                    self.not_begun_after(n);
+                }
+                self.standing = Standing::Faulted;
+            }
             What::Finished if done < steps => {
                 return Err(format!("it was finished with {done} of {steps} steps made"));
             }

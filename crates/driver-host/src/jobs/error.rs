@@ -43,6 +43,20 @@ pub enum JobError {
         /// The first that is.
         in_doubt: Option<u32>,
     },
+    /// More of a step, or less than nothing of it.
+    #[error("step {step} has a {what} of {whole:.1}{unit}, of which {part:.1}{unit} cannot be made")]
+    NotOfStep {
+        /// The step.
+        step: u32,
+        /// Feed or rotation.
+        what: &'static str,
+        /// What was said of it.
+        part: f64,
+        /// The whole.
+        whole: f64,
+        /// Its unit.
+        unit: &'static str,
+    },
     /// The machine makes it at this moment.
     #[error("the wire is being made: wait, or stop the machine first")]
     AtWork,

@@ -59,7 +59,10 @@ impl JobRun {
             self.note(What::Intent { from: intended + 1, to: last })?;
         }
         self.sending();
-        let batch: Vec<NumberedStep> = (sent + 1..=last).zip(self.steps_after(sent)).map(numbered).collect();
+        let batch: Vec<NumberedStep> = (sent + 1..=last)
+            .zip(self.steps_after(sent))
+            .map(|(n, step)| NumberedStep { n, step: self.to_send(n, step) })
+            .collect();
         let Some(armed) = &self.armed else { return Err(JobError::NotBegun) };
         self.feed.unanswered = true;
         match self.session.send(armed, &batch) {
@@ -99,8 +102,4 @@ impl JobRun {
     fn steps_after(&self, sent: u32) -> impl Iterator<Item = wirebend_driver_api::Step> {
         self.work.steps.iter().copied().skip(usize::try_from(sent).unwrap_or(usize::MAX))
     }
-}
-
-const fn numbered((n, step): (u32, wirebend_driver_api::Step)) -> NumberedStep {
-    NumberedStep { n, step }
 }

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::journal::{Entry, Heading, What};
+use super::journal::{Entry, Heading, ToldBy, What};
 
 /// What was made of a wire.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -25,7 +25,7 @@ pub struct Record {
     pub made: u32,
     /// Stops and failures, in order.
     pub interruptions: Vec<Interruption>,
-    /// What a person said of steps that nobody knew of, in order.
+    /// What was said of steps that were in doubt, in order.
     pub decisions: Vec<Decision>,
     /// Corners of the wire, where a simulated machine made it, mm.
     pub corners_mm: Vec<[f64; 3]>,
@@ -57,8 +57,8 @@ pub struct Interruption {
     pub what: String,
 }
 
-/// What a person said of a step.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+/// What was said of a step in doubt: by a person, or by the machine where it could tell how far it was.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Decision {
     /// When.
@@ -67,6 +67,20 @@ pub struct Decision {
     pub step: u32,
     /// Whether it was made.
     pub made: bool,
+    /// How much of it was in the wire, where it was made in part; its rest was made then.
+    pub part: Option<PartInWire>,
+}
+
+/// How much of a step was in the wire, in the machine's signs.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct PartInWire {
+    /// Fed, mm.
+    pub feed_mm: f64,
+    /// Turned, degrees.
+    pub rotate_deg: f64,
+    /// Who has said so.
+    pub by: ToldBy,
 }
 
 impl Record {
@@ -99,7 +113,12 @@ impl Record {
             What::Done { n } => self.made = *n,
             What::Decided { n, made } => {
                 self.made = if *made { *n } else { self.made };
-                self.decisions.push(Decision { at: at.clone(), step: *n, made: *made });
+                self.decisions.push(Decision { at: at.clone(), step: *n, made: *made, part: None });
+            }
+            What::Part { n, feed_mm, rotate_deg, by } => {
+                let part = PartInWire { feed_mm: *feed_mm, rotate_deg: *rotate_deg, by: *by };
+                let part = Some(part);
+                self.decisions.push(Decision { at: at.clone(), step: *n, made: false, part });
             }
             What::Stopped { .. } => self.interrupted(at, "stopped".to_owned()),
             What::Fault { error, .. } => self.interrupted(at, error.to_string()),
@@ -115,6 +134,8 @@ impl Record {
                     What::Job(_)
                         | What::Connected { .. }
                         | What::Decided { .. }
+                        | What::Part { .. }
+                        | What::PartMade { .. }
                         | What::Stopped { .. }
                         | What::Standstill { .. }
                         | What::Fault { .. }

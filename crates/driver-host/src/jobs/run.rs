@@ -8,7 +8,7 @@ use super::account::Account;
 use super::clock::Clock;
 use super::error::JobError;
 use super::feed::Feed;
-use super::journal::{Entry, Journal, What};
+use super::journal::{Entry, Journal, ToldBy, What};
 use super::pace::Pace;
 use super::progress::{Overview, Progress};
 use super::record::Record;
@@ -82,26 +82,13 @@ impl JobRun {
         })
     }
 
-    /// What may be done now.
+    /// What may be done now. A step that was ended in its middle is in no doubt where the machine can tell how far it is.
     #[must_use]
     pub fn resume_from(&self) -> Resume {
-        Resume::decide(self.journal.account(), going_on(&self.session))
-    }
-
-    /// Writes down what a person says of the first step in doubt, and gives what may be done then.
-    ///
-    /// # Errors
-    /// [`JobError::NotInDoubt`] for another step, [`JobError::AtWork`] while the machine may still make it.
-    pub fn decide(&mut self, n: u32, made: bool) -> Result<Resume, JobError> {
-        if going_on(&self.session).is_some() || self.is_at_work() {
-            return Err(JobError::AtWork);
+        match Resume::decide(self.journal.account(), going_on(&self.session)) {
+            Resume::Ask { in_doubt, .. } if self.sure_part().is_some() => Resume::TakeUp { from: in_doubt },
+            resume => resume,
         }
-        let in_doubt = self.account().in_doubt().map(|steps| *steps.start());
-        if in_doubt != Some(n) {
-            return Err(JobError::NotInDoubt { step: n, in_doubt });
-        }
-        self.note(What::Decided { n, made })?;
-        Ok(self.resume_from())
     }
 
     /// Begins the wire, takes it up after the last step that was made, or goes on where the machine is: whatever
@@ -121,15 +108,18 @@ impl JobRun {
             }
             Resume::GoOn { .. } => {
                 self.catch_up()?;
-                let run = self.work.run.clone();
-                let armed = self.session.take_up(run, &self.work.steps, confirmed)?;
+                let (run, begun) = (self.work.run.clone(), self.account().part.rotate_deg);
+                let armed = self.session.take_up(run, &self.work.steps, begun, confirmed)?;
                 self.begun(armed, true)?;
                 self.go_on_where_it_holds()?;
             }
             Resume::TakeUp { from } => {
-                let after = from - 1;
-                let rotate_at_deg = turned(&self.work.steps, after);
-                let run = Run { after, rotate_at_deg, ..self.work.run.clone() };
+                if let Some((n, part)) = self.sure_part() {
+                    self.note(part.told_by(n, ToldBy::Machine))?;
+                }
+                let (after, part) = (from - 1, self.account().part);
+                let rotate_at_deg = turned(&self.work.steps, after) + part.rotate_deg;
+                let run = Run { after, rotate_at_deg, fed_mm: part.feed_mm, ..self.work.run.clone() };
                 let armed = self.session.arm(Purpose::Wire(run), confirmed)?;
                 self.begun(armed, false)?;
             }
@@ -214,6 +204,7 @@ impl JobRun {
                 told.push(Progress::Wire { wire_mm, corners_mm });
             }
             Event::Fault { error, in_doubt, .. } => self.faulted(error, in_doubt, told)?,
+            Event::PartMade { step: n, made, exact } => self.note(What::PartMade { n, made, exact })?,
             Event::Position(step) => told.push(Progress::Position(step)),
             Event::Console { direction, text } => told.push(Progress::Console { direction, text }),
             Event::Warning(error) => told.push(Progress::Warning(error)),
@@ -353,6 +344,11 @@ impl JobRun {
     /// [`JobError::Journal`].
     pub fn note_deviations(&mut self, deviations_mm: Vec<f64>) -> Result<(), JobError> {
         self.note(What::Made { corners_mm: Vec::new(), deviations_mm: Some(deviations_mm) })
+    }
+
+    /// Whether the machine still makes steps, or would if it were let.
+    pub(super) fn is_in_hand(&self) -> bool {
+        going_on(&self.session).is_some() || self.is_at_work()
     }
 
     /// Whether the machine may make steps of this wire.

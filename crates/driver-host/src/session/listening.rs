@@ -39,7 +39,7 @@ impl Session {
     fn take_note(&mut self, event: &Event) -> Result<(), SessionError> {
         let complete = self.done == self.sent && self.steps == Some(self.done);
         let believed = match event {
-            Event::Done { n } => *n == self.done + 1 && *n <= self.sent,
+            Event::Done { n } | Event::PartMade { step: n, .. } => *n == self.done + 1 && *n <= self.sent,
             Event::Finished => complete || !matches!(self.state, State::Running | State::Paused),
             Event::Connected { going_on: Some(going_on), .. } => going_on.done <= going_on.accepted,
             _ => true,
@@ -77,7 +77,7 @@ impl Session {
             return Ok(());
         }
         self.driver_failed();
-        let n = if let Event::Done { n } = event { *n } else { self.done };
+        let n = if let Event::Done { n } | Event::PartMade { step: n, .. } = event { *n } else { self.done };
         Err(SessionError::OutOfOrder { n, done: self.done, sent: self.sent })
     }
 }

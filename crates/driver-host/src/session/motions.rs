@@ -49,7 +49,7 @@ impl Session {
                 if !self.differences.is_empty() {
                     return Err(SessionError::SettingsDiffer { settings: self.differences.clone() });
                 }
-                if after > steps || (after == 0 && rotate_at_deg != 0.0) || !rotate_at_deg.is_finite() {
+                if after > steps || !rotate_at_deg.is_finite() {
                     return Err(SessionError::Steps { sent: after, total: steps });
                 }
                 if after > 0 && self.driver.minor() == 0 {
@@ -68,7 +68,8 @@ impl Session {
     }
 
     /// Goes on with the wire that the machine still is in, after [`Session::connect_resuming`]: `run` is that of
-    /// the wire, `steps` are all of its steps. Nothing new moves for it; the token that this gives is what
+    /// the wire, `steps` are all of its steps, of the next of which the head was turned by `begun_deg` before the machine
+    /// was sent the rest. Nothing new moves for it; the token that this gives is what
     /// sending and, where the machine holds, resuming need.
     ///
     /// # Errors
@@ -78,6 +79,7 @@ impl Session {
         &mut self,
         run: Run,
         steps: &[Step],
+        begun_deg: f64,
         _confirmed: Confirmed,
     ) -> Result<Armed, SessionError> {
         let next = self.may(Act::TakeUp)?;
@@ -89,10 +91,13 @@ impl Session {
         if usize::try_from(total) != Ok(steps.len()) || self.sent > total {
             return Err(SessionError::Steps { sent: self.sent, total });
         }
-        let run = Run { after: self.done, rotate_at_deg: turned(steps, self.done), ..run };
+        let begun = |n: u32| if n == self.done { begun_deg } else { 0.0 };
+        let stands = |n: u32| turned(steps, n) + begun(n);
+        let (rotate_at_deg, head) = (stands(self.done), stands(self.sent));
+        let run = Run { after: self.done, rotate_at_deg, ..run };
         let token = self.call_to_arm(run)?;
         let armed = self.armed(token)?;
-        self.off.head_stands_at(turned(steps, self.sent));
+        self.off.head_stands_at(head);
         self.steps = Some(total);
         self.state = if self.holds { State::Paused } else { next };
         Ok(armed)

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // a test may stop at what cannot be
 #![cfg(unix)] // the driver that misbehaves is
 
+mod part;
 mod record;
 mod shop;
 
@@ -14,7 +15,7 @@ use shop::{STEPS, Shop, TURNS, home, work, yes};
 use wirebend_driver_host::api::PausedBy;
 use wirebend_driver_host::jobs::{
     Clock, ContradictionKind, Entry, JobError, JobRun, Journal, Outcome, Progress, Resume, Settled, Standing,
-    What,
+    Verdict, What,
 };
 use wirebend_driver_host::{SessionError, State, StoppedBy};
 
@@ -206,7 +207,7 @@ fn nothing_new_moves_before_a_person_says_so() {
     // Homing and arming anew would spoil what is begun.
     assert!(matches!(run.session().home(&yes()), Err(SessionError::State { .. })));
     assert!(matches!(run.abandon(), Err(JobError::AtWork)));
-    assert!(matches!(run.decide(2, true), Err(JobError::AtWork)));
+    assert!(matches!(run.decide(2, Verdict::Made), Err(JobError::AtWork)));
     run.start(yes()).unwrap();
     drive(&mut run);
     assert_eq!(shop.made(), all_made());

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use serde_json::{Value, json};
 use wirebend_driver_api::{Run, Step};
-use wirebend_driver_host::jobs::{Clock, Heading, JobRun, Journal, Resume, Work};
+use wirebend_driver_host::jobs::{Clock, Heading, JobRun, Journal, Resume, Verdict, Work};
 use wirebend_driver_host::{Asked, Confirmed, Driver, Found, Launch, Place, Session, State, TrustStore};
 
 /// What each step turns the head, degrees.
@@ -102,7 +102,7 @@ impl Shop {
     pub fn look_and_start(&self, run: &mut JobRun) {
         while let Resume::Ask { in_doubt, .. } = run.resume_from() {
             let made = self.made().contains(&u64::from(in_doubt));
-            run.decide(in_doubt, made).unwrap();
+            run.decide(in_doubt, if made { Verdict::Made } else { Verdict::NotMade }).unwrap();
         }
         match run.resume_from() {
             Resume::TakeUp { .. } => home(run.session()),

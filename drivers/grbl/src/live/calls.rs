@@ -42,6 +42,7 @@ impl Protocol {
     pub fn arm(&mut self, run: &Run, now: Duration) -> Result<(), DriverError> {
         self.now = now;
         self.ready()?;
+        self.cut = None;
         self.at_rest()?;
         self.has_axes()?;
         if !self.machine.homed {

@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use wirebend_driver_api::{DriverError, Event};
 
+use super::cut::{Cut, Manner};
 use super::making::Part;
 use super::protocol::{Phase, Protocol};
 use super::status::State;
@@ -104,6 +105,7 @@ impl Protocol {
             Phase::Halting { .. } | Phase::Resetting(_) | Phase::Mute | Phase::Over => {}
             Phase::Homing { .. } | Phase::Jogging { .. } | Phase::Making(_) => {
                 self.fault(error);
+                self.cut(Manner::Gently);
                 self.stream.clear();
                 self.at_once(HOLD);
                 self.phase = Phase::Halting { since: self.now };
@@ -128,6 +130,7 @@ impl Protocol {
 
     pub(super) fn halting_late(&mut self, since: Duration) {
         if self.now.saturating_sub(since) >= HALT_WITHIN {
+            self.cut = self.cut.map(Cut::in_motion);
             self.reset(false);
         }
     }
@@ -149,6 +152,7 @@ impl Protocol {
             if code == 0 { (String::new(), "the machine is locked") } else { (format!(" {code}"), meaning) };
         let what = format!("alarm{name}: {meaning}");
         self.fault(DriverError::new(&format!("grbl-alarm-{code}"), what, help));
+        self.cut(Manner::Blindly);
         if matches!(code, 3 | 6..=9) {
             // The controller resets by itself now. Another reset would be greeted a second time.
             self.stream.clear();
@@ -161,6 +165,12 @@ impl Protocol {
     /// Halts the machine at once. While it moves, steps are lost, and it says so with an alarm.
     pub(super) fn reset(&mut self, stop: bool) {
         self.in_doubt();
+        match (&self.phase, stop) {
+            // It was to slow down first.
+            (Phase::Halting { .. }, true) => self.cut = self.cut.map(Cut::in_motion),
+            _ if self.cut.is_none() => self.cut(Manner::AtOnce),
+            _ => {}
+        }
         let stop = stop || matches!(self.phase, Phase::Resetting(Reset { stop: true, .. }));
         self.stream.clear();
         self.forget_output();
@@ -231,6 +241,7 @@ impl Protocol {
                     "see whether its reset button was pressed, whether its power is strong enough, and whether \
                      motors disturb it; then home the machine",
                 ));
+                self.cut(Manner::Blindly);
                 false
             }
         };
@@ -244,6 +255,7 @@ impl Protocol {
         let Phase::Resetting(reset) = self.phase else { return };
         self.machine.homed &= state == State::Idle;
         self.phase = Phase::Ready;
+        self.tell_cut();
         if reset.stop {
             self.event(Event::Stopped { homed: self.machine.homed });
         }

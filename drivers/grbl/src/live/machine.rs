@@ -98,6 +98,13 @@ impl Machine {
 
     /// Where the axes are in mm and degrees, unless that was told already or nobody knows it.
     pub fn moved_to(&mut self, settings: &Settings) -> Option<Step> {
+        let position = self.position(settings)?;
+        (self.position.replace(position) != Some(position)).then_some(position)
+    }
+
+    /// Where the axes are in mm and degrees, unless nobody knows it. A reset that was asked for changes nothing of where it
+    /// counts from.
+    pub fn position(&self, settings: &Settings) -> Option<Step> {
         if self.lost {
             return None;
         }
@@ -122,12 +129,11 @@ impl Machine {
             let place = axis.place();
             values.get(place).map(|value| (value - from(place)) * unit)
         });
-        let position = Step {
+        Some(Step {
             feed_mm: feed? / settings.feed_units_per_mm,
             rotate_deg: rotate? / settings.rotate_units_per_deg,
             bend_deg: bend? / settings.bend_units_per_deg,
-        };
-        (self.position.replace(position) != Some(position)).then_some(position)
+        })
     }
 
     /// `$13`: the controller turns all of its axes into inches then, those in degrees too.

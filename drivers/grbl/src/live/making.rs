@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 use std::rc::Rc;
 
-use wirebend_driver_api::{Batch, DriverError, Event, PausedBy, Run, Sent};
+use wirebend_driver_api::{Batch, DriverError, Event, PausedBy, Run, Sent, Step};
 
 use super::machine::Machine;
 use super::place::{self, Standing};
@@ -32,8 +32,12 @@ pub(super) struct Making {
     rest: VecDeque<Stretch>,
     /// Where the axes stand when what is under way is made.
     end: [f64; 3],
+    /// Where the step under way began.
+    from: [f64; 3],
     /// Where they stood when the program began.
     began: Option<Standing>,
+    /// The same in mm and degrees, as positions are told.
+    pub(super) began_at: Option<Step>,
     /// How many lines were sent since.
     moves: u32,
     /// Lines are under way.
@@ -106,7 +110,9 @@ impl Making {
             waiting: VecDeque::new(),
             rest: VecDeque::new(),
             end: [0.0; 3],
+            from: [0.0; 3],
             began: None,
+            began_at: None,
             moves: 0,
             busy: false,
             displaced: false,
@@ -120,6 +126,19 @@ impl Making {
     /// Nothing has been asked of it yet.
     pub fn is_armed_only(&self) -> bool {
         self.part == Part::Armed && self.waiting.is_empty() && !self.last
+    }
+
+    /// The step under way, where it began and where it ends, in units of the machine from where the program began.
+    pub const fn under_way(&self) -> Option<(u32, [f64; 3], [f64; 3])> {
+        match self.part {
+            Part::Step(n) => Some((n, self.from, self.end)),
+            _ => None,
+        }
+    }
+
+    /// What cannot be told apart of each axis, in units of the machine.
+    pub fn tolerance(&self) -> Option<[f64; 3]> {
+        self.began.as_ref().map(|began| began.tolerance(self.moves))
     }
 
     /// Takes as many steps as there is room for; none when one of them is wrong.
@@ -198,7 +217,7 @@ impl Making {
                     return Some(self.begin(turn));
                 }
                 if let Some((n, stretches)) = self.waiting.pop_front() {
-                    self.part = Part::Step(n);
+                    (self.part, self.from) = (Part::Step(n), self.end);
                     self.rest = stretches.into();
                     return self.rest.pop_front().map(|stretch| self.begin(stretch));
                 }
@@ -263,6 +282,7 @@ impl Protocol {
         match making.part {
             Part::Start => {
                 making.began = self.machine.standing(&self.settings);
+                making.began_at = self.machine.position(&self.settings);
                 making.part = Part::Between;
             }
             Part::Turn | Part::Step(_) => {
@@ -326,7 +346,7 @@ impl Protocol {
 
 #[cfg(test)]
 mod tests {
-    use wirebend_driver_api::{NumberedStep, Step};
+    use wirebend_driver_api::NumberedStep;
 
     use super::*;
 

@@ -5,6 +5,7 @@ mod calls;
 #[cfg(test)]
 mod changed;
 mod connecting;
+mod cut;
 mod ending;
 mod incoming;
 mod machine;

@@ -42,6 +42,13 @@ pub(super) fn displaced(
     })
 }
 
+impl Standing {
+    /// What cannot be told apart of each axis after so many moves, units of the machine.
+    pub fn tolerance(&self, moves: u32) -> [f64; 3] {
+        std::array::from_fn(|axis| tolerance(self.steps[axis], self.digit, self.at[axis].abs(), moves))
+    }
+}
+
 /// How far a place that is reported may be from the one that was commanded, units of the machine. Both the place where the
 /// program began and this one are up to half a step from where the controller counts, since it moves whole steps, and are
 /// reported up to half a last digit off. It counts in single precision, of which each move, and each report, may take half

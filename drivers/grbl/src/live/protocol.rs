@@ -8,6 +8,7 @@ use wirebend_driver_api::{Direction, DriverError, Event};
 
 use super::asking::{Asking, Turn};
 use super::connecting::{Greeting, Reading};
+use super::cut::Cut;
 use super::ending::Reset;
 use super::incoming::{Incoming, Line};
 use super::machine::Machine;
@@ -58,6 +59,8 @@ pub(crate) struct Protocol {
     pub(super) asking: Asking,
     pub(super) machine: Machine,
     pub(super) garbled: u32,
+    /// The step that an end has met in its middle, until the machine stands.
+    pub(super) cut: Option<Cut>,
 }
 
 impl Protocol {
@@ -74,6 +77,7 @@ impl Protocol {
             asking: Asking::default(),
             machine: Machine::default(),
             garbled: 0,
+            cut: None,
         }
     }
 

@@ -45,6 +45,24 @@ fn is_position(event: &Event) -> bool {
     matches!(event, Event::Position(_))
 }
 
+const fn is_part(event: &Event) -> bool {
+    matches!(event, Event::PartMade { .. })
+}
+
+/// What is told of the step that was ended in its middle, against where the machine stands.
+#[track_caller]
+fn assert_part(told: &[Event], of: u32, at: Option<[f64; 3]>, exactly: bool) {
+    let parts: Vec<_> = told.iter().filter(|event| is_part(event)).collect();
+    let [Event::PartMade { step, made, exact }] = parts.as_slice() else { panic!("{parts:?}") };
+    assert_eq!((*step, made.is_some(), *exact), (of, at.is_some(), exactly));
+    let (Some(made), Some(at)) = (made, at) else { return };
+    let same = |a: f64, b: f64| (a - b).abs() < 0.001;
+    let [feed, rotate, bend] = at;
+    let so =
+        same(made.feed_mm, feed) && same(made.rotate_deg, rotate + 20.0) && same(made.bend_deg, bend - 5.0);
+    assert!(so, "{made:?} {at:?}");
+}
+
 /// Where the last position that was told is, and where the machine stands, both from where the wire began.
 #[track_caller]
 fn assert_told(bench: &Bench, told: &[Event]) {
@@ -87,6 +105,8 @@ fn a_stop_tells_how_far_the_step_has_come() {
         .rposition(|event| matches!(event, Event::Console { text, .. } if text.starts_with("Grbl")));
     assert!(reset.unwrap() < last, "it is told once the machine stands");
     assert_told(&bench, &told);
+    // grbl itself says that a reset in motion may lose steps.
+    assert_part(&told, 1, Some(bench.model.now().at), false);
     refuses_to_arm(bench.session.as_mut());
     // A zero that a person sets anew counts from there.
     home(bench.session.as_mut());
@@ -109,6 +129,8 @@ fn an_alarm_tells_how_far_the_step_has_come() {
     assert_eq!(told.iter().filter(answers).count(), 2, "at once, and when it is waited for: {told:?}");
     assert_told(&bench, &told);
     assert_eq!(bench.model.resets(), 2);
+    let told = until_told(bench.session.as_mut(), is_part);
+    assert_part(&told, 1, None, false);
     refuses_to_arm(bench.session.as_mut());
 }
 
@@ -124,8 +146,22 @@ fn a_board_that_starts_anew_does_not_know_where_it_stands() {
     let resting = |event: &Event| matches!(event, Event::Console { text, .. } if text.starts_with("<Idle"));
     let told = until_told(session, resting);
     assert!(!told.iter().any(is_position), "{told:?}");
+    let told = [told, until_told(session, is_part)].concat();
+    assert_part(&told, 1, None, false);
     refuses_to_arm(bench.session.as_mut());
     home(bench.session.as_mut());
     let told = until_told(bench.session.as_mut(), is_position);
     assert_eq!(told.last(), Some(&Event::Position(Step::default())));
+}
+
+/// What slows down before it is reset keeps its place.
+#[test]
+fn a_hold_before_the_stop_tells_exactly_how_far_the_step_has_come() {
+    let mut bench = bending();
+    let session = bench.session.as_mut();
+    session.pause().unwrap();
+    until(session, |event| matches!(event, Event::Paused { .. }));
+    session.stop().unwrap();
+    let told = until_told(session, |event| matches!(event, Event::Stopped { .. }));
+    assert_part(&told, 1, Some(bench.model.now().at), true);
 }

@@ -180,7 +180,7 @@ fn a_stop_halts_what_moves() {
     until_moved(session, 10.0);
     session.stop().unwrap();
     let events = until(session, |event| matches!(event, Event::Stopped { .. }));
-    assert_eq!(events, [Event::Stopped { homed: false }]);
+    assert_eq!(events.last(), Some(&Event::Stopped { homed: false }));
     drop(bench.session);
     let record = bench.model.end();
     assert_eq!((record.resets, record.bends.len()), (1, 0));

@@ -66,16 +66,16 @@ impl Machine {
             if self.doing == Doing::Arming || step.n > done + AHEAD {
                 break;
             }
-            lines.push(self.line_of(step.n, step.step)?);
+            lines.push((step.step, self.line_of(step.n, step.step)?));
             given = step.n;
         }
         let all = batch.steps.last().is_none_or(|last| last.n <= given);
         if let Some(wire) = &mut self.wire {
-            for [feed, rotate, bend] in lines {
+            for (n, (step, [feed, rotate, bend])) in (wire.given + 1..).zip(lines) {
                 let turn = std::mem::take(&mut wire.turn);
                 self.link.line(b'M', &[feed, rotate + turn, bend]);
+                wire.give(n, step, [feed, rotate]);
             }
-            wire.given = given;
             wire.closed |= batch.last && all && self.doing == Doing::Making;
         }
         let free = if self.doing == Doing::Arming { 0 } else { (done + AHEAD).saturating_sub(given) };

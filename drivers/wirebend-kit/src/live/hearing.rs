@@ -11,8 +11,9 @@ use crate::link::{Ask, News};
 use crate::protocol::{Alarm, Refusal, State, Status, VERSION, Versions};
 use crate::settings::{Difference, differences};
 
-/// How long an end may wait for where the axes stand: an answer takes 20 ms on a line that is not disturbed.
-const STANDS_WITHIN: Duration = Duration::from_millis(500);
+/// How long an end may wait for where the axes stand: an answer takes 20 ms on a line that is not disturbed, and longer where
+/// the computer is busy. Without it a person has to measure.
+const STANDS_WITHIN: Duration = Duration::from_millis(1500);
 
 impl Machine {
     /// Takes what has come.
@@ -93,6 +94,7 @@ impl Machine {
     fn place_head(&mut self, status: Status) {
         let Some(wire) = self.wire.as_mut().filter(|wire| !wire.placed) else { return };
         wire.placed = true;
+        wire.begins_at(status.position[0]);
         if self.head_unknown {
             self.link.ask(Ask::Head(wire.rotate_at));
         } else {
@@ -129,6 +131,7 @@ impl Machine {
         if self.ending.is_some() && status.state == State::Alarm {
             self.told = None;
             self.tell_position(status);
+            self.tell_part(status);
             self.tell_end();
         }
         if self.doing == Doing::Homing(Homing::Asking) {
@@ -165,12 +168,7 @@ impl Machine {
             return;
         }
         self.told = Some(status.position);
-        let [feed, rotate, bend] = status.position.map(f64::from);
-        self.report(Event::Position(Step {
-            feed_mm: feed / self.settings.feed_steps_per_mm,
-            rotate_deg: rotate / self.rotate_steps_per_deg(),
-            bend_deg: bend * 360.0 / f64::from(self.settings.bend_steps_per_turn),
-        }));
+        self.report(Event::Position(self.in_units(status.position)));
     }
 
     fn tell_hold(&mut self, status: Status) {
@@ -230,11 +228,11 @@ impl Machine {
             }
             (b'S', Doing::Connecting) if error == Refusal::NotIdle => self.lose(fault::other_host()),
             _ => {
-                let in_doubt = self.in_doubt();
                 let homing = matches!(self.doing, Doing::Homing(_));
                 self.give_up();
                 let error = fault::refused(command, error, homing);
-                self.report(Event::Fault { error, in_doubt, disconnected: false });
+                // It makes on what it has.
+                self.report(Event::Fault { error, in_doubt: None, disconnected: false });
             }
         }
     }
@@ -263,6 +261,7 @@ impl Machine {
             return;
         }
         let in_doubt = self.in_doubt();
+        let (wire, exact) = (self.wire.take(), self.held);
         self.give_up();
         let mut events = Vec::new();
         if alarm == Alarm::Stop {
@@ -274,7 +273,31 @@ impl Machine {
             events.push(Event::Fault { error: fault::alarm(alarm), in_doubt, disconnected: false });
         }
         self.link.query();
-        self.ending = Some(Ending { events, until: now + STANDS_WITHIN });
+        // A switch that is hit, and power that is cut, may have moved what the controller has not.
+        let counted = alarm == Alarm::Stop;
+        self.ending = Some(Ending { events, wire, exact, counted, until: now + STANDS_WITHIN });
+    }
+
+    /// Which step an end has met in its middle, and how far it was.
+    fn tell_part(&mut self, status: Status) {
+        let per = [self.settings.feed_steps_per_mm, self.rotate_steps_per_deg()];
+        let stands = self.in_units(status.position);
+        let Some(Ending { wire: Some(wire), exact, counted, .. }) = &mut self.ending else { return };
+        let done = wire.made(status.done).map(|n| Event::Done { n });
+        let part = wire.part_made([status.position[0], status.position[1]], per).filter(|_| *counted);
+        let (step, exact) = (wire.in_doubt(), *exact);
+        let made = part.map(|[feed_mm, rotate_deg]| Step { feed_mm, rotate_deg, ..stands });
+        self.events.extend(done);
+        self.events.extend(step.map(|step| Event::PartMade { step, made, exact }));
+    }
+
+    fn in_units(&self, steps: [i32; 3]) -> Step {
+        let [feed, rotate, bend] = steps.map(f64::from);
+        Step {
+            feed_mm: feed / self.settings.feed_steps_per_mm,
+            rotate_deg: rotate / self.rotate_steps_per_deg(),
+            bend_deg: bend * 360.0 / f64::from(self.settings.bend_steps_per_turn),
+        }
     }
 
     /// Tells of an end that waited for where the axes stand.
@@ -295,11 +318,11 @@ impl Machine {
         if self.doing == Doing::Over {
             return;
         }
-        let in_doubt = self.in_doubt();
         self.tell_end();
         self.give_up();
         self.doing = Doing::Over;
-        self.report(Event::Fault { error, in_doubt, disconnected: true });
+        // It makes on what it has, until it misses whoever has sent it.
+        self.report(Event::Fault { error, in_doubt: None, disconnected: true });
     }
 
     /// The port is gone.

@@ -65,6 +65,12 @@ pub(super) enum Halt {
 #[derive(Debug)]
 pub(super) struct Ending {
     pub events: Vec<Event>,
+    /// The wire that it has ended.
+    pub wire: Option<Wire>,
+    /// Whether its axes were at rest before, and stand exactly where they are said to.
+    pub exact: bool,
+    /// Whether its axes stand where the controller counts.
+    pub counted: bool,
     pub until: Duration,
 }
 

@@ -128,7 +128,7 @@ impl MachineSession for Session {
     fn arm(&mut self, run: &Run) -> Result<ArmedReply, DriverError> {
         let port = self.port.as_mut().ok_or_else(gone)?;
         // The rest of a wire is made in the machine that it is in.
-        if run.after == 0 {
+        if run.after == 0 && run.fed_mm == 0.0 && run.rotate_at_deg == 0.0 {
             port.load(run.bench.as_deref())?;
         }
         self.call(|machine, now| machine.arm(run, now))

@@ -1,8 +1,9 @@
 //! The wire that is made, in its own numbers and in those of the controller's session.
 
+use std::collections::VecDeque;
 use std::fmt;
 
-use wirebend_driver_api::Run;
+use wirebend_driver_api::{Run, Step};
 
 /// A session and the steps of the wire that were made before it: what a journal keeps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -29,6 +30,14 @@ impl fmt::Display for Token {
     }
 }
 
+/// A step as it was given.
+#[derive(Debug, Clone, Copy)]
+struct Given {
+    step: Step,
+    /// What it feeds and turns, in steps of the motors: without `turn`, which comes before the first.
+    motors: [i32; 2],
+}
+
 /// Steps are counted from 1; line n of the session is step `after + n`.
 #[derive(Debug)]
 pub(super) struct Wire {
@@ -44,12 +53,28 @@ pub(super) struct Wire {
     pub turn: i32,
     /// Where the head stands was told, or asked.
     pub placed: bool,
+    /// Where feed and head stand when the first of `lines` begins, steps; nothing where that is not known, as in a session
+    /// of before.
+    began: Option<[i32; 2]>,
+    /// The steps that were given and not made.
+    lines: VecDeque<Given>,
 }
 
 impl Wire {
     pub fn new(run: &Run, rotate_at: i32) -> Self {
         let Run { after, steps, .. } = *run;
-        Self { after, steps, given: after, done: after, closed: false, rotate_at, turn: 0, placed: false }
+        Self {
+            after,
+            steps,
+            given: after,
+            done: after,
+            closed: false,
+            rotate_at,
+            turn: 0,
+            placed: false,
+            began: None,
+            lines: VecDeque::new(),
+        }
     }
 
     /// In a session that has taken and made lines already.
@@ -64,14 +89,48 @@ impl Wire {
             rotate_at: 0,
             turn: 0,
             placed: true,
+            began: None,
+            lines: VecDeque::new(),
         }
+    }
+
+    /// Where the axes stand before the first step: the feed as the controller counts it, the head as the wire does.
+    pub const fn begins_at(&mut self, fed: i32) {
+        self.began = Some([fed, self.rotate_at]);
+    }
+
+    /// A step was given.
+    pub fn give(&mut self, n: u32, step: Step, motors: [i32; 2]) {
+        self.given = n;
+        self.lines.push_back(Given { step, motors });
     }
 
     /// The steps that are made by now and were not before.
     pub fn made(&mut self, line: u32) -> std::ops::RangeInclusive<u32> {
         let from = self.done + 1;
         self.done = self.done.max(self.after.saturating_add(line)).min(self.given);
+        for _ in from..=self.done {
+            let given = self.lines.pop_front();
+            self.began =
+                self.began.zip(given).map(|([fed, turned], Given { motors: [feed, rotate], .. })| {
+                    [fed.wrapping_add(feed), turned.wrapping_add(rotate)]
+                });
+        }
         from..=self.done
+    }
+
+    /// How much of the step under way is fed and turned where the motors stand here, mm and degrees. `per`: steps for each.
+    pub fn part_made(&self, at: [i32; 2], per: [f64; 2]) -> Option<[f64; 2]> {
+        let (began, Given { step, motors }) = (self.began?, *self.lines.front()?);
+        let whole = [step.feed_mm, step.rotate_deg];
+        Some(std::array::from_fn(|axis| {
+            let made = f64::from(at[axis].wrapping_sub(began[axis]));
+            match motors[axis] {
+                0 => made / per[axis],
+                // Motors make whole steps: what is made of them is made of the step.
+                all => whole[axis] * made / f64::from(all),
+            }
+        }))
     }
 
     pub fn is_made(&self) -> bool {

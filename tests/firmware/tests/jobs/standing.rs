@@ -107,6 +107,29 @@ impl Making {
         })
     }
 
+    /// What was told of the step that was ended in its middle.
+    fn part(&self) -> Option<(u32, Option<Step>, bool)> {
+        let parts = self.told.iter().filter_map(|event| match event {
+            Event::PartMade { step, made, exact } => Some((*step, *made, *exact)),
+            _ => None,
+        });
+        let parts: Vec<_> = parts.collect();
+        assert!(parts.len() < 2, "{parts:?}");
+        parts.first().copied()
+    }
+
+    /// The part of the first step that was told against the pins.
+    #[track_caller]
+    fn part_is_counted(&self, what: &str) {
+        let Some((1, Some(part), false)) = self.part() else { panic!("{what}: {:?}", self.part()) };
+        let counted = self.counted();
+        let apart = |a: f64, b: f64| (a - b).abs() < 0.05;
+        let same = apart(part.feed_mm, counted.feed_mm)
+            && apart(part.rotate_deg, counted.rotate_deg)
+            && apart(part.bend_deg, counted.bend_deg);
+        assert!(same, "{what}: told {part:?}, made {counted:?}");
+    }
+
     #[track_caller]
     fn stands(&self, what: &str) {
         let (told, counted) = (self.told().expect("a position"), self.counted());
@@ -132,6 +155,7 @@ fn a_stop_in_a_step_tells_how_far_each_axis_got() {
         making.session.stop().unwrap();
         making.until(|event| matches!(event, Event::Stopped { .. }));
         making.stands(&format!("STOP in {axis:?}"));
+        making.part_is_counted(&format!("STOP in {axis:?}"));
         let told = making.told().unwrap();
         let whole = (told.feed_mm - STEP.feed_mm).abs() < 0.1 && told.rotate_deg.abs() > 199.0;
         assert!(!whole || axis == Axis::Bend, "{axis:?}: in the middle of it, {told:?}");
@@ -149,6 +173,42 @@ fn an_alarm_in_a_step_tells_how_far_each_axis_got() {
     let Some(Event::Fault { error, in_doubt, .. }) = making.told.last() else { unreachable!() };
     assert_eq!((error.code.as_str(), *in_doubt), ("alarm", Some(1)), "{error}");
     making.stands("switch hit");
+    // What has hit something may have lost steps.
+    assert_eq!(making.part(), Some((1, None, false)));
+}
+
+/// Of a machine that holds every axis stands where it is counted.
+#[test]
+fn a_stop_at_rest_tells_exactly_how_far_the_step_is() {
+    let _others = shared();
+    let mut making = Making::new();
+    making.underway(Axis::Feed, 700);
+    making.session.pause().unwrap();
+    making.until(|event| *event == Event::Paused { by: PausedBy::Program });
+    making.session.stop().unwrap();
+    making.until(|event| matches!(event, Event::Stopped { .. }));
+    let Some((1, Some(part), true)) = making.part() else { panic!("{:?}", making.part()) };
+    let counted = making.counted();
+    assert!((part.feed_mm - counted.feed_mm).abs() < 0.01, "told {part:?}, made {counted:?}");
+}
+
+/// The head counts from where the wire begins, and the feed from where the step does.
+#[test]
+fn a_stop_in_a_later_step_tells_of_that_step_alone() {
+    let _others = shared();
+    let mut making = Making::new();
+    making.until(|event| *event == Event::Done { n: 1 });
+    let before = making.counted();
+    let begun = Instant::now();
+    while making.counted().feed_mm < before.feed_mm + 50.0 {
+        assert!(begun.elapsed() < DEADLINE);
+        making.told.extend(making.session.poll().unwrap());
+    }
+    making.session.stop().unwrap();
+    making.until(|event| matches!(event, Event::Stopped { .. }));
+    let Some((2, Some(part), false)) = making.part() else { panic!("{:?}", making.part()) };
+    let fed = making.counted().feed_mm - before.feed_mm;
+    assert!((part.feed_mm - fed).abs() < 0.05 && part.rotate_deg == 0.0, "{part:?}, fed {fed}");
 }
 
 /// A controller that was reset counts from zero: nothing of where it stood is told as if it knew.
@@ -171,6 +231,7 @@ fn a_reset_in_a_step_tells_no_position() {
         making.told.extend(making.session.poll().unwrap());
     }
     let after = making.told[from..].iter().filter(|event| matches!(event, Event::Position(_))).count();
+    assert_eq!(making.part(), None, "nobody knows how far it was");
     assert_eq!(after, 0, "a position that nobody knows");
 }
 

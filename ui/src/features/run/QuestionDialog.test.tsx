@@ -6,12 +6,28 @@ const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(async () => {}), 
 vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
 
 import { place } from "../../shared/testing";
-import type { Question } from "../../state/operator";
+import type { Doubt, Question } from "../../state/operator";
 import { useRun } from "../../state/run";
 import { QuestionDialog } from "./QuestionDialog";
 
 const at = place();
-const question = (id: number, kind: Question["kind"]): Question => ({ id, kind, lines: [], question: "Was it made?", doubt: null });
+const question = (id: number, kind: Question["kind"]): Question => ({ id, kind, lines: [], question: "May it move?", doubt: null });
+const told = { feed_mm: 222.8, rotate_deg: 90, bend_deg: 45 };
+const doubtful = (id: number, counted: Doubt["counted"]): Question => ({
+  ...question(id, "doubt"),
+  doubt: { wire: 0, step: 5, of: 10, last: 5, designed: told, told, before: { feed_mm: 0, rotate_deg: 0 }, counted },
+});
+const type = (field: HTMLInputElement, text: string) => {
+  act(() => {
+    field.focus();
+    // React listens to the setter of the prototype.
+    Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value")?.set?.call(field, text);
+    field.dispatchEvent(new Event("input", { bubbles: true }));
+  });
+  act(() => field.blur());
+};
+const choose = (name: string) => act(() => [...at.host.querySelectorAll("label")].find(({ textContent }) => textContent === name)?.querySelector("input")?.click());
+const given = (): unknown[] => platform.ask.mock.calls.filter(([ask]) => ask === "answer").map(([, { answer }]) => answer);
 const press = (name: string) => act(() => [...at.host.querySelectorAll("button")].find(({ textContent }) => textContent === name)?.click());
 const answers = (): unknown[] => platform.ask.mock.calls.filter(([ask]) => ask === "answer").map(([, { question: id }]) => id);
 
@@ -25,18 +41,47 @@ afterEach(() => {
 });
 
 it("takes no second click of a double one for an answer to the next question about a step", () => {
-  useRun.setState({ question: question(1, "doubt") });
+  useRun.setState({ question: doubtful(1, null) });
   at.show(<QuestionDialog />);
-  press("It was made");
+  choose("All of it");
+  press("Go on");
   expect(answers()).toEqual([]);
   act(() => vi.advanceTimersByTime(800));
-  press("It was made");
-  act(() => useRun.setState({ question: question(2, "doubt"), ordering: false }));
-  press("It was made");
+  press("Go on");
+  act(() => useRun.setState({ question: doubtful(2, null), ordering: false }));
+  choose("All of it");
+  press("Go on");
   expect(answers()).toEqual([1]);
   act(() => vi.advanceTimersByTime(800));
-  press("It was made");
+  press("Go on");
   expect(answers()).toEqual([1, 2]);
+  expect(given()).toEqual(["made", "made"]);
+});
+
+it("makes the rest of a step only when a person has said how much of it is in the wire", () => {
+  useRun.setState({ question: doubtful(1, { feed_mm: 110.3, rotate_deg: 0 }) });
+  at.show(<QuestionDialog />);
+  act(() => vi.advanceTimersByTime(800));
+  press("Go on");
+  expect(given()).toEqual([]);
+  choose("As counted");
+  expect(at.host.textContent).toContain("feed 112.5 mm, rotate 90.0°, bend 45.0° from its beginning");
+  press("Go on");
+  expect(given()).toEqual(["as-counted"]);
+});
+
+it("offers nothing as counted where the machine cannot tell, and takes what is measured", () => {
+  useRun.setState({ question: doubtful(1, null) });
+  at.show(<QuestionDialog />);
+  act(() => vi.advanceTimersByTime(800));
+  expect(at.host.textContent).not.toContain("As counted");
+  choose("Measured");
+  press("Go on");
+  expect(given()).toEqual([]);
+  const [fed, turned] = at.host.querySelectorAll<HTMLInputElement>("input[inputmode]");
+  for (const [field, text] of [[fed, "110.3"], [turned, "30"]] as const) if (field) type(field, text);
+  press("Go on");
+  expect(given()).toEqual([{ part: { feed_mm: 110.3, rotate_deg: 30 } }]);
 });
 
 it("lets any other question be answered at once", () => {

@@ -2,13 +2,14 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use wirebend_driver_api::{DriverError, GoingOn};
+use wirebend_driver_api::{DriverError, GoingOn, Step};
 
 use crate::session::StoppedBy;
 
 /// The version of the format; a journal of a later one is refused. Since 2 there are [`What::Standstill`] and
-/// [`What::NotTaken`].
-pub const VERSION: u32 = 2;
+/// [`What::NotTaken`]. Since 3 there are [`What::PartMade`] and [`What::Part`], and the steps after the one that a
+/// [`What::Fault`] names were not begun.
+pub const VERSION: u32 = 3;
 
 /// A line of a journal.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -87,10 +88,33 @@ pub enum What {
     Fault {
         /// What happened.
         error: DriverError,
-        /// The step of which the driver does not know whether it was made. All that were sent and not reported
-        /// are in doubt all the same: the machine may have gone on without the driver.
+        /// The step of which the driver does not know whether it was made; those after it were not begun. Without it, all
+        /// that were sent and not reported are in doubt: the machine may have gone on without the driver.
         #[serde(default)]
         in_doubt: Option<u32>,
+    },
+    /// The machine stands in the middle of a step, and has not begun those after it.
+    PartMade {
+        /// The step.
+        n: u32,
+        /// How much of what was sent of it is fed and turned, and where the bend axis stands, in the machine's signs.
+        #[serde(default)]
+        made: Option<Step>,
+        /// The axis that was on its way stands exactly there.
+        #[serde(default)]
+        exact: bool,
+    },
+    /// So much of the first step in doubt is in the wire: the machine could tell, or a person has measured it. The rest of
+    /// it is made, and its bend from the beginning.
+    Part {
+        /// Which.
+        n: u32,
+        /// How much of it is fed, in the machine's signs.
+        feed_mm: f64,
+        /// How much of it is turned, in the machine's signs.
+        rotate_deg: f64,
+        /// Who has said so.
+        by: ToldBy,
     },
     /// A person has looked whether a step in doubt was made.
     Decided {
@@ -112,6 +136,16 @@ pub enum What {
     Finished,
     /// A person has given the wire up.
     Abandoned,
+}
+
+/// Who has said how much of a step is made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ToldBy {
+    /// The machine, for axes that were at rest when it was stopped.
+    Machine,
+    /// A person.
+    Person,
 }
 
 /// What is to be made, of what, on which machine.

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use wirebend_journal::{Lines, Log, LogError};
 
 use super::account::Account;
-pub use entry::{Entry, Heading, What};
+pub use entry::{Entry, Heading, ToldBy, What};
 pub use reading::Written;
 
 /// Why a journal cannot be used.

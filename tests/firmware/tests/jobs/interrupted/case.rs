@@ -4,6 +4,7 @@ use std::fmt;
 
 use rustix::process::{Signal, kill_process};
 
+use super::end::Went;
 use super::job::{GEARS, Job};
 use crate::at_port::AtPort;
 use crate::bender::{Moment, Phase, lines};
@@ -42,7 +43,7 @@ impl What {
 }
 
 /// An interruption.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Case {
     pub what: What,
     /// Line of the job, from 0, and where in it.
@@ -65,7 +66,7 @@ const HOST_LOST: u64 = HZ + 25 * MS;
 
 impl Case {
     /// Tries it; says how it went.
-    pub fn try_on<B: Board + Send + 'static>(&self, job: &Job) -> String {
+    pub fn try_on<B: Board + Send + 'static>(&self, job: &Job) -> Went {
         let runs = format!("{}-{self}", B::NAME).replace([' ', ',', '%'], "-");
         let at = AtPort::<B>::new(GEARS, Some(&job.stored), self.reset_on_open);
         let file = job.file.to_str().unwrap();

@@ -1,14 +1,28 @@
 //! How an interrupted job is gone on with, and what it comes to.
 
+use std::cmp::Ordering;
+
 use wirebend_driver_api::Axis;
 
 use super::LINES;
 use super::case::{Case, What};
-use super::job::Job;
+use super::job::{GEARS, Job};
 use crate::at_port::AtPort;
 use crate::bender::{Pulse, lines, net, ways};
 use crate::shop::Ran;
 use wirebend_tests_firmware::board::Board;
+
+/// Rest of a feed and of a turn are each rounded to a motor step, of 0.18 mm and 0.22 degrees on this machine.
+const CORNERS_MM: f64 = 1.0;
+
+/// How a job was gone on with.
+pub struct Went {
+    /// Steps that a person was asked about.
+    pub asked: usize,
+    /// The farthest that a corner of the wire is from where it should be, mm.
+    pub off_mm: f64,
+    pub told: String,
+}
 
 /// What the machine has made of a job, by its pulses alone.
 struct Truth {
@@ -26,11 +40,18 @@ impl Truth {
         let from = lines.get(whole).map_or(made.len(), |line| line.start);
         Self { whole, part: made[from.min(made.len())..].to_vec() }
     }
+
+    /// What a person measures of the step that is not complete: mm fed and degrees turned.
+    fn measured(&self) -> [f64; 2] {
+        let steps = |axis| i32::try_from(net(&self.part, axis)).map(f64::from).unwrap();
+        let turn = f64::from(GEARS.rotate_steps_per_turn);
+        [steps(Axis::Feed) / GEARS.feed_steps_per_mm, steps(Axis::Rotate) * 360.0 / turn]
+    }
 }
 
 impl Case {
     /// Goes on, and compares what came out with the job that nothing has interrupted.
-    pub fn go_on<B: Board + Send + 'static>(&self, job: &Job, at: &AtPort<B>, runs: &str) -> String {
+    pub fn go_on<B: Board + Send + 'static>(&self, job: &Job, at: &AtPort<B>, runs: &str) -> Went {
         let made = at.with(|bender| bender.pulses.job().to_vec());
         let truth = Truth::of(job, &made);
         let record = record(job, runs);
@@ -47,10 +68,11 @@ impl Case {
             job.shop.ran(runs, &["run", file, "--port", &at.port, "--yes", answer])
         };
         let keeps = matches!(self.what, What::ProgramKilled | What::CablePulled);
-        let told = if keeps && !self.reset_on_open {
+        let went = if keeps && !self.reset_on_open {
             resume("--resume").ended(0);
             check_unbroken(job, at);
-            format!("{} lines were made, {} known; the same wire came out", truth.whole, known)
+            let told = format!("{} steps were made, {known} known; the same wire came out", truth.whole);
+            Went { asked: 0, off_mm: 0.0, told }
         } else {
             self.decide(job, at, &truth, known, resume)
         };
@@ -60,7 +82,7 @@ impl Case {
             (Some("finished"), Some(LINES as u64))
         );
         assert_eq!(record["interruptions"].as_array().unwrap().len(), 1, "{record}");
-        told
+        went
     }
 
     /// Whether the machine makes lines that nobody hears of.
@@ -68,7 +90,7 @@ impl Case {
         matches!(self.what, What::ProgramKilled | What::CablePulled)
     }
 
-    /// A person looks at the wire and says of each step in doubt whether it was made to its end.
+    /// A person looks at the wire, and says of each step in doubt how much of it was made.
     fn decide<B: Board + Send + 'static>(
         &self,
         job: &Job,
@@ -76,53 +98,68 @@ impl Case {
         truth: &Truth,
         known: usize,
         resume: impl Fn(&str) -> Ran,
-    ) -> String {
-        let count = || at.with(|bender| bender.pulses.len());
-        let before = count();
+    ) -> Went {
+        let before = at.with(|bender| bender.pulses.len());
         let mut ran = resume("--resume");
-        assert_eq!(count(), before, "it moves before anybody has said anything");
+        let mut asked = 0;
         let mut n = known;
-        // One that has fed and turned, and bent in part, is closer to its end than to its beginning.
-        let bending = truth.part.iter().any(|pulse| pulse.axis == Axis::Bend);
-        let taken = truth.whole + usize::from(bending);
         while ran.status.code() != Some(0) {
-            ran.ended(2)
-                .says(&format!("whether step {} of {LINES}", n + 1))
-                .says("--resume=made")
-                .says("--resume=not-made")
-                .says("made in part");
-            let answer = if n < taken { "--resume=made" } else { "--resume=not-made" };
-            ran = resume(answer);
+            let after = at.with(|bender| bender.pulses.len());
+            assert_eq!(after, before, "it moves before anybody has said anything");
             n += 1;
+            asked += 1;
+            ran.ended(2)
+                .says(&format!("whether step {n} of {LINES}"))
+                .says(&format!("--resume=made:{n}"))
+                .says(&format!("--resume=part:{n}:"));
+            let [fed, turned] = truth.measured();
+            let answer = match n.cmp(&(truth.whole + 1)) {
+                Ordering::Less => format!("--resume=made:{n}"),
+                Ordering::Equal => format!("--resume=part:{n}:{fed}:{turned}"),
+                Ordering::Greater => format!("--resume=not-made:{n}"),
+            };
+            ran = resume(&answer);
         }
-        let pulses = at.with(|bender| bender.pulses.all().to_vec());
-        let lines = lines(&job.pulses);
-        let before_line =
-            |line: usize| &job.pulses[..lines.get(line).map_or(job.pulses.len(), |line| line.start)];
-        // What was fed of a line that is made again is fed twice.
-        let twice = if bending { 0 } else { net(&truth.part, Axis::Feed) };
-        assert_eq!(net(&pulses, Axis::Feed), net(&job.pulses, Axis::Feed) + twice, "feed");
-        // A head that was turned in part and then forgotten stays off by that; one that is remembered is turned back.
-        let forgotten = !matches!(self.what, What::Stopped | What::DriverKilled) || self.reset_on_open;
-        let stood = net(before_line(truth.whole), Axis::Rotate) + net(&truth.part, Axis::Rotate);
-        let off = if forgotten { stood - net(before_line(taken), Axis::Rotate) } else { 0 };
-        assert_eq!(net(&pulses, Axis::Rotate), net(&job.pulses, Axis::Rotate) + off, "rotate");
-        // What comes then is the rest of the job, line by line.
-        let rest = &pulses[before..];
-        let feeds = rest.iter().position(|pulse| pulse.axis == Axis::Feed).unwrap_or(rest.len());
-        let steady = |pulses: &[Pulse]| {
-            let kept: Vec<Pulse> =
-                pulses.iter().copied().filter(|pulse| pulse.axis != Axis::Rotate).collect();
-            ways(&kept)
-        };
-        assert_eq!(steady(&rest[feeds..]), steady(&job.pulses[before_line(taken).len()..]), "the rest");
-        format!(
-            "{} lines were made and {} pulses of the next, {known} known; {twice} pulses of feed and {off} of the \
-             head are off",
+        // A machine that was stopped and was not reset since can tell, unless feed or head were on their way.
+        let tells = self.what == What::Stopped;
+        let on_its_way = truth.part.last().is_some_and(|pulse| pulse.axis != Axis::Bend);
+        assert!(!tells || asked <= usize::from(on_its_way), "asked {asked} times of what the machine knows");
+        assert!(tells || asked > 0 || truth.part.is_empty(), "nobody was asked of what nobody knows");
+        let (all, corners) = at.with(|bender| (bender.pulses.all().to_vec(), bender.made().corners()));
+        for axis in [Axis::Feed, Axis::Rotate] {
+            // The rest of a step is rounded to a whole motor step by itself.
+            let off = net(&all, axis) - net(&job.pulses, axis);
+            assert!(off.abs() <= 1, "{axis:?} is {off} steps off");
+        }
+        let off_mm = apart(&corners, &job.corners);
+        assert!(
+            off_mm < CORNERS_MM,
+            "a corner is {off_mm:.3} mm from where it is in a wire that nothing interrupts"
+        );
+        // What comes after the step is the rest of the job, line by line.
+        let rest = &all[before..];
+        let whole = lines(&job.pulses).get(truth.whole + 1).map_or(&[][..], |line| &job.pulses[line.start..]);
+        assert!(steady(rest).ends_with(&steady(whole)), "the rest");
+        let told = format!(
+            "{} steps were made and {} pulses of the next, {known} known, {asked} asked about; the farthest corner is {off_mm:.3} mm off",
             truth.whole,
             truth.part.len()
-        )
+        );
+        Went { asked, off_mm, told }
     }
+}
+
+/// Pulses without those of the head, which is turned to where it was first.
+fn steady(pulses: &[Pulse]) -> Vec<(Axis, bool)> {
+    let kept: Vec<Pulse> = pulses.iter().copied().filter(|pulse| pulse.axis != Axis::Rotate).collect();
+    ways(&kept)
+}
+
+/// The farthest that a corner is from where it should be, mm.
+fn apart(made: &[[f64; 3]], wanted: &[[f64; 3]]) -> f64 {
+    assert_eq!(made.len(), wanted.len(), "another wire: {made:?}");
+    let off = |(a, b): (&[f64; 3], &[f64; 3])| (0..3).map(|at| (a[at] - b[at]).powi(2)).sum::<f64>().sqrt();
+    made.iter().zip(wanted).map(off).fold(0.0, f64::max)
 }
 
 /// Nothing was lost: the same pulses, the same wire.

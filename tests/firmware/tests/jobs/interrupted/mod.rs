@@ -41,12 +41,40 @@ fn cases() -> Vec<Case> {
     cases.collect()
 }
 
+/// How many runs are stopped at random moments.
+const RANDOM: usize = 200;
+
+/// Stops, and drivers that are killed, in every phase of every step: seldom the same twice, and the same in every run of the
+/// tests.
+fn random_cases() -> Vec<Case> {
+    let phases = [Phase::Feed, Phase::Rotate, Phase::Peg, Phase::Swing, Phase::Return];
+    let mut state = 20_261_122_u64;
+    // The constants of Knuth's MMIX.
+    let mut random = |below: usize| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        usize::try_from(state >> 33).unwrap() % below
+    };
+    let (known, mut cases) = (self::cases(), Vec::new());
+    while cases.len() < RANDOM {
+        // What is stopped by a lost driver nobody knows the place of.
+        let what = if random(4) == 0 { What::DriverKilled } else { What::Stopped };
+        // The last step only feeds, and is over before the program hears of anything.
+        let (line, phase, percent) = (random(LINES - 1), phases[random(phases.len())], random(100));
+        let case = Case { what, line, phase, percent, reset_on_open: random(2) == 0 };
+        if !cases.contains(&case) && !known.contains(&case) {
+            cases.push(case);
+        }
+    }
+    cases
+}
+
 /// Runs them all, and tells of each that failed.
 fn try_all<B: Board + Send + 'static>(job: &Job, cases: Vec<Case>, at_once: usize) {
     let begun = Instant::now();
     let count = cases.len();
     let left = Mutex::new(cases.into_iter());
     let failed = Mutex::new(Vec::new());
+    let went = Mutex::new(Vec::new());
     std::thread::scope(|scope| {
         for _ in 0..at_once {
             scope.spawn(|| {
@@ -54,7 +82,10 @@ fn try_all<B: Board + Send + 'static>(job: &Job, cases: Vec<Case>, at_once: usiz
                     let Some(case) = left.lock().unwrap().next() else { return };
                     let tried = std::thread::scope(|alone| alone.spawn(|| case.try_on::<B>(job)).join());
                     match tried {
-                        Ok(told) => println!("{}: {case}: {told}", B::NAME),
+                        Ok(one) => {
+                            println!("{}: {case}: {}", B::NAME, one.told);
+                            went.lock().unwrap().push(one);
+                        }
                         Err(_) => failed.lock().unwrap().push(case),
                     }
                 }
@@ -62,7 +93,15 @@ fn try_all<B: Board + Send + 'static>(job: &Job, cases: Vec<Case>, at_once: usiz
         }
     });
     let failed = failed.into_inner().unwrap();
-    println!("{}: {count} cases in {:.0} s", B::NAME, begun.elapsed().as_secs_f64());
+    let went = went.into_inner().unwrap();
+    println!(
+        "{}: {count} cases in {:.0} s: {} went on with nobody asked, in {} a person was asked; the farthest corner is {:.3} mm off",
+        B::NAME,
+        begun.elapsed().as_secs_f64(),
+        went.iter().filter(|one| one.asked == 0).count(),
+        went.iter().filter(|one| one.asked > 0).count(),
+        went.iter().map(|one| one.off_mm).fold(0.0, f64::max)
+    );
     assert!(failed.is_empty(), "{}", failed.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "));
 }
 
@@ -70,6 +109,12 @@ fn try_all<B: Board + Send + 'static>(job: &Job, cases: Vec<Case>, at_once: usiz
 fn a_job_survives_every_interruption_at_every_line() {
     let _others = shared();
     try_all::<Host>(Job::cube(), cases(), AT_ONCE);
+}
+
+#[test]
+fn runs_that_are_stopped_at_random_moments_come_out_as_planned() {
+    let _others = shared();
+    try_all::<Host>(Job::cube(), random_cases(), AT_ONCE);
 }
 
 /// The same with the binary of the board, once each.

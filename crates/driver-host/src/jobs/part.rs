@@ -1,0 +1,164 @@
+//! A step that was ended in its middle: how much of it is in the wire, and whether that is sure.
+
+use wirebend_driver_api::Step;
+
+use super::account::{Account, Part};
+use super::error::JobError;
+use super::journal::{ToldBy, What};
+use super::resume::Resume;
+use super::run::JobRun;
+
+/// Closer than this an axis stands at an end of its way: more than a motor step, less than anybody sees on a wire.
+const FEED_AT_MM: f64 = 0.05;
+const ROTATE_AT_DEG: f64 = 0.3;
+/// A person measures no better than this: what is so much more than a step has, or less than nothing, is all or nothing of it.
+const MEASURED_MM: f64 = 1.0;
+const MEASURED_DEG: f64 = 2.0;
+/// A bend axis that stands farther past its bend than this has bent the wire too far.
+const BENT_TOO_FAR_DEG: f64 = 2.0;
+
+/// What is said of the first step in doubt.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Verdict {
+    /// It was made to its end.
+    Made,
+    /// Nothing of what was sent of it was made.
+    NotMade,
+    /// So much of it is in the wire.
+    Part(Part),
+}
+
+/// The first step in doubt, and what is known of it. All in the machine's signs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Doubtful {
+    /// Which.
+    pub step: u32,
+    /// The last in doubt.
+    pub last: u32,
+    /// The whole of it.
+    pub whole: Step,
+    /// How much of it was in the wire before it was sent last.
+    pub before: Part,
+    /// How much of it is in the wire as the machine counts; nothing where it cannot tell.
+    pub counted: Option<Part>,
+    /// The axis that was on its way when it was stopped may stand elsewhere than counted: a person has to measure.
+    pub measure: bool,
+}
+
+impl JobRun {
+    /// The first step in doubt.
+    #[must_use]
+    pub fn doubtful(&self) -> Option<Doubtful> {
+        let account = self.account();
+        let (step, last) = account.in_doubt().map(|steps| (*steps.start(), *steps.end()))?;
+        let whole = self.step(step)?;
+        let before = account.part;
+        let told = account.part_made.and_then(|told| Some((told.made?, told.exact)));
+        let rest = before.rest(whole);
+        let counted = told.filter(|(made, _)| is_of(rest, *made)).map(|(made, exact)| {
+            let part = Part {
+                feed_mm: before.feed_mm + made.feed_mm,
+                rotate_deg: before.rotate_deg + made.rotate_deg,
+            };
+            (part.within(whole), exact || is_at_rest(rest, made))
+        });
+        let measure = counted.is_some_and(|(_, sure)| !sure);
+        Some(Doubtful { step, last, whole, before, counted: counted.map(|(part, _)| part), measure })
+    }
+
+    /// How much of the first step in doubt is in the wire, where the machine can tell and nobody has to look.
+    pub(super) fn sure_part(&self) -> Option<(u32, Part)> {
+        let doubtful = self.doubtful()?;
+        Some((doubtful.step, doubtful.counted.filter(|_| !doubtful.measure)?))
+    }
+
+    /// Writes down what is said of the first step in doubt, and gives what may be done then.
+    ///
+    /// # Errors
+    /// [`JobError::NotInDoubt`] for another step, [`JobError::NotOfStep`] for more than the step has,
+    /// [`JobError::AtWork`] while the machine may still make it.
+    pub fn decide(&mut self, n: u32, verdict: Verdict) -> Result<Resume, JobError> {
+        self.may_decide(n, verdict)?;
+        let what = match verdict {
+            Verdict::Made => What::Decided { n, made: true },
+            Verdict::NotMade => What::Decided { n, made: false },
+            Verdict::Part(part) => part.within(self.step(n).unwrap_or_default()).told_by(n, ToldBy::Person),
+        };
+        self.note(what)?;
+        Ok(self.resume_from())
+    }
+
+    /// Whether something can be said of a step.
+    ///
+    /// # Errors
+    /// As [`JobRun::decide`]; nothing is written down.
+    pub fn may_decide(&self, n: u32, verdict: Verdict) -> Result<(), JobError> {
+        if self.is_in_hand() {
+            return Err(JobError::AtWork);
+        }
+        let in_doubt = self.account().in_doubt().map(|steps| *steps.start());
+        if in_doubt != Some(n) {
+            return Err(JobError::NotInDoubt { step: n, in_doubt });
+        }
+        let Verdict::Part(Part { feed_mm, rotate_deg }) = verdict else { return Ok(()) };
+        let whole = self.step(n).unwrap_or_default();
+        for (what, part, whole, unit, at) in [
+            ("feed", feed_mm, whole.feed_mm, " mm", MEASURED_MM),
+            ("rotation", rotate_deg, whole.rotate_deg, "\u{b0}", MEASURED_DEG),
+        ] {
+            if !is_between(part, whole, at) {
+                return Err(JobError::NotOfStep { step: n, what, part, whole, unit });
+            }
+        }
+        Ok(())
+    }
+
+    /// A step of the wire, from 1, whole.
+    fn step(&self, n: u32) -> Option<Step> {
+        let index = usize::try_from(n).ok()?.checked_sub(1)?;
+        self.work.steps.get(index).copied()
+    }
+
+    /// What is to be sent of a step.
+    pub(super) fn to_send(&self, n: u32, step: Step) -> Step {
+        let account: &Account = self.account();
+        if n == account.done + 1 { account.part.rest(step) } else { step }
+    }
+}
+
+impl Part {
+    /// No more than all of a step, and no less than nothing.
+    fn within(self, whole: Step) -> Self {
+        let within = |part: f64, whole: f64| part.clamp(whole.min(0.0), whole.max(0.0));
+        Self {
+            feed_mm: within(self.feed_mm, whole.feed_mm),
+            rotate_deg: within(self.rotate_deg, whole.rotate_deg),
+        }
+    }
+
+    /// The entry of a journal.
+    pub(super) const fn told_by(self, n: u32, by: ToldBy) -> What {
+        What::Part { n, feed_mm: self.feed_mm, rotate_deg: self.rotate_deg, by }
+    }
+}
+
+/// Whether an axis stands between the ends of its way.
+fn is_between(part: f64, whole: f64, at: f64) -> bool {
+    part >= whole.min(0.0) - at && part <= whole.max(0.0) + at
+}
+
+/// Whether a machine that makes this can stand there. A wire that is bent too far no step makes right.
+fn is_of(step: Step, made: Step) -> bool {
+    let past = if step.bend_deg < 0.0 { -made.bend_deg } else { made.bend_deg };
+    is_between(made.feed_mm, step.feed_mm, FEED_AT_MM)
+        && is_between(made.rotate_deg, step.rotate_deg, ROTATE_AT_DEG)
+        && past <= step.bend_deg.abs() + BENT_TOO_FAR_DEG
+}
+
+/// Whether feed and head stood when the step was ended: each has not begun or has made its way. Where the bend axis stands
+/// does not matter, since its bend is made anew.
+fn is_at_rest(step: Step, made: Step) -> bool {
+    let at_an_end = |made: f64, whole: f64, at: f64| made.abs() < at || (made - whole).abs() < at;
+    at_an_end(made.feed_mm, step.feed_mm, FEED_AT_MM)
+        && at_an_end(made.rotate_deg, step.rotate_deg, ROTATE_AT_DEG)
+}
