@@ -40,9 +40,10 @@ pub const WHEN: [&str; 18] = [
 ];
 
 /// How it can misbehave.
-pub const HOW: [&str; 20] = [
+pub const HOW: [&str; 23] = [
     "exit", "abort", "segfault", "hang", "spin", "flood", "garbage", "torrent", "deaf", "leak", "orphan",
-    "null", "status", "nonsense", "shout", "lie", "differ", "version", "old", "mute",
+    "null", "status", "nonsense", "shout", "lie", "differ", "version", "old", "mute", "fault", "numb",
+    "gone",
 ];
 
 /// The table of this driver.

@@ -82,6 +82,13 @@ struct Kept {
     told: Vec<Step>,
 }
 
+/// Whether anything reaches the machine.
+#[derive(Debug, PartialEq, Eq)]
+enum Cable {
+    In,
+    Out,
+}
+
 #[derive(Debug)]
 pub(crate) struct Machine {
     settings: Settings,
@@ -90,6 +97,7 @@ pub(crate) struct Machine {
     going_on: bool,
     holds: bool,
     finished: bool,
+    cable: Cable,
     /// Moves by hand that were begun.
     by_hand: u32,
     events: VecDeque<Event>,
@@ -113,6 +121,7 @@ impl Machine {
             going_on: false,
             holds: false,
             finished: false,
+            cable: Cable::In,
             by_hand: 0,
             events,
             _lock: lock,
@@ -151,6 +160,9 @@ impl Machine {
             Call::Resume => {
                 self.holds = false;
                 self.events.push_back(Event::Resumed);
+            }
+            Call::Stop if self.cable == Cable::Out => {
+                return Err(DriverError::new("disconnected", "the port is gone", "connect again"));
             }
             Call::Stop => {
                 (self.going_on, self.holds) = (false, false);
@@ -251,7 +263,10 @@ impl Machine {
                 self.events.extend([Event::Done { n }, Event::Paused { by: PausedBy::Machine }]);
             }
             // It may go on by itself.
-            Some(How::Unplug | How::UnplugAfter) => self.fault(None, "unplugged"),
+            Some(How::Unplug | How::UnplugAfter) => {
+                self.cable = Cable::Out;
+                self.fault(None, "unplugged");
+            }
             Some(How::Reset | How::ResetAfter) => {
                 self.kept.session = None;
                 self.save();

@@ -44,11 +44,17 @@ pub(crate) struct Instance {
     events: VecDeque<Value>,
     /// The one that it moves instead of the one in memory.
     machine: Option<Machine>,
+    /// It has told of a fault.
+    faulted: bool,
 }
+
+/// Faults that it can tell of while its machine moves on: one after which it stops the machine when it is told to, one after
+/// which it never says that the machine stands, and one that has taken its port away.
+const FAULTS: [&str; 3] = ["fault", "numb", "gone"];
 
 impl Instance {
     pub fn open(settings: &[u8]) -> Self {
-        Self { events: VecDeque::new(), machine: Machine::open(settings) }
+        Self { events: VecDeque::new(), machine: Machine::open(settings), faulted: false }
     }
 
     /// The name of the call and what is answered.
@@ -76,7 +82,11 @@ impl Instance {
             "pause" => self.events.push_back(json!({"event": "paused"})),
             "resume" => self.events.push_back(json!({"event": "resumed"})),
             // One that is mute never says that the machine stands.
-            "stop" if is_told("stop", "mute") => {}
+            "stop" if is_told("stop", "mute") || is_told("poll", "numb") => {}
+            "stop" if is_told("poll", "gone") => {
+                let error = json!({"code": "disconnected", "message": "the port is gone"});
+                return (name, Err(error.to_string()));
+            }
             "stop" => self.events.push_back(json!({"event": "stopped", "homed": false})),
             "write-settings" => self.events.push_back(written()),
             "arm" => reply = json!({"token": TOKEN}),
@@ -97,6 +107,12 @@ impl Instance {
         if is_told("poll", "lie") {
             // A step of a wire that it was never told of.
             return json!({"event": "done", "n": 86_419}).to_string();
+        }
+        if let Some(how) = FAULTS.iter().find(|how| !self.faulted && is_told("poll", how)) {
+            self.faulted = true;
+            let disconnected = *how == "gone";
+            return json!({"event": "fault", "code": "refused", "message": "as it was told to", "disconnected": disconnected})
+                .to_string();
         }
         self.events.pop_front().map(|event| event.to_string()).unwrap_or_default()
     }

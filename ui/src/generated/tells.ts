@@ -213,7 +213,7 @@ export type LeftBecause = "declined" | "nobody-asked";
  */
 export type RunOutcome = "made" | "made-before" | "stopped" | "failed" | "abandoned";
 /**
- * Whether a machine that was stopped, or whose driver was lost, stands.
+ * Whether a machine that was stopped, or whose driver was lost or has told of a fault, stands.
  */
 export type Standstill = "awaited" | "confirmed" | "not-confirmed";
 /**
@@ -599,7 +599,8 @@ export interface WireRun {
    */
   resume: string | null;
   /**
-   * Whether the machine stands after a stop, or after its driver was lost; null where there was neither.
+   * Whether the machine stands after a stop, after its driver was lost, or after a fault while it might move; null
+   * where there was none of them.
    */
   standstill: Standstill | null;
   /**

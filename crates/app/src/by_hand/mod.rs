@@ -75,7 +75,8 @@ pub struct JogResponse {
     pub of: usize,
     /// Whether it was stopped.
     pub stopped: bool,
-    /// Whether the machine stands after a stop, or after its driver was lost; null where there was neither.
+    /// Whether the machine stands after a stop, after its driver was lost, or after a fault while it might move; null
+    /// where there was none of them.
     pub standstill: Option<Standstill>,
     /// What failed.
     pub problem: Option<RunProblem>,

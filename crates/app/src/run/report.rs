@@ -66,7 +66,8 @@ pub struct WireRun {
     pub elapsed_s: f64,
     /// Who brought a stop about; null without one, and for one of the machine itself.
     pub stopped_by: Option<StoppedBy>,
-    /// Whether the machine stands after a stop, or after its driver was lost; null where there was neither.
+    /// Whether the machine stands after a stop, after its driver was lost, or after a fault while it might move; null
+    /// where there was none of them.
     pub standstill: Option<Standstill>,
     /// What failed, or why it was stopped where nobody has asked for that.
     pub problem: Option<RunProblem>,

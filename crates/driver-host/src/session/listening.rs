@@ -55,6 +55,7 @@ impl Session {
             Event::Stopped { .. } => self.guard.confirm(),
             // It no longer waits for the stop.
             Event::Fault { .. } if self.guard.standstill() == Some(Standstill::Awaited) => self.lose_driver(),
+            Event::Fault { .. } if self.state != State::Disconnected && self.guard.concerns() => self.halt(),
             Event::Connected { settings, going_on, identity, reference, .. } => {
                 self.reference = *reference;
                 self.identity.clone_from(identity);

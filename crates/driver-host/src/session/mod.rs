@@ -187,8 +187,8 @@ impl Session {
         outcome
     }
 
-    /// Whether the machine stands after the last stop, or after its driver was lost; `None` when there was neither
-    /// since. While it is awaited, [`Session::poll`] follows it.
+    /// Whether the machine stands after the last stop, after its driver was lost, or after a fault while it might move;
+    /// `None` when there was none of them since. While it is awaited, [`Session::poll`] follows it.
     #[must_use]
     pub fn standstill(&self) -> Option<Standstill> {
         self.guard.standstill()
@@ -248,6 +248,14 @@ impl Session {
         }
     }
 
+    /// The driver has told of a fault while the machine may move. Whether that has ended the motion the driver need not
+    /// know, and what the machine was sent before it may still make: it is stopped as by a person, and says that it stands.
+    fn halt(&mut self) {
+        if self.stop_handle().halt().driver_ended {
+            self.driver_failed();
+        }
+    }
+
     /// What it was asked it did not do, and it may be gone. Where the machine may move, nothing more is left to it.
     fn driver_failed(&mut self) {
         if self.guard.concerns() {
@@ -298,9 +306,12 @@ impl Session {
     }
 
     fn may(&self, act: Act) -> Result<State, SessionError> {
-        match self.state.on(act) {
+        // After a fault, too, nothing begins before the machine stands.
+        let awaited = self.guard.standstill() == Some(Standstill::Awaited);
+        let state = if awaited && self.state == State::Faulted { State::Stopping } else { self.state };
+        match state.on(act) {
             Transition::To(next) => Ok(next),
-            Transition::Refused { expected } => Err(SessionError::State { act, state: self.state, expected }),
+            Transition::Refused { expected } => Err(SessionError::State { act, state, expected }),
         }
     }
 

@@ -1,4 +1,4 @@
-//! Whether the machine stands: after a stop, and after its driver was lost.
+//! Whether the machine stands: after a stop, after its driver was lost, and after a fault while it might move.
 
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
@@ -18,7 +18,7 @@ const AGAIN: Duration = Duration::from_millis(100);
 /// Between two looks for the reply.
 const LOOK: Duration = Duration::from_millis(10);
 
-/// Whether a machine that was stopped, or whose driver was lost, stands.
+/// Whether a machine that was stopped, or whose driver was lost or has told of a fault, stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Standstill {

@@ -111,6 +111,13 @@ impl StopHandle {
     /// itself, until the machine confirms. It can be asked for as often as a person wants.
     #[must_use = "a driver that had to be ended cannot have told the machine"]
     pub fn stop(&self) -> StopOutcome {
+        let outcome = self.halt();
+        self.arming.note(outcome);
+        outcome
+    }
+
+    /// The same where no person has asked for it: what was going on has failed, and the machine may move.
+    pub(super) fn halt(&self) -> StopOutcome {
         let started = Instant::now();
         // In one moment with the place in the queue: no motion that was allowed before comes after it.
         let latch = || {
@@ -125,9 +132,7 @@ impl StopHandle {
         let passed_on = answer.is_ok_and(|frame| frame.mark == Mark::Ok && sound(&frame.body));
         let by = self.brought_about(passed_on);
         let driver_ended = !passed_on || by == StoppedBy::Host;
-        let outcome = StopOutcome { by, driver_ended, took: started.elapsed() };
-        self.arming.note(outcome);
-        outcome
+        StopOutcome { by, driver_ended, took: started.elapsed() }
     }
 
     fn brought_about(&self, passed_on: bool) -> StoppedBy {
@@ -143,7 +148,8 @@ impl StopHandle {
         if self.guard.take_over() { StoppedBy::Host } else { StoppedBy::EndOfDriver }
     }
 
-    /// Whether the machine stands after the last stop, or after its driver was lost; `None` when there was neither.
+    /// Whether the machine stands after the last stop, after its driver was lost, or after a fault while it might move;
+    /// `None` when there was none of them.
     #[must_use]
     pub fn standstill(&self) -> Option<Standstill> {
         self.guard.standstill()

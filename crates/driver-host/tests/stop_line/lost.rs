@@ -16,7 +16,7 @@ const AT_ONCE: Duration = Duration::from_millis(150);
 const GRACE: Duration = Duration::from_secs(1);
 
 /// What a session does when its driver is lost.
-const STATES: [&str; 5] = ["homing", "jogging", "running", "paused", "interrupted"];
+pub const STATES: [&str; 5] = ["homing", "jogging", "running", "paused", "interrupted"];
 
 fn yes() -> Confirmed {
     Confirmed::by(&Asked { question: "May it move?".into() }, |_| true).unwrap()
@@ -32,12 +32,12 @@ fn steps() -> Vec<NumberedStep> {
 }
 
 /// A driver that behaves until it is let loose.
-struct Kept {
-    library: PathBuf,
+pub struct Kept {
+    pub library: PathBuf,
 }
 
 impl Kept {
-    fn new(folder: &Path, how: &str) -> Self {
+    pub fn new(folder: &Path, how: &str) -> Self {
         let library = folder.join(format!("poll-{how}.so"));
         fs::copy(wirebend_tests_built::driver("hostile"), &library).unwrap();
         let kept = Self { library };
@@ -49,13 +49,13 @@ impl Kept {
         self.library.with_extension("leash")
     }
 
-    fn let_loose(&self) {
+    pub fn let_loose(&self) {
         fs::remove_file(self.leash()).unwrap();
     }
 }
 
 /// A session that has something moving, or that may.
-fn in_state(library: &Path, port: &Port, state: &str) -> (Session, Option<Armed>) {
+pub fn in_state(library: &Path, port: &Port, state: &str) -> (Session, Option<Armed>) {
     if state == "interrupted" {
         let mut session =
             Session::connect_resuming(opened(library, &json!({})), &port.name, "hostile-1", line(port))
@@ -88,7 +88,7 @@ fn in_state(library: &Path, port: &Port, state: &str) -> (Session, Option<Armed>
 
 /// The stop bytes come at once, and are repeated until the machine confirms.
 #[track_caller]
-fn is_stopped(session: &mut Session, port: &Port, lost: Instant, case: &str) -> Duration {
+pub fn is_stopped(session: &mut Session, port: &Port, lost: Instant, case: &str) -> Duration {
     let heard = port.heard(5);
     let took = lost.elapsed();
     assert!(heard.len() >= 5 && heard.iter().all(|byte| *byte == STOP), "{case}: {heard:?}");

@@ -5,6 +5,7 @@
 #![cfg(target_os = "linux")] // terminals are made as Linux makes them
 
 mod confirmed;
+mod faults;
 mod lost;
 mod port;
 

@@ -56,7 +56,7 @@ pub(super) fn silent(connecting: bool) -> DriverError {
     }
     DriverError::new(
         "silent",
-        "the machine has not answered for more than a second; it finishes its step and holds",
+        "the machine has not answered for more than a second; if it hears nothing either, it finishes its step and holds",
         "look at the cable and at the board, then connect again",
     )
 }

@@ -20,7 +20,7 @@ const FOR_EVER: Duration = Duration::from_hours(1);
 /// Pulses of the job before something happens: in a feed, and in the first bend.
 const MOMENTS: [usize; 2] = [60, 400];
 
-const STANDS: &str = "the machine has confirmed that it stands";
+pub const STANDS: &str = "the machine has confirmed that it stands";
 const MAY_MOVE: &str = "has NOT confirmed that it stands: cut its power";
 
 /// Pulses that the machine makes from now on.
@@ -31,7 +31,7 @@ fn made_after<B: Board + Send + 'static>(at: &AtPort<B>) -> usize {
 }
 
 #[track_caller]
-fn is_true<B: Board + Send + 'static>(at: &AtPort<B>, ran: Ran, status: i32, case: &str) {
+pub fn is_true<B: Board + Send + 'static>(at: &AtPort<B>, ran: Ran, status: i32, case: &str) {
     let moved = made_after(at);
     let ran = ran.ended(status);
     let stands = ran.err.contains(STANDS);

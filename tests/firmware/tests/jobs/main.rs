@@ -9,6 +9,7 @@ mod bender;
 mod cube;
 mod interrupted;
 mod lost;
+mod refused;
 mod shop;
 mod standing;
 mod stop;
