@@ -6,6 +6,7 @@
 
 #[cfg(target_os = "linux")]
 #[path = "../../../cli/tests/command_line/bender.rs"]
+#[allow(dead_code)] // the command line's tests use the rest
 mod bender;
 #[cfg(target_os = "linux")]
 #[path = "../../../cli/tests/command_line/board.rs"]

@@ -17,6 +17,8 @@ mod driver_settings_inherited;
 mod drivers;
 mod drivers_refused;
 mod interrupted;
+#[cfg(target_os = "linux")]
+mod lost;
 mod outputs;
 mod profiles;
 mod programs;
