@@ -92,7 +92,7 @@ pub use stencil::StencilFileError;
 
 use std::path::PathBuf;
 
-pub use wirebend_driver_host::api::{Capability, SettingCheck, Usb};
+pub use wirebend_driver_host::api::{Capability, DoneBy, SettingCheck, Usb};
 pub use wirebend_driver_host::{CHILD_COMMAND, Standstill, StopHandle, StopOutcome, StoppedBy, child_main};
 pub use wirebend_files::read::{Format, Handedness, LengthUnit};
 pub use wirebend_profile::Kind as ProfileKind;

@@ -26,6 +26,9 @@ pub enum Event {
         /// Who brings the axes to their reference. Since 1.2.
         #[serde(default)]
         reference: ReferenceBy,
+        /// Who says that a step is made. Since 1.2.
+        #[serde(default)]
+        done_by: DoneBy,
     },
     /// The machine has found its reference, or has taken the place where it stands as that.
     Homed,
@@ -118,6 +121,18 @@ pub enum ReferenceBy {
     /// A person. On `home` nothing moves: the place where the axes stand then is taken as zero, so that the program
     /// has to ask first whether they stand there.
     Person,
+}
+
+/// Who says that a step is made.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum DoneBy {
+    /// The machine.
+    #[default]
+    Machine,
+    /// Nobody: the machine acknowledges nothing, and a step counts as made when its time is over. What was sent is not
+    /// known to be made, not even that there is a machine.
+    Clock,
 }
 
 /// Why a machine holds.

@@ -13,7 +13,7 @@ use std::path::PathBuf;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use wirebend_driver_api::{
-    Batch, Call, DriverError, Event, GoingOn, PausedBy, ReferenceBy, Sent, SettingCheck, Step,
+    Batch, Call, DoneBy, DriverError, Event, GoingOn, PausedBy, ReferenceBy, Sent, SettingCheck, Step,
 };
 
 /// How many steps it takes ahead.
@@ -208,7 +208,15 @@ impl Machine {
         };
         let settings = self.settings.misset.then(other).into_iter().collect();
         let reference = ReferenceBy::default();
-        self.events.push_back(Event::Connected { identity, settings, homed: false, going_on, reference });
+        let done_by = DoneBy::default();
+        self.events.push_back(Event::Connected {
+            identity,
+            settings,
+            homed: false,
+            going_on,
+            reference,
+            done_by,
+        });
         if self.holds {
             self.events.push_back(Event::Paused { by: PausedBy::Silence });
         }

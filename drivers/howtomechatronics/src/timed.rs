@@ -7,7 +7,9 @@
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use wirebend_driver_api::{Batch, Direction, DriverError, Event, NumberedStep, ReferenceBy, Run, Sent, Step};
+use wirebend_driver_api::{
+    Batch, Direction, DoneBy, DriverError, Event, NumberedStep, ReferenceBy, Run, Sent, Step,
+};
 
 use crate::Settings;
 use crate::command::{Command, echoed, is_of_another, is_remark};
@@ -231,6 +233,7 @@ impl Timed {
             homed: true,
             going_on: None,
             reference: ReferenceBy::default(),
+            done_by: DoneBy::Clock,
         });
         self.events.push_back(Event::Warning(DriverError::new(
             "no-acknowledgement",

@@ -391,11 +391,11 @@ export type Seen = "document" | "wireframe" | "stencil" | "both" | "job";
 /**
  * What became of a wire.
  */
-export type Outcome = "finished" | "abandoned" | "unfinished";
+export type Outcome = "finished" | "sent" | "abandoned" | "unfinished";
 /**
- * Who has said how much of a step is made.
+ * Who says that a step is made.
  */
-export type ToldBy = "machine" | "person";
+export type DoneBy = "machine" | "clock";
 
 export interface Responses {
   about: AboutResponse;
@@ -602,11 +602,6 @@ export interface Question {
  * A step of which nobody knows whether it was made.
  */
 export interface Doubt {
-  before: PartOfStep;
-  /**
-   * How much of it is in the wire as the machine has counted; null where it cannot tell.
-   */
-  counted: PartOfStep | null;
   designed: StepReport;
   /**
    * The last step that was sent: when this one was made, the next ones up to it are in doubt, too.
@@ -625,19 +620,6 @@ export interface Doubt {
    * Index of the wire, from 0.
    */
   wire: number;
-}
-/**
- * How much of a step is in the wire, in canonical signs. What it bends counts for nothing: a bend is made from its beginning.
- */
-export interface PartOfStep {
-  /**
-   * Fed, mm.
-   */
-  feed_mm: number;
-  /**
-   * Turned, degrees.
-   */
-  rotate_deg: number;
 }
 /**
  * A setting of the machine against what the driver's settings say.
@@ -2493,7 +2475,7 @@ export interface Record {
    */
   corners_mm: [number, number, number][];
   /**
-   * What was said of steps that were in doubt, in order.
+   * What a person said of steps that nobody knew of, in order.
    */
   decisions: Decision[];
   /**
@@ -2510,7 +2492,7 @@ export interface Record {
   interruptions: Interruption[];
   job: Heading;
   /**
-   * The last step that was made.
+   * The last step that was made, or, where the machine does not say so, that has had its time.
    */
   made: number;
   outcome: Outcome;
@@ -2520,7 +2502,7 @@ export interface Record {
   started: string;
 }
 /**
- * What was said of a step in doubt: by a person, or by the machine where it could tell how far it was.
+ * What a person said of a step.
  */
 export interface Decision {
   /**
@@ -2532,27 +2514,9 @@ export interface Decision {
    */
   made: boolean;
   /**
-   * How much of it was in the wire, where it was made in part; its rest was made then.
-   */
-  part: PartInWire | null;
-  /**
    * The step.
    */
   step: number;
-}
-/**
- * How much of a step was in the wire, in the machine's signs.
- */
-export interface PartInWire {
-  by: ToldBy;
-  /**
-   * Fed, mm.
-   */
-  feed_mm: number;
-  /**
-   * Turned, degrees.
-   */
-  rotate_deg: number;
 }
 /**
  * A stop or a failure.
@@ -2579,6 +2543,7 @@ export interface Heading {
    * Hash of the design that it was planned from.
    */
   design_hash: string;
+  done_by: DoneBy & string;
   /**
    * Id of the driver.
    */

@@ -209,9 +209,13 @@ export type Move =
  */
 export type LeftBecause = "declined" | "nobody-asked";
 /**
+ * Who says that a step is made.
+ */
+export type DoneBy = "machine" | "clock";
+/**
  * What became of a wire.
  */
-export type RunOutcome = "made" | "made-before" | "stopped" | "failed" | "abandoned";
+export type RunOutcome = "made" | "made-before" | "sent" | "stopped" | "failed" | "abandoned";
 /**
  * Whether a machine that was stopped, or whose driver was lost or has told of a fault, stands.
  */
@@ -570,6 +574,7 @@ export interface WireRun {
    * How far each vertex is from the design, in mm, where a simulated machine made the wire.
    */
   deviations_mm: number[] | null;
+  done_by: DoneBy;
   /**
    * How long it took this time, in s.
    */
@@ -586,7 +591,7 @@ export interface WireRun {
    */
   in_doubt: [number, number] | null;
   /**
-   * The last step that was made.
+   * The last step that was made, or, where the machine does not say so, that has had its time.
    */
   made: number;
   outcome: RunOutcome;

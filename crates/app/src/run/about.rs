@@ -1,6 +1,6 @@
 //! What a person reads before they say yes.
 
-use wirebend_driver_host::api::ReferenceBy;
+use wirebend_driver_host::api::{DoneBy, ReferenceBy};
 
 use super::task::Task;
 use crate::AppError;
@@ -60,6 +60,12 @@ pub(crate) fn about(
     lines.push(
         "whether the wire meets the machine or itself is not checked: watch it, with STOP at hand".to_owned(),
     );
+    if connection.session.done_by() == DoneBy::Clock {
+        lines.push(
+            "this machine does not say whether it makes what it is sent: watch it, and see that it is at this port"
+                .to_owned(),
+        );
+    }
     if homes {
         lines.push(first(connection.reference(), "the bend axis moves at once"));
     }

@@ -4,7 +4,7 @@ use wirebend_driver_host::jobs::{Clock, Heading, JobRun, Journal, Work};
 
 use super::about::about;
 use super::making::{Making, Watch};
-use super::report::{LeftBecause, RunOutcome, RunResponse};
+use super::report::{LeftBecause, RunResponse};
 use super::task::Task;
 use crate::live::{Connection, Unnamed, Yes, Zero};
 use crate::{AppError, LiveProblem};
@@ -39,7 +39,7 @@ impl Task<'_> {
             // It is given back where the wire was made or interrupted.
             let Some(back) = back else { return Ok(response) };
             connection = back;
-            if response.wires.last().is_none_or(|made| made.outcome != RunOutcome::Made) {
+            if !response.wires.last().is_some_and(|made| made.outcome.is_whole()) {
                 response.left = wanted[place + 1..].to_vec();
                 break;
             }
@@ -112,6 +112,7 @@ impl Task<'_> {
             port: connection.port.clone(),
             material: self.setup.material_id().to_owned(),
             stock_mm: work.run.stock_mm,
+            done_by: connection.session.done_by(),
         };
         let journal = Journal::create(&path, heading, self.clock.stamp()).map_err(LiveProblem::from)?;
         Ok((id, journal, work))

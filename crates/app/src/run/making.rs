@@ -298,8 +298,9 @@ impl Making<'_, '_> {
         deviations_mm: Option<Vec<f64>>,
     ) -> Result<WireRun, AppError> {
         let account = self.run.account();
+        let done_by = account.heading.done_by;
         let outcome = match account.standing {
-            Standing::Finished => RunOutcome::Made,
+            Standing::Finished => RunOutcome::ended(done_by),
             Standing::Abandoned => RunOutcome::Abandoned,
             Standing::Stopped => RunOutcome::Stopped,
             // What fails while a stop is on its way is its doing.
@@ -307,7 +308,7 @@ impl Making<'_, '_> {
             _ => RunOutcome::Failed,
         };
         let over = account.is_over();
-        let untouched = self.task.untouched(self.wire, &self.id, outcome, account.done)?;
+        let untouched = self.task.untouched(self.wire, &self.id, outcome, account.done, done_by)?;
         let fault = heard.fault.as_ref().map(RunProblem::from);
         Ok(WireRun {
             in_doubt: account.in_doubt().map(|steps| [*steps.start(), *steps.end()]),

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use wirebend_driver_host::api::DriverError;
+use wirebend_driver_host::api::{DoneBy, DriverError};
 use wirebend_driver_host::{SessionError, Standstill, StoppedBy};
 
 use crate::report::NoteReport;
@@ -54,8 +54,10 @@ pub struct WireRun {
     pub id: String,
     /// What became of it.
     pub outcome: RunOutcome,
-    /// The last step that was made.
+    /// The last step that was made, or, where the machine does not say so, that has had its time.
     pub made: u32,
+    /// Who says that a step is made.
+    pub done_by: DoneBy,
     /// How many there are.
     pub steps: u32,
     /// Steps of which nobody knows whether they were made: the first and the last.
@@ -85,12 +87,37 @@ pub enum RunOutcome {
     Made,
     /// It was made before: nothing was left to do.
     MadeBefore,
+    /// All of its steps were sent, now or before, to a machine that does not say whether it has made them.
+    Sent,
     /// It was stopped.
     Stopped,
     /// The machine, its line or its driver failed.
     Failed,
     /// It was given up.
     Abandoned,
+}
+
+impl RunOutcome {
+    /// Of a wire that was taken to its end just now.
+    pub(super) const fn ended(done_by: DoneBy) -> Self {
+        match done_by {
+            DoneBy::Machine => Self::Made,
+            DoneBy::Clock => Self::Sent,
+        }
+    }
+
+    /// Of one of which nothing was left to do.
+    pub(super) const fn ended_before(done_by: DoneBy) -> Self {
+        match done_by {
+            DoneBy::Machine => Self::MadeBefore,
+            DoneBy::Clock => Self::Sent,
+        }
+    }
+
+    /// Whether it came to its end just now.
+    pub(super) const fn is_whole(self) -> bool {
+        matches!(self, Self::Made | Self::Sent)
+    }
 }
 
 /// What failed.

@@ -196,8 +196,10 @@ impl Task<'_> {
             for (wire, kept) in over {
                 let done = kept.read.as_ref().map(|written| written.account.done).unwrap_or_default();
                 let made = done == kept.read.as_ref().map_or(0, |written| written.account.heading.steps);
-                let outcome = if made { RunOutcome::MadeBefore } else { RunOutcome::Abandoned };
-                response.wires.push(self.untouched(wire, &kept.id, outcome, done)?);
+                let done_by =
+                    kept.read.as_ref().map(|written| written.account.heading.done_by).unwrap_or_default();
+                let outcome = if made { RunOutcome::ended_before(done_by) } else { RunOutcome::Abandoned };
+                response.wires.push(self.untouched(wire, &kept.id, outcome, done, done_by)?);
             }
             return Ok(None);
         };
@@ -237,8 +239,12 @@ impl Task<'_> {
             let nothing = Yes::where_nothing_moves().confirmed()?;
             let _ = making.run.start(nothing);
         }
-        let outcome =
-            if settled == Settled::Abandoned { RunOutcome::Abandoned } else { RunOutcome::MadeBefore };
-        self.untouched(making.wire, &making.id, outcome, making.run.account().done)
+        let done_by = making.run.account().heading.done_by;
+        let outcome = if settled == Settled::Abandoned {
+            RunOutcome::Abandoned
+        } else {
+            RunOutcome::ended_before(done_by)
+        };
+        self.untouched(making.wire, &making.id, outcome, making.run.account().done, done_by)
     }
 }

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use wirebend_driver_host::api::DoneBy;
 use wirebend_driver_host::jobs::{Clock, Entry, Journal, JournalError, Record, SystemClock, What, Work};
 use wirebend_files::document::{Job, JobStep, JobWire};
 
@@ -117,6 +118,7 @@ impl<'a> Task<'a> {
         id: &str,
         outcome: RunOutcome,
         made: u32,
+        done_by: DoneBy,
     ) -> Result<WireRun, AppError> {
         let kept = self.wire(wire)?;
         Ok(WireRun {
@@ -124,6 +126,7 @@ impl<'a> Task<'a> {
             id: id.to_owned(),
             outcome,
             made,
+            done_by,
             steps: u32::try_from(kept.compensated.len()).unwrap_or(u32::MAX),
             in_doubt: None,
             stock_mm: kept.stock_mm,
@@ -187,17 +190,29 @@ impl<'a> Task<'a> {
             match &kept.read {
                 Ok(written) if written.account.is_over() => {}
                 Ok(written) => {
-                    let made = written.account.done;
+                    let (made, done_by) = (written.account.done, written.account.heading.done_by);
                     self.give_up(&kept.path)?;
                     let record = Journal::read(&kept.path).ok().and_then(|read| Record::of(&read.entries));
                     self.keep(record.as_ref(), &kept.path, wire, &mut response)?;
-                    response.wires.push(self.untouched(wire, &kept.id, RunOutcome::Abandoned, made)?);
+                    response.wires.push(self.untouched(
+                        wire,
+                        &kept.id,
+                        RunOutcome::Abandoned,
+                        made,
+                        done_by,
+                    )?);
                 }
                 Err(_) => {
                     let aside = self.folder.set_aside(&kept)?;
                     let message = format!("the damaged journal was set aside as {}", aside.display());
                     response.notes.push(NoteReport { code: "set-aside".into(), count: 1, message });
-                    response.wires.push(self.untouched(wire, &kept.id, RunOutcome::Abandoned, 0)?);
+                    response.wires.push(self.untouched(
+                        wire,
+                        &kept.id,
+                        RunOutcome::Abandoned,
+                        0,
+                        DoneBy::default(),
+                    )?);
                 }
             }
         }

@@ -3,8 +3,8 @@
 use std::io::Write;
 
 use wirebend_app::{
-    JogResponse, LeftBecause, MachineSettingsResponse, PortsResponse, RunOutcome, RunResponse, SeverityName,
-    Standstill, StoppedBy, Usb, WireRun,
+    DoneBy, JogResponse, LeftBecause, MachineSettingsResponse, PortsResponse, RunOutcome, RunResponse,
+    SeverityName, Standstill, StoppedBy, Usb, WireRun,
 };
 
 use super::number::{count, duration};
@@ -35,12 +35,24 @@ pub(super) fn run(out: &mut impl Write, err: &mut impl Write, found: &RunRespons
 fn one_wire(out: &mut impl Write, err: &mut impl Write, wire: &WireRun) -> std::io::Result<()> {
     let WireRun { wire: index, id, made, steps, .. } = wire;
     let took = duration(wire.elapsed_s);
+    // What the clock says nobody has seen.
+    let made = match wire.done_by {
+        DoneBy::Machine => format!("{made} of {steps} steps made"),
+        DoneBy::Clock => {
+            format!("{made} of {steps} steps sent in full; the machine does not say whether it made them")
+        }
+    };
     let outcome = match wire.outcome {
         RunOutcome::Made => format!("made in {took}, all {steps} steps"),
         RunOutcome::MadeBefore => format!("made before, all {steps} steps: nothing was left to do"),
-        RunOutcome::Stopped => format!("stopped with {made} of {steps} steps made"),
-        RunOutcome::Failed => format!("failed with {made} of {steps} steps made"),
-        RunOutcome::Abandoned => format!("given up with {made} of {steps} steps made"),
+        RunOutcome::Sent => {
+            format!(
+                "sent, all {steps} steps; the machine does not say whether it made them: look at the wire"
+            )
+        }
+        RunOutcome::Stopped => format!("stopped with {made}"),
+        RunOutcome::Failed => format!("failed with {made}"),
+        RunOutcome::Abandoned => format!("given up with {made}"),
     };
     writeln!(out, "wire {}: {outcome} (record {id})", index + 1)?;
     if let Some(worst) = wire.worst_deviation_mm() {

@@ -40,6 +40,7 @@ fn row(run: &RunEntry) -> [String; 7] {
 const fn outcome(outcome: Outcome) -> &'static str {
     match outcome {
         Outcome::Finished => "made",
+        Outcome::Sent => "sent, not acknowledged",
         Outcome::Abandoned => "given up",
         Outcome::Unfinished => "not over",
     }

@@ -24,6 +24,8 @@ mod profiles;
 mod programs;
 mod results;
 mod runs;
+#[cfg(target_os = "linux")]
+mod silent;
 mod simulations;
 mod statuses;
 #[cfg(target_os = "linux")]

@@ -3,7 +3,7 @@
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
 use wirebend_driver_api::{
-    ArmedReply, Axis, AxisLimit, Call, Event, Extent, GoingOn, Limits, Port, Ports, ReferenceBy, Run,
+    ArmedReply, Axis, AxisLimit, Call, DoneBy, Event, Extent, GoingOn, Limits, Port, Ports, ReferenceBy, Run,
 };
 
 fn read<T: DeserializeOwned>(json: Value) -> T {
@@ -82,9 +82,14 @@ fn who_brings_the_axes_to_their_reference_is_told_since_1_2() {
         homed: false,
         going_on: None,
         reference: ReferenceBy::Person,
+        done_by: DoneBy::Clock,
     };
     let written = serde_json::to_value(connected).unwrap();
     assert_eq!((&written["event"], &written["reference"]), (&json!("connected"), &json!("person")));
+    assert_eq!(written["done_by"], json!("clock"));
+    // One of before has a machine that says what it makes.
+    let told = read::<Event>(json!({"event": "connected", "identity": "it"}));
+    assert!(matches!(told, Event::Connected { done_by: DoneBy::Machine, .. }), "{told:?}");
 }
 
 /// As a driver in C writes it; one that tells nothing has no limits.

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use wirebend_driver_api::DoneBy;
 
 use super::journal::{Entry, Heading, ToldBy, What};
 
@@ -21,7 +22,7 @@ pub struct Record {
     pub ended: Option<String>,
     /// What became of it.
     pub outcome: Outcome,
-    /// The last step that was made.
+    /// The last step that was made, or, where the machine does not say so, that has had its time.
     pub made: u32,
     /// Stops and failures, in order.
     pub interruptions: Vec<Interruption>,
@@ -39,6 +40,8 @@ pub struct Record {
 pub enum Outcome {
     /// It is made.
     Finished,
+    /// All of its steps were sent, to a machine that does not say whether it has made them.
+    Sent,
     /// A person has given it up.
     Abandoned,
     /// It is not over.
@@ -151,7 +154,13 @@ impl Record {
                     self.deviations_mm.clone_from(deviations_mm);
                 }
             }
-            What::Finished => self.over(at, Outcome::Finished),
+            What::Finished => {
+                let outcome = match self.job.done_by {
+                    DoneBy::Machine => Outcome::Finished,
+                    DoneBy::Clock => Outcome::Sent,
+                };
+                self.over(at, outcome);
+            }
             What::Abandoned => self.over(at, Outcome::Abandoned),
             _ => {}
         }

@@ -56,8 +56,8 @@ impl Session {
             // It no longer waits for the stop.
             Event::Fault { .. } if self.guard.standstill() == Some(Standstill::Awaited) => self.lose_driver(),
             Event::Fault { .. } if self.state != State::Disconnected && self.guard.concerns() => self.halt(),
-            Event::Connected { settings, going_on, identity, reference, .. } => {
-                self.reference = *reference;
+            Event::Connected { settings, going_on, identity, reference, done_by, .. } => {
+                (self.reference, self.done_by) = (*reference, *done_by);
                 self.identity.clone_from(identity);
                 self.off = OffZero::default();
                 self.differences = differences(settings);

@@ -11,7 +11,7 @@ mod stop;
 mod stop_line;
 
 use serde::de::DeserializeOwned;
-use wirebend_driver_api::{Call, Capability, GoingOn, ReferenceBy, SettingCheck, deadline};
+use wirebend_driver_api::{Call, Capability, DoneBy, GoingOn, ReferenceBy, SettingCheck, deadline};
 
 use crate::driver::OpenDriver;
 use crate::error::HostError;
@@ -56,6 +56,8 @@ pub struct Session {
     lost: bool,
     /// Who brings its axes to their reference.
     reference: ReferenceBy,
+    /// Who says that a step is made.
+    done_by: DoneBy,
 }
 
 impl Session {
@@ -109,6 +111,7 @@ impl Session {
             identity: String::new(),
             lost: false,
             reference: ReferenceBy::default(),
+            done_by: DoneBy::default(),
         };
         session.require(Capability::Live)?;
         session.guard.use_line(line);
@@ -146,6 +149,12 @@ impl Session {
     #[must_use]
     pub const fn reference(&self) -> ReferenceBy {
         self.reference
+    }
+
+    /// Who says that a step is made: the machine, or the clock alone.
+    #[must_use]
+    pub const fn done_by(&self) -> DoneBy {
+        self.done_by
     }
 
     /// The state.

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use wirebend_driver_api::{DriverError, Event, ReferenceBy};
+use wirebend_driver_api::{DoneBy, DriverError, Event, ReferenceBy};
 
 use super::protocol::{Phase, Protocol};
 use super::status::State;
@@ -211,6 +211,7 @@ impl Protocol {
                 Homing::Switches => ReferenceBy::Machine,
                 Homing::None => ReferenceBy::Person,
             },
+            done_by: DoneBy::Machine,
         });
         if reading.parts().1 {
             self.event(Event::Stopped { homed: false });

@@ -14,7 +14,7 @@ use model::{Build, Model, Record};
 use serde_json::{Value, json};
 use serialport::{SerialPort, TTYPort};
 use wirebend_driver_api::{
-    Axis, Batch, Event, MachineDriver, MachineSession, Motion, NumberedStep, ReferenceBy, Run, Step,
+    Axis, Batch, DoneBy, Event, MachineDriver, MachineSession, Motion, NumberedStep, ReferenceBy, Run, Step,
 };
 use wirebend_driver_grbl::Grbl;
 
@@ -95,6 +95,7 @@ fn connected_and_homed(session: &mut dyn MachineSession) {
         homed: false,
         going_on: None,
         reference: ReferenceBy::Machine,
+        done_by: DoneBy::Machine,
     };
     assert_eq!(events, [connected]);
     session.home().unwrap();

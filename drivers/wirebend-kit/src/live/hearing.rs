@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use wirebend_driver_api::{DriverError, Event, GoingOn, PausedBy, ReferenceBy, SettingCheck, Step};
+use wirebend_driver_api::{DoneBy, DriverError, Event, GoingOn, PausedBy, ReferenceBy, SettingCheck, Step};
 
 use super::fault;
 use super::machine::{Doing, Ending, Halt, Homing, Machine, session_id};
@@ -373,6 +373,7 @@ impl Machine {
             homed: self.homed,
             going_on,
             reference: ReferenceBy::Machine,
+            done_by: DoneBy::Machine,
         };
         self.report(event);
         if status.state == State::Alarm {

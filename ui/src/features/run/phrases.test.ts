@@ -32,13 +32,17 @@ describe("wires", () => {
     expect(unfinishedPhrase({ ...unfinished(0), resumable: false })).toMatch(/cannot be gone on with/);
   });
 
-  const run: WireRun = { id: "1", resume: null, stock_mm: 700, stopped_by: null, standstill: null, wire: 0, outcome: "made", made: 31, steps: 31, in_doubt: null, elapsed_s: 192, problem: null, deviations_mm: [0.02, 0.08] };
+  const run: WireRun = { id: "1", resume: null, stock_mm: 700, stopped_by: null, standstill: null, wire: 0, outcome: "made", made: 31, done_by: "machine", steps: 31, in_doubt: null, elapsed_s: 192, problem: null, deviations_mm: [0.02, 0.08] };
 
   it("tells what became of one", () => {
     expect(endedPhrase(run, "mm")).toEqual({ tone: "fine", what: "The wire is made, in 3:12", sub: "Worst vertex 0.08 mm from the design." });
     expect(endedPhrase({ ...run, deviations_mm: null }, "mm").sub).toBeNull();
     expect(endedPhrase({ ...run, outcome: "stopped", made: 14 }, "mm").what).toBe("Stopped after step 14 of 31");
     expect(endedPhrase({ ...run, outcome: "stopped", standstill: "confirmed", made: 14 }, "mm").what).toBe("Stopped after step 14 of 31");
+    expect(endedPhrase({ ...run, outcome: "sent", done_by: "clock" }, "mm")).toMatchObject({
+      what: "All 31 steps are sent",
+      sub: "The machine does not say whether it made them: look at the wire.",
+    });
     // Whoever reads "stopped" lets go of the power switch.
     expect(endedPhrase({ ...run, outcome: "stopped", standstill: "not-confirmed", made: 14 }, "mm")).toMatchObject({
       tone: "error",

@@ -54,6 +54,8 @@ export function endedPhrase(run: WireRun, unit: DisplayUnit): { readonly tone: T
     }
     case "made-before":
       return { tone: "fine", what: "The wire was made before", sub };
+    case "sent":
+      return { tone: "warning", what: `All ${steps} steps are sent`, sub: sub ?? "The machine does not say whether it made them: look at the wire." };
     case "stopped":
       return { tone: "warning", what: `Stopped after step ${made} of ${steps}`, sub: sub ?? "Home the machine, then go on with the wire or give it up." };
     case "failed":

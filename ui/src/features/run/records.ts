@@ -4,7 +4,7 @@ import type { RunEntry } from "../../generated/responses";
 import { count, type DisplayUnit, number } from "../../shared/format";
 import type { Tone } from "../../shared/Mark";
 
-const TONES: Readonly<Record<NonNullable<RunEntry["outcome"]>, Tone>> = { finished: "fine", abandoned: "info", unfinished: "warning" };
+const TONES: Readonly<Record<NonNullable<RunEntry["outcome"]>, Tone>> = { finished: "fine", sent: "warning", abandoned: "info", unfinished: "warning" };
 
 /** How far a vertex is off: finer than lengths are shown elsewhere. */
 export function deviation(mm: number, unit: DisplayUnit): string {
@@ -16,6 +16,7 @@ const when = (at: string): string => new Date(at).toLocaleString(undefined, { da
 
 function outcome({ outcome: what, made, steps }: RunEntry): string {
   if (what === "finished") return steps === null ? "made" : `${count(steps, "step")} made`;
+  if (what === "sent") return `${steps === null ? "sent" : `${count(steps, "step")} sent`}, not acknowledged`;
   return `${what === "abandoned" ? "given up" : "interrupted"} after step ${made ?? "?"} of ${steps ?? "?"}`;
 }
 

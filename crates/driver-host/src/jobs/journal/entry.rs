@@ -2,7 +2,7 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use wirebend_driver_api::{DriverError, GoingOn, Step};
+use wirebend_driver_api::{DoneBy, DriverError, GoingOn, Step};
 
 use crate::session::StoppedBy;
 
@@ -176,4 +176,7 @@ pub struct Heading {
     /// Wire that has to be put in, mm.
     #[serde(default)]
     pub stock_mm: Option<f64>,
+    /// Who says that a step is made.
+    #[serde(default)]
+    pub done_by: DoneBy,
 }

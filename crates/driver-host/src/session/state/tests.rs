@@ -1,7 +1,7 @@
 //! What can be said of any row of acts and reports.
 
 use proptest::prelude::*;
-use wirebend_driver_api::{DriverError, GoingOn, PausedBy, ReferenceBy};
+use wirebend_driver_api::{DoneBy, DriverError, GoingOn, PausedBy, ReferenceBy};
 
 use super::*;
 
@@ -16,6 +16,7 @@ fn events() -> Vec<Event> {
         homed,
         going_on,
         reference: ReferenceBy::default(),
+        done_by: DoneBy::default(),
     };
     vec![
         connected(false, None),
