@@ -77,7 +77,7 @@ pub use profile_explain::{
 pub use profile_new::{ProfileNewRequest, ProfileNewResponse, ProfilePlace};
 pub use profile_springback::{SamplePlace, SpringbackReport, SpringbackSample};
 pub use program::ProgramKind;
-pub use progress::{NoProgress, Progress, Wish};
+pub use progress::{NoProgress, Progress, Wait, Wish};
 pub use report::{
     CompensatedReport, DiagnosticReport, NoteReport, PlanReport, ProgramReport, RouteReport, SeverityName,
     StepReport, WireReport, WireframeReport,

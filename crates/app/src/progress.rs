@@ -13,6 +13,17 @@ pub enum Wish {
     Resume,
 }
 
+/// What becomes of a wait before a port is opened.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Wait {
+    /// It goes on to its end.
+    GoesOn,
+    /// It is over: a person wants the machine stopped, for which the port has to be opened.
+    IsOver,
+    /// The port is not to be opened any more.
+    GivenUp,
+}
+
 /// Hears what is being done. Called from the thread that runs the command.
 ///
 /// What moves a machine asks here first. The defaults are those of a front end without a person: nobody hears,
@@ -35,6 +46,10 @@ pub trait Progress {
     /// What a person wants of the wire that is being made, once: asked at every turn of the loop.
     fn wish(&self) -> Option<Wish> {
         None
+    }
+    /// Whether a person still wants what the program waits for before it opens a port: asked at every turn of the wait.
+    fn wait(&self) -> Wait {
+        Wait::GoesOn
     }
     /// A machine can be stopped by this from now on, from any thread, whatever the command is doing. A front end
     /// keeps it until [`Progress::disconnected`], and should a person have asked for a stop before, uses it now.

@@ -2553,6 +2553,10 @@ export interface Heading {
    */
   driver_version: string;
   /**
+   * How long each step is reckoned to take, s; empty where nobody has reckoned it.
+   */
+  estimates_s: number[];
+  /**
    * Hash of the job.
    */
   job_hash: string;

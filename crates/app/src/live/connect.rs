@@ -8,6 +8,7 @@ use wirebend_profile::MachineProfile;
 
 use super::LiveProblem;
 use super::person::{Yes, Zero};
+use super::under_way::wait_until_it_stands;
 use crate::drivers::{Signs, opened};
 use crate::{App, AppError, News, NoteReport, Progress};
 
@@ -94,6 +95,7 @@ impl App {
             Some(port) => port.to_owned(),
             None => port_of_simulated(&driver, at.unnamed)?,
         };
+        wait_until_it_stands(self, &port, progress)?;
         let bytes = at.profile.driver.stop_bytes.clone().unwrap_or_default();
         let reply = at.profile.driver.stop_reply.clone().unwrap_or_default();
         // The driver tells better what is wrong with a port.

@@ -5,6 +5,7 @@ mod news;
 mod person;
 mod problem;
 mod standstill;
+mod under_way;
 
 pub(crate) use connect::{At, Connection, Hearing, PAUSE, Unnamed, home, stop_of};
 pub use news::{Decided, Decision, Doubt, News, PartOfStep};

@@ -195,6 +195,11 @@ impl Shared {
         self.lock().life != Life::Open
     }
 
+    /// Whether a stop waits until there is something to stop.
+    pub fn stop_is_wanted(&self) -> bool {
+        self.lock().stop_wanted
+    }
+
     pub fn wished(&self) -> Option<Wish> {
         self.catch_up();
         self.lock().wish.take()

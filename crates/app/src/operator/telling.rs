@@ -6,7 +6,7 @@ use super::event::{OperatorEvent, QuestionKind};
 use super::order::Answer;
 use super::shared::Shared;
 use super::state::{Phase, WireState};
-use crate::{Decision, Doubt, News, Progress, Wish};
+use crate::{Decision, Doubt, News, Progress, Wait, Wish};
 
 impl Progress for Shared {
     fn stage(&self, name: &str) {
@@ -55,6 +55,16 @@ impl Progress for Shared {
 
     fn wish(&self) -> Option<Wish> {
         self.wished()
+    }
+
+    fn wait(&self) -> Wait {
+        if self.is_closing() {
+            Wait::GivenUp
+        } else if self.stop_is_wanted() {
+            Wait::IsOver
+        } else {
+            Wait::GoesOn
+        }
     }
 
     fn connected(&self, stop: &StopHandle) {

@@ -1,5 +1,7 @@
 //! A job's wires made from their beginning, one after the other.
 
+use std::time::Duration;
+
 use wirebend_driver_host::jobs::{Clock, Heading, JobRun, Journal, Work};
 
 use super::about::about;
@@ -113,6 +115,7 @@ impl Task<'_> {
             material: self.setup.material_id().to_owned(),
             stock_mm: work.run.stock_mm,
             done_by: connection.session.done_by(),
+            estimates_s: work.estimates.iter().map(Duration::as_secs_f64).collect(),
         };
         let journal = Journal::create(&path, heading, self.clock.stamp()).map_err(LiveProblem::from)?;
         Ok((id, journal, work))

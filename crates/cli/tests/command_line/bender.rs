@@ -52,6 +52,11 @@ impl Bender {
         (line.deaf_since, line.deaf_until) = (Some(now), now.checked_add(time));
     }
 
+    /// How many bytes have arrived so far.
+    pub fn heard(&self) -> usize {
+        self.line().heard
+    }
+
     /// When the first reset has arrived, lost or not.
     pub fn first_reset(&self) -> Option<Instant> {
         self.line().first_reset
@@ -73,6 +78,7 @@ struct Line {
     deaf_since: Option<Instant>,
     deaf_until: Option<Instant>,
     first_reset: Option<Instant>,
+    heard: usize,
 }
 
 /// The far end of a cable: a read waits for a millisecond.
@@ -90,6 +96,7 @@ impl Read for FarEnd {
         };
         let now = Instant::now();
         let mut line = self.line.lock().unwrap_or_else(PoisonError::into_inner);
+        line.heard += count;
         if bytes[..count].contains(&RESET) {
             line.first_reset.get_or_insert(now);
         }

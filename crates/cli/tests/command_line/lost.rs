@@ -61,15 +61,8 @@ impl Bending {
         kill_process(self.id(), Signal::INT).unwrap();
     }
 
-    /// The process of its driver. It is started by any thread of the program.
     fn driver(&self) -> Pid {
-        let threads = std::fs::read_dir(format!("/proc/{}/task", self.program.id())).unwrap();
-        let children = |thread: std::io::Result<std::fs::DirEntry>| {
-            std::fs::read_to_string(thread.ok()?.path().join("children")).ok()
-        };
-        let all: String = threads.filter_map(children).collect();
-        let first = all.split_whitespace().next().expect("a driver");
-        Pid::from_raw(first.parse().unwrap()).unwrap()
+        driver_of(&self.program)
     }
 
     /// Waits for the program, and compares what it says with what the machine does then and what the journal has. Gives
@@ -80,7 +73,7 @@ impl Bending {
         let ended = Instant::now();
         let said =
             format!("{}{}", String::from_utf8_lossy(&done.stderr), String::from_utf8_lossy(&done.stdout));
-        let moves = moves(&self.bender);
+        let moves = moves(&self.bender, STILL);
         assert_eq!(done.status.code(), Some(status), "{case}: {said}");
         let stands = said.contains(STANDS);
         assert!(stands != said.contains(MAY_MOVE), "{case}: one of the two is said: {said}");
@@ -94,10 +87,21 @@ impl Bending {
     }
 }
 
-/// Whether anything moves.
-fn moves(bender: &Bender) -> bool {
+/// The process of a program's driver. It is started by any thread of the program.
+pub fn driver_of(program: &Child) -> Pid {
+    let threads = std::fs::read_dir(format!("/proc/{}/task", program.id())).unwrap();
+    let children = |thread: std::io::Result<std::fs::DirEntry>| {
+        std::fs::read_to_string(thread.ok()?.path().join("children")).ok()
+    };
+    let all: String = threads.filter_map(children).collect();
+    let first = all.split_whitespace().next().expect("a driver");
+    Pid::from_raw(first.parse().unwrap()).unwrap()
+}
+
+/// Whether anything moves within a time.
+pub fn moves(bender: &Bender, time: Duration) -> bool {
     let (begun, at) = (Instant::now(), bender.stands());
-    while begun.elapsed() < STILL {
+    while begun.elapsed() < time {
         if bender.stands() != at {
             return true;
         }

@@ -29,6 +29,8 @@ mod silent;
 mod simulations;
 mod statuses;
 #[cfg(target_os = "linux")]
+mod still_moving;
+#[cfg(target_os = "linux")]
 mod stop;
 mod wrong_files;
 #[cfg(target_os = "linux")]

@@ -57,6 +57,29 @@ fn stamp(seconds: u64) -> String {
     format!("{year:04}-{month:02}-{:02}T{hour:02}:{minute:02}:{second:02}Z", days + 1)
 }
 
+/// The time of a stamp of [`SystemClock`]; `None` for one that is none.
+#[must_use]
+pub fn stamped(stamp: &str) -> Option<SystemTime> {
+    let (date, time) = stamp.strip_suffix('Z')?.split_once('T')?;
+    let parts = |text: &str, by: char| {
+        let numbers: Option<Vec<u64>> = text.split(by).map(|part| part.parse().ok()).collect();
+        <[u64; 3]>::try_from(numbers?).ok()
+    };
+    let ([year, month, day], [hour, minute, second]) = (parts(date, '-')?, parts(time, ':')?);
+    if !(1970..=9999).contains(&year) || !(1..=12).contains(&month) || !(1..=31).contains(&day) {
+        return None;
+    }
+    if hour > 23 || minute > 59 || second > 59 {
+        return None;
+    }
+    let february = year_days(year) - 337;
+    let months = [31, february, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31];
+    let before: u64 = (1970..year).map(year_days).sum();
+    let of_year: u64 = months.iter().zip(1..month).map(|(days, _)| days).sum();
+    let seconds = (before + of_year + day - 1) * DAY_S + hour * 3600 + minute * 60 + second;
+    UNIX_EPOCH.checked_add(Duration::from_secs(seconds))
+}
+
 const fn year_days(year: u64) -> u64 {
     if year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400)) { 366 } else { 365 }
 }
@@ -79,6 +102,21 @@ mod tests {
         ];
         for (seconds, date) in dates {
             assert_eq!(stamp(seconds), date);
+            assert_eq!(stamped(date), UNIX_EPOCH.checked_add(Duration::from_secs(seconds)));
+        }
+    }
+
+    #[test]
+    fn what_is_no_stamp_has_no_time() {
+        for text in [
+            "",
+            "2026-05-01",
+            "2026-13-01T00:00:00Z",
+            "2026-05-01T24:00:00Z",
+            "1969-12-31T23:59:59Z",
+            "step 1",
+        ] {
+            assert_eq!(stamped(text), None, "{text}");
         }
     }
 }

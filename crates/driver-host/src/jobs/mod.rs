@@ -24,7 +24,7 @@ mod run;
 mod work;
 
 pub use account::{Account, Part, PartMade, Standing};
-pub use clock::{Clock, SystemClock};
+pub use clock::{Clock, SystemClock, stamped};
 pub use error::JobError;
 pub use journal::{Entry, Heading, Journal, JournalError, ToldBy, What, Written};
 pub use part::{Doubtful, Verdict};

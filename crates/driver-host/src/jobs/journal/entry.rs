@@ -179,4 +179,7 @@ pub struct Heading {
     /// Who says that a step is made.
     #[serde(default)]
     pub done_by: DoneBy,
+    /// How long each step is reckoned to take, s; empty where nobody has reckoned it.
+    #[serde(default)]
+    pub estimates_s: Vec<f64>,
 }

@@ -1,0 +1,214 @@
+//! A machine that may still be making what a program sent it that is gone: its port is not opened before that is over, since
+//! opening it resets many boards, in the middle of a bend as well.
+
+use std::path::Path;
+use std::time::{Duration, Instant, SystemTime};
+
+use wirebend_driver_host::jobs::{Account, Entry, What, Written, stamped};
+
+use super::LiveProblem;
+use crate::runs::RunsFolder;
+use crate::{App, News, Progress, Wait};
+
+/// How much longer than reckoned steps may take: rates of a machine are seldom measured.
+const SLOWER: f64 = 1.5;
+/// Stamps are whole seconds, and a machine that notices that its host is gone takes one.
+const MARGIN: Duration = Duration::from_secs(3);
+/// A step of which nobody has reckoned how long it takes. None of the machines with a profile needs as long.
+const UNKNOWN: Duration = Duration::from_mins(1);
+/// Between two looks.
+const LOOK: Duration = Duration::from_millis(50);
+
+/// Steps that a machine may still be making.
+#[derive(Debug, PartialEq)]
+struct UnderWay {
+    name: String,
+    /// The first and the last.
+    steps: [u32; 2],
+    /// When they are over at the latest.
+    ends: SystemTime,
+}
+
+/// Waits until a machine at a port has made all that a journal says it was sent, and tells so.
+pub(super) fn wait_until_it_stands(
+    app: &App,
+    port: &str,
+    progress: &dyn Progress,
+) -> Result<(), LiveProblem> {
+    let now = SystemTime::now();
+    let Some(under_way) = on(app, port, now) else { return Ok(()) };
+    let left = under_way.ends.duration_since(now).unwrap_or_default();
+    progress.news(&News::Warning { code: "still-moving".to_owned(), message: under_way.told(port, left) });
+    let begun = Instant::now();
+    loop {
+        match progress.wait() {
+            Wait::GoesOn if begun.elapsed() < left => {}
+            Wait::GoesOn | Wait::IsOver => return Ok(()),
+            Wait::GivenUp => return Err(LiveProblem::Declined),
+        }
+        progress.stage(&format!(
+            "waiting until the machine stands: {} s",
+            left.saturating_sub(begun.elapsed()).as_secs() + 1
+        ));
+        std::thread::sleep(LOOK);
+    }
+}
+
+/// What a machine at a port may be making; `None` where it is known to stand.
+fn on(app: &App, port: &str, now: SystemTime) -> Option<UnderWay> {
+    if !is_device(port) {
+        return None;
+    }
+    // Without a place for journals no wire was made.
+    let all = RunsFolder::of(app).and_then(|folder| folder.all()).ok()?;
+    let here = all.iter().filter_map(|kept| kept.read.as_ref().ok());
+    here.filter(|written| written.account.heading.port == port)
+        .filter_map(|written| UnderWay::of(written, now))
+        .max_by_key(|under_way| under_way.ends)
+}
+
+/// Whether a board can be reset by opening it: what is simulated has no such name.
+fn is_device(port: &str) -> bool {
+    Path::new(port).is_absolute() || port.to_ascii_uppercase().starts_with("COM")
+}
+
+impl UnderWay {
+    fn of(written: &Written, now: SystemTime) -> Option<Self> {
+        let account = &written.account;
+        if account.sent <= account.done {
+            return None;
+        }
+        // To give a wire up stops nothing.
+        let steps = account.done + 1..=account.sent;
+        let since = stamped(since(&written.entries)?)?;
+        // A clock that was set back says nothing of when it was.
+        let since = since.min(now);
+        let takes = steps.clone().map(|n| takes(account, n)).sum::<Duration>().mul_f64(SLOWER) + MARGIN;
+        let ends = since.checked_add(takes)?;
+        let steps = [*steps.start(), *steps.end()];
+        (ends > now).then(|| Self { name: account.heading.name.clone(), steps, ends })
+    }
+
+    fn told(&self, port: &str, left: Duration) -> String {
+        let Self { name, steps: [first, last], .. } = self;
+        let steps = if first == last { format!("step {first}") } else { format!("steps {first} to {last}") };
+        format!(
+            "the machine at {port} may still be making {steps} of the wire '{name}', which was interrupted, and opening its port could reset it in the middle: \
+             waiting up to {} s, until that is over; cut its power if it has to stop now",
+            left.as_secs() + 1
+        )
+    }
+}
+
+/// How long a step is reckoned to take.
+fn takes(account: &Account, n: u32) -> Duration {
+    let at = usize::try_from(n).unwrap_or(usize::MAX).wrapping_sub(1);
+    let known = account.heading.estimates_s.get(at).copied();
+    known.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok()).unwrap_or(UNKNOWN)
+}
+
+/// When the machine was last known to have something to make; `None` where it is known to stand since.
+fn since(entries: &[Entry]) -> Option<&str> {
+    entries.iter().fold(None, |since, entry| match &entry.what {
+        What::Intent { .. }
+        | What::Accepted { .. }
+        | What::Done { .. }
+        | What::Resumed
+        | What::Armed { .. }
+        | What::Connected { going_on: Some(_), .. } => Some(entry.at.as_str()),
+        What::Paused
+        | What::Standstill { confirmed: true }
+        | What::Connected { going_on: None, .. }
+        | What::Finished => None,
+        _ => since,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use wirebend_driver_host::jobs::{Heading, Journal};
+
+    use super::*;
+
+    const BEGUN: &str = "2026-05-01T09:30:00Z";
+
+    /// What is under way so long after the last entry.
+    fn after(estimates_s: &[f64], entries: &[What], seconds: u64) -> Option<UnderWay> {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("wire.journal");
+        let heading = Heading {
+            name: "bow".to_owned(),
+            steps: 4,
+            estimates_s: estimates_s.to_vec(),
+            ..Heading::default()
+        };
+        let mut journal = Journal::create(&path, heading, BEGUN.to_owned()).unwrap();
+        for what in entries {
+            journal.add(Entry { at: BEGUN.to_owned(), what: what.clone() }).unwrap();
+        }
+        drop(journal);
+        let now = stamped(BEGUN).unwrap() + Duration::from_secs(seconds);
+        UnderWay::of(&Journal::read(&path).unwrap(), now)
+    }
+
+    fn running() -> Vec<What> {
+        vec![
+            What::Connected { identity: String::new(), going_on: None },
+            What::Armed { token: None, after: 0, going_on: false },
+            What::Intent { from: 1, to: 3 },
+            What::Accepted { n: 3 },
+            What::Done { n: 1 },
+        ]
+    }
+
+    /// Steps 2 and 3 take 20 and 30 s: 75 s with what a machine may be slower, and 3 s of margin.
+    #[test]
+    fn it_is_waited_for_as_long_as_the_steps_can_take() {
+        let estimates = [10.0, 20.0, 30.0, 40.0];
+        let under_way = after(&estimates, &running(), 77).expect("a machine that moves");
+        assert_eq!(under_way.steps, [2, 3]);
+        assert_eq!(under_way.ends, stamped(BEGUN).unwrap() + Duration::from_secs(78));
+        assert_eq!(after(&estimates, &running(), 78), None);
+    }
+
+    /// A clock that was set back, as by the battery of an old computer.
+    #[test]
+    fn a_journal_of_tomorrow_is_waited_for_from_now() {
+        let under_way = after(&[1.0; 4], &running(), 0).unwrap();
+        let now = stamped(BEGUN).unwrap();
+        assert_eq!(under_way.ends.duration_since(now).unwrap(), Duration::from_secs(6));
+    }
+
+    #[test]
+    fn steps_that_nobody_has_reckoned_take_long() {
+        assert!(after(&[], &running(), 182).is_some());
+        assert_eq!(after(&[], &running(), 184), None);
+    }
+
+    #[test]
+    fn a_machine_that_is_known_to_stand_is_not_waited_for() {
+        let stopped = What::Stopped { by: None };
+        let still = |more: &[What]| after(&[30.0; 4], &[running(), more.to_vec()].concat(), 1).is_none();
+        assert!(still(&[What::Paused]), "it holds");
+        assert!(still(&[stopped.clone(), What::Standstill { confirmed: true }]));
+        assert!(
+            still(&[What::Connected { identity: String::new(), going_on: None }]),
+            "it has answered since"
+        );
+        assert!(still(&[What::Done { n: 2 }, What::Done { n: 3 }]), "it has nothing more");
+        assert!(!still(std::slice::from_ref(&stopped)), "the program was ended before it was known");
+        assert!(!still(&[stopped, What::Standstill { confirmed: false }]));
+        assert!(!still(&[What::Paused, What::Resumed]));
+        assert!(!still(&[What::Abandoned]), "that stops nothing");
+        assert!(!still(&[What::Connected {
+            identity: String::new(),
+            going_on: Some(wirebend_driver_host::api::GoingOn { accepted: 3, done: 1 })
+        }]));
+    }
+
+    #[test]
+    fn what_is_simulated_is_no_device() {
+        let names = ["sim", "sim:10", "anywhere", "/dev/ttyACM0", "COM3"];
+        assert_eq!(names.map(is_device), [false, false, false, true, true]);
+    }
+}
