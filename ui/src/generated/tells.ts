@@ -205,7 +205,7 @@ export type Move =
       move: "bend";
     };
 /**
- * Why wires were not begun.
+ * Why wires, or moves by hand, were not begun.
  */
 export type LeftBecause = "declined" | "nobody-asked";
 /**

@@ -7,7 +7,7 @@ use wirebend_profile::{MachineProfile, Resolved};
 use super::{Hand, JogResponse, Move};
 use crate::drivers::Signs;
 use crate::live::{At, Connection, Unnamed, Yes, Zero, stop_of};
-use crate::run::RunProblem;
+use crate::run::{LeftBecause, RunProblem};
 use crate::{App, AppError, LiveProblem, Progress};
 
 /// What a person is asked before moves by hand.
@@ -50,8 +50,17 @@ pub(super) fn make(
         made.push(one);
         progress.advance(made.len() as u64, moves.len() as u64);
     });
+    let left_because = match &ended {
+        // What was made is made: the answer tells of it.
+        Err(LiveProblem::NotConfirmed | LiveProblem::ZeroNotConfirmed) if !made.is_empty() => {
+            Some(LeftBecause::NobodyAsked)
+        }
+        Err(LiveProblem::Declined) if !made.is_empty() => Some(LeftBecause::Declined),
+        _ => None,
+    };
     let (stopped, problem) = match ended {
         Ok(()) => (false, None),
+        Err(error) if left_because.is_some() => (false, Some(RunProblem::from(&error))),
         Err(LiveProblem::Stopped { .. }) => (true, None),
         Err(error @ (LiveProblem::Held { .. } | LiveProblem::Unstopped { .. })) => {
             (true, Some(RunProblem::from(&error)))
@@ -71,6 +80,7 @@ pub(super) fn make(
         identity: connection.session.identity().to_owned(),
         made,
         of: moves.len(),
+        left_because,
         stopped,
         standstill,
         problem,

@@ -14,7 +14,7 @@ use crate::design::Input;
 use crate::live::Zero;
 use crate::output::Output;
 use crate::report::NoteReport;
-use crate::run::RunProblem;
+use crate::run::{LeftBecause, RunProblem};
 use crate::{App, AppError, LiveProblem, Progress};
 use making::make;
 pub(crate) use making::{QUESTION, lines, make_all, require};
@@ -73,6 +73,8 @@ pub struct JogResponse {
     pub made: Vec<Move>,
     /// How many there were to be.
     pub of: usize,
+    /// Why the rest was not begun, where a person had to be asked in the middle; null where all were made, or one failed.
+    pub left_because: Option<LeftBecause>,
     /// Whether it was stopped.
     pub stopped: bool,
     /// Whether the machine stands after a stop, after its driver was lost, or after a fault while it might move; null

@@ -35,13 +35,13 @@ pub struct RunResponse {
     pub files: Vec<PathBuf>,
 }
 
-/// Why wires were not begun.
+/// Why wires, or moves by hand, were not begun.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum LeftBecause {
     /// A person has said no.
     Declined,
-    /// Nobody was there to be asked whether the next wire is in the machine.
+    /// Nobody was there to be asked: whether the next wire is in the machine, or where its axes stand.
     NobodyAsked,
 }
 

@@ -96,6 +96,10 @@ pub(super) fn jog(out: &mut impl Write, err: &mut impl Write, found: &JogRespons
     let made = count(found.made.len(), "move", "moves");
     let stopped = if found.stopped { ", then stopped" } else { "" };
     writeln!(out, "{made} of {} made{stopped}", found.of)?;
+    if !found.made.is_empty() && found.made.len() < found.of {
+        let each: Vec<String> = found.made.iter().map(ToString::to_string).collect();
+        writeln!(out, "  made: {}", each.join(", "))?;
+    }
     if let Some(problem) = &found.problem {
         let style = severity_style(SeverityName::Error);
         writeln!(err, "{style}error{style:#}[{}]: {}", problem.code, problem.message)?;

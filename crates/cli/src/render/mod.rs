@@ -80,6 +80,12 @@ fn status(response: &Response) -> u8 {
             return exit::MAY_MOVE;
         }
         Response::Jog(found) | Response::Replay(found) if found.stopped => return exit::STOPPED,
+        Response::Jog(found) | Response::Replay(found) if found.left_because.is_some() => {
+            return match found.left_because {
+                Some(LeftBecause::NobodyAsked) => exit::USAGE,
+                Some(LeftBecause::Declined) | None => exit::STOPPED,
+            };
+        }
         Response::Jog(found) | Response::Replay(found) if found.problem.is_some() => return exit::FAILURE,
         Response::Jog(_)
         | Response::Replay(_)

@@ -112,3 +112,29 @@ fn nobody_is_told_of_a_search_that_does_not_happen() {
     assert_eq!(asked.status(), Some(130));
     assert!(bench.shop.list().is_empty(), "a wire was begun");
 }
+
+/// A search for zero in the middle of a list is asked about anew. What was made before it is made, and a script that was told
+/// nothing of it would make it twice.
+#[test]
+fn moves_before_a_question_that_nobody_answers_are_told() {
+    let bench = Bench::new();
+    let jog = ["jog", "-m", "grbl-bender", "--port", &bench.bender.port];
+    let moves = ["f", "2", "r", "5", "home", "b", "10"];
+    let scripted = [&jog[..], &["--yes", "--axes-at-zero"], &moves].concat();
+    let ran = bench.shop.run(&scripted).ended(2);
+    let told = String::from_utf8_lossy(&ran.out).into_owned();
+    assert!(told.contains("2 moves of 4 made") && told.contains("made: feed 2 mm, rotate 5\u{b0}"), "{told}");
+    assert!(ran.err.contains("zero-not-confirmed") && ran.err.contains("--axes-at-zero"), "{}", ran.err);
+    assert_eq!(bench.bender.stands(), "[2.000, 5.000, 0.000]");
+    let found = bench.shop.run(&[&scripted[..], &["--json"]].concat()).ended(2).json();
+    crate::assert_fits("jog", &found);
+    let made = serde_json::json!([{"move": "feed", "mm": 2.0}, {"move": "rotate", "deg": 5.0}]);
+    assert_eq!((&found["made"], &found["left_because"]), (&made, &serde_json::json!("nobody-asked")));
+    // A person says no.
+    let mut asked = Asked::start(&bench.shop, &[&jog[..], &moves].concat());
+    asked.sees("May the machine move?").says("yes");
+    asked.sees("count from where the axes stand now?").says("yes");
+    asked.sees("Does every axis stand at zero?").says("no");
+    assert_eq!(asked.status(), Some(130));
+    assert_eq!(bench.bender.stands(), "[6.000, 15.000, 0.000]");
+}
