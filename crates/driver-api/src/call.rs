@@ -30,7 +30,12 @@ pub enum Call {
     /// Closes the port. Reply: `{}`. Nothing moves afterwards that the machine can be kept from.
     Disconnect,
     /// Finds the machine's reference. Reply: `{}`; then `homed` or `fault`.
-    Home,
+    Home {
+        /// Where the head stands now, degrees from its zero in the machine's signs, where the program knows it and the
+        /// machine may not ([`HeadBy::Program`](crate::HeadBy::Program)). It is turned back to zero. Since 1.3.
+        #[serde(default)]
+        head_at_deg: Option<f64>,
+    },
     /// Makes ready for one wire. Reply: [`ArmedReply`]. Nothing moves yet.
     Arm(Run),
     /// Hands over steps. Reply: [`Sent`]; then `done` for each, and `finished` after the last.

@@ -85,7 +85,8 @@ impl<D: MachineDriver> Instance<D> {
             }
             Call::Disconnect => self.session = None,
             Call::Send(batch) => return to_json(&self.session()?.send(&batch)?),
-            Call::Home => self.session()?.home()?,
+            Call::Home { head_at_deg: Some(deg) } => self.session()?.home_from(deg)?,
+            Call::Home { head_at_deg: None } => self.session()?.home()?,
             Call::Arm(run) => return to_json(&self.session()?.arm(&run)?),
             Call::Jog(motion) => self.session()?.jog(motion)?,
             Call::Pause => self.session()?.pause()?,

@@ -73,6 +73,15 @@ pub trait MachineSession {
         Err(DriverError::unsupported("home the machine"))
     }
 
+    /// The same for a machine that has told [`HeadBy::Program`](crate::HeadBy::Program): the head stands so many degrees
+    /// from its zero, in the machine's signs, and is turned back there.
+    ///
+    /// # Errors
+    /// [`DriverError`].
+    fn home_from(&mut self, _head_at_deg: f64) -> Result<(), DriverError> {
+        self.home()
+    }
+
     /// Makes ready for a wire, or for the rest of one: steps come from the one after [`Run::after`] on. Nothing
     /// moves. While the machine goes on with the session of an earlier token, the run is that of the token, and
     /// what the machine has taken already it keeps.

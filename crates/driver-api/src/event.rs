@@ -29,6 +29,9 @@ pub enum Event {
         /// Who says that a step is made. Since 1.2.
         #[serde(default)]
         done_by: DoneBy,
+        /// Who knows where the head stands. Since 1.3.
+        #[serde(default)]
+        head: HeadBy,
     },
     /// The machine has found its reference, or has taken the place where it stands as that.
     Homed,
@@ -133,6 +136,22 @@ pub enum DoneBy {
     /// Nobody: the machine acknowledges nothing, and a step counts as made when its time is over. What was sent is not
     /// known to be made, not even that there is a machine.
     Clock,
+}
+
+/// Who knows where the head stands, of which a cable allows a turn or less either way.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum HeadBy {
+    /// The reference: after `home` the head stands at zero, by a switch of its own or because a person has brought it
+    /// there.
+    #[default]
+    Reference,
+    /// The program. No switch finds the head, and a machine that was switched on or reset counts from wherever it stands:
+    /// with `home` the program says where that is, and `home` turns it back to zero. A `position` right before a `fault`
+    /// is where the machine stands then, as before `stopped`.
+    Program,
+    /// The same, but the machine has not forgotten it since the wire of `resume` began, and need not be told.
+    Kept,
 }
 
 /// Why a machine holds.

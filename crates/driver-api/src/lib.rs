@@ -46,7 +46,7 @@ pub use call::{
 pub use description::{Capability, Content, Description, Files, FormatDescription};
 pub use driver::{MachineDriver, MachineSession};
 pub use error::DriverError;
-pub use event::{Direction, DoneBy, Event, GoingOn, PausedBy, ReferenceBy, SettingCheck};
+pub use event::{Direction, DoneBy, Event, GoingOn, HeadBy, PausedBy, ReferenceBy, SettingCheck};
 pub use glue::table;
 pub use job::{DesignStep, Job, MachineRef, MaterialRef, Step, Wire};
 pub use limits::{AxisLimit, AxisRate, Extent, Limits};

@@ -28,8 +28,8 @@ pub use child::child_main;
 pub use driver::{Driver, Examined, Launch, OpenDriver};
 pub use error::HostError;
 pub use session::{
-    Armed, Asked, Confirmed, Purpose, Session, SessionError, Standstill, State, StopHandle, StopLine,
-    StopLineError, StopOutcome, StoppedBy,
+    Armed, Asked, Confirmed, HeadKeeper, HeadPlace, Purpose, Session, SessionError, Standstill, State,
+    StopHandle, StopLine, StopLineError, StopOutcome, StoppedBy,
 };
 pub use shelf::{Found, Place, Places, Shelf, Verdict};
 pub use trust::{Fingerprint, TrustError, TrustStore};

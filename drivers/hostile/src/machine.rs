@@ -13,7 +13,7 @@ use std::path::PathBuf;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use wirebend_driver_api::{
-    Batch, Call, DoneBy, DriverError, Event, GoingOn, PausedBy, ReferenceBy, Sent, SettingCheck, Step,
+    Batch, Call, DoneBy, DriverError, Event, GoingOn, HeadBy, PausedBy, ReferenceBy, Sent, SettingCheck, Step,
 };
 
 /// How many steps it takes ahead.
@@ -137,7 +137,7 @@ impl Machine {
                 self.settings.misset = false;
                 self.events.push_back(Event::SettingsWritten { settings: Vec::new() });
             }
-            Call::Home => self.move_by_hand(Event::Homed),
+            Call::Home { .. } => self.move_by_hand(Event::Homed),
             Call::Jog(_) => self.move_by_hand(Event::Jogged),
             Call::Arm(run) => {
                 if !self.going_on {
@@ -207,15 +207,14 @@ impl Machine {
             matters: true,
         };
         let settings = self.settings.misset.then(other).into_iter().collect();
-        let reference = ReferenceBy::default();
-        let done_by = DoneBy::default();
         self.events.push_back(Event::Connected {
             identity,
             settings,
             homed: false,
             going_on,
-            reference,
-            done_by,
+            reference: ReferenceBy::default(),
+            done_by: DoneBy::default(),
+            head: HeadBy::default(),
         });
         if self.holds {
             self.events.push_back(Event::Paused { by: PausedBy::Silence });

@@ -8,7 +8,7 @@ use std::collections::VecDeque;
 use std::time::Duration;
 
 use wirebend_driver_api::{
-    Batch, Direction, DoneBy, DriverError, Event, NumberedStep, ReferenceBy, Run, Sent, Step,
+    Batch, Direction, DoneBy, DriverError, Event, HeadBy, NumberedStep, ReferenceBy, Run, Sent, Step,
 };
 
 use crate::Settings;
@@ -234,6 +234,7 @@ impl Timed {
             going_on: None,
             reference: ReferenceBy::default(),
             done_by: DoneBy::Clock,
+            head: HeadBy::default(),
         });
         self.events.push_back(Event::Warning(DriverError::new(
             "no-acknowledgement",

@@ -58,7 +58,7 @@ fn unconnected(subject: &mut dyn Subject) -> Result<(), String> {
     let run =
         Run { job_hash: "0".repeat(64), name: "sample".to_owned(), wire: 0, steps: 1, ..Run::default() };
     let calls = [
-        Call::Home,
+        Call::Home { head_at_deg: None },
         Call::Arm(run),
         Call::Send(Batch { steps: Vec::new(), last: true }),
         Call::Jog(Motion { axis: Axis::Feed, by: 1.0 }),

@@ -38,7 +38,7 @@ impl Conversation for Echo {
 
     fn call(&mut self, call: &Call, _now: Duration) -> Result<Answered, DriverError> {
         match call {
-            Call::Home => self.output.extend_from_slice(b"home\n"),
+            Call::Home { .. } => self.output.extend_from_slice(b"home\n"),
             Call::Send(batch) => {
                 let free = batch.steps.first().map_or(0, |step| step.n);
                 return Ok(Answered::Sent(Sent { accepted: 0, free }));

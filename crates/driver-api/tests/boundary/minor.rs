@@ -3,7 +3,8 @@
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
 use wirebend_driver_api::{
-    ArmedReply, Axis, AxisLimit, Call, DoneBy, Event, Extent, GoingOn, Limits, Port, Ports, ReferenceBy, Run,
+    ArmedReply, Axis, AxisLimit, Call, DoneBy, Event, Extent, GoingOn, HeadBy, Limits, Port, Ports,
+    ReferenceBy, Run,
 };
 
 fn read<T: DeserializeOwned>(json: Value) -> T {
@@ -83,6 +84,7 @@ fn who_brings_the_axes_to_their_reference_is_told_since_1_2() {
         going_on: None,
         reference: ReferenceBy::Person,
         done_by: DoneBy::Clock,
+        head: HeadBy::Reference,
     };
     let written = serde_json::to_value(connected).unwrap();
     assert_eq!((&written["event"], &written["reference"]), (&json!("connected"), &json!("person")));
@@ -90,6 +92,26 @@ fn who_brings_the_axes_to_their_reference_is_told_since_1_2() {
     // One of before has a machine that says what it makes.
     let told = read::<Event>(json!({"event": "connected", "identity": "it"}));
     assert!(matches!(told, Event::Connected { done_by: DoneBy::Machine, .. }), "{told:?}");
+}
+
+/// A driver of before finds the head with its reference, and reads a `home` that says where the head stands as any other.
+#[test]
+fn who_knows_where_the_head_stands_is_told_since_1_3() {
+    let head = |json| match read(json) {
+        Event::Connected { head, .. } => head,
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(head(json!({"event": "connected", "identity": "it"})), HeadBy::Reference);
+    assert_eq!(head(json!({"event": "connected", "identity": "it", "head": "program"})), HeadBy::Program);
+    assert_eq!(read::<Call>(json!({"call": "home"})), Call::Home { head_at_deg: None });
+    let said = serde_json::to_value(Call::Home { head_at_deg: Some(90.0) }).unwrap();
+    assert_eq!((&said["call"], &said["head_at_deg"]), (&json!("home"), &json!(90.0)));
+    // One whose driver knows nothing of it homes all the same.
+    let mut table = super::table_of_plain();
+    table.open(b"{}").unwrap();
+    super::value(super::ask(&mut table, &Call::Connect { port: "memory".into(), resume: None }));
+    let asked = super::ask(&mut table, &Call::Home { head_at_deg: Some(90.0) });
+    assert_eq!(super::refusal(asked).code, "unsupported");
 }
 
 /// As a driver in C writes it; one that tells nothing has no limits.

@@ -37,6 +37,22 @@ pub enum SessionError {
         /// The bend axis.
         bend_deg: f64,
     },
+    /// Nobody knows where the head stands, and the machine has no switch to find it.
+    #[error(
+        "nobody knows where the head stands, between {least:.1}° and {most:.1}° from its zero as the machine counts: look at it, and say where it stands"
+    )]
+    HeadUnknown {
+        /// At least here.
+        least: f64,
+        /// At most here.
+        most: f64,
+    },
+    /// Where the head will stand cannot be written down, and so it was not turned.
+    #[error("where the head stands cannot be kept: {cause}; nothing was moved")]
+    HeadNotKept {
+        /// Why not.
+        cause: String,
+    },
     /// The machine is set otherwise than its profile says.
     #[error(
         "the machine is not set as its profile says, and wires would come out wrong: {}; set it, or accept the differences",
@@ -98,6 +114,8 @@ impl SessionError {
             Self::Stale => "session-stale",
             Self::NotForAWire | Self::ForAWire => "session-purpose",
             Self::OffZero { .. } => "off-zero",
+            Self::HeadUnknown { .. } => "head-unknown",
+            Self::HeadNotKept { .. } => "head-not-kept",
             Self::SettingsDiffer { .. } => "settings-differ",
             Self::Steps { .. } => "steps",
             Self::OutOfOrder { .. } => "out-of-order",

@@ -19,6 +19,7 @@ impl Session {
         let polled = self.driver.poll();
         // A driver that refuses to report no longer trusts its connection.
         let mut events = polled.inspect_err(|_| self.driver_failed())?;
+        self.head.listens();
         for event in &mut events {
             if let Event::Connected { going_on, .. } = event
                 && !self.resuming
@@ -27,6 +28,7 @@ impl Session {
                 *going_on = None;
             }
             self.take_note(event)?;
+            self.head.hears(event, self.reference);
             self.state = self.state.after(event);
         }
         self.notice_stop();

@@ -3,6 +3,7 @@
 mod armed;
 mod axes;
 mod error;
+mod head;
 mod listening;
 mod motions;
 mod standstill;
@@ -18,6 +19,8 @@ use crate::error::HostError;
 pub use armed::{Armed, Asked, Confirmed, Purpose};
 use axes::OffZero;
 pub use error::SessionError;
+use head::Head;
+pub use head::{HeadKeeper, HeadPlace};
 pub(crate) use motions::turned;
 pub use standstill::Standstill;
 use standstill::{DRIVER_CONFIRMS_WITHIN, GIVE_UP_AFTER, SessionGuard};
@@ -58,6 +61,7 @@ pub struct Session {
     reference: ReferenceBy,
     /// Who says that a step is made.
     done_by: DoneBy,
+    head: Head,
 }
 
 impl Session {
@@ -112,6 +116,7 @@ impl Session {
             lost: false,
             reference: ReferenceBy::default(),
             done_by: DoneBy::default(),
+            head: Head::default(),
         };
         session.require(Capability::Live)?;
         session.guard.use_line(line);

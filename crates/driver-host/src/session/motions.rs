@@ -5,7 +5,8 @@ use wirebend_driver_api::{
 };
 
 use super::state::Act;
-use super::{Armed, Confirmed, Purpose, Session, SessionError, State};
+use super::{Armed, Confirmed, HeadPlace, Purpose, Session, SessionError, State};
+use crate::error::HostError;
 
 impl Session {
     /// Lets the machine find its reference: it moves. Where a person has brought the axes there
@@ -25,8 +26,10 @@ impl Session {
         }
         let next = self.may(Act::Home)?;
         self.guard.forget();
-        let called = self.motion("homing", &Call::Home);
-        self.faulting(called)?;
+        let place = self.head_place();
+        let head_at_deg = self.head.homes(self.reference)?;
+        let called = self.motion("homing", &Call::Home { head_at_deg });
+        self.faulting_before(called, place)?;
         self.state = next;
         Ok(())
     }
@@ -56,6 +59,7 @@ impl Session {
                     let driver = self.driver.description().id.clone();
                     return Err(SessionError::TooOld { driver, after });
                 }
+                self.head.begins(rotate_at_deg)?;
                 let token = self.call_to_arm(run)?;
                 self.off.head_stands_at(rotate_at_deg);
                 (Some(steps), after, token)
@@ -98,6 +102,8 @@ impl Session {
         let token = self.call_to_arm(run)?;
         let armed = self.armed(token)?;
         self.off.head_stands_at(head);
+        let ahead = (self.done + 1..=self.sent).map(|n| turned(steps, n));
+        self.head.goes_on(rotate_at_deg, ahead);
         self.steps = Some(total);
         self.state = if self.holds { State::Paused } else { next };
         Ok(armed)
@@ -119,7 +125,11 @@ impl Session {
             return Err(SessionError::Steps { sent: self.sent, total });
         }
         let call = Call::Send(Batch { steps: steps.to_vec(), last: last == total });
+        let place = self.head.sends(steps.iter())?;
         let called = self.motion_for("sending steps", &call);
+        if let Err(HostError::Refused { .. } | HostError::StoppedBefore { .. }) = &called {
+            self.head.not_taken(steps.len(), place);
+        }
         let taken: Sent = self.faulting(called)?;
         // To nothing some drivers answer with nothing.
         let accepted = if steps.is_empty() { self.sent } else { taken.accepted };
@@ -129,6 +139,7 @@ impl Session {
         }
         let newly = steps.iter().filter(|step| step.n <= accepted);
         newly.for_each(|step| self.off.turned(Axis::Rotate, step.step.rotate_deg));
+        self.head.not_taken(steps.iter().filter(|step| step.n > accepted).count(), place);
         self.sent = accepted;
         self.state = next;
         Ok(Sent { accepted, ..taken })
@@ -145,8 +156,9 @@ impl Session {
         if self.steps.is_some() {
             return Err(SessionError::ForAWire);
         }
+        let place = self.head.jogs(motion)?;
         let called = self.motion("jogging", &Call::Jog(motion));
-        self.faulting(called)?;
+        self.faulting_before(called, place)?;
         self.off.turned(motion.axis, motion.by);
         self.state = next;
         Ok(())
@@ -191,6 +203,18 @@ impl Session {
         self.faulting(called)?;
         self.state = next;
         Ok(())
+    }
+
+    /// A refusal leaves the head where it was.
+    fn faulting_before<T>(
+        &mut self,
+        called: Result<T, HostError>,
+        place: HeadPlace,
+    ) -> Result<T, SessionError> {
+        if let Err(HostError::Refused { .. } | HostError::StoppedBefore { .. }) = &called {
+            self.head.stays(place);
+        }
+        self.faulting(called)
     }
 
     fn call_to_arm(&mut self, run: Run) -> Result<Option<String>, SessionError> {

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use wirebend_driver_api::{DoneBy, DriverError, Event, ReferenceBy};
+use wirebend_driver_api::{DoneBy, DriverError, Event, HeadBy, ReferenceBy};
 
 use super::protocol::{Phase, Protocol};
 use super::status::State;
@@ -212,6 +212,7 @@ impl Protocol {
                 Homing::None => ReferenceBy::Person,
             },
             done_by: DoneBy::Machine,
+            head: HeadBy::Reference,
         });
         if reading.parts().1 {
             self.event(Event::Stopped { homed: false });

@@ -30,7 +30,7 @@ impl Conversation for Protocol {
 
     fn call(&mut self, call: &Call, now: Duration) -> Result<Answered, DriverError> {
         match call {
-            Call::Home => self.home(now)?,
+            Call::Home { .. } => self.home(now)?,
             Call::Arm(run) => self.arm(run, now)?,
             Call::Send(batch) => return self.send(batch, now).map(Answered::Sent),
             Call::Jog(motion) => self.jog(*motion, now)?,

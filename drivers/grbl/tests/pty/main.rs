@@ -14,7 +14,8 @@ use model::{Build, Model, Record};
 use serde_json::{Value, json};
 use serialport::{SerialPort, TTYPort};
 use wirebend_driver_api::{
-    Axis, Batch, DoneBy, Event, MachineDriver, MachineSession, Motion, NumberedStep, ReferenceBy, Run, Step,
+    Axis, Batch, DoneBy, Event, HeadBy, MachineDriver, MachineSession, Motion, NumberedStep, ReferenceBy,
+    Run, Step,
 };
 use wirebend_driver_grbl::Grbl;
 
@@ -96,6 +97,7 @@ fn connected_and_homed(session: &mut dyn MachineSession) {
         going_on: None,
         reference: ReferenceBy::Machine,
         done_by: DoneBy::Machine,
+        head: HeadBy::Reference,
     };
     assert_eq!(events, [connected]);
     session.home().unwrap();

@@ -15,8 +15,14 @@ use crate::settings::{expected, steps};
 const AHEAD: u32 = 12;
 
 impl Machine {
-    pub fn home(&mut self, now: Duration) -> Result<(), DriverError> {
+    /// `head_at_deg`: where the head stands, where the program knows it.
+    pub fn home(&mut self, head_at_deg: Option<f64>, now: Duration) -> Result<(), DriverError> {
         self.require_rest("home")?;
+        let most = self.settings.rotate_limit_deg;
+        if let Some(deg) = head_at_deg.filter(|deg| deg.is_nan() || deg.abs() > most + 1e-9) {
+            return Err(fault::head_beyond(deg, most));
+        }
+        self.head_at = head_at_deg.map(|deg| steps(deg * self.rotate_steps_per_deg()));
         // Who homes has seen that it stands.
         self.ending = None;
         (self.homed, self.halt, self.wire) = (false, Halt::No, None);

@@ -109,6 +109,14 @@ pub(super) fn other_host() -> DriverError {
     )
 }
 
+pub(super) fn head_beyond(deg: f64, most: f64) -> DriverError {
+    DriverError::new(
+        "head-beyond",
+        format!("the head stands {deg}° from its zero, and its cable allows {most}° either way"),
+        "switch the motors off and turn it back by hand",
+    )
+}
+
 pub(super) fn restarted() -> DriverError {
     DriverError::new(
         "restarted",
@@ -123,6 +131,7 @@ pub(super) fn refused(command: u8, error: Refusal, homing: bool) -> DriverError 
         b'M' if homing => "to turn the head back",
         b'M' => "a step",
         b'S' => "a new session",
+        b'Z' => "the place of the head",
         _ => "a request",
     };
     let help = match error {

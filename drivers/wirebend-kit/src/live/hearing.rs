@@ -2,10 +2,12 @@
 
 use std::time::Duration;
 
-use wirebend_driver_api::{DoneBy, DriverError, Event, GoingOn, PausedBy, ReferenceBy, SettingCheck, Step};
+use wirebend_driver_api::{
+    DoneBy, DriverError, Event, GoingOn, HeadBy, PausedBy, ReferenceBy, SettingCheck, Step,
+};
 
 use super::fault;
-use super::machine::{Doing, Ending, Halt, Homing, Machine, session_id};
+use super::machine::{Counts, Doing, Ending, Halt, Homing, Machine, session_id};
 use super::wire::Wire;
 use crate::link::{Ask, News};
 use crate::protocol::{Alarm, Refusal, State, Status, VERSION, Versions};
@@ -40,7 +42,12 @@ impl Machine {
             }
             News::Done(n) => self.done(n),
             News::Status(status) => self.stands(status),
-            News::Answered(Ask::Head(_)) => self.head_unknown = false,
+            News::Answered(Ask::Head(_)) => {
+                self.head = Counts::Itself;
+                if self.doing == Doing::Homing(Homing::Placing) {
+                    self.search();
+                }
+            }
             News::Answered(Ask::Write(id, _)) => drop(self.unwritten.remove(&id)),
             News::Answered(_) => {}
             News::Setting { id, value } => {
@@ -71,23 +78,31 @@ impl Machine {
             Doing::Connecting => {
                 match (going_on, self.token) {
                     (Some((last, done)), Some(token)) => {
-                        self.boots = token.boots;
+                        (self.boots, self.head) = (token.boots, Counts::Kept);
                         self.wire = Some(Wire::going_on(token, last, done));
                     }
                     // It may have started while nobody was there to hear it.
                     (_, token) => {
-                        self.head_unknown |= token.is_some_and(|token| token.boots != self.boots);
+                        self.head = self.head.since(token.map(|token| token.boots == self.boots));
                         self.token = None;
                     }
                 }
                 self.read_settings();
             }
-            Doing::Homing(Homing::Opening) => {
-                let line = self.link.line(b'H', &[]);
-                self.doing = Doing::Homing(Homing::Searching { line, accepted: false });
-            }
+            Doing::Homing(Homing::Opening) => match self.head_at.take() {
+                Some(steps) => {
+                    self.link.ask(Ask::Head(steps));
+                    self.doing = Doing::Homing(Homing::Placing);
+                }
+                None => self.search(),
+            },
             _ => {}
         }
+    }
+
+    fn search(&mut self) {
+        let line = self.link.line(b'H', &[]);
+        self.doing = Doing::Homing(Homing::Searching { line, accepted: false });
     }
 
     /// The controller counts the head from where it was when it started; the program from the wire's start.
@@ -95,7 +110,7 @@ impl Machine {
         let Some(wire) = self.wire.as_mut().filter(|wire| !wire.placed) else { return };
         wire.placed = true;
         wire.begins_at(status.position[0]);
-        if self.head_unknown {
+        if self.head == Counts::Lost {
             self.link.ask(Ask::Head(wire.rotate_at));
         } else {
             wire.turn = wire.rotate_at - status.position[1];
@@ -201,7 +216,7 @@ impl Machine {
     /// The controller has started anew, or is in nobody's session.
     fn restarted(&mut self) {
         self.tell_end();
-        self.head_unknown = true;
+        self.head = Counts::Lost;
         // What it was busy with is over.
         self.status = None;
         if self.doing == Doing::Connecting {
@@ -248,7 +263,7 @@ impl Machine {
                 return;
             }
             // Of before it took the line that leaves the alarm.
-            Doing::Homing(Homing::Opening | Homing::Searching { accepted: false, .. })
+            Doing::Homing(Homing::Opening | Homing::Placing | Homing::Searching { accepted: false, .. })
                 if self.halt != Halt::Asked =>
             {
                 return;
@@ -352,7 +367,7 @@ impl Machine {
                 self.report(Event::SettingsWritten { settings });
             }
             Doing::Arming if read && self.wire.as_ref().is_some_and(|wire| wire.placed) => {
-                self.head_unknown = false;
+                self.head = Counts::Itself;
                 self.doing = Doing::Making;
             }
             _ => {}
@@ -374,6 +389,8 @@ impl Machine {
             going_on,
             reference: ReferenceBy::Machine,
             done_by: DoneBy::Machine,
+            // Its switch is that of the bend axis alone.
+            head: if self.head == Counts::Kept { HeadBy::Kept } else { HeadBy::Program },
         };
         self.report(event);
         if status.state == State::Alarm {

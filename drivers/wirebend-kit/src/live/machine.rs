@@ -39,6 +39,8 @@ pub(super) enum Homing {
     /// What the controller was busy with is stopped.
     Stopping,
     Opening,
+    /// Until the controller counts the head from where it stands.
+    Placing,
     Searching {
         line: u32,
         accepted: bool,
@@ -59,6 +61,28 @@ pub(super) enum Halt {
     Asked,
     /// It was told.
     Told(Alarm),
+}
+
+/// From where the controller counts the head.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Counts {
+    /// As it does: nobody knows whether it has started since the wire before.
+    Itself,
+    /// It has not started since the wire of the program's token began.
+    Kept,
+    /// It has started since it was told where the head stands.
+    Lost,
+}
+
+impl Counts {
+    /// Once it is known whether it has started since the wire of a token began.
+    pub const fn since(self, same: Option<bool>) -> Self {
+        match (self, same) {
+            (Self::Lost, _) | (_, Some(false)) => Self::Lost,
+            (_, Some(true)) => Self::Kept,
+            _ => self,
+        }
+    }
 }
 
 /// An end that is told as soon as the controller says where its axes stand, or when it does not say so in time.
@@ -93,8 +117,9 @@ pub(super) struct Machine {
     pub(super) unwritten: BTreeMap<u8, (i32, Refusal)>,
     pub(super) status: Option<Status>,
     pub(super) told: Option<[i32; 3]>,
-    /// The controller has started since it was told where the head stands.
-    pub(super) head_unknown: bool,
+    pub(super) head: Counts,
+    /// Where it stands, as the program has said with the search for the reference that begins, steps.
+    pub(super) head_at: Option<i32>,
     pub(super) homed: bool,
     pub(super) held: bool,
     pub(super) halt: Halt,
@@ -127,7 +152,8 @@ impl Machine {
             unwritten: BTreeMap::new(),
             status: None,
             told: None,
-            head_unknown: false,
+            head: Counts::Itself,
+            head_at: None,
             homed: false,
             held: false,
             halt: Halt::No,

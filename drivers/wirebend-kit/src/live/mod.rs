@@ -122,7 +122,11 @@ fn pace(name: &str) -> Result<Option<Pace>, DriverError> {
 
 impl MachineSession for Session {
     fn home(&mut self) -> Result<(), DriverError> {
-        self.call(Machine::home)
+        self.call(|machine, now| machine.home(None, now))
+    }
+
+    fn home_from(&mut self, head_at_deg: f64) -> Result<(), DriverError> {
+        self.call(|machine, now| machine.home(Some(head_at_deg), now))
     }
 
     fn arm(&mut self, run: &Run) -> Result<ArmedReply, DriverError> {

@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use serde_json::json;
 use table::Table;
-use wirebend_driver_api::{Axis, Event, Motion, PausedBy, Step};
+use wirebend_driver_api::{Axis, Event, HeadBy, Motion, PausedBy, Step};
 
 #[test]
 fn a_machine_is_met_homed_and_armed() {
@@ -102,6 +102,27 @@ fn homing_turns_the_head_back() {
     assert!((table.position().rotate_deg - 90.0).abs() < 0.03);
     table.home();
     assert!(table.position().rotate_deg.abs() < 1e-9);
+}
+
+/// A controller that was switched on counts its head from wherever it stands. Told where that is, homing unwinds the cable,
+/// and its own limit counts from there, too.
+#[test]
+fn homing_turns_a_head_back_that_stands_where_the_program_says() {
+    let mut table = Table::new(json!({}));
+    let Event::Connected { head, .. } = table.connected() else { unreachable!() };
+    assert_eq!(head, HeadBy::Program);
+    let beyond = table.session.home_from(450.0).unwrap_err();
+    assert_eq!(beyond.code, "head-beyond");
+    table.session.home_from(-270.0).unwrap();
+    table.until(|event| *event == Event::Homed);
+    assert!(table.position().rotate_deg.abs() < 1e-9);
+    let told = table.seen.iter().filter_map(|event| match event {
+        Event::Position(step) => Some(step.rotate_deg),
+        _ => None,
+    });
+    let least = told.fold(0.0, f64::min);
+    assert!((least + 270.0).abs() < 0.03, "it was never told to stand there: {least}");
+    table.jog(Motion { axis: Axis::Rotate, by: 350.0 });
 }
 
 /// A wire that is taken up needs the head where the made part has left it, to the step.

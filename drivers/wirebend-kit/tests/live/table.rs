@@ -14,7 +14,7 @@ const LOOKS: usize = 100_000;
 
 pub struct Table {
     pub session: Box<dyn MachineSession>,
-    seen: Vec<Event>,
+    pub seen: Vec<Event>,
     /// A stop leaves the wire as it is, and the peg in it.
     pub stopped: bool,
     /// Between two looks at it.

@@ -1,7 +1,7 @@
 //! What can be said of any row of acts and reports.
 
 use proptest::prelude::*;
-use wirebend_driver_api::{DoneBy, DriverError, GoingOn, PausedBy, ReferenceBy};
+use wirebend_driver_api::{DoneBy, DriverError, GoingOn, HeadBy, PausedBy, ReferenceBy};
 
 use super::*;
 
@@ -17,6 +17,7 @@ fn events() -> Vec<Event> {
         going_on,
         reference: ReferenceBy::default(),
         done_by: DoneBy::default(),
+        head: HeadBy::default(),
     };
     vec![
         connected(false, None),

@@ -1,0 +1,312 @@
+//! Where the head stands, counted from where its cable is unwound: kept over connections by whoever holds the record, since
+//! most machines have no switch for it and forget it with their power.
+
+use std::collections::VecDeque;
+use std::fmt;
+
+use wirebend_driver_api::{Axis, Event, HeadBy, Motion, NumberedStep, ReferenceBy, Step};
+
+use super::{Confirmed, Session, SessionError};
+
+/// Below this a turn is rounding, degrees.
+const ROUNDING_DEG: f64 = 1e-6;
+
+/// Where the head stands, degrees from its zero, in the machine's signs.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub enum HeadPlace {
+    /// Nothing was ever kept of it: it is taken to stand at zero.
+    #[default]
+    Unsaid,
+    /// Here.
+    At(f64),
+    /// Somewhere from the first to the second: it was turning when it was last heard of.
+    Between(f64, f64),
+}
+
+impl HeadPlace {
+    fn hull(places: impl IntoIterator<Item = f64>) -> Self {
+        let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+        for place in places {
+            (least, most) = (least.min(place), most.max(place));
+        }
+        if most - least < ROUNDING_DEG { Self::At(most) } else { Self::Between(least, most) }
+    }
+
+    /// The least and the most that it can be.
+    #[must_use]
+    pub const fn range(self) -> (f64, f64) {
+        match self {
+            Self::Unsaid => (0.0, 0.0),
+            Self::At(deg) => (deg, deg),
+            Self::Between(least, most) => (least, most),
+        }
+    }
+
+    /// Turned by so much, from wherever it stands.
+    #[must_use]
+    pub fn turned(self, by: f64) -> Self {
+        match self {
+            Self::Unsaid => Self::Unsaid,
+            Self::At(deg) => Self::At(deg + by),
+            Self::Between(least, most) => Self::Between(least + by, most + by),
+        }
+    }
+
+    fn turning(self, by: f64) -> Self {
+        if self == Self::Unsaid {
+            return self;
+        }
+        let ((least, most), (then_least, then_most)) = (self.range(), self.turned(by).range());
+        Self::hull([least, most, then_least, then_most])
+    }
+
+    /// Whether it is known to be, or taken to be, where its cable is unwound.
+    #[must_use]
+    pub fn is_zero(self) -> bool {
+        match self {
+            Self::Unsaid => true,
+            Self::At(deg) => deg.abs() < ROUNDING_DEG,
+            Self::Between(..) => false,
+        }
+    }
+}
+
+/// Keeps where the head stands, so that it is known when the machine is connected again.
+pub trait HeadKeeper: Send {
+    /// Before this returns, it is on the disk.
+    ///
+    /// # Errors
+    /// Why it cannot be kept.
+    fn keep(&mut self, place: HeadPlace) -> Result<(), String>;
+}
+
+/// The account of the head.
+#[derive(Default)]
+pub(super) struct Head {
+    place: HeadPlace,
+    keeper: Option<Box<dyn HeadKeeper>>,
+    by: HeadBy,
+    /// The machine counts it from its zero since it was homed through this connection.
+    counted: bool,
+    /// What has to be added to the machine's positions.
+    base: Option<f64>,
+    /// Where it stands when all that was sent is made.
+    end: f64,
+    /// Where it stands after each step that was sent and not made.
+    ahead: VecDeque<f64>,
+    /// Where it stands when the jog under way is over.
+    jogged: Option<HeadPlace>,
+    /// The last position among the reports that are being taken.
+    told: Option<f64>,
+}
+
+impl fmt::Debug for Head {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Head").field("place", &self.place).field("by", &self.by).finish_non_exhaustive()
+    }
+}
+
+impl Head {
+    /// Before something moves: what cannot be kept is not moved.
+    fn may_be(&mut self, place: HeadPlace) -> Result<(), SessionError> {
+        if let Some(keeper) = self.keeper.as_mut().filter(|_| place != self.place) {
+            keeper.keep(place).map_err(|cause| SessionError::HeadNotKept { cause })?;
+        }
+        self.place = place;
+        Ok(())
+    }
+
+    /// After something has moved. Where that cannot be kept, the wider range of before stands in the record.
+    fn is(&mut self, place: HeadPlace) {
+        let _ = self.may_be(place);
+        self.place = place;
+    }
+
+    /// New reports are about to be taken.
+    pub fn listens(&mut self) {
+        self.told = None;
+    }
+
+    /// Before the search for the reference: where the machine has to be told that the head stands.
+    pub fn homes(&mut self, reference: ReferenceBy) -> Result<Option<f64>, SessionError> {
+        self.ahead.clear();
+        if reference == ReferenceBy::Person || self.place == HeadPlace::Unsaid {
+            return Ok(None);
+        }
+        let forgets = self.by != HeadBy::Reference && !self.counted;
+        let (least, most) = self.place.range();
+        if forgets && matches!(self.place, HeadPlace::Between(..)) {
+            return Err(SessionError::HeadUnknown { least, most });
+        }
+        self.may_be(HeadPlace::hull([0.0, least, most]))?;
+        Ok(forgets.then_some(least))
+    }
+
+    fn homed(&mut self, reference: ReferenceBy) {
+        if reference == ReferenceBy::Person {
+            // The place where it stands counts as zero on the machine, until a person says that it is.
+            self.base = if let HeadPlace::At(deg) = self.place { Some(deg) } else { None };
+            return;
+        }
+        (self.counted, self.base) = (true, Some(0.0));
+        self.is(HeadPlace::At(0.0));
+    }
+
+    /// A wire, or the rest of one, is about to begin with the head to be turned to here.
+    pub fn begins(&mut self, at_deg: f64) -> Result<(), SessionError> {
+        if let HeadPlace::Between(least, most) = self.place {
+            return Err(SessionError::HeadUnknown { least, most });
+        }
+        if !self.place.is_zero() {
+            return Err(SessionError::OffZero { rotate_deg: self.place.range().0, bend_deg: 0.0 });
+        }
+        self.may_be(HeadPlace::hull([0.0, at_deg]))?;
+        self.end = at_deg;
+        Ok(())
+    }
+
+    /// The machine still is in a wire of before: where the head stands after each of its steps, from the last that is made.
+    pub fn goes_on(&mut self, made_deg: f64, steps: impl IntoIterator<Item = f64>) {
+        self.ahead = steps.into_iter().collect();
+        self.end = self.ahead.back().copied().unwrap_or(made_deg);
+        if self.by != HeadBy::Reference {
+            (self.counted, self.base) = (true, Some(0.0));
+        }
+        self.is(HeadPlace::hull(self.ahead.iter().copied().chain([made_deg])));
+    }
+
+    /// Before steps are sent; gives what was known before.
+    pub fn sends<'s>(
+        &mut self,
+        steps: impl Iterator<Item = &'s NumberedStep>,
+    ) -> Result<HeadPlace, SessionError> {
+        let (before, mut end) = (self.place, self.end);
+        let after: Vec<f64> = steps
+            .map(|step| {
+                end += step.step.rotate_deg;
+                end
+            })
+            .collect();
+        let (least, most) = before.range();
+        self.may_be(HeadPlace::hull(after.iter().copied().chain([least, most])))?;
+        self.ahead.extend(after);
+        self.end = end;
+        Ok(before)
+    }
+
+    /// So many of the last of them were not taken.
+    pub fn not_taken(&mut self, count: usize, before: HeadPlace) {
+        self.ahead.truncate(self.ahead.len().saturating_sub(count));
+        let (least, most) = before.range();
+        self.end = self.ahead.back().copied().unwrap_or(most);
+        self.is(HeadPlace::hull(self.ahead.iter().copied().chain([least, most])));
+    }
+
+    /// Before a jog.
+    pub fn jogs(&mut self, motion: Motion) -> Result<HeadPlace, SessionError> {
+        let before = self.place;
+        let by = if motion.axis == Axis::Rotate { motion.by } else { 0.0 };
+        if by != 0.0 {
+            self.may_be(before.turning(by))?;
+            self.jogged = Some(before.turned(by));
+        }
+        Ok(before)
+    }
+
+    /// What was to move was refused.
+    pub fn stays(&mut self, place: HeadPlace) {
+        self.jogged = None;
+        self.is(place);
+    }
+
+    pub fn hears(&mut self, event: &Event, reference: ReferenceBy) {
+        match event {
+            Event::Connected { head, .. } => {
+                let kept = *head == HeadBy::Kept;
+                (self.by, self.counted, self.base) = (*head, kept, kept.then_some(0.0));
+            }
+            Event::Position(Step { rotate_deg, .. }) => self.told = Some(*rotate_deg),
+            Event::Homed => self.homed(reference),
+            Event::Done { .. } => {
+                if let Some(made) = self.ahead.pop_front() {
+                    self.is(HeadPlace::hull(self.ahead.iter().copied().chain([made])));
+                }
+            }
+            Event::Jogged => {
+                if let Some(place) = self.jogged.take() {
+                    self.is(place);
+                }
+            }
+            Event::Stopped { .. } => self.stands(),
+            Event::Fault { disconnected, .. } => {
+                if self.by != HeadBy::Reference && !disconnected {
+                    self.stands();
+                }
+                // It may have started anew.
+                self.counted = false;
+            }
+            Event::SettingsWritten { .. } => (self.counted, self.base) = (false, None),
+            _ => {}
+        }
+    }
+
+    /// The machine stands, and has said where.
+    fn stands(&mut self) {
+        self.ahead.clear();
+        self.jogged = None;
+        if let (HeadPlace::Between(..), Some(told), Some(base)) = (self.place, self.told, self.base) {
+            self.is(HeadPlace::At(told + base));
+        }
+    }
+}
+
+impl Session {
+    /// Gives the session what was kept of the head, and who keeps it from now on. To be called once the machine has answered.
+    pub fn keep_head(&mut self, place: HeadPlace, keeper: Box<dyn HeadKeeper>) {
+        (self.head.place, self.head.keeper) = (place, Some(keeper));
+    }
+
+    /// Where the head stands.
+    #[must_use]
+    pub const fn head_place(&self) -> HeadPlace {
+        self.head.place
+    }
+
+    /// Who knows where the head stands once the machine was switched off or reset.
+    #[must_use]
+    pub const fn head_by(&self) -> HeadBy {
+        self.head.by
+    }
+
+    /// Whether [`Session::home`] is of no use before a person has said where the head stands.
+    #[must_use]
+    pub fn has_lost_its_head(&self) -> bool {
+        let forgets = self.head.by != HeadBy::Reference && !self.head.counted;
+        forgets && matches!(self.head.place, HeadPlace::Between(..))
+    }
+
+    /// A person has looked where the head stands, degrees from where its cable is unwound, in the machine's signs.
+    ///
+    /// # Errors
+    /// [`SessionError::HeadNotKept`].
+    pub fn head_stands_at(&mut self, deg: f64, _confirmed: &Confirmed) -> Result<(), SessionError> {
+        self.head.counted = false;
+        if self.reference == ReferenceBy::Person {
+            // Its positions count from where it was zeroed, which may be elsewhere.
+            self.head.base = None;
+        }
+        self.head.may_be(HeadPlace::At(deg))
+    }
+
+    /// A person has said that the head stands at its zero, which the machine has just been told to be its own.
+    ///
+    /// # Errors
+    /// [`SessionError::HeadNotKept`].
+    pub fn head_is_zeroed(&mut self, _confirmed: &Confirmed) -> Result<(), SessionError> {
+        self.head.base = Some(0.0);
+        self.head.may_be(HeadPlace::At(0.0))
+    }
+}
+
+#[cfg(test)]
+mod tests;
