@@ -60,11 +60,11 @@ pub use editor::{
 pub use error::{AppError, ErrorKind};
 pub use export::{ExportFormat, ExportRequest, ExportResponse};
 pub use import::{ImportRequest, ImportResponse};
-pub use live::{Decided, Decision, Doubt, LiveProblem, News, PartOfStep};
+pub use live::{Decided, Decision, Doubt, HeadProblem, LiveProblem, News, PartOfStep};
 pub use machine_settings::{MachineSettingsRequest, MachineSettingsResponse};
 pub use operator::{
-    Answer, ConnectRequest, MachineState, Operator, OperatorError, OperatorEvent, OperatorListener, Order,
-    OrderName, Phase, Question, QuestionKind, Unfinished, WireState,
+    Answer, ConnectRequest, HeadAsked, MachineState, Operator, OperatorError, OperatorEvent,
+    OperatorListener, Order, OrderName, Phase, Question, QuestionKind, Unfinished, WireState,
 };
 pub use output::Output;
 pub use places::Places;

@@ -43,6 +43,11 @@ pub trait Progress {
     fn decide(&self, _doubt: &Doubt) -> Option<Decision> {
         None
     }
+    /// Asks a person, who looks at the machine, where its head stands: degrees, from the least to the most that it can be.
+    /// `left_at`: where it was left, which they may confirm. `None`: nobody is there, or nobody knows.
+    fn place_of_head(&self, _question: &str, _range: [f64; 2], _left_at: Option<f64>) -> Option<f64> {
+        None
+    }
     /// What a person wants of the wire that is being made, once: asked at every turn of the loop.
     fn wish(&self) -> Option<Wish> {
         None

@@ -44,16 +44,16 @@ impl Terminal {
         }
     }
 
-    /// A line of the person's.
-    fn line(&self, prompt: &str) -> Option<String> {
-        let ask = || {
-            let _ = write!(std::io::stderr(), "{prompt} ");
+    /// Asks, and reads a line.
+    fn prompt(&self, question: &str) -> Option<String> {
+        let prompt = || {
+            let _ = write!(std::io::stderr(), "{question} ");
             let _ = std::io::stderr().flush();
             read_line()
         };
         match &self.bar {
-            Some(bar) => bar.aside(ask),
-            None => ask(),
+            Some(bar) => bar.aside(prompt),
+            None => prompt(),
         }
     }
 
@@ -63,7 +63,8 @@ impl Terminal {
             return Some(0.0);
         }
         loop {
-            let line = self.line(&format!("{question}, between 0 and {whole:.1}? [Enter: I cannot tell]"))?;
+            let line =
+                self.prompt(&format!("{question}, between 0 and {whole:.1}? [Enter: I cannot tell]"))?;
             let word = line.trim();
             if word.is_empty() {
                 return None;
@@ -81,7 +82,7 @@ impl Terminal {
             return None;
         }
         loop {
-            let line = self.line(&format!("{question} [{}]", answers.join("/")))?;
+            let line = self.prompt(&format!("{question} [{}]", answers.join("/")))?;
             let word = line.trim().to_lowercase();
             let fits = |answer: &&str| !word.is_empty() && answer.to_lowercase().starts_with(&word);
             if let Some(found) = answers.iter().position(fits) {
@@ -185,6 +186,24 @@ impl Progress for Terminal {
         let feed_mm = self.measured("How many mm of it were fed", doubt.told.feed_mm)?;
         let rotate_deg = self.measured("How many degrees was it turned", doubt.told.rotate_deg)?;
         Some(Decision::Part(PartOfStep { feed_mm, rotate_deg }))
+    }
+
+    fn place_of_head(&self, question: &str, [least, most]: [f64; 2], left_at: Option<f64>) -> Option<f64> {
+        if !is_interactive() {
+            return None;
+        }
+        loop {
+            let nothing = left_at.map_or_else(|| "leave it".to_owned(), |deg| format!("still at {deg:.1}"));
+            let line = self.prompt(&format!("{question} [{least} to {most}; nothing: {nothing}]"))?;
+            let word = line.trim().trim_end_matches('°').trim();
+            if word.is_empty() {
+                return left_at;
+            }
+            match word.parse::<f64>() {
+                Ok(deg) if (least..=most).contains(&deg) => return Some(deg),
+                _ => self.say(&format!("'{word}' is no number from {least} to {most}")),
+            }
+        }
     }
 
     fn connected(&self, handle: &StopHandle) {

@@ -11,6 +11,9 @@ export type Answer =
   | "as-counted"
   | {
       part: PartOfStep;
+    }
+  | {
+      head: number;
     };
 /**
  * A change that a person asks for. Lengths in mm, vertices and edges by their ids.

@@ -35,7 +35,7 @@ export type Phase =
 /**
  * What a question is about.
  */
-export type QuestionKind = "move" | "arm" | "go-on" | "doubt" | "settings";
+export type QuestionKind = "move" | "arm" | "go-on" | "doubt" | "head" | "settings";
 /**
  * What a body moves with.
  */
@@ -393,6 +393,10 @@ export type Seen = "document" | "wireframe" | "stencil" | "both" | "job";
  */
 export type Outcome = "finished" | "sent" | "abandoned" | "unfinished";
 /**
+ * Who has said how much of a step is made.
+ */
+export type ToldBy = "machine" | "person";
+/**
  * Who says that a step is made.
  */
 export type DoneBy = "machine" | "clock";
@@ -585,6 +589,10 @@ export interface Question {
    */
   doubt: Doubt | null;
   /**
+   * What can be said of where the head stands, where it is about that.
+   */
+  head: HeadAsked | null;
+  /**
    * Its number, for the answer.
    */
   id: number;
@@ -602,6 +610,11 @@ export interface Question {
  * A step of which nobody knows whether it was made.
  */
 export interface Doubt {
+  before: PartOfStep;
+  /**
+   * How much of it is in the wire as the machine has counted; null where it cannot tell.
+   */
+  counted: PartOfStep | null;
   designed: StepReport;
   /**
    * The last step that was sent: when this one was made, the next ones up to it are in doubt, too.
@@ -620,6 +633,35 @@ export interface Doubt {
    * Index of the wire, from 0.
    */
   wire: number;
+}
+/**
+ * How much of a step is in the wire, in canonical signs. What it bends counts for nothing: a bend is made from its beginning.
+ */
+export interface PartOfStep {
+  /**
+   * Fed, mm.
+   */
+  feed_mm: number;
+  /**
+   * Turned, degrees.
+   */
+  rotate_deg: number;
+}
+/**
+ * What can be said of where the head stands, degrees from where its cable is unwound.
+ */
+export interface HeadAsked {
+  /**
+   * Where it was left; null where nobody knows.
+   */
+  left_at_deg: number | null;
+  /**
+   * The least and the most.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  range_deg: [number, number];
 }
 /**
  * A setting of the machine against what the driver's settings say.
@@ -2475,7 +2517,7 @@ export interface Record {
    */
   corners_mm: [number, number, number][];
   /**
-   * What a person said of steps that nobody knew of, in order.
+   * What was said of steps that were in doubt, in order.
    */
   decisions: Decision[];
   /**
@@ -2502,7 +2544,7 @@ export interface Record {
   started: string;
 }
 /**
- * What a person said of a step.
+ * What was said of a step in doubt: by a person, or by the machine where it could tell how far it was.
  */
 export interface Decision {
   /**
@@ -2514,9 +2556,27 @@ export interface Decision {
    */
   made: boolean;
   /**
+   * How much of it was in the wire, where it was made in part; its rest was made then.
+   */
+  part: PartInWire | null;
+  /**
    * The step.
    */
   step: number;
+}
+/**
+ * How much of a step was in the wire, in the machine's signs.
+ */
+export interface PartInWire {
+  by: ToldBy;
+  /**
+   * Fed, mm.
+   */
+  feed_mm: number;
+  /**
+   * Turned, degrees.
+   */
+  rotate_deg: number;
 }
 /**
  * A stop or a failure.

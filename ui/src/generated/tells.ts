@@ -86,7 +86,7 @@ export type Phase =
 /**
  * What a question is about.
  */
-export type QuestionKind = "move" | "arm" | "go-on" | "doubt" | "settings";
+export type QuestionKind = "move" | "arm" | "go-on" | "doubt" | "head" | "settings";
 /**
  * Something that happened on a machine, or is about to.
  */
@@ -175,6 +175,9 @@ export type Answer =
   | "as-counted"
   | {
       part: PartOfStep;
+    }
+  | {
+      head: number;
     };
 /**
  * One axis by an amount, in canonical signs, or the search for the reference.
@@ -343,6 +346,10 @@ export interface Question {
    */
   doubt: Doubt | null;
   /**
+   * What can be said of where the head stands, where it is about that.
+   */
+  head: HeadAsked | null;
+  /**
    * Its number, for the answer.
    */
   id: number;
@@ -396,6 +403,22 @@ export interface PartOfStep {
    * Turned, degrees.
    */
   rotate_deg: number;
+}
+/**
+ * What can be said of where the head stands, degrees from where its cable is unwound.
+ */
+export interface HeadAsked {
+  /**
+   * Where it was left; null where nobody knows.
+   */
+  left_at_deg: number | null;
+  /**
+   * The least and the most.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  range_deg: [number, number];
 }
 /**
  * A setting of the machine against what the driver's settings say.

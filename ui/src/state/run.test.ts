@@ -60,7 +60,7 @@ describe("hearOperator", () => {
   });
 
   it("shows a question until it is answered, whoever answers it, and not one that another has replaced", () => {
-    hearOperator({ event: "question", id: 7, kind: "move", lines: [], question: "May it move?", doubt: null });
+    hearOperator({ event: "question", id: 7, kind: "move", lines: [], question: "May it move?", doubt: null, head: null });
     expect(useRun.getState().question?.id).toBe(7);
     hearOperator({ event: "answered", id: 6, answer: "no" });
     expect(useRun.getState().question?.id).toBe(7);
@@ -69,7 +69,7 @@ describe("hearOperator", () => {
   });
 
   it("takes the question that a state has, and that it has none", () => {
-    const question: Question = { id: 8, kind: "arm", lines: ["5 steps"], question: "Arm?", doubt: null };
+    const question: Question = { id: 8, kind: "arm", lines: ["5 steps"], question: "Arm?", doubt: null, head: null };
     hearOperator({ event: "state", ...state({ question }) });
     expect(useRun.getState().question?.id).toBe(8);
     hearOperator({ event: "state", ...state({ question: null }) });

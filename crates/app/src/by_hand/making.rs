@@ -35,6 +35,7 @@ pub(super) fn make(
     };
     let mut connection = app.connect(&at, progress)?;
     require(&connection, moves)?;
+    connection.settle_head(hand.head_at_deg, hand.confirmed)?;
     // It counts every move from its reference.
     let homes = connection.session.state() != State::Homed
         && moves.first() != Some(&Move::Home)
@@ -119,6 +120,7 @@ pub(crate) fn lines(
     if homes && connection.reference() == ReferenceBy::Machine {
         lines.push("first it searches its reference: the bend axis moves at once".to_owned());
     }
+    lines.extend(connection.head_lines(homes || moves.first() == Some(&Move::Home)));
     let told: Vec<String> = moves.iter().take(TOLD).map(ToString::to_string).collect();
     let more = moves.len().saturating_sub(TOLD);
     let more = if more > 0 { format!(" and {more} more") } else { String::new() };
@@ -153,6 +155,9 @@ fn make_one(
     armed: &mut Option<Armed>,
     yes: &Yes,
 ) -> Result<(), LiveProblem> {
+    if let Move::Rotate { deg } = one {
+        connection.require_turn(deg)?;
+    }
     let Some(motion) = signs.motion(one) else {
         // A search for the reference ends what the machine was armed for.
         *armed = None;

@@ -37,6 +37,10 @@ pub struct JogRequest {
     /// switches. It counts once.
     #[serde(default)]
     pub axes_at_zero: bool,
+    /// Where the head stands, degrees from where its cable is unwound, as a person has seen it; absent, it stands where it
+    /// was left, and where nobody knows that, a person is asked.
+    #[serde(default)]
+    pub head_at_deg: Option<f64>,
     /// A file for the moves that were made, to be replayed.
     pub record: Option<Output>,
 }
@@ -58,6 +62,10 @@ pub struct ReplayRequest {
     /// once.
     #[serde(default)]
     pub axes_at_zero: bool,
+    /// Where the head stands, degrees from where its cable is unwound, as a person has seen it; absent, it stands where it
+    /// was left, and where nobody knows that, a person is asked.
+    #[serde(default)]
+    pub head_at_deg: Option<f64>,
 }
 
 /// What was moved.
@@ -98,7 +106,8 @@ pub(crate) fn jog(app: &App, request: &JogRequest, progress: &dyn Progress) -> R
     let machine = app.library.machine(&request.machine)?;
     let (confirmed, axes_at_zero) = (request.confirmed, request.axes_at_zero);
     let zero = Zero::Moves;
-    let hand = Hand { port: request.port.as_deref(), confirmed, axes_at_zero, zero };
+    let head_at_deg = request.head_at_deg;
+    let hand = Hand { port: request.port.as_deref(), confirmed, axes_at_zero, head_at_deg, zero };
     let mut response = make(app, &machine, &hand, &request.moves, Vec::new(), progress)?;
     if let Some(output) = &request.record {
         if response.made.is_empty() {
@@ -124,7 +133,8 @@ pub(crate) fn replay(
     let lines = other_machine(&name, &file, &machine, request.machine.is_some())?;
     let (confirmed, axes_at_zero) = (request.confirmed, request.axes_at_zero);
     let zero = Zero::Wire;
-    let hand = Hand { port: request.port.as_deref(), confirmed, axes_at_zero, zero };
+    let head_at_deg = request.head_at_deg;
+    let hand = Hand { port: request.port.as_deref(), confirmed, axes_at_zero, head_at_deg, zero };
     make(app, &machine, &hand, &file.moves, lines, progress)
 }
 
@@ -161,6 +171,7 @@ struct Hand<'a> {
     port: Option<&'a str>,
     confirmed: bool,
     axes_at_zero: bool,
+    head_at_deg: Option<f64>,
     /// What the moves count from.
     zero: Zero,
 }

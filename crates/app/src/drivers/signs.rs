@@ -46,12 +46,17 @@ impl Signs {
 
     /// How much of a step is in the wire, as the machine counts it.
     pub fn part(self, part: Part) -> PartOfStep {
-        PartOfStep { feed_mm: part.feed_mm, rotate_deg: part.rotate_deg * factor(self.0.rotate) }
+        PartOfStep { feed_mm: part.feed_mm, rotate_deg: self.head(part.rotate_deg) }
     }
 
     /// How much of a step is in the wire as a person says it, as the machine counts it.
     pub fn told_part(self, part: PartOfStep) -> Part {
-        Part { feed_mm: part.feed_mm, rotate_deg: part.rotate_deg * factor(self.0.rotate) }
+        Part { feed_mm: part.feed_mm, rotate_deg: self.head(part.rotate_deg) }
+    }
+
+    /// How far a head is turned, from canonical signs to the machine's or back.
+    pub fn head(self, deg: f64) -> f64 {
+        deg * factor(self.0.rotate)
     }
 
     /// A place on a wire that was made with the machine's signs, in the frame of the turtle that starts it.

@@ -6,9 +6,10 @@ use wirebend_driver_host::api::{Capability, Direction, Event, ReferenceBy, Setti
 use wirebend_driver_host::{OpenDriver, Session, Standstill, State, StopLine, StopOutcome};
 use wirebend_profile::MachineProfile;
 
-use super::LiveProblem;
+use super::head::Known;
 use super::person::{Yes, Zero};
 use super::under_way::wait_until_it_stands;
+use super::{LiveProblem, head};
 use crate::drivers::{Signs, opened};
 use crate::{App, AppError, News, NoteReport, Progress};
 
@@ -62,12 +63,16 @@ pub(crate) struct Connection<'a> {
 /// Who hears of a machine, and what has to be kept of it.
 pub(crate) struct Hearing<'a> {
     pub progress: &'a dyn Progress,
-    signs: Signs,
+    pub(super) signs: Signs,
     pub warnings: Vec<NoteReport>,
     /// What the machine last said of its settings.
     pub settings: Vec<SettingCheck>,
     /// A person has said that every axis stands at zero. It counts once, and not after a move.
     at_zero: bool,
+    /// What that was said for.
+    zero_for: Zero,
+    /// What is kept of the head; nothing of a simulated machine's.
+    pub(super) head: Option<Known>,
 }
 
 impl Drop for Hearing<'_> {
@@ -116,6 +121,8 @@ impl App {
             warnings: Vec::new(),
             settings: Vec::new(),
             at_zero: at.axes_at_zero,
+            zero_for: Zero::Wire,
+            head: None,
         };
         let unnamed = at.port.is_none();
         let wire_used = false;
@@ -129,6 +136,7 @@ impl App {
             }
             .into());
         }
+        self.know_head(at.profile, &mut connection);
         Ok(connection)
     }
 }
@@ -232,13 +240,21 @@ impl<'a> Connection<'a> {
     /// does not ask again.
     pub fn ask_zero(&mut self, wanted: Zero) -> Result<(), LiveProblem> {
         let by_hand = self.reference() == ReferenceBy::Person;
-        self.hearing.at_zero = by_hand && self.hearing.said_zero(wanted)?;
+        if by_hand {
+            self.hearing.said_zero(&self.session, wanted)?;
+            self.zero_was_said(wanted)?;
+        }
         Ok(())
     }
 
     /// The same where they were asked otherwise.
-    pub const fn zero_was_said(&mut self) {
-        self.hearing.at_zero = true;
+    pub fn zero_was_said(&mut self, wanted: Zero) -> Result<(), LiveProblem> {
+        (self.hearing.at_zero, self.hearing.zero_for) = (true, wanted);
+        if wanted == Zero::Wire {
+            // Its head is one of the axes.
+            self.session.head_stands_at(0.0, &Yes::where_nothing_moves().confirmed()?)?;
+        }
+        Ok(())
     }
 
     /// Lets the machine find its reference.
@@ -295,6 +311,7 @@ fn heard(
 
 /// Lets the machine find its reference.
 pub(crate) fn home(session: &mut Session, hearing: &mut Hearing, yes: &Yes) -> Result<(), LiveProblem> {
+    let mut wanted = Zero::Wire;
     match session.reference() {
         ReferenceBy::Machine => {
             hearing.progress.stage("homing");
@@ -302,7 +319,9 @@ pub(crate) fn home(session: &mut Session, hearing: &mut Hearing, yes: &Yes) -> R
             tracing::info!("homing");
         }
         ReferenceBy::Person => {
-            hearing.said_zero(Zero::Wire)?;
+            // What was asked before is what it was said for.
+            wanted = if hearing.at_zero { hearing.zero_for } else { Zero::Wire };
+            hearing.said_zero(session, wanted)?;
             hearing.progress.stage("setting zero");
             tracing::info!("a person has said that every axis stands at zero");
         }
@@ -315,6 +334,9 @@ pub(crate) fn home(session: &mut Session, hearing: &mut Hearing, yes: &Yes) -> R
     // How long it may search the driver knows.
     while session.state() != State::Homed {
         look_until_held(session, hearing, "it searched its reference")?;
+    }
+    if session.reference() == ReferenceBy::Person && wanted == Zero::Wire {
+        session.head_is_zeroed(&yes.confirmed()?)?;
     }
     Ok(())
 }
@@ -345,16 +367,18 @@ impl Hearing<'_> {
         self.at_zero = false;
     }
 
-    /// A person's word that every axis stands at zero: what they have said before counts once.
-    fn said_zero(&mut self, wanted: Zero) -> Result<bool, LiveProblem> {
-        if std::mem::take(&mut self.at_zero) {
-            return Ok(true);
+    /// A person's word that every axis stands at zero: what they have said before counts once, and not for a head that was
+    /// left elsewhere, which they may not have thought of.
+    fn said_zero(&mut self, session: &Session, wanted: Zero) -> Result<(), LiveProblem> {
+        let contradicted = head::contradiction(session, self).filter(|_| wanted == Zero::Wire);
+        if std::mem::take(&mut self.at_zero) && contradicted.is_none() {
+            return Ok(());
         }
-        self.progress.news(&News::About { lines: wanted.lines() });
+        self.progress.news(&News::About { lines: head::zero_lines(session, self, wanted) });
         match self.progress.confirm(wanted.question()) {
-            Some(true) => Ok(true),
+            Some(true) => Ok(()),
             Some(false) => Err(LiveProblem::Declined),
-            None => Err(LiveProblem::ZeroNotConfirmed),
+            None => Err(contradicted.unwrap_or(LiveProblem::ZeroNotConfirmed)),
         }
     }
 

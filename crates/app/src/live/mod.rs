@@ -1,6 +1,7 @@
 //! Live machines: from a profile and a port to a machine that has answered, and a person's word before it moves.
 
 mod connect;
+mod head;
 mod news;
 mod person;
 mod problem;
@@ -8,6 +9,8 @@ mod standstill;
 mod under_way;
 
 pub(crate) use connect::{At, Connection, Hearing, PAUSE, Unnamed, home, stop_of};
+pub use head::HeadProblem;
+pub(crate) use head::{HeadQuestion, QUESTION as HEAD_QUESTION};
 pub use news::{Decided, Decision, Doubt, News, PartOfStep};
 pub(crate) use person::{Yes, Zero};
 pub use problem::LiveProblem;

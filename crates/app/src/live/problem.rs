@@ -6,6 +6,7 @@ use wirebend_driver_host::api::{DriverError, PausedBy, SettingCheck};
 use wirebend_driver_host::jobs::{JobError, JournalError};
 use wirebend_driver_host::{SessionError, StoppedBy};
 
+use super::HeadProblem;
 use crate::{Doubt, ErrorKind};
 
 /// Why a machine does not move, or does not any more. The message says what to do.
@@ -35,6 +36,9 @@ pub enum LiveProblem {
         "nobody is here to say whether every axis stands at zero, which --yes alone does not say: this machine has no switches; bring the axes there, and say --axes-at-zero"
     )]
     ZeroNotConfirmed,
+    /// Where its head stands is against it.
+    #[error(transparent)]
+    Head(#[from] HeadProblem),
     /// A person has said no.
     #[error("nothing was moved")]
     Declined,
@@ -330,6 +334,7 @@ impl LiveProblem {
             | Self::FilesOnly { .. }
             | Self::NotConfirmed
             | Self::ZeroNotConfirmed
+            | Self::Head(_)
             | Self::NoWire { .. }
             | Self::Unfinished { .. }
             | Self::SeveralUnfinished { .. }
@@ -371,6 +376,7 @@ impl LiveProblem {
             Self::FilesOnly { .. } => "files-only",
             Self::NotConfirmed => "not-confirmed",
             Self::ZeroNotConfirmed => "zero-not-confirmed",
+            Self::Head(problem) => problem.code(),
             Self::Declined => "declined",
             Self::Stopped { .. } => "stopped",
             Self::Held { .. } => "held",

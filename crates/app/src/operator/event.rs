@@ -76,6 +76,17 @@ pub struct Question {
     pub question: String,
     /// The step that it is about, where nobody knows whether that was made.
     pub doubt: Option<Doubt>,
+    /// What can be said of where the head stands, where it is about that.
+    pub head: Option<HeadAsked>,
+}
+
+/// What can be said of where the head stands, degrees from where its cable is unwound.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct HeadAsked {
+    /// The least and the most.
+    pub range_deg: [f64; 2],
+    /// Where it was left; null where nobody knows.
+    pub left_at_deg: Option<f64>,
 }
 
 /// What a question is about.
@@ -90,6 +101,8 @@ pub enum QuestionKind {
     GoOn,
     /// Whether a step was made.
     Doubt,
+    /// Where the head stands.
+    Head,
     /// Whether settings may be written to the machine, for good.
     Settings,
 }

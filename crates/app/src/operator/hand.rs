@@ -54,6 +54,7 @@ impl Post<'_> {
             _ => by_hand && !homed,
         } && moves.first() != Some(&Move::Home)
             && connection.can_home();
+        self.settle_head(order, homes || moves.first() == Some(&Move::Home))?;
         let sets_zero = order == OrderName::Home && by_hand;
         let yes = if sets_zero {
             // Nothing moves for it.
@@ -106,8 +107,9 @@ impl Post<'_> {
     /// Asks whether every axis stands at zero, where a person brings them there: each time, whatever they have said before.
     pub fn ask_zero(&mut self, order: OrderName, wanted: Zero) -> Result<(), AppError> {
         if self.is_zeroed_by_hand() {
-            self.ask(QuestionKind::Move, wanted.lines(), wanted.question())?;
-            self.connected(order)?.zero_was_said();
+            let lines = self.connected(order)?.zero_lines(wanted);
+            self.ask(QuestionKind::Move, lines, wanted.question())?;
+            self.connected(order)?.zero_was_said(wanted)?;
         }
         Ok(())
     }

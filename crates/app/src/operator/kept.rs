@@ -156,6 +156,7 @@ mod tests {
             lines: Vec::new(),
             question: String::new(),
             doubt: None,
+            head: None,
         });
         kept.stop_begins();
         kept.withdraw();

@@ -32,7 +32,7 @@ use crate::by_hand::{MovesFile, profile_hash};
 use crate::output::Output;
 use crate::{App, AppError, Move, RunProblem};
 pub use error::OperatorError;
-pub use event::{OperatorEvent, OperatorListener, Question, QuestionKind};
+pub use event::{HeadAsked, OperatorEvent, OperatorListener, Question, QuestionKind};
 pub use order::{Answer, Order, OrderName};
 use shared::Shared;
 pub use state::{MachineState, Phase, WireState};

@@ -160,4 +160,6 @@ pub enum Answer {
     AsCounted,
     /// So much of it is in the wire: the rest is made.
     Part(PartOfStep),
+    /// The head stands here, degrees from where its cable is unwound.
+    Head(f64),
 }

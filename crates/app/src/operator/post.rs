@@ -15,7 +15,7 @@ use super::state::Phase;
 use super::unfinished::Unfinished;
 use super::wire::ArmedWire;
 use crate::drivers::Signs;
-use crate::live::{At, Connection, Unnamed, Yes, await_standstill};
+use crate::live::{At, Connection, HEAD_QUESTION, Unnamed, Yes, await_standstill};
 use crate::{App, AppError, LiveProblem, RunProblem};
 
 /// Between two looks at a machine that nobody has ordered anything of. A controller of the kit that waits for its next
@@ -308,18 +308,39 @@ impl<'a> Post<'a> {
     /// Asks a person, and watches the machine meanwhile.
     pub fn ask(&mut self, kind: QuestionKind, lines: Vec<String>, question: &str) -> Result<Yes, AppError> {
         self.shared.ask(kind, Some(lines.clone()), question, None);
-        let answer = loop {
+        if self.answer()? != Answer::Yes {
+            return Err(LiveProblem::Declined.into());
+        }
+        Ok(Yes::ask(self.shared, lines, question, true)?)
+    }
+
+    /// Where nobody knows where the head stands and the machine does not find it, a person says it before the search for
+    /// the reference, which turns it back.
+    pub fn settle_head(&mut self, order: OrderName, homes: bool) -> Result<(), AppError> {
+        let connection = self.connected(order)?;
+        if !homes && connection.can_home() {
+            return Ok(());
+        }
+        if let Some(question) = connection.head_question() {
+            self.shared.ask_for_head(question, HEAD_QUESTION);
+            match self.answer()? {
+                Answer::Head(deg) => self.connected(order)?.head_said(deg)?,
+                _ => return Err(LiveProblem::Declined.into()),
+            }
+        }
+        Ok(self.connected(order)?.require_head_unturned()?)
+    }
+
+    /// The answer to the open question.
+    fn answer(&mut self) -> Result<Answer, AppError> {
+        loop {
             if let Some(answer) = self.shared.answered(Some(IDLE)) {
-                break answer;
+                return Ok(answer);
             }
             if let Err(error) = self.look() {
                 self.shared.close_question();
                 return Err(error);
             }
-        };
-        if answer != Answer::Yes {
-            return Err(LiveProblem::Declined.into());
         }
-        Ok(Yes::ask(self.shared, lines, question, true)?)
     }
 }

@@ -11,10 +11,11 @@ use wirebend_driver_host::api::{Capability, ReferenceBy};
 use wirebend_driver_host::{StopHandle, StopOutcome};
 
 use super::error::OperatorError;
-use super::event::{OperatorEvent, OperatorListener, Question, QuestionKind};
+use super::event::{HeadAsked, OperatorEvent, OperatorListener, Question, QuestionKind};
 use super::kept::{Kept, Life};
 use super::order::{Answer, Order};
 use super::state::{MachineState, Phase};
+use crate::live::HeadQuestion;
 use crate::{Doubt, Move, RunProblem, Wish};
 
 /// A stop is over within a part of this: a driver that does not pass it on is ended.
@@ -70,19 +71,23 @@ impl Shared {
         let mut kept = self.lock();
         let open = kept.state.question.as_ref().filter(|open| open.id == id && kept.answer.is_none());
         let Some(open) = open else { return Err(OperatorError::NoQuestion { id }) };
-        let of_doubt = open.kind == QuestionKind::Doubt;
-        let fits = match answer {
-            Answer::No => true,
-            Answer::Yes => !of_doubt,
-            Answer::Made | Answer::NotMade | Answer::Part(_) => of_doubt,
-            Answer::AsCounted => open.doubt.as_ref().is_some_and(|doubt| doubt.counted.is_some()),
+        let within = |deg: f64| {
+            open.head.as_ref().is_some_and(|head| (head.range_deg[0]..=head.range_deg[1]).contains(&deg))
         };
-        if !fits {
-            let expected = if of_doubt {
-                "made, not-made, as-counted where it was, a part, or no when nobody knows"
-            } else {
-                "yes or no"
-            };
+        let counted = open.doubt.as_ref().is_some_and(|doubt| doubt.counted.is_some());
+        let (fits, expected) = match open.kind {
+            QuestionKind::Doubt => (
+                matches!(answer, Answer::Made | Answer::NotMade | Answer::Part(_))
+                    || (counted && answer == Answer::AsCounted),
+                "made, not-made, as-counted where it was, a part, or no when nobody knows",
+            ),
+            QuestionKind::Head => (
+                matches!(answer, Answer::Head(deg) if within(deg)),
+                "where the head stands, within the limits of its cable, or no when nobody knows",
+            ),
+            _ => (answer == Answer::Yes, "yes or no"),
+        };
+        if !fits && answer != Answer::No {
             return Err(OperatorError::WrongAnswer { id, expected });
         }
         kept.answer = Some(answer);
@@ -285,12 +290,24 @@ impl Shared {
         question: &str,
         doubt: Option<Doubt>,
     ) -> u64 {
+        let question = question.to_owned();
+        self.open(lines, |id, lines| Question { id, kind, lines, question, doubt, head: None })
+    }
+
+    /// Asks a person where the head stands.
+    pub fn ask_for_head(&self, about: HeadQuestion, question: &str) -> u64 {
+        let (kind, question) = (QuestionKind::Head, question.to_owned());
+        let HeadQuestion { lines, range, left_at: left_at_deg } = about;
+        let head = Some(HeadAsked { range_deg: range, left_at_deg });
+        self.open(Some(lines), |id, lines| Question { id, kind, lines, question, doubt: None, head })
+    }
+
+    fn open(&self, lines: Option<Vec<String>>, make: impl FnOnce(u64, Vec<String>) -> Question) -> u64 {
         let asked = {
             let mut kept = self.lock();
             kept.asked += 1;
             let told = std::mem::take(&mut kept.lines);
-            let lines = lines.unwrap_or(told);
-            let asked = Question { id: kept.asked, kind, lines, question: question.to_owned(), doubt };
+            let asked = make(kept.asked, lines.unwrap_or(told));
             kept.state.question = Some(asked.clone());
             // Whoever stops or leaves has answered.
             kept.answer =

@@ -49,7 +49,7 @@ impl Progress for Shared {
             Answer::NotMade => Some(Decision::NotMade),
             Answer::AsCounted => Some(Decision::AsCounted),
             Answer::Part(part) => Some(Decision::Part(part)),
-            Answer::Yes | Answer::No => None,
+            Answer::Yes | Answer::No | Answer::Head(_) => None,
         }
     }
 

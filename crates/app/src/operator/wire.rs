@@ -36,6 +36,8 @@ impl<'a> Post<'a> {
         let homes = self.homes_first();
         let connection = self.connected(OrderName::Arm)?;
         connection.require_settings(task.setup.machine_id(), accept_settings)?;
+        self.settle_head(OrderName::Arm, homes)?;
+        let connection = self.connected(OrderName::Arm)?;
         let lines = about(&task, connection, wire, true, homes)?;
         let question = "Is the wire in, and may the machine move once it is started?";
         let yes = self.ask(QuestionKind::Arm, lines, question)?;
@@ -104,6 +106,12 @@ impl<'a> Post<'a> {
             let connection = self.app.connect(&at, self.shared)?;
             self.is_connected(connection);
         }
+        // A machine that still is in the wire knows it itself.
+        let knows =
+            self.connection.as_ref().is_some_and(|connection| connection.session.going_on().is_some());
+        if !knows && !interrupted.is_made() {
+            self.settle_head(OrderName::ResumeRun, !self.at_reference)?;
+        }
         let taken_up = WireState::of(&task, wire, interrupted.name(), interrupted.made());
         self.shared.change(|state| state.wire = Some(taken_up));
         let not_now = OperatorError::NotNow { order: OrderName::ResumeRun, phase: state.phase };
@@ -151,6 +159,7 @@ impl<'a> Post<'a> {
             how,
             confirmed: false,
             axes_at_zero: false,
+            head_at_deg: None,
             accept_settings,
             record: None,
         };

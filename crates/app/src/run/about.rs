@@ -66,6 +66,7 @@ pub(crate) fn about(
                 .to_owned(),
         );
     }
+    lines.extend(connection.head_lines(homes));
     if homes {
         lines.push(first(connection.reference(), "the bend axis moves at once"));
     }

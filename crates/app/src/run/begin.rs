@@ -18,6 +18,7 @@ impl Task<'_> {
         wanted.iter().try_for_each(|&wire| self.require_clear(wire))?;
         let mut connection = self.app.connect(&self.at(None, Unnamed::Simulate), self.progress)?;
         connection.require_settings(self.setup.machine_id(), self.request.accept_settings)?;
+        connection.settle_head(self.request.head_at_deg, self.request.confirmed)?;
         let mut response = self.response();
         response.port = Some(connection.port.clone());
         response.identity = Some(connection.session.identity().to_owned());

@@ -39,6 +39,10 @@ pub struct RunRequest {
     /// once.
     #[serde(default)]
     pub axes_at_zero: bool,
+    /// Where the head stands, degrees from where its cable is unwound, as a person has seen it; absent, it stands where it
+    /// was left, and where nobody knows that, a person is asked.
+    #[serde(default)]
+    pub head_at_deg: Option<f64>,
     /// Whether to make wires although the machine's settings are not those of its profile.
     #[serde(default)]
     pub accept_settings: bool,

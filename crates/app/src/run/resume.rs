@@ -39,6 +39,11 @@ impl Interrupted {
         self.journal.account().heading.name.clone()
     }
 
+    /// Whether all of it is known to be made.
+    pub fn is_made(&self) -> bool {
+        self.made() == self.journal.account().heading.steps
+    }
+
     /// The last step that is known to be made.
     pub fn made(&self) -> u32 {
         self.journal.account().done
@@ -60,7 +65,11 @@ impl Task<'_> {
         let Some(interrupted) = self.interrupted(&mut response)? else { return Ok(response) };
         let (token, begun_at) = (interrupted.token(), interrupted.begun_at());
         let at = self.at(token.as_deref(), Unnamed::SimulateAgain(&begun_at));
-        let connection = self.app.connect(&at, self.progress)?;
+        let mut connection = self.app.connect(&at, self.progress)?;
+        // A machine that still is in the wire knows it itself.
+        if connection.session.going_on().is_none() && !interrupted.is_made() {
+            connection.settle_head(self.request.head_at_deg, self.request.confirmed)?;
+        }
         let (connection, ended) = self.go_on(connection, interrupted, true, decided, &mut response);
         ended?;
         if let Some(mut connection) = connection {

@@ -3,10 +3,10 @@
 use std::time::Instant;
 
 use serde_json::json;
-use wirebend_app::{Answer, Move, OperatorEvent, Order, Phase};
+use wirebend_app::{Answer, Move, News, OperatorEvent, Order, Phase, QuestionKind};
 
 use crate::board::Board;
-use crate::shop::Shop;
+use crate::shop::{Seat, Shop};
 
 /// The board is opened once, moved jog by jog, and left to one window at a time.
 #[test]
@@ -47,4 +47,87 @@ fn a_board_that_does_not_answer_is_let_go() {
     assert_eq!(seat.until_problem().0, "stopped");
     let failed = seat.until_phase(Phase::Failed);
     assert!(failed.problem.is_some());
+}
+
+fn at_rest(shop: &Shop, board: &Board) -> Seat {
+    let seat = shop.connect("wirebend-kit", Some(&board.port));
+    seat.until_phase(Phase::Connected);
+    seat
+}
+
+/// A board whose port is opened has forgotten where its head stands: the next window knows it, tells it, and has it turned
+/// back.
+#[test]
+fn where_the_head_was_left_is_known_to_the_next_window() {
+    let (shop, board) = (Shop::new(), Board::new(true));
+    let seat = at_rest(&shop, &board);
+    seat.order(&json!({"order": "home"}));
+    seat.says(Answer::Yes);
+    seat.until_phase(Phase::Ready);
+    seat.operator.order(Order::Jog { moves: vec![Move::Rotate { deg: 30.0 }], record: false }).unwrap();
+    seat.until(|event| matches!(event, OperatorEvent::Jogged { .. }).then_some(()));
+    // Its cable allows a turn.
+    seat.until_phase(Phase::Ready);
+    seat.operator.order(Order::Jog { moves: vec![Move::Rotate { deg: 331.0 }], record: false }).unwrap();
+    let (code, message) = seat.until_problem();
+    assert!(code == "head-too-far" && message.contains("361.0°"), "{message}");
+    seat.until_phase(Phase::Ready);
+    drop(seat);
+
+    let seat = at_rest(&shop, &board);
+    seat.order(&json!({"order": "home"}));
+    // Whoever has turned it by hand meanwhile says so.
+    let question = seat.says(Answer::Head(30.0));
+    assert!(question.lines[0].contains("left at 30.0°"), "{question:?}");
+    assert!((question.head.unwrap().left_at_deg.unwrap() - 30.0).abs() < 0.03);
+    let question = seat.says(Answer::Yes);
+    assert_eq!(question.kind, QuestionKind::Move);
+    let told = question.lines.join("\n");
+    assert!(told.contains("turned back to zero first") && told.contains("as you have said"), "{told}");
+    let stands = |event: &OperatorEvent| match event {
+        OperatorEvent::News(News::Position(position)) => Some(position.rotate_deg),
+        _ => None,
+    };
+    seat.until(|event| stands(event).filter(|deg| deg.abs() < 0.05));
+}
+
+/// Its record cannot be believed: a person looks, and what they say is counted. Nothing moves before that.
+#[test]
+fn where_nobody_knows_where_the_head_stands_a_person_is_asked() {
+    let (shop, board) = (Shop::new(), Board::new(true));
+    let seat = at_rest(&shop, &board);
+    seat.order(&json!({"order": "home"}));
+    seat.says(Answer::Yes);
+    seat.until_phase(Phase::Ready);
+    drop(seat);
+    std::fs::write(shop.head_record(), "damaged").unwrap();
+
+    let seat = at_rest(&shop, &board);
+    for order in [json!({"order": "home"}), json!({"order": "jog", "moves": [{"move": "home"}]})] {
+        seat.order(&order);
+        let question = seat.until_question();
+        let head = question.head.clone().unwrap();
+        assert_eq!((question.kind, head.range_deg), (QuestionKind::Head, [-360.0, 360.0]));
+        assert_eq!(head.left_at_deg, None);
+        assert!(question.lines[0].contains("damaged"), "{question:?}");
+        for wrong in [Answer::Yes, Answer::Head(361.0), Answer::Head(f64::NAN)] {
+            assert_eq!(
+                seat.operator.answer(question.id, wrong).unwrap_err().code(),
+                "wrong-answer",
+                "{wrong:?}"
+            );
+        }
+        seat.operator.answer(question.id, Answer::No).unwrap();
+        seat.until_phase(Phase::Connected);
+    }
+    seat.arm(&shop.cube("wirebend-kit"));
+    // Its settings are all zero.
+    assert_eq!(seat.until_problem().0, "settings-differ");
+    seat.until_phase(Phase::Connected);
+    seat.order(&json!({"order": "home"}));
+    seat.says(Answer::Head(-45.0));
+    let told = seat.says(Answer::Yes).lines.join("\n");
+    assert!(told.contains("left at -45.0°"), "{told}");
+    seat.until_phase(Phase::Ready);
+    assert!(std::fs::read_to_string(shop.head_record()).unwrap().contains("0.0"), "it stands at zero now");
 }

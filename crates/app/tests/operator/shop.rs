@@ -101,6 +101,7 @@ impl Shop {
             how,
             confirmed: true,
             axes_at_zero: false,
+            head_at_deg: None,
             accept_settings: false,
             record: None,
         };
@@ -116,6 +117,12 @@ impl Shop {
         let is_record = |path: &PathBuf| path.to_string_lossy().ends_with(".record.json");
         let file = found.find_map(|entry| Some(entry.unwrap().path()).filter(is_record)).unwrap();
         serde_json::from_slice(&std::fs::read(file).unwrap()).unwrap()
+    }
+
+    /// The only record of a head.
+    pub fn head_record(&self) -> PathBuf {
+        let mut found = std::fs::read_dir(self.folder.path().join("runs/heads")).unwrap();
+        found.next().unwrap().unwrap().path()
     }
 
     pub fn connect(&self, machine: &str, port: Option<&str>) -> Seat {

@@ -23,6 +23,9 @@ pub(crate) struct ZeroArgs {
     /// Say that every axis of a machine without switches stands at zero (for `jog`: where it counts from), instead of being asked; --yes does not say it
     #[arg(long)]
     pub axes_at_zero: bool,
+    /// Say where the head stands, in degrees from where its cable is unwound; needed where nobody knows it, as after a turn that was lost
+    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true)]
+    pub head_at: Option<f64>,
 }
 
 #[derive(Debug, Args)]

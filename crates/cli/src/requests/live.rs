@@ -26,6 +26,7 @@ pub(super) fn run(args: RunArgs) -> anyhow::Result<Request> {
         how,
         confirmed: at.yes,
         axes_at_zero: zero.axes_at_zero,
+        head_at_deg: zero.head_at,
         accept_settings,
         record: record.map(|path| Output { path, force }),
     }))
@@ -39,6 +40,7 @@ pub(super) fn jog(args: JogArgs) -> anyhow::Result<Request> {
         moves: moves(&words).map_err(WrongUse)?,
         confirmed: at.yes,
         axes_at_zero: zero.axes_at_zero,
+        head_at_deg: zero.head_at,
         record: record.map(|path| Output { path, force }),
     }))
 }
@@ -52,6 +54,7 @@ pub(super) fn replay(args: ReplayArgs) -> anyhow::Result<Request> {
         port: at.port,
         confirmed: at.yes,
         axes_at_zero: zero.axes_at_zero,
+        head_at_deg: zero.head_at,
     }))
 }
 

@@ -42,7 +42,8 @@ impl Board {
         tcsetattr(&cable, OptionalActions::Now, &raw).unwrap();
         let (sender, stopped) = channel();
         thread::spawn(move || {
-            let mut controller = Controller { answers, session: NO_SESSION, last: 0, line: Vec::new() };
+            let mut controller =
+                Controller { answers, session: NO_SESSION, last: 0, head: 0, line: Vec::new() };
             loop {
                 let patience = Timespec { tv_sec: 60, tv_nsec: 0 };
                 let ready = poll(&mut [PollFd::new(&machine, PollFlags::IN)], Some(&patience));
@@ -72,6 +73,8 @@ struct Controller {
     answers: bool,
     session: u16,
     last: u32,
+    /// Where it counts its head, steps.
+    head: i64,
     line: Vec<u8>,
 }
 
@@ -88,15 +91,23 @@ impl Controller {
         let Some((payload, _)) = line.rsplit_once('*').filter(|_| self.answers) else { return Vec::new() };
         let (letter, rest) = payload.split_at(1);
         let first: u32 = rest.split(',').next().and_then(|field| field.parse().ok()).unwrap_or_default();
+        let number =
+            |at| rest.split(',').nth(at).and_then(|field| field.parse::<i64>().ok()).unwrap_or_default();
+        let status = |head, last| vec![format!("t0,0,0,{head},0,{last},{last},0,0,1")];
         let answers = match letter {
             "S" => {
                 (self.session, self.last) = (u16::try_from(first).unwrap(), 0);
                 return vec![sealed(NO_SESSION, &format!("o{first},0,0,1,100,1,1"))];
             }
-            "Q" => vec![format!("t0,0,0,0,0,{},{},0,0,1", self.last, self.last)],
+            "Q" => status(self.head, self.last),
+            "Z" => {
+                self.head = number(0);
+                status(self.head, self.last)
+            }
             "C" => vec![format!("v{first},0")],
             "M" | "H" if first == self.last + 1 => {
                 self.last = first;
+                self.head += if letter == "M" { number(2) } else { 0 };
                 vec![format!("a{first},8"), format!("d{first}")]
             }
             "M" | "H" => vec![format!("a{},8", self.last)],

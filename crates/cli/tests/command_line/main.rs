@@ -16,6 +16,8 @@ mod driver_settings;
 mod driver_settings_inherited;
 mod drivers;
 mod drivers_refused;
+#[cfg(target_os = "linux")]
+mod heads;
 mod interrupted;
 #[cfg(target_os = "linux")]
 mod lost;

@@ -278,11 +278,10 @@ impl Session {
         self.head.by
     }
 
-    /// Whether [`Session::home`] is of no use before a person has said where the head stands.
+    /// Whether the machine counts its head from zero by itself, or finds that: nobody has to tell it where that stands.
     #[must_use]
-    pub fn has_lost_its_head(&self) -> bool {
-        let forgets = self.head.by != HeadBy::Reference && !self.head.counted;
-        forgets && matches!(self.head.place, HeadPlace::Between(..))
+    pub fn counts_its_head(&self) -> bool {
+        self.head.by == HeadBy::Reference || self.head.counted
     }
 
     /// A person has looked where the head stands, degrees from where its cable is unwound, in the machine's signs.

@@ -7,6 +7,7 @@
 mod at_port;
 mod bender;
 mod cube;
+mod head;
 mod interrupted;
 mod lost;
 mod refused;

@@ -89,8 +89,17 @@ impl Running {
     /// Waits for a moment of the job that it makes.
     #[track_caller]
     pub fn reached(&self, moment: &Receiver<()>) {
+        self.heard(moment);
+    }
+
+    /// Waits for something that is told of the job that it makes.
+    #[track_caller]
+    pub fn heard<T>(&self, tells: &Receiver<T>) -> T {
         let begun = Instant::now();
-        while moment.recv_timeout(LOOK).is_err() {
+        loop {
+            if let Ok(told) = tells.recv_timeout(LOOK) {
+                return told;
+            }
             let ended = self.ended.try_recv();
             assert!(ended.is_err() && begun.elapsed() < DEADLINE, "the job does not get there: {ended:?}");
         }

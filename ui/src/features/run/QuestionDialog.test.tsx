@@ -11,7 +11,7 @@ import { useRun } from "../../state/run";
 import { QuestionDialog } from "./QuestionDialog";
 
 const at = place();
-const question = (id: number, kind: Question["kind"]): Question => ({ id, kind, lines: [], question: "May it move?", doubt: null });
+const question = (id: number, kind: Question["kind"]): Question => ({ id, kind, lines: [], question: "May it move?", doubt: null, head: null });
 const told = { feed_mm: 222.8, rotate_deg: 90, bend_deg: 45 };
 const doubtful = (id: number, counted: Doubt["counted"]): Question => ({
   ...question(id, "doubt"),
@@ -82,6 +82,29 @@ it("offers nothing as counted where the machine cannot tell, and takes what is m
   for (const [field, text] of [[fed, "110.3"], [turned, "30"]] as const) if (field) type(field, text);
   press("Go on");
   expect(given()).toEqual([{ part: { feed_mm: 110.3, rotate_deg: 30 } }]);
+});
+
+it("takes where the head stands, once it was said, and nothing beyond its cable", () => {
+  useRun.setState({ question: { ...question(4, "head"), head: { range_deg: [-360, 360], left_at_deg: null } } });
+  at.show(<QuestionDialog />);
+  press("It stands there");
+  expect(answers()).toEqual([]);
+  const field = at.host.querySelector("input");
+  if (!field) throw new Error("no field");
+  type(field, "400");
+  press("It stands there");
+  expect(answers()).toEqual([]);
+  type(field, "-62.5");
+  press("It stands there");
+  expect(platform.ask.mock.calls).toEqual([["answer", { question: 4, answer: { head: -62.5 } }]]);
+});
+
+it("offers where the head was left, which is confirmed by one press", () => {
+  useRun.setState({ question: { ...question(5, "head"), head: { range_deg: [-360, 360], left_at_deg: 90 } } });
+  at.show(<QuestionDialog />);
+  expect(at.host.querySelector("input")?.value).toBe("90.0");
+  press("It stands there");
+  expect(platform.ask.mock.calls).toEqual([["answer", { question: 5, answer: { head: 90 } }]]);
 });
 
 it("lets any other question be answered at once", () => {

@@ -1,6 +1,9 @@
+import { useState } from "react";
 import { Button } from "../../shared/Button";
 import { Dialog } from "../../shared/Dialog";
-import { sentence } from "../../shared/format";
+import { Field } from "../../shared/Field";
+import { angle, sentence } from "../../shared/format";
+import { NumberField } from "../../shared/NumberField";
 import { useLengths } from "../../shared/unit";
 import { answer, useRun } from "../../state/run";
 import type { Question } from "../../state/operator";
@@ -12,12 +15,17 @@ const WORDS: Readonly<Record<Exclude<Question["kind"], "doubt">, readonly [strin
   arm: ["Arm the wire", "Do not arm", "Arm"],
   "go-on": ["The wire is about to go on", "Do not go on", "Go on"],
   settings: ["The machine's settings are about to be written", "Do not write", "Write"],
+  head: ["Look at the head", "I do not know", "It stands there"],
 };
 
 /** What the operator asks before anything moves. Esc does nothing: it has to be answered. */
 export function QuestionDialog() {
   const { question, ordering } = useRun();
   const { said } = useLengths();
+  // What was said to a question before is no answer to this one.
+  const [seen, setSeen] = useState<{ readonly question: number; readonly deg: number } | null>(null);
+  const [missing, setMissing] = useState<number | null>(null);
+  const stands = seen?.question === question?.id ? (seen?.deg ?? null) : (question?.head?.left_at_deg ?? null);
   if (!question) return null;
   const { id, kind, doubt } = question;
   if (doubt) return <DoubtDialog key={id} id={id} doubt={doubt} />;
@@ -32,9 +40,16 @@ export function QuestionDialog() {
           <Button data-first why={why} onClick={() => void answer(id, "no")}>
             {no}
           </Button>
-          <Button kind="primary" why={why} onClick={() => void answer(id, "yes")}>
-            {yes}
-          </Button>
+          {kind === "head" ? (
+            // It can be pressed with the field still being typed in: leaving that is what counts.
+            <Button kind="primary" why={why} onClick={() => (stands === null ? setMissing(id) : void answer(id, { head: stands }))}>
+              {yes}
+            </Button>
+          ) : (
+            <Button kind="primary" why={why} onClick={() => void answer(id, "yes")}>
+              {yes}
+            </Button>
+          )}
         </>
       }
     >
@@ -46,6 +61,28 @@ export function QuestionDialog() {
         </ul>
       )}
       <p className="question">{said(question.question)}</p>
+      {question.head && <HeadField range={question.head.range_deg} stands={stands} missing={missing === id && stands === null} onCommit={(deg) => setSeen({ question: id, deg })} />}
     </Dialog>
+  );
+}
+
+/** Where the head stands, as far as its cable allows. Empty until a person has looked. */
+function HeadField({
+  range: [least, most],
+  stands,
+  missing,
+  onCommit,
+}: {
+  readonly range: readonly [number, number];
+  readonly stands: number | null;
+  /** It was to be said without a number. */
+  readonly missing: boolean;
+  readonly onCommit: (deg: number) => void;
+}) {
+  const within = `from ${angle(least)} to ${angle(most)}`;
+  return (
+    <Field label="It stands at" hint={sentence(within)} error={missing ? `Say a number ${within}, or that you do not know.` : null}>
+      {(ids) => <NumberField {...ids} kind="angle" label="It stands at" value={stands} min={least} max={most} onCommit={onCommit} />}
+    </Field>
   );
 }

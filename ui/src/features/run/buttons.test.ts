@@ -14,7 +14,7 @@ describe("buttons", () => {
   });
 
   it("waits for an answer, and for the end of an order", () => {
-    const question = { id: 1, kind: "arm" as const, lines: [], question: "", doubt: null };
+    const question = { id: 1, kind: "arm" as const, lines: [], question: "", doubt: null, head: null };
     expect(buttons({ ...state("ready"), busy: true, question }, READY).jog).toBe("Answer the question first.");
     expect(buttons({ ...state("connected"), busy: true }, READY).home).toBe("Wait until the machine is done.");
     expect(buttons({ ...state("making"), busy: true }, READY).home).toBe("A wire is being made.");

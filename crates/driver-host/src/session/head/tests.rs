@@ -32,6 +32,7 @@ fn connected(head: HeadBy) -> Event {
         homed: false,
         going_on: None,
         reference: ReferenceBy::Machine,
+        done_by: wirebend_driver_api::DoneBy::Machine,
         head,
     }
 }

@@ -22,6 +22,8 @@ const BEND_AT_DEG: i32 = -30;
 const SWITCH_DEG: i32 = -160;
 /// How far the axis itself can go: to the switch and a little on.
 const AXIS_LIMIT_DEG: f64 = 162.0;
+/// How far the head's cable lets it turn either way: that of the profile.
+const HEAD_LIMIT_DEG: f64 = 360.0;
 /// Width of the servo's pulse with the peg out, µs: that of the profile.
 const PEG_OUT_US: u16 = 2000;
 
@@ -83,6 +85,7 @@ impl<B: Board> Bender<B> {
         let scale = gears.scale();
         let head = Head { axis_limit_deg: AXIS_LIMIT_DEG, ..Head::PUBLISHED };
         let bench = Bench::new(head, Wire::PUBLISHED, scale, Compliance::published().unwrap()).unwrap();
+        let bench = bench.with_head_limit(HEAD_LIMIT_DEG).unwrap();
         let steps = |deg: i64| (2 * deg * i64::from(gears.bend_steps_per_turn) + 360).div_euclid(720); // the nearest
         let mut bender = Self {
             board: B::new(),

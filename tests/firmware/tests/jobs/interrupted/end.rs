@@ -23,6 +23,8 @@ pub struct Went {
     pub off_mm: f64,
     pub told: String,
 }
+/// A step of the head's motor.
+const HEAD_STEP_DEG: f64 = 360.0 / 1646.0;
 
 /// What the machine has made of a job, by its pulses alone.
 struct Truth {
@@ -63,9 +65,19 @@ impl Case {
             "{} lines are made, {known} known",
             truth.whole
         );
+        // Where the head stands only the machine knows where nobody was told of it, and only as long as it has its power.
+        let lost = match self.what {
+            What::Stopped => false,
+            What::ControllerReset | What::PowerLost => true,
+            What::DriverKilled | What::ProgramKilled | What::CablePulled => self.reset_on_open,
+        };
+        let stands = f64::from(i32::try_from(net(&made, Axis::Rotate)).unwrap()) * HEAD_STEP_DEG;
+        let said = format!("--head-at={stands}");
         let resume = |answer: &str| {
             let file = job.file.to_str().unwrap();
-            job.shop.ran(runs, &["run", file, "--port", &at.port, "--yes", answer])
+            let mut arguments = vec!["run", file, "--port", &at.port, "--yes", answer];
+            arguments.extend(lost.then_some(said.as_str()));
+            job.shop.ran(runs, &arguments)
         };
         let keeps = matches!(self.what, What::ProgramKilled | What::CablePulled);
         let went = if keeps && !self.reset_on_open {
