@@ -51,8 +51,8 @@ describe("the list of checks", () => {
 
   it("counts each place in its phrase", () => {
     expect(phraseOf(all, true, false)).toEqual({ phrase: "3 to fix", tone: "error" });
-    expect(phraseOf(check([near]), true, false)).toEqual({ phrase: "1 to look at, else within the machine's limits; collisions not checked", tone: "warning" });
-    expect(phraseOf(check([]), true, false)).toEqual({ phrase: "within the machine's limits; collisions not checked", tone: "fine" });
+    expect(phraseOf(check([near]), true, false)).toEqual({ phrase: "1 to look at; no collision check", tone: "warning" });
+    expect(phraseOf(check([]), true, false)).toEqual({ phrase: "in limits; no collision check", tone: "fine" });
     expect(phraseOf(null, false, false).phrase).toBe("no machine chosen");
     expect(phraseOf(check([]), true, true).phrase).toBe("nothing to check yet");
   });

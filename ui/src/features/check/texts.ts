@@ -1,5 +1,5 @@
 import type { DiagnosticReport, LiveCheck } from "../../generated/responses";
-import { angle, count, type DisplayUnit, LIMITS_ONLY, length, number, sentence } from "../../shared/format";
+import { angle, count, type DisplayUnit, length, number, sentence } from "../../shared/format";
 import type { Tone } from "../../shared/Mark";
 import { isCompensated } from "../viewport/marks";
 
@@ -119,6 +119,9 @@ function many(check: LiveCheck, severity: DiagnosticReport["severity"]): number 
   return check.diagnostics.filter((report) => report.severity === severity).length;
 }
 
+/** As short as the head of a section is narrow. */
+const NOT_CHECKED = "no collision check";
+
 /** The state of the checks in a phrase. */
 export function phraseOf(check: LiveCheck | null, machine: boolean, empty: boolean): { phrase: string; tone: Tone | null } {
   if (empty) return { phrase: "nothing to check yet", tone: null };
@@ -127,8 +130,8 @@ export function phraseOf(check: LiveCheck | null, machine: boolean, empty: boole
   const errors = many(check, "error");
   if (errors > 0) return { phrase: `${errors} to fix`, tone: "error" };
   const warnings = many(check, "warning");
-  if (warnings > 0) return { phrase: `${warnings} to look at, else ${LIMITS_ONLY}`, tone: "warning" };
-  return check.feasible ? { phrase: LIMITS_ONLY, tone: "fine" } : { phrase: "cannot be made", tone: "error" };
+  if (warnings > 0) return { phrase: `${warnings} to look at; ${NOT_CHECKED}`, tone: "warning" };
+  return check.feasible ? { phrase: `in limits; ${NOT_CHECKED}`, tone: "fine" } : { phrase: "cannot be made", tone: "error" };
 }
 
 /** What was checked and is fine: only what the figures show to have been checked, of all wires. */
