@@ -60,7 +60,8 @@ async function goOn(): Promise<void> {
       await until(async () => (await state()).question !== null || GONE_ON.has((await state()).phase)).toBe(true);
       continue;
     }
-    await dialog().getByRole("button", { name: question.kind === "doubt" ? "It was not made" : "Go on", exact: true }).click();
+    if (question.kind === "doubt") await dialog().getByText("None of it", { exact: true }).click();
+    await dialog().getByRole("button", { name: "Go on", exact: true }).click();
     await until(async () => (await state()).question?.id !== question.id).toBe(true);
   }
 }
@@ -215,6 +216,45 @@ it("makes a wire from the first step to the last, and keeps a record of it", asy
   expect(first).toMatch(new RegExp(`House[^]*5 steps made · worst vertex ${worst} mm`));
   expect(second).toMatch(/5 steps made[^]*2 interruptions/);
   await editor.isCleanNow("run-made");
+});
+
+it("asks how much of a step is in the wire that was stopped in its feed, and makes the rest", async () => {
+  await button("Disconnect").click();
+  // Slow enough to be met in a feed.
+  await editor.loopback.ask("connect", { port: "sim:3" });
+  await stands("connected");
+  await arm();
+  await button("Start").click();
+  await until(async () => {
+    const { phase, position } = await state();
+    return phase === "making" && (position?.feed_mm ?? 0) > 3;
+  }).toBe(true);
+  await editor.page.keyboard.press("Control+Space");
+  await stands("stopped");
+  expect((await state()).unfinished).toMatchObject({ made: 0, in_doubt: [1, 1] });
+  await button("Resume…").click();
+  await dialog().getByRole("heading", { name: "Look at the wire" }).waitFor();
+  const counted = (await state()).question?.doubt?.counted;
+  const whole = (await state()).question?.doubt?.told.feed_mm ?? NaN;
+  expect(counted?.feed_mm).toBeGreaterThan(3);
+  expect(counted?.feed_mm).toBeLessThan(whole);
+  // The wire is seen with what is made of the step.
+  await editor.page.locator(".timeline-step", { hasText: /step 1 \/ 5/ }).waitFor();
+  await dialog().getByText("Measured", { exact: true }).click();
+  await dialog().getByText("How to tell").click();
+  await editor.isClean("run-doubt");
+  await dialog().getByText("As counted", { exact: true }).click();
+  await dialog().getByText("may have lost steps as it stopped").waitFor();
+  await dialog().getByRole("button", { name: "Go on", exact: true }).click();
+  await dialog().getByText("Step 1 was stopped in its middle").waitFor();
+  await editor.isCleanNow("run-rest");
+  await dialog().getByRole("button", { name: "Go on", exact: true }).click();
+  await until(async () => (await state()).phase).toBe("making");
+  await editor.page.keyboard.press("Control+Space");
+  await stands("stopped");
+  await button("Give up…").click();
+  await button("Give it up").click();
+  await run().getByRole("group", { name: "Interrupted wire" }).waitFor({ state: "detached" });
 });
 
 it("tells of an interrupted wire after a crash, and gives it up when that is said twice", async () => {

@@ -67,7 +67,7 @@ fn killed_in_a_bend(folder: &tempfile::TempDir, bender: &Bender) {
 #[test]
 fn a_port_is_not_opened_while_the_machine_may_be_in_a_bend() {
     for arguments in [
-        &["run", "a.wbjob", "--yes", "--axes-at-zero", "--resume=made"][..],
+        &["run", "a.wbjob", "--yes", "--axes-at-zero", "--resume"][..],
         &["jog", "-m", "quick", "--yes", "--axes-at-zero", "f", "1"],
     ] {
         let (folder, bender) = bench();

@@ -55,7 +55,7 @@ impl Session {
                 if after > steps || !rotate_at_deg.is_finite() {
                     return Err(SessionError::Steps { sent: after, total: steps });
                 }
-                if after > 0 && self.driver.minor() == 0 {
+                if (after > 0 || rotate_at_deg != 0.0) && self.driver.minor() == 0 {
                     let driver = self.driver.description().id.clone();
                     return Err(SessionError::TooOld { driver, after });
                 }

@@ -14,6 +14,10 @@ use crate::bender::{Bender, net};
 use crate::interrupted::{GEARS, Job, coarse};
 use crate::shop::{DEADLINE, shared};
 
+/// Half a step of the feed's motor, mm, and of the head's, degrees, which is the longer one of the two that turn.
+const HALF_A_STEP: f64 = 0.5 / GEARS.feed_steps_per_mm;
+const HALF_A_TURN_STEP: f64 = 0.11;
+
 /// A step that takes seconds on each axis; bends to the negative side.
 const STEP: Step = Step { feed_mm: 400.0, rotate_deg: 200.0, bend_deg: -120.0 };
 
@@ -123,10 +127,11 @@ impl Making {
     fn part_is_counted(&self, what: &str) {
         let Some((1, Some(part), false)) = self.part() else { panic!("{what}: {:?}", self.part()) };
         let counted = self.counted();
-        let apart = |a: f64, b: f64| (a - b).abs() < 0.05;
-        let same = apart(part.feed_mm, counted.feed_mm)
-            && apart(part.rotate_deg, counted.rotate_deg)
-            && apart(part.bend_deg, counted.bend_deg);
+        // Half a motor step: what the motors have made of their whole steps is told of the step.
+        let apart = |a: f64, b: f64, most: f64| (a - b).abs() < most;
+        let same = apart(part.feed_mm, counted.feed_mm, HALF_A_STEP)
+            && apart(part.rotate_deg, counted.rotate_deg, HALF_A_TURN_STEP)
+            && apart(part.bend_deg, counted.bend_deg, HALF_A_TURN_STEP);
         assert!(same, "{what}: told {part:?}, made {counted:?}");
     }
 
@@ -189,7 +194,7 @@ fn a_stop_at_rest_tells_exactly_how_far_the_step_is() {
     making.until(|event| matches!(event, Event::Stopped { .. }));
     let Some((1, Some(part), true)) = making.part() else { panic!("{:?}", making.part()) };
     let counted = making.counted();
-    assert!((part.feed_mm - counted.feed_mm).abs() < 0.01, "told {part:?}, made {counted:?}");
+    assert!((part.feed_mm - counted.feed_mm).abs() < HALF_A_STEP, "told {part:?}, made {counted:?}");
 }
 
 /// The head counts from where the wire begins, and the feed from where the step does.
@@ -208,7 +213,7 @@ fn a_stop_in_a_later_step_tells_of_that_step_alone() {
     making.until(|event| matches!(event, Event::Stopped { .. }));
     let Some((2, Some(part), false)) = making.part() else { panic!("{:?}", making.part()) };
     let fed = making.counted().feed_mm - before.feed_mm;
-    assert!((part.feed_mm - fed).abs() < 0.05 && part.rotate_deg == 0.0, "{part:?}, fed {fed}");
+    assert!((part.feed_mm - fed).abs() < HALF_A_STEP && part.rotate_deg == 0.0, "{part:?}, fed {fed}");
 }
 
 /// A controller that was reset counts from zero: nothing of where it stood is told as if it knew.

@@ -78,7 +78,7 @@ export function DoubtDialog({ id, doubt }: { readonly id: number; readonly doubt
       </p>
       <details>
         <summary>How to tell</summary>
-        <ol className="small">
+        <ol className="how-to-tell small">
           {Math.abs(told.bend_deg) > NOTHING && <li>Count the bends. Where the bend of this step is among them, all of it is made.</li>}
           <li>Measure how far the last bend is from where it was made: that is what was fed of this step.</li>
           <li>See how far the head stands from where the step began: that is what was turned.</li>

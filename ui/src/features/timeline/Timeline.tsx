@@ -7,6 +7,7 @@ import { machineSeconds, stepOf } from "../../state/clock";
 import { useDesign } from "../../state/design";
 import { back, forward, reset, scrub, useSpeeds } from "../../state/player";
 import { goTo, makeProgram, showDesignAgain, togglePlay, usePlayback, useProgram, useStale } from "../../state/program";
+import { useRun } from "../../state/run";
 import { namedSteps, spoken } from "../animate/steps";
 import { Track } from "./Track";
 import "./timeline.css";
@@ -17,6 +18,7 @@ const LIVE = "A machine is making the wire.";
 export function Timeline() {
   const { program, wire, asking } = useProgram();
   const { played, step, playing, live } = usePlayback();
+  const inDoubt = useRun((run) => run.question?.doubt != null);
   const stale = useStale();
   const speeds = useSpeeds();
   const { length } = useLengths();
@@ -62,7 +64,7 @@ export function Timeline() {
       {byHand === null ? (
         <>
           <span className="timeline-step">
-            {live ? "making · " : ""}step {at + 1} / {total} · {percent(total > 0 ? step / total : 0)}
+            {live ? (inDoubt ? "stopped · " : "making · ") : ""}step {at + 1} / {total} · {percent(total > 0 ? step / total : 0)}
           </span>
           <span className="timeline-time muted">{time(machineSeconds(one.steps.map((each) => each.seconds), step))}</span>
         </>

@@ -4,7 +4,9 @@ use std::fs;
 use std::path::PathBuf;
 
 use tempfile::TempDir;
+use wirebend_driver_api::Step;
 
+use super::entry::VERSION;
 use super::*;
 use crate::jobs::Standing;
 
@@ -27,11 +29,21 @@ fn story() -> Vec<What> {
         What::Done { n: 1 },
         What::Paused,
         What::Resumed,
-        What::Fault { error, in_doubt: Some(2) },
+        What::Fault { error: error.clone(), in_doubt: None },
         What::Stopped { by: None },
         What::Standstill { confirmed: false },
         What::Connected { identity: "kit 1.0".into(), going_on: None },
         What::Decided { n: 2, made: true },
+        What::Decided { n: 3, made: false },
+        What::Armed { token: None, after: 2, going_on: false },
+        What::Intent { from: 3, to: 4 },
+        What::PartMade { n: 3, made: Some(Step { feed_mm: 4.25, ..Step::default() }), exact: false },
+        What::Stopped { by: None },
+        What::Part { n: 3, feed_mm: 4.25, rotate_deg: 0.0, by: ToldBy::Person },
+        What::Armed { token: None, after: 2, going_on: false },
+        What::Intent { from: 3, to: 4 },
+        // Those after the one that it names were not begun.
+        What::Fault { error, in_doubt: Some(3) },
         What::Decided { n: 3, made: false },
         What::Armed { token: None, after: 2, going_on: false },
         What::Intent { from: 3, to: 4 },
@@ -60,7 +72,7 @@ fn what_is_written_is_read() {
     assert_eq!(whats, story());
     assert!(!read.torn);
     assert_eq!((read.account.done, read.account.standing), (4, Standing::Finished));
-    assert_eq!(read.account.heading, Heading { version: 2, ..heading() });
+    assert_eq!(read.account.heading, Heading { version: VERSION, ..heading() });
     // Other programs can read it, too: every line is JSON.
     for line in String::from_utf8(fs::read(path).unwrap()).unwrap().lines() {
         let line: serde_json::Value = serde_json::from_str(line).unwrap();
@@ -92,11 +104,11 @@ fn what_contradicts_the_journal_is_not_written() {
 #[test]
 fn a_journal_of_a_later_program_is_left_alone() {
     let (_folder, path) = written(0);
-    let later = entry(What::Job(Heading { version: 3, ..heading() }));
+    let later = entry(What::Job(Heading { version: VERSION + 1, ..heading() }));
     fs::remove_file(&path).unwrap();
     Log::create(&path, &body(&later).unwrap()).unwrap();
     let error = Journal::open(&path).unwrap_err().to_string();
-    assert!(error.contains("version 3") && error.contains("update"), "{error}");
+    assert!(error.contains(&format!("version {}", VERSION + 1)) && error.contains("update"), "{error}");
 }
 
 /// A line whose hash fits and whose entry makes no sense is named as well.
