@@ -2,16 +2,16 @@
 
 use std::time::{Duration, Instant};
 
-use wirebend_driver_host::api::{Capability, Direction, Event, ReferenceBy, SettingCheck};
+use wirebend_driver_host::api::{Capability, Event, ReferenceBy};
 use wirebend_driver_host::{OpenDriver, Session, Standstill, State, StopLine, StopOutcome};
 use wirebend_profile::MachineProfile;
 
-use super::head::Known;
+use super::LiveProblem;
+use super::hearing::Hearing;
 use super::person::{Yes, Zero};
 use super::under_way::wait_until_it_stands;
-use super::{LiveProblem, head};
 use crate::drivers::{Signs, opened};
-use crate::{App, AppError, News, NoteReport, Progress};
+use crate::{App, AppError, News, Progress};
 
 /// Longer no machine takes to answer: a board that starts needs a few seconds.
 const PATIENCE: Duration = Duration::from_mins(1);
@@ -58,27 +58,6 @@ pub(crate) struct Connection<'a> {
     pub driver_version: String,
     /// Wire was fed or bent by hand through this connection since a person has last said that the wire is in.
     pub wire_used: bool,
-}
-
-/// Who hears of a machine, and what has to be kept of it.
-pub(crate) struct Hearing<'a> {
-    pub progress: &'a dyn Progress,
-    pub(super) signs: Signs,
-    pub warnings: Vec<NoteReport>,
-    /// What the machine last said of its settings.
-    pub settings: Vec<SettingCheck>,
-    /// A person has said that every axis stands at zero. It counts once, and not after a move.
-    at_zero: bool,
-    /// What that was said for.
-    zero_for: Zero,
-    /// What is kept of the head; nothing of a simulated machine's.
-    pub(super) head: Option<Known>,
-}
-
-impl Drop for Hearing<'_> {
-    fn drop(&mut self) {
-        self.progress.disconnected();
-    }
 }
 
 impl App {
@@ -359,59 +338,4 @@ fn look_until_held(
         return Err(LiveProblem::Unstopped { during, by: stop.by });
     }
     Err(LiveProblem::Held { during, by })
-}
-
-impl Hearing<'_> {
-    /// The axes do not stand where they did.
-    pub const fn moved(&mut self) {
-        self.at_zero = false;
-    }
-
-    /// A person's word that every axis stands at zero: what they have said before counts once, and not for a head that was
-    /// left elsewhere, which they may not have thought of.
-    fn said_zero(&mut self, session: &Session, wanted: Zero) -> Result<(), LiveProblem> {
-        let contradicted = head::contradiction(session, self).filter(|_| wanted == Zero::Wire);
-        if std::mem::take(&mut self.at_zero) && contradicted.is_none() {
-            return Ok(());
-        }
-        self.progress.news(&News::About { lines: head::zero_lines(session, self, wanted) });
-        match self.progress.confirm(wanted.question()) {
-            Some(true) => Ok(()),
-            Some(false) => Err(LiveProblem::Declined),
-            None => Err(contradicted.unwrap_or(LiveProblem::ZeroNotConfirmed)),
-        }
-    }
-
-    pub(super) fn hear(&mut self, event: &Event) {
-        match event {
-            Event::Connected { settings, .. } | Event::SettingsWritten { settings } => {
-                self.settings.clone_from(settings);
-            }
-            Event::Warning(error) => self.warn(&error.code, &error.to_string()),
-            Event::Position(position) => self.position(*position),
-            Event::Console { direction, text } => self.console(*direction, text),
-            _ => {}
-        }
-    }
-
-    pub fn warn(&mut self, code: &str, message: &str) {
-        let known = self.warnings.iter_mut().find(|note| note.code == code && note.message == message);
-        if let Some(note) = known {
-            note.count += 1;
-        } else {
-            let (code, message) = (code.to_owned().into(), message.to_owned());
-            self.warnings.push(NoteReport { code, count: 1, message });
-        }
-        self.progress.news(&News::Warning { code: code.to_owned(), message: message.to_owned() });
-    }
-
-    pub fn position(&self, position: wirebend_driver_host::api::Step) {
-        self.progress.news(&News::Position(self.signs.canonical(position)));
-    }
-
-    pub fn console(&self, direction: Direction, text: &str) {
-        let to_machine = direction == Direction::ToMachine;
-        tracing::debug!("{} {text}", if to_machine { "->" } else { "<-" });
-        self.progress.news(&News::Console { to_machine, text: text.to_owned() });
-    }
 }

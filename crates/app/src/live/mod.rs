@@ -2,15 +2,17 @@
 
 mod connect;
 mod head;
+mod hearing;
 mod news;
 mod person;
 mod problem;
 mod standstill;
 mod under_way;
 
-pub(crate) use connect::{At, Connection, Hearing, PAUSE, Unnamed, home, stop_of};
+pub(crate) use connect::{At, Connection, PAUSE, Unnamed, home, stop_of};
 pub use head::HeadProblem;
 pub(crate) use head::{HeadQuestion, QUESTION as HEAD_QUESTION};
+pub(crate) use hearing::Hearing;
 pub use news::{Decided, Decision, Doubt, News, PartOfStep};
 pub(crate) use person::{Yes, Zero};
 pub use problem::LiveProblem;

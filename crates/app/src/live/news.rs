@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use wirebend_driver_host::api::PausedBy;
 
 use crate::StepReport;
+use crate::report::shown_deg as shown;
 
 /// Something that happened on a machine, or is about to.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -132,9 +133,4 @@ impl std::fmt::Display for Doubt {
             shown(told.rotate_deg)
         )
     }
-}
-
-/// What is shown as zero has no sign.
-fn shown(deg: f64) -> f64 {
-    if deg.abs() < 0.05 { 0.0 } else { deg }
 }

@@ -4,7 +4,8 @@ use std::time::{Duration, Instant};
 
 use wirebend_driver_host::{Session, Standstill};
 
-use super::connect::{Connection, Hearing, PAUSE};
+use super::connect::{Connection, PAUSE};
+use super::hearing::Hearing;
 
 /// A machine that stands has said so by then; after that a person is told.
 const TELL_AFTER: Duration = Duration::from_secs(1);

@@ -5,6 +5,7 @@ use wirebend_driver_host::api::{DoneBy, ReferenceBy};
 use super::task::Task;
 use crate::AppError;
 use crate::live::Connection;
+use crate::report::shown_deg as shown;
 
 /// What will happen to a wire. `anew`: it is begun, with new wire. `homes`: the reference is found first.
 pub(crate) fn about(
@@ -84,11 +85,6 @@ pub(super) fn first(reference: ReferenceBy, moves: &str) -> String {
                 .to_owned()
         }
     }
-}
-
-/// Without the sign of what is shown as zero.
-fn shown(deg: f64) -> f64 {
-    if deg.abs() < 0.05 { 0.0 } else { deg }
 }
 
 pub(super) fn counted(many: usize, one: &str) -> String {

@@ -93,11 +93,6 @@ pub(super) fn is_settled(run: &JobRun, signs: Signs, Decided { step, what }: Dec
         Decision::Made => step <= account.done,
         Decision::NotMade => next && account.part == Part::default(),
         Decision::AsCounted => next && account.part != Part::default(),
-        Decision::Part(part) => next && is_same(account.part, signs.told_part(part)),
+        Decision::Part(part) => next && account.part.is_measured_as(signs.told_part(part)),
     }
-}
-
-/// As far as a person can measure.
-fn is_same(a: Part, b: Part) -> bool {
-    (a.feed_mm - b.feed_mm).abs() < 1.0 && (a.rotate_deg - b.rotate_deg).abs() < 2.0
 }

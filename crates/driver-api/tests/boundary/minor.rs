@@ -94,7 +94,7 @@ fn who_brings_the_axes_to_their_reference_is_told_since_1_2() {
     assert!(matches!(told, Event::Connected { done_by: DoneBy::Machine, .. }), "{told:?}");
 }
 
-/// A driver of before finds the head with its reference, and reads a `home` that says where the head stands as any other.
+/// A driver of 1.2 or older finds the head with its reference, and homes as before when it is told where the head stands.
 #[test]
 fn who_knows_where_the_head_stands_is_told_since_1_3() {
     let head = |json| match read(json) {

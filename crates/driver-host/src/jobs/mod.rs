@@ -12,6 +12,7 @@
 
 mod account;
 mod clock;
+mod ending;
 mod error;
 mod feed;
 mod journal;

@@ -127,6 +127,13 @@ impl JobRun {
 }
 
 impl Part {
+    /// Whether it is the same as far as a person can measure.
+    #[must_use]
+    pub fn is_measured_as(self, other: Self) -> bool {
+        (self.feed_mm - other.feed_mm).abs() < MEASURED_MM
+            && (self.rotate_deg - other.rotate_deg).abs() < MEASURED_DEG
+    }
+
     /// No more than all of a step, and no less than nothing.
     fn within(self, whole: Step) -> Self {
         let within = |part: f64, whole: f64| part.clamp(whole.min(0.0), whole.max(0.0));

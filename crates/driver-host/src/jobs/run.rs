@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use wirebend_driver_api::{DriverError, Event, GoingOn, Run};
+use wirebend_driver_api::{Event, GoingOn, Run};
 
 use super::account::Account;
 use super::clock::Clock;
@@ -14,10 +14,7 @@ use super::progress::{Overview, Progress};
 use super::record::Record;
 use super::resume::{Resume, Settled};
 use super::work::Work;
-use crate::session::{
-    Armed, Confirmed, Purpose, Session, SessionError, Standstill, State, StopHandle, StopOutcome, StoppedBy,
-    turned,
-};
+use crate::session::{Armed, Confirmed, Purpose, Session, State, StopHandle, turned};
 
 /// A wire that is made, or taken up again: a session, a journal, and the steps.
 ///
@@ -25,17 +22,17 @@ use crate::session::{
 /// [`JobRun::advance`] again and again, every few milliseconds to a few hundred. No call waits for the machine.
 pub struct JobRun {
     pub(super) session: Session,
-    journal: Journal,
+    pub(super) journal: Journal,
     pub(super) work: Work,
-    clock: Box<dyn Clock>,
+    pub(super) clock: Box<dyn Clock>,
     begun: Duration,
-    pace: Pace,
+    pub(super) pace: Pace,
     pub(super) armed: Option<Armed>,
     pub(super) feed: Feed,
     /// A stop is written down once.
-    stop_noted: bool,
+    pub(super) stop_noted: bool,
     /// And so is what came of it.
-    standstill_noted: bool,
+    pub(super) standstill_noted: bool,
 }
 
 impl std::fmt::Debug for JobRun {
@@ -204,86 +201,18 @@ impl JobRun {
                 told.push(Progress::Wire { wire_mm, corners_mm });
             }
             Event::Fault { error, in_doubt, .. } => self.faulted(error, in_doubt, told)?,
-            Event::PartMade { step: n, made, exact } => self.note(What::PartMade { n, made, exact })?,
+            // Of a machine that contradicts the journal nothing is settled by it.
+            Event::PartMade { step: n, made, exact }
+                if self.account().in_doubt().is_some_and(|steps| *steps.start() == n) =>
+            {
+                self.note(What::PartMade { n, made, exact })?;
+            }
             Event::Position(step) => told.push(Progress::Position(step)),
             Event::Console { direction, text } => told.push(Progress::Console { direction, text }),
             Event::Warning(error) => told.push(Progress::Warning(error)),
             _ => {}
         }
         Ok(())
-    }
-
-    /// The driver failed: what it said before it did counts.
-    pub(super) fn failed(&mut self, error: &SessionError, told: &mut Vec<Progress>) -> Result<(), JobError> {
-        self.catch_up()?;
-        self.faulted(DriverError::new(error.code(), error.to_string(), ""), None, told)
-    }
-
-    fn faulted(
-        &mut self,
-        error: DriverError,
-        in_doubt: Option<u32>,
-        told: &mut Vec<Progress>,
-    ) -> Result<(), JobError> {
-        self.note_not_taken()?;
-        self.note(What::Fault { error: error.clone(), in_doubt })?;
-        let in_doubt = self.account().in_doubt().map(|steps| (*steps.start(), *steps.end()));
-        self.pace.holds(self.clock.now());
-        self.feed.halt();
-        told.push(Progress::Fault { error, in_doubt });
-        Ok(())
-    }
-
-    /// Steps that were reported where this did not hear it.
-    fn catch_up(&mut self) -> Result<(), JobError> {
-        for n in self.account().done + 1..=self.session.progress().1 {
-            self.note(What::Done { n })?;
-        }
-        Ok(())
-    }
-
-    /// A stop by whomever is written down once.
-    fn notice_stop(&mut self, told: &mut Vec<Progress>) -> Result<(), JobError> {
-        if !matches!(self.session.state(), State::Stopping | State::Stopped) || self.stop_noted {
-            return Ok(());
-        }
-        self.was_stopped(told)
-    }
-
-    fn was_stopped(&mut self, told: &mut Vec<Progress>) -> Result<(), JobError> {
-        if self.stop_noted {
-            return Ok(());
-        }
-        let by = self.session.last_stop().map(|outcome| outcome.by);
-        self.stopped(by)?;
-        told.push(Progress::Stopped { by });
-        Ok(())
-    }
-
-    /// Whether the machine stands is written down once it is known.
-    fn notice_standstill(&mut self, told: &mut Vec<Progress>) -> Result<(), JobError> {
-        let confirmed = match self.session.standstill() {
-            Some(Standstill::Confirmed) => true,
-            Some(Standstill::NotConfirmed) => false,
-            Some(Standstill::Awaited) | None => return Ok(()),
-        };
-        if self.standstill_noted {
-            return Ok(());
-        }
-        self.standstill_noted = true;
-        told.push(Progress::Standstill { confirmed });
-        if self.account().is_over() { Ok(()) } else { self.note(What::Standstill { confirmed }) }
-    }
-
-    fn stopped(&mut self, by: Option<StoppedBy>) -> Result<(), JobError> {
-        self.catch_up()?;
-        if !self.account().is_over() {
-            self.note_not_taken()?;
-        }
-        (self.armed, self.stop_noted) = (None, true);
-        self.feed.halt();
-        self.pace.holds(self.clock.now());
-        if self.account().is_over() { Ok(()) } else { self.note(What::Stopped { by }) }
     }
 
     /// Holds the machine.
@@ -301,24 +230,6 @@ impl JobRun {
     pub fn resume(&mut self) -> Result<(), JobError> {
         let armed = self.armed.as_ref().ok_or(JobError::NotBegun)?;
         Ok(self.session.resume(armed)?)
-    }
-
-    /// Stops the machine, and writes that down. The stop comes first, and has been brought about whatever the
-    /// second part of the answer is.
-    pub fn stop(&mut self) -> (StopOutcome, Result<(), JobError>) {
-        let outcome = self.session.stop();
-        let noted = self.stopped(Some(outcome.by));
-        (outcome, noted)
-    }
-
-    /// Writes down a stop that came before the wire was begun, or that has ended the driver, and what came of it.
-    ///
-    /// # Errors
-    /// [`JobError::Journal`].
-    pub fn note_stop(&mut self) -> Result<(), JobError> {
-        let mut told = Vec::new();
-        self.was_stopped(&mut told)?;
-        self.notice_standstill(&mut told)
     }
 
     /// What stops the machine from any thread.

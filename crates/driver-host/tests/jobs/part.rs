@@ -138,6 +138,26 @@ fn no_more_than_the_step_has_can_be_in_the_wire() {
     assert_eq!(run.resume_from(), Resume::Ask { in_doubt: 2, last: 2 }, "nothing was written down");
 }
 
+/// A machine that tells of another step than the journal knows of is stopped, and settles nothing.
+#[test]
+fn a_machine_that_contradicts_the_journal_settles_no_step() {
+    let folder = tempfile::tempdir().unwrap();
+    let shop = Shop::at(folder.path());
+    let clock = || Box::new(SystemClock::default());
+    let mut run = shop.program(json!({"faults": [{"at": 2, "how": "unplug"}]}), clock());
+    home(run.session());
+    run.start(yes()).unwrap();
+    drive(&mut run);
+    drop(run);
+    shop.change_machine(|machine| machine["done"] = json!(0));
+    let mut run = shop.program(json!({"cut": {"made": null, "exact": false}}), clock());
+    assert!(matches!(run.resume_from(), Resume::Contradiction(_)), "{:?}", run.resume_from());
+    run.stop().1.unwrap();
+    drive(&mut run);
+    assert!(matches!(run.resume_from(), Resume::Ask { in_doubt: 2, .. }), "{:?}", run.resume_from());
+    assert!(!entries(&shop).iter().any(|entry| matches!(entry.what, What::PartMade { .. })));
+}
+
 /// A machine that stands where this step cannot bring it says nothing of how much of it is made.
 #[test]
 fn a_place_that_the_step_does_not_come_by_is_not_believed() {

@@ -183,11 +183,18 @@ fn a_stop_halts_what_moves() {
     until_moved(session, 10.0);
     session.stop().unwrap();
     let events = until(session, |event| matches!(event, Event::Stopped { .. }));
-    assert_eq!(events.last(), Some(&Event::Stopped { homed: false }));
+    let [Event::PartMade { step: 1, made: Some(made), exact: false }, Event::Stopped { homed: false }] =
+        events.as_slice()
+    else {
+        panic!("{events:?}")
+    };
+    let told = made.feed_mm;
     drop(bench.session);
     let record = bench.model.end();
     assert_eq!((record.resets, record.bends.len()), (1, 0));
     assert!((10.0..5005.0).contains(&record.at[0]), "it was stopped on its way: {:?}", record.at);
+    // The jog before the wire is none of its step.
+    assert!((told - (record.at[0] - 5.0)).abs() < 0.01, "told {told}, made {:?}", record.at);
 }
 
 /// Polls until the wire has been fed so far.

@@ -2,6 +2,7 @@
 
 mod asked;
 mod console;
+mod ending;
 mod fault;
 mod hearing;
 mod machine;

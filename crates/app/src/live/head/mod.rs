@@ -10,9 +10,11 @@ use wirebend_driver_host::{HeadPlace, Session};
 use wirebend_profile::MachineProfile;
 
 use super::LiveProblem;
-use super::connect::{Connection, Hearing};
+use super::connect::Connection;
+use super::hearing::Hearing;
 use super::person::{Yes, Zero};
 use crate::drivers::Signs;
+use crate::report::shown_deg;
 use crate::{App, News};
 pub use problem::HeadProblem;
 use record::{Keeper, Kept};
@@ -47,9 +49,9 @@ pub(crate) struct HeadQuestion {
     pub left_at: Option<f64>,
 }
 
-/// For a person, without the sign of what is shown as zero.
+/// For a person.
 fn shown(deg: f64) -> String {
-    format!("{:.1}°", if deg.abs() < 0.05 { 0.0 } else { deg })
+    format!("{:.1}°", shown_deg(deg))
 }
 
 impl Known {

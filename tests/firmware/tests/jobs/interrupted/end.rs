@@ -12,8 +12,8 @@ use crate::bender::{Pulse, lines, net, ways};
 use crate::shop::Ran;
 use wirebend_tests_firmware::board::Board;
 
-/// Rest of a feed and of a turn are each rounded to a motor step, of 0.18 mm and 0.22 degrees on this machine.
-const CORNERS_MM: f64 = 1.0;
+/// A motor step of the feed is 0.18 mm on this machine.
+const CORNERS_MM: f64 = 0.18;
 
 /// How a job was gone on with.
 pub struct Went {
@@ -139,9 +139,7 @@ impl Case {
         assert!(tells || asked > 0 || truth.part.is_empty(), "nobody was asked of what nobody knows");
         let (all, corners) = at.with(|bender| (bender.pulses.all().to_vec(), bender.made().corners()));
         for axis in [Axis::Feed, Axis::Rotate] {
-            // The rest of a step is rounded to a whole motor step by itself.
-            let off = net(&all, axis) - net(&job.pulses, axis);
-            assert!(off.abs() <= 1, "{axis:?} is {off} steps off");
+            assert_eq!(net(&all, axis), net(&job.pulses, axis), "{axis:?}");
         }
         let off_mm = apart(&corners, &job.corners);
         assert!(

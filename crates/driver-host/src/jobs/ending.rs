@@ -1,0 +1,102 @@
+//! How a wire is interrupted: failures and stops, each written down once, and what came of them.
+
+use wirebend_driver_api::DriverError;
+
+use super::error::JobError;
+use super::journal::What;
+use super::progress::Progress;
+use super::run::JobRun;
+use crate::session::{SessionError, Standstill, State, StopOutcome, StoppedBy};
+
+impl JobRun {
+    /// The driver failed: what it said before it did counts.
+    pub(super) fn failed(&mut self, error: &SessionError, told: &mut Vec<Progress>) -> Result<(), JobError> {
+        self.catch_up()?;
+        self.faulted(DriverError::new(error.code(), error.to_string(), ""), None, told)
+    }
+
+    pub(super) fn faulted(
+        &mut self,
+        error: DriverError,
+        in_doubt: Option<u32>,
+        told: &mut Vec<Progress>,
+    ) -> Result<(), JobError> {
+        self.note_not_taken()?;
+        self.note(What::Fault { error: error.clone(), in_doubt })?;
+        let in_doubt = self.account().in_doubt().map(|steps| (*steps.start(), *steps.end()));
+        self.pace.holds(self.clock.now());
+        self.feed.halt();
+        told.push(Progress::Fault { error, in_doubt });
+        Ok(())
+    }
+
+    /// Steps that were reported where this did not hear it.
+    pub(super) fn catch_up(&mut self) -> Result<(), JobError> {
+        for n in self.account().done + 1..=self.session.progress().1 {
+            self.note(What::Done { n })?;
+        }
+        Ok(())
+    }
+
+    /// A stop by whomever is written down once.
+    pub(super) fn notice_stop(&mut self, told: &mut Vec<Progress>) -> Result<(), JobError> {
+        if !matches!(self.session.state(), State::Stopping | State::Stopped) || self.stop_noted {
+            return Ok(());
+        }
+        self.was_stopped(told)
+    }
+
+    pub(super) fn was_stopped(&mut self, told: &mut Vec<Progress>) -> Result<(), JobError> {
+        if self.stop_noted {
+            return Ok(());
+        }
+        let by = self.session.last_stop().map(|outcome| outcome.by);
+        self.stopped(by)?;
+        told.push(Progress::Stopped { by });
+        Ok(())
+    }
+
+    /// Whether the machine stands is written down once it is known.
+    pub(super) fn notice_standstill(&mut self, told: &mut Vec<Progress>) -> Result<(), JobError> {
+        let confirmed = match self.session.standstill() {
+            Some(Standstill::Confirmed) => true,
+            Some(Standstill::NotConfirmed) => false,
+            Some(Standstill::Awaited) | None => return Ok(()),
+        };
+        if self.standstill_noted {
+            return Ok(());
+        }
+        self.standstill_noted = true;
+        told.push(Progress::Standstill { confirmed });
+        if self.account().is_over() { Ok(()) } else { self.note(What::Standstill { confirmed }) }
+    }
+
+    pub(super) fn stopped(&mut self, by: Option<StoppedBy>) -> Result<(), JobError> {
+        self.catch_up()?;
+        if !self.account().is_over() {
+            self.note_not_taken()?;
+        }
+        (self.armed, self.stop_noted) = (None, true);
+        self.feed.halt();
+        self.pace.holds(self.clock.now());
+        if self.account().is_over() { Ok(()) } else { self.note(What::Stopped { by }) }
+    }
+
+    /// Stops the machine, and writes that down. The stop comes first, and has been brought about whatever the
+    /// second part of the answer is.
+    pub fn stop(&mut self) -> (StopOutcome, Result<(), JobError>) {
+        let outcome = self.session.stop();
+        let noted = self.stopped(Some(outcome.by));
+        (outcome, noted)
+    }
+
+    /// Writes down a stop that came before the wire was begun, or that has ended the driver, and what came of it.
+    ///
+    /// # Errors
+    /// [`JobError::Journal`].
+    pub fn note_stop(&mut self) -> Result<(), JobError> {
+        let mut told = Vec::new();
+        self.was_stopped(&mut told)?;
+        self.notice_standstill(&mut told)
+    }
+}
