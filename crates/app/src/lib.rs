@@ -106,6 +106,8 @@ pub struct App {
     drivers: DriverFolders,
     /// Whether drivers are asked for the limits of their machines: where it was said where they are.
     asks_drivers: bool,
+    /// The machines that are connected.
+    boards: drivers::Boards,
     /// Where journals and records of wires are; without a place, no wire is made.
     runs: Option<PathBuf>,
 }
@@ -122,13 +124,26 @@ impl App {
         for folder in profile_folders {
             refused.extend(library.add_folder(folder).refused);
         }
-        Ok(Self { library, refused, drivers: DriverFolders::default(), asks_drivers: false, runs: None })
+        Ok(Self {
+            library,
+            refused,
+            drivers: DriverFolders::default(),
+            asks_drivers: false,
+            boards: drivers::Boards::default(),
+            runs: None,
+        })
     }
 
     /// The same with drivers from other places than the folders beside the program.
     #[must_use]
     pub fn with_drivers(self, drivers: DriverFolders) -> Self {
         Self { drivers, asks_drivers: true, ..self }
+    }
+
+    /// The same that knows the machines which are connected to another.
+    #[must_use]
+    pub(crate) fn with_boards_of(self, other: &Self) -> Self {
+        Self { boards: other.boards.clone(), ..self }
     }
 
     /// The same with a folder for journals and records of the wires that are made.

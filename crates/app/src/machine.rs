@@ -1,5 +1,6 @@
 //! From profiles to what the stages ask about.
 
+use serde_json::{Map, Value};
 use wirebend_core::bend::Step;
 use wirebend_core::checks::{MachineLimits, Sourced};
 use wirebend_core::compensate::{
@@ -15,7 +16,7 @@ use wirebend_profile::{
 };
 
 use crate::AppError;
-use crate::drivers::{Signs, Told};
+use crate::drivers::{Board, Signs, Told};
 use crate::report::NoteReport;
 
 /// A machine with a wire in it, and the profiles that say so.
@@ -33,9 +34,25 @@ pub(crate) struct Setup {
 impl crate::App {
     /// A machine and a material by id; without a material the one that the machine names.
     pub(crate) fn setup(&self, machine: &str, material: Option<&str>) -> Result<Setup, AppError> {
-        let mut machine = self.library.machine(machine)?;
+        let machine = self.library.machine(machine)?;
         let own = machine.profile.default_material.as_deref().unwrap_or_default();
         let material = self.library.material(material.unwrap_or(own))?;
+        self.completed(machine, material)
+    }
+
+    /// The same with settings of the machine's driver over those of its profile.
+    pub(crate) fn setup_with(&self, setup: Setup, settings: &Map<String, Value>) -> Result<Setup, AppError> {
+        let mut machine = self.library.machine(setup.machine_id())?;
+        machine.profile.driver.settings.get_or_insert_default().extend(settings.clone());
+        self.completed(machine, setup.material)
+    }
+
+    /// A setup with what the machine's driver and the machine itself say.
+    fn completed(
+        &self,
+        mut machine: Resolved<MachineProfile>,
+        material: Resolved<MaterialProfile>,
+    ) -> Result<Setup, AppError> {
         let driver = self.with_driver_limits(&mut machine);
         let mut setup = Setup { driver, ..Setup::new(machine, material)? };
         setup.model.scatter = self.scatter(&setup.machine.profile)?;
@@ -63,6 +80,15 @@ impl Setup {
         let model = model(&machine, &figures, &material, &wire)?;
         let signs = Signs::of(&figures);
         Ok(Self { machine, material, model, signs, driver: Told::default(), currency: wire.currency })
+    }
+
+    /// The same at a machine that is connected, with what that says of itself.
+    pub fn at(&self, board: &Board) -> Result<Self, AppError> {
+        let mut machine = self.machine.clone();
+        board.limit(&mut machine);
+        let mut setup = Self::new(machine, self.material.clone())?;
+        setup.model.scatter.clone_from(&self.model.scatter);
+        Ok(Self { driver: self.driver.clone(), ..setup })
     }
 
     /// The machine's id.

@@ -125,14 +125,19 @@ impl App {
         choices: &PlanChoices,
         progress: &dyn Progress,
     ) -> Result<Planned, AppError> {
+        let setup = self.setup_of(&opened, choices)?;
+        Self::plan_with(opened, setup, choices, progress)
+    }
+
+    /// The machine of a design with its wire, unless another one is chosen.
+    pub(crate) fn setup_of(&self, opened: &Opened, choices: &PlanChoices) -> Result<Setup, AppError> {
         let document = &opened.document;
         let named =
             |snapshot: &Option<ProfileSnapshot>| snapshot.as_ref().map(|snapshot| snapshot.id.clone());
         let machine = choices.machine.clone().or_else(|| named(&document.machine));
         let machine = machine.ok_or_else(|| AppError::NoMachine { known: self.machine_ids() })?;
         let material = choices.material.clone().or_else(|| named(&document.material));
-        let setup = self.setup(&machine, material.as_deref())?;
-        Self::plan_with(opened, setup, choices, progress)
+        self.setup(&machine, material.as_deref())
     }
 
     /// Plans every wire of a design on a machine with a wire in it.

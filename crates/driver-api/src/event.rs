@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::{DriverError, Step};
+use crate::{DriverError, Limits, Step};
 
 /// Something that happened on the machine or on the line to it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -32,6 +32,10 @@ pub enum Event {
         /// Who knows where the head stands. Since 1.3.
         #[serde(default)]
         head: HeadBy,
+        /// What the machine itself says of how far its axes go and how fast at most, in the units of its driver's
+        /// settings; of these and of [`Call::Limits`](crate::Call::Limits) all hold. Since 1.3.
+        #[serde(default)]
+        limits: Limits,
     },
     /// The machine has found its reference, or has taken the place where it stands as that.
     Homed,
@@ -77,6 +81,9 @@ pub enum Event {
         /// The machine's settings against those of the driver, as in `connected`.
         #[serde(default)]
         settings: Vec<SettingCheck>,
+        /// What the machine says of its axes by now, as in `connected`. Since 1.3.
+        #[serde(default)]
+        limits: Limits,
     },
     /// The wire as a simulated machine made it; sent before `finished`. In the frame of the turtle at the start
     /// of the wire: it is at the origin and looks along +x, +z is the axis of the bend. Since 1.1.

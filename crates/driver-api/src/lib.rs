@@ -49,7 +49,7 @@ pub use error::DriverError;
 pub use event::{Direction, DoneBy, Event, GoingOn, HeadBy, PausedBy, ReferenceBy, SettingCheck};
 pub use glue::table;
 pub use job::{DesignStep, Job, MachineRef, MaterialRef, Step, Wire};
-pub use limits::{AxisLimit, AxisRate, Extent, Limits};
+pub use limits::{AxisLimit, AxisRate, Beyond, Extent, Limits};
 pub use port::{Port, Ports, Usb};
 pub use schemas::message_schemas;
 pub use table::{Reply, SafeTable, TableError};

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::Axis;
+use crate::{Axis, Step};
 
 /// Reply of [`Call::Limits`](crate::Call::Limits): what the driver and its machine take with the settings that the
 /// driver was opened with. The program plans within it, so that nothing is refused in the middle of a wire.
@@ -54,6 +54,39 @@ pub struct AxisRate {
     /// The keys of the settings that say so. The rate replaces that of the machine's profile where the profile has
     /// set one of them; what is left at its default says nothing of a machine.
     pub settings: Vec<String>,
+}
+
+/// A step that is beyond a limit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Beyond<'a> {
+    /// Which, from 1.
+    pub step: u32,
+    /// How far it goes, or where the axis stands after it: mm or degrees.
+    pub value: f64,
+    /// What it is beyond.
+    pub limit: &'a AxisLimit,
+}
+
+/// Closer than this to a limit is rounding: mm or degrees.
+const ROUNDING: f64 = 1e-6;
+
+impl Limits {
+    /// The first step of a wire that is beyond a limit; those before `from`, counted from 1, are made.
+    #[must_use]
+    pub fn beyond(&self, steps: &[Step], from: u32) -> Option<Beyond<'_>> {
+        let mut at = [0.0; 3];
+        (1_u32..).zip(steps).find_map(|(n, step)| {
+            let amounts = [step.feed_mm, step.rotate_deg, step.bend_deg];
+            at.iter_mut().zip(amounts).for_each(|(at, amount)| *at += amount);
+            let mut hold =
+                self.limits.iter().filter(|limit| n >= from && limit.most.is_finite() && limit.most > 0.0);
+            hold.find_map(|limit| {
+                let of = if limit.of == Extent::Step { amounts } else { at };
+                let value = of[limit.axis as usize];
+                (value.abs() > limit.most + ROUNDING).then_some(Beyond { step: n, value, limit })
+            })
+        })
+    }
 }
 
 impl AxisLimit {

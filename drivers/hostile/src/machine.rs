@@ -13,7 +13,8 @@ use std::path::PathBuf;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use wirebend_driver_api::{
-    Batch, Call, DoneBy, DriverError, Event, GoingOn, HeadBy, PausedBy, ReferenceBy, Sent, SettingCheck, Step,
+    Batch, Call, DoneBy, DriverError, Event, GoingOn, HeadBy, Limits, PausedBy, ReferenceBy, Sent,
+    SettingCheck, Step,
 };
 
 /// How many steps it takes ahead.
@@ -135,7 +136,8 @@ impl Machine {
             Call::Connect { resume, .. } => self.connect(resume.as_deref()),
             Call::WriteSettings => {
                 self.settings.misset = false;
-                self.events.push_back(Event::SettingsWritten { settings: Vec::new() });
+                self.events
+                    .push_back(Event::SettingsWritten { settings: Vec::new(), limits: Limits::default() });
             }
             Call::Home { .. } => self.move_by_hand(Event::Homed),
             Call::Jog(_) => self.move_by_hand(Event::Jogged),
@@ -215,6 +217,7 @@ impl Machine {
             reference: ReferenceBy::default(),
             done_by: DoneBy::default(),
             head: HeadBy::default(),
+            limits: Limits::default(),
         });
         if self.holds {
             self.events.push_back(Event::Paused { by: PausedBy::Silence });

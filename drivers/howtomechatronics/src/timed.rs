@@ -8,7 +8,7 @@ use std::collections::VecDeque;
 use std::time::Duration;
 
 use wirebend_driver_api::{
-    Batch, Direction, DoneBy, DriverError, Event, HeadBy, NumberedStep, ReferenceBy, Run, Sent, Step,
+    Batch, Direction, DoneBy, DriverError, Event, HeadBy, Limits, NumberedStep, ReferenceBy, Run, Sent, Step,
 };
 
 use crate::Settings;
@@ -228,6 +228,7 @@ impl Timed {
 
     fn greet(&mut self) {
         self.events.push_back(Event::Connected {
+            limits: Limits::default(),
             identity: "unknown: this machine does not say what it is".to_owned(),
             settings: Vec::new(),
             homed: true,

@@ -2,6 +2,7 @@
 
 use wirebend_driver_api::{Axis, AxisLimit, AxisRate, Extent, Limits};
 
+use crate::protocol::SETTINGS;
 use crate::settings::Settings;
 
 /// The firmware counts the wire in 32 bits and refuses what is beyond half of them: `INT32_MAX / 2` of `controller.c`.
@@ -24,4 +25,38 @@ pub(crate) fn of(settings: &Settings) -> Limits {
             AxisRate::new(Axis::Bend, s.bend_rate_deg_per_s, &["bend_rate_deg_per_s"]),
         ],
     }
+}
+
+/// What a board refuses by the settings that it has stored. A step of its motors is taken up to half beyond: moves are
+/// rounded to whole ones.
+pub(crate) fn of_board(stored: &[i32]) -> Limits {
+    let of = |name: &str| {
+        let place = SETTINGS.iter().position(|setting| setting.name == name);
+        place.and_then(|place| stored.get(place)).copied().map(f64::from).unwrap_or_default()
+    };
+    let (feed, turn, bend) = (
+        of("feed_steps_per_m") / 1000.0,
+        of("rotate_steps_per_rev") / 360.0,
+        of("bend_steps_per_rev") / 360.0,
+    );
+    let limit = |axis, extent, name: &str, per| {
+        AxisLimit::known(axis, extent, (of(name) + 0.5) / per, &format!("its setting {name}"))
+    };
+    let rate = |axis, name: &str, per| AxisRate::new(axis, of(name) / per, &[name]);
+    let mut told = Limits {
+        limits: vec![
+            limit(Axis::Feed, Extent::Step, "feed_most", feed),
+            limit(Axis::Rotate, Extent::Position, "rotate_limit", turn),
+            limit(Axis::Bend, Extent::Step, "bend_limit", bend),
+        ],
+        rates: vec![
+            rate(Axis::Feed, "feed_rate", feed),
+            rate(Axis::Rotate, "rotate_rate", turn),
+            rate(Axis::Bend, "bend_rate", bend),
+        ],
+    };
+    // Of an axis without steps nothing can be said.
+    told.limits.retain(|limit| limit.most.is_finite());
+    told.rates.retain(|rate| rate.per_s.is_finite());
+    told
 }

@@ -952,6 +952,10 @@ export interface LiveCheck {
    */
   feasible: boolean;
   /**
+   * Why limits of the machine are not known, where they are not.
+   */
+  unknown: string | null;
+  /**
    * One for each part that is not joined to others.
    */
   wires: WireFigures[];

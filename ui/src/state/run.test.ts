@@ -4,6 +4,9 @@ import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(async () => {}), listen: vi.fn() }));
 vi.mock("../platform", () => ({ platform, Refused: class Refused extends Error {} }));
 
+import type { DesignState } from "../generated/responses";
+import { checked, useDesign } from "./design";
+import type { SceneVertex } from "../scene/interface";
 import { useFiles } from "./files";
 import { useProblems } from "./problems";
 import { answer, hearOperator, isOpen, loadPorts, order, stop, useRun } from "./run";
@@ -31,6 +34,24 @@ it("says what became of the last wire beside no other design", () => {
 });
 
 describe("hearOperator", () => {
+  it("has the design checked when a machine is connected, set otherwise, or gone", async () => {
+    useDesign.setState({ state: { machine: "kit" } as DesignState, vertices: new Map([[0, { id: 0, at: [0, 0, 0], support: false } as SceneVertex]]) });
+    platform.ask.mockResolvedValue({ feasible: true, diagnostics: [], wires: [], unknown: null });
+    const asked = async (given: Partial<MachineState>): Promise<number> => {
+      platform.ask.mockClear();
+      hearOperator({ event: "state", ...state(given) });
+      await checked();
+      return platform.ask.mock.calls.filter(([what]) => what === "check").length;
+    };
+    expect(await asked({ phase: "connecting" })).toBe(0);
+    expect(await asked({ phase: "connected" })).toBe(1);
+    expect(await asked({ phase: "ready" })).toBe(0);
+    const settings = [{ name: "bend_limit", machine: "80", expected: "120", matters: true }];
+    expect(await asked({ phase: "ready", settings })).toBe(1);
+    expect(await asked({ phase: "closed", settings })).toBe(1);
+    useDesign.setState({ state: null, vertices: new Map() });
+  });
+
   it("takes the state, and what changes of it between", () => {
     hearOperator({ event: "state", ...state({ phase: "moving" }) });
     hearOperator({ event: "news", news: "position", feed_mm: 10, rotate_deg: 90, bend_deg: 0 });

@@ -2,7 +2,7 @@ import { create } from "zustand";
 import type { MachineNow, PortEntry, RunEntry } from "../generated/responses";
 import { platform } from "../platform";
 import { type ConsoleLine, withLines } from "./console";
-import { useDesign } from "./design";
+import { checkDesign, useDesign } from "./design";
 import { useFiles } from "./files";
 import { tell, told } from "./problems";
 import { endLive, showDoubt, showLive } from "./program";
@@ -152,6 +152,17 @@ useFiles.subscribe(({ opened }, before) => {
 });
 useDesign.subscribe(({ state }, before) => {
   if (state && !before.state) showWire();
+});
+
+/** What a machine that is connected says of itself; null where none is. */
+function saidOf(state: MachineState | null): string | null {
+  if (!state || ["connecting", "failed", "closed"].includes(state.phase)) return null;
+  return JSON.stringify([state.machine, state.port, state.settings]);
+}
+
+// What a connected machine takes is part of what is checked.
+useRun.subscribe(({ state }, before) => {
+  if (state !== before.state && saidOf(state) !== saidOf(before.state)) checkDesign();
 });
 
 /** Takes up what the Rust side knows, such as after the window was loaded anew. */

@@ -118,7 +118,7 @@ impl Desk {
 
     /// Reads profiles and drivers again.
     pub(crate) fn reload(&self) -> Result<(), AppError> {
-        let app = Arc::new(self.places.app()?);
+        let app = Arc::new(self.places.app()?.with_boards_of(&self.app()));
         *self.app.write().unwrap_or_else(PoisonError::into_inner) = app;
         // What it knows of its machine is of before.
         self.open().forget_setup();

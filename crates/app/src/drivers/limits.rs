@@ -1,11 +1,12 @@
-//! What the machine's driver says of limits and rates, put into the machine's profile: one set of limits, each with
-//! its source, for whatever plans, checks, estimates or prints.
+//! What the machine's driver and the machine itself say of limits and rates, put into the machine's profile: one set of
+//! limits, each with its source, for whatever plans, checks, estimates or prints.
 
 use serde_json::Value;
 use wirebend_driver_host::api::{Axis, AxisLimit, AxisRate, DriverError, Extent, Limits};
 use wirebend_driver_host::{HostError, OpenDriver};
 use wirebend_profile::{MachineProfile, Origin, Resolved, Sourced};
 
+use super::Board;
 use crate::report::NoteReport;
 use crate::{App, AppError, DriverProblem};
 
@@ -16,6 +17,8 @@ pub(crate) struct Told {
     pub note: Option<NoteReport>,
     /// The driver, and why it does not take the profile's settings: with it the machine makes nothing.
     refused: Option<(String, DriverError)>,
+    /// The machine itself, where it is connected.
+    pub board: Option<Board>,
 }
 
 impl Told {
@@ -29,24 +32,32 @@ impl Told {
 }
 
 impl App {
-    /// Asks the machine's driver what it takes with the profile's settings, and puts what is tighter into the profile.
-    /// A driver that cannot be asked is noted: then only the profile's own limits are known.
+    /// Asks the machine's driver what it takes with the profile's settings, and puts what is tighter into the profile,
+    /// with what the machine says itself where it is connected. A driver that cannot be asked is noted: then only the
+    /// profile's own limits are known.
     pub(crate) fn with_driver_limits(&self, machine: &mut Resolved<MachineProfile>) -> Told {
         if !self.asks_drivers {
             return Told::default();
         }
+        let mut told = self.driver_limits(machine);
+        told.board = self.boards.of(&machine.profile.id);
+        told.board.iter().for_each(|board| board.limit(machine));
+        told
+    }
+
+    fn driver_limits(&self, machine: &mut Resolved<MachineProfile>) -> Told {
         let id = machine.profile.driver.id.clone().unwrap_or_default();
         let settings = Value::Object(machine.profile.driver.settings.clone().unwrap_or_default());
         let asked = self.driver(&id).and_then(|driver| Ok(told(&driver.open(&settings)?)?));
         match asked {
             Ok(limits) => {
-                merge(machine, &id, &limits);
+                Merge { machine, by: format!("driver {id}") }.all(&limits, Merge::rate);
                 Told::default()
             }
             Err(DriverProblem::Host(HostError::Refused { driver, error })) => {
-                Told { refused: Some((driver, error)), note: None }
+                Told { refused: Some((driver, error)), ..Told::default() }
             }
-            Err(error) => Told { note: Some(unknown(&id, &error)), refused: None },
+            Err(error) => Told { note: Some(unknown(&id, &error)), ..Told::default() },
         }
     }
 }
@@ -65,28 +76,33 @@ fn unknown(driver: &str, error: &DriverProblem) -> NoteReport {
     }
 }
 
-/// Puts limits that are tighter, and rates that the profile has set, into a machine's profile.
-fn merge(machine: &mut Resolved<MachineProfile>, driver: &str, told: &Limits) {
-    let mut merge = Merge { machine, driver };
-    told.limits
-        .iter()
-        .filter(|limit| limit.most.is_finite() && limit.most > 0.0)
-        .for_each(|limit| merge.limit(limit));
-    told.rates
-        .iter()
-        .filter(|rate| rate.per_s.is_finite() && rate.per_s > 0.0)
-        .for_each(|rate| merge.rate(rate));
+impl Board {
+    /// Puts what the machine says of itself into its profile, where that is tighter or slower.
+    pub fn limit(&self, machine: &mut Resolved<MachineProfile>) {
+        Merge { machine, by: format!("machine at {}", self.port) }.all(&self.limits, Merge::slower);
+    }
 }
 
+/// What is put into a machine's profile, and whose word it is.
 struct Merge<'a> {
     machine: &'a mut Resolved<MachineProfile>,
-    driver: &'a str,
+    by: String,
 }
+
+/// By less a rate that a machine counts in whole steps is not slower than the same in mm or degrees.
+const SLOWER: f64 = 1e-3;
 
 /// A figure of a profile.
 type Figure = Option<Sourced<f64>>;
 
 impl Merge<'_> {
+    fn all(&mut self, told: &Limits, rate: fn(&mut Self, &AxisRate)) {
+        let limits = told.limits.iter().filter(|limit| limit.most.is_finite() && limit.most > 0.0);
+        limits.for_each(|limit| self.limit(limit));
+        let rates = told.rates.iter().filter(|rate| rate.per_s.is_finite() && rate.per_s > 0.0);
+        rates.for_each(|told| rate(self, told));
+    }
+
     fn limit(&mut self, limit: &AxisLimit) {
         let source = self.source(limit);
         let most = limit.most;
@@ -118,11 +134,12 @@ impl Merge<'_> {
             // A bend that counts on from the one before is no larger than where it ends may be.
             (Axis::Bend, _) => &[keep(&mut bend.axis_limit_deg, most, &source, "bend.axis_limit_deg")],
         };
-        changed.iter().flatten().for_each(|key| self.set_by_driver(key));
+        changed.iter().flatten().for_each(|key| self.said(key));
     }
 
+    /// A rate of a driver: that of the profile holds unless the profile sets it for the driver.
     fn rate(&mut self, rate: &AxisRate) {
-        let profile = &mut self.machine.profile;
+        let profile = &self.machine.profile;
         let set = profile.driver.settings.as_ref();
         let said: Vec<&str> = rate
             .settings
@@ -134,13 +151,30 @@ impl Merge<'_> {
             return;
         }
         let source = format!("driver setting {}", said.join(", "));
-        let (figure, key) = match rate.axis {
+        self.set_rate(rate, source);
+    }
+
+    /// A rate that a machine does not exceed.
+    fn slower(&mut self, rate: &AxisRate) {
+        let (figure, _) = self.figure_of(rate.axis);
+        if figure.as_ref().is_none_or(|stated| rate.per_s < stated.value * (1.0 - SLOWER)) {
+            self.set_rate(rate, format!("its setting {}", rate.settings.join(", ")));
+        }
+    }
+
+    fn set_rate(&mut self, rate: &AxisRate, source: String) {
+        let (figure, key) = self.figure_of(rate.axis);
+        *figure = Some(Sourced { value: rate.per_s, source, measured: false });
+        self.said(key);
+    }
+
+    const fn figure_of(&mut self, axis: Axis) -> (&mut Figure, &'static str) {
+        let profile = &mut self.machine.profile;
+        match axis {
             Axis::Feed => (&mut profile.feed.rate_mm_per_s, "feed.rate_mm_per_s"),
             Axis::Rotate => (&mut profile.rotate.rate_deg_per_s, "rotate.rate_deg_per_s"),
             Axis::Bend => (&mut profile.bend.rate_deg_per_s, "bend.rate_deg_per_s"),
-        };
-        *figure = Some(Sourced { value: rate.per_s, source, measured: false });
-        self.set_by_driver(key);
+        }
     }
 
     /// In words: which setting says it, or why it is so.
@@ -153,9 +187,9 @@ impl Merge<'_> {
         }
     }
 
-    fn set_by_driver(&mut self, key: &str) {
-        let name = format!("driver {}", self.driver);
-        self.machine.provenance.insert(key.to_owned(), Origin { id: name.clone(), file: name });
+    fn said(&mut self, key: &str) {
+        let by = self.by.clone();
+        self.machine.provenance.insert(key.to_owned(), Origin { id: by.clone(), file: by });
     }
 }
 

@@ -1,5 +1,6 @@
 //! Machine drivers: which there are, which of them writes a format, and whether one is trusted.
 
+mod boards;
 mod check;
 mod job;
 mod limits;
@@ -16,6 +17,7 @@ use wirebend_driver_host::{Driver, Found, HostError, Launch, Places, Shelf, Trus
 
 use crate::machine::Setup;
 use crate::{App, AppError, ExportFormat};
+pub(crate) use boards::{Board, Boards, Met};
 pub(crate) use check::check;
 pub use check::{DriverCheckRequest, DriverCheckResponse, RuleReport};
 pub(crate) use job::{Stages, job};

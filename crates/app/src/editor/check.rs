@@ -55,6 +55,8 @@ pub struct LiveCheck {
     pub diagnostics: Vec<DiagnosticReport>,
     /// One for each part that is not joined to others.
     pub wires: Vec<WireFigures>,
+    /// Why limits of the machine are not known, where they are not.
+    pub unknown: Option<String>,
 }
 
 impl Editor {
@@ -82,7 +84,9 @@ impl Editor {
         let machine = machine.ok_or_else(|| AppError::NoMachine { known: app.machine_ids() })?;
         let material = self.document.material.as_ref().map(|material| material.id.clone());
         let names = (machine, material);
-        let setup = match self.setup.take().filter(|(asked, _)| *asked == names) {
+        let board = app.boards.of(&names.0);
+        let known = self.setup.take().filter(|(asked, setup)| *asked == names && setup.driver.board == board);
+        let setup = match known {
             Some((_, setup)) => setup,
             None => app.setup(&names.0, names.1.as_deref())?,
         };
@@ -136,6 +140,7 @@ impl LiveCheck {
             feasible: planned.feasible(),
             diagnostics: all.into_iter().map(DiagnosticReport::from).collect(),
             wires: planned.report().wires().iter().map(WireFigures::of).collect(),
+            unknown: planned.setup.driver.note.as_ref().map(|note| note.message.clone()),
         }
     }
 }

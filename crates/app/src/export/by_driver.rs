@@ -1,13 +1,14 @@
 //! What a driver writes.
 
-use serde_json::{Map, Value};
-use wirebend_driver_host::api::{self, Files, FormatDescription};
+use serde_json::Value;
+use wirebend_driver_host::api::{self, Files, FormatDescription, Limits};
 use wirebend_driver_host::{Driver, HostError};
 
+use super::ExportRequest;
 use super::content::{Content, Wire};
 use crate::drivers::job;
 use crate::report::NoteReport;
-use crate::{AppError, DriverProblem};
+use crate::{AppError, DriverProblem, LiveProblem};
 
 /// The files of a format. Settings are those of the machine's profile when the driver is the machine's,
 /// and over them those that were asked for.
@@ -15,17 +16,21 @@ pub(super) fn encode(
     content: &mut Content,
     driver: Driver,
     format: &FormatDescription,
-    asked: &Map<String, Value>,
+    request: &ExportRequest,
 ) -> Result<Vec<Vec<u8>>, AppError> {
     let profile = &content.setup.machine.profile.driver;
     let id = driver.description().id.clone();
     let mut settings =
         profile.settings.clone().filter(|_| profile.id.as_ref() == Some(&id)).unwrap_or_default();
-    settings.extend(asked.clone());
+    settings.extend(request.settings.clone());
     let open = driver.open(&Value::Object(settings)).map_err(|error| match error {
         HostError::Refused { driver, error } => DriverProblem::Settings { driver, error },
         other => DriverProblem::Host(other),
     })?;
+    // A design was checked within them; a job was planned before.
+    if content.job_hash.is_some() && !request.despite_errors {
+        require_within(content, &open.limits()?)?;
+    }
     let format_id = format.id.clone();
     let encoded = open.encode(&format.id, of(content)).map_err(|error| match error {
         HostError::Refused { driver, error } => DriverProblem::Unwritten { driver, format: format_id, error },
@@ -45,6 +50,18 @@ pub(super) fn encode(
         |note: api::Note| NoteReport { code: note.code.into(), count: note.count, message: note.message };
     content.notes.extend(encoded.notes.into_iter().map(note));
     Ok(encoded.files.into_iter().map(|file| file.text.into_bytes()).collect())
+}
+
+/// Refuses a wire that is beyond what the driver takes.
+fn require_within(content: &Content, limits: &Limits) -> Result<(), AppError> {
+    for (index, wire) in content.wires.iter().enumerate() {
+        let signs = content.setup.signs;
+        let steps: Vec<_> = wire.compensated.iter().flatten().map(|&step| signs.machine(step)).collect();
+        if let Some(beyond) = limits.beyond(&steps, 1) {
+            return Err(LiveProblem::beyond(index, "its driver", beyond).into());
+        }
+    }
+    Ok(())
 }
 
 fn of(content: &Content) -> api::Job {

@@ -7,6 +7,7 @@ use wirebend_core::bend::Step;
 use wirebend_core::units::{Angle, Length};
 use wirebend_files::write::{Mark, PictureWire};
 
+use super::format::Chosen;
 use super::{ExportRequest, is_job, open_job};
 use crate::drivers::Stages;
 use crate::machine::{Setup, kept_steps, objections, restored};
@@ -71,8 +72,21 @@ impl Content {
         }
         let opened = request.design.open_bytes(name, &bytes)?;
         let opened = app.designed(opened, &request.choices)?.with_wireframe()?;
-        let planned = app.plan_design(opened, &request.choices, progress)?;
+        let setup = app.setup_of(&opened, &request.choices)?;
+        let setup = Self::as_set(app, setup, request)?;
+        let planned = App::plan_with(opened, setup, &request.choices, progress)?;
         Self::of_plan(planned, title)
+    }
+
+    /// What is set for the machine's driver changes what the machine can make.
+    fn as_set(app: &App, setup: Setup, request: &ExportRequest) -> Result<Setup, AppError> {
+        if request.settings.is_empty() {
+            return Ok(setup);
+        }
+        let chosen = Chosen::new(app, request.format.as_deref(), &setup)?;
+        let own = setup.machine.profile.driver.id.as_deref();
+        let of_machine = chosen.driver_id().is_some() && chosen.driver_id() == own;
+        if of_machine { app.setup_with(setup, &request.settings) } else { Ok(setup) }
     }
 
     fn of_plan(planned: Planned, title: String) -> Result<Self, AppError> {

@@ -92,9 +92,7 @@ pub(crate) fn export(
             let print = Print::asked(format, &request.settings)?;
             vec![encode(&mut content, format, &print)?]
         }
-        Chosen::Driver(driver, format) => {
-            by_driver::encode(&mut content, *driver, &format, &request.settings)?
-        }
+        Chosen::Driver(driver, format) => by_driver::encode(&mut content, *driver, &format, request)?,
     };
     let mut files = Vec::new();
     if let Some(output) = &request.output {

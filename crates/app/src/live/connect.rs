@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use wirebend_driver_host::api::{Capability, Event, ReferenceBy};
+use wirebend_driver_host::api::{Capability, Event, Limits, ReferenceBy, Step};
 use wirebend_driver_host::{OpenDriver, Session, Standstill, State, StopLine, StopOutcome};
 use wirebend_profile::MachineProfile;
 
@@ -10,7 +10,7 @@ use super::LiveProblem;
 use super::hearing::Hearing;
 use super::person::{Yes, Zero};
 use super::under_way::wait_until_it_stands;
-use crate::drivers::{Signs, opened};
+use crate::drivers::{Board, Signs, opened};
 use crate::{App, AppError, News, Progress};
 
 /// Longer no machine takes to answer: a board that starts needs a few seconds.
@@ -56,6 +56,8 @@ pub(crate) struct Connection<'a> {
     pub unnamed: bool,
     pub driver_id: String,
     pub driver_version: String,
+    /// What its driver takes.
+    pub driver_limits: Limits,
     /// Wire was fed or bent by hand through this connection since a person has last said that the wire is in.
     pub wire_used: bool,
 }
@@ -86,6 +88,7 @@ impl App {
         let line = StopLine::open(&port, &bytes, &reply)
             .inspect_err(|error| tracing::warn!("{error}"))
             .unwrap_or(None);
+        let limits = driver.limits();
         progress.stage("connecting");
         let session = match at.token {
             Some(token) => Session::connect_resuming(driver, &port, token, line.clone()),
@@ -94,7 +97,7 @@ impl App {
         let session = session.map_err(LiveProblem::from)?;
         progress.connected(&session.stop_handle());
         tracing::info!("connected to {port}, which has not answered yet");
-        let hearing = Hearing {
+        let mut hearing = Hearing {
             progress,
             signs: at.signs,
             warnings: Vec::new(),
@@ -102,11 +105,27 @@ impl App {
             at_zero: at.axes_at_zero,
             zero_for: Zero::Wire,
             head: None,
+            board: None,
         };
+        let driver_limits = limits
+            .inspect_err(|error| {
+                hearing
+                    .warn("driver-limits-unknown", &format!("its driver does not tell its limits: {error}"));
+            })
+            .unwrap_or_default();
         let unnamed = at.port.is_none();
         let wire_used = false;
-        let mut connection =
-            Connection { session, hearing, port, line, unnamed, driver_id, driver_version, wire_used };
+        let mut connection = Connection {
+            session,
+            hearing,
+            port,
+            line,
+            unnamed,
+            driver_id,
+            driver_version,
+            driver_limits,
+            wire_used,
+        };
         if let Err(error) = connection.await_answer() {
             // Whatever was under way there when it was connected.
             return Err(match connection.await_standstill() {
@@ -115,6 +134,7 @@ impl App {
             }
             .into());
         }
+        connection.hearing.board = Some(self.boards.met(&at.profile.id, connection.board()));
         self.know_head(at.profile, &mut connection);
         Ok(connection)
     }
@@ -188,6 +208,19 @@ impl<'a> Connection<'a> {
         Err(LiveProblem::SettingsDiffer { machine, port, settings, writable })
     }
 
+    /// The machine, as it says itself.
+    pub fn board(&self) -> Board {
+        Board { port: self.port.clone(), limits: self.session.machine_limits().clone() }
+    }
+
+    /// Refuses a wire with a step that the driver or the machine would refuse in its middle; those before `from` are made.
+    pub fn require_within(&self, wire: usize, steps: &[Step], from: u32) -> Result<(), LiveProblem> {
+        let by = [("its driver", &self.driver_limits), ("the machine", self.session.machine_limits())];
+        by.into_iter()
+            .find_map(|(by, limits)| Some((by, limits.beyond(steps, from)?)))
+            .map_or(Ok(()), |(by, beyond)| Err(LiveProblem::beyond(wire, by, beyond)))
+    }
+
     /// Writes the profile's settings to the machine, for good, and waits until it has told what came of it.
     pub fn write_settings(&mut self, yes: &Yes) -> Result<(), LiveProblem> {
         self.hearing.progress.stage("writing settings");
@@ -203,10 +236,29 @@ impl<'a> Connection<'a> {
         self,
         make: impl FnOnce(Session, &mut Hearing<'a>) -> (Option<Session>, T),
     ) -> (Option<Self>, T) {
-        let Self { session, mut hearing, port, line, unnamed, driver_id, driver_version, wire_used } = self;
+        let Self {
+            session,
+            mut hearing,
+            port,
+            line,
+            unnamed,
+            driver_id,
+            driver_version,
+            driver_limits,
+            wire_used,
+        } = self;
         let (session, made) = make(session, &mut hearing);
-        let again =
-            |session| Self { session, hearing, port, line, unnamed, driver_id, driver_version, wire_used };
+        let again = |session| Self {
+            session,
+            hearing,
+            port,
+            line,
+            unnamed,
+            driver_id,
+            driver_version,
+            driver_limits,
+            wire_used,
+        };
         (session.map(again), made)
     }
 

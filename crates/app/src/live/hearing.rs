@@ -6,7 +6,7 @@ use wirebend_driver_host::api::{Direction, Event, SettingCheck};
 use super::LiveProblem;
 use super::head::{self, Known};
 use super::person::Zero;
-use crate::drivers::Signs;
+use crate::drivers::{Met, Signs};
 use crate::{News, NoteReport, Progress};
 
 /// Who hears of a machine, and what has to be kept of it.
@@ -22,6 +22,8 @@ pub(crate) struct Hearing<'a> {
     pub(super) zero_for: Zero,
     /// What is kept of the head; nothing of a simulated machine's.
     pub(super) head: Option<Known>,
+    /// It is connected.
+    pub(super) board: Option<Met>,
 }
 
 impl Drop for Hearing<'_> {
@@ -53,8 +55,10 @@ impl Hearing<'_> {
 
     pub(super) fn hear(&mut self, event: &Event) {
         match event {
-            Event::Connected { settings, .. } | Event::SettingsWritten { settings } => {
+            Event::Connected { settings, .. } => self.settings.clone_from(settings),
+            Event::SettingsWritten { settings, limits } => {
                 self.settings.clone_from(settings);
+                self.board.iter().for_each(|board| board.says(limits));
             }
             Event::Warning(error) => self.warn(&error.code, &error.to_string()),
             Event::Position(position) => self.position(*position),

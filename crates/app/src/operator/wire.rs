@@ -36,6 +36,7 @@ impl<'a> Post<'a> {
         let homes = self.homes_first();
         let connection = self.connected(OrderName::Arm)?;
         connection.require_settings(task.setup.machine_id(), accept_settings)?;
+        task.require_within(connection, wire, 1)?;
         self.settle_head(OrderName::Arm, homes)?;
         let connection = self.connected(OrderName::Arm)?;
         let lines = about(&task, connection, wire, true, homes)?;

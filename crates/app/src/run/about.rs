@@ -1,5 +1,7 @@
 //! What a person reads before they say yes.
 
+use std::time::Duration;
+
 use wirebend_driver_host::api::{DoneBy, ReferenceBy};
 
 use super::task::Task;
@@ -26,8 +28,9 @@ pub(crate) fn about(
     let fed: f64 = kept.compensated.iter().map(|step| step.feed_mm).sum();
     let which = if count > 1 { format!("wire {} of {count}", wire + 1) } else { "the wire".to_owned() };
     let (steps, bends) = (counted(steps, "step"), counted(bends, "bend"));
+    let seconds = task.work(wire, connection)?.estimates.iter().map(Duration::as_secs_f64).sum();
     // Of a wire that was begun nobody has reckoned how long the rest takes.
-    let time = if anew { format!("; {} on the machine", minutes(kept.time_s)) } else { String::new() };
+    let time = if anew { format!("; {} on the machine", minutes(seconds)) } else { String::new() };
     lines.push(format!("{which}: {steps}, {bends}, {fed:.1} mm are fed{time}"));
     if anew {
         let tail = kept.stock_mm - fed;

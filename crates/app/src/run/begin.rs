@@ -18,6 +18,7 @@ impl Task<'_> {
         wanted.iter().try_for_each(|&wire| self.require_clear(wire))?;
         let mut connection = self.app.connect(&self.at(None, Unnamed::Simulate), self.progress)?;
         connection.require_settings(self.setup.machine_id(), self.request.accept_settings)?;
+        wanted.iter().try_for_each(|&wire| self.require_within(&connection, wire, 1))?;
         connection.settle_head(self.request.head_at_deg, self.request.confirmed)?;
         let mut response = self.response();
         response.port = Some(connection.port.clone());
@@ -100,7 +101,7 @@ impl Task<'_> {
         if self.request.accept_settings && !connection.session.differences().is_empty() {
             connection.session.accept_differences(yes.confirmed()?);
         }
-        let work = self.work(wire)?;
+        let work = self.work(wire, connection)?;
         let (id, path) = self.folder.next(self.job.hash(), wire)?;
         let heading = Heading {
             version: 0, // filled in by the journal

@@ -94,7 +94,10 @@ impl Task<'_> {
         let ready = connection
             .require_settings(self.setup.machine_id(), self.request.accept_settings)
             .map_err(AppError::from)
-            .and_then(|()| Ok((about(self, &connection, wire, false, false)?, self.work(wire)?)));
+            .and_then(|()| self.require_within(&connection, wire, journal.account().done + 1))
+            .and_then(|()| {
+                Ok((about(self, &connection, wire, false, false)?, self.work(wire, &connection)?))
+            });
         let (mut lines, work) = match ready {
             Ok(ready) => ready,
             Err(error) => return (Some(connection), Err(error)),

@@ -11,7 +11,7 @@ use super::report::{RunOutcome, RunResponse, WireRun};
 use crate::design::Input;
 use crate::drivers::work;
 use crate::export::open_job;
-use crate::live::{At, Unnamed};
+use crate::live::{At, Connection, Unnamed};
 use crate::machine::{Setup, objections, restored};
 use crate::output::Output;
 use crate::report::NoteReport;
@@ -59,8 +59,15 @@ impl<'a> Task<'a> {
         wire.ok_or_else(|| LiveProblem::NoWire { wire: index, count }.into())
     }
 
-    pub fn work(&self, wire: usize) -> Result<Work, AppError> {
-        work(&self.setup, &self.job, &self.request.job.stem(), wire)
+    /// A wire for the machine that is connected: in the time that it takes there.
+    pub fn work(&self, wire: usize, connection: &Connection) -> Result<Work, AppError> {
+        let setup = self.setup.at(&connection.board())?;
+        work(&setup, &self.job, &self.request.job.stem(), wire)
+    }
+
+    /// Refuses a wire that could not be made to its end; what is before step `from`, counted from 1, is made.
+    pub fn require_within(&self, connection: &Connection, wire: usize, from: u32) -> Result<(), AppError> {
+        Ok(connection.require_within(wire, &self.work(wire, connection)?.steps, from)?)
     }
 
     /// The machine of the job.

@@ -3,9 +3,15 @@
 use std::time::Instant;
 
 use serde_json::json;
-use wirebend_app::{Answer, Move, News, OperatorEvent, Order, Phase, QuestionKind};
+use wirebend_app::{
+    Answer, CheckRequest, DesignInput, Move, News, NoProgress, OperatorEvent, Order, Phase, PlanChoices,
+    QuestionKind, Request, Response,
+};
 
+use crate::bender::Bender;
 use crate::board::Board;
+use crate::cases;
+use crate::grbl_model::Build;
 use crate::shop::{Seat, Shop};
 
 /// The board is opened once, moved jog by jog, and left to one window at a time.
@@ -130,4 +136,36 @@ fn where_nobody_knows_where_the_head_stands_a_person_is_asked() {
     assert!(told.contains("left at -45.0°"), "{told}");
     seat.until_phase(Phase::Ready);
     assert!(std::fs::read_to_string(shop.head_record()).unwrap().contains("0.0"), "it stands at zero now");
+}
+
+/// As long as a machine is connected, what it says of itself is part of every plan for it, the check of the window among them.
+#[test]
+fn what_a_connected_board_says_of_its_axes_is_planned_with() {
+    let shop = Shop::new();
+    let bender = Bender::new(Build { bend_travel: Some(60.0), bend_rate: 100.0, ..Build::default() });
+    let check = || {
+        let design = DesignInput::file(cases::root().join("examples/u-sample.obj"));
+        let choices = PlanChoices { machine: Some("grbl-bender".to_owned()), ..PlanChoices::default() };
+        match shop.app.run(&Request::Check(CheckRequest { design, choices }), &NoProgress).unwrap() {
+            Response::Check(checked) => serde_json::to_value(checked).unwrap(),
+            other => panic!("a check answered {other:?}"),
+        }
+    };
+    let alone = check();
+    assert_eq!(alone["feasible"], json!(true), "{alone:#}");
+    let seat = shop.connect("grbl-bender", Some(&bender.port));
+    seat.until_phase(Phase::Connected);
+    let connected = check();
+    let found = connected["diagnostics"].as_array().unwrap();
+    let [first, second] = &found[..] else { panic!("{connected:#}") };
+    for bend in [first, second] {
+        assert_eq!(bend["code"], "bend_out_of_reach", "{connected:#}");
+        let source = bend["limit_source"].as_str().unwrap();
+        assert!(
+            source.contains("$132") && source.contains(&format!("machine at {}", bender.port)),
+            "{source}"
+        );
+    }
+    drop(seat);
+    assert_eq!(check(), alone, "it is not connected any more");
 }

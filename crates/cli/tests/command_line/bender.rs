@@ -37,12 +37,12 @@ impl Bender {
 
     /// One without switches, so slow that a bend can be stopped on its way.
     pub fn without_switches() -> Self {
-        Self::new(Build { switches: false, steps_a_turn: 8, change: None })
+        Self::new(Build { switches: false, steps_a_turn: 8, ..Build::default() })
     }
 
     /// One whose bend axis needs seconds for a bend.
     pub fn slow() -> Self {
-        Self::new(Build { switches: false, steps_a_turn: 2, change: None })
+        Self::new(Build { switches: false, steps_a_turn: 2, ..Build::default() })
     }
 
     /// Whatever is sent to the machine from now on is lost, for a time.

@@ -1,6 +1,7 @@
 //! What a machine's driver will refuse is known before the first step, and by every command alike.
 
 use std::fs;
+use std::path::Path;
 
 use serde_json::{Value, json};
 
@@ -8,8 +9,8 @@ use crate::c_drivers::Home;
 use crate::{assert_fits, example};
 
 /// A machine of one's own with settings for its driver.
-fn machine(home: &Home, id: &str, inherits: &str, settings: &Value) {
-    let file = home.path(&format!("wirebend/machines/{id}.json"));
+pub fn machine(config: &Path, id: &str, inherits: &str, settings: &Value) {
+    let file = config.join(format!("wirebend/machines/{id}.json"));
     fs::create_dir_all(file.parent().unwrap()).unwrap();
     let profile = json!({
         "schema_version": 1, "kind": "machine", "id": id, "inherits": inherits, "driver": {"settings": settings},
@@ -48,7 +49,7 @@ fn a_feed_that_the_driver_refuses_is_found_before_a_wire_is_begun() {
 #[test]
 fn a_bend_limit_of_the_drivers_settings_holds_for_every_command() {
     let home = Home::new();
-    machine(&home, "short", "wirebend-kit", &json!({"bend_limit_deg": 80}));
+    machine(&home.path(""), "short", "wirebend-kit", &json!({"bend_limit_deg": 80}));
     let cube = example("cube-8-edges.obj");
     let found = home.run(&["check", &cube, "-m", "short", "--json"]).ended(4).json();
     // All seven bends are right angles, for which the axis has to go to more than a hundred degrees (Eq. 2).
@@ -68,12 +69,36 @@ fn a_bend_limit_of_the_drivers_settings_holds_for_every_command() {
     home.run(&["check", &gentle, "-m", "short"]).ended(0);
 }
 
+/// A design that is exported is checked with the settings that it is written with; a job was planned before them.
+#[test]
+fn what_is_set_for_an_export_is_checked() {
+    let home = Home::new();
+    let u = example("u-sample.obj");
+    let native = |more: &[&str]| {
+        home.run(&[&["export", &u, "-m", "wirebend-kit", "-o", "a.out", "--json"][..], more].concat())
+    };
+    native(&["--set", "bend_limit_deg=120"]).ended(0);
+    fs::remove_file(home.path("a.out")).unwrap();
+    let error = native(&["--set", "bend_limit_deg=80"]).ended(4).json();
+    assert!(error.to_string().contains("driver setting bend_limit_deg"), "{error:#}");
+    let error = native(&["--set", "feed_most_mm=30"]).ended(4).json();
+    assert_eq!(said(&error["error"]["report"], "feed_too_long").len(), 3, "{error:#}");
+    home.run(&["plan", &u, "-m", "wirebend-kit", "-o", "u.wbjob"]).ended(0);
+    let job = |more: &[&str]| home.run(&[&["export", "u.wbjob", "-o", "a.out", "--json"][..], more].concat());
+    let error = job(&["--set", "bend_limit_deg=80"]).ended(4).json();
+    assert_eq!(error["error"]["code"], "beyond-limit");
+    let message = error["error"]["message"].as_str().unwrap();
+    assert!(message.contains("no more than 80.000°"), "{message}");
+    assert!(!home.path("a.out").exists());
+    job(&["--set", "bend_limit_deg=120"]).ended(0);
+}
+
 /// The head is turned another way where it can, and refused where it cannot.
 #[test]
 fn a_limit_of_the_head_in_the_drivers_settings_is_planned_for() {
     let home = Home::new();
-    machine(&home, "tied", "wirebend-kit", &json!({"rotate_limit_deg": 100}));
-    machine(&home, "bound", "wirebend-kit", &json!({"rotate_limit_deg": 60}));
+    machine(&home.path(""), "tied", "wirebend-kit", &json!({"rotate_limit_deg": 100}));
+    machine(&home.path(""), "bound", "wirebend-kit", &json!({"rotate_limit_deg": 60}));
     // Three planes at right angles: a quarter turn from each to the next.
     let twisted = design(&home, "v 0 0 0\nv 60 0 0\nv 60 60 0\nv 60 60 60\nv 120 60 60\nl 1 2 3 4 5\n");
     let planned = home.run(&["plan", &twisted, "-m", "tied", "--json"]).ended(0).json();
@@ -92,7 +117,7 @@ fn a_limit_of_the_head_in_the_drivers_settings_is_planned_for() {
 #[test]
 fn a_rate_of_the_drivers_settings_changes_the_time() {
     let home = Home::new();
-    machine(&home, "slow", "wirebend-kit", &json!({"feed_rate_mm_per_s": 11.02}));
+    machine(&home.path(""), "slow", "wirebend-kit", &json!({"feed_rate_mm_per_s": 11.02}));
     let cube = example("cube-8-edges.obj");
     let on = |id: &str| home.run(&["plan", &cube, "-m", id, "--json"]).ended(0).json();
     let (quick, slow) = (on("wirebend-kit"), on("slow"));
@@ -107,7 +132,12 @@ fn a_rate_of_the_drivers_settings_changes_the_time() {
 #[test]
 fn a_range_that_only_the_driver_knows_is_checked() {
     let home = Home::new();
-    machine(&home, "fine", "grbl-bender", &json!({"feed_units_per_mm": 10000, "feed_rate_mm_per_min": 60}));
+    machine(
+        &home.path(""),
+        "fine",
+        "grbl-bender",
+        &json!({"feed_units_per_mm": 10000, "feed_rate_mm_per_min": 60}),
+    );
     let found = home.run(&["check", &example("u-sample.obj"), "-m", "fine", "--json"]).ended(4).json();
     // 1000000 units are 100 mm; three sides of 35 mm are more.
     let [stock] = said(&found, "stock_too_long")[..] else { panic!("{found:#}") };
@@ -119,7 +149,7 @@ fn a_range_that_only_the_driver_knows_is_checked() {
 #[test]
 fn settings_that_the_driver_does_not_take_are_no_machine_to_check_on() {
     let home = Home::new();
-    machine(&home, "wrong", "wirebend-kit", &json!({"bend_limit_deg": 170}));
+    machine(&home.path(""), "wrong", "wirebend-kit", &json!({"bend_limit_deg": 170}));
     let error = home.run(&["check", &example("house.obj"), "-m", "wrong", "--json"]).ended(3).json();
     assert_eq!(error["error"]["code"], "driver-settings");
     assert!(error["error"]["message"].as_str().unwrap().contains("home_position_deg"), "{error}");

@@ -8,6 +8,8 @@ mod asked;
 mod bender;
 #[cfg(target_os = "linux")]
 mod board;
+#[cfg(target_os = "linux")]
+mod board_limits;
 mod by_hand;
 mod c_drivers;
 mod compare;

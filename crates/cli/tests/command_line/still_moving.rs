@@ -29,7 +29,7 @@ fn bench() -> (tempfile::TempDir, Bender) {
     std::fs::create_dir_all(&machines).unwrap();
     std::fs::write(machines.join("quick.json"), quick.to_string()).unwrap();
     run(&folder, &["plan", &example("u-sample.obj"), "-m", "quick", "-o", "a.wbjob"]).ended(0);
-    (folder, Bender::new(Build { switches: false, steps_a_turn: 8, change: None }))
+    (folder, Bender::new(Build { switches: false, steps_a_turn: 8, ..Build::default() }))
 }
 
 fn run(folder: &tempfile::TempDir, arguments: &[&str]) -> Ran {

@@ -58,7 +58,7 @@ fn the_events_of_1_1_are_written_so() {
     let Event::Made { wire_mm, corners_mm } = made else { panic!("{made:?}") };
     assert_eq!((wire_mm, corners_mm), (vec![[0.0; 3], [1.0, 0.0, 0.0]], vec![[0.0; 3]]));
     let written: Event = read(json!({"event": "settings-written"}));
-    assert_eq!(written, Event::SettingsWritten { settings: Vec::new() });
+    assert_eq!(written, Event::SettingsWritten { settings: Vec::new(), limits: Limits::default() });
     assert_eq!(read::<Call>(json!({"call": "write-settings"})), Call::WriteSettings);
 }
 
@@ -85,6 +85,7 @@ fn who_brings_the_axes_to_their_reference_is_told_since_1_2() {
         reference: ReferenceBy::Person,
         done_by: DoneBy::Clock,
         head: HeadBy::Reference,
+        limits: Limits::default(),
     };
     let written = serde_json::to_value(connected).unwrap();
     assert_eq!((&written["event"], &written["reference"]), (&json!("connected"), &json!("person")));

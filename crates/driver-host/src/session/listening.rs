@@ -58,8 +58,9 @@ impl Session {
             // It no longer waits for the stop.
             Event::Fault { .. } if self.guard.standstill() == Some(Standstill::Awaited) => self.lose_driver(),
             Event::Fault { .. } if self.state != State::Disconnected && self.guard.concerns() => self.halt(),
-            Event::Connected { settings, going_on, identity, reference, done_by, .. } => {
+            Event::Connected { settings, going_on, identity, reference, done_by, limits, .. } => {
                 (self.reference, self.done_by) = (*reference, *done_by);
+                self.limits.clone_from(limits);
                 self.identity.clone_from(identity);
                 self.off = OffZero::default();
                 self.differences = differences(settings);
@@ -71,7 +72,10 @@ impl Session {
                     (self.sent, self.done) = (going_on.accepted, going_on.done);
                 }
             }
-            Event::SettingsWritten { settings } => self.differences = differences(settings),
+            Event::SettingsWritten { settings, limits } => {
+                self.differences = differences(settings);
+                self.limits.clone_from(limits);
+            }
             Event::Paused { .. } => self.holds = true,
             Event::Resumed => self.holds = false,
             _ => {}

@@ -12,7 +12,7 @@ mod stop;
 mod stop_line;
 
 use serde::de::DeserializeOwned;
-use wirebend_driver_api::{Call, Capability, DoneBy, GoingOn, ReferenceBy, SettingCheck, deadline};
+use wirebend_driver_api::{Call, Capability, DoneBy, GoingOn, Limits, ReferenceBy, SettingCheck, deadline};
 
 use crate::driver::OpenDriver;
 use crate::error::HostError;
@@ -46,6 +46,8 @@ pub struct Session {
     off: OffZero,
     /// Settings of the machine that make wires come out wrong, as long as no person has accepted them.
     differences: Vec<SettingCheck>,
+    /// What the machine itself says of its axes.
+    limits: Limits,
     /// The driver was given the token of an earlier arming.
     resuming: bool,
     /// What the machine said of it.
@@ -108,6 +110,7 @@ impl Session {
             done: 0,
             off: OffZero::default(),
             differences: Vec::new(),
+            limits: Limits::default(),
             resuming: resume.is_some(),
             going_on: None,
             holds: false,
@@ -184,6 +187,12 @@ impl Session {
     #[must_use]
     pub fn differences(&self) -> &[SettingCheck] {
         &self.differences
+    }
+
+    /// What the machine itself says of how far its axes go and how fast.
+    #[must_use]
+    pub const fn machine_limits(&self) -> &Limits {
+        &self.limits
     }
 
     /// Makes wires although settings of the machine differ.

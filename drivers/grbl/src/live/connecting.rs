@@ -6,6 +6,7 @@ use wirebend_driver_api::{DoneBy, DriverError, Event, HeadBy, ReferenceBy};
 
 use super::protocol::{Phase, Protocol};
 use super::status::State;
+use crate::limits;
 use crate::settings::Homing;
 
 /// Opening the port resets most boards; their loader takes up to two seconds.
@@ -213,6 +214,7 @@ impl Protocol {
             },
             done_by: DoneBy::Machine,
             head: HeadBy::Reference,
+            limits: limits::of_board(&self.settings, |key| self.machine.setting(key)),
         });
         if reading.parts().1 {
             self.event(Event::Stopped { homed: false });

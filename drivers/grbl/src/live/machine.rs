@@ -141,6 +141,11 @@ impl Machine {
         self.settings.get("$13").is_some_and(|value| value == "1")
     }
 
+    /// What it says of a setting.
+    pub fn setting(&self, key: &str) -> Option<f64> {
+        self.settings.get(key)?.parse().ok()
+    }
+
     /// The settings that are not what they should be.
     pub fn differences(&self, settings: &Settings) -> Vec<SettingCheck> {
         // With laser mode the pin's output follows the rate of motion, and goes off at rest.

@@ -14,7 +14,7 @@ const WIRE: [Step; 2] = [
 
 /// A machine without switches, which a person has put to zero away from where it was switched on.
 fn zeroed() -> Bench {
-    let build = Build { switches: false, steps_a_turn: 8, change: None };
+    let build = Build { switches: false, steps_a_turn: 8, ..Build::default() };
     let mut bench = built(json!({"pin_dwell_s": 0}), build);
     let session = bench.session.as_mut();
     until(session, |event| matches!(event, Event::Connected { .. }));

@@ -14,8 +14,8 @@ use model::{Build, Model, Record};
 use serde_json::{Value, json};
 use serialport::{SerialPort, TTYPort};
 use wirebend_driver_api::{
-    Axis, Batch, DoneBy, Event, HeadBy, MachineDriver, MachineSession, Motion, NumberedStep, ReferenceBy,
-    Run, Step,
+    Axis, AxisRate, Batch, DoneBy, Event, HeadBy, Limits, MachineDriver, MachineSession, Motion,
+    NumberedStep, ReferenceBy, Run, Step,
 };
 use wirebend_driver_grbl::Grbl;
 
@@ -88,6 +88,12 @@ fn until_told(session: &mut dyn MachineSession, wanted: impl Fn(&Event) -> bool)
     panic!("it did not come: {events:?}");
 }
 
+/// No axis is faster than a board lets it be.
+fn rates(per_s: f64) -> Vec<AxisRate> {
+    let axes = [(Axis::Feed, "$110"), (Axis::Rotate, "$111"), (Axis::Bend, "$112")];
+    axes.map(|(axis, setting)| AxisRate::new(axis, per_s, &[setting])).into()
+}
+
 fn connected_and_homed(session: &mut dyn MachineSession) {
     let events = until(session, |event| matches!(event, Event::Connected { .. }));
     let connected = Event::Connected {
@@ -98,6 +104,8 @@ fn connected_and_homed(session: &mut dyn MachineSession) {
         reference: ReferenceBy::Machine,
         done_by: DoneBy::Machine,
         head: HeadBy::Reference,
+        // What the model says of $110 to $112.
+        limits: Limits { limits: Vec::new(), rates: rates(500.0 / 60.0) },
     };
     assert_eq!(events, [connected]);
     session.home().unwrap();

@@ -2,11 +2,12 @@
 
 use std::time::Duration;
 
-use wirebend_driver_api::{DoneBy, Event, GoingOn, HeadBy, PausedBy, ReferenceBy, SettingCheck};
+use wirebend_driver_api::{DoneBy, Event, GoingOn, HeadBy, Limits, PausedBy, ReferenceBy, SettingCheck};
 
 use super::fault;
 use super::machine::{Counts, Doing, Halt, Homing, Machine};
 use super::wire::Wire;
+use crate::limits;
 use crate::link::{Ask, News};
 use crate::protocol::{Alarm, Refusal, State, Status, VERSION, Versions};
 use crate::settings::{Difference, differences};
@@ -265,7 +266,7 @@ impl Machine {
                     self.report(Event::Warning(fault::not_stored(id, value, error)));
                 }
                 let settings = self.checks();
-                self.report(Event::SettingsWritten { settings });
+                self.report(Event::SettingsWritten { settings, limits: self.limits() });
             }
             Doing::Arming if read && self.wire.as_ref().is_some_and(|wire| wire.placed) => {
                 self.head = Counts::Itself;
@@ -292,6 +293,7 @@ impl Machine {
             done_by: DoneBy::Machine,
             // Its switch is that of the bend axis alone.
             head: if self.head == Counts::Kept { HeadBy::Kept } else { HeadBy::Program },
+            limits: self.limits(),
         };
         self.report(event);
         if status.state == State::Alarm {
@@ -308,6 +310,17 @@ impl Machine {
         }
         let read = self.read.map(Option::unwrap_or_default);
         differences(&self.settings, &read).into_iter().map(Difference::told).collect()
+    }
+
+    /// What the board itself holds steps against.
+    fn limits(&self) -> Limits {
+        // One that cannot read its settings moves nothing.
+        self.read
+            .iter()
+            .copied()
+            .collect::<Option<Vec<i32>>>()
+            .map(|read| limits::of_board(&read))
+            .unwrap_or_default()
     }
 
     /// Whether the last step of the wire is made.

@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use serde_json::json;
 use table::Table;
-use wirebend_driver_api::{Axis, Event, HeadBy, Motion, PausedBy, Step};
+use wirebend_driver_api::{Axis, Event, HeadBy, Limits, Motion, PausedBy, Step};
 
 #[test]
 fn a_machine_is_met_homed_and_armed() {
@@ -206,7 +206,7 @@ fn settings_are_written_and_read_back() {
     table.home();
     table.session.write_settings().unwrap();
     let written = table.until(|event| matches!(event, Event::SettingsWritten { .. }));
-    assert_eq!(written, Event::SettingsWritten { settings: Vec::new() });
+    assert_eq!(written, Event::SettingsWritten { settings: Vec::new(), limits: Limits::default() });
     assert_eq!(table.session.jog(Motion { axis: Axis::Feed, by: 1.0 }).unwrap_err().code, "not-homed");
     table.home();
 }

@@ -9,6 +9,7 @@ mod bender;
 mod cube;
 mod head;
 mod interrupted;
+mod limits;
 mod lost;
 mod refused;
 mod shop;

@@ -44,7 +44,7 @@ impl Making {
         let mut making = Self { at, session, told: Vec::new(), zero: 0 };
         making.until(|event| matches!(event, Event::Connected { .. }));
         making.session.write_settings().unwrap();
-        making.until(|event| *event == Event::SettingsWritten { settings: Vec::new() });
+        making.until(|event| matches!(event, Event::SettingsWritten { settings, .. } if settings.is_empty()));
         making.session.home().unwrap();
         making.until(|event| *event == Event::Homed);
         making.zero = making.at.with(|bender| net(bender.pulses.all(), Axis::Bend));

@@ -1,5 +1,5 @@
 import { useEffect } from "react";
-import { count } from "../../shared/format";
+import { count, sentence } from "../../shared/format";
 import { Checkbox } from "../../shared/inputs";
 import { Line } from "../../shared/Line";
 import { Section } from "../../shared/Section";
@@ -44,6 +44,7 @@ export function CheckSection() {
               {fine.map((text) => (
                 <Line key={text} tone="fine" what={text} />
               ))}
+              {check?.unknown && <Line tone="warning" what={sentence(check.unknown)} />}
               {check && isCompensated(check) && <Line tone="info" what="Whether it meets the machine or itself is not checked" />}
             </ul>
             <Checkbox checked={annotations} onChange={setAnnotations}>

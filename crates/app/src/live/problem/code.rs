@@ -27,6 +27,7 @@ impl LiveProblem {
             | Self::SeveralRuns { .. }
             | Self::OtherMachine { .. }
             | Self::Session(SessionError::Unsupported { .. }) => ErrorKind::Usage,
+            Self::BeyondLimit { .. } => ErrorKind::NotFeasible,
             Self::Moves { .. }
             | Self::DamagedJournal { .. }
             | Self::Job(
@@ -68,6 +69,7 @@ impl LiveProblem {
             Self::Session(error) => error.code(),
             Self::Job(error) => job_code(error),
             Self::SettingsDiffer { .. } => "settings-differ",
+            Self::BeyondLimit { .. } => "beyond-limit",
             Self::NoWire { .. } => "no-wire",
             Self::Unfinished { .. } => "unfinished",
             Self::DamagedJournal { .. } => "journal-damaged",

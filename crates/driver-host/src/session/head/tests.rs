@@ -34,6 +34,7 @@ fn connected(head: HeadBy) -> Event {
         reference: ReferenceBy::Machine,
         done_by: wirebend_driver_api::DoneBy::Machine,
         head,
+        limits: wirebend_driver_api::Limits::default(),
     }
 }
 

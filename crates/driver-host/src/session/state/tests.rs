@@ -1,7 +1,7 @@
 //! What can be said of any row of acts and reports.
 
 use proptest::prelude::*;
-use wirebend_driver_api::{DoneBy, DriverError, GoingOn, HeadBy, PausedBy, ReferenceBy};
+use wirebend_driver_api::{DoneBy, DriverError, GoingOn, HeadBy, Limits, PausedBy, ReferenceBy};
 
 use super::*;
 
@@ -18,6 +18,7 @@ fn events() -> Vec<Event> {
         reference: ReferenceBy::default(),
         done_by: DoneBy::default(),
         head: HeadBy::default(),
+        limits: Limits::default(),
     };
     vec![
         connected(false, None),
@@ -31,7 +32,7 @@ fn events() -> Vec<Event> {
         Event::Paused { by: PausedBy::Program },
         Event::Resumed,
         Event::Stopped { homed: true },
-        Event::SettingsWritten { settings: Vec::new() },
+        Event::SettingsWritten { settings: Vec::new(), limits: Limits::default() },
         Event::Warning(error.clone()),
         Event::Fault { error, in_doubt: None, disconnected: true },
     ]

@@ -172,7 +172,7 @@ impl<P: Read + Write> Controller<P> {
     }
 
     /// Motion and spindle end at once. An alarm of its own, or 3 where something moved.
-    fn kill(&mut self, alarm: Option<u32>) {
+    pub fn kill(&mut self, alarm: Option<u32>) {
         if self.ending != Ending::Not {
             return;
         }

@@ -2,6 +2,7 @@
 
 use std::io::{Read, Write};
 
+use super::Build;
 use super::controller::{Controller, PLANNER, State, steps, units};
 
 /// A dwell, turns.
@@ -47,9 +48,13 @@ impl<P: Read + Write> Controller<P> {
         let homing = u8::from(self.build.switches);
         match line {
             "$I" => self.say("[VER:1.1h.20190830:model]\r\n[OPT:V,15,128]\r\nok"),
-            "$$" => self.say(&format!(
-                "$10=1\r\n$13=0\r\n$22={homing}\r\n$32=0\r\n$100=80.000\r\n$101=80.000\r\n$102=80.000\r\nok"
-            )),
+            "$$" => {
+                let Build { bend_travel, bend_rate, .. } = self.build;
+                let (soft, travel) = (u8::from(bend_travel.is_some()), bend_travel.unwrap_or(200.0));
+                self.say(&format!(
+                    "$10=1\r\n$13=0\r\n$20={soft}\r\n$22={homing}\r\n$32=0\r\n$100=80.000\r\n$101=80.000\r\n$102=80.000\r\n$110=500.000\r\n$111=500.000\r\n$112={bend_rate:.3}\r\n$132={travel:.3}\r\nok"
+                ));
+            }
             "$H" if homing == 0 => self.say("error:5"),
             "$H" => self.waiting = Some((line.to_owned(), SEARCH)),
             "$X" if self.state == State::Alarm => {
@@ -74,6 +79,9 @@ impl<P: Read + Write> Controller<P> {
         if let Err(code) = words {
             (self.planned, self.relative) = before;
             return self.say(&format!("error:{code}"));
+        }
+        if self.build.bend_travel.is_some_and(|travel| !(0.0..=travel).contains(&self.planned[2])) {
+            return self.kill(Some(2));
         }
         let target = self.planned.map(steps);
         if target != *self.planner.back().unwrap_or(&self.at) {

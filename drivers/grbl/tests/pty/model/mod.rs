@@ -24,11 +24,15 @@ pub struct Build {
     pub steps_a_turn: i64,
     /// A byte that the cable changes, once.
     pub change: Option<Change>,
+    /// Soft limits are on: its bend axis, whose zero is where it homes, goes so far up and no way down.
+    pub bend_travel: Option<f64>,
+    /// The most that its bend axis makes, units a minute; it is only told.
+    pub bend_rate: f64,
 }
 
 impl Default for Build {
     fn default() -> Self {
-        Self { switches: true, steps_a_turn: 40, change: None }
+        Self { switches: true, steps_a_turn: 40, change: None, bend_travel: None, bend_rate: 500.0 }
     }
 }
 
