@@ -106,6 +106,8 @@ impl Making<'_, '_> {
             }
             Err(_) if stop.is_some() => {}
             Err(AppError::Live(LiveProblem::Fault(error))) => heard.fault = Some(error),
+            // The search for the reference has failed, and the machine was stopped for it.
+            Err(AppError::Live(error)) if standstill.is_some() => heard.held = Some(RunProblem::from(&error)),
             Err(error) => {
                 self.keep(response)?;
                 return Err(error);

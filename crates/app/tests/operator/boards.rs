@@ -142,7 +142,7 @@ fn where_nobody_knows_where_the_head_stands_a_person_is_asked() {
 #[test]
 fn what_a_connected_board_says_of_its_axes_is_planned_with() {
     let shop = Shop::new();
-    let bender = Bender::new(Build { bend_travel: Some(60.0), bend_rate: 100.0, ..Build::default() });
+    let bender = Bender::new(Build { bend_travel: Some(60.0), bend_rate: Some(100.0), ..Build::default() });
     let check = || {
         let design = DesignInput::file(cases::root().join("examples/u-sample.obj"));
         let choices = PlanChoices { machine: Some("grbl-bender".to_owned()), ..PlanChoices::default() };

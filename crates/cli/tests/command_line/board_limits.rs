@@ -36,7 +36,7 @@ fn a_bend_beyond_the_travel_of_a_board_is_refused_before_the_wire() {
 fn a_board_that_is_slower_than_its_profile_takes_longer() {
     let shop = Shop::on("u-sample.obj", "grbl-bender");
     let seconds = |bend_rate| {
-        let bender = Bender::new(Build { bend_rate, switches: false, ..Build::default() });
+        let bender = Bender::new(Build { bend_rate: Some(bend_rate), switches: false, ..Build::default() });
         // Nobody says yes: it is told what will be made, and nothing moves.
         let told = shop.run(&["run", "a.wbjob", "--port", &bender.port]).ended(2).err;
         let at = told.find(" on the machine").unwrap_or_else(|| panic!("{told}"));

@@ -104,8 +104,8 @@ fn connected_and_homed(session: &mut dyn MachineSession) {
         reference: ReferenceBy::Machine,
         done_by: DoneBy::Machine,
         head: HeadBy::Reference,
-        // What the model says of $110 to $112.
-        limits: Limits { limits: Vec::new(), rates: rates(500.0 / 60.0) },
+        // What the model says of $110 to $112: 40 steps in a millisecond, 80 for each unit.
+        limits: Limits { limits: Vec::new(), rates: rates(500.0) },
     };
     assert_eq!(events, [connected]);
     session.home().unwrap();

@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use serde_json::json;
 use table::Table;
-use wirebend_driver_api::{Axis, Event, HeadBy, Limits, Motion, PausedBy, Step};
+use wirebend_driver_api::{Axis, Event, HeadBy, Motion, PausedBy, Step};
 
 #[test]
 fn a_machine_is_met_homed_and_armed() {
@@ -206,7 +206,11 @@ fn settings_are_written_and_read_back() {
     table.home();
     table.session.write_settings().unwrap();
     let written = table.until(|event| matches!(event, Event::SettingsWritten { .. }));
-    assert_eq!(written, Event::SettingsWritten { settings: Vec::new(), limits: Limits::default() });
+    let Event::SettingsWritten { settings, limits } = written else { panic!("{written:?}") };
+    assert_eq!(settings, []);
+    let feed = limits.limits.iter().find(|limit| limit.axis == Axis::Feed).unwrap();
+    // `feed_most_mm`, in whole steps by now.
+    assert!((feed.most - 7347.54).abs() < 1.0 / 48.0, "{feed:?}");
     assert_eq!(table.session.jog(Motion { axis: Axis::Feed, by: 1.0 }).unwrap_err().code, "not-homed");
     table.home();
 }

@@ -1,13 +1,15 @@
-//! Figure: what is said of a machine that was stopped, against the pulses on its pins: its driver is killed, or the line
+//! Figure: what is said of a machine that was stopped, against the pulses on its pins: its driver is lost, or the line
 //! to it is dead when the stop is sent.
 
+use std::sync::Mutex;
+use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant};
 
 use rustix::process::{Signal, kill_process};
 use wirebend_tests_firmware::board::{Avr, Board, Host};
 
 use crate::at_port::AtPort;
-use crate::bender::Moment;
+use crate::bender::{Moment, Phase};
 use crate::interrupted::{GEARS, Job};
 use crate::shop::{Ran, shared};
 
@@ -17,8 +19,12 @@ const AT_ONCE: Duration = Duration::from_millis(150);
 const GRACE: Duration = Duration::from_secs(1);
 /// Longer than any of these is waited for.
 const FOR_EVER: Duration = Duration::from_hours(1);
-/// Pulses of the job before something happens: in a feed, and in the first bend.
-const MOMENTS: [usize; 2] = [60, 400];
+/// A driver that does not answer is ended then: what a poll may take.
+const HUNG: Duration = Duration::from_secs(2);
+/// Pulses of a search for the reference that is under way.
+const SEARCHING: usize = 40;
+/// Cases that are tried beside each other.
+const AT_ONCE_TRIED: usize = 3;
 
 pub const STANDS: &str = "the machine has confirmed that it stands";
 const MAY_MOVE: &str = "has NOT confirmed that it stands: cut its power";
@@ -40,32 +46,106 @@ pub fn is_true<B: Board + Send + 'static>(at: &AtPort<B>, ran: Ran, status: i32,
     assert_eq!(stands, status != 6, "{case}: {}", ran.err);
 }
 
-fn killed<B: Board + Send + 'static>(pulses: usize) -> Duration {
+/// How a driver is lost: in words, by which signal, and after how long that can be known.
+type Way = (&'static str, Signal, Duration);
+
+const WAYS: [Way; 5] = [
+    ("killed", Signal::KILL, Duration::ZERO),
+    ("ended by a segmentation fault", Signal::SEGV, Duration::ZERO),
+    ("aborted", Signal::ABORT, Duration::ZERO),
+    ("ended", Signal::TERM, Duration::ZERO),
+    ("hung", Signal::STOP, HUNG),
+];
+
+/// What the machine does then: it searches its reference, or is in a phase of a line, from 0.
+#[derive(Debug, Clone, Copy)]
+enum During {
+    Homing,
+    Line(usize, Phase),
+}
+
+const DURING: [During; 6] = [
+    During::Homing,
+    During::Line(0, Phase::Feed),
+    During::Line(1, Phase::Rotate),
+    During::Line(0, Phase::Peg),
+    During::Line(0, Phase::Swing),
+    During::Line(1, Phase::Return),
+];
+
+impl During {
+    fn hears<B: Board + Send + 'static>(self, at: &AtPort<B>) -> Receiver<()> {
+        let Self::Line(line, phase) = self else {
+            let (reached, hears) = channel();
+            at.with(move |bender| {
+                bender.watch(
+                    |bender| bender.pulses.len() > SEARCHING,
+                    move |_| reached.send(()).unwrap_or_default(),
+                );
+            });
+            return hears;
+        };
+        at.at(Moment::of(&Job::cube().pulses, line, phase, 50), |_| {})
+    }
+}
+
+/// Gives after how long the first byte of the stop was at the port.
+fn lost<B: Board + Send + 'static>((how, signal, _): Way, during: During) -> Duration {
     let job = Job::cube();
     let at = AtPort::<B>::new(GEARS, Some(&job.stored), true);
-    let runs = format!("lost-{}-{pulses}", B::NAME);
+    let case = format!("{}: driver {how} during {during:?}", B::NAME);
+    let runs = case.replace([' ', ':', ',', '(', ')'], "-");
     let running = job.shop.start(&runs, &["run", job.file.to_str().unwrap(), "--port", &at.port, "--yes"]);
-    running.reached(&at.at(Moment { pulses, cycles: 0 }, |_| {}));
+    running.reached(&during.hears(&at));
     let driver = running.driver();
-    let killed = Instant::now();
-    kill_process(driver, Signal::KILL).unwrap();
+    let begun = Instant::now();
+    kill_process(driver, signal).unwrap();
+    // The first takes away the handler that Rust has for a full stack, and two at once count as one.
+    while signal == Signal::SEGV && kill_process(driver, signal).is_ok() && begun.elapsed() < GRACE {
+        std::thread::yield_now();
+    }
     let ran = running.wait();
-    is_true(&at, ran, 5, &format!("{} killed after {pulses} pulses", B::NAME));
+    is_true(&at, ran, 5, &case);
     let stop = at.with(|bender| *bender.stops.first().expect("a STOP"));
     let after = at.with(move |bender| bender.pulses.all().iter().filter(|pulse| pulse.at > stop.at).count());
-    assert_eq!(after, 0, "pulses after the STOP");
-    stop.came.saturating_duration_since(killed)
+    assert_eq!(after, 0, "{case}: pulses after the STOP");
+    let took = stop.came.saturating_duration_since(begun);
+    println!("{case}: STOP at the port after {took:?}");
+    took
+}
+
+/// However its driver is lost, and whatever the machine does.
+fn stops_in_every_case<B: Board + Send + 'static>() {
+    let all = WAYS.into_iter().flat_map(|way| DURING.map(|during| (way, during)));
+    let left = Mutex::new(all);
+    let late = Mutex::new(Vec::new());
+    std::thread::scope(|scope| {
+        for _ in 0..AT_ONCE_TRIED {
+            scope.spawn(|| {
+                loop {
+                    let Some((way, during)) = left.lock().unwrap().next() else { return };
+                    let took = lost::<B>(way, during);
+                    if took > way.2 + AT_ONCE + GRACE {
+                        late.lock().unwrap().push((way.0, during, took));
+                    }
+                }
+            });
+        }
+    });
+    let late = late.into_inner().unwrap();
+    assert!(late.is_empty(), "{late:?}");
 }
 
 #[test]
-fn a_machine_whose_driver_is_killed_is_stopped() {
+fn a_board_whose_driver_is_lost_is_stopped() {
     let _others = shared();
-    for pulses in MOMENTS {
-        for took in [killed::<Avr>(pulses), killed::<Host>(pulses)] {
-            println!("driver killed after {pulses} pulses: STOP at the port after {took:?}");
-            assert!(took < AT_ONCE + GRACE, "{took:?}");
-        }
-    }
+    stops_in_every_case::<Avr>();
+}
+
+#[test]
+fn a_machine_whose_driver_is_lost_is_stopped() {
+    let _others = shared();
+    stops_in_every_case::<Host>();
 }
 
 /// All that the program sends is lost for a time, the stop with it.

@@ -1,28 +1,27 @@
 //! A line that the machine refuses while it makes the ones before it, which its queue holds: the run is over, and the machine
 //! is not until it is told.
 
-use serde_json::json;
 use wirebend_tests_firmware::board::{Avr, Board, Host};
 
 use crate::at_port::AtPort;
 use crate::bender::lines;
-use crate::interrupted::{GEARS, coarse};
+use crate::interrupted::{GEARS, Job};
 use crate::lost::{STANDS, is_true};
-use crate::shop::{Shop, example, shared};
+use crate::shop::shared;
 
-/// The head of the board turns less far than the profile says, and the third line of the cube is beyond that.
+/// In the third line the head is heard to turn twice about more than the board lets it.
+fn too_far(payload: &str) -> Option<String> {
+    let [line, feed, turn, bend] = payload.split(',').collect::<Vec<_>>()[..] else { return None };
+    let turn = turn.parse::<i64>().ok()? + 2 * i64::from(GEARS.rotate_steps_per_turn);
+    (line == "M3").then(|| format!("{line},{feed},{turn},{bend}"))
+}
+
 fn refused<B: Board + Send + 'static>() {
-    let mut narrow = coarse();
-    narrow["id"] = json!("narrow-kit");
-    narrow["driver"]["settings"]["rotate_limit_deg"] = json!(45.0);
-    let shop = Shop::new(&[coarse(), narrow]);
-    let job = shop.path("cube.wbjob");
-    let job = job.to_str().unwrap();
-    shop.ran("r", &["plan", &example("cube-8-edges.obj"), "--machine", "coarse-kit", "-o", job]).ended(0);
-    let at = AtPort::<B>::new(GEARS, None, false);
-    shop.ran("r", &["machine-settings", "--machine", "narrow-kit", "--port", &at.port, "--write", "--yes"])
-        .ended(0);
-    let running = shop.start("r", &["run", job, "--port", &at.port, "--yes", "--accept-settings"]);
+    let job = Job::cube();
+    let at = AtPort::<B>::new(GEARS, Some(&job.stored), false);
+    at.with(|bender| bender.hears(Box::new(too_far)));
+    let runs = format!("refused-{}", B::NAME);
+    let running = job.shop.start(&runs, &["run", job.file.to_str().unwrap(), "--port", &at.port, "--yes"]);
     let ran = running.wait();
     assert!(ran.err.contains("the machine refuses a step"), "{}: {}", B::NAME, ran.err);
     assert!(ran.err.contains(STANDS), "{}: {}", B::NAME, ran.err);

@@ -5,6 +5,8 @@ use std::io::{Read, Write};
 use super::Build;
 use super::controller::{Controller, PLANNER, State, steps, units};
 
+/// A turn takes about a millisecond.
+const TURNS_A_MINUTE: f64 = 60_000.0;
 /// A dwell, turns.
 const DWELL: u32 = 20;
 /// The search for the switches, turns.
@@ -49,10 +51,15 @@ impl<P: Read + Write> Controller<P> {
         match line {
             "$I" => self.say("[VER:1.1h.20190830:model]\r\n[OPT:V,15,128]\r\nok"),
             "$$" => {
-                let Build { bend_travel, bend_rate, .. } = self.build;
+                let Build { bend_travel, bend_rate, steps_a_turn, .. } = self.build;
                 let (soft, travel) = (u8::from(bend_travel.is_some()), bend_travel.unwrap_or(200.0));
+                let fastest = units(steps_a_turn) * TURNS_A_MINUTE;
+                let bend = bend_rate.unwrap_or(fastest);
                 self.say(&format!(
-                    "$10=1\r\n$13=0\r\n$20={soft}\r\n$22={homing}\r\n$32=0\r\n$100=80.000\r\n$101=80.000\r\n$102=80.000\r\n$110=500.000\r\n$111=500.000\r\n$112={bend_rate:.3}\r\n$132={travel:.3}\r\nok"
+                    "$10=1\r\n$13=0\r\n$20={soft}\r\n$22={homing}\r\n$32=0\r\n$100=80.000\r\n$101=80.000\r\n$102=80.000"
+                ));
+                self.say(&format!(
+                    "$110={fastest:.3}\r\n$111={fastest:.3}\r\n$112={bend:.3}\r\n$132={travel:.3}\r\nok"
                 ));
             }
             "$H" if homing == 0 => self.say("error:5"),

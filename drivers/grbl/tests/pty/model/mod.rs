@@ -26,13 +26,13 @@ pub struct Build {
     pub change: Option<Change>,
     /// Soft limits are on: its bend axis, whose zero is where it homes, goes so far up and no way down.
     pub bend_travel: Option<f64>,
-    /// The most that its bend axis makes, units a minute; it is only told.
-    pub bend_rate: f64,
+    /// What it says that its bend axis makes at most, units a minute; otherwise the truth.
+    pub bend_rate: Option<f64>,
 }
 
 impl Default for Build {
     fn default() -> Self {
-        Self { switches: true, steps_a_turn: 40, change: None, bend_travel: None, bend_rate: 500.0 }
+        Self { switches: true, steps_a_turn: 40, change: None, bend_travel: None, bend_rate: None }
     }
 }
 

@@ -1,6 +1,7 @@
 //! A bender behind a port: a controller, its bend axis with the switch, wire in the nozzle, and a note of every
 //! pulse.
 
+mod changed;
 mod moment;
 mod pulses;
 
@@ -11,6 +12,7 @@ use wirebend_driver_wirebend_kit::bench::{Bench, Bender as Head, Compliance, Mad
 use wirebend_driver_wirebend_kit::protocol::STOP;
 use wirebend_tests_firmware::{BYTE_CYCLES, Behind, UnoError};
 
+use changed::{Change, Changed};
 use moment::Watch;
 pub use moment::{Moment, Phase};
 pub use pulses::{Pulse, Pulses, lines, net, ways};
@@ -72,6 +74,8 @@ pub struct Bender<B> {
     sent: Vec<u8>,
     /// Bytes to the controller that come before this moment are lost on the line.
     deaf_until: Option<Instant>,
+    /// Lines to the controller that are heard otherwise.
+    changed: Option<Changed>,
     /// Cycle at which the wire to the controller is free again.
     wire_free: u64,
     /// The last cycle at which the servo was told something.
@@ -97,6 +101,7 @@ impl<B: Board> Bender<B> {
             stops: Vec::new(),
             sent: Vec::new(),
             deaf_until: None,
+            changed: None,
             wire_free: 0,
             servo_at: 0,
             watches: Vec::new(),
@@ -133,6 +138,11 @@ impl<B: Board> Bender<B> {
     /// Whatever the host sends from here on is lost, for a time.
     pub fn deafen(&mut self, time: Duration) {
         self.deaf_until = Instant::now().checked_add(time);
+    }
+
+    /// Whatever the host sends from here on is heard as this says.
+    pub fn hears(&mut self, change: Change) {
+        self.changed = Some(Changed::new(change));
     }
 
     /// Breaks the wire of the switch.
@@ -191,13 +201,14 @@ impl<B: Board + Send + 'static> Behind for Bender<B> {
         if self.deaf_until.is_some_and(|until| Instant::now() < until) {
             return;
         }
-        for &byte in bytes {
+        let heard = self.changed.as_mut().map_or_else(|| bytes.to_vec(), |changed| changed.pass(bytes));
+        for &byte in &heard {
             self.wire_free = self.wire_free.max(self.board.now()) + BYTE_CYCLES;
             if byte == STOP {
                 self.stops.push(Stop { came: Instant::now(), at: self.wire_free });
             }
         }
-        self.board.send(bytes);
+        self.board.send(&heard);
     }
 
     fn on_wire(&self) -> u64 {
