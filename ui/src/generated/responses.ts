@@ -37,6 +37,10 @@ export type Phase =
  */
 export type QuestionKind = "move" | "arm" | "go-on" | "doubt" | "head" | "settings";
 /**
+ * Who says that a step is made.
+ */
+export type DoneBy = "machine" | "clock";
+/**
  * What a body moves with.
  */
 export type Part = "frame" | "head" | "peg";
@@ -396,10 +400,6 @@ export type Outcome = "finished" | "sent" | "abandoned" | "unfinished";
  * Who has said how much of a step is made.
  */
 export type ToldBy = "machine" | "person";
-/**
- * Who says that a step is made.
- */
-export type DoneBy = "machine" | "clock";
 
 export interface Responses {
   about: AboutResponse;
@@ -737,6 +737,7 @@ export interface Unfinished {
  * How far a wire is.
  */
 export interface WireState {
+  done_by: DoneBy;
   /**
    * Since it was started or taken up, s.
    */
@@ -746,7 +747,7 @@ export interface WireState {
    */
   job_hash: string;
   /**
-   * The last step that was made.
+   * The last step that was made, or whose time is over where the machine does not say what it makes.
    */
   made: number;
   /**

@@ -88,6 +88,10 @@ export type Phase =
  */
 export type QuestionKind = "move" | "arm" | "go-on" | "doubt" | "head" | "settings";
 /**
+ * Who says that a step is made.
+ */
+export type DoneBy = "machine" | "clock";
+/**
  * Something that happened on a machine, or is about to.
  */
 export type News =
@@ -211,10 +215,6 @@ export type Move =
  * Why wires, or moves by hand, were not begun.
  */
 export type LeftBecause = "declined" | "nobody-asked";
-/**
- * Who says that a step is made.
- */
-export type DoneBy = "machine" | "clock";
 /**
  * What became of a wire.
  */
@@ -494,6 +494,7 @@ export interface Unfinished {
  * How far a wire is.
  */
 export interface WireState {
+  done_by: DoneBy;
   /**
    * Since it was started or taken up, s.
    */
@@ -503,7 +504,7 @@ export interface WireState {
    */
   job_hash: string;
   /**
-   * The last step that was made.
+   * The last step that was made, or whose time is over where the machine does not say what it makes.
    */
   made: number;
   /**

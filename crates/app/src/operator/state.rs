@@ -5,7 +5,7 @@ use std::fmt;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use wirebend_driver_host::api::{Capability, SettingCheck};
+use wirebend_driver_host::api::{Capability, DoneBy, SettingCheck};
 
 use super::event::Question;
 use super::order::OrderName;
@@ -132,8 +132,10 @@ pub struct WireState {
     pub name: String,
     /// Index of the wire in its job, from 0.
     pub wire: usize,
-    /// The last step that was made.
+    /// The last step that was made, or whose time is over where the machine does not say what it makes.
     pub made: u32,
+    /// Who says so.
+    pub done_by: DoneBy,
     /// The last that the machine has taken.
     pub sent: u32,
     /// How many there are.
@@ -146,7 +148,7 @@ pub struct WireState {
 
 impl WireState {
     /// A wire of which so many steps are made, and nothing more is on its way.
-    pub(super) fn of(task: &Task, wire: usize, name: String, made: u32) -> Self {
+    pub(super) fn of(task: &Task, wire: usize, name: String, made: u32, done_by: DoneBy) -> Self {
         let kept = task.wire(wire).ok();
         let of = kept.map_or(0, |kept| u32::try_from(kept.compensated.len()).unwrap_or(u32::MAX));
         let left = f64::from(of.saturating_sub(made)) / f64::from(of.max(1));
@@ -155,6 +157,7 @@ impl WireState {
             name,
             wire,
             made,
+            done_by,
             sent: made,
             of,
             elapsed_s: 0.0,

@@ -2,6 +2,7 @@
 
 use schemars::JsonSchema;
 use serde::Serialize;
+use wirebend_driver_host::api::DoneBy;
 use wirebend_driver_host::jobs::JournalError;
 
 use super::state::WireState;
@@ -81,7 +82,7 @@ impl Unfinished {
         match kept.read {
             Err(JournalError::Damaged { .. } | JournalError::Impossible { .. }) => {
                 let WireState { job_hash, name, of, .. } =
-                    WireState::of(task, wire, task.request.job.stem(), 0);
+                    WireState::of(task, wire, task.request.job.stem(), 0, DoneBy::default());
                 let (port, started, in_doubt) = (String::new(), String::new(), None);
                 Some(Self {
                     id: kept.id,

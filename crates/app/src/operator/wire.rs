@@ -1,6 +1,7 @@
 //! A wire: armed, started, gone on with, given up.
 
 use wirebend_driver_host::Standstill;
+use wirebend_driver_host::api::DoneBy;
 
 use super::error::OperatorError;
 use super::event::{OperatorEvent, QuestionKind};
@@ -17,13 +18,14 @@ use crate::{AppError, Decided, LiveProblem, RunHow, RunRequest, RunResponse};
 pub(super) struct ArmedWire<'a> {
     task: Task<'a>,
     wire: usize,
+    done_by: DoneBy,
     yes: Yes,
 }
 
 impl ArmedWire<'_> {
     /// Nothing of it is made.
     pub fn state(&self) -> WireState {
-        WireState::of(&self.task, self.wire, self.task.request.job.stem(), 0)
+        WireState::of(&self.task, self.wire, self.task.request.job.stem(), 0, self.done_by)
     }
 }
 
@@ -42,10 +44,12 @@ impl<'a> Post<'a> {
         let lines = about(&task, connection, wire, true, homes)?;
         let question = "Is the wire in, and may the machine move once it is started?";
         let yes = self.ask(QuestionKind::Arm, lines, question)?;
-        self.connected(OrderName::Arm)?.wire_used = false;
+        let connection = self.connected(OrderName::Arm)?;
+        connection.wire_used = false;
+        let done_by = connection.session.done_by();
         // Whoever has asked for a wire has their hands at the machine.
         self.leave = None;
-        self.armed = Some(ArmedWire { task, wire, yes });
+        self.armed = Some(ArmedWire { task, wire, done_by, yes });
         Ok(())
     }
 
@@ -53,7 +57,7 @@ impl<'a> Post<'a> {
         let homes = self.homes_first();
         let phase = self.shared.state().phase;
         let not_now = OperatorError::NotNow { order: OrderName::Start, phase };
-        let ArmedWire { task, wire, yes } = self.armed.take().ok_or_else(|| not_now.clone())?;
+        let ArmedWire { task, wire, yes, .. } = self.armed.take().ok_or_else(|| not_now.clone())?;
         // Another program may have begun it meanwhile.
         task.require_clear(wire)?;
         if homes {
@@ -113,10 +117,11 @@ impl<'a> Post<'a> {
         if !knows && !interrupted.is_made() {
             self.settle_head(OrderName::ResumeRun, !self.at_reference)?;
         }
-        let taken_up = WireState::of(&task, wire, interrupted.name(), interrupted.made());
-        self.shared.change(|state| state.wire = Some(taken_up));
         let not_now = OperatorError::NotNow { order: OrderName::ResumeRun, phase: state.phase };
         let connection = self.connection.take().ok_or(not_now)?;
+        let done_by = connection.session.done_by();
+        let taken_up = WireState::of(&task, wire, interrupted.name(), interrupted.made(), done_by);
+        self.shared.change(|state| state.wire = Some(taken_up));
         let homes = !self.at_reference;
         (self.leave, self.at_reference) = (None, false);
         let (connection, made) = task.go_on(connection, interrupted, homes, decided, &mut response);

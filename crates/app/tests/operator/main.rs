@@ -25,6 +25,8 @@ mod grbl_model;
 mod hand;
 mod shop;
 mod stops;
+#[cfg(target_os = "linux")]
+mod under_way;
 mod wires;
 #[cfg(target_os = "linux")]
 mod zeroed;

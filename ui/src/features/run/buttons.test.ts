@@ -50,7 +50,7 @@ describe("phrase", () => {
     expect(phrase(null)).toBe("not connected");
     expect(phrase({ ...state("ready"), simulated: true })).toBe("simulated machine · homed");
     expect(phrase(state("connected"))).toBe("/dev/ttyACM0 · not homed");
-    const wire = { wire: 0, made: 14, sent: 16, of: 31, elapsed_s: 60, remaining_s: 80, job_hash: "", name: "House" };
+    const wire = { wire: 0, made: 14, done_by: "machine" as const, sent: 16, of: 31, elapsed_s: 60, remaining_s: 80, job_hash: "", name: "House" };
     expect(phrase({ ...state("making"), wire })).toBe("making a wire · 14 of 31 made");
   });
 });

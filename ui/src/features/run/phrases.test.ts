@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { PortEntry } from "../../generated/responses";
-import type { Unfinished, WireRun } from "../../state/operator";
+import type { Unfinished, WireRun, WireState } from "../../state/operator";
 import { endedPhrase, guess, movePhrase, portPhrase, progressPhrase, unfinishedPhrase } from "./phrases";
 
 const port = (name: string, given: Partial<PortEntry> = {}): PortEntry => ({ name, description: "", usb: null, drivers: ["wirebend-kit"], likely_for: [], simulated: false, ...given });
@@ -25,7 +25,10 @@ describe("wires", () => {
   const unfinished = (made: number, in_doubt: Unfinished["in_doubt"] = null): Unfinished => ({ id: "1", job_hash: "", name: "House", wire: 0, port: "sim", started: "", made, of: 31, in_doubt, resumable: true });
 
   it("tells how far one is", () => {
-    expect(progressPhrase({ wire: 0, made: 14, sent: 16, of: 31, elapsed_s: 130, remaining_s: 65, job_hash: "", name: "House" })).toBe("14 of 31 steps made · 2:10, 1:05 left");
+    const wire: WireState = { wire: 0, made: 14, done_by: "machine", sent: 16, of: 31, elapsed_s: 130, remaining_s: 65, job_hash: "", name: "House" };
+    expect(progressPhrase(wire)).toBe("14 of 31 steps made · 2:10, 1:05 left");
+    // Nobody knows whether they are made.
+    expect(progressPhrase({ ...wire, done_by: "clock" })).toBe("14 of 31 steps by the clock · 2:10, 1:05 left");
     expect(unfinishedPhrase(unfinished(14))).toBe("Step 14 of 31 is made.");
     expect(unfinishedPhrase(unfinished(14, [15, 15]))).toBe("Step 14 of 31 is made. Step 15 was sent: before the wire goes on, the machine or you say what became of it.");
     expect(unfinishedPhrase(unfinished(0, [1, 3]))).toBe("No step of 31 is made. Steps 1 to 3 were sent: before the wire goes on, the machine or you say what became of them.");

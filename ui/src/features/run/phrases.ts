@@ -20,9 +20,9 @@ export function guess(ports: readonly PortEntry[]): string | null {
   return (likely ?? ports.find(({ simulated }) => simulated))?.name ?? null;
 }
 
-/** "14 of 31 steps made · 2:10, 1:05 left". */
-export function progressPhrase({ made, of, elapsed_s, remaining_s }: WireState): string {
-  return `${made} of ${of} steps made · ${time(elapsed_s)}, ${time(remaining_s)} left`;
+/** "14 of 31 steps made · 2:10, 1:05 left"; by the clock where the machine does not say what it makes. */
+export function progressPhrase({ made, done_by, of, elapsed_s, remaining_s }: WireState): string {
+  return `${made} of ${of} steps ${done_by === "machine" ? "made" : "by the clock"} · ${time(elapsed_s)}, ${time(remaining_s)} left`;
 }
 
 function doubtful(steps: readonly [number, number] | null | undefined): string {
