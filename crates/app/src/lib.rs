@@ -80,12 +80,12 @@ pub use program::ProgramKind;
 pub use progress::{NoProgress, Progress, Wait, Wish};
 pub use report::{
     CompensatedReport, DiagnosticReport, NoteReport, PlanReport, ProgramReport, RouteReport, SeverityName,
-    StepReport, WireReport, WireframeReport,
+    StepReport, WireReport, WireframeReport, shown_deg,
 };
-pub use run::{LeftBecause, RunHow, RunOutcome, RunProblem, RunRequest, RunResponse, WireRun};
+pub use run::{LeftBecause, RunHow, RunOutcome, RunProblem, RunRequest, RunResponse, StoppedIn, WireRun};
 pub use runs::{
-    Outcome, Record, RunEntry, RunsExportRequest, RunsExportResponse, RunsRequest, RunsResponse,
-    RunsShowRequest, RunsShowResponse,
+    Outcome, PartInWire, Record, RunEntry, RunsExportRequest, RunsExportResponse, RunsRequest, RunsResponse,
+    RunsShowRequest, RunsShowResponse, ToldBy,
 };
 pub use simulate::{GapReport, SimulateRequest, SimulateResponse, SimulationModel, VertexReport};
 pub use stencil::StencilFileError;
@@ -108,6 +108,8 @@ pub struct App {
     asks_drivers: bool,
     /// The machines that are connected.
     boards: drivers::Boards,
+    /// Options that every command to be typed next needs, too.
+    options: Vec<String>,
     /// Where journals and records of wires are; without a place, no wire is made.
     runs: Option<PathBuf>,
 }
@@ -130,6 +132,7 @@ impl App {
             drivers: DriverFolders::default(),
             asks_drivers: false,
             boards: drivers::Boards::default(),
+            options: Vec::new(),
             runs: None,
         })
     }
@@ -150,6 +153,12 @@ impl App {
     #[must_use]
     pub fn with_runs(self, folder: Option<PathBuf>) -> Self {
         Self { runs: folder, ..self }
+    }
+
+    /// The same whose advice is typed with these words: where profiles, drivers and journals are.
+    #[must_use]
+    pub fn with_options(self, options: Vec<String>) -> Self {
+        Self { options, ..self }
     }
 
     /// Profiles in a person's folders that could not be used, and why.

@@ -40,6 +40,15 @@ impl crate::App {
         self.completed(machine, material)
     }
 
+    /// The same for a check: with what the machine itself says where it is connected. A job does not know that, or it would
+    /// be another one as soon as the machine is away.
+    pub(crate) fn setup_connected(&self, setup: Setup) -> Result<Setup, AppError> {
+        let Some(board) = self.boards.of(setup.machine_id()) else { return Ok(setup) };
+        let mut setup = setup.at(&board)?;
+        setup.driver.board = Some(board);
+        Ok(setup)
+    }
+
     /// The same with settings of the machine's driver over those of its profile.
     pub(crate) fn setup_with(&self, setup: Setup, settings: &Map<String, Value>) -> Result<Setup, AppError> {
         let mut machine = self.library.machine(setup.machine_id())?;

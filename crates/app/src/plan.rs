@@ -339,7 +339,8 @@ pub(crate) fn check(
     progress: &dyn Progress,
 ) -> Result<CheckResponse, AppError> {
     let opened = app.designed(request.design.open(progress)?, &request.choices)?.with_wireframe()?;
-    let planned = app.plan_design(opened, &request.choices, progress)?;
+    let setup = app.setup_connected(app.setup_of(&opened, &request.choices)?)?;
+    let planned = App::plan_with(opened, setup, &request.choices, progress)?;
     let of_wires = planned.wires.iter().flat_map(|wire| &wire.diagnostics);
     let mut all: Vec<&Diagnostic> = planned.design.iter().chain(of_wires).collect();
     all.sort_by_key(|diagnostic| diagnostic.severity);

@@ -31,7 +31,8 @@ impl From<&Note> for NoteReport {
 }
 
 /// An angle as people read it: what is shown as zero has no sign.
-pub(crate) fn shown_deg(deg: f64) -> f64 {
+#[must_use]
+pub fn shown_deg(deg: f64) -> f64 {
     if deg.abs() < 0.05 { 0.0 } else { deg }
 }
 

@@ -11,10 +11,11 @@ mod stop;
 mod terminal;
 
 use std::io::{IsTerminal, Write};
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{CommandFactory, FromArgMatches};
-use wirebend_app::{Places, Request};
+use wirebend_app::{AppError, LiveProblem, Places, Request};
 
 pub use args::Cli;
 pub use errors::{error_schema, exit};
@@ -77,9 +78,10 @@ fn run(cli: Cli) -> anyhow::Result<u8> {
             return Ok(exit::DONE);
         }
     };
+    let options = said_again(&profiles, &driver_path, runs_folder.as_deref());
     let own = Places::of_person();
     let runs = runs_folder.or_else(|| own.runs.clone());
-    let app = Places { profiles, drivers: driver_path, runs, ..own }.app()?;
+    let app = Places { profiles, drivers: driver_path, runs, ..own }.app()?.with_options(options);
     for refused in app.refused_profiles() {
         tracing::warn!("{refused}");
     }
@@ -89,7 +91,22 @@ fn run(cli: Cli) -> anyhow::Result<u8> {
     let terminal = Terminal::new(json);
     let response = app.run(&request, &terminal);
     terminal.finish();
-    render::show(&response?, json, output)
+    let response = match response {
+        // Ctrl-C is no answer.
+        Err(AppError::Live(LiveProblem::InDoubt { .. })) if stop::was_pressed() => {
+            return Err(AppError::from(LiveProblem::Declined).into());
+        }
+        response => response?,
+    };
+    render::show(&response, json, output)
+}
+
+/// The options of this command without which the next one would look elsewhere.
+fn said_again(profiles: &[PathBuf], drivers: &[PathBuf], runs: Option<&Path>) -> Vec<String> {
+    let profiles = profiles.iter().map(|path| ("--profiles", path.as_path()));
+    let drivers = drivers.iter().map(|path| ("--driver-path", path.as_path()));
+    let all = profiles.chain(drivers).chain(runs.map(|path| ("--runs-folder", path)));
+    all.flat_map(|(option, path)| [option.to_owned(), path.display().to_string()]).collect()
 }
 
 /// What may move a machine, so that a stop has to be at hand.

@@ -4,6 +4,7 @@ use std::io::Write;
 use std::process;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
 
 use anyhow::Context;
 use wirebend_app::{Standstill, StopHandle, StoppedBy};
@@ -13,6 +14,10 @@ use crate::errors::exit;
 /// What stops the machine that is connected, if one is; a process has one terminal and one Ctrl-C.
 static HANDLE: Mutex<Option<StopHandle>> = Mutex::new(None);
 static PRESSED: AtomicBool = AtomicBool::new(false);
+/// When the machine was told to stop last.
+static TOLD: Mutex<Option<Instant>> = Mutex::new(None);
+/// Until then the program writes down and tells what came of a stop, and ends; a press meanwhile ends it no sooner.
+const ENDING: Duration = Duration::from_secs(3);
 
 /// From here on Ctrl-C, and the signal that asks a program to end, stop the machine: each time they come, for as long as one
 /// is connected. The program ends by itself once the machine stands, or has not confirmed it for too long.
@@ -38,18 +43,20 @@ pub(crate) fn connect(handle: Option<&StopHandle>) {
 fn pressed() {
     PRESSED.store(true, Ordering::SeqCst);
     let handle = HANDLE.lock().unwrap_or_else(PoisonError::into_inner).clone();
-    let Some(handle) = handle else {
-        // Nothing moves: a driver ends with the program.
-        process::exit(exit::STOPPED.into());
-    };
-    if handle.standstill() == Some(Standstill::Confirmed) {
+    let moves = handle.filter(|handle| handle.standstill() != Some(Standstill::Confirmed));
+    if moves.is_some() {
+        return stop(moves.as_ref());
+    }
+    // Nothing moves: a driver ends with the program.
+    let told = *TOLD.lock().unwrap_or_else(PoisonError::into_inner);
+    if told.is_none_or(|told| told.elapsed() > ENDING) {
         process::exit(exit::STOPPED.into());
     }
-    stop(Some(&handle));
 }
 
 fn stop(handle: Option<&StopHandle>) {
     let Some(handle) = handle else { return };
+    *TOLD.lock().unwrap_or_else(PoisonError::into_inner) = Some(Instant::now());
     let outcome = handle.stop();
     let said = match outcome.by {
         StoppedBy::Driver => "STOP was sent to the machine; waiting until it confirms that it stands",

@@ -645,9 +645,32 @@ export interface WireRun {
    */
   stopped_by: StoppedBy | null;
   /**
+   * The step that was stopped in its middle, as far as the machine counts.
+   */
+  stopped_in: StoppedIn | null;
+  /**
    * Its index, from 0.
    */
   wire: number;
+}
+/**
+ * A step that was stopped in its middle.
+ */
+export interface StoppedIn {
+  /**
+   * Where the bend axis stands, degrees.
+   */
+  bend_at_deg: number;
+  made: PartOfStep;
+  of: StepReport;
+  /**
+   * The step.
+   */
+  step: number;
+  /**
+   * Whether that is sure. An axis that was on its way may have lost steps: then somebody has to look at the wire.
+   */
+  sure: boolean;
 }
 /**
  * Why something came to nothing. A window shows the message and may go by the code; it never compares texts.

@@ -17,7 +17,7 @@ pub(crate) struct Told {
     pub note: Option<NoteReport>,
     /// The driver, and why it does not take the profile's settings: with it the machine makes nothing.
     refused: Option<(String, DriverError)>,
-    /// The machine itself, where it is connected.
+    /// The machine itself, where it is connected and was heard.
     pub board: Option<Board>,
 }
 
@@ -32,20 +32,12 @@ impl Told {
 }
 
 impl App {
-    /// Asks the machine's driver what it takes with the profile's settings, and puts what is tighter into the profile,
-    /// with what the machine says itself where it is connected. A driver that cannot be asked is noted: then only the
-    /// profile's own limits are known.
+    /// Asks the machine's driver what it takes with the profile's settings, and puts what is tighter into the profile.
+    /// A driver that cannot be asked is noted: then only the profile's own limits are known.
     pub(crate) fn with_driver_limits(&self, machine: &mut Resolved<MachineProfile>) -> Told {
         if !self.asks_drivers {
             return Told::default();
         }
-        let mut told = self.driver_limits(machine);
-        told.board = self.boards.of(&machine.profile.id);
-        told.board.iter().for_each(|board| board.limit(machine));
-        told
-    }
-
-    fn driver_limits(&self, machine: &mut Resolved<MachineProfile>) -> Told {
         let id = machine.profile.driver.id.clone().unwrap_or_default();
         let settings = Value::Object(machine.profile.driver.settings.clone().unwrap_or_default());
         let asked = self.driver(&id).and_then(|driver| Ok(told(&driver.open(&settings)?)?));

@@ -88,7 +88,7 @@ impl Editor {
         let known = self.setup.take().filter(|(asked, setup)| *asked == names && setup.driver.board == board);
         let setup = match known {
             Some((_, setup)) => setup,
-            None => app.setup(&names.0, names.1.as_deref())?,
+            None => app.setup_connected(app.setup(&names.0, names.1.as_deref())?)?,
         };
         Ok((names, setup))
     }

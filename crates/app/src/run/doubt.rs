@@ -92,7 +92,22 @@ pub(super) fn is_settled(run: &JobRun, signs: Signs, Decided { step, what }: Dec
     match what {
         Decision::Made => step <= account.done,
         Decision::NotMade => next && account.part == Part::default(),
-        Decision::AsCounted => next && account.part != Part::default(),
+        Decision::AsCounted => next && run.counted_before(step) == Some(account.part),
         Decision::Part(part) => next && account.part.is_measured_as(signs.told_part(part)),
     }
+}
+
+/// What a person has said of steps, as a question whether it is so.
+pub(super) fn said_before(run: &JobRun, signs: Signs) -> Option<(u32, String)> {
+    let said = |(step, verdict)| match verdict {
+        Verdict::Made => format!("step {step} was made"),
+        Verdict::NotMade => format!("nothing of step {step} was made"),
+        Verdict::Part(part) => {
+            let part = signs.part(part);
+            format!("of step {step} {:.1} mm were fed and {:.1}° turned", part.feed_mm, part.rotate_deg)
+        }
+    };
+    let (first, _) = run.said().next()?;
+    let all: Vec<String> = run.said().map(said).collect();
+    Some((first, format!("You have said before: {}. Is that so?", all.join("; "))))
 }

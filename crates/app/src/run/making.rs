@@ -6,7 +6,7 @@ use wirebend_driver_host::api::{DriverError, PausedBy};
 use wirebend_driver_host::jobs::{JobError, JobRun, Progress as Told, Resume, Standing};
 use wirebend_driver_host::{Session, Standstill, StoppedBy};
 
-use super::report::{RunOutcome, RunProblem, RunResponse, WireRun};
+use super::report::{RunOutcome, RunProblem, RunResponse, StoppedIn, WireRun};
 use super::task::Task;
 use crate::live::{Hearing, PAUSE, StopWatch, Yes, await_standstill, home, stop_of};
 use crate::simulate::KeptWire;
@@ -293,6 +293,22 @@ impl Making<'_, '_> {
         self.task.keep(self.run.record().as_ref(), &path, self.wire, response)
     }
 
+    /// The step that was stopped in its middle, where the machine counts how far it was.
+    fn stopped_in(&self) -> Result<Option<StoppedIn>, AppError> {
+        let signs = self.task.setup.signs;
+        let told = self.run.account().part_made.and_then(|told| told.made);
+        let Some((doubtful, told)) = self.run.doubtful().zip(told) else { return Ok(None) };
+        let Some(counted) = doubtful.counted else { return Ok(None) };
+        let (_, of) = self.task.step(self.wire, doubtful.step)?;
+        Ok(Some(StoppedIn {
+            step: doubtful.step,
+            made: signs.part(counted),
+            of,
+            bend_at_deg: signs.canonical(told).bend_deg,
+            sure: !doubtful.measure,
+        }))
+    }
+
     fn report(
         &self,
         heard: &Heard,
@@ -312,8 +328,12 @@ impl Making<'_, '_> {
         let over = account.is_over();
         let untouched = self.task.untouched(self.wire, &self.id, outcome, account.done, done_by)?;
         let fault = heard.fault.as_ref().map(RunProblem::from);
+        let stopped_in = self.stopped_in()?.filter(|_| !over);
+        let sure = stopped_in.as_ref().is_some_and(|step| step.sure);
+        let in_doubt = account.in_doubt().filter(|_| !sure);
         Ok(WireRun {
-            in_doubt: account.in_doubt().map(|steps| [*steps.start(), *steps.end()]),
+            in_doubt: in_doubt.map(|steps| [*steps.start(), *steps.end()]),
+            stopped_in,
             elapsed_s: self.run.overview().elapsed.as_secs_f64(),
             stopped_by: heard.stopped_by.filter(|_| !over),
             standstill,

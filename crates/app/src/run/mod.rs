@@ -15,7 +15,7 @@ use crate::design::Input;
 use crate::output::Output;
 use crate::{App, AppError, Decided, Progress};
 pub(crate) use about::about;
-pub use report::{LeftBecause, RunOutcome, RunProblem, RunResponse, WireRun};
+pub use report::{LeftBecause, RunOutcome, RunProblem, RunResponse, StoppedIn, WireRun};
 pub(crate) use task::Task;
 
 /// What to make. Nothing moves unless a person says so: here, or when they are asked.

@@ -7,8 +7,8 @@ use serde::Serialize;
 use wirebend_driver_host::api::{DoneBy, DriverError};
 use wirebend_driver_host::{SessionError, Standstill, StoppedBy};
 
-use crate::report::NoteReport;
-use crate::{AppError, DriverProblem, LiveProblem};
+use crate::report::{NoteReport, StepReport};
+use crate::{AppError, DriverProblem, LiveProblem, PartOfStep};
 
 /// What became of the wires that were to be made.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
@@ -45,6 +45,21 @@ pub enum LeftBecause {
     NobodyAsked,
 }
 
+/// A step that was stopped in its middle.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct StoppedIn {
+    /// The step.
+    pub step: u32,
+    /// How much of it is fed, mm, and turned, degrees.
+    pub made: PartOfStep,
+    /// What the machine is told of it in all: the bend is made from its beginning.
+    pub of: StepReport,
+    /// Where the bend axis stands, degrees.
+    pub bend_at_deg: f64,
+    /// Whether that is sure. An axis that was on its way may have lost steps: then somebody has to look at the wire.
+    pub sure: bool,
+}
+
 /// What became of one wire.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct WireRun {
@@ -62,6 +77,8 @@ pub struct WireRun {
     pub steps: u32,
     /// Steps of which nobody knows whether they were made: the first and the last.
     pub in_doubt: Option<[u32; 2]>,
+    /// The step that was stopped in its middle, as far as the machine counts.
+    pub stopped_in: Option<StoppedIn>,
     /// Wire that had to be put in, in mm.
     pub stock_mm: f64,
     /// How long it took this time, in s.

@@ -6,7 +6,7 @@ use wirebend_driver_host::Standstill;
 use wirebend_driver_host::jobs::{JobRun, Journal, Resume, Settled};
 
 use super::about::{about, first};
-use super::doubt::is_settled;
+use super::doubt::{is_settled, said_before};
 use super::making::{Making, Watch};
 use super::report::{RunOutcome, RunResponse, WireRun};
 use super::task::Task;
@@ -136,6 +136,9 @@ impl Task<'_> {
     ) -> Result<Settling, AppError> {
         // What was said before, and was written down then, is not said again.
         decided = decided.filter(|decided| !is_settled(&making.run, self.setup.signs, *decided));
+        if decided.is_none() && !self.request.confirmed {
+            self.ask_what_was_said(making)?;
+        }
         let yes = loop {
             match (making.run.resume_from(), decided) {
                 (Resume::Contradiction(contradiction), _) => {
@@ -149,6 +152,10 @@ impl Task<'_> {
                     if said.step == from && making.run.doubtful().is_some() =>
                 {
                     self.decide(making, from, from, decided.take())?;
+                }
+                // They may correct themselves as long as nothing is made after it.
+                (_, Some(said)) if making.run.said().any(|(step, _)| step == said.step) => {
+                    making.run.take_back(said.step).map_err(LiveProblem::from)?;
                 }
                 (_, Some(said)) => return Err(self.not_in_doubt(making, said).into()),
                 (Resume::Nothing(settled), None) => {
@@ -180,6 +187,15 @@ impl Task<'_> {
             making.run.session().accept_differences(yes.confirmed()?);
         }
         Ok(Settling::GoOn(yes))
+    }
+
+    /// What was said before counts, unless the person takes it back now.
+    fn ask_what_was_said(&self, making: &mut Making) -> Result<(), LiveProblem> {
+        let Some((first, question)) = said_before(&making.run, self.setup.signs) else { return Ok(()) };
+        if self.progress.confirm(&question) == Some(false) {
+            making.run.take_back(first)?;
+        }
+        Ok(())
     }
 
     fn ask_again(&self, lines: Vec<String>) -> Result<Yes, LiveProblem> {

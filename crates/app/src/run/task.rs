@@ -99,7 +99,8 @@ impl<'a> Task<'a> {
             Some(port) if option != "--abandon" => format!(" --port {}", quoted(port)),
             _ => String::new(),
         };
-        format!("wirebend run {job}{port}{only} {option}")
+        let options: Vec<String> = self.app.options.iter().map(|word| quoted(word) + " ").collect();
+        format!("wirebend run {job}{port}{only} {}{option}", options.concat())
     }
 
     /// An answer without a wire yet.
@@ -136,6 +137,7 @@ impl<'a> Task<'a> {
             done_by,
             steps: u32::try_from(kept.compensated.len()).unwrap_or(u32::MAX),
             in_doubt: None,
+            stopped_in: None,
             stock_mm: kept.stock_mm,
             elapsed_s: 0.0,
             stopped_by: None,

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-pub use wirebend_driver_host::jobs::{Outcome, Record};
+pub use wirebend_driver_host::jobs::{Outcome, PartInWire, Record, ToldBy};
 
 use crate::output::Output;
 use crate::{App, AppError, Progress};

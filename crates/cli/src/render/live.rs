@@ -4,7 +4,7 @@ use std::io::Write;
 
 use wirebend_app::{
     DoneBy, JogResponse, LeftBecause, MachineSettingsResponse, PortsResponse, RunOutcome, RunResponse,
-    SeverityName, Standstill, StoppedBy, Usb, WireRun,
+    SeverityName, Standstill, StoppedBy, StoppedIn, Usb, WireRun, shown_deg,
 };
 
 use super::number::{count, duration};
@@ -65,7 +65,20 @@ fn one_wire(out: &mut impl Write, err: &mut impl Write, wire: &WireRun) -> std::
     standing(err, wire.stopped_by, wire.standstill)?;
     if let Some([first, last]) = wire.in_doubt {
         let which = if first == last { format!("step {first}") } else { format!("steps {first} to {last}") };
-        writeln!(err, "nobody knows whether {which} of {steps} were made: look at the wire")?;
+        let was = if first == last { "was" } else { "were" };
+        writeln!(err, "nobody knows whether {which} of {steps} {was} made: look at the wire")?;
+    }
+    if let Some(StoppedIn { step, made, of, bend_at_deg, sure }) = &wire.stopped_in {
+        let counted = if *sure { "" } else { ", as the machine counts" };
+        writeln!(
+            err,
+            "step {step} of {steps} was stopped in its middle{counted}: {:.1} of {:.1} mm are fed and {:.1}° of {:.1}° turned; the bend axis stands at {:.1}°",
+            made.feed_mm,
+            of.feed_mm,
+            shown_deg(made.rotate_deg),
+            of.rotate_deg,
+            shown_deg(*bend_at_deg)
+        )?;
     }
     if let Some(resume) = &wire.resume {
         writeln!(err, "go on with:\n  {resume}")?;

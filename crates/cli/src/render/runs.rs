@@ -2,7 +2,9 @@
 
 use std::io::Write;
 
-use wirebend_app::{Outcome, RunEntry, RunsExportResponse, RunsResponse, RunsShowResponse};
+use wirebend_app::{
+    Outcome, PartInWire, RunEntry, RunsExportResponse, RunsResponse, RunsShowResponse, ToldBy,
+};
 
 use super::number::mm;
 use super::tables::table;
@@ -67,8 +69,19 @@ pub(super) fn show(out: &mut impl Write, found: &RunsShowResponse) -> std::io::R
         line("interrupted", &text)?;
     }
     for decision in &record.decisions {
-        let made = if decision.made { "made" } else { "not made" };
-        line("decided", &format!("{}: step {} was {made}", decision.at, decision.step))?;
+        let step = decision.step;
+        let what = match decision.part {
+            _ if decision.made => format!("step {step} was made"),
+            None => format!("step {step} was not made"),
+            Some(PartInWire { feed_mm, rotate_deg, by }) => {
+                let by = match by {
+                    ToldBy::Machine => "the machine counted",
+                    ToldBy::Person => "a person said",
+                };
+                format!("of step {step} {feed_mm:.1} mm were fed and {rotate_deg:.1}° turned, as {by}")
+            }
+        };
+        line("decided", &format!("{}: {what}", decision.at))?;
     }
     if let Some(deviations) = &record.deviations_mm {
         let worst = deviations.iter().copied().fold(0.0, f64::max);

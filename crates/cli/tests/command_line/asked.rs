@@ -124,6 +124,10 @@ fn a_person_says_what_became_of_steps_in_doubt() {
     asked.says("");
     assert_eq!(asked.status(), Some(2), "nobody knows, and so nothing moves");
     let mut asked = Asked::start(&shop, &[&RUN[..], &["--resume"]].concat());
+    asked.sees("made to its end?");
+    kill_process(Pid::from_raw(i32::try_from(asked.child.id()).unwrap()).unwrap(), Signal::INT).unwrap();
+    assert_eq!(asked.status(), Some(130), "that is no answer");
+    let mut asked = Asked::start(&shop, &[&RUN[..], &["--resume"]].concat());
     asked.sees("made to its end?").says("yes");
     asked.sees("made to its end?").says("no");
     // What cannot be is asked again.
@@ -136,6 +140,40 @@ fn a_person_says_what_became_of_steps_in_doubt() {
     asked.says("yes");
     assert_eq!(asked.status(), Some(0));
     assert_eq!(shop.list()[0]["outcome"], "finished");
+}
+
+/// An answer counts once it is given, and a person who said no to the rest may find that it was wrong.
+#[test]
+fn what_was_said_before_is_asked_again_and_can_be_corrected() {
+    let shop = Shop::cube();
+    let mut going = crate::interrupted::Going::start(&shop, &["run", "a.wbjob", "--port", "sim:10", "--yes"]);
+    going.until("step 2 of 8 is made");
+    going.send(Signal::KILL);
+    going.end();
+    let resume = || Asked::start(&shop, &[&RUN[..], &["--resume"]].concat());
+    let mut asked = resume();
+    while asked.sees_one_of(["made to its end?", "go on?"]) == 0 {
+        asked.says("yes");
+    }
+    asked.says("no");
+    assert_eq!(asked.status(), Some(130));
+    let mut asked = resume();
+    let told = asked.until("Is that so?");
+    assert!(told.contains("You have said before: step"), "{told}");
+    asked.says("no");
+    asked.sees("made to its end?").says("no");
+    asked.sees("mm of it were fed").says("0");
+    if asked.sees_one_of(["degrees was it turned", "go on?"]) == 0 {
+        asked.says("0").sees("go on?");
+    }
+    asked.says("yes");
+    assert_eq!(asked.status(), Some(0));
+    let id = shop.list()[0]["id"].as_str().unwrap().to_owned();
+    let shown = shop.run(&["runs", "show", &id]).ended(0);
+    let shown = String::from_utf8(shown.out).unwrap();
+    let decided: Vec<&str> = shown.lines().filter(|line| line.contains("decided")).collect();
+    assert_eq!(decided.len(), 1, "{shown}");
+    assert!(decided[0].contains("0.0 mm were fed") || decided[0].contains("was not made"), "{shown}");
 }
 
 /// Whoever opened the door of a machine, or pressed its button, may be at it still.

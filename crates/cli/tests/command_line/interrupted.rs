@@ -81,7 +81,11 @@ fn ctrl_c_stops_the_machine_and_the_wire_can_be_gone_on_with() {
         let shop = Shop::cube();
         let mut going = Going::start(&shop, &RUN);
         going.until("step 2 of 8 is made");
-        going.send(signal);
+        // As often as it is pressed: what came of it is told all the same.
+        for _ in 0..20 {
+            going.send(signal);
+            std::thread::sleep(std::time::Duration::from_millis(10));
+        }
         let (status, told) = going.end();
         assert_eq!(status, Some(130), "{told}");
         assert_fits("run", &told);
@@ -89,7 +93,10 @@ fn ctrl_c_stops_the_machine_and_the_wire_can_be_gone_on_with() {
         assert_eq!((&wire["outcome"], &wire["stopped_by"]), (&json!("stopped"), &json!("driver")));
         let made = wire["made"].as_u64().unwrap();
         // Those that were sent after the step under way are in no doubt.
-        assert_eq!(wire["in_doubt"], json!([made + 1, made + 1]), "{wire}");
+        let (step, sure) = (&wire["stopped_in"]["step"], wire["stopped_in"]["sure"] == true);
+        assert_eq!(*step, json!(made + 1), "{wire}");
+        let in_doubt = if sure { Value::Null } else { json!([made + 1, made + 1]) };
+        assert_eq!(wire["in_doubt"], in_doubt, "{wire}");
         assert!(wire["resume"].as_str().unwrap().ends_with("--port sim:10 --resume"), "{wire}");
         assert_eq!(count(&shop, "stopped"), 1);
 
@@ -108,6 +115,19 @@ fn ctrl_c_stops_the_machine_and_the_wire_can_be_gone_on_with() {
         assert_eq!(count(&shop, "done"), 8, "each step was made once");
         assert_eq!(count(&shop, "finished"), 1);
     }
+}
+
+/// What is told to be typed finds the same journal, profiles and drivers.
+#[test]
+fn the_command_to_go_on_with_looks_where_this_one_has() {
+    let shop = Shop::cube();
+    let elsewhere = ["--runs-folder", "own runs", "--profiles", "mine"];
+    let mut going = Going::start(&shop, &[&RUN[..], &elsewhere].concat());
+    going.until("step 2 of 8 is made");
+    going.send(Signal::INT);
+    let (_, told) = going.end();
+    let resume = told["wires"][0]["resume"].as_str().unwrap();
+    assert!(resume.ends_with("--profiles mine --runs-folder 'own runs' --resume"), "{resume}");
 }
 
 /// What is told to be typed is about the same wire.
@@ -163,9 +183,12 @@ fn a_program_that_was_killed_is_gone_on_with_by_a_person() {
         assert!(said.contains(&format!("step {} of 8", known + 2)), "{said}");
         assert_eq!(count(&shop, "decided"), 1);
     }
-    let contrary = format!("--resume=not-made:{}", known + 1);
-    let said = shop.make(&["--yes", &contrary]).ended(2).err;
-    assert!(said.contains(&format!("{} steps are made", known + 1)), "{said}");
+    // As long as nothing is made after it, it can be taken back. What the machine has said cannot.
+    let measured = format!("--resume=part:{}:1:0", known + 1);
+    shop.make(&["--axes-at-zero", &measured]).ended(2);
+    shop.make(&["--yes", &made]).ended(2);
+    let reported = shop.make(&["--yes", &format!("--resume=not-made:{known}")]).ended(2).err;
+    assert!(reported.contains(&format!("nobody has to know what became of step {known}")), "{reported}");
     let nothing = format!("--resume=not-made:{}", known + 2);
     let done = shop.make(&["--yes", &nothing, "--json"]).ended(0).json();
     assert_eq!(done["wires"][0]["outcome"], "made");
@@ -178,7 +201,8 @@ fn a_program_that_was_killed_is_gone_on_with_by_a_person() {
     assert_eq!(count(&shop, "done") + 1, 8, "one was made by a person's word");
     let id = shop.list()[0]["id"].as_str().unwrap().to_owned();
     let record = shop.run(&["runs", "show", &id, "--json"]).ended(0).json()["record"].clone();
-    assert_eq!(record["decisions"].as_array().unwrap().len(), 2);
+    let said: Vec<_> = record["decisions"].as_array().unwrap().iter().map(|one| &one["made"]).collect();
+    assert_eq!(said, [true, false], "what holds of what was said: {record:#}");
     assert!(!record["interruptions"].as_array().unwrap().is_empty());
 }
 

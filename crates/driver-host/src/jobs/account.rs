@@ -4,7 +4,8 @@ use std::ops::RangeInclusive;
 
 use wirebend_driver_api::Step;
 
-use super::journal::{Heading, What};
+use super::journal::{Heading, ToldBy, What};
+use super::part::Verdict;
 
 /// How far a wire is.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,6 +28,18 @@ pub struct Account {
     pub part: Part,
     /// How far the machine says that it is with the first step in doubt.
     pub part_made: Option<PartMade>,
+    /// What a person has said of steps since the machine was stopped. As long as nothing is made after it, they may take it
+    /// back.
+    pub(super) said: Vec<Said>,
+}
+
+/// What a person has said of a step.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Said {
+    pub verdict: Verdict,
+    pub step: u32,
+    /// The last step that was sent, taken and made before that was said, and what was known of the next.
+    before: (u32, u32, u32, Part, Option<PartMade>),
 }
 
 /// How much of a step is in the wire, in the machine's signs. Its bend is made from the beginning in any case: bends count
@@ -92,7 +105,22 @@ impl Account {
             stopped: false,
             part: Part::default(),
             part_made: None,
+            said: Vec::new(),
         }
+    }
+
+    /// Keeps how all was before a person says something of a step.
+    fn keep_said(&mut self, step: u32, verdict: Verdict) {
+        let before = (self.sent, self.accepted, self.done, self.part, self.part_made);
+        self.said.push(Said { verdict, step, before });
+    }
+
+    /// As it was before a person has said something of a step.
+    pub(super) fn before(&self, step: u32) -> Option<Self> {
+        let at = self.said.iter().position(|said| said.step == step)?;
+        let (sent, accepted, done, part, part_made) = self.said[at].before;
+        let said = self.said[..at].to_vec();
+        Some(Self { sent, accepted, done, part, part_made, said, ..self.clone() })
     }
 
     /// Steps that were sent and not reported as made. While a wire is being made they are in hand; after an
@@ -152,6 +180,7 @@ impl Account {
                 }
                 self.token.clone_from(token);
                 (self.standing, self.stopped, self.part_made) = (Standing::Armed, false, None);
+                self.said.clear();
             }
             What::Intent { from, to } => {
                 if !at_work || *from != sent + 1 || to < from || *to > steps {
@@ -190,6 +219,7 @@ impl Account {
             }
             What::Decided { n, made } => {
                 self.require_first_in_doubt(at_work, *n)?;
+                self.keep_said(*n, if *made { Verdict::Made } else { Verdict::NotMade });
                 if *made {
                     self.is_made(*n);
                 } else {
@@ -197,11 +227,19 @@ impl Account {
                 }
                 self.part_made = None;
             }
-            What::Part { n, feed_mm, rotate_deg, .. } => {
+            What::Part { n, feed_mm, rotate_deg, by } => {
                 self.require_first_in_doubt(at_work, *n)?;
-                self.not_begun_after(done);
                 let part = Part { feed_mm: *feed_mm, rotate_deg: *rotate_deg };
+                if *by == ToldBy::Person {
+                    self.keep_said(*n, Verdict::Part(part));
+                }
+                self.not_begun_after(done);
                 (self.part, self.part_made) = (part, None);
+            }
+            What::TakenBack { n } => {
+                let before = self.before(*n).filter(|_| !at_work);
+                *self =
+                    before.ok_or_else(|| format!("nothing was said of step {n} that can be taken back"))?;
             }
             What::Paused if at_work => self.standing = Standing::Paused,
             What::Resumed if at_work => self.standing = Standing::Running,

@@ -49,7 +49,10 @@ impl JobRun {
     /// The first step in doubt.
     #[must_use]
     pub fn doubtful(&self) -> Option<Doubtful> {
-        let account = self.account();
+        self.doubtful_in(self.account())
+    }
+
+    fn doubtful_in(&self, account: &Account) -> Option<Doubtful> {
         let (step, last) = account.in_doubt().map(|steps| (*steps.start(), *steps.end()))?;
         let whole = self.step(step)?;
         let before = account.part;
@@ -85,6 +88,31 @@ impl JobRun {
             Verdict::Part(part) => part.within(self.step(n).unwrap_or_default()).told_by(n, ToldBy::Person),
         };
         self.note(what)?;
+        Ok(self.resume_from())
+    }
+
+    /// What a person has said of steps since the machine was stopped, in order; nothing was made since.
+    pub fn said(&self) -> impl Iterator<Item = (u32, Verdict)> {
+        self.account().said.iter().map(|said| (said.step, said.verdict))
+    }
+
+    /// How much of a step the machine counted, of which a person has said something since.
+    #[must_use]
+    pub fn counted_before(&self, n: u32) -> Option<Part> {
+        self.doubtful_in(&self.account().before(n)?)?.counted
+    }
+
+    /// A person takes back what they have said of a step: it, and those after it, are in doubt again. Gives what may be
+    /// done then.
+    ///
+    /// # Errors
+    /// [`JobError::NotInDoubt`] where nothing was said of it, or something was made since.
+    pub fn take_back(&mut self, n: u32) -> Result<Resume, JobError> {
+        if self.is_in_hand() || self.account().before(n).is_none() {
+            let in_doubt = self.account().in_doubt().map(|steps| *steps.start());
+            return Err(JobError::NotInDoubt { step: n, in_doubt });
+        }
+        self.note(What::TakenBack { n })?;
         Ok(self.resume_from())
     }
 

@@ -123,6 +123,12 @@ impl Record {
                 let part = Some(part);
                 self.decisions.push(Decision { at: at.clone(), step: *n, made: false, part });
             }
+            What::TakenBack { n } => {
+                if let Some(at) = self.decisions.iter().rposition(|decision| decision.step == *n) {
+                    self.made = *n - 1;
+                    self.decisions.truncate(at);
+                }
+            }
             What::Stopped { .. } => self.interrupted(at, "stopped".to_owned()),
             What::Fault { error, .. } => self.interrupted(at, error.to_string()),
             What::Standstill { confirmed: false } => {
@@ -138,6 +144,7 @@ impl Record {
                         | What::Connected { .. }
                         | What::Decided { .. }
                         | What::Part { .. }
+                        | What::TakenBack { .. }
                         | What::PartMade { .. }
                         | What::Stopped { .. }
                         | What::Standstill { .. }

@@ -62,6 +62,25 @@ fn a_machine_that_was_reset_makes_a_person_look() {
     assert_eq!(account.in_doubt(), None);
 }
 
+/// A person may correct themselves as long as nothing is made after it.
+#[test]
+fn what_was_said_can_be_taken_back_until_something_is_made() {
+    let mut before = interrupted();
+    before.count(&What::Stopped { by: None }).unwrap();
+    let mut account = before.clone();
+    for n in 2..=3 {
+        account.count(&What::Decided { n, made: true }).unwrap();
+    }
+    account.count(&What::TakenBack { n: 4 }).unwrap_err();
+    account.count(&What::TakenBack { n: 3 }).unwrap();
+    assert_eq!((account.done, account.in_doubt()), (2, Some(3..=4)));
+    account.count(&What::TakenBack { n: 2 }).unwrap();
+    assert_eq!(account, before);
+    account.count(&What::Part { n: 2, feed_mm: 4.0, rotate_deg: 0.0, by: ToldBy::Person }).unwrap();
+    account.count(&armed(1)).unwrap();
+    account.count(&What::TakenBack { n: 2 }).unwrap_err();
+}
+
 #[test]
 fn what_is_over_is_over() {
     assert_eq!(Resume::decide(&account(), None), Resume::TakeUp { from: 1 });

@@ -35,7 +35,7 @@ describe("wires", () => {
     expect(unfinishedPhrase({ ...unfinished(0), resumable: false })).toMatch(/cannot be gone on with/);
   });
 
-  const run: WireRun = { id: "1", resume: null, stock_mm: 700, stopped_by: null, standstill: null, wire: 0, outcome: "made", made: 31, done_by: "machine", steps: 31, in_doubt: null, elapsed_s: 192, problem: null, deviations_mm: [0.02, 0.08] };
+  const run: WireRun = { id: "1", resume: null, stock_mm: 700, stopped_by: null, standstill: null, wire: 0, outcome: "made", made: 31, done_by: "machine", steps: 31, in_doubt: null, stopped_in: null, elapsed_s: 192, problem: null, deviations_mm: [0.02, 0.08] };
 
   it("tells what became of one", () => {
     expect(endedPhrase(run, "mm")).toEqual({ tone: "fine", what: "The wire is made, in 3:12", sub: "Worst vertex 0.08 mm from the design." });

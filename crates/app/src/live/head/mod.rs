@@ -235,7 +235,7 @@ pub(super) fn zero_lines(session: &Session, hearing: &Hearing, wanted: Zero) -> 
     let mut lines = wanted.lines();
     let place = session.head_place();
     if let Some(known) = hearing.head.as_ref().filter(|_| !place.is_zero() && wanted == Zero::Wire) {
-        lines.push(format!("of its head is known: {}; unwind its cable", known.stands(place)));
+        lines.push(format!("the head: {}; unwind its cable first", known.stands(place)));
     }
     lines
 }

@@ -26,6 +26,7 @@ impl LiveProblem {
             | Self::NoRun { .. }
             | Self::SeveralRuns { .. }
             | Self::OtherMachine { .. }
+            | Self::Job(JobError::NotOfStep { .. } | JobError::NotInDoubt { .. })
             | Self::Session(SessionError::Unsupported { .. }) => ErrorKind::Usage,
             Self::BeyondLimit { .. } => ErrorKind::NotFeasible,
             Self::Moves { .. }

@@ -123,6 +123,11 @@ pub enum What {
         /// Whether it was. If not, those after it were not either: steps are made in order.
         made: bool,
     },
+    /// A person takes back what they have said of a step, and of those after it. Nothing was made since.
+    TakenBack {
+        /// Which.
+        n: u32,
+    },
     /// What came out, as far as it is known.
     Made {
         /// Corners of the wire as a simulated machine made it, mm.

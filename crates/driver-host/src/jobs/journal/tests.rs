@@ -34,6 +34,8 @@ fn story() -> Vec<What> {
         What::Standstill { confirmed: false },
         What::Connected { identity: "kit 1.0".into(), going_on: None },
         What::Decided { n: 2, made: true },
+        What::Decided { n: 3, made: true },
+        What::TakenBack { n: 3 },
         What::Decided { n: 3, made: false },
         What::Armed { token: None, after: 2, going_on: false },
         What::Intent { from: 3, to: 4 },
