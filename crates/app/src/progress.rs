@@ -39,6 +39,10 @@ pub trait Progress {
     fn confirm(&self, _question: &str) -> Option<bool> {
         None
     }
+    /// Asks a person whether what they have said of a wire before is so. `None`: nobody is there to be asked.
+    fn is_so(&self, said: &str) -> Option<bool> {
+        self.confirm(said)
+    }
     /// Asks a person, who looks at the wire, what became of a step. `None`: nobody is there, or nobody knows.
     fn decide(&self, _doubt: &Doubt) -> Option<Decision> {
         None

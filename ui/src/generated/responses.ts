@@ -35,7 +35,7 @@ export type Phase =
 /**
  * What a question is about.
  */
-export type QuestionKind = "move" | "arm" | "go-on" | "doubt" | "head" | "settings";
+export type QuestionKind = "move" | "arm" | "go-on" | "doubt" | "said" | "head" | "settings";
 /**
  * Who says that a step is made.
  */

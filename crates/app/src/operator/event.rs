@@ -101,6 +101,8 @@ pub enum QuestionKind {
     GoOn,
     /// Whether a step was made.
     Doubt,
+    /// Whether what was said of an interrupted wire before is so.
+    Said,
     /// Where the head stands.
     Head,
     /// Whether settings may be written to the machine, for good.

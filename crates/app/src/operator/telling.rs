@@ -41,6 +41,15 @@ impl Progress for Shared {
         Some(self.answered(None) == Some(Answer::Yes))
     }
 
+    fn is_so(&self, said: &str) -> Option<bool> {
+        self.ask(QuestionKind::Said, Some(Vec::new()), said, None);
+        match self.answered(None)? {
+            Answer::Yes => Some(true),
+            Answer::No => Some(false),
+            _ => None,
+        }
+    }
+
     fn decide(&self, doubt: &Doubt) -> Option<Decision> {
         let question = "Look at the wire: how much of this step was made?";
         self.ask(QuestionKind::Doubt, Some(vec![doubt.to_string()]), question, Some(doubt.clone()));

@@ -192,7 +192,7 @@ impl Task<'_> {
     /// What was said before counts, unless the person takes it back now.
     fn ask_what_was_said(&self, making: &mut Making) -> Result<(), LiveProblem> {
         let Some((first, question)) = said_before(&making.run, self.setup.signs) else { return Ok(()) };
-        if self.progress.confirm(&question) == Some(false) {
+        if self.progress.is_so(&question) == Some(false) {
             making.run.take_back(first)?;
         }
         Ok(())

@@ -1,7 +1,7 @@
 //! A stop at any time, and an end at any time.
 
 use serde_json::json;
-use wirebend_app::{Answer, OperatorEvent, Phase, Question, RunOutcome, StoppedBy};
+use wirebend_app::{Answer, OperatorEvent, Phase, Question, QuestionKind, RunOutcome, StoppedBy};
 
 use crate::shop::{Seat, Shop};
 
@@ -140,6 +140,10 @@ fn moves_by_hand_before_a_wire_goes_on_are_told() {
     assert!(told(&seat.says(Answer::No)));
     seat.until_state(|state| state.question.is_none() && !state.busy);
     seat.resume(&job);
+    // What was said of the step counts; whether it was right is asked.
+    let said = seat.says(Answer::Yes);
+    assert_eq!(said.kind, QuestionKind::Said, "{said:?}");
+    assert!(said.question.contains("You have said before: nothing of step"), "{said:?}");
     assert!(told(&seat.says(Answer::Yes)), "who says no has changed nothing");
     assert_eq!(seat.until_run().wires[0].outcome, RunOutcome::Made);
     seat.until_phase(Phase::Ready);

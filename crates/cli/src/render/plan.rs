@@ -23,10 +23,10 @@ pub(super) fn plan(out: &mut impl Write, found: &PlanResponse) -> std::io::Resul
     }
     diagnostics(out, &found.report)?;
     if found.withheld {
-        writeln!(
-            out,
-            "no job was written: mend what the checks name, or write it all the same with --despite-errors"
-        )?;
+        // A job is made of what the machine is told, which a bend beyond its reach has not.
+        let despite = wires.iter().all(|wire| wire.compensated.is_some());
+        let or = if despite { ", or write it all the same with --despite-errors" } else { "" };
+        writeln!(out, "no job was written: mend what the checks name{or}")?;
     }
     written(out, found.output.iter())
 }

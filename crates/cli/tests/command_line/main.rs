@@ -45,7 +45,7 @@ mod zeroed;
 #[allow(dead_code)] // the driver's own tests use the rest
 mod grbl_model;
 
-use std::io::Write;
+use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -96,7 +96,8 @@ fn run_in(folder: &Path, arguments: &[&str], input: &[u8]) -> Ran {
 
 /// Runs a copy of the program that may lie elsewhere.
 fn run_program(program: &Path, folder: &Path, arguments: &[&str], input: &[u8]) -> Ran {
-    let mut child = Command::new(program)
+    let mut command = Command::new(program);
+    command
         .args(arguments)
         .current_dir(folder)
         // The profiles of whoever runs the tests are not part of them.
@@ -104,9 +105,14 @@ fn run_program(program: &Path, folder: &Path, arguments: &[&str], input: &[u8]) 
         .env("XDG_DATA_HOME", folder)
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
+        .stderr(Stdio::piped());
+    // A copy was open to be written to when another test began a process, which has that until it has begun.
+    let mut child = loop {
+        match command.spawn() {
+            Err(error) if error.kind() == ErrorKind::ExecutableFileBusy => std::thread::yield_now(),
+            child => break child.unwrap(),
+        }
+    };
     // A program that does not read its input closes it early.
     let _ = child.stdin.take().unwrap().write_all(input);
     let done = child.wait_with_output().unwrap();

@@ -14,6 +14,7 @@ const WORDS: Readonly<Record<Exclude<Question["kind"], "doubt">, readonly [strin
   move: ["The machine is about to move", "Do not move", "Move"],
   arm: ["Arm the wire", "Do not arm", "Arm"],
   "go-on": ["The wire is about to go on", "Do not go on", "Go on"],
+  said: ["What you have said before", "It is otherwise", "It is so"],
   settings: ["The machine's settings are about to be written", "Do not write", "Write"],
   head: ["Look at the head", "I do not know", "It stands there"],
 };

@@ -322,7 +322,7 @@ fn how_to_set(machine: &str, port: &str, writable: bool) -> String {
     if writable {
         format!("write them with `wirebend machine-settings --machine {machine} --port {port} --write`")
     } else {
-        "its driver cannot write them: set them at the machine with its own program, or correct the profile"
+        "its driver cannot write them: set them at the machine with its own program, or correct the profile and plan the job again"
             .to_owned()
     }
 }
