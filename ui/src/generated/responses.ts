@@ -955,7 +955,7 @@ export interface LiveCheck {
   /**
    * Why limits of the machine are not known, where they are not.
    */
-  unknown: string | null;
+  limits_unknown: string | null;
   /**
    * One for each part that is not joined to others.
    */

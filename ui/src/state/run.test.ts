@@ -36,7 +36,7 @@ it("says what became of the last wire beside no other design", () => {
 describe("hearOperator", () => {
   it("has the design checked when a machine is connected, set otherwise, or gone", async () => {
     useDesign.setState({ state: { machine: "kit" } as DesignState, vertices: new Map([[0, { id: 0, at: [0, 0, 0], support: false } as SceneVertex]]) });
-    platform.ask.mockResolvedValue({ feasible: true, diagnostics: [], wires: [], unknown: null });
+    platform.ask.mockResolvedValue({ feasible: true, diagnostics: [], wires: [], limits_unknown: null });
     const asked = async (given: Partial<MachineState>): Promise<number> => {
       platform.ask.mockClear();
       hearOperator({ event: "state", ...state(given) });

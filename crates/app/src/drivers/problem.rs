@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use wirebend_driver_host::HostError;
-use wirebend_driver_host::api::DriverError;
+use wirebend_driver_host::api::{Axis, AxisLimit, Beyond, DriverError, Extent, Limits, Step};
 
 use crate::ErrorKind;
 
@@ -50,6 +50,29 @@ pub enum DriverProblem {
         /// Which of them, and what was expected.
         error: DriverError,
     },
+    /// A step of the wire would be refused in the middle of it.
+    #[error(
+        "wire {}: with step {step} {goes} {value:.3}{unit}, and {by} takes no more than {most:.3}{unit} ({because}); plan the design anew for a machine profile with that limit, or change the setting",
+        .wire.saturating_add(1)
+    )]
+    BeyondLimit {
+        /// Index of the wire, from 0.
+        wire: usize,
+        /// The step, from 1.
+        step: u32,
+        /// What goes beyond, in words.
+        goes: &'static str,
+        /// How far.
+        value: f64,
+        /// Who refuses it.
+        by: &'static str,
+        /// What is taken.
+        most: f64,
+        /// Of both.
+        unit: &'static str,
+        /// Where the limit comes from.
+        because: String,
+    },
     /// A library cannot be read.
     #[error("{}: the library cannot be read: {cause}", file.display())]
     Library {
@@ -90,7 +113,7 @@ impl DriverProblem {
             }
             Self::Settings { .. } | Self::Library { .. } => ErrorKind::BadInput,
             Self::OtherLibrary { .. } => ErrorKind::Usage,
-            Self::Unwritten { .. } => ErrorKind::NotFeasible,
+            Self::Unwritten { .. } | Self::BeyondLimit { .. } => ErrorKind::NotFeasible,
         }
     }
 
@@ -101,11 +124,40 @@ impl DriverProblem {
             Self::NoDriver { .. } => "no-driver",
             Self::Host(error) => error.code(),
             Self::Unwritten { .. } => "unwritten",
+            Self::BeyondLimit { .. } => "beyond-limit",
             Self::Settings { .. } => "driver-settings",
             Self::Library { .. } => "driver-library",
             Self::OtherLibrary { .. } => "other-library",
             Self::NowhereToTrust => "nowhere-to-trust",
             Self::OwnProgram(_) => "own-program",
         }
+    }
+}
+
+impl DriverProblem {
+    /// Refuses a wire, by its index from 0, with a step that would be refused in its middle; those before `from`, counted
+    /// from 1, are made.
+    pub(crate) fn require_within(
+        limits: &Limits,
+        by: &'static str,
+        wire: usize,
+        steps: &[Step],
+        from: u32,
+    ) -> Result<(), Self> {
+        limits.beyond(steps, from).map_or(Ok(()), |beyond| Err(Self::beyond(wire, by, beyond)))
+    }
+
+    fn beyond(wire: usize, by: &'static str, beyond: Beyond) -> Self {
+        let Beyond { step, value, limit: AxisLimit { axis, of, most, setting, reason } } = beyond;
+        let (goes, unit) = match (axis, of) {
+            (Axis::Feed, Extent::Step) => ("the wire is fed", " mm"),
+            (Axis::Feed, Extent::Position) => ("the wire is fed in all", " mm"),
+            (Axis::Rotate, Extent::Step) => ("the head turns", "\u{b0}"),
+            (Axis::Rotate, Extent::Position) => ("the head comes to", "\u{b0}"),
+            (Axis::Bend, Extent::Step) => ("the bend axis goes to", "\u{b0}"),
+            (Axis::Bend, Extent::Position) => ("the bend axis comes to", "\u{b0}"),
+        };
+        let because = setting.as_ref().map_or_else(|| reason.clone(), |key| format!("driver setting {key}"));
+        Self::BeyondLimit { wire, step, goes, value, by, most: *most, unit, because }
     }
 }

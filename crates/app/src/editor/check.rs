@@ -56,7 +56,7 @@ pub struct LiveCheck {
     /// One for each part that is not joined to others.
     pub wires: Vec<WireFigures>,
     /// Why limits of the machine are not known, where they are not.
-    pub unknown: Option<String>,
+    pub limits_unknown: Option<String>,
 }
 
 impl Editor {
@@ -140,7 +140,7 @@ impl LiveCheck {
             feasible: planned.feasible(),
             diagnostics: all.into_iter().map(DiagnosticReport::from).collect(),
             wires: planned.report().wires().iter().map(WireFigures::of).collect(),
-            unknown: planned.setup.driver.note.as_ref().map(|note| note.message.clone()),
+            limits_unknown: planned.setup.driver.note.as_ref().map(|note| note.message.clone()),
         }
     }
 }

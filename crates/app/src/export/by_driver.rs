@@ -8,7 +8,7 @@ use super::ExportRequest;
 use super::content::{Content, Wire};
 use crate::drivers::job;
 use crate::report::NoteReport;
-use crate::{AppError, DriverProblem, LiveProblem};
+use crate::{AppError, DriverProblem};
 
 /// The files of a format. Settings are those of the machine's profile when the driver is the machine's,
 /// and over them those that were asked for.
@@ -57,9 +57,7 @@ fn require_within(content: &Content, limits: &Limits) -> Result<(), AppError> {
     for (index, wire) in content.wires.iter().enumerate() {
         let signs = content.setup.signs;
         let steps: Vec<_> = wire.compensated.iter().flatten().map(|&step| signs.machine(step)).collect();
-        if let Some(beyond) = limits.beyond(&steps, 1) {
-            return Err(LiveProblem::beyond(index, "its driver", beyond).into());
-        }
+        DriverProblem::require_within(limits, "its driver", index, &steps, 1)?;
     }
     Ok(())
 }

@@ -11,7 +11,7 @@ use super::hearing::Hearing;
 use super::person::{Yes, Zero};
 use super::under_way::wait_until_it_stands;
 use crate::drivers::{Board, Signs, opened};
-use crate::{App, AppError, News, Progress};
+use crate::{App, AppError, DriverProblem, News, Progress};
 
 /// Longer no machine takes to answer: a board that starts needs a few seconds.
 const PATIENCE: Duration = Duration::from_mins(1);
@@ -214,11 +214,9 @@ impl<'a> Connection<'a> {
     }
 
     /// Refuses a wire with a step that the driver or the machine would refuse in its middle; those before `from` are made.
-    pub fn require_within(&self, wire: usize, steps: &[Step], from: u32) -> Result<(), LiveProblem> {
-        let by = [("its driver", &self.driver_limits), ("the machine", self.session.machine_limits())];
-        by.into_iter()
-            .find_map(|(by, limits)| Some((by, limits.beyond(steps, from)?)))
-            .map_or(Ok(()), |(by, beyond)| Err(LiveProblem::beyond(wire, by, beyond)))
+    pub fn require_within(&self, wire: usize, steps: &[Step], from: u32) -> Result<(), DriverProblem> {
+        DriverProblem::require_within(&self.driver_limits, "its driver", wire, steps, from)?;
+        DriverProblem::require_within(self.session.machine_limits(), "the machine", wire, steps, from)
     }
 
     /// Writes the profile's settings to the machine, for good, and waits until it has told what came of it.
@@ -233,33 +231,11 @@ impl<'a> Connection<'a> {
 
     /// Lends the session to what makes a wire. The connection is lost where that does not give it back.
     pub fn through<T>(
-        self,
+        mut self,
         make: impl FnOnce(Session, &mut Hearing<'a>) -> (Option<Session>, T),
     ) -> (Option<Self>, T) {
-        let Self {
-            session,
-            mut hearing,
-            port,
-            line,
-            unnamed,
-            driver_id,
-            driver_version,
-            driver_limits,
-            wire_used,
-        } = self;
-        let (session, made) = make(session, &mut hearing);
-        let again = |session| Self {
-            session,
-            hearing,
-            port,
-            line,
-            unnamed,
-            driver_id,
-            driver_version,
-            driver_limits,
-            wire_used,
-        };
-        (session.map(again), made)
+        let (session, made) = make(self.session, &mut self.hearing);
+        (session.map(|session| Self { session, ..self }), made)
     }
 
     /// Who brings the axes to their reference, where the machine can be homed.

@@ -44,7 +44,7 @@ export function CheckSection() {
               {fine.map((text) => (
                 <Line key={text} tone="fine" what={text} />
               ))}
-              {check?.unknown && <Line tone="warning" what={sentence(check.unknown)} />}
+              {check?.limits_unknown && <Line tone="warning" what={sentence(check.limits_unknown)} />}
               {check && isCompensated(check) && <Line tone="info" what="Whether it meets the machine or itself is not checked" />}
             </ul>
             <Checkbox checked={annotations} onChange={setAnnotations}>

@@ -32,7 +32,7 @@ beforeEach(() => {
   host = document.createElement("div");
   document.body.append(host);
   root = createRoot(host);
-  const check: LiveCheck = { feasible: false, diagnostics: [short], wires: [], unknown: null };
+  const check: LiveCheck = { feasible: false, diagnostics: [short], wires: [], limits_unknown: null };
   useDesign.setState({ check, stencil: null });
   useFixes.setState({ fixes: [fix], of: check, shown: null });
 });

@@ -17,7 +17,7 @@ const short = (edge: number, value: number): DiagnosticReport => ({
 const odd: DiagnosticReport = { code: "no_euler_path", severity: "error", vertices: [4, 5], value: 22, limit: 2, message: "22 vertices are odd", help: "travel 11 edges twice" };
 const near: DiagnosticReport = { code: "bend_near_limit", severity: "warning", vertex: 17, value: -151.3, limit: -155, unit: "deg", message: "close", help: "leave it" };
 const wire: WireFigures = { bends: 7, cost: 1, stock_cost: 2, currency: "USD", length_mm: 100, mass_g: 1, stock_mm: 120, time_s: 10, route: [0, 1] };
-const check = (diagnostics: DiagnosticReport[], wires: WireFigures[] = [wire]): LiveCheck => ({ feasible: !diagnostics.some(({ severity }) => severity === "error"), diagnostics, wires, unknown: null });
+const check = (diagnostics: DiagnosticReport[], wires: WireFigures[] = [wire]): LiveCheck => ({ feasible: !diagnostics.some(({ severity }) => severity === "error"), diagnostics, wires, limits_unknown: null });
 
 describe("the list of checks", () => {
   const all = check([odd, short(3, 19.4), short(8, 17.9), near]);

@@ -17,7 +17,7 @@ const wire = (given: Partial<WireFigures> = {}): WireFigures => ({
   ...given,
 });
 
-const check = (wires: WireFigures[], diagnostics: DiagnosticReport[] = [], feasible = true): LiveCheck => ({ wires, diagnostics, feasible, unknown: null });
+const check = (wires: WireFigures[], diagnostics: DiagnosticReport[] = [], feasible = true): LiveCheck => ({ wires, diagnostics, feasible, limits_unknown: null });
 const values = (all: ReturnType<typeof figures>) => all.map(({ value }) => value);
 
 describe("figures", () => {

@@ -4,7 +4,7 @@ import { labelsOf, marksOf, placesOf } from "./marks";
 
 const report = (code: string, severity: DiagnosticReport["severity"], rest: Partial<DiagnosticReport> = {}): DiagnosticReport => ({ code, severity, message: code, help: "", ...rest });
 const figures = { bends: 1, cost: 1, stock_cost: 2, currency: "USD", length_mm: 1, mass_g: 1, stock_mm: 1, time_s: 1 };
-const check = (diagnostics: DiagnosticReport[], route: number[] = []): LiveCheck => ({ feasible: false, diagnostics, wires: [{ ...figures, route }], unknown: null });
+const check = (diagnostics: DiagnosticReport[], route: number[] = []): LiveCheck => ({ feasible: false, diagnostics, wires: [{ ...figures, route }], limits_unknown: null });
 
 describe("marks", () => {
   it("are none before anything was checked", () => {
@@ -38,7 +38,7 @@ describe("marks", () => {
 
   it("call green only what went through all of the checks: without a route no bend was looked at", () => {
     const wire: WireFigures = { ...figures, route: [] };
-    const of = (...wires: Partial<WireFigures>[]) => marksOf({ feasible: false, diagnostics: [], wires: wires.map((one) => ({ ...wire, ...one })), unknown: null }).checked;
+    const of = (...wires: Partial<WireFigures>[]) => marksOf({ feasible: false, diagnostics: [], wires: wires.map((one) => ({ ...wire, ...one })), limits_unknown: null }).checked;
     expect(of({})).toBe(true);
     expect(of({}, { stock_mm: null })).toBe(false);
     expect(of()).toBe(false);

@@ -28,7 +28,6 @@ impl LiveProblem {
             | Self::OtherMachine { .. }
             | Self::Job(JobError::NotOfStep { .. } | JobError::NotInDoubt { .. })
             | Self::Session(SessionError::Unsupported { .. }) => ErrorKind::Usage,
-            Self::BeyondLimit { .. } => ErrorKind::NotFeasible,
             Self::Moves { .. }
             | Self::DamagedJournal { .. }
             | Self::Job(
@@ -70,7 +69,6 @@ impl LiveProblem {
             Self::Session(error) => error.code(),
             Self::Job(error) => job_code(error),
             Self::SettingsDiffer { .. } => "settings-differ",
-            Self::BeyondLimit { .. } => "beyond-limit",
             Self::NoWire { .. } => "no-wire",
             Self::Unfinished { .. } => "unfinished",
             Self::DamagedJournal { .. } => "journal-damaged",

@@ -4,7 +4,7 @@ mod code;
 
 use std::path::PathBuf;
 
-use wirebend_driver_host::api::{Axis, AxisLimit, Beyond, DriverError, Extent, PausedBy, SettingCheck};
+use wirebend_driver_host::api::{DriverError, PausedBy, SettingCheck};
 use wirebend_driver_host::jobs::{JobError, JournalError};
 use wirebend_driver_host::{SessionError, StoppedBy};
 
@@ -124,29 +124,6 @@ pub enum LiveProblem {
         settings: Vec<SettingCheck>,
         /// Whether its driver can write them.
         writable: bool,
-    },
-    /// A step of the wire would be refused in the middle of it.
-    #[error(
-        "wire {}: with step {step} {goes} {value:.3}{unit}, and {by} takes no more than {most:.3}{unit} ({because}); plan the design anew for a machine profile with that limit, or change the setting",
-        .wire.saturating_add(1)
-    )]
-    BeyondLimit {
-        /// Index of the wire, from 0.
-        wire: usize,
-        /// The step, from 1.
-        step: u32,
-        /// What goes beyond, in words.
-        goes: &'static str,
-        /// How far.
-        value: f64,
-        /// Who refuses it.
-        by: &'static str,
-        /// What is taken.
-        most: f64,
-        /// Of both.
-        unit: &'static str,
-        /// Where the limit comes from.
-        because: String,
     },
     /// A job has fewer wires.
     #[error("there is no wire {}: the job has {count}, counted from 1", .wire.saturating_add(1))]
@@ -343,23 +320,6 @@ fn listed(settings: &[SettingCheck]) -> String {
 
 fn numbers(wires: &[usize]) -> String {
     wires.iter().map(|wire| (wire + 1).to_string()).collect::<Vec<_>>().join(", ")
-}
-
-impl LiveProblem {
-    /// What a driver or a machine would refuse.
-    pub(crate) fn beyond(wire: usize, by: &'static str, beyond: Beyond) -> Self {
-        let Beyond { step, value, limit: AxisLimit { axis, of, most, setting, reason } } = beyond;
-        let (goes, unit) = match (axis, of) {
-            (Axis::Feed, Extent::Step) => ("the wire is fed", " mm"),
-            (Axis::Feed, Extent::Position) => ("the wire is fed in all", " mm"),
-            (Axis::Rotate, Extent::Step) => ("the head turns", "\u{b0}"),
-            (Axis::Rotate, Extent::Position) => ("the head comes to", "\u{b0}"),
-            (Axis::Bend, Extent::Step) => ("the bend axis goes to", "\u{b0}"),
-            (Axis::Bend, Extent::Position) => ("the bend axis comes to", "\u{b0}"),
-        };
-        let because = setting.as_ref().map_or_else(|| reason.clone(), |key| format!("driver setting {key}"));
-        Self::BeyondLimit { wire, step, goes, value, by, most: *most, unit, because }
-    }
 }
 
 impl From<JournalError> for LiveProblem {
