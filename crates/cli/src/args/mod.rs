@@ -1,15 +1,17 @@
 //! The arguments.
 
 pub(crate) mod live;
+mod shared;
 
 use std::path::PathBuf;
 
-use clap::builder::{PossibleValuesParser, TypedValueParser};
-use clap::{Args, Parser, Subcommand};
+use clap::{Parser, Subcommand};
 use clap_complete::Shell;
-use wirebend_app::{DumpStage, Format, Handedness, LengthUnit, ProfileKind, ProgramKind};
+use wirebend_app::DumpStage;
 
 use live::{JogArgs, MachineSettingsArgs, PortsArgs, ReplayArgs, RunArgs, RunsCommand};
+pub(crate) use shared::{ChoiceArgs, DangerArgs, DesignArgs, ExportedArgs, KindArgs, OutputArgs, ReadArgs};
+use shared::{parse_setting, stage_parser};
 
 const AFTER: &str = "\
 Exit status: 0 done · 2 wrong use · 3 bad input · 4 not feasible on this machine (the report is \
@@ -264,153 +266,4 @@ pub(crate) enum ProfileCommand {
         #[command(flatten)]
         kind: KindArgs,
     },
-}
-
-/// Which kind of profile is meant.
-#[derive(Debug, Args)]
-pub(crate) struct KindArgs {
-    /// Kind of the profile, where several kinds have its id
-    #[arg(long, value_name = "KIND", value_parser = kind_parser())]
-    pub kind: Option<ProfileKind>,
-}
-
-/// How to read a file.
-#[derive(Debug, Args)]
-pub(crate) struct ReadArgs {
-    /// Format of the file, where its name and contents do not tell
-    #[arg(long, value_name = "FORMAT", value_parser = parse_format)]
-    pub from: Option<Format>,
-    /// Factor on all coordinates
-    #[arg(long, value_name = "FACTOR", default_value_t = 1.0)]
-    pub scale: f64,
-    /// Unit of the coordinates: mm, cm, m or inch
-    #[arg(long, value_name = "UNIT", value_parser = parse_unit)]
-    pub units: Option<LengthUnit>,
-    /// Join vertices that are closer than this, in mm
-    #[arg(long, value_name = "TOLERANCE", default_value_t = 0.001)]
-    pub weld: f64,
-    /// Take the edges of faces as the wireframe
-    #[arg(long)]
-    pub face_edges: bool,
-    /// Centreline radius of the bends of a table that does not say, in mm
-    #[arg(long, value_name = "RADIUS")]
-    pub clr: Option<f64>,
-    /// Make curves of a drawing straight edges that are no farther from them than this, in mm
-    #[arg(long, value_name = "DISTANCE", default_value_t = 0.1)]
-    pub tolerance: f64,
-    /// Read this layer of a drawing only, by name; may be given again
-    #[arg(long = "layer", value_name = "NAME")]
-    pub layers: Vec<String>,
-    /// Way in which the rotations of a table turn, where the table does not say: right or left
-    #[arg(long, value_name = "HAND", value_parser = handedness_parser())]
-    pub handedness: Option<Handedness>,
-    /// What the steps of a program are, where it does not say: nominal (the design), or compensated (what a machine was told)
-    #[arg(long, value_name = "KIND", value_parser = program_parser())]
-    pub program: Option<ProgramKind>,
-}
-
-/// What to work on.
-#[derive(Debug, Args)]
-pub(crate) struct DesignArgs {
-    /// Wireframe: a .wirebend document or any file that can be imported, or - for standard input
-    #[arg(value_name = "WIREFRAME")]
-    pub file: PathBuf,
-    #[command(flatten)]
-    pub read: ReadArgs,
-}
-
-/// What to export.
-#[derive(Debug, Args)]
-pub(crate) struct ExportedArgs {
-    /// Job, wireframe document or any file that can be imported, or - for standard input
-    #[arg(value_name = "JOB|WIREFRAME")]
-    pub file: PathBuf,
-    #[command(flatten)]
-    pub read: ReadArgs,
-}
-
-/// On which machine, and which way the wire runs.
-#[derive(Debug, Args)]
-#[allow(clippy::struct_excessive_bools)] // each is an option of its own
-pub(crate) struct ChoiceArgs {
-    /// Machine, by id (see `wirebend machines`)
-    #[arg(long, short, value_name = "ID")]
-    pub machine: Option<String>,
-    /// Wire in the machine, by id (see `wirebend materials`)
-    #[arg(long, value_name = "ID")]
-    pub material: Option<String>,
-    /// Travel the cheapest edges twice where one wire cannot run otherwise
-    #[arg(long)]
-    pub double: bool,
-    /// End the wire where it starts
-    #[arg(long)]
-    pub closed: bool,
-    /// Vertex where the wire starts
-    #[arg(long, value_name = "VERTEX")]
-    pub start: Option<u32>,
-    /// Run the wire the other way
-    #[arg(long)]
-    pub reverse: bool,
-    /// Run the wire as the program runs that is read, from its start to its end
-    #[arg(long, conflicts_with_all = ["double", "closed", "start"])]
-    pub keep_order: bool,
-}
-
-/// Where the result goes.
-#[derive(Debug, Args)]
-pub(crate) struct OutputArgs {
-    /// File to write, or - for standard output
-    #[arg(long, short, value_name = "FILE")]
-    pub output: Option<PathBuf>,
-    /// Replace a file that is there
-    #[arg(long)]
-    pub force: bool,
-}
-
-/// What a person has to say that they know.
-#[derive(Debug, Args)]
-pub(crate) struct DangerArgs {
-    /// Write a program although a check says that it cannot be made
-    #[arg(long)]
-    pub despite_errors: bool,
-}
-
-fn parse_format(word: &str) -> Result<Format, String> {
-    word.parse().map_err(|error: <Format as std::str::FromStr>::Err| error.to_string())
-}
-
-/// `KEY=VALUE`; a value that is no JSON is a text.
-fn parse_setting(text: &str) -> Result<(String, serde_json::Value), String> {
-    let (key, value) = text.split_once('=').ok_or("expected KEY=VALUE, such as decimals=2")?;
-    let value = serde_json::from_str(value).unwrap_or_else(|_| serde_json::Value::String(value.to_owned()));
-    Ok((key.to_owned(), value))
-}
-
-fn parse_unit(word: &str) -> Result<LengthUnit, String> {
-    LengthUnit::from_word(word).ok_or_else(|| "expected mm, cm, m or inch".to_owned())
-}
-
-fn handedness_parser() -> impl TypedValueParser<Value = Handedness> {
-    // The parser before has refused every other word.
-    PossibleValuesParser::new(Handedness::ALL.map(Handedness::name))
-        .map(|word| if word == Handedness::Left.name() { Handedness::Left } else { Handedness::Right })
-}
-
-fn program_parser() -> impl TypedValueParser<Value = ProgramKind> {
-    let compensated = ProgramKind::Compensated;
-    PossibleValuesParser::new(ProgramKind::ALL.map(ProgramKind::name))
-        .map(move |word| if word == compensated.name() { compensated } else { ProgramKind::Nominal })
-}
-
-fn kind_parser() -> impl TypedValueParser<Value = ProfileKind> {
-    // The parser before has refused every other word.
-    PossibleValuesParser::new(ProfileKind::ALL.map(ProfileKind::word))
-        .map(|word| ProfileKind::from_word(&word).unwrap_or(ProfileKind::Machine))
-}
-
-fn stage_parser() -> impl TypedValueParser<Value = DumpStage> {
-    let by_name = |name: String| DumpStage::ALL.into_iter().find(|stage| stage.as_str() == name);
-    // The parser before has refused every other name.
-    PossibleValuesParser::new(DumpStage::ALL.map(DumpStage::as_str))
-        .map(move |name| by_name(name).unwrap_or(DumpStage::Wireframe))
 }
