@@ -224,7 +224,9 @@ fmt-check:
 lint: ui/dist/index.html ## clippy on everything
 	cargo clippy --workspace --all-targets -- -D warnings
 
+# Most of the tests that take their time wait for machines.
 .PHONY: unit
+unit: export RUST_TEST_THREADS ?= 8
 unit: ui/dist/index.html
 	cargo test --workspace
 

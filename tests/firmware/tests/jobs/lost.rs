@@ -106,8 +106,7 @@ fn lost<B: Board + Send + 'static>((how, signal, _): Way, during: During) -> Dur
     }
     let ran = running.wait();
     is_true(&at, ran, 5, &case);
-    let stop = at.with(|bender| *bender.stops.first().expect("a STOP"));
-    let after = at.with(move |bender| bender.pulses.all().iter().filter(|pulse| pulse.at > stop.at).count());
+    let (stop, after) = at.with(|bender| bender.stopped());
     assert_eq!(after, 0, "{case}: pulses after the STOP");
     let took = stop.came.saturating_duration_since(begun);
     println!("{case}: STOP at the port after {took:?}");

@@ -48,8 +48,7 @@ fn one(job: &Job, number: usize) -> Duration {
     let pressed = Instant::now();
     running.kill(Signal::INT);
     running.wait().ended(130);
-    let stop = at.with(|bender| *bender.stops.first().expect("a STOP"));
-    let after = at.with(move |bender| bender.pulses.all().iter().filter(|pulse| pulse.at > stop.at).count());
+    let (stop, after) = at.with(|bender| bender.stopped());
     assert_eq!(after, 0, "pulses after the STOP");
     stop.came.saturating_duration_since(pressed)
 }

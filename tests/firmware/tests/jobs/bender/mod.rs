@@ -29,6 +29,9 @@ const HEAD_LIMIT_DEG: f64 = 360.0;
 /// Width of the servo's pulse with the peg out, µs: that of the profile.
 const PEG_OUT_US: u16 = 2000;
 
+/// The longest that the interrupt of a step takes, cycles, as measured.
+const STEP_INTERRUPT: u64 = 1265;
+
 /// Steps of the motors, as the machine is built.
 #[derive(Debug, Clone, Copy)]
 pub struct Gears {
@@ -128,6 +131,13 @@ impl<B: Board> Bender<B> {
     /// What should never have happened.
     pub fn incidents(&self) -> Vec<String> {
         self.bench.incidents().iter().map(ToString::to_string).collect()
+    }
+
+    /// The first STOP, and how many pulses came after it. A step whose interrupt has begun when the byte is over is made.
+    pub fn stopped(&self) -> (Stop, usize) {
+        let stop = *self.stops.first().expect("a STOP");
+        let after = |pulse: &&Pulse| pulse.at > stop.at + STEP_INTERRUPT;
+        (stop, self.pulses.all().iter().filter(after).count())
     }
 
     /// Time since anything has moved, in cycles.

@@ -132,9 +132,7 @@ impl Case {
         let what = self.what;
         at.with(move |bender| match what {
             What::Stopped | What::DriverKilled => {
-                let stop = bender.stops.first().expect("a STOP");
-                let after = bender.pulses.all().iter().filter(|pulse| pulse.at > stop.at).count();
-                assert_eq!(after, 0, "pulses after the STOP");
+                assert_eq!(bender.stopped().1, 0, "pulses after the STOP");
             }
             What::ControllerReset | What::PowerLost => {
                 let last = bender.pulses.last().unwrap().at;

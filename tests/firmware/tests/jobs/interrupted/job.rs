@@ -19,6 +19,8 @@ pub const MACHINE: &str = "coarse-kit";
 pub fn coarse() -> Value {
     json!({
         "schema_version": 1, "kind": "machine", "id": MACHINE, "inherits": "wirebend-kit", "name": "Coarse kit",
+        // What the machine needs for a bend besides its moves, so that a port is not waited for longer than it has to be.
+        "time": { "fixed_per_bend_s": { "value": 0.5, "source": "These settings, on the core", "measured": true } },
         "driver": { "settings": {
             // A port that does not reset its board is waited for so long.
             "boot_s": 0.2,
