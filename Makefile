@@ -228,7 +228,7 @@ lint: ui/dist/index.html ## clippy on everything
 .PHONY: unit
 unit: export RUST_TEST_THREADS ?= 8
 unit: ui/dist/index.html
-	cargo test --workspace
+	cargo test --workspace --no-fail-fast
 
 .PHONY: doc
 doc:

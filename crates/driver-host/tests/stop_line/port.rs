@@ -29,6 +29,18 @@ impl Port {
         Self { machine, name, _cable: cable }
     }
 
+    /// Pulls the cable. A process that another test is just starting has the machine's end too, until it runs.
+    pub fn unplug(self) {
+        let Self { machine, _cable: cable, .. } = self;
+        drop(machine);
+        let hung_up = |cable: &OwnedFd| {
+            let mut looked = [PollFd::new(cable, PollFlags::empty())];
+            poll(&mut looked, None).unwrap();
+            looked[0].revents().contains(PollFlags::HUP)
+        };
+        while !hung_up(&cable) {}
+    }
+
     /// What arrives, until there are so many bytes, or nothing comes for long.
     pub fn heard(&self, count: usize) -> Vec<u8> {
         let patience = Timespec { tv_sec: 20, tv_nsec: 0 };
