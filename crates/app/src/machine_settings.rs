@@ -65,6 +65,7 @@ pub(crate) fn machine_settings(
         port,
         unnamed: Unnamed::Refuse,
         token: None,
+        journal: None,
         axes_at_zero: false,
     };
     let mut connection = app.connect(&at, progress)?;

@@ -72,6 +72,14 @@ impl Log {
         understood(path, &bytes)
     }
 
+    /// Whether somebody writes it: another process, or another place of this one.
+    #[must_use]
+    pub fn is_in_use(path: &Path) -> bool {
+        let Ok(file) = File::open(path) else { return false };
+        // Whoever does nothing but look does not keep others from it for longer than that takes.
+        matches!(file.try_lock_shared(), Err(TryLockError::WouldBlock))
+    }
+
     /// Adds an entry: JSON without an end of line. When this returns it is on the disk.
     ///
     /// # Errors

@@ -119,11 +119,14 @@ fn a_line_that_is_missing_is_seen() {
 #[test]
 fn two_do_not_write_the_same_log() {
     let (_folder, path) = written(2);
+    assert!(!Log::is_in_use(&path));
     let (first, _) = Log::open(&path).unwrap();
+    assert!(Log::is_in_use(&path));
     assert!(matches!(Log::open(&path), Err(LogError::InUse { .. })));
     assert!(matches!(Log::create(&path, "1"), Err(LogError::Exists { .. })));
     assert_eq!(Log::read(&path).unwrap().entries.len(), 2, "whoever only looks may");
     drop(first);
+    assert!(!Log::is_in_use(&path));
     Log::open(&path).unwrap();
 }
 

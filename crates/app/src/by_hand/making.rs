@@ -31,6 +31,7 @@ pub(super) fn make(
         port: hand.port,
         unnamed: Unnamed::Simulate,
         token: None,
+        journal: None,
         axes_at_zero: hand.axes_at_zero,
     };
     let mut connection = app.connect(&at, progress)?;

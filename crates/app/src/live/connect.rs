@@ -1,5 +1,6 @@
 //! From a machine's profile and a port to a machine that has answered.
 
+use std::path::Path;
 use std::time::{Duration, Instant};
 
 use wirebend_driver_host::api::{Capability, Event, Limits, ReferenceBy, Step};
@@ -29,6 +30,8 @@ pub(crate) struct At<'a> {
     pub unnamed: Unnamed<'a>,
     /// The token of an earlier arming.
     pub token: Option<&'a str>,
+    /// The journal of a wire that is gone on with, which the caller has taken up.
+    pub journal: Option<&'a Path>,
     /// A person has said already that every axis stands at zero, for machines whose axes they bring there.
     pub axes_at_zero: bool,
 }
@@ -81,7 +84,7 @@ impl App {
             Some(port) => port.to_owned(),
             None => port_of_simulated(&driver, at.unnamed)?,
         };
-        wait_until_it_stands(self, &port, progress)?;
+        wait_until_it_stands(self, &port, at.journal, progress)?;
         let bytes = at.profile.driver.stop_bytes.clone().unwrap_or_default();
         let reply = at.profile.driver.stop_reply.clone().unwrap_or_default();
         // The driver tells better what is wrong with a port.

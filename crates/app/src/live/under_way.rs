@@ -4,7 +4,7 @@
 use std::path::Path;
 use std::time::{Duration, Instant, SystemTime};
 
-use wirebend_driver_host::jobs::{Account, Entry, What, Written, stamped};
+use wirebend_driver_host::jobs::{Account, Entry, Heading, Journal, What, Written, stamped};
 
 use super::LiveProblem;
 use crate::runs::RunsFolder;
@@ -29,14 +29,16 @@ struct UnderWay {
     ends: SystemTime,
 }
 
-/// Waits until a machine at a port has made all that a journal says it was sent, and tells so.
+/// Waits until a machine at a port has made all that a journal says it was sent, and tells so. Refuses one that a program
+/// is at work with. `own`: the journal that the caller has taken up.
 pub(super) fn wait_until_it_stands(
     app: &App,
     port: &str,
+    own: Option<&Path>,
     progress: &dyn Progress,
 ) -> Result<(), LiveProblem> {
     let now = SystemTime::now();
-    let Some(under_way) = on(app, port, now) else { return Ok(()) };
+    let Some(under_way) = on(app, port, own, now)? else { return Ok(()) };
     let left = under_way.ends.duration_since(now).unwrap_or_default();
     progress.news(&News::Warning { code: "still-moving".to_owned(), message: under_way.told(port, left) });
     let begun = Instant::now();
@@ -55,16 +57,25 @@ pub(super) fn wait_until_it_stands(
 }
 
 /// What a machine at a port may be making; `None` where it is known to stand.
-fn on(app: &App, port: &str, now: SystemTime) -> Option<UnderWay> {
-    if !is_device(port) {
-        return None;
-    }
+fn on(app: &App, port: &str, own: Option<&Path>, now: SystemTime) -> Result<Option<UnderWay>, LiveProblem> {
     // Without a place for journals no wire was made.
-    let all = RunsFolder::of(app).and_then(|folder| folder.all()).ok()?;
-    let here = all.iter().filter_map(|kept| kept.read.as_ref().ok());
-    here.filter(|written| written.account.heading.port == port)
-        .filter_map(|written| UnderWay::of(written, now))
-        .max_by_key(|under_way| under_way.ends)
+    let Ok(folder) = RunsFolder::of(app) else { return Ok(None) };
+    let Some(all) = is_device(port).then(|| folder.all().ok()).flatten() else { return Ok(None) };
+    let mut latest: Option<UnderWay> = None;
+    for kept in &all {
+        let Ok(written) = &kept.read else { continue };
+        let Heading { port: begun_at, name, .. } = &written.account.heading;
+        if begun_at != port {
+            continue;
+        }
+        let over = written.account.is_over();
+        if !over && own != Some(&kept.path) && Journal::is_in_use(&kept.path) {
+            return Err(LiveProblem::AtWork { port: port.to_owned(), name: name.clone() });
+        }
+        let under_way = UnderWay::of(written, now);
+        latest = latest.into_iter().chain(under_way).max_by_key(|under_way| under_way.ends);
+    }
+    Ok(latest)
 }
 
 /// Whether a board can be reset by opening it: what is simulated has no such name.
@@ -126,8 +137,6 @@ fn since(entries: &[Entry]) -> Option<&str> {
 
 #[cfg(test)]
 mod tests {
-    use wirebend_driver_host::jobs::{Heading, Journal};
-
     use super::*;
 
     const BEGUN: &str = "2026-05-01T09:30:00Z";

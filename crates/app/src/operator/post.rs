@@ -128,6 +128,7 @@ impl<'a> Post<'a> {
             port: self.named.as_deref(),
             unnamed: Unnamed::Simulate,
             token: None,
+            journal: None,
             axes_at_zero: false,
         };
         let connected = self.app.connect(&at, self.shared);

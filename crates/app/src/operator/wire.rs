@@ -106,8 +106,8 @@ impl<'a> Post<'a> {
             if let Some(line) = &self.line {
                 line.share();
             }
-            let (token, begun_at) = (interrupted.token(), interrupted.begun_at());
-            let at = task.at(token.as_deref(), Unnamed::SimulateAgain(&begun_at));
+            let begun_at = interrupted.begun_at();
+            let at = task.at(Some(&interrupted), Unnamed::SimulateAgain(&begun_at));
             let connection = self.app.connect(&at, self.shared)?;
             self.is_connected(connection);
         }

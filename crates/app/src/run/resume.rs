@@ -1,5 +1,6 @@
 //! An interrupted wire, gone on with as its journal and the machine allow.
 
+use std::path::Path;
 use std::time::Instant;
 
 use wirebend_driver_host::Standstill;
@@ -25,8 +26,13 @@ pub(crate) struct Interrupted {
 
 impl Interrupted {
     /// What the machine calls the session in which it may still be.
-    pub fn token(&self) -> Option<String> {
-        self.journal.account().token.clone()
+    pub fn token(&self) -> Option<&str> {
+        self.journal.account().token.as_deref()
+    }
+
+    /// Its journal, which nobody else has.
+    pub fn journal(&self) -> &Path {
+        self.journal.path()
     }
 
     /// The port at which it was begun.
@@ -63,8 +69,8 @@ impl Task<'_> {
     pub fn resume(&self, decided: Option<Decided>) -> Result<RunResponse, AppError> {
         let mut response = self.response();
         let Some(interrupted) = self.interrupted(&mut response)? else { return Ok(response) };
-        let (token, begun_at) = (interrupted.token(), interrupted.begun_at());
-        let at = self.at(token.as_deref(), Unnamed::SimulateAgain(&begun_at));
+        let begun_at = interrupted.begun_at();
+        let at = self.at(Some(&interrupted), Unnamed::SimulateAgain(&begun_at));
         let mut connection = self.app.connect(&at, self.progress)?;
         // A machine that still is in the wire knows it itself.
         if connection.session.going_on().is_none() && !interrupted.is_made() {

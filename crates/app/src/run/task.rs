@@ -3,11 +3,14 @@
 use std::path::Path;
 
 use wirebend_driver_host::api::DoneBy;
-use wirebend_driver_host::jobs::{Clock, Entry, Journal, JournalError, Record, SystemClock, What, Work};
+use wirebend_driver_host::jobs::{
+    Clock, Entry, Heading, Journal, JournalError, Record, SystemClock, What, Work,
+};
 use wirebend_files::document::{Job, JobStep, JobWire};
 
 use super::RunRequest;
 use super::report::{RunOutcome, RunResponse, WireRun};
+use super::resume::Interrupted;
 use crate::design::Input;
 use crate::drivers::work;
 use crate::export::open_job;
@@ -70,14 +73,15 @@ impl<'a> Task<'a> {
         Ok(connection.require_within(wire, &self.work(wire, connection)?.steps, from)?)
     }
 
-    /// The machine of the job.
-    pub fn at<'b>(&'b self, token: Option<&'b str>, unnamed: Unnamed<'b>) -> At<'b> {
+    /// The machine of the job, for a wire that is begun or gone on with.
+    pub fn at<'b>(&'b self, of: Option<&'b Interrupted>, unnamed: Unnamed<'b>) -> At<'b> {
         At {
             profile: &self.setup.machine.profile,
             signs: self.setup.signs,
             port: self.request.port.as_deref(),
             unnamed,
-            token,
+            token: of.and_then(Interrupted::token),
+            journal: of.map(Interrupted::journal),
             axes_at_zero: self.request.axes_at_zero,
         }
     }
@@ -242,6 +246,10 @@ impl<'a> Task<'a> {
         match kept.read {
             Ok(written) if written.account.is_over() => Ok(()),
             Ok(written) if written.account.sent == 0 => Ok(self.give_up(&kept.path)?),
+            Ok(written) if Journal::is_in_use(&kept.path) => {
+                let Heading { port, name, .. } = written.account.heading;
+                Err(LiveProblem::AtWork { port, name }.into())
+            }
             Ok(written) => Err(LiveProblem::Unfinished {
                 wire,
                 started: written.entries.first().map(|entry| entry.at.clone()).unwrap_or_default(),

@@ -48,6 +48,7 @@ impl<'a> Simulator<'a> {
             port: Some(PORT),
             unnamed: Unnamed::Refuse,
             token: None,
+            journal: None,
             axes_at_zero: false,
         };
         Ok(Some(Self { connection: app.connect(&at, &NoProgress)?, setup }))

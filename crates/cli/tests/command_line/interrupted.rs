@@ -257,6 +257,8 @@ fn a_wire_that_is_being_made_is_left_alone() {
         let said = shop.make(more).ended(5).err;
         assert!(said.contains("in use"), "{said}");
     }
+    let said = shop.make(&["--yes"]).ended(5).err;
+    assert!(said.contains("makes the wire 'a'") && !said.contains("--resume"), "{said}");
     going.send(Signal::INT);
     assert_eq!(going.end().0, Some(130));
 }

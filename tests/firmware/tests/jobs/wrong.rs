@@ -234,6 +234,16 @@ fn a_second_program_at_the_port_does_not_spoil_the_wire() {
     let running = run(job, "first", &at.port);
     running.reached(&at.at(Moment { pulses: 300, cycles: 0 }, |_| {}));
     run(job, "second", &at.port).wait().ended(5).says("is used by another program");
+    // Who shares its journals knows more, and does not call it interrupted.
+    let at_work = "makes the wire 'cube' on the machine at";
+    run(job, "first", &at.port).wait().ended(5).says(at_work);
+    let jog = ["jog", "--machine", MACHINE, "--port", &at.port, "--yes", "home"];
+    job.shop.ran("first", &jog).ended(5).says(at_work);
+    for option in ["--resume", "--abandon"] {
+        let ran =
+            job.shop.ran("first", &["run", job.file.to_str().unwrap(), "--port", &at.port, "--yes", option]);
+        ran.ended(5).says("another window of this one, makes this wire");
+    }
     running.wait().ended(0);
     let pulses = at.with(|bender| bender.pulses.job().to_vec());
     assert_eq!(ways(&pulses), ways(&job.pulses));

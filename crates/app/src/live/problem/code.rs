@@ -41,6 +41,7 @@ impl LiveProblem {
             Self::MayMove { .. } | Self::Unrecorded { stands: false, .. } => ErrorKind::MayMove,
             Self::NoAnswer { .. }
             | Self::Unrecorded { .. }
+            | Self::AtWork { .. }
             | Self::Fault(_)
             | Self::Session(_)
             | Self::Job(_)
@@ -65,6 +66,7 @@ impl LiveProblem {
             Self::MayMove { .. } => "stop-not-confirmed",
             Self::Unrecorded { error, .. } => job_code(error),
             Self::NoAnswer { .. } => "no-answer",
+            Self::AtWork { .. } => "machine-at-work",
             Self::Fault(_) => "machine-fault",
             Self::Session(error) => error.code(),
             Self::Job(error) => job_code(error),

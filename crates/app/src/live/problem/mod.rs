@@ -100,6 +100,16 @@ pub enum LiveProblem {
         /// For how long.
         seconds: u64,
     },
+    /// A program makes a wire on it.
+    #[error(
+        "another program, or another window of this one, makes the wire '{name}' on the machine at {port}: wait until it is made, or stop it there"
+    )]
+    AtWork {
+        /// The port.
+        port: String,
+        /// The wire.
+        name: String,
+    },
     /// The machine or its line failed.
     #[error("{0}")]
     Fault(DriverError),

@@ -24,7 +24,7 @@ pub enum JournalError {
         path: PathBuf,
     },
     /// Another program, or another window of this one, makes the wire.
-    #[error("the journal {} is in use: another program makes this wire; close it first", path.display())]
+    #[error("the journal {} is in use: another program, or another window of this one, makes this wire: wait until it is made, or stop it there", path.display())]
     InUse {
         /// The file.
         path: PathBuf,
@@ -123,6 +123,12 @@ impl Journal {
     /// [`JournalError::Empty`], [`JournalError::Damaged`], [`JournalError::Io`].
     pub fn read(path: &Path) -> Result<Written, JournalError> {
         understood(path, &Log::read(path)?)
+    }
+
+    /// Whether somebody writes it: the wire is being made, by this program or another.
+    #[must_use]
+    pub fn is_in_use(path: &Path) -> bool {
+        Log::is_in_use(path)
     }
 
     /// Adds an entry. When this returns it is on the disk.
