@@ -74,6 +74,7 @@ pub(crate) fn about(
     if homes {
         lines.push(first(connection.reference(), "the bend axis moves at once"));
     }
+    lines.extend(task.stale());
     let objections = task.job.contents().objections.iter();
     lines.extend(objections.map(|objection| format!("the job was made although {objection}")));
     Ok(lines)

@@ -6,6 +6,7 @@ mod doubt;
 mod making;
 mod report;
 mod resume;
+mod stale;
 mod task;
 
 use schemars::JsonSchema;

@@ -254,3 +254,33 @@ fn settings_are_compared_and_written() {
     assert_fits("machine-settings", &found);
     assert_eq!((&found["fits"], &found["written"]), (&json!(true), &json!(true)));
 }
+
+/// The job has its machine in it: what was changed in the profile since does not count, and nobody is left to believe it does.
+#[test]
+fn a_profile_that_was_changed_since_the_job_was_planned_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let machines = folder.path().join("profiles/machines");
+    std::fs::create_dir_all(&machines).unwrap();
+    let profile = |name: &str, offset_mm: f64| {
+        let figure = json!({"value": offset_mm, "source": "a caliper", "measured": true});
+        let mine = json!({"schema_version": 1, "kind": "machine", "id": "mine", "inherits": "wirebend-kit", "name": name,
+            "bend": {"orbit_offset_mm": figure}});
+        std::fs::write(machines.join("mine.json"), mine.to_string()).unwrap();
+    };
+    let run = |arguments: &[&str]| {
+        let ran = run_in(folder.path(), &[&["--profiles", "profiles"], arguments].concat(), b"").ended(0);
+        ran.err
+    };
+    profile("Mine", 12.0);
+    run(&["plan", &example("u-sample.obj"), "-m", "mine", "-o", "a.wbjob"]);
+    let make = ["run", "a.wbjob", "--port", "sim:max", "--yes"];
+    profile("My own", 12.0);
+    let said = run(&make);
+    assert!(!said.contains("has changed"), "{said}");
+    profile("My own", 11.4);
+    let said = run(&make);
+    assert!(
+        said.contains("the profile 'mine' has changed since the job was planned (bend.orbit_offset_mm)"),
+        "{said}"
+    );
+}
