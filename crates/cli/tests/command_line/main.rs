@@ -26,6 +26,8 @@ mod lost;
 mod outputs;
 mod profiles;
 mod programs;
+#[cfg(target_os = "linux")]
+mod random_stops;
 mod results;
 mod runs;
 #[cfg(target_os = "linux")]

@@ -116,11 +116,11 @@ impl Model {
         self.events.power.store(true, Ordering::SeqCst);
     }
 
-    /// Somebody turns all axes to their marks by hand.
+    /// Somebody turns the head and the bend axis to their marks by hand. A feed has none, and the wire is left where it is.
     pub fn turn_to_marks(&self) {
         let mut now = self.events.now.lock().unwrap_or_else(PoisonError::into_inner);
         let at = now.at;
-        for (hand, at) in now.hand.iter_mut().zip(at) {
+        for (hand, at) in now.hand.iter_mut().zip(at).skip(1) {
             *hand -= at;
         }
     }
