@@ -4,6 +4,7 @@
 
 mod args;
 mod errors;
+mod number;
 mod progress;
 mod render;
 mod requests;

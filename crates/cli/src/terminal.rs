@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use wirebend_app::{Decision, Doubt, News, NoProgress, PartOfStep, Progress, SeverityName, StopHandle};
 
+use crate::number::number;
 use crate::progress::Bar;
 use crate::{render, stop};
 
@@ -70,7 +71,7 @@ impl Terminal {
                 return None;
             }
             let within = |part: &f64| *part >= whole.min(0.0) - NOTHING && *part <= whole.max(0.0) + NOTHING;
-            if let Some(part) = word.replace(',', ".").parse().ok().filter(within) {
+            if let Some(part) = number(word).filter(within) {
                 return Some(part);
             }
         }
@@ -199,8 +200,8 @@ impl Progress for Terminal {
             if word.is_empty() {
                 return left_at;
             }
-            match word.parse::<f64>() {
-                Ok(deg) if (least..=most).contains(&deg) => return Some(deg),
+            match number(word) {
+                Some(deg) if (least..=most).contains(&deg) => return Some(deg),
                 _ => self.say(&format!("'{word}' is no number from {least} to {most}")),
             }
         }

@@ -102,6 +102,8 @@ export function hearOperator(event: OperatorEvent): void {
     case "jogged":
       return void loadRecorded();
     case "run-ended":
+      // Of a wire that was made its notes were told on the way.
+      if (event.wires.length === 0) for (const note of event.notes) tell("warning", worded(note), note.code);
       return useRun.setState({ ended: event.wires.at(-1) ?? null });
     case "stopped":
       // Whether the machine stands is told with the state, once it is known.

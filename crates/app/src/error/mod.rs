@@ -203,8 +203,10 @@ pub enum AppError {
         /// What can be written for it.
         known: String,
     },
-    /// A design was given where a job is needed.
-    #[error("{name} is a design, not a job: make one with `wirebend plan {name} --machine ID -o JOB.wbjob`")]
+    /// Something else was given where a job is needed.
+    #[error(
+        "{name} is not a job: make one of a design with `wirebend plan DESIGN --machine ID -o JOB.wbjob`"
+    )]
     NotAJob {
         /// The input.
         name: String,
@@ -296,7 +298,7 @@ pub enum AppError {
         reason: String,
     },
     /// A stage was asked for that the design does not reach.
-    #[error("the design does not get as far as the stage '{stage}': see what `check` says")]
+    #[error("there is no {} of this design: `check` names what is in the way", in_words(stage))]
     StageNotReached {
         /// The stage.
         stage: &'static str,
@@ -322,6 +324,11 @@ pub enum AppError {
     /// A value cannot be turned into JSON.
     #[error("the result cannot be written as JSON: {0}")]
     Json(#[from] serde_json::Error),
+}
+
+/// What a stage leaves, for a person.
+fn in_words(stage: &str) -> &str {
+    if stage == "compensated" { "compensated program" } else { stage }
 }
 
 /// "a machine profile and a noise profile".

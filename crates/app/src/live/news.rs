@@ -123,7 +123,11 @@ impl std::fmt::Display for Doubt {
             "nobody knows whether step {step} of {of} of wire {} was made: {feed_mm:.1} mm of wire, turned {rotate_deg:.1}°, bent {bend_deg:.1}°",
             wire + 1
         )?;
-        let Some(part) = counted else { return Ok(()) };
+        let Some(part) = counted else {
+            // A person measures what the machine makes of it.
+            let (feed_mm, rotate_deg) = (told.feed_mm, shown(told.rotate_deg));
+            return write!(f, "; the machine feeds {feed_mm:.1} mm and turns {rotate_deg:.1}° for it");
+        };
         write!(
             f,
             "; it was stopped on its way: the machine counts {:.1} of {:.1} mm fed and {:.1}° of {:.1}° turned, and may have lost steps as it stopped",

@@ -196,7 +196,8 @@ impl<'a> Post<'a> {
             self.power_told = may_move;
             self.shared.problem(if may_move { with_power(problem) } else { problem });
         }
-        if !response.wires.is_empty() {
+        // A wire whose journal is damaged is given up without being one of them.
+        if !response.wires.is_empty() || task.request.how == RunHow::Abandon {
             self.shared.hear(&OperatorEvent::RunEnded(Box::new(response)));
         }
         self.look_for_unfinished(task, wire);

@@ -198,6 +198,7 @@ impl<'a> Task<'a> {
     /// Gives up what was interrupted. Nothing moves.
     pub fn abandon(&self) -> Result<RunResponse, AppError> {
         let mut response = self.response();
+        let mut set_aside = false;
         for wire in self.wanted() {
             let Some(kept) = self.last(wire)? else { continue };
             match &kept.read {
@@ -217,19 +218,17 @@ impl<'a> Task<'a> {
                 }
                 Err(_) => {
                     let aside = self.folder.set_aside(&kept)?;
-                    let message = format!("the damaged journal was set aside as {}", aside.display());
+                    let message = format!(
+                        "wire {} is given up; how much of it was made nobody knows: its damaged journal was set aside as {}",
+                        wire + 1,
+                        aside.display()
+                    );
                     response.notes.push(NoteReport { code: "set-aside".into(), count: 1, message });
-                    response.wires.push(self.untouched(
-                        wire,
-                        &kept.id,
-                        RunOutcome::Abandoned,
-                        0,
-                        DoneBy::default(),
-                    )?);
+                    set_aside = true;
                 }
             }
         }
-        if response.wires.is_empty() {
+        if response.wires.is_empty() && !set_aside {
             return Err(LiveProblem::NothingBegun { option: "--abandon" }.into());
         }
         Ok(response)

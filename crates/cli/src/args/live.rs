@@ -6,6 +6,8 @@ use std::path::PathBuf;
 use clap::{Args, Subcommand};
 use wirebend_app::{Decided, Decision, Move, PartOfStep};
 
+use crate::number::number;
+
 /// Where the machine is, and that it may move.
 #[derive(Debug, Args)]
 pub(crate) struct PortArgs {
@@ -24,7 +26,7 @@ pub(crate) struct ZeroArgs {
     #[arg(long)]
     pub axes_at_zero: bool,
     /// Say where the head stands, in degrees from where its cable is unwound; needed where nobody knows it, as after a turn that was lost
-    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true)]
+    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true, value_parser = degrees)]
     pub head_at: Option<f64>,
 }
 
@@ -61,6 +63,10 @@ pub(crate) struct RunArgs {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Answer(pub Option<Decided>);
 
+fn degrees(text: &str) -> Result<f64, String> {
+    number(text).ok_or_else(|| "expected a number such as 12.5".to_owned())
+}
+
 /// `ask`, or a word, the step, and for a part what was fed and turned.
 fn answer(text: &str) -> Result<Answer, String> {
     if text == "ask" {
@@ -70,8 +76,7 @@ fn answer(text: &str) -> Result<Answer, String> {
     let mut words = text.split(':');
     let (word, step) = (words.next().unwrap_or_default(), words.next());
     let step = step.and_then(|n| n.parse().ok()).filter(|n| *n > 0).ok_or(expected)?;
-    let figures: Option<Vec<f64>> =
-        words.map(|word| word.parse().ok().filter(|figure: &f64| figure.is_finite())).collect();
+    let figures: Option<Vec<f64>> = words.map(number).collect();
     let what = match (word, figures.ok_or(expected)?.as_slice()) {
         ("made", []) => Decision::Made,
         ("not-made", []) => Decision::NotMade,
@@ -170,15 +175,14 @@ pub(crate) fn moves(words: &[String]) -> Result<Vec<Move>, String> {
             moves.push(Move::Home);
             continue;
         }
-        let mut number = || {
+        let mut amount = || {
             let found = words.next().ok_or_else(|| format!("'{word}' needs a number after it"))?;
-            let parsed = found.parse::<f64>().ok().filter(|number| number.is_finite());
-            parsed.ok_or_else(|| format!("'{found}' after '{word}' is no number"))
+            number(found).ok_or_else(|| format!("'{found}' after '{word}' is no number"))
         };
         moves.push(match word.as_str() {
-            "f" | "feed" => Move::Feed { mm: number()? },
-            "r" | "rotate" => Move::Rotate { deg: number()? },
-            "b" | "bend" => Move::Bend { deg: number()? },
+            "f" | "feed" => Move::Feed { mm: amount()? },
+            "r" | "rotate" => Move::Rotate { deg: amount()? },
+            "b" | "bend" => Move::Bend { deg: amount()? },
             _ => return Err(format!("'{word}' is no move: expected f MM, r DEGREES, b DEGREES or home")),
         });
     }

@@ -241,7 +241,9 @@ fn a_damaged_journal_is_named_with_its_line_and_set_aside_at_a_word() {
     }
     let listed = &shop.list()[0];
     assert!(listed["problem"].as_str().unwrap().contains("line 2"), "{listed}");
-    shop.run(&["run", "a.wbjob", "--abandon"]).ended(0);
+    let said = shop.run(&["run", "a.wbjob", "--abandon"]).ended(0);
+    let said = format!("{}{}", said.err, String::from_utf8_lossy(&said.out));
+    assert!(said.contains("how much of it was made nobody knows") && !said.contains("0 of 8"), "{said}");
     assert!(journal.with_extension("damaged").exists());
     shop.make(&["--yes"]).ended(0);
     assert_eq!(shop.list().len(), 1, "one that was set aside is no record");

@@ -11,6 +11,9 @@ use super::{Confirmed, Session, SessionError};
 /// Below this a turn is rounding, degrees.
 const ROUNDING_DEG: f64 = 1e-6;
 
+/// Closer than this the head is at its zero, degrees: finer than any of these machines turns it, and than a person reads.
+const AT_ZERO_DEG: f64 = 0.05;
+
 /// Where the head stands, degrees from its zero, in the machine's signs.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub enum HeadPlace {
@@ -65,7 +68,7 @@ impl HeadPlace {
     pub fn is_zero(self) -> bool {
         match self {
             Self::Unsaid => true,
-            Self::At(deg) => deg.abs() < ROUNDING_DEG,
+            Self::At(deg) => deg.abs() < AT_ZERO_DEG,
             Self::Between(..) => false,
         }
     }

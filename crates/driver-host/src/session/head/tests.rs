@@ -188,3 +188,10 @@ fn a_head_that_is_zeroed_elsewhere_keeps_its_account() {
     hears(&mut zeroed, &[position(-30.0), STOPPED]);
     assert_eq!(disk.last(), HeadPlace::At(60.0));
 }
+
+/// A sum of turns is seldom exactly nothing, and nobody can turn a head by the rest by hand.
+#[test]
+fn what_a_person_reads_as_zero_is_zero() {
+    assert!(HeadPlace::At(0.04).is_zero() && HeadPlace::At(-0.04).is_zero());
+    assert!(!HeadPlace::At(0.06).is_zero() && !HeadPlace::Between(-0.01, 0.01).is_zero());
+}
