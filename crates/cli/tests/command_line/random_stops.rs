@@ -96,7 +96,7 @@ fn undisturbed() -> (Made, Duration) {
 
 fn first_motion(bender: &Bender) -> Instant {
     let begun = Instant::now();
-    while bender.model.now().at == [0.0; 3] {
+    while bender.model.now().at.iter().all(|at| *at == 0.0) {
         assert!(begun.elapsed() < PATIENCE, "it does not move");
         thread::sleep(Duration::from_millis(1));
     }
