@@ -226,7 +226,7 @@ lint: ui/dist/index.html ## clippy on everything
 
 # Most of the tests that take their time wait for machines.
 .PHONY: unit
-unit: export RUST_TEST_THREADS ?= 8
+unit: export RUST_TEST_THREADS ?= 4
 unit: ui/dist/index.html
 	cargo test --workspace --no-fail-fast
 

@@ -15,7 +15,7 @@ use crate::runs::Shop;
 
 const RUNS: usize = 12;
 /// Runs at the same time: nearly all of their time is waiting for the machine.
-const AT_ONCE: usize = 4;
+const AT_ONCE: usize = 2;
 /// Steps that the driver has at most, and of which it may have made none or all.
 const MOST_ASKED: usize = 5;
 const PATIENCE: Duration = Duration::from_mins(1);

@@ -81,10 +81,17 @@ pub struct Now {
     hand: [f64; 3],
 }
 
-/// A running model. It ends when it is told to, and with it the cable.
+/// A running model. It ends when it is told to or dropped, and with it the cable.
 pub struct Model {
     events: Arc<Events>,
-    thread: JoinHandle<Record>,
+    /// Nothing once it was told to end.
+    thread: Option<JoinHandle<Record>>,
+}
+
+impl Drop for Model {
+    fn drop(&mut self) {
+        self.events.end.store(true, Ordering::SeqCst);
+    }
 }
 
 impl Model {
@@ -93,7 +100,7 @@ impl Model {
         let events = Arc::new(Events::default());
         let told = Arc::clone(&events);
         let thread = thread::spawn(move || Controller::new(port, build, told).run());
-        Self { events, thread }
+        Self { events, thread: Some(thread) }
     }
 
     /// How it is now.
@@ -125,9 +132,10 @@ impl Model {
         }
     }
 
-    pub fn end(self) -> Record {
+    pub fn end(mut self) -> Record {
         self.events.end.store(true, Ordering::SeqCst);
-        self.thread.join().expect("the model does not fail")
+        let thread = self.thread.take().expect("it runs");
+        thread.join().expect("the model does not fail")
     }
 }
 
