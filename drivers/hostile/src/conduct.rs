@@ -53,12 +53,14 @@ pub(crate) fn is_told(when: &str, how: &str) -> bool {
 /// Whether it has to behave for now.
 fn is_on_leash() -> bool {
     static LEASH: OnceLock<Option<PathBuf>> = OnceLock::new();
-    let leash =
-        || std::env::args().map(PathBuf::from).find(|word| word.extension().is_some_and(|e| e == "so"));
-    LEASH
-        .get_or_init(|| leash().map(|library| library.with_extension("leash")))
-        .as_ref()
-        .is_some_and(|l| l.exists())
+    LEASH.get_or_init(|| beside("leash")).as_ref().is_some_and(|leash| leash.exists())
+}
+
+/// The file with its name and another extension.
+pub(crate) fn beside(extension: &str) -> Option<PathBuf> {
+    let mut words = std::env::args().map(PathBuf::from);
+    let library = words.find(|word| word.extension().is_some_and(|e| e == "so"))?;
+    Some(library.with_extension(extension))
 }
 
 /// When and how to misbehave: the process has the library's path among its arguments.

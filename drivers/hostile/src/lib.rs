@@ -2,7 +2,7 @@
 //!
 //! The name of the library says what it does and when: a copy named `WHEN-HOW.so` does `HOW` when it is
 //! asked `WHEN`, and is an ordinary driver otherwise. [`WHEN`] and [`HOW`] list them. As long as there is a file
-//! `WHEN-HOW.leash` beside it, it behaves. With the setting
+//! `WHEN-HOW.leash` beside it, it behaves. With a library `WHEN-HOW.real` beside it, it does what that does. With the setting
 //! `machine` it moves one that outlives it, and that loses its cable, its driver or its memory at a step.
 
 #![cfg(unix)] // it misuses descriptors and signals
@@ -11,6 +11,7 @@
 mod conduct;
 mod machine;
 mod manners;
+mod real;
 
 use std::ffi::{c_char, c_void};
 
@@ -75,18 +76,21 @@ const fn table(abi_major: u32, abi_minor: u32) -> Table {
 }
 
 extern "C" fn describe(out: *mut Buffer) -> i32 {
-    hand(out, "describe", Ok(manners::DESCRIPTION.to_owned()))
+    hand(out, "describe", manners::describe())
 }
 
 extern "C" fn open(settings: Bytes, instance: *mut *mut c_void, out: *mut Buffer) -> i32 {
+    let mut reply = Ok(String::new());
     if conduct("open") != Conduct::As("null") {
-        // SAFETY: the caller keeps the bytes alive during the call, and gives a place for a pointer.
-        unsafe {
-            let settings = std::slice::from_raw_parts(settings.data, settings.len);
-            *instance = Box::into_raw(Box::new(manners::Instance::open(settings))).cast();
+        // SAFETY: the caller keeps the bytes alive during the call.
+        let settings = unsafe { std::slice::from_raw_parts(settings.data, settings.len) };
+        match manners::Instance::open(settings) {
+            // SAFETY: the caller gives a place for a pointer.
+            Ok(opened) => unsafe { *instance = Box::into_raw(Box::new(opened)).cast() },
+            Err(refusal) => reply = Err(refusal),
         }
     }
-    hand(out, "open", Ok(String::new()))
+    hand(out, "open", reply)
 }
 
 extern "C" fn call(instance: *mut c_void, request: Bytes, out: *mut Buffer) -> i32 {
@@ -101,7 +105,7 @@ extern "C" fn call(instance: *mut c_void, request: Bytes, out: *mut Buffer) -> i
 extern "C" fn poll(instance: *mut c_void, out: *mut Buffer) -> i32 {
     // SAFETY: the instance came from `open`.
     let event = unsafe { &mut *instance.cast::<manners::Instance>() }.poll();
-    hand(out, "poll", Ok(event))
+    hand(out, "poll", event)
 }
 
 extern "C" fn close(instance: *mut c_void) {

@@ -3,11 +3,13 @@
 use std::collections::VecDeque;
 
 use serde_json::{Value, json};
+use wirebend_driver_api::SafeTable;
 
 use crate::conduct::is_told;
 use crate::machine::Machine;
+use crate::real;
 
-pub(crate) const DESCRIPTION: &str = r#"{"id": "hostile", "name": "Hostile", "version": "0.1.0",
+const DESCRIPTION: &str = r#"{"id": "hostile", "name": "Hostile", "version": "0.1.0",
 "description": "Misbehaves on demand, for tests.",
 "capabilities": ["export", "live", "jog", "home", "pause", "resume", "stop", "ports", "settings"],
 "formats": [{"id": "hostile-text", "name": "Text", "extensions": ["txt"], "content": "design"}],
@@ -38,9 +40,15 @@ fn written() -> Value {
     json!({"event": "settings-written", "settings": settings("write-settings")})
 }
 
+/// What it says of itself.
+pub(crate) fn describe() -> Result<String, String> {
+    real::table().map_or_else(|| Ok(DESCRIPTION.to_owned()), |mut table| real::text(table.describe()))
+}
+
 /// An instance with its machine.
-#[derive(Debug)]
 pub(crate) struct Instance {
+    /// The driver in whose place it stands.
+    real: Option<SafeTable>,
     events: VecDeque<Value>,
     /// The one that it moves instead of the one in memory.
     machine: Option<Machine>,
@@ -53,8 +61,16 @@ pub(crate) struct Instance {
 const FAULTS: [&str; 3] = ["fault", "numb", "gone"];
 
 impl Instance {
-    pub fn open(settings: &[u8]) -> Self {
-        Self { events: VecDeque::new(), machine: Machine::open(settings), faulted: false }
+    pub fn open(settings: &[u8]) -> Result<Self, String> {
+        let mut real = real::table();
+        let machine = match &mut real {
+            Some(table) => {
+                real::text(table.open(settings))?;
+                None
+            }
+            None => Machine::open(settings),
+        };
+        Ok(Self { real, events: VecDeque::new(), machine, faulted: false })
     }
 
     /// The name of the call and what is answered.
@@ -62,6 +78,9 @@ impl Instance {
         let body = request;
         let request: Value = serde_json::from_slice(request).unwrap_or_default();
         let name = request["call"].as_str().unwrap_or_default().to_owned();
+        if let Some(table) = &mut self.real {
+            return (name, real::text(table.call(body)));
+        }
         if let Some(machine) = &mut self.machine {
             let answer = machine.call(body);
             let refusal = |error| serde_json::to_string(&error).unwrap_or_default();
@@ -100,21 +119,25 @@ impl Instance {
     }
 
     /// The next event, or nothing.
-    pub fn poll(&mut self) -> String {
+    pub fn poll(&mut self) -> Result<String, String> {
         if let Some(machine) = &mut self.machine {
-            return machine.poll().and_then(|event| serde_json::to_string(&event).ok()).unwrap_or_default();
+            let event = machine.poll().and_then(|event| serde_json::to_string(&event).ok());
+            return Ok(event.unwrap_or_default());
         }
         if is_told("poll", "lie") {
             // A step of a wire that it was never told of.
-            return json!({"event": "done", "n": 86_419}).to_string();
+            return Ok(json!({"event": "done", "n": 86_419}).to_string());
+        }
+        if let Some(table) = &mut self.real {
+            return real::text(table.poll());
         }
         if let Some(how) = FAULTS.iter().find(|how| !self.faulted && is_told("poll", how)) {
             self.faulted = true;
             let disconnected = *how == "gone";
-            return json!({"event": "fault", "code": "refused", "message": "as it was told to", "disconnected": disconnected})
-                .to_string();
+            let fault = json!({"event": "fault", "code": "refused", "message": "as it was told to", "disconnected": disconnected});
+            return Ok(fault.to_string());
         }
-        self.events.pop_front().map(|event| event.to_string()).unwrap_or_default()
+        Ok(self.events.pop_front().map(|event| event.to_string()).unwrap_or_default())
     }
 
     fn send(&mut self, request: &Value) -> Value {

@@ -53,6 +53,45 @@ pub fn wirebend() -> PathBuf {
     built(&format!("wirebend{EXE_SUFFIX}"))
 }
 
+/// The program with a driver that is a real one until it is let loose, and misbehaves at its next poll then.
+#[derive(Debug)]
+pub struct Loose {
+    /// The program.
+    pub program: PathBuf,
+    leash: PathBuf,
+}
+
+impl Loose {
+    /// In a folder for it alone: the driver `real`, by its folder in `drivers/`, and what it does, a word of the hostile driver.
+    ///
+    /// # Panics
+    /// When the folder cannot be written to.
+    #[must_use]
+    pub fn new(folder: &Path, real: &str, how: &str) -> Self {
+        let drivers = folder.join("drivers");
+        std::fs::create_dir_all(&drivers).unwrap();
+        let loose = Self {
+            program: folder.join(format!("wirebend{EXE_SUFFIX}")),
+            leash: drivers.join(format!("poll-{how}.leash")),
+        };
+        // Links: a copy cannot be started as long as a process that is just beginning has it open.
+        let placed = |from: PathBuf, to: &Path| std::fs::hard_link(from, to).unwrap();
+        placed(wirebend(), &loose.program);
+        placed(driver("hostile"), &loose.leash.with_extension("so"));
+        placed(driver(real), &loose.leash.with_extension("real"));
+        std::fs::write(&loose.leash, "").unwrap();
+        loose
+    }
+
+    /// From now on it misbehaves.
+    ///
+    /// # Panics
+    /// When it was let loose before.
+    pub fn let_loose(&self) {
+        std::fs::remove_file(&self.leash).unwrap();
+    }
+}
+
 /// The workspace of the running test; a target folder may hold this crate as built in another checkout.
 fn workspace() -> PathBuf {
     let package = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_else(|| env!("CARGO_MANIFEST_DIR").into());

@@ -3,12 +3,16 @@
 
 #![allow(clippy::print_stdout)] // figures, for --nocapture
 
+use std::path::Path;
 use std::process::{Child, Command, Stdio};
+use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
 use rustix::process::{Pid, Signal, kill_process};
+use wirebend_tests_built::Loose;
 
 use crate::bender::Bender;
+use crate::grbl_model::Now;
 use crate::runs::Shop;
 use crate::wirebend;
 
@@ -23,13 +27,40 @@ const HUNG: Duration = Duration::from_secs(2);
 const FOR_EVER: Duration = Duration::MAX;
 /// A model that has not moved for so long stands: it moves at each turn of its loop, of about a millisecond.
 const STILL: Duration = Duration::from_millis(300);
+/// Cases that are tried beside each other.
+const AT_ONCE_TRIED: usize = 2;
 /// The bend axis turns by 25° in a second.
 const A_SECOND_DEG: f64 = 25.0;
 
 const STANDS: &str = "the machine has confirmed that it stands";
 const MAY_MOVE: &str = "the machine has NOT confirmed that it stands: cut its power";
 
-/// A wire in its first bend, a second after that has begun.
+/// What the bender does when something happens to it.
+#[derive(Debug, Clone, Copy)]
+enum During {
+    Feed,
+    /// In its first bend, a second after that has begun.
+    Bend,
+    /// The bend axis goes back.
+    Return,
+    Rotation,
+}
+
+impl During {
+    const ALL: [Self; 4] = [Self::Feed, Self::Bend, Self::Return, Self::Rotation];
+
+    fn is_so(self, now: &Now, farthest_deg: f64) -> bool {
+        let [fed, turned, bent] = now.at;
+        match self {
+            Self::Feed => fed > 10.0,
+            Self::Bend => now.pin_out && bent > A_SECOND_DEG,
+            Self::Return => farthest_deg > 2.0 * A_SECOND_DEG && bent < farthest_deg - 10.0,
+            Self::Rotation => turned.abs() > 10.0,
+        }
+    }
+}
+
+/// A wire in its middle.
 struct Bending {
     shop: Shop,
     bender: Bender,
@@ -38,17 +69,24 @@ struct Bending {
 
 impl Bending {
     fn new() -> Self {
-        let (shop, bender) = (Shop::on("u-sample.obj", "grbl-bender"), Bender::slow());
+        Self::with(&wirebend(), During::Bend)
+    }
+
+    fn with(program: &Path, during: During) -> Self {
+        let (shop, bender) = (Shop::on("mirror-left.obj", "grbl-bender"), Bender::slow());
         let arguments = ["run", "a.wbjob", "--port", &bender.port, "--yes", "--axes-at-zero"];
-        let mut program = Command::new(wirebend());
+        let mut program = Command::new(program);
         program.args(arguments).current_dir(shop.path());
         program.env("XDG_CONFIG_HOME", shop.path()).env("XDG_DATA_HOME", shop.path());
         program.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
         let program = program.spawn().unwrap();
-        let begun = Instant::now();
-        while !(bender.model.now().pin_out && bender.model.now().at[2] > A_SECOND_DEG) {
-            assert!(begun.elapsed() < PATIENCE, "it does not bend: {:?}", bender.model.now());
-            std::thread::yield_now();
+        let (begun, mut farthest_deg) = (Instant::now(), 0.0);
+        let mut now = bender.model.now();
+        while !during.is_so(&now, farthest_deg) {
+            assert!(begun.elapsed() < PATIENCE, "it does not get to the {during:?}: {now:?}");
+            std::thread::sleep(Duration::from_millis(1));
+            now = bender.model.now();
+            farthest_deg = now.at[2].max(farthest_deg);
         }
         Self { shop, bender, program }
     }
@@ -141,6 +179,36 @@ fn a_bender_whose_driver_is_lost_is_stopped() {
         assert!((A_SECOND_DEG..A_SECOND_DEG * 2.0 + hung).contains(&at), "{how}: it stands at {at}");
         assert_eq!(bender.model.end().bends.len(), 1, "{how}: in the middle of the first bend");
     }
+}
+
+/// Whatever it does, and wherever the wire is: it is the real driver until then.
+#[test]
+fn a_bender_whose_driver_misbehaves_is_stopped() {
+    let cases = ["exit", "lie", "nonsense", "garbage"].into_iter();
+    let left = Mutex::new(cases.flat_map(|how| During::ALL.map(|during| (how, during))));
+    std::thread::scope(|scope| {
+        for _ in 0..AT_ONCE_TRIED {
+            scope.spawn(|| {
+                loop {
+                    let Some((how, during)) = left.lock().unwrap().next() else { return };
+                    misbehaves(how, during);
+                }
+            });
+        }
+    });
+}
+
+fn misbehaves(how: &str, during: During) {
+    let case = format!("{how} in the {during:?}");
+    let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    let loose = Loose::new(folder.path(), "grbl", how);
+    let bending = Bending::with(&loose.program, during);
+    let lost = Instant::now();
+    loose.let_loose();
+    let (bender, _) = bending.told_truly(5, &case);
+    let took = bender.first_reset().expect("a reset").saturating_duration_since(lost);
+    println!("driver does {case}: 0x18 at the port after {took:?}");
+    assert!(took < AT_ONCE + GRACE, "{case}: {took:?}");
 }
 
 /// A person sees that it hangs before the program does.

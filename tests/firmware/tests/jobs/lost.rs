@@ -6,6 +6,7 @@ use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant};
 
 use rustix::process::{Signal, kill_process};
+use wirebend_tests_built::Loose;
 use wirebend_tests_firmware::board::{Avr, Board, Host};
 
 use crate::at_port::AtPort;
@@ -46,15 +47,27 @@ pub fn is_true<B: Board + Send + 'static>(at: &AtPort<B>, ran: Ran, status: i32,
     assert_eq!(stands, status != 6, "{case}: {}", ran.err);
 }
 
-/// How a driver is lost: in words, by which signal, and after how long that can be known.
-type Way = (&'static str, Signal, Duration);
+/// What makes a driver be lost.
+#[derive(Debug, Clone, Copy)]
+enum By {
+    Signal(Signal),
+    /// What it does itself, in a word of the hostile driver.
+    Itself(&'static str),
+}
 
-const WAYS: [Way; 5] = [
-    ("killed", Signal::KILL, Duration::ZERO),
-    ("ended by a segmentation fault", Signal::SEGV, Duration::ZERO),
-    ("aborted", Signal::ABORT, Duration::ZERO),
-    ("ended", Signal::TERM, Duration::ZERO),
-    ("hung", Signal::STOP, HUNG),
+/// How a driver is lost: in words, by what, and after how long that can be known.
+type Way = (&'static str, By, Duration);
+
+const WAYS: [Way; 9] = [
+    ("killed", By::Signal(Signal::KILL), Duration::ZERO),
+    ("ended by a segmentation fault", By::Signal(Signal::SEGV), Duration::ZERO),
+    ("aborted", By::Signal(Signal::ABORT), Duration::ZERO),
+    ("ended", By::Signal(Signal::TERM), Duration::ZERO),
+    ("hung", By::Signal(Signal::STOP), HUNG),
+    ("exits", By::Itself("exit"), Duration::ZERO),
+    ("tells of a step that was never sent", By::Itself("lie"), Duration::ZERO),
+    ("answers what is no JSON", By::Itself("nonsense"), Duration::ZERO),
+    ("writes over its pipe", By::Itself("garbage"), Duration::ZERO),
 ];
 
 /// What the machine does then: it searches its reference, or is in a phase of a line, from 0.
@@ -90,19 +103,32 @@ impl During {
 }
 
 /// Gives after how long the first byte of the stop was at the port.
-fn lost<B: Board + Send + 'static>((how, signal, _): Way, during: During) -> Duration {
+fn lost<B: Board + Send + 'static>((how, by, _): Way, during: During) -> Duration {
     let job = Job::cube();
     let at = AtPort::<B>::new(GEARS, Some(&job.stored), true);
     let case = format!("{}: driver {how} during {during:?}", B::NAME);
     let runs = case.replace([' ', ':', ',', '(', ')'], "-");
-    let running = job.shop.start(&runs, &["run", job.file.to_str().unwrap(), "--port", &at.port, "--yes"]);
+    let arguments = ["run", job.file.to_str().unwrap(), "--port", &at.port, "--yes"];
+    let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    let (running, loose) = match by {
+        By::Signal(_) => (job.shop.start(&runs, &arguments), None),
+        By::Itself(what) => {
+            let loose = Loose::new(folder.path(), "wirebend-kit", what);
+            (job.shop.start_program(&loose.program, &runs, &arguments), Some(loose))
+        }
+    };
     running.reached(&during.hears(&at));
     let driver = running.driver();
     let begun = Instant::now();
-    kill_process(driver, signal).unwrap();
-    // The first takes away the handler that Rust has for a full stack, and two at once count as one.
-    while signal == Signal::SEGV && kill_process(driver, signal).is_ok() && begun.elapsed() < GRACE {
-        std::thread::yield_now();
+    if let Some(loose) = loose {
+        loose.let_loose();
+    }
+    if let By::Signal(signal) = by {
+        kill_process(driver, signal).unwrap();
+        // The first takes away the handler that Rust has for a full stack, and two at once count as one.
+        while signal == Signal::SEGV && kill_process(driver, signal).is_ok() && begun.elapsed() < GRACE {
+            std::thread::yield_now();
+        }
     }
     let ran = running.wait();
     is_true(&at, ran, 5, &case);

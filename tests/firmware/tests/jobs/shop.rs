@@ -141,8 +141,13 @@ impl Shop {
 
     /// Starts `wirebend` with journals in the folder `runs`.
     pub fn start(&self, runs: &str, arguments: &[&str]) -> Running {
+        self.start_program(program(), runs, arguments)
+    }
+
+    /// The same with another program.
+    pub fn start_program(&self, program: &Path, runs: &str, arguments: &[&str]) -> Running {
         let folder = self.folder.path();
-        let mut child = Command::new(program());
+        let mut child = Command::new(program);
         child.args(["--profiles", "profiles", "--runs-folder", runs]).args(arguments).current_dir(folder);
         // What whoever runs the tests has set up is not part of them.
         child.env("XDG_CONFIG_HOME", folder).env("XDG_DATA_HOME", folder);
