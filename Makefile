@@ -8,12 +8,14 @@ SHELL := /bin/sh
 TOOLS := $(CURDIR)/target/tools
 export PATH := $(TOOLS)/bin:$(PATH)
 CARGO_DENY_VERSION := 0.20.2
+CARGO_NEXTEST_VERSION := 0.9.143
 CARGO_FUZZ_VERSION := 0.13.2
 CHECK_JSONSCHEMA_VERSION := 0.39.0
 ZIZMOR_VERSION := 1.32.0
 NODE := 20
 
 WIREBEND := target/release/wirebend
+XTASK := cargo xtask
 RUN := target/run
 PEERS := target/peers
 # The files of firmware/machines.
@@ -73,11 +75,22 @@ run-commands: build ## plan the bunny, compare machines, bend the house on the s
 	@echo; echo "--- pictures, and the wire as a Pensa with typical errors makes it"
 	$(WIREBEND) export $(BUNNY) --machine wirebend-kit --format svg -o $(RUN)/bunny.svg --force
 	$(WIREBEND) simulate $(RUN)/bunny-pensa.wbjob --noise bend-forming --svg $(RUN)/bunny-made.svg --force
-	@echo; echo "--- the house, made by the simulated machine"
+	@echo; echo "--- the house, bent by the simulated machine"
 	$(WIREBEND) plan $(HOUSE) --machine wirebend-kit -o $(RUN)/house.wbjob --force
 	$(WIREBEND) run $(RUN)/house.wbjob --port sim:max --yes --record $(RUN)/house.record.json --force --runs-folder $(RUN)/runs
 	$(WIREBEND) simulate $(RUN)/house.wbjob --svg $(RUN)/house-made.svg --force
 	@echo; ls -l $(RUN)
+
+# Vite serves the editor and reloads it at each change of ui/src; a change of Rust restarts the window.
+.PHONY: dev
+dev: check-tools window-tools ui/node_modules/.package-lock.json ## the window with hot reload; without a display the same in a browser
+	cargo build $(DRIVERS:%=--package wirebend-driver-%)
+	@if [ -n "$$DISPLAY$$WAYLAND_DISPLAY" ] || [ "$$(uname)" != Linux ]; then \
+		cd src-tauri && ../ui/node_modules/.bin/tauri dev; \
+	else \
+		cargo build --package wirebend-tests-loopback \
+			&& $(NPM) run --silent dev:browser -- $(CURDIR)/target/debug/wirebend-loopback $(CURDIR)/target/dev; \
+	fi
 
 .PHONY: firmware
 firmware: firmware-tools ## the controllers' programs for every machine, in target/firmware
@@ -99,35 +112,50 @@ ui/dist/index.html: ui/node_modules/.package-lock.json $(UI_SOURCES)
 	$(NPM) run --silent build
 	@touch $@
 
-# All in one go: what they share is built once, for all of them.
+# What is shipped, built for speed.
 SHIPPED := --package wirebend-window --features wirebend-window/custom-protocol --package wirebend-cli $(DRIVERS:%=--package wirebend-driver-%)
 .PHONY: window
 window: check-tools window-tools ui/dist/index.html ## the window, the program and its drivers, in target/release
 	cargo build --release $(SHIPPED)
 
-# What tests load or start, as it is shipped; drivers for tests alone are built with it. The folder is handed to the tests, which
-# build all of it once more where they are run alone.
+# All of it and its tests in one profile, so that nothing is compiled twice: what tests load or start is what they are built with.
+ALL := --workspace --features wirebend-window/custom-protocol
 .PHONY: built
-built: window
-	cargo build --release $(SHIPPED) --package wirebend-driver-host --package wirebend-driver-hostile --package wirebend-driver-template
+built: check-tools firmware-tools window-tools ui/dist/index.html ## what tests load or start, with the tests, in target/debug
+	cargo build $(ALL) --lib --bins --tests
 
-# What is in the packages beside the window: the command line, and the drivers in a folder of their own.
+# What is in the packages beside the window: the command line, and the drivers in a folder of their own. Of what is built for tests
+# only the .deb is made, in a hurry.
+# The largest package that people are asked to fetch.
+MOST_BYTES := 15000000
+comma := ,
+PROFILE := release
+FOLDER := target/$(PROFILE)
 PACKAGES := target/package
-# The bundler packs with gzip: with xz the package is a third smaller.
 UNPACKED := target/package/unpacked
-REPACK = dpkg-deb --raw-extract target/release/bundle/deb/*.deb $(UNPACKED) \
+BUNDLES := $(if $(filter release,$(PROFILE)),deb$(comma)rpm,deb)
+# The bundler packs with gzip: with xz the package is a third smaller.
+REPACK = dpkg-deb --raw-extract $(FOLDER)/bundle/deb/*.deb $(UNPACKED) \
 	&& sed -i 's/^Maintainer: .*/Maintainer: The WireBend-kit authors <authors@wirebend.invalid>/' $(UNPACKED)/DEBIAN/control \
+	&& strip --strip-unneeded $(UNPACKED)/usr/bin/* \
 	&& chmod -R u=rwX,go=rX $(UNPACKED) \
-	&& dpkg-deb --root-owner-group -Zxz --build $(UNPACKED) $(PACKAGES)/ >/dev/null && rm -r $(UNPACKED)
+	&& dpkg-deb --root-owner-group $(if $(filter release,$(PROFILE)),-Zxz,-Zgzip -z1) --build $(UNPACKED) $(PACKAGES)/ >/dev/null && rm -r $(UNPACKED)
 
 .PHONY: package
-package: window ## .deb and .rpm with window, command line, drivers and profiles, in target/package
-	@rm -rf $(PACKAGES) target/release/bundle && mkdir -p $(PACKAGES)/drivers
-	cp $(foreach driver,$(subst -,_,$(DRIVERS)),target/release/libwirebend_driver_$(driver).so) $(PACKAGES)/drivers/
-	strip --strip-unneeded $(PACKAGES)/drivers/*.so
-	cd src-tauri && ../ui/node_modules/.bin/tauri bundle --bundles deb,rpm
-	cp target/release/bundle/rpm/*.rpm $(PACKAGES)/
+package: window packed ## .deb and .rpm with window, command line, drivers and profiles, in target/package
+
+# From what is built already.
+.PHONY: packed
+packed:
+	@rm -rf $(PACKAGES) $(FOLDER)/bundle && mkdir -p $(PACKAGES)/drivers
+	cp $(FOLDER)/wirebend $(PACKAGES)/
+	cp $(foreach driver,$(subst -,_,$(DRIVERS)),$(FOLDER)/libwirebend_driver_$(driver).so) $(PACKAGES)/drivers/
+	strip --strip-unneeded $(PACKAGES)/wirebend $(PACKAGES)/drivers/*.so
+	cd src-tauri && ../ui/node_modules/.bin/tauri bundle --bundles $(BUNDLES) $(if $(filter release,$(PROFILE)),,--debug)
+	$(if $(filter release,$(PROFILE)),cp $(FOLDER)/bundle/rpm/*.rpm $(PACKAGES)/)
 	$(REPACK)
+	@$(if $(filter release,$(PROFILE)),for file in $(PACKAGES)/*.deb; do \
+		test "$$(wc -c < $$file)" -le $(MOST_BYTES) || { echo "$$file is larger than $(MOST_BYTES) bytes" >&2; exit 1; }; done)
 	@ls -l $(PACKAGES)
 
 # Its runtime is fetched while it is made, so that it belongs to releases alone.
@@ -137,11 +165,12 @@ appimage: package ## an AppImage besides, in target/package (fetches its runtime
 	cp target/release/bundle/appimage/*.AppImage $(PACKAGES)/
 
 .PHONY: test
-test: export WIREBEND_BUILT := $(CURDIR)/target/release
-test: check-tools firmware-tools window-tools browser-tools fmt-check ui-test lint built unit doc tidy generate-check fuzz-check deny package e2e ## every check: format, lints, tests, documentation, tidiness, licences, the window in a browser and installed
+# It is built with all the rest.
+test: XTASK := target/debug/xtask
+test: check-tools firmware-tools window-tools browser-tools fmt-check ui-test built unit doc-test lint doc tidy generate-check fuzz-check deny e2e ## every check: format, lints, tests, documentation, tidiness, licences, the window in a browser and installed
 
 .PHONY: ui-test
-ui-test: ui/dist/index.html ## types and tests of the editor
+ui-test: ui/dist/index.html ## types, lints and tests of the editor
 	$(NPM) run --silent check
 	$(NPM) run --silent generate:check
 	$(NPM) run --silent test
@@ -150,10 +179,10 @@ tests/e2e/node_modules/.package-lock.json: tests/e2e/package-lock.json
 	npm --prefix tests/e2e ci
 	@touch $@
 
-# The editor in a real browser, and the installed package through WebDriver.
+# The editor in a real browser, and the package, unpacked, through WebDriver.
 .PHONY: e2e
-e2e: package browser-tools tests/e2e/node_modules/.package-lock.json
-	cargo build --package wirebend-tests-loopback --package wirebend-driver-template $(DRIVERS:%=--package wirebend-driver-%)
+e2e: built browser-tools tests/e2e/node_modules/.package-lock.json
+	@$(MAKE) --no-print-directory packed PROFILE=debug
 	npm --prefix tests/e2e run --silent browser
 	npm --prefix tests/e2e run --silent installed
 
@@ -179,13 +208,12 @@ clean-debian: package browser-tools tests/e2e/node_modules/.package-lock.json ##
 		&& WIREBEND_ROOT=$(CURDIR)/$(CLEAN) WIREBEND_USER=1000 npm --prefix tests/e2e run --silent elsewhere
 
 .PHONY: screenshots
-screenshots: window-tools browser-tools ui/dist/index.html tests/e2e/node_modules/.package-lock.json ## the pictures of the README, in docs/pictures
-	cargo build --package wirebend-tests-loopback --package wirebend-driver-template $(DRIVERS:%=--package wirebend-driver-%)
+screenshots: built browser-tools tests/e2e/node_modules/.package-lock.json ## the pictures of the README, in docs/pictures
 	npm --prefix tests/e2e run --silent screenshots
 
 .PHONY: bench
 bench: check-tools check-python ## figures of this machine, ours and the peer's in the same run, and those of the window
-	cargo build --release --package wirebend-cli --package wirebend-benches
+	cargo build --release --package wirebend-cli --package wirebend-benches --package wirebend-driver-host --package wirebend-driver-hostile --package wirebend-driver-template $(DRIVERS:%=--package wirebend-driver-%)
 	test -x $(PEERS)/bin/python || python3 -m venv $(PEERS)
 	$(PEERS)/bin/python -m pip install --quiet --disable-pip-version-check --requirement benches/peers/requirements.txt
 	cargo bench --package wirebend-benches
@@ -215,20 +243,31 @@ fuzz: check-tools check-clang ## search for inputs that break a reader or the fi
 # --- parts of the above, to run alone while working
 
 .PHONY: fmt fmt-check
-fmt: ## format the code
+fmt: ui/node_modules/.package-lock.json ## format the code
 	cargo fmt --all
-fmt-check:
+	$(NPM) run --silent fmt
+fmt-check: ui/node_modules/.package-lock.json
 	cargo fmt --all --check
+	$(NPM) run --silent fmt:check
 
 .PHONY: lint
 lint: ui/dist/index.html ## clippy on everything
 	cargo clippy --workspace --all-targets -- -D warnings
 
-# Most of the tests that take their time wait for machines.
-.PHONY: unit
-unit: export RUST_TEST_THREADS ?= 4
-unit: ui/dist/index.html
-	cargo test --workspace --no-fail-fast
+.PHONY: unit doc-test
+unit: check-nextest ui/dist/index.html
+	cargo nextest run $(ALL)
+doc-test: ui/dist/index.html
+	cargo test --quiet $(ALL) --doc
+
+# The daily gate: what needs neither a window nor a simulated board nor a browser.
+.PHONY: check
+check: check-tools check-nextest ui/node_modules/.package-lock.json ## before every commit: format, lints, unit tests of Rust and TypeScript
+	cargo fmt --all --check
+	$(NPM) run --silent check
+	cargo clippy --quiet --lib --bins -- -D warnings
+	cargo nextest run --lib --bins
+	$(NPM) run --silent test
 
 .PHONY: doc
 doc:
@@ -236,7 +275,7 @@ doc:
 
 .PHONY: tidy
 tidy: ## the rules of the house that the compiler cannot check
-	cargo xtask tidy
+	$(XTASK) tidy
 
 .PHONY: generate generate-check
 generate: ui/node_modules/.package-lock.json ## write the committed files that are made from code
@@ -244,13 +283,18 @@ generate: ui/node_modules/.package-lock.json ## write the committed files that a
 	cargo xtask generate
 	$(NPM) run --silent generate
 generate-check:
-	cargo xtask examples --check
-	cargo xtask generate --check
+	$(XTASK) examples --check
+	$(XTASK) generate --check
 
 # Fuzz targets are outside the workspace; compiled here so that they do not rot.
 .PHONY: fuzz-check
 fuzz-check:
 	cargo check --manifest-path fuzz/Cargo.toml --target-dir target
+
+# Comes as a crate; compiled for this repository where it is missing, neither optimised nor for a debugger.
+.PHONY: check-nextest
+check-nextest:
+	@cargo nextest --version >/dev/null 2>&1 || CARGO_PROFILE_DEV_DEBUG=0 cargo install cargo-nextest --debug --locked --version $(CARGO_NEXTEST_VERSION) --root $(TOOLS)
 
 # Neither optimised nor for a debugger: it runs for a second, and takes minutes to build otherwise.
 # Fetching brings the crates of other systems too, whose licences are looked at although nothing here builds them.

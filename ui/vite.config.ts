@@ -6,5 +6,5 @@ export default defineConfig({
   plugins: [react()],
   clearScreen: false,
   build: { target: "safari16", chunkSizeWarningLimit: 1500 },
-  test: { include: ["src/**/*.test.{ts,tsx}"] },
+  test: { include: ["{src,tests}/**/*.test.{ts,tsx,mjs}"] },
 });

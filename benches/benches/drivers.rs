@@ -11,7 +11,7 @@ use serde_json::json;
 use template_driver::Template;
 use wirebend_driver_host::api::conformance::sample_job;
 use wirebend_driver_host::api::{Job, MachineDriver};
-use wirebend_driver_host::{Driver, Found, Launch, Place, Session, StoppedBy, TrustStore};
+use wirebend_driver_host::{DiscoveredDriver, Driver, Launch, Place, Session, StoppedBy, TrustStore};
 
 const FORMAT: &str = "template-text";
 
@@ -19,8 +19,8 @@ fn launch() -> Launch {
     Launch { program: wirebend_tests_built::driver_child(), memory_bytes: 512 << 20 }
 }
 
-fn found(file: &Path) -> Found {
-    Found::at(file, Place::App, &TrustStore::open(Path::new("none.json")).unwrap())
+fn found(file: &Path) -> DiscoveredDriver {
+    DiscoveredDriver::at(file, Place::App, &TrustStore::open(Path::new("none.json")).unwrap())
 }
 
 /// A wire of a thousand steps with numbers as long as they come out of a plan.

@@ -11,9 +11,9 @@ use std::time::Duration;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use nalgebra::Point3;
-use wirebend_app::{
-    App, DesignInput, Desk, Input, Listener, NoProgress, Places, PlanChoices, PlanRequest, Request, Response,
-    Tell,
+use wirebend_api::{
+    Command, DesignInput, EventSink, Input, Installation, NoProgress, Places, PlanChoices, PlanRequest,
+    Response, WindowEvent, Workspace,
 };
 use wirebend_core::route::{RouteOptions, doubling, route};
 use wirebend_core::wireframe::{Vertex, VertexId, Wireframe};
@@ -24,12 +24,12 @@ fn example(name: &str) -> Vec<u8> {
     std::fs::read(path).unwrap()
 }
 
-fn planning(name: &str, bytes: Vec<u8>, face_edges: bool, double: bool) -> Request {
+fn planning(name: &str, bytes: Vec<u8>, face_edges: bool, double: bool) -> Command {
     let input = Input::Bytes { name: name.to_owned(), bytes };
     let design = DesignInput { input, face_edges, ..DesignInput::file(PathBuf::new()) };
     let machine = Some("wirebend-kit".to_owned());
     let choices = PlanChoices { machine, double, ..PlanChoices::default() };
-    Request::Plan(PlanRequest { design, choices, output: None, make_job: false, despite_errors: true })
+    Command::Plan(PlanRequest { design, choices, output: None, make_job: false, despite_errors: true })
 }
 
 /// A column of triangles: rings of `around` vertices, every vertex of degree 4 or 6 but for the rims, so
@@ -58,22 +58,22 @@ fn column(rings: u32, around: u32) -> Wireframe {
 }
 
 fn whole_pipeline(c: &mut Criterion) {
-    let app = App::new(&[]).unwrap();
+    let app = Installation::new(&[]).unwrap();
     let mut group = c.benchmark_group("plan");
     group.measurement_time(Duration::from_secs(5));
     let bunny = planning("bunny.obj", example("bunny.obj"), true, true);
     group.bench_function("bunny", |b| {
-        b.iter(|| app.run(black_box(&bunny), &NoProgress).unwrap());
+        b.iter(|| black_box(&bunny).run(&app, &NoProgress).unwrap());
     });
     // 1000 edges, checked on the $293 bender with everything that a route tells.
     let wireframe = column(34, 10);
     assert_eq!(wireframe.edge_count(), 1000);
     let document = wirebend_files::document::Document::new(wireframe).to_bytes().unwrap();
     let thousand = planning("column.wirebend", document, false, false);
-    let Response::Plan(found) = app.run(&thousand, &NoProgress).unwrap() else { panic!("no plan") };
+    let Response::Plan(found) = thousand.run(&app, &NoProgress).unwrap() else { panic!("no plan") };
     assert_eq!(found.report.wires()[0].route.as_ref().map(|route| route.feeds), Some(1000));
     group.bench_function("column-1000-edges", |b| {
-        b.iter(|| app.run(black_box(&thousand), &NoProgress).unwrap());
+        b.iter(|| black_box(&thousand).run(&app, &NoProgress).unwrap());
     });
     group.finish();
 }
@@ -81,10 +81,10 @@ fn whole_pipeline(c: &mut Criterion) {
 /// What a window asks while a person drags a vertex of 1000 edges: text in, text out.
 fn live_check(c: &mut Criterion) {
     struct Nobody;
-    impl Listener for Nobody {
-        fn hear(&self, _: &Tell) {}
+    impl EventSink for Nobody {
+        fn emit(&self, _: &WindowEvent) {}
     }
-    let desk = Desk::new(Places::default(), Arc::new(Nobody)).unwrap();
+    let desk = Workspace::new(Places::default(), Arc::new(Nobody)).unwrap();
     let bytes = wirebend_files::document::Document::new(column(34, 10)).to_bytes().unwrap();
     let open = serde_json::json!({
         "ask": "open",

@@ -205,7 +205,7 @@ static bool read_number(struct reader *in, double *number) {
             return false;
         }
     }
-    /* strtod expects the decimal point of the locale, which whoever loaded this library may have set. */
+    /* strtod expects the decimal point of the locale, which the program that loaded this library may have set. */
     const char *mark = localeconv()->decimal_point;
     char copy[JSON_MOST_DIGITS + 16];
     size_t len = in->at - start;

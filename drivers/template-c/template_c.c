@@ -15,10 +15,10 @@
 #include "text.h"
 
 #define FORMAT "template-c-text"
-#define MOST_DECIMALS 6
+#define MAX_DECIMALS 6
 /* The largest length or angle of a column, mm or degrees. With six decimals it still is a whole number of
    units below 2^53, which a double counts exactly. */
-#define LARGEST 100000.0
+#define MAX_VALUE 100000.0
 
 /* What crates/driver-api/schema/description.schema.json asks for. */
 static char description[] =
@@ -106,9 +106,9 @@ static int32_t set(struct instance *instance, const struct json_value *value, wi
     const struct json_text *text = json_as_text(value);
     if (json_text_is(&value->key, "decimals")) {
         double number = value->number;
-        if (value->kind != JSON_NUMBER || number < 0 || number > MOST_DECIMALS || floor(number) != number) {
+        if (value->kind != JSON_NUMBER || number < 0 || number > MAX_DECIMALS || floor(number) != number) {
             return refuse(out, "settings", "set it to 3 for thousandths",
-                          "'decimals' can be a whole number from 0 to %d", MOST_DECIMALS);
+                          "'decimals' can be a whole number from 0 to %d", MAX_DECIMALS);
         }
         instance->decimals = (int)number;
     } else if (json_text_is(&value->key, "header")) {
@@ -175,10 +175,10 @@ static int32_t add_steps(struct text *text, const struct json_value *steps, size
                 return refuse(out, "request", "see the schema of calls", "wire %zu, step %zu: '%s' is no number",
                               wire + 1, n, columns[k].key);
             }
-            if (fabs(value->number) > LARGEST) {
+            if (fabs(value->number) > MAX_VALUE) {
                 return refuse(out, "too-large", "divide the design, or look at its scale",
                               "wire %zu, step %zu: %s is %.0f; a column holds up to %.0f", wire + 1, n,
-                              columns[k].name, value->number, LARGEST);
+                              columns[k].name, value->number, MAX_VALUE);
             }
             add_text(text, ", ");
             add_number(text, &columns[k], value->number, decimals);

@@ -1,4 +1,4 @@
-//! Compiles the firmware's core with its clock for computers: the simulated controller is the real one.
+//! Compiles the firmware's core with its virtual clock: the simulated controller runs the real code.
 
 use std::path::{Path, PathBuf};
 use std::{fs, io};
@@ -12,20 +12,28 @@ fn main() -> io::Result<()> {
     for folder in ["core", "hal_host"] {
         let folder = Path::new(FIRMWARE).join(folder);
         println!("cargo:rerun-if-changed={}", folder.display());
-        build.files(sources(&folder)?);
+        let mut files = Vec::new();
+        sources(&folder, &mut files)?;
+        files.sort();
+        build.files(files);
     }
     println!("cargo:rerun-if-changed={machine}");
-    // Simulated minutes are run in seconds, in tests too.
+    // Tests simulate minutes too, and wait for them in seconds.
     build.opt_level(2);
     build.warnings(true).extra_warnings(true).flag_if_supported("-Wconversion");
     build.compile("wirebend_controller");
     Ok(())
 }
 
-fn sources(folder: &Path) -> io::Result<Vec<PathBuf>> {
-    let mut files: Vec<_> =
-        fs::read_dir(folder)?.map(|entry| Ok(entry?.path())).collect::<io::Result<_>>()?;
-    files.retain(|file| file.extension().is_some_and(|extension| extension == "c"));
-    files.sort();
-    Ok(files)
+/// Adds the files in C of a folder and of the folders in it.
+fn sources(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.is_dir() {
+            sources(&path, files)?;
+        } else if path.extension().is_some_and(|extension| extension == "c") {
+            files.push(path);
+        }
+    }
+    Ok(())
 }

@@ -1,18 +1,23 @@
-/* What the controller says, and what it says it with. Every reply wants room for WB_REPLY_MOST bytes. */
+/* The replies to the host, one function a frame. Each wants room to send WB_REPLY_MAX bytes. */
 #ifndef WB_REPLIES_H
 #define WB_REPLIES_H
 
-#include "controller.h"
+#include <stdint.h>
 
-/* An alarm, or the last line that is made. */
-void wb_tell_one(struct wb_controller *c, char letter, uint32_t one);
-/* The last line that is taken, and how many more fit: as taken, or as full. */
-void wb_tell_taken(struct wb_controller *c, char letter);
-void wb_tell_boot(struct wb_controller *c);
-void wb_tell_open(struct wb_controller *c);
-void wb_tell_status(struct wb_controller *c);
-void wb_tell_setting(struct wb_controller *c, uint8_t id);
-/* An error of a command by its letter; 0 for a line that cannot be read. */
-void wb_tell_refusal(struct wb_controller *c, uint8_t error, char command);
+#include "storage/boot.h"
+#include "controller.h"
+#include "serial/session.h"
+#include "storage/settings.h"
+
+/* A reply with one number: an alarm, or the last line that is done. */
+void wb_send_number(void *board, const struct wb_session *session, char letter, uint32_t number);
+/* The last line that was accepted, and how many more fit. The letter says whether there was room for this one. */
+void wb_send_accepted(void *board, const struct wb_session *session, char letter, uint8_t free_lines);
+void wb_send_boot(void *board, const struct wb_boot *boot);
+void wb_send_open(void *board, const struct wb_session *session, const struct wb_boot *boot);
+void wb_send_setting(void *board, const struct wb_session *session, const struct wb_settings *settings, uint8_t id);
+/* An error of the command with this letter; 0 for a line that cannot be read. */
+void wb_send_error(void *board, const struct wb_session *session, uint8_t error, char command);
+void wb_send_status(const struct wb_controller *controller);
 
 #endif

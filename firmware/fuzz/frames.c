@@ -1,32 +1,36 @@
-/* A host that does anything at all, and what the controller must never do, whatever it is told.
+/* Turns an input into what a host, a person and the world do to the controller.
  *
- * An input is text, a line for each thing that happens; what is none of these is passed over:
+ * An input is text with one event a line; other lines are ignored:
  *   M 100 -20 30   a command with its numbers, sealed in the session; lines (M, H, K) get the next number
- *   =M7,1,1,1      a payload of any form, sealed
+ *   =M7,1,1,1      any payload, sealed
  *   <M1,1,1,1*0000 bytes as they are, and a newline
- *   ?abc           bytes, each seen with a framing error
+ *   ?abc           bytes with a framing error each
  *   !              STOP
- *   t 500          so many milliseconds pass
- *   w 1            the switch reads low (0), high (1), or as the bend axis stands (2)
+ *   t 500          time passes, ms
+ *   w 1            the switch reads low (0), high (1), or as the bend axis is (2)
  *   r 3            a reset with this cause
  *   i 2            inputs are open: 1 hold, 2 emergency stop, 3 both, 0 none
- *   e 5 255        a stored byte has changed
- * Numbers are what is left of anything by 32 bits. */
+ *   e 5 255        a byte of the EEPROM changes: address, value
+ * Numbers are taken modulo 2^32. */
 #include "invariants.h"
 
 #include <stdio.h>
 #include <string.h>
 
-#include "../core/crc.h"
+#include "../core/common/crc.h"
 
 #define SESSION 7
-/* An input ends after so much of the machine's time. */
-#define MOST_CYCLES (20ull * WB_HOST_HZ)
-#define PAYLOAD_MOST 80
+/* An input ends after this time of the machine, in cycles. */
+#define MAX_CYCLES (20ull * WB_HOST_HZ)
+#define PAYLOAD_MAX 80
 
-struct text { const uint8_t *at, *end; };
+/* What is left of a line. */
+struct text {
+    const uint8_t *at;
+    const uint8_t *end;
+};
 
-/* The next number of a line; 0 when there is none. */
+/* Reads the next number of a line; 0 when there is none. */
 static int32_t number(struct text *text)
 {
     uint32_t value = 0;
@@ -66,7 +70,7 @@ static void say(struct world *world, const char *payload, size_t length)
 
 static void command(struct world *world, char letter, struct text *text)
 {
-    char payload[PAYLOAD_MOST];
+    char payload[PAYLOAD_MAX];
     uint32_t n = world_next(world);
     int32_t a = number(text), b = number(text), c = number(text);
     int length;
@@ -102,11 +106,11 @@ static void line(struct world *world, struct text text)
     }
     char letter = (char)*text.at++;
     size_t left = (size_t)(text.end - text.at);
-    char payload[PAYLOAD_MOST] = {0};
+    char payload[PAYLOAD_MAX] = {0};
     switch (letter) {
     case '=':
-        memcpy(payload, text.at, left < PAYLOAD_MOST ? left : PAYLOAD_MOST);
-        say(world, payload, left < PAYLOAD_MOST ? left : PAYLOAD_MOST);
+        memcpy(payload, text.at, left < PAYLOAD_MAX ? left : PAYLOAD_MAX);
+        say(world, payload, left < PAYLOAD_MAX ? left : PAYLOAD_MAX);
         break;
     case '<':
     case '?':
@@ -153,7 +157,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     struct world world;
     world_begin(&world, SESSION);
     const uint8_t *end = data + size;
-    while (data < end && world_now(&world) < MOST_CYCLES) {
+    while (data < end && world_now(&world) < MAX_CYCLES) {
         const uint8_t *newline = memchr(data, '\n', (size_t)(end - data));
         struct text text = {data, newline ? newline : end};
         line(&world, text);

@@ -2,25 +2,24 @@
 
 #include <stdio.h>
 
-/* What a host cannot see is looked at too. */
+/* The rules look into the controller too. */
 #include "../hal_host/host.c"
 
-#include "../core/motion.h"
-
-/* The edge of the switch: that of the settings below, where the machine's own zero is. */
+/* Edge of the switch, steps, as in the settings below. */
 #define EDGE (-220)
 
 #define MUST(what)                                                                                        \
     do {                                                                                                  \
         if (!(what)) {                                                                                    \
-            fprintf(stderr, "%s:%d: not so: %s\n", __FILE__, __LINE__, #what);                             \
+            fprintf(stderr, "%s:%d: rule broken: %s\n", __FILE__, __LINE__, #what);                             \
             abort();                                                                                      \
         }                                                                                                 \
     } while (0)
 
-static bool homing(const struct wb_controller *c)
+static bool homing(const struct wb_motion *motion)
 {
-    return c->phase == WB_LEAVES_WIRE || (c->phase >= WB_LEAVES_SWITCH && c->phase <= WB_GOES_TO_ZERO);
+    return motion->phase == WB_PHASE_CLEAR_WIRE ||
+           (motion->phase >= WB_PHASE_HOME_RELEASE && motion->phase <= WB_PHASE_HOME_ZERO);
 }
 
 static int32_t size(int32_t value)
@@ -34,54 +33,56 @@ void world_look_at_switch(struct world *world)
     wb_host_switch(world->host, high);
 }
 
-/* What must hold between any two events. */
+/* Rules that hold between any two events. */
 void world_check(struct world *world)
 {
     const struct wb_host *host = world->host;
     const struct wb_controller *c = &host->controller;
-    MUST(c->queued <= WB_QUEUE && c->first < WB_QUEUE);
-    MUST(c->done <= c->last);
-    MUST(c->received_in < WB_RECEIVED && c->received_out < WB_RECEIVED);
-    MUST(c->frame.length <= WB_LINE_MOST);
+    const struct wb_motion *motion = &c->motion;
+    MUST(c->queue.count <= WB_QUEUE_LINES && c->queue.first < WB_QUEUE_LINES);
+    MUST(c->session.done <= c->session.accepted);
+    MUST(c->rx.in < WB_RX_BYTES && c->rx.out < WB_RX_BYTES);
+    MUST(c->rx.frame.length <= WB_LINE_MAX);
     MUST((uint8_t)(host->send_in - host->send_out) < SEND_ROOM);
-    MUST(c->phase <= WB_PEG_BY_HAND && c->alarm <= WB_ALARM_HOLD_INPUT && c->peg <= WB_PEG_UNKNOWN);
-    MUST(!c->homed || (c->settings.good && c->motors));
-    MUST(c->motors == host->motors);
-    MUST(!c->homed || !c->wire_side || c->phase != WB_NO_PHASE);
-    MUST(!c->stepper.moving || c->phase != WB_NO_PHASE);
-    MUST(c->stepper.moving == (host->step_at != NEVER));
+    MUST(motion->phase <= WB_PHASE_PEG_MANUAL && c->safety.alarm <= WB_ALARM_HOLD_INPUT &&
+         motion->peg.position <= WB_PEG_UNKNOWN);
+    MUST(!motion->homed || (c->settings.good && motion->motors.on));
+    MUST(motion->motors.on == host->motors);
+    MUST(!motion->homed || !motion->peg.wire_side || wb_motion_active(motion));
+    MUST(!motion->stepper.moving || wb_motion_active(motion));
+    MUST(motion->stepper.moving == (host->step_at != NEVER));
     for (uint8_t axis = 0; axis < WB_AXES; axis++) {
-        MUST(c->stepper.position[axis] == world->pulses[axis] + world->offset[axis]);
+        MUST(motion->stepper.position[axis] == world->pulses[axis] + world->offset[axis]);
     }
     if (world->stopped) {
-        MUST(c->homed == false);
+        MUST(motion->homed == false);
     }
 }
 
-/* A pulse has just been made; `before` is what the controller was. */
+/* Rules of a pulse; `before` is the controller before it. */
 static void pulse(struct world *world, const struct wb_host_event *event, const struct wb_controller *before)
 {
     const struct wb_controller *c = &world->host->controller;
     uint8_t axis = (uint8_t)event->value;
-    MUST(axis < WB_AXES && axis == before->stepper.move.axis);
+    MUST(axis < WB_AXES && axis == before->motion.stepper.move.axis);
     bool inverted = (wb_setting(&c->settings, WB_SETTING_INVERTED) >> axis & 1) != 0;
     world->pulses[axis] += (event->on != 0) != inverted ? 1 : -1;
     int32_t position = (int32_t)(world->pulses[axis] + world->offset[axis]);
     MUST(before->settings.good && world->host->motors);
-    MUST(before->alarm == WB_ALARM_NONE || before->alarm == WB_ALARM_HOST_LOST ||
-         before->alarm == WB_ALARM_HOLD_INPUT);
-    MUST(before->session != WB_NO_SESSION);
-    MUST(before->homed || homing(before));
-    MUST(!world->stopped || homing(before));
-    /* The peg is in while the wire moves, and while the bend axis looks for its switch. */
-    bool swings = before->phase == WB_SWINGS || before->phase == WB_BACKS_OFF ||
-                  before->phase == WB_LEAVES_WIRE;
-    MUST(swings || world->peg_us == wb_setting(&c->settings, WB_SETTING_PEG_IN_US));
-    MUST(!swings || axis == WB_BEND);
+    MUST(before->safety.alarm == WB_ALARM_NONE || before->safety.alarm == WB_ALARM_HOST_LOST ||
+         before->safety.alarm == WB_ALARM_HOLD_INPUT);
+    MUST(before->session.id != WB_NO_SESSION);
+    MUST(before->motion.homed || homing(&before->motion));
+    MUST(!world->stopped || homing(&before->motion));
+    /* The peg is in while the wire moves, and while the bend axis is homed. */
+    uint8_t phase = before->motion.phase;
+    bool peg_out = phase == WB_PHASE_BEND || phase == WB_PHASE_BACK_OFF || phase == WB_PHASE_CLEAR_WIRE;
+    MUST(peg_out || world->peg_us == wb_setting(&c->settings, WB_SETTING_PEG_IN_US));
+    MUST(!peg_out || axis == WB_BEND);
     if (axis == WB_BEND) {
         world->bend += (event->on != 0) != inverted ? 1 : -1;
         world_look_at_switch(world);
-        MUST(homing(before) || size(position) <= wb_setting(&c->settings, WB_SETTING_BEND_LIMIT));
+        MUST(homing(&before->motion) || size(position) <= wb_setting(&c->settings, WB_SETTING_BEND_LIMIT));
     }
     if (axis == WB_ROTATE) {
         int32_t limit = wb_setting(&c->settings, WB_SETTING_ROTATE_LIMIT);
@@ -101,14 +102,14 @@ static void events(struct world *world, const struct wb_controller *before)
             pulse(world, &event, before);
             break;
         case WB_HOST_PEG:
-            MUST(!world->stopped || world->host->controller.phase == WB_PEG_CLEARS);
+            MUST(!world->stopped || world->host->controller.motion.phase == WB_PHASE_RETRACT);
             MUST(event.value >= 512 && event.value <= 2500);
             world->peg_us = event.value;
             break;
         case WB_HOST_SENT:
             MUST(event.value == '\n' || (event.value > ' ' && event.value <= '~'));
-            MUST(!world->told_end || memchr(REPLIES, event.value, sizeof REPLIES));
-            world->told_end = event.value == '\n';
+            MUST(!world->reply_ended || memchr(REPLIES, event.value, sizeof REPLIES));
+            world->reply_ended = event.value == '\n';
             break;
         default:
             break;
@@ -116,27 +117,28 @@ static void events(struct world *world, const struct wb_controller *before)
     }
 }
 
-/* What a change of a position without a pulse may be: homing, and `Z` at rest. */
+/* A position changes without a pulse by homing and, when idle, by the command Z. */
 static void follow(struct world *world, const struct wb_controller *before)
 {
     const struct wb_controller *c = &world->host->controller;
-    int64_t bend = c->stepper.position[WB_BEND] - world->pulses[WB_BEND];
+    const struct wb_stepper *stepper = &c->motion.stepper;
+    int64_t bend = stepper->position[WB_BEND] - world->pulses[WB_BEND];
     if (bend != world->offset[WB_BEND]) {
-        MUST(before->phase == WB_SEEKS_SLOW);
-        MUST(c->stepper.position[WB_BEND] == wb_setting(&c->settings, WB_SETTING_HOME_POSITION));
+        MUST(before->motion.phase == WB_PHASE_HOME_LOCATE);
+        MUST(stepper->position[WB_BEND] == wb_setting(&c->settings, WB_SETTING_HOME_POSITION));
         world->offset[WB_BEND] = bend;
     }
-    int64_t rotate = c->stepper.position[WB_ROTATE] - world->pulses[WB_ROTATE];
+    int64_t rotate = stepper->position[WB_ROTATE] - world->pulses[WB_ROTATE];
     if (rotate != world->offset[WB_ROTATE]) {
-        MUST(!wb_motion_busy(before));
+        MUST(!wb_busy(&before->motion, &before->queue));
         world->offset[WB_ROTATE] = rotate;
     }
-    if (!c->stepper.moving) {
-        world->reach = size(c->stepper.position[WB_ROTATE]);
+    if (!stepper->moving) {
+        world->reach = size(stepper->position[WB_ROTATE]);
     }
-    if (c->homed) {
-        MUST(before->homed || before->phase != WB_NO_PHASE);
-        world->stopped = world->stopped && before->homed;
+    if (c->motion.homed) {
+        MUST(before->motion.homed || wb_motion_active(&before->motion));
+        world->stopped = world->stopped && before->motion.homed;
     }
 }
 
@@ -158,8 +160,8 @@ void world_receive(struct world *world, uint8_t byte, bool damaged)
     wb_host_receive(world->host, byte, damaged);
     if (byte == WB_STOP_BYTE) {
         world->stopped = true;
-        MUST(!world->host->controller.stepper.moving);
-        MUST(world->host->controller.alarm == WB_ALARM_STOP);
+        MUST(!world->host->controller.motion.stepper.moving);
+        MUST(world->host->controller.safety.alarm == WB_ALARM_STOP);
     }
     events(world, &before);
     follow(world, &before);
@@ -169,7 +171,7 @@ void world_receive(struct world *world, uint8_t byte, bool damaged)
 void world_reset(struct world *world, uint8_t cause)
 {
     /* What was on its way out of the controller is lost with the reset. */
-    world->told_end = true;
+    world->reply_ended = true;
     world->stopped = false;
     world->peg_us = 0;
     wb_host_reset(world->host, cause);
@@ -182,7 +184,10 @@ void world_reset(struct world *world, uint8_t cause)
 
 static void settings(struct world *world, uint16_t session)
 {
-    static const struct { uint8_t id; int32_t value; } QUICK[] = {
+    static const struct {
+        uint8_t id;    /* id */
+        int32_t value; /* number in the unit of the setting */
+    } QUICK[] = {
         {WB_SETTING_NEAR_SIDE, 40},           {WB_SETTING_BEND_LIMIT, 200},
         {WB_SETTING_HOME_POSITION, EDGE},     {WB_SETTING_BACK_OFF, 20},
         {WB_SETTING_HOME_BACK_OFF, 12},       {WB_SETTING_HOME_TRAVEL, 600},
@@ -199,12 +204,12 @@ static void settings(struct world *world, uint16_t session)
         MUST(wb_settings_change(stored, world->host, QUICK[i].id, QUICK[i].value, &known));
     }
     world_reset(world, WB_RESET_POWER_ON);
-    world->host->controller.session = session;
+    world->host->controller.session.id = session;
 }
 
 void world_begin(struct world *world, uint16_t session)
 {
-    *world = (struct world){.host = wb_host_new(), .switch_mode = 2, .told_end = true};
+    *world = (struct world){.host = wb_host_new(), .switch_mode = 2, .reply_ended = true};
     MUST(world->host);
     world_reset(world, WB_RESET_POWER_ON);
     world_look_at_switch(world);
@@ -218,12 +223,12 @@ uint64_t world_now(const struct world *world)
 
 uint16_t world_session(const struct world *world)
 {
-    return world->host->controller.session;
+    return world->host->controller.session.id;
 }
 
 uint32_t world_next(const struct world *world)
 {
-    return world->host->controller.last + 1;
+    return world->host->controller.session.accepted + 1;
 }
 
 void world_end(struct world *world)

@@ -1,4 +1,4 @@
-/* Makes what a search has found again, without one: every file that is named, and so many mixtures of their lines.
+/* Runs the inputs of a fuzzer without the fuzzer: every file that is named, and random mixtures of their lines.
  *
  *   replay 2000 seeds/... */
 #include <stdint.h>
@@ -6,16 +6,20 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define MOST 65536
-#define SEEDS_MOST 64
-/* How much of a mixture at most. */
-#define MIXED_MOST 2048
+/* Bytes of a seed. */
+#define SEED_MAX 65536
+#define SEEDS_MAX 64
+/* Bytes of a mixture. */
+#define MIXED_MAX 2048
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-static struct { uint8_t *bytes; size_t size; } seed[SEEDS_MOST];
+static struct {
+    uint8_t *bytes;
+    size_t size; /* bytes */
+} seed[SEEDS_MAX];
 
-/* Marsaglia, Xorshift RNGs, 2003: the same numbers every time. */
+/* Xorshift of Marsaglia (Xorshift RNGs, 2003): the same numbers every time. */
 static uint32_t chance(uint32_t below)
 {
     static uint32_t state = 2463534242u;
@@ -25,7 +29,7 @@ static uint32_t chance(uint32_t below)
     return state % below;
 }
 
-/* Pieces of the seeds on end, some bytes of them changed. */
+/* Pieces of the seeds one after the other, some bytes of them changed. Gives the size. */
 static size_t mix(uint8_t *mixed, int seeds)
 {
     size_t size = 0;
@@ -42,7 +46,7 @@ static size_t mix(uint8_t *mixed, int seeds)
         if (length > seed[from].size - begin) {
             length = seed[from].size - begin;
         }
-        if (size + length + 1 > MIXED_MOST) {
+        if (size + length + 1 > MIXED_MAX) {
             break;
         }
         memcpy(mixed + size, seed[from].bytes + begin, length);
@@ -57,20 +61,20 @@ static size_t mix(uint8_t *mixed, int seeds)
 
 int main(int count, char **argument)
 {
-    static uint8_t mixed[MIXED_MOST];
+    static uint8_t mixed[MIXED_MAX];
     int seeds = count - 2;
-    if (seeds < 1 || seeds > SEEDS_MOST) {
-        fprintf(stderr, "replay MIXTURES FILE...: 1 to %d files\n", SEEDS_MOST);
+    if (seeds < 1 || seeds > SEEDS_MAX) {
+        fprintf(stderr, "replay MIXTURES FILE...: 1 to %d files\n", SEEDS_MAX);
         return 2;
     }
     for (int i = 0; i < seeds; i++) {
         FILE *file = fopen(argument[i + 2], "rb");
-        seed[i].bytes = malloc(MOST);
+        seed[i].bytes = malloc(SEED_MAX);
         if (!file || !seed[i].bytes) {
             fprintf(stderr, "%s cannot be read\n", argument[i + 2]);
             return 2;
         }
-        seed[i].size = fread(seed[i].bytes, 1, MOST, file);
+        seed[i].size = fread(seed[i].bytes, 1, SEED_MAX, file);
         fclose(file);
         LLVMFuzzerTestOneInput(seed[i].bytes, seed[i].size);
     }

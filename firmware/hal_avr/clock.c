@@ -1,8 +1,7 @@
-/* Timer 2 gives the system tick, and times the servo's pulse: it overflows every 256 counts of 4 us.
+/* Timer 2 makes the system tick and the pulse of the servo. It counts 4 us and overflows every 256 counts.
  *
- * A servo frame is 20 ticks, 20.48 ms. The pulse begins at a count of the first tick and ends so many ticks and
- * counts later, both by a match with OCR2A that the overflow before has set. Where it begins is chosen so that it
- * does not end close to an overflow. */
+ * A servo frame is 20 ticks, 20.48 ms. The pulse begins in the first tick and ends in a later one, each time by a match
+ * with OCR2A, which the overflow before has set. Its begin is chosen so that its end is not close to an overflow. */
 #include <avr/interrupt.h>
 
 #include "board.h"
@@ -10,16 +9,20 @@
 
 #define FRAME_TICKS 20
 #define COUNT_US 4
-/* An overflow is dealt with within so many counts, whatever else goes on. */
-#define LEAST_COUNT 32
-#define MOST_COUNT 250
+/* Counts in which a match may lie: after an overflow its interrupt may be late, whatever else runs. */
+#define MIN_COUNT 32
+#define MAX_COUNT 250
 #define BEGIN 128
 #define BEGIN_LATER 192
 
-/* Counts of the edges; the pulse begins in tick 0 and ends in a later one. No pulse while end_tick is 0. */
-struct pulse { uint8_t begin, end, end_tick; };
+/* The edges of a pulse. It begins in tick 0 and ends in a later one; there is none while end_tick is 0. */
+struct pulse {
+    uint8_t begin;    /* 4 us from the start of its tick */
+    uint8_t end;      /* 4 us from the start of its tick */
+    uint8_t end_tick; /* 1.024 ms: tick of the frame */
+};
 
-/* What a frame begins with, so that none is made of two widths. */
+/* The pulse of the next frame. Copied when the frame begins, so that no pulse is made of two widths. */
 static struct pulse wanted;
 
 void wb_clock_begin(void)
@@ -30,14 +33,14 @@ void wb_clock_begin(void)
     TIMSK2 = (uint8_t)(1u << TOIE2);
 }
 
-/* Locked, as the core calls it: the overflow reads what this writes. */
+/* Locked by the core: the overflow reads what this writes. */
 void hal_peg(void *board, uint16_t width)
 {
     (void)board;
     uint16_t counts = (uint16_t)(width / COUNT_US);
     uint8_t begin = BEGIN;
     uint8_t last = (uint8_t)(BEGIN + counts);
-    if (last < LEAST_COUNT || last > MOST_COUNT) {
+    if (last < MIN_COUNT || last > MAX_COUNT) {
         begin = BEGIN_LATER;
     }
     uint16_t end = (uint16_t)(begin + counts);
@@ -46,7 +49,7 @@ void hal_peg(void *board, uint16_t width)
 
 #ifdef WB_PEG_AT_OC2A
 
-/* The timer itself drives its pin, to the cycle. */
+/* The timer drives the pin itself, exact to the cycle. */
 static void match(uint8_t count, bool high)
 {
     OCR2A = count;
@@ -57,7 +60,7 @@ static void match(uint8_t count, bool high)
 
 static bool rises;
 
-/* The edge waits for other interrupts. */
+/* An interrupt drives the pin: it may wait for others. */
 static void match(uint8_t count, bool high)
 {
     OCR2A = count;
@@ -83,7 +86,7 @@ ISR(TIMER2_OVF_vect)
     static uint8_t tick;
     static struct pulse pulse;
     wb_on_tick(&wb_controller);
-    wb_silent_ticks++;
+    wb_stalled_ticks++;
     if (++tick == FRAME_TICKS) {
         tick = 0;
         pulse = wanted;

@@ -1,4 +1,4 @@
-/* Start, main loop, sleep, watchdog and stored bytes. */
+/* Start, main loop, sleep, watchdog and EEPROM. */
 #include <avr/eeprom.h>
 #include <avr/interrupt.h>
 #include <avr/sleep.h>
@@ -8,22 +8,22 @@
 
 struct wb_controller wb_controller;
 
-/* What reset the controller, as it stood before anything else ran. */
+/* MCUSR as it was at the reset: the cause, in bits. */
 static uint8_t cause __attribute__((section(".noinit")));
 
-/* The Uno's boot loader clears the cause before this program sees it. What the last run has left in the RAM tells
- * a hang then: RUNS, and about as many ticks as the watchdog waits. A hang with interrupts off, in which no tick
- * comes, looks like the reset pin. */
-#define RUNS 0x5AC3961Eu /* long enough not to be what a RAM without power comes up with */
-#define HUNG_TICKS_LEAST 700u
-#define HUNG_TICKS_MOST 1400u
-static uint32_t runs __attribute__((section(".noinit")));
-volatile uint16_t wb_silent_ticks __attribute__((section(".noinit")));
+/* The boot loader of the Uno clears the cause before this program sees it. Then a hang shows in what the last run has
+ * left in the RAM: RUNNING, and about as many ticks as the watchdog waits. A hang with interrupts off has no ticks and
+ * looks like the reset pin. */
+#define RUNNING 0x5AC3961Eu /* long enough not to be there by chance after power-on */
+#define MIN_HUNG_TICKS 700u
+#define MAX_HUNG_TICKS 1400u
+static uint32_t running __attribute__((section(".noinit")));
+volatile uint16_t wb_stalled_ticks __attribute__((section(".noinit")));
 
-/* What the status register was before the lock. */
-static uint8_t unlocked;
+/* SREG before the lock. */
+static uint8_t unlocked_sreg;
 
-/* First thing: after a reset by the watchdog it goes on with its shortest time. */
+/* Before anything else: after its reset the watchdog is still on, with its shortest time. */
 void wb_before_all(void) __attribute__((naked, used, section(".init3")));
 void wb_before_all(void)
 {
@@ -34,11 +34,11 @@ void wb_before_all(void)
 
 static uint8_t reset_code(void)
 {
-    bool hung = runs == RUNS && wb_silent_ticks >= HUNG_TICKS_LEAST && wb_silent_ticks <= HUNG_TICKS_MOST;
+    bool hung = running == RUNNING && wb_stalled_ticks >= MIN_HUNG_TICKS && wb_stalled_ticks <= MAX_HUNG_TICKS;
     if ((cause & 1u << WDRF) || (cause == 0 && hung)) {
         return WB_RESET_WATCHDOG;
     }
-    /* A supply that rises slowly sets both. */
+    /* A supply that rises slowly sets this flag and that of a brown-out. */
     if (cause & 1u << PORF) {
         return WB_RESET_POWER_ON;
     }
@@ -48,15 +48,15 @@ static uint8_t reset_code(void)
 void hal_lock(void *board)
 {
     (void)board;
-    unlocked = SREG;
+    unlocked_sreg = SREG;
     cli();
 }
 
-/* Before they are let in for the first time, interrupts stay out. */
+/* Restores the flag: during the start, interrupts stay off. */
 void hal_unlock(void *board)
 {
     (void)board;
-    SREG = unlocked;
+    SREG = unlocked_sreg;
 }
 
 uint8_t hal_stored(void *board, uint16_t address)
@@ -68,9 +68,9 @@ uint8_t hal_stored(void *board, uint16_t address)
 void hal_store(void *board, uint16_t address, uint8_t byte)
 {
     (void)board;
-    /* 3.4 ms a byte that changes: all settings, stored twice, take three quarters of a second. */
+    /* A byte that changes takes 3.4 ms, all settings, stored twice, three quarters of a second. */
     wdt_reset();
-    wb_silent_ticks = 0;
+    wb_stalled_ticks = 0;
     eeprom_update_byte((uint8_t *)address, byte);
 }
 
@@ -81,15 +81,15 @@ int main(void)
     wb_steps_begin();
     wb_clock_begin();
     wb_serial_begin();
-    SMCR = 1u << SE; /* idle: timers and the serial line go on */
+    SMCR = 1u << SE; /* idle mode: timers and the serial line run on */
     wb_start(&wb_controller, 0, reset_code());
-    runs = RUNS;
+    running = RUNNING;
     sei();
     for (;;) {
         wdt_reset();
-        wb_silent_ticks = 0;
+        wb_stalled_ticks = 0;
         if (!wb_poll(&wb_controller)) {
-            /* An interrupt that comes in between is looked at after the next tick, a millisecond later. */
+            /* An interrupt that comes just before this is handled after the next tick, a millisecond later. */
             sleep_cpu();
         }
     }

@@ -1,4 +1,4 @@
-/* Step, direction and enable pins, and the switch. */
+/* Pins of the motors, the switch and the inputs. */
 #include <util/delay_basic.h>
 
 #include "board.h"
@@ -7,7 +7,7 @@
 void wb_motors_begin(void)
 {
 #ifdef WB_PIN_MOTORS_OFF
-    /* Off until a line moves something: the pins float before, and the shield's pull-up keeps them off. */
+    /* Off until a line moves something. Before this the pins float, and the shield's pull-up keeps the drivers off. */
     wb_pin_high(WB_PIN_MOTORS_OFF);
     wb_pin_output(WB_PIN_MOTORS_OFF);
 #endif
@@ -17,9 +17,9 @@ void wb_motors_begin(void)
     wb_pin_output(WB_PIN_ROTATE_DIR);
     wb_pin_output(WB_PIN_BEND_STEP);
     wb_pin_output(WB_PIN_BEND_DIR);
-    /* Pull-up of the switch: a broken wire reads as pressed. */
+    /* Pull-up of the switch: a broken wire reads high. */
     wb_pin_high(WB_PIN_SWITCH);
-    /* And of the inputs: a broken wire reads as open. */
+    /* Pull-ups of the inputs: a broken wire reads as open. */
     wb_pin_high(WB_PIN_HOLD);
     wb_pin_high(WB_PIN_EMERGENCY);
 }
@@ -36,7 +36,7 @@ void hal_direction(void *board, uint8_t axis, bool forward)
     }
 }
 
-/* 32 cycles of 62.5 ns with the edges: the DRV8825 wants 1.9 us. */
+/* 32 cycles of 62.5 ns from edge to edge: the DRV8825 needs 1.9 us. */
 static inline void hold_high(void)
 {
     _delay_loop_1(10);

@@ -1,4 +1,4 @@
-/* Pins by the names of the machine's file: port letter and bit, in one instruction where the port is known. */
+/* Access to the pins that the machine's file names by port letter and bit: one instruction each. */
 #ifndef WB_PIN_H
 #define WB_PIN_H
 
@@ -9,7 +9,7 @@
 #define WB_DDR_(port, bit) WB_JOIN_(DDR, port)
 #define WB_PIN_(port, bit) WB_JOIN_(PIN, port)
 #define WB_MASK_(port, bit) ((uint8_t)(1u << (bit)))
-/* Variadic: the name of a pin has become its two parts by then. */
+/* Variadic: by then the name of a pin has been expanded to its two parts. */
 #define WB_PORT(...) WB_PORT_(__VA_ARGS__)
 #define WB_DDR(...) WB_DDR_(__VA_ARGS__)
 #define WB_PIN(...) WB_PIN_(__VA_ARGS__)

@@ -3,12 +3,13 @@
 
 #include "board.h"
 
-/* Twice the speed bit set: 16 MHz / 8 / (16 + 1) = 117647 baud, 2.1 % above, as every Uno does it. */
+/* With U2X: 16 MHz / 8 / (16 + 1) = 117647 baud, 2.1 % fast, as on every Uno. */
 #define DIVIDER 16
-#define ROOM 128
+#define SEND_BYTES 128
 
-static volatile uint8_t bytes[ROOM];
-static volatile uint8_t in, out;
+static volatile uint8_t bytes[SEND_BYTES]; /* bytes to the host */
+static volatile uint8_t in;                /* index */
+static volatile uint8_t out;               /* index */
 
 void wb_serial_begin(void)
 {
@@ -21,15 +22,15 @@ void wb_serial_begin(void)
 uint8_t hal_send_room(void *board)
 {
     (void)board;
-    return (uint8_t)(ROOM - 1 - (uint8_t)(in - out) % ROOM);
+    return (uint8_t)(SEND_BYTES - 1 - (uint8_t)(in - out) % SEND_BYTES);
 }
 
 void hal_send(void *board, uint8_t byte)
 {
     (void)board;
     bytes[in] = byte;
-    in = (uint8_t)((in + 1) % ROOM);
-    /* UDRIE0 is changed by the interrupt too. */
+    in = (uint8_t)((in + 1) % SEND_BYTES);
+    /* The interrupt changes UDRIE0 too. */
     cli();
     UCSR0B |= (uint8_t)(1u << UDRIE0);
     sei();
@@ -37,7 +38,7 @@ void hal_send(void *board, uint8_t byte)
 
 ISR(USART_RX_vect)
 {
-    /* The flags belong to the byte that is read next. */
+    /* The flags are of the byte that is read next, so they are read first. */
     bool damaged = (UCSR0A & (1u << FE0 | 1u << DOR0)) != 0;
     wb_on_byte(&wb_controller, UDR0, damaged);
 }
@@ -45,7 +46,7 @@ ISR(USART_RX_vect)
 ISR(USART_UDRE_vect)
 {
     UDR0 = bytes[out];
-    out = (uint8_t)((out + 1) % ROOM);
+    out = (uint8_t)((out + 1) % SEND_BYTES);
     if (in == out) {
         UCSR0B &= (uint8_t)~(1u << UDRIE0);
     }

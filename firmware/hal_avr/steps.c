@@ -1,10 +1,10 @@
-/* Timer 1 gives the step interrupt: it clears on a match with OCR1A and counts half microseconds. */
+/* Timer 1 makes the step interrupt. It counts 0.5 us and clears on a match with OCR1A. */
 #include <avr/interrupt.h>
 
 #include "board.h"
 
-/* From the match until the new period is written, the timer must not have passed its end. */
-#define LATE_TICKS 4
+/* Counts of 0.5 us: margin for the timer, which must not have passed the end of an interval that is only just set. */
+#define LATE_COUNTS 4
 
 void wb_steps_begin(void)
 {
@@ -12,21 +12,21 @@ void wb_steps_begin(void)
     TCCR1B = (uint8_t)(1u << WGM12); /* clear on match; no clock yet */
 }
 
-void hal_timer_start(void *board, uint16_t ticks)
+void hal_timer_start(void *board, uint16_t interval)
 {
     (void)board;
     TCNT1 = 0;
-    OCR1A = (uint16_t)(ticks - 1);
+    OCR1A = (uint16_t)(interval - 1);
     TIFR1 = (uint8_t)(1u << OCF1A);
     TIMSK1 = (uint8_t)(1u << OCIE1A);
     TCCR1B = (uint8_t)(1u << WGM12 | 1u << CS11); /* 16 MHz / 8 */
 }
 
-bool hal_timer_next(void *board, uint16_t ticks)
+bool hal_timer_next(void *board, uint16_t interval)
 {
     (void)board;
-    OCR1A = (uint16_t)(ticks - 1);
-    return TCNT1 + LATE_TICKS < ticks;
+    OCR1A = (uint16_t)(interval - 1);
+    return TCNT1 + LATE_COUNTS < interval;
 }
 
 void hal_timer_stop(void *board)
@@ -37,8 +37,8 @@ void hal_timer_stop(void *board)
     TIFR1 = (uint8_t)(1u << OCF1A);
 }
 
-/* The pulse comes at once. The division that finds the interval after the next is long: bytes from the host
- * and the servo's pulse do not wait for it, the next step does. */
+/* The pulse comes first. The division that finds the interval after the next one is long: the next step waits for it,
+ * but bytes from the host and the servo do not. */
 ISR(TIMER1_COMPA_vect)
 {
     if (wb_on_step(&wb_controller)) {
@@ -46,8 +46,8 @@ ISR(TIMER1_COMPA_vect)
         sei();
         wb_on_step_rest(&wb_controller);
         cli();
-        /* Unless a STOP came, or a hold has ended the move. */
-        if (wb_controller.stepper.moving) {
+        /* Not after a STOP, nor when a hold has ended the move. */
+        if (wb_stepping(&wb_controller)) {
             TIMSK1 = (uint8_t)(1u << OCIE1A);
         }
     }

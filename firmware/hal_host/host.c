@@ -3,32 +3,37 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../core/controller.h"
+#include "../core/entry.h"
 #include "../core/hal.h"
 
 #define NEVER UINT64_MAX
-#define CYCLES_PER_TICK (WB_HOST_HZ / WB_TIMER_HZ)
+#define CYCLES_PER_COUNT (WB_HOST_HZ / WB_TIMER_HZ)
 #define TICK_CYCLES ((uint64_t)WB_TICK_US * (WB_HOST_HZ / 1000000u))
-/* As many as the board has. */
+/* Bytes of the board's EEPROM. */
 #define STORED 1024
 #define SEND_ROOM 128
-/* One interrupt leaves no more events than this. */
+/* Events: more than one interrupt makes. */
 #define EVENTS 64
 
 struct wb_host {
     struct wb_controller controller;
-    uint64_t now, step_at, tick_at, sent_at;
-    bool switch_high;
-    bool motors;
-    uint8_t inputs_open;
-    bool forward[WB_AXES];
-    uint8_t send[SEND_ROOM];
-    uint8_t send_in, send_out;
+    uint64_t now;            /* cycles */
+    uint64_t step_at;        /* cycles: the next step interrupt, or NEVER */
+    uint64_t tick_at;        /* cycles: the next tick */
+    uint64_t sent_at;        /* cycles: the end of the byte that is being sent, or NEVER */
+    bool switch_high;        /* flag: level of the switch's pin */
+    bool motors;             /* flag: the drivers are on */
+    uint8_t inputs_open;     /* bits: WB_INPUT_HOLD, WB_INPUT_EMERGENCY */
+    bool forward[WB_AXES];   /* flag: level of the direction pin */
+    uint8_t send[SEND_ROOM]; /* bytes */
+    uint8_t send_in;         /* index, counted on beyond the end */
+    uint8_t send_out;        /* index, counted on beyond the end */
     struct wb_host_event event[EVENTS];
-    uint8_t event_in, event_out;
-    bool powered;
-    uint8_t stored[STORED];
-    uint32_t stores_left;
+    uint8_t event_in;       /* index */
+    uint8_t event_out;      /* index */
+    bool powered;           /* flag: reset since the clock was restarted */
+    uint8_t stored[STORED]; /* bytes of the EEPROM */
+    uint32_t stores_left;   /* bytes until the power fails */
 };
 
 static void note(struct wb_host *host, enum wb_host_kind kind, uint16_t value, bool on)
@@ -42,7 +47,7 @@ static void note(struct wb_host *host, enum wb_host_kind kind, uint16_t value, b
 
 void hal_lock(void *board)
 {
-    (void)board; /* interrupts come between calls of the core only */
+    (void)board; /* interrupts come only between calls of the core */
 }
 
 void hal_unlock(void *board)
@@ -89,15 +94,15 @@ bool hal_input_open(void *board, uint8_t input)
     return (((struct wb_host *)board)->inputs_open & input) != 0;
 }
 
-void hal_timer_start(void *board, uint16_t ticks)
+void hal_timer_start(void *board, uint16_t interval)
 {
     struct wb_host *host = board;
-    host->step_at = host->now + (uint64_t)ticks * CYCLES_PER_TICK;
+    host->step_at = host->now + (uint64_t)interval * CYCLES_PER_COUNT;
 }
 
-bool hal_timer_next(void *board, uint16_t ticks)
+bool hal_timer_next(void *board, uint16_t interval)
 {
-    hal_timer_start(board, ticks);
+    hal_timer_start(board, interval);
     return true;
 }
 
@@ -141,7 +146,7 @@ void hal_store(void *board, uint16_t address, uint8_t byte)
     }
 }
 
-/* --- the world */
+/* --- the outside */
 
 struct wb_host *wb_host_new(void)
 {
@@ -161,7 +166,7 @@ void wb_host_free(struct wb_host *host)
 static void poll(struct wb_host *host)
 {
     while (wb_poll(&host->controller)) {
-        /* until there is nothing more to do at once */
+        /* as long as there is more to do at once */
     }
 }
 
@@ -213,7 +218,7 @@ void wb_host_inputs(struct wb_host *host, uint8_t open)
     host->inputs_open = open;
 }
 
-/* The interrupt that is next, when it comes before `until`. */
+/* Runs the next interrupt; false when it comes after `until`. */
 static bool interrupt(struct wb_host *host, uint64_t until)
 {
     uint64_t at = host->tick_at;
@@ -224,7 +229,7 @@ static bool interrupt(struct wb_host *host, uint64_t until)
     }
     host->now = at;
     if (at == host->step_at) {
-        /* The core starts the timer again while there is a next pulse. */
+        /* The core sets the timer again when there is a next pulse. */
         host->step_at = NEVER;
         if (wb_on_step(&host->controller)) {
             wb_on_step_rest(&host->controller);
@@ -244,7 +249,7 @@ static bool interrupt(struct wb_host *host, uint64_t until)
 uint64_t wb_host_run(struct wb_host *host, uint64_t until)
 {
     while (host->powered && host->event_in == host->event_out && interrupt(host, until)) {
-        /* until something can be seen */
+        /* until there is an event */
     }
     if (host->event_in == host->event_out && host->now < until) {
         host->now = until;

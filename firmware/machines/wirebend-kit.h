@@ -2,7 +2,7 @@
 #ifndef WB_MACHINE_H
 #define WB_MACHINE_H
 
-#include "codes.h"
+#include "common/codes.h"
 
 #define WB_MACHINE_ID WB_MACHINE_WIREBEND_KIT
 
@@ -20,33 +20,33 @@
 #define WB_PIN_PEG         B, 3 /* D11  Z limit, signal of the servo */
 #define WB_PEG_AT_OC2A          /* which is the pin that timer 2 can drive */
 
-/* In the order of firmware/protocol/settings.csv. Figures of the paper where it has them, else estimates. */
-#define WB_MACHINE_DEFAULTS                                                                        \
-    54440,  /* feed, steps/m: 6400 a turn, wheel of 37.42 mm */                                  \
-    16457,  /* rotate, steps/rev: 6400 a turn, belt 18/7 */                                        \
-    21480,  /* bend, steps/rev: 800 a turn, gearbox 26.85 */                                       \
-    6000,   /* feed, steps/s: 110.2 mm/s */                                                        \
-    6000,   /* rotate, steps/s: 131.3 degrees/s */                                                 \
-    900,    /* bend, steps/s: 15.1 degrees/s */                                                    \
-    30000,  /* feed, steps/s^2 */                                                                  \
-    20000,  /* rotate, steps/s^2 */                                                                \
-    4000,   /* bend, steps/s^2 */                                                                  \
-    400000, /* feed of one line, steps: 7.3 m */                                                   \
-    16457,  /* head, steps: 360 degrees */                                                         \
-    9248,   /* bend axis, steps: 155 degrees */                                                    \
-    1089,   /* near side, steps: 13.25 degrees at which the peg touches straight wire, and 5 */    \
-    1193,   /* back off, steps: 20 degrees, more than the wire springs after the peg */            \
-    1000,   /* peg in, us */                                                                       \
-    2000,   /* peg out, us */                                                                      \
-    500,    /* time of the peg, ms */                                                              \
-    -9547,  /* switch, steps: -160 degrees */                                                      \
-    600,    /* first search, steps/s */                                                            \
-    100,    /* second search, steps/s */                                                           \
-    120,    /* between them, steps: 2 degrees */                                                   \
-    20000,  /* longest search, steps: from one end to the other and some */                        \
-    90000,  /* longest homing, ms */                                                               \
-    0,      /* nothing inverted */                                                                 \
-    0,      /* motors never released */                                                            \
+/* In the order of firmware/protocol/settings.csv. Figures are those of the paper where it has them, otherwise estimates. */
+#define WB_MACHINE_DEFAULTS                                                                     \
+    54440,  /* feed, steps/m: 6400 a turn, wheel of 37.42 mm */                                 \
+    16457,  /* rotate, steps/rev: 6400 a turn, belt 18/7 */                                     \
+    21480,  /* bend, steps/rev: 800 a turn, gearbox 26.85 */                                    \
+    6000,   /* feed, steps/s: 110.2 mm/s */                                                     \
+    6000,   /* rotate, steps/s: 131.3 degrees/s */                                              \
+    900,    /* bend, steps/s: 15.1 degrees/s */                                                 \
+    30000,  /* feed, steps/s^2 */                                                               \
+    20000,  /* rotate, steps/s^2 */                                                             \
+    4000,   /* bend, steps/s^2 */                                                               \
+    400000, /* longest feed of a line, steps: 7.3 m */                                          \
+    16457,  /* soft limit of the head, steps: 360 degrees */                                    \
+    9248,   /* soft limit of the bend axis, steps: 155 degrees */                               \
+    1089,   /* near side, steps: 13.25 degrees at which the peg touches straight wire, and 5 */ \
+    1193,   /* back off, steps: 20 degrees, more than the wire springs after the peg */         \
+    1000,   /* servo with the peg in, us */                                                     \
+    2000,   /* servo with the peg out, us */                                                    \
+    500,    /* time that the peg needs, ms */                                                   \
+    -9547,  /* position of the switch, steps: -160 degrees */                                   \
+    600,    /* homing, fast approach, steps/s */                                                \
+    100,    /* homing, slow approach, steps/s */                                                \
+    120,    /* homing, pull-off, steps: 2 degrees */                                            \
+    20000,  /* homing, longest travel, steps: from one end to the other and more */             \
+    90000,  /* homing, longest time, ms */                                                      \
+    0,      /* nothing inverted */                                                              \
+    0,      /* motors stay on when idle */                                                      \
     0       /* no inputs wired */
 
 #endif

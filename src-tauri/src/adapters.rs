@@ -5,11 +5,11 @@ use std::sync::Arc;
 
 use tauri::State;
 use tauri::ipc::{Channel, Response};
-use wirebend_app::{Desk, Refusal};
+use wirebend_api::{ApiErrorReport, Workspace};
 
-use crate::Telling;
+use crate::EventChannel;
 
-type Shared<'a> = State<'a, Arc<Desk>>;
+type Shared<'a> = State<'a, Arc<Workspace>>;
 
 /// Runs what may take long on a thread of its own, so that nothing else waits for it.
 async fn blocking<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static) -> tauri::Result<T> {
@@ -17,14 +17,14 @@ async fn blocking<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static) 
 }
 
 /// Why nothing came back.
-fn failed(error: &tauri::Error) -> Refusal {
+fn failed(error: &tauri::Error) -> ApiErrorReport {
     tracing::error!("{error}");
-    Refusal::failure(format!("the program failed on this: {error}; its log file tells more"))
+    ApiErrorReport::failure(format!("the program failed on this: {error}; its log file has more"))
 }
 
 /// Asks the desk; the answer is its JSON as it is.
 #[tauri::command]
-pub(crate) async fn ask(desk: Shared<'_>, ask: serde_json::Value) -> Result<Response, Refusal> {
+pub(crate) async fn ask(desk: Shared<'_>, ask: serde_json::Value) -> Result<Response, ApiErrorReport> {
     let desk = Arc::clone(&desk);
     let answered = blocking(move || desk.ask_value(ask)).await.map_err(|error| failed(&error))?;
     answered.map(|answer| Response::new(answer.get().to_owned()))
@@ -32,21 +32,21 @@ pub(crate) async fn ask(desk: Shared<'_>, ask: serde_json::Value) -> Result<Resp
 
 /// Stops the machine.
 #[tauri::command]
-pub(crate) async fn stop(desk: Shared<'_>) -> Result<(), Refusal> {
+pub(crate) async fn stop(desk: Shared<'_>) -> Result<(), ApiErrorReport> {
     let desk = Arc::clone(&desk);
     blocking(move || desk.stop()).await.map_err(|error| failed(&error))
 }
 
 /// The stencil of the open design, as bytes.
 #[tauri::command]
-pub(crate) async fn stencil_mesh(desk: Shared<'_>) -> Result<Response, Refusal> {
+pub(crate) async fn stencil_mesh(desk: Shared<'_>) -> Result<Response, ApiErrorReport> {
     let desk = Arc::clone(&desk);
     let bytes = blocking(move || desk.stencil_mesh()).await.map_err(|error| failed(&error))?;
     Ok(Response::new(bytes))
 }
 
-/// From now on what the desk tells goes to this channel.
+/// From now on what the workspace reports goes to this channel.
 #[tauri::command]
-pub(crate) fn listen(telling: State<'_, Arc<Telling>>, channel: Channel<serde_json::Value>) {
-    telling.to(channel);
+pub(crate) fn listen(event_channel: State<'_, Arc<EventChannel>>, channel: Channel<serde_json::Value>) {
+    event_channel.to(channel);
 }

@@ -6,7 +6,6 @@ use serde::Deserialize;
 use tauri::{AppHandle, Manager, Runtime};
 use tauri_plugin_dialog::{DialogExt, FilePath, MessageDialogButtons, MessageDialogKind};
 
-/// A kind of files.
 #[derive(Debug, Deserialize)]
 pub(crate) struct FileKind {
     name: String,

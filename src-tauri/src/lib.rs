@@ -1,12 +1,12 @@
-//! The window: it passes what the editor asks on to [`wirebend_app::Desk`], and what that tells back to the editor.
+//! The window: it passes what the editor asks on to [`wirebend_api::Workspace`], and what that reports back to the editor.
 //! Nothing is decided or computed here.
 
 mod adapters;
 mod dialogs;
+mod event_channel;
 mod files;
 mod log;
 mod surroundings;
-mod telling;
 
 use std::ffi::{OsStr, OsString};
 use std::io::Write;
@@ -16,11 +16,11 @@ use std::sync::Arc;
 use anyhow::Context;
 use tauri::{Manager, RunEvent, Runtime};
 use tauri_plugin_window_state::StateFlags;
-use wirebend_app::{Desk, Places};
+use wirebend_api::{Places, Workspace};
 
+pub use event_channel::EventChannel;
 pub use files::FilesToOpen;
 use log::LogGuard;
-pub use telling::Telling;
 
 /// Runs the program with the arguments of the process.
 #[must_use]
@@ -28,11 +28,11 @@ pub fn main() -> ExitCode {
     // The process of a driver is this program too, and knows of nothing else.
     let mut words = std::env::args_os().skip(1);
     let first = words.next();
-    if first.as_deref().is_some_and(|word| word == wirebend_app::CHILD_COMMAND) {
-        return wirebend_app::child_main(&words.collect::<Vec<_>>());
+    if first.as_deref().is_some_and(|word| word == wirebend_api::CHILD_COMMAND) {
+        return wirebend_api::child_main(&words.collect::<Vec<_>>());
     }
     if let Some(text) = first.as_deref().and_then(OsStr::to_str).and_then(told_at_once) {
-        // Who has closed the output wants to read nothing.
+        // A reader that has closed the output wants nothing more.
         let _ = writeln!(std::io::stdout(), "{text}");
         return ExitCode::SUCCESS;
     }
@@ -63,7 +63,7 @@ fn told_at_once(word: &str) -> Option<&'static str> {
 
 /// `log` is held until the end: what ends here is the process.
 fn run(places: Places, mut log: Option<LogGuard>) -> anyhow::Result<()> {
-    let telling = Arc::new(Telling::default());
+    let event_channel = Arc::new(EventChannel::default());
     let builder = tauri::Builder::default()
         // It has to be the first: a second process is over before it does anything else.
         .plugin(tauri_plugin_single_instance::init(|app, words, folder| {
@@ -79,10 +79,10 @@ fn run(places: Places, mut log: Option<LogGuard>) -> anyhow::Result<()> {
     let words: Vec<OsString> = std::env::args_os().collect();
     let folder = std::env::current_dir().unwrap_or_default();
     let files = FilesToOpen::new(files::named(&words, &folder));
-    let app = with_adapters(builder, Arc::clone(&telling), files)
+    let app = with_adapters(builder, Arc::clone(&event_channel), files)
         // Here, since a second process does not come so far: it leaves no journal of a design behind.
         .setup(move |app| {
-            match Desk::new(places, telling) {
+            match Workspace::new(places, event_channel) {
                 Ok(desk) => {
                     app.manage(Arc::new(desk));
                     if let Some(window) = app.get_webview_window("main") {
@@ -97,7 +97,7 @@ fn run(places: Places, mut log: Option<LogGuard>) -> anyhow::Result<()> {
         .context("the window cannot be opened")?;
     app.run(move |app, event| {
         files::asked_by_system(app, &event);
-        let desk = app.try_state::<Arc<Desk>>();
+        let desk = app.try_state::<Arc<Workspace>>();
         match (event, desk) {
             (RunEvent::Exit, desk) => {
                 if let Some(desk) = desk {
@@ -119,13 +119,13 @@ fn kept() -> StateFlags {
     StateFlags::POSITION | StateFlags::SIZE | StateFlags::MAXIMIZED
 }
 
-/// Everything that the editor may ask for. The desk is managed by whoever makes it.
+/// Everything that the editor may ask for. The workspace is managed by the code that creates it.
 pub fn with_adapters<R: Runtime>(
     builder: tauri::Builder<R>,
-    telling: Arc<Telling>,
+    event_channel: Arc<EventChannel>,
     files: FilesToOpen,
 ) -> tauri::Builder<R> {
-    builder.manage(telling).manage(files).invoke_handler(tauri::generate_handler![
+    builder.manage(event_channel).manage(files).invoke_handler(tauri::generate_handler![
         adapters::ask,
         adapters::stop,
         adapters::stencil_mesh,

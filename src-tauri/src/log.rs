@@ -1,4 +1,4 @@
-//! The log file: what happened, for whoever has to find out.
+//! The log file: what happened, for finding causes later.
 
 use std::path::Path;
 
@@ -12,7 +12,7 @@ use tracing_subscriber::{Layer, fmt};
 /// How many days are kept.
 const DAYS: usize = 7;
 
-/// Writes what the program tells about its work to a file a day, and warnings to the error stream. What is returned is held
+/// Writes what the program logs about its work to a file a day, and warnings to the error stream. What is returned is held
 /// until the end: dropping it writes the last lines.
 pub(crate) fn begin(state: Option<&Path>) -> Option<LogGuard> {
     let terminal = fmt::layer()
@@ -22,7 +22,7 @@ pub(crate) fn begin(state: Option<&Path>) -> Option<LogGuard> {
         .with_filter(LevelFilter::WARN);
     let file = state.map(|state| {
         let folder = state.join("log");
-        // What cannot be made is told by the appender.
+        // The appender reports what cannot be created.
         let _ = std::fs::create_dir_all(&folder);
         RollingFileAppender::builder()
             .rotation(Rotation::DAILY)

@@ -28,7 +28,7 @@ mod linux {
     use gtk::glib::Propagation;
     use gtk::prelude::WidgetExt;
     use tauri::{AppHandle, Manager, Runtime, WebviewWindow};
-    use wirebend_app::Desk;
+    use wirebend_api::Workspace;
 
     /// With some graphics drivers the page stays empty unless this is set.
     const RENDERER: &str = "WEBKIT_DISABLE_DMABUF_RENDERER";
@@ -42,7 +42,7 @@ mod linux {
     }
 
     pub fn stop_by_key<R: Runtime>(app: &AppHandle<R>, window: &WebviewWindow<R>) -> tauri::Result<()> {
-        let desk = Arc::clone(&app.state::<Arc<Desk>>());
+        let desk = Arc::clone(&app.state::<Arc<Workspace>>());
         window.gtk_window()?.connect_key_press_event(move |_, event| {
             let held = event.state().contains(ModifierType::CONTROL_MASK);
             if held && event.keyval() == keys::constants::space {

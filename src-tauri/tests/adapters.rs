@@ -1,4 +1,4 @@
-//! The adapters without a display: what the editor asks arrives, and what is told comes back.
+//! The adapters without a display: what the editor asks arrives, and what is reported comes back.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // a test may stop at what cannot be
 
@@ -10,8 +10,8 @@ use tauri::WebviewWindow;
 use tauri::ipc::{CallbackFn, InvokeBody, InvokeResponseBody};
 use tauri::test::{MockRuntime, get_ipc_response, mock_builder, mock_context, noop_assets};
 use tauri::webview::InvokeRequest;
-use wirebend_app::{Desk, Places};
-use wirebend_window::{FilesToOpen, Telling, with_adapters};
+use wirebend_api::{Places, Workspace};
+use wirebend_window::{EventChannel, FilesToOpen, with_adapters};
 
 /// A window without a screen, on a desk in a folder of its own.
 struct Window {
@@ -28,9 +28,10 @@ fn window(files: Vec<PathBuf>) -> Window {
         state: Some(home.path().join("state")),
         ..Places::default()
     };
-    let telling = Arc::new(Telling::default());
-    let desk = Desk::new(places, Arc::clone(&telling) as _).unwrap();
-    let builder = with_adapters(mock_builder(), telling, FilesToOpen::new(files)).manage(Arc::new(desk));
+    let event_channel = Arc::new(EventChannel::default());
+    let desk = Workspace::new(places, Arc::clone(&event_channel) as _).unwrap();
+    let builder =
+        with_adapters(mock_builder(), event_channel, FilesToOpen::new(files)).manage(Arc::new(desk));
     let app = builder.build(mock_context(noop_assets())).unwrap();
     let page = tauri::WebviewWindowBuilder::new(&app, "main", tauri::WebviewUrl::default()).build().unwrap();
     Window { _home: home, _app: app, page }

@@ -4,7 +4,7 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { compile } from "json-schema-to-typescript";
 
 const check = process.argv.includes("--check");
-const banner = "/* Made by `make generate` from crates/app/schema. Do not edit. */";
+const banner = "/* Made by `make generate` from crates/api/schema. Do not edit. */";
 
 // A reference with a description beside it would be written out as a type of its own each time; with more beside it, it is
 // both.
@@ -18,16 +18,35 @@ function plain(value) {
   return Object.fromEntries(Object.entries(value).map(([key, inner]) => [key, plain(inner)]));
 }
 
+const read = (name) =>
+  plain(JSON.parse(readFileSync(new URL(`../../crates/api/schema/${name}.schema.json`, import.meta.url), "utf8")));
+
+// Several schemas as one, each a definition beside those that they have in common: a type is written once.
+function together(title, names) {
+  const schemas = names.map((name) => read(`asks.${name}`));
+  const $defs = { ...read("common").$defs };
+  for (const { $defs: own, $schema: _, ...schema } of schemas) Object.assign($defs, own, { [schema.title]: schema });
+  const properties = Object.fromEntries(schemas.map((schema, at) => [names[at], { $ref: `#/$defs/${schema.title}` }]));
+  const text = JSON.stringify({ title, type: "object", properties, required: names, $defs });
+  return JSON.parse(text.replaceAll("common.schema.json#", "#"));
+}
+
 let stale = 0;
-for (const name of ["requests", "responses", "tells"]) {
-  const schemaFile = new URL(`../../crates/app/schema/asks.${name}.schema.json`, import.meta.url);
-  const schema = plain(JSON.parse(readFileSync(schemaFile, "utf8")));
-  const text = await compile(schema, schema.title, { bannerComment: banner, unreachableDefinitions: false, additionalProperties: false, maxItems: 16 });
-  const file = new URL(`../src/generated/${name}.ts`, import.meta.url);
+for (const [module, names] of [
+  ["requests", ["requests"]],
+  ["responses", ["responses", "events"]],
+]) {
+  const text = await compile(together("All", names), "All", {
+    bannerComment: banner,
+    unreachableDefinitions: false,
+    additionalProperties: false,
+    maxItems: 16,
+  });
+  const file = new URL(`../src/generated/${module}.ts`, import.meta.url);
   if (!check) {
     writeFileSync(file, text);
   } else if (readFileSync(file, "utf8") !== text) {
-    console.error(`ui/src/generated/${name}.ts is stale: run \`make generate\` and commit what it writes`);
+    console.error(`ui/src/generated/${module}.ts is stale: run \`make generate\` and commit what it writes`);
     stale += 1;
   }
 }

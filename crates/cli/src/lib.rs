@@ -1,25 +1,28 @@
-//! The command line: arguments become a [`wirebend_app::Request`], the response becomes text or JSON.
+//! The command line: arguments become a [`wirebend_api::Command`], the response becomes text or JSON.
 //!
 //! What a person reads goes to the error stream, what another program reads to the standard output.
 
+mod again;
 mod args;
+mod contents;
 mod errors;
+pub mod exit;
 mod number;
 mod progress;
 mod render;
 mod requests;
 mod stop;
 mod terminal;
+mod usage;
 
 use std::io::{IsTerminal, Write};
-use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{CommandFactory, FromArgMatches};
-use wirebend_app::{AppError, LiveProblem, Places, Request};
+use wirebend_api::{ApiError, Command, LiveProblem, OperationError, Places, Response};
 
 pub use args::Cli;
-pub use errors::{error_schema, exit};
+pub use errors::error_schema;
 use terminal::Terminal;
 
 /// The arguments, for documentation: completions, manual page, reference.
@@ -33,8 +36,8 @@ pub fn command() -> clap::Command {
 pub fn main() -> ExitCode {
     // The process of a driver is this program too, and knows of nothing else.
     let mut words = std::env::args_os().skip(1);
-    if words.next().is_some_and(|word| word == wirebend_app::CHILD_COMMAND) {
-        return wirebend_app::child_main(&words.collect::<Vec<_>>());
+    if words.next().is_some_and(|word| word == wirebend_api::CHILD_COMMAND) {
+        return wirebend_api::child_main(&words.collect::<Vec<_>>());
     }
     let cli = match command().try_get_matches().and_then(|matches| Cli::from_arg_matches(&matches)) {
         Ok(cli) => cli,
@@ -52,7 +55,7 @@ pub fn main() -> ExitCode {
     }
 }
 
-/// Sends what the program tells about its work to the error stream.
+/// Sends what the program logs about its work to the error stream.
 fn listen(verbose: u8) {
     let level = match verbose {
         0 => tracing::Level::WARN,
@@ -72,45 +75,43 @@ fn listen(verbose: u8) {
 
 fn run(cli: Cli) -> anyhow::Result<u8> {
     let Cli { command, json, profiles, driver_path, runs_folder, .. } = cli;
-    let (request, output) = match requests::prepare(command)? {
-        requests::Prepared::Request(request, output) => (*request, output),
+    let (command, output) = match requests::prepare(command)? {
+        requests::Prepared::Command(command, output) => (*command, output),
         requests::Prepared::Text(text) => {
             std::io::stdout().write_all(&text)?;
             return Ok(exit::DONE);
         }
     };
-    let options = said_again(&profiles, &driver_path, runs_folder.as_deref());
+    again::keep(&profiles, &driver_path, runs_folder.as_deref());
     let own = Places::of_person();
     let runs = runs_folder.or_else(|| own.runs.clone());
-    let app = Places { profiles, drivers: driver_path, runs, ..own }.app()?.with_options(options);
-    for refused in app.refused_profiles() {
-        tracing::warn!("{refused}");
+    let installation = Places { profiles, drivers: driver_path, runs, ..own }.installation()?;
+    for refused in installation.refused_profiles() {
+        let advice = render::advice::of(&refused.remedies()).join("\n  help: ");
+        tracing::warn!("{refused}\n  help: {advice}");
     }
-    if is_live(&request) {
+    if is_live(&command) {
         stop::listen()?;
     }
     let terminal = Terminal::new(json);
-    let response = app.run(&request, &terminal);
+    let response = command.run(&installation, &terminal);
     terminal.finish();
-    let response = match response {
+    let mut response = match response {
         // Ctrl-C is no answer.
-        Err(AppError::Live(LiveProblem::InDoubt { .. })) if stop::was_pressed() => {
-            return Err(AppError::from(LiveProblem::Declined).into());
+        Err(ApiError::Operation(OperationError::Live(LiveProblem::InDoubt { .. })))
+            if stop::was_pressed() =>
+        {
+            return Err(ApiError::from(LiveProblem::Declined).into());
         }
         response => response?,
     };
+    if let Response::Run(found) = &mut response {
+        found.wires.iter_mut().for_each(|wire| wire.resume = wire.resumable.as_ref().map(again::resume));
+    }
     render::show(&response, json, output)
 }
 
-/// The options of this command without which the next one would look elsewhere.
-fn said_again(profiles: &[PathBuf], drivers: &[PathBuf], runs: Option<&Path>) -> Vec<String> {
-    let profiles = profiles.iter().map(|path| ("--profiles", path.as_path()));
-    let drivers = drivers.iter().map(|path| ("--driver-path", path.as_path()));
-    let all = profiles.chain(drivers).chain(runs.map(|path| ("--runs-folder", path)));
-    all.flat_map(|(option, path)| [option.to_owned(), path.display().to_string()]).collect()
-}
-
 /// What may move a machine, so that a stop has to be at hand.
-const fn is_live(request: &Request) -> bool {
-    matches!(request, Request::Run(_) | Request::Jog(_) | Request::Replay(_) | Request::MachineSettings(_))
+const fn is_live(command: &Command) -> bool {
+    matches!(command, Command::Run(_) | Command::Jog(_) | Command::Replay(_) | Command::MachineSettings(_))
 }

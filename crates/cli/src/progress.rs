@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use wirebend_app::{News, Progress};
+use wirebend_api::{Observer, Progress, Snapshot, WireProgress};
 
 use crate::render::number::duration;
 
@@ -53,14 +53,16 @@ impl Progress for Bar {
         self.bar.set_length(of);
         self.bar.set_position(done);
     }
+}
 
-    fn news(&self, news: &News) {
-        let News::Wire { made, of, elapsed_s, remaining_s, .. } = news else { return };
+impl Observer for Bar {
+    fn snapshot(&self, snapshot: &Snapshot) {
+        let Some(WireProgress { made, of, elapsed, remaining, .. }) = snapshot.wire else { return };
         self.appear();
-        self.bar.set_length(u64::from(*of));
-        self.bar.set_position(u64::from(*made));
-        let (elapsed, left) = (duration(*elapsed_s), duration(*remaining_s));
-        let next = (made + 1).min(*of);
+        self.bar.set_length(u64::from(of));
+        self.bar.set_position(u64::from(made));
+        let (elapsed, left) = (duration(elapsed.as_secs_f64()), duration(remaining.as_secs_f64()));
+        let next = (made + 1).min(of);
         self.bar.set_message(format!("step {next} of {of}, {elapsed}, about {left} left"));
     }
 }

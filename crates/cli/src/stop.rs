@@ -7,16 +7,16 @@ use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use anyhow::Context;
-use wirebend_app::{Standstill, StopHandle, StoppedBy};
+use wirebend_api::{Standstill, StopHandle, StoppedBy};
 
-use crate::errors::exit;
+use crate::exit;
 
 /// What stops the machine that is connected, if one is; a process has one terminal and one Ctrl-C.
 static HANDLE: Mutex<Option<StopHandle>> = Mutex::new(None);
 static PRESSED: AtomicBool = AtomicBool::new(false);
-/// When the machine was told to stop last.
+/// When the machine was last ordered to stop.
 static TOLD: Mutex<Option<Instant>> = Mutex::new(None);
-/// Until then the program writes down and tells what came of a stop, and ends; a press meanwhile ends it no sooner.
+/// Until then the program writes down and reports the result of a stop, and ends; a press meanwhile ends it no sooner.
 const ENDING: Duration = Duration::from_secs(3);
 
 /// From here on Ctrl-C, and the signal that asks a program to end, stop the machine: each time they come, for as long as one

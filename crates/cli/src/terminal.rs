@@ -1,10 +1,14 @@
 //! A person at a terminal: they read what happens, and are asked before anything moves.
 
+use std::cell::Cell;
 use std::io::{BufRead, IsTerminal, Write};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
 
-use wirebend_app::{Decision, Doubt, News, NoProgress, PartOfStep, Progress, SeverityName, StopHandle};
+use wirebend_api::{
+    Cancellation, Decision, Doubt, MachineEvent, NoProgress, Observer, PartOfStep, Phase, Progress, Prompt,
+    SeverityName, Snapshot, StopHandle,
+};
 
 use crate::number::number;
 use crate::progress::Bar;
@@ -18,12 +22,14 @@ pub(crate) struct Terminal {
     bar: Option<Bar>,
     /// Whether results are for a program: then nothing but questions is said here.
     json: bool,
+    /// What the machine was in last.
+    phase: Cell<Phase>,
 }
 
 impl Terminal {
     pub fn new(json: bool) -> Self {
         let bar = (std::io::stderr().is_terminal() && !json).then(Bar::new);
-        Self { bar, json }
+        Self { bar, json, phase: Cell::new(Phase::Closed) }
     }
 
     pub fn finish(&self) {
@@ -58,14 +64,14 @@ impl Terminal {
         }
     }
 
-    /// How much of a feed or a turn was made; `None` when they cannot tell.
+    /// How much of a feed or a turn was done; `None` when they do not know.
     fn measured(&self, question: &str, whole: f64) -> Option<f64> {
         if whole.abs() < NOTHING {
             return Some(0.0);
         }
         loop {
             let line =
-                self.prompt(&format!("{question}, between 0 and {whole:.1}? [Enter: I cannot tell]"))?;
+                self.prompt(&format!("{question}, between 0 and {whole:.1}? [Enter: I do not know]"))?;
             let word = line.trim();
             if word.is_empty() {
                 return None;
@@ -77,7 +83,7 @@ impl Terminal {
         }
     }
 
-    /// Asks until one of the answers is given; `None` when nobody is there, or they press Ctrl-C.
+    /// Asks until one of the answers is given; `None` without a user, or when they press Ctrl-C.
     fn ask(&self, question: &str, answers: &[&str]) -> Option<usize> {
         if !is_interactive() {
             return None;
@@ -132,28 +138,45 @@ impl Progress for Terminal {
     fn advance(&self, done: u64, of: u64) {
         self.shown().advance(done, of);
     }
+}
 
-    fn news(&self, news: &News) {
-        match news {
-            News::About { lines } if !self.json || is_interactive() => {
+impl Observer for Terminal {
+    fn event(&self, event: &MachineEvent) {
+        match event {
+            MachineEvent::About { lines } if !self.json || is_interactive() => {
                 for line in lines {
                     self.say(line);
                 }
             }
-            News::Warning { message, .. } if !self.json => {
+            MachineEvent::Warning(problem) if !self.json => {
                 let style = render::severity_style(SeverityName::Warning);
-                self.say(&format!("{style}warning{style:#}: {message}"));
+                self.say(&format!("{style}warning{style:#}: {}", problem.message));
+                for advice in render::advice::of(&problem.remedies) {
+                    self.say(&format!("  help: {advice}"));
+                }
             }
-            News::Paused { .. } if !self.json => self.say("the machine holds"),
-            News::Resumed if !self.json => self.say("the machine goes on"),
             _ => {}
         }
-        self.shown().news(news);
     }
 
+    fn snapshot(&self, snapshot: &Snapshot) {
+        match (self.phase.replace(snapshot.phase), snapshot.phase) {
+            (before, Phase::Holding) if before != Phase::Holding && !self.json => {
+                self.say("the machine holds");
+            }
+            (Phase::Holding, Phase::Making) if !self.json => self.say("the machine resumes"),
+            _ => {}
+        }
+        if let Some(bar) = &self.bar {
+            bar.snapshot(snapshot);
+        }
+    }
+}
+
+impl Prompt for Terminal {
     fn confirm(&self, question: &str) -> Option<bool> {
         let said = self.ask(question, &["yes", "No"]);
-        // Who presses Ctrl-C has answered.
+        // A user who presses Ctrl-C has answered.
         said.map(|answer| answer == 0).or(stop::was_pressed().then_some(false))
     }
 
@@ -162,16 +185,16 @@ impl Progress for Terminal {
             return None;
         }
         self.say(&format!("{doubt}. Look at the wire."));
-        match self.ask("Was this step made to its end?", &["yes", "no", "I do not know"])? {
+        match self.ask("Was this step finished?", &["yes", "no", "I do not know"])? {
             0 => return Some(Decision::Made),
             1 => {}
             _ => self.say(
-                "Count the bends of the wire: with the bend of this step in it, the step was made. Without it, measure.",
+                "Count the bends of the wire: with the bend of this step in it, the step is done. Without it, measure.",
             ),
         }
-        let whole = doubt.told.bend_deg;
+        let whole = doubt.commanded.bend_deg;
         self.say(&format!(
-            "Its bend of {whole:.1}° is made from the beginning, so that only feed and rotation count."
+            "Its bend of {whole:.1}° starts from the beginning, so that only feed and rotation count."
         ));
         if let Some(part) = doubt.counted {
             let counted = format!(
@@ -184,8 +207,8 @@ impl Progress for Terminal {
                 _ => return None,
             }
         }
-        let feed_mm = self.measured("How many mm of it were fed", doubt.told.feed_mm)?;
-        let rotate_deg = self.measured("How many degrees was it turned", doubt.told.rotate_deg)?;
+        let feed_mm = self.measured("How many mm of it were fed", doubt.commanded.feed_mm)?;
+        let rotate_deg = self.measured("How many degrees was it turned", doubt.commanded.rotate_deg)?;
         Some(Decision::Part(PartOfStep { feed_mm, rotate_deg }))
     }
 
@@ -206,7 +229,9 @@ impl Progress for Terminal {
             }
         }
     }
+}
 
+impl Cancellation for Terminal {
     fn connected(&self, handle: &StopHandle) {
         stop::connect(Some(handle));
     }

@@ -1,5 +1,6 @@
 //! What a wire takes: time, stock, mass and money.
 
+use crate::bend::Step;
 use crate::compensate::CompensatedProgram;
 use crate::units::{Angle, Length};
 
@@ -16,7 +17,41 @@ pub struct TimeModel {
     pub fixed_per_bend_s: f64,
 }
 
+/// How long the parts of a step take, in s.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct StepSeconds {
+    /// Feed.
+    pub feed: f64,
+    /// Turn of the head.
+    pub rotate: f64,
+    /// The bend axis out to the commanded angle and back.
+    pub bend: f64,
+    /// What a bend takes besides: the peg comes out and goes in.
+    pub wait: f64,
+}
+
+impl StepSeconds {
+    /// The whole step.
+    #[must_use]
+    pub fn total(&self) -> f64 {
+        self.feed + self.rotate + self.bend + self.wait
+    }
+}
+
 impl TimeModel {
+    /// How long the parts of a step take as the machine is told it.
+    #[must_use]
+    pub fn step_seconds(&self, told: &Step) -> StepSeconds {
+        let bends = told.bend != Angle::ZERO;
+        let wait = if bends { self.fixed_per_bend_s } else { 0.0 };
+        StepSeconds {
+            feed: told.feed.abs().mm() / self.feed_mm_per_s,
+            rotate: told.rotate.abs().deg() / self.rotate_deg_per_s,
+            bend: if bends { self.bend_seconds(told.bend) - wait } else { 0.0 },
+            wait,
+        }
+    }
+
     /// Seconds for a bend: out to the commanded angle, back, and what every bend takes.
     #[must_use]
     pub fn bend_seconds(&self, command: Angle) -> f64 {
@@ -26,7 +61,7 @@ impl TimeModel {
     /// Seconds for a program: each feed, turn of the head and bend after the other.
     #[must_use]
     pub fn seconds(&self, program: &CompensatedProgram) -> f64 {
-        let step_seconds = |step: &crate::bend::Step| {
+        let step_seconds = |step: &Step| {
             let bend = if step.bend == Angle::ZERO { 0.0 } else { self.bend_seconds(step.bend) };
             step.feed.abs().mm() / self.feed_mm_per_s + step.rotate.abs().deg() / self.rotate_deg_per_s + bend
         };

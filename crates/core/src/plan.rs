@@ -3,7 +3,9 @@
 use nalgebra::Point3;
 
 use crate::bend::{Frame, NominalProgram, PathError, program_of_path};
-use crate::checks::{Code, Diagnostic, MachineLimits, Place, Severity, Sourced, Wire, check_wire};
+use crate::checks::{
+    Diagnostic, Fact, Location, MachineLimits, Remedy, Severity, Sourced, WireStages, check_wire,
+};
 use crate::compensate::{CompensatedProgram, Compensation, StepError, compensate};
 use crate::estimate::{TimeModel, WireModel, stock};
 use crate::route::{Doubling, Route, RouteError, RouteOptions, doubling, route};
@@ -12,9 +14,9 @@ use crate::units::{Angle, Length};
 use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
 
 /// Odd vertices up to which a doubling is proposed without being asked for: a fraction of a second.
-const MOST_ODD_PROPOSED: usize = 400;
+const MAX_ODD_PROPOSED: usize = 400;
 /// Odd vertices up to which it is found when asked for: some seconds, and 150 MiB.
-const MOST_ODD_ASKED: usize = 1500;
+const MAX_ODD_ASKED: usize = 1500;
 
 /// A machine with a wire in it: everything that the stages ask about.
 #[derive(Debug, Clone, PartialEq)]
@@ -139,17 +141,17 @@ pub fn plan_wire(
 ) -> WirePlan {
     let mut refusals = Vec::new();
     let asked = options.doubling == DoublingChoice::Cheapest;
-    let most_odd = if asked { MOST_ODD_ASKED } else { MOST_ODD_PROPOSED };
+    let max_odd = if asked { MAX_ODD_ASKED } else { MAX_ODD_PROPOSED };
     let proposal = match &options.settled {
         Some(_) => Ok(Doubling::default()),
-        None => doubling(wireframe, component, options.start, options.closed, most_odd),
+        None => doubling(wireframe, component, options.start, options.closed, max_odd),
     };
     let proposal = match proposal {
         Ok(proposal) => proposal,
         // Nobody has asked for it: the check of odd vertices says enough.
         Err(RouteError::TooManyOdd { .. }) if !asked => Doubling::default(),
         Err(error) => {
-            refusals.push(refusal(&error));
+            refusals.push(refusal(error, None));
             Doubling::default()
         }
     };
@@ -179,12 +181,16 @@ pub fn plan_wire(
             Ok(found) => plan.route = Some(found),
             // The check of odd vertices says it with the cheapest way out.
             Err(RouteError::Odd { .. }) => {}
-            Err(error) => refusals.push(refused_start(refusal(&error), &error, &plan.proposal)),
+            Err(error) => {
+                let proposal = Some(&plan.proposal).filter(|proposal| !proposal.edges.is_empty());
+                let doubling = proposal.map(|proposal| Remedy::double(proposal, wireframe, component));
+                refusals.push(refusal(error, doubling));
+            }
         }
     }
     done(Stage::Route);
     run_stages(wireframe, machine, &mut plan, &mut failures, &mut done);
-    plan.diagnostics = check_wire(&Wire {
+    plan.diagnostics = check_wire(&WireStages {
         wireframe,
         component,
         doubled: &plan.doubled,
@@ -204,7 +210,7 @@ pub fn plan_wire(
         limits: &machine.limits,
     });
     plan.diagnostics.extend(refusals);
-    plan.diagnostics.extend(failures.path.map(|error| path_failure(&plan, &error)));
+    plan.diagnostics.extend(failures.path.map(|error| path_failure(&plan, error)));
     plan.diagnostics.sort_by_key(|diagnostic| diagnostic.severity);
     done(Stage::Check);
     plan
@@ -239,7 +245,7 @@ fn find_route(
                 doubled: plan.doubled.clone(),
                 start: options.start,
                 closed: options.closed,
-                sharpest_bend: Some(limits.largest_bend.value.max(-limits.least_bend.value)),
+                max_bend: Some(limits.max_bend.value.max(-limits.min_bend.value)),
             },
         )?,
     };
@@ -268,7 +274,7 @@ fn run_stages(
     done(Stage::Program);
     let limits = &machine.limits;
     let bend_seconds = |bend: Angle| {
-        let within = bend >= limits.least_bend.value && bend <= limits.largest_bend.value;
+        let within = bend >= limits.min_bend.value && bend <= limits.max_bend.value;
         let command = machine.compensation.bend.command(bend).ok().filter(|_| within)?;
         Some(machine.time.bend_seconds(command))
     };
@@ -292,58 +298,40 @@ fn run_stages(
     done(Stage::Compensate);
 }
 
-fn refusal(error: &RouteError) -> Diagnostic {
-    let place = match error {
-        RouteError::Start { start, .. } | RouteError::StartElsewhere(start) => Place::at_vertices([*start]),
-        RouteError::DoubledElsewhere(edge) => Place::at_edges([*edge]),
-        RouteError::Odd { odd, .. } => Place::at_vertices(odd.iter().copied()),
-        RouteError::NoEdges | RouteError::TooManyOdd { .. } => Place::default(),
-        RouteError::TooManyEnds { vertex, .. } => Place::at_vertices([*vertex]),
-    };
-    Diagnostic {
-        code: Code::RouteRefused,
-        severity: Severity::Error,
-        place,
-        measured: None,
-        limit: None,
-        message: error.to_string(),
-        help: match error {
-            RouteError::TooManyOdd { .. } | RouteError::TooManyEnds { .. } => {
-                "divide the design into several wires"
-            }
-            RouteError::NoEdges => "draw edges",
-            _ => "choose another start, or let the planner choose",
+/// The finding of a route that cannot be had.
+fn refusal(error: RouteError, doubling: Option<Remedy>) -> Diagnostic {
+    let location = match &error {
+        RouteError::Start { start, .. } | RouteError::StartElsewhere(start) => {
+            Location::at_vertices([*start])
         }
-        .to_owned(),
-    }
-}
-
-/// A start that no walk has is one after the edges of the proposal are travelled twice.
-fn refused_start(refusal: Diagnostic, error: &RouteError, proposal: &Doubling) -> Diagnostic {
-    if !matches!(error, RouteError::Start { .. }) || proposal.edges.is_empty() {
-        return refusal;
-    }
-    let edges = match proposal.edges.len() {
-        1 => "1 edge".to_owned(),
-        count => format!("{count} edges"),
+        RouteError::DoubledElsewhere(edge) => Location::at_edges([*edge]),
+        RouteError::Odd { odd, .. } => Location::at_vertices(odd.iter().copied()),
+        RouteError::NoEdges | RouteError::TooManyOdd { .. } => Location::default(),
+        RouteError::TooManyEnds { vertex, .. } => Location::at_vertices([*vertex]),
     };
-    let help = format!("{}, or travel {edges} twice: that adds {:.1}", refusal.help, proposal.added);
-    Diagnostic { help, ..refusal }
+    let mut remedies = match error {
+        RouteError::TooManyOdd { .. } | RouteError::TooManyEnds { .. } => vec![Remedy::SplitDesign],
+        RouteError::NoEdges => vec![Remedy::DrawEdges],
+        RouteError::Start { .. }
+        | RouteError::StartElsewhere(_)
+        | RouteError::DoubledElsewhere(_)
+        | RouteError::Odd { .. } => vec![Remedy::ChooseStart, Remedy::LeaveStartOpen],
+    };
+    // A start that no walk has is possible once the proposed edges are doubled.
+    remedies.extend(doubling.filter(|_| matches!(error, RouteError::Start { .. })));
+    Diagnostic { severity: Severity::Error, location, fact: Fact::RouteRefused(error), remedies }
 }
 
-/// A segment without length: the check of the design names the edge, this one the route.
-fn path_failure(plan: &WirePlan, error: &PathError) -> Diagnostic {
+/// The finding of a route with a segment without length. The check of the design names the edge by its vertices too.
+fn path_failure(plan: &WirePlan, error: PathError) -> Diagnostic {
     let traversal = match error {
-        PathError::NoDirection(k) => plan.route.as_ref().and_then(|route| route.traversals.get(*k)),
+        PathError::NoDirection(k) => plan.route.as_ref().and_then(|route| route.traversals.get(k)),
         PathError::TooShort(_) => None,
     };
     Diagnostic {
-        code: Code::ZeroLengthEdge,
         severity: Severity::Error,
-        place: Place::at_edges(traversal.map(|t| t.edge)),
-        measured: None,
-        limit: None,
-        message: error.to_string(),
-        help: "delete the edge, or merge its two vertices".to_owned(),
+        location: Location::at_edges(traversal.map(|t| t.edge)),
+        fact: Fact::NoPath(error),
+        remedies: vec![Remedy::DeleteEdge, Remedy::MergeVertices],
     }
 }

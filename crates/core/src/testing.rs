@@ -26,19 +26,20 @@ fn paper<T>(value: T) -> Sourced<T> {
 pub(crate) fn published_machine() -> Machine {
     Machine {
         limits: MachineLimits {
-            least_bend: paper(deg(-155.0)),
-            largest_bend: paper(deg(155.0)),
-            least_edge: paper(mm(20.4)),
-            least_feed: paper(mm(25.0)),
-            most_feed: None,
-            most_stock: None,
+            min_bend: paper(deg(-155.0)),
+            max_bend: paper(deg(155.0)),
+            min_edge: paper(mm(20.4)),
+            min_feed: paper(mm(25.0)),
+            max_feed: None,
+            max_stock: None,
             tail: paper(mm(400.0)),
-            least_diameter: paper(mm(2.8)),
-            most_diameter: paper(mm(3.2)),
-            head_sources: ["the paper".to_owned(), "the paper".to_owned()],
+            min_diameter: paper(mm(2.8)),
+            max_diameter: paper(mm(3.2)),
+            min_rotation_source: "the paper".to_owned(),
+            max_rotation_source: "the paper".to_owned(),
             axis_source: "the paper".to_owned(),
         },
-        head: HeadLimits { least: deg(-360.0), most: deg(360.0), seconds_per_degree: 1.0 / 131.3 },
+        head: HeadLimits { min: deg(-360.0), max: deg(360.0), seconds_per_degree: 1.0 / 131.3 },
         compensation: Compensation {
             feed: Some(FeedModel::new(mm(1.5), mm(3.0), 0.3)),
             bend: BendModel {

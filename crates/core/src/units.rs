@@ -232,14 +232,6 @@ impl fmt::Display for Angle {
     }
 }
 
-/// The digits behind the point, at least `least`, with which two values read differently: a value that is beyond a
-/// limit is never told with the same digits as the limit. Nine at most, below which nothing here tells values apart.
-#[must_use]
-pub fn digits_apart(value: f64, limit: f64, least: usize) -> usize {
-    let alike = |&digits: &usize| format!("{value:.digits$}") == format!("{limit:.digits$}");
-    least + (least..9).take_while(alike).count()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -251,15 +243,6 @@ mod tests {
             assert!(Length::from_mm(bad).is_err());
             assert!(Angle::from_deg(bad).is_err());
             assert!(Angle::from_rad(bad).is_err());
-        }
-    }
-
-    #[test]
-    fn what_differs_reads_differently() {
-        for (value, limit, digits) in
-            [(155.0001, 155.0, 4), (160.0, 155.0, 1), (20.399_999, 20.4, 6), (1.0, 1.0, 9)]
-        {
-            assert_eq!(digits_apart(value, limit, 1), digits, "{value} beside {limit}");
         }
     }
 

@@ -15,14 +15,14 @@ pub enum Call {
     Encode(Box<Encode>),
     /// Lists the ports of this computer. Needs no connection. Reply: [`Ports`](crate::Ports). Since 1.1.
     Ports,
-    /// Tells how far the axes go and how fast, with the settings of this instance. Needs no connection. Reply:
+    /// Reports how far the axes go and how fast, with the settings of this instance. Needs no connection. Reply:
     /// [`Limits`](crate::Limits). Since 1.2.
     Limits,
     /// Opens a port and greets the machine. Reply: `{}`; then the event `connected` or `fault`.
     Connect {
         /// Name of the port, such as `/dev/ttyUSB0` or `COM3`.
         port: String,
-        /// Token of an earlier arming: the driver tries to go on with the machine's own session, and says in
+        /// Token of an earlier arming: the driver tries to resume the machine's own session, and says in
         /// `connected` whether the machine still is in it. Nothing moves for it. Since 1.1.
         #[serde(default)]
         resume: Option<String>,
@@ -45,12 +45,31 @@ pub enum Call {
     Jog(Motion),
     /// Holds. Reply: `{}`; then `paused`.
     Pause,
-    /// Goes on. Reply: `{}`; then `resumed`.
+    /// Resumes. Reply: `{}`; then `resumed`.
     Resume,
     /// Stops at once. Reply: `{}`; then `stopped`. Always allowed once connected.
     Stop,
     /// Writes the driver's settings to the machine, for good. Reply: `{}`; then `settings-written` or `fault`.
     /// Nothing moves. Since 1.1.
+    WriteSettings,
+}
+
+/// The name of a request: it is read first, so that what a driver does not know is told apart from what is damaged.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum CallName {
+    Encode,
+    Ports,
+    Limits,
+    Connect,
+    Disconnect,
+    Home,
+    Arm,
+    Send,
+    Jog,
+    Pause,
+    Resume,
+    Stop,
     WriteSettings,
 }
 
@@ -63,7 +82,7 @@ pub struct Encode {
     pub job: Job,
 }
 
-/// The wire that is about to be made.
+/// The wire that is about to be bent.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Run {
     /// Hash of the job.
@@ -83,12 +102,13 @@ pub struct Run {
     pub wire: usize,
     /// How many steps it has.
     pub steps: u32,
-    /// How many of them are made already: numbers go on at the one after. Since 1.1.
+    /// How many of them are done already: numbers continue at the one after. Since 1.1.
     #[serde(default)]
     pub after: u32,
     /// Where the head stands, degrees from its reference, in the machine's signs: the sum of what the steps that
-    /// are made have turned it, and of what is turned of the next. A machine that has lost its head takes it to stand there. One that has found its
-    /// reference anew, so that the head stands at zero, turns it there before the next step. Since 1.1.
+    /// are done have turned it, and of what is turned of the next. A machine that has lost its head takes it to
+    /// stand there. One that was homed again, so that the head stands at zero, turns it there before the next step.
+    /// Since 1.1.
     #[serde(default)]
     pub rotate_at_deg: f64,
     /// How much of the step after `after` is fed already, mm: a step that was interrupted, of which the rest is sent under
@@ -109,7 +129,7 @@ pub struct ArmedReply {
     pub token: Option<String>,
 }
 
-/// Steps to be made one after the other.
+/// Steps to be run one after the other.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Batch {
     /// In order, without gaps.
@@ -121,7 +141,7 @@ pub struct Batch {
 /// A step of the machine with its place in the wire.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct NumberedStep {
-    /// From 1. A driver takes a number once; what it has taken already it acknowledges and does not make again.
+    /// From 1. A driver takes a number once; what it has taken already it acknowledges and does not run again.
     pub n: u32,
     /// Feed, rotate and bend in the machine's signs.
     #[serde(flatten)]

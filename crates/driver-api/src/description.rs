@@ -40,9 +40,9 @@ pub enum Capability {
     Jog,
     /// Finds the machine's reference.
     Home,
-    /// Holds the machine so that it can go on.
+    /// Holds the machine so that it can resume.
     Pause,
-    /// Goes on after a pause.
+    /// Resumes after a pause.
     Resume,
     /// Stops the machine at once.
     Stop,
@@ -72,7 +72,7 @@ pub struct FormatDescription {
     /// How many files come of several wires.
     #[serde(default)]
     pub files: Files,
-    /// Whether a machine runs it. Then it is not written of what cannot be made, unless a person says so.
+    /// Whether a machine runs it. Then it is not written for a design that cannot be made, unless a person says so.
     #[serde(default = "yes")]
     pub program: bool,
 }
@@ -87,7 +87,7 @@ const fn yes() -> bool {
 pub enum Content {
     /// The wire as designed, in canonical signs: for machines that compensate on their own.
     Design,
-    /// What the machine's axes are told: compensated, in the machine's signs. Written for the machine
+    /// What is sent to the machine's axes: compensated, in the machine's signs. Written for the machine
     /// of the job alone.
     Machine,
 }

@@ -3,9 +3,12 @@
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
+use serde::de::IntoDeserializer;
+use serde::de::value::{Error as ValueError, StrDeserializer};
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 
+use crate::call::CallName;
 use crate::{Call, Description, DriverError, MachineDriver, MachineSession, Ports};
 
 /// What a function of the table answers: JSON, or a refusal.
@@ -57,7 +60,7 @@ impl<D: MachineDriver> Instance<D> {
         })
     }
 
-    /// What panicked once is in no state to go on.
+    /// What panicked once is in no state to continue.
     fn guarded(&mut self, work: impl FnOnce(&mut Self) -> Answer) -> Answer {
         if self.panicked {
             let message = "the driver failed in an earlier call";
@@ -111,24 +114,20 @@ fn parse(request: &[u8]) -> Result<Call, DriverError> {
     let unreadable = |error: serde_json::Error| {
         DriverError::new("request", format!("the request cannot be read: {error}"), "see the schema of calls")
     };
-    let named: Named = serde_json::from_slice(request).map_err(unreadable)?;
+    let Named { call } = serde_json::from_slice(request).map_err(unreadable)?;
+    let text: StrDeserializer<'_, ValueError> = call.as_str().into_deserializer();
+    let Ok(name) = CallName::deserialize(text) else {
+        let message = format!("'{call}' is not a call that this driver knows");
+        let help = "it may be older than the program: look for a newer one";
+        return Err(DriverError::new("unknown-call", message, help));
+    };
     // A job is large, and reading it through the enum would hold all of it twice.
-    if named.call == "encode" {
+    if name == CallName::Encode {
         return serde_json::from_slice(request)
             .map(|asked| Call::Encode(Box::new(asked)))
             .map_err(unreadable);
     }
-    serde_json::from_slice(request).map_err(|error| {
-        if error.to_string().starts_with("unknown variant") {
-            let message = format!("'{}' is not a call that this driver knows", named.call);
-            return DriverError::new(
-                "unknown-call",
-                message,
-                "it may be older than the program: look for a newer one",
-            );
-        }
-        unreadable(error)
-    })
+    serde_json::from_slice(request).map_err(unreadable)
 }
 
 fn to_json(value: &impl Serialize) -> Answer {
@@ -150,4 +149,65 @@ pub(crate) fn guard<T>(work: impl FnOnce() -> Result<T, DriverError>) -> Result<
 fn said(cause: &(dyn Any + Send)) -> &str {
     let text = cause.downcast_ref::<&str>().copied();
     text.or_else(|| cause.downcast_ref::<String>().map(String::as_str)).unwrap_or("without a word")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::conformance::sample_job;
+    use crate::{Axis, Batch, Encode, Motion, Run};
+
+    /// The name of every call: a new one does not compile here before it has one.
+    const fn name(call: &Call) -> CallName {
+        match call {
+            Call::Encode(_) => CallName::Encode,
+            Call::Ports => CallName::Ports,
+            Call::Limits => CallName::Limits,
+            Call::Connect { .. } => CallName::Connect,
+            Call::Disconnect => CallName::Disconnect,
+            Call::Home { .. } => CallName::Home,
+            Call::Arm(_) => CallName::Arm,
+            Call::Send(_) => CallName::Send,
+            Call::Jog(_) => CallName::Jog,
+            Call::Pause => CallName::Pause,
+            Call::Resume => CallName::Resume,
+            Call::Stop => CallName::Stop,
+            Call::WriteSettings => CallName::WriteSettings,
+        }
+    }
+
+    /// A driver that took a call of its own for an unknown one would be of no use to the program.
+    #[test]
+    fn every_call_is_known_by_its_name() {
+        let calls = [
+            Call::Encode(Box::new(Encode { format: "x".to_owned(), job: sample_job() })),
+            Call::Ports,
+            Call::Limits,
+            Call::Connect { port: "p".to_owned(), resume: None },
+            Call::Disconnect,
+            Call::Home { head_at_deg: None },
+            Call::Arm(Run::default()),
+            Call::Send(Batch { steps: Vec::new(), last: true }),
+            Call::Jog(Motion { axis: Axis::Feed, by: 1.0 }),
+            Call::Pause,
+            Call::Resume,
+            Call::Stop,
+            Call::WriteSettings,
+        ];
+        for call in calls {
+            let parsed = parse(&serde_json::to_vec(&call).unwrap());
+            assert_eq!(parsed.as_ref().map(name), Ok(name(&call)), "{parsed:?}");
+        }
+    }
+
+    #[test]
+    fn an_unknown_call_is_told_apart_from_a_damaged_one() {
+        let code = |request: &str| parse(request.as_bytes()).unwrap_err().code;
+        assert_eq!(code(r#"{"call":"fold"}"#), "unknown-call");
+        for damaged in
+            [r#"{"call":"connect"}"#, r#"{"call":7}"#, "{}", r#"{"call":"jog","axis":"unknown variant"}"#]
+        {
+            assert_eq!(code(damaged), "request", "{damaged}");
+        }
+    }
 }

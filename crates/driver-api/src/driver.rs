@@ -41,13 +41,13 @@ pub trait MachineDriver: Sized + 'static {
     /// computer.
     ///
     /// # Errors
-    /// [`DriverError`] when the system does not tell.
+    /// [`DriverError`] when the system does not report it.
     fn ports(&self) -> Result<Vec<Port>, DriverError> {
         Err(DriverError::unsupported("list ports"))
     }
 
     /// Opens a port. Does not wait for the machine: its greeting is reported by `poll`. With the token of an
-    /// earlier arming in `resume` it tries to go on with the machine's own session, and `connected` tells
+    /// earlier arming in `resume` it tries to resume the machine's own session, and `connected` reports
     /// whether the machine still is in it; a driver without such sessions passes over it.
     ///
     /// # Errors
@@ -64,7 +64,7 @@ pub trait MachineDriver: Sized + 'static {
 /// `jog` only when the state of the session allows it; a driver refuses what it knows to be wrong all
 /// the same.
 pub trait MachineSession {
-    /// Finds the machine's reference. Where a person brings the axes there, as `connected` has told
+    /// Finds the machine's reference. Where a person brings the axes there, as `connected` has reported
     /// ([`ReferenceBy::Person`](crate::ReferenceBy::Person)), nothing moves: they stand there now.
     ///
     /// # Errors
@@ -73,7 +73,7 @@ pub trait MachineSession {
         Err(DriverError::unsupported("home the machine"))
     }
 
-    /// The same for a machine that has told [`HeadBy::Program`](crate::HeadBy::Program): the head stands so many degrees
+    /// The same for a machine that has reported [`HeadBy::Program`](crate::HeadBy::Program): the head stands so many degrees
     /// from its zero, in the machine's signs, and is turned back there.
     ///
     /// # Errors
@@ -83,7 +83,7 @@ pub trait MachineSession {
     }
 
     /// Makes ready for a wire, or for the rest of one: steps come from the one after [`Run::after`] on. Nothing
-    /// moves. While the machine goes on with the session of an earlier token, the run is that of the token, and
+    /// moves. While the machine resumes the session of an earlier token, the run is that of the token, and
     /// what the machine has taken already it keeps.
     ///
     /// # Errors
@@ -113,7 +113,7 @@ pub trait MachineSession {
         Err(DriverError::unsupported("hold the machine"))
     }
 
-    /// Goes on after a pause.
+    /// Resumes after a pause.
     ///
     /// # Errors
     /// [`DriverError`].
@@ -131,7 +131,7 @@ pub trait MachineSession {
     /// Writes the driver's settings to the machine, for good. Nothing moves.
     ///
     /// # Errors
-    /// [`DriverError`], such as while a wire is made.
+    /// [`DriverError`], such as while a wire is bent.
     fn write_settings(&mut self) -> Result<(), DriverError> {
         Err(DriverError::unsupported("write settings to the machine"))
     }

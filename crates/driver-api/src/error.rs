@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 /// A refusal, for a person to read and for a program to tell apart.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema, thiserror::Error)]
-#[error("{message}{}{help}", if help.is_empty() { "" } else { "; " })]
+#[error("{message}")]
 #[schemars(deny_unknown_fields)]
 pub struct DriverError {
     /// A name of lower-case letters, digits and hyphens that stays the same while the wording may change.

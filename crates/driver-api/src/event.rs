@@ -20,16 +20,16 @@ pub enum Event {
         #[serde(default)]
         homed: bool,
         /// The machine still is in the session of the token that `connect` was given; absent when it is not, as
-        /// after a reset, or cannot tell. Since 1.1.
-        #[serde(default)]
-        going_on: Option<GoingOn>,
-        /// Who brings the axes to their reference. Since 1.2.
+        /// after a reset, or cannot report that. Since 1.1.
+        #[serde(default, rename = "going_on")]
+        resume: Option<ResumeState>,
+        /// Whether the machine or a person brings the axes to their reference. Since 1.2.
         #[serde(default)]
         reference: ReferenceBy,
-        /// Who says that a step is made. Since 1.2.
+        /// What reports that a step is done. Since 1.2.
         #[serde(default)]
         done_by: DoneBy,
-        /// Who knows where the head stands. Since 1.3.
+        /// What knows where the head stands. Since 1.3.
         #[serde(default)]
         head: HeadBy,
         /// What the machine itself says of how far its axes go and how fast at most, in the units of its driver's
@@ -39,12 +39,12 @@ pub enum Event {
     },
     /// The machine has found its reference, or has taken the place where it stands as that.
     Homed,
-    /// A step has been made: the machine says so, or its time is over where no machine says anything.
+    /// A step is done: the machine reports it, or its time is over where no machine reports anything.
     Done {
         /// The step.
         n: u32,
     },
-    /// The last step has been made and the machine is at rest.
+    /// The last step is done and the machine is at rest.
     Finished,
     /// A jog is over.
     Jogged,
@@ -54,7 +54,7 @@ pub enum Event {
         #[serde(default)]
         by: PausedBy,
     },
-    /// The machine goes on.
+    /// The machine resumes.
     Resumed,
     /// The machine has stopped.
     Stopped {
@@ -62,12 +62,12 @@ pub enum Event {
         homed: bool,
     },
     /// The machine stands in the middle of a step, and has not begun those after it; every step before was reported.
-    /// Told before `stopped` or `fault`, or after a `fault` as soon as the machine stands. Since 1.2.
+    /// Reported before `stopped` or `fault`, or after a `fault` as soon as the machine stands. Since 1.2.
     PartMade {
         /// The step.
         step: u32,
-        /// How much of its feed and its rotation was made, and where the bend axis stands, in the machine's signs; absent
-        /// when the machine cannot tell.
+        /// How much of its feed and its rotation was done, and where the bend axis stands, in the machine's signs; absent
+        /// when the machine does not count that.
         #[serde(default)]
         made: Option<Step>,
         /// The axis that was on its way stands exactly there. False where it may have lost steps as it stopped.
@@ -85,7 +85,7 @@ pub enum Event {
         #[serde(default)]
         limits: Limits,
     },
-    /// The wire as a simulated machine made it; sent before `finished`. In the frame of the turtle at the start
+    /// The wire as a simulated machine bent it; sent before `finished`. In the frame of the turtle at the start
     /// of the wire: it is at the origin and looks along +x, +z is the axis of the bend. Since 1.1.
     Made {
         /// Points along its middle, mm.
@@ -107,8 +107,8 @@ pub enum Event {
         /// What happened and what to do.
         #[serde(flatten)]
         error: DriverError,
-        /// The step of which nobody knows whether it was made: the machine has not begun those after it, and will not.
-        /// Absent where there is none, and where a machine that still has steps may go on by itself.
+        /// The step in doubt, of which it is not known whether it was done: the machine has not begun those after it,
+        /// and will not. Absent where there is none, and where a machine that still has steps may resume by itself.
         #[serde(default)]
         in_doubt: Option<u32>,
         /// Whether the port is closed.
@@ -121,7 +121,7 @@ pub enum Event {
     Unknown,
 }
 
-/// Who brings the axes to their reference.
+/// Whether the machine or a person brings the axes to their reference.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum ReferenceBy {
@@ -133,19 +133,19 @@ pub enum ReferenceBy {
     Person,
 }
 
-/// Who says that a step is made.
+/// What reports that a step is done.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum DoneBy {
     /// The machine.
     #[default]
     Machine,
-    /// Nobody: the machine acknowledges nothing, and a step counts as made when its time is over. What was sent is not
-    /// known to be made, not even that there is a machine.
+    /// The clock: the machine acknowledges nothing, and a step counts as done when its time is over. What was sent is not
+    /// known to be done, not even that there is a machine.
     Clock,
 }
 
-/// Who knows where the head stands, of which a cable allows a turn or less either way.
+/// What knows where the head stands, of which a cable allows a turn or less either way.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum HeadBy {
@@ -157,7 +157,7 @@ pub enum HeadBy {
     /// with `home` the program says where that is, and `home` turns it back to zero. A `position` right before a `fault`
     /// is where the machine stands then, as before `stopped`.
     Program,
-    /// The same, but the machine has not forgotten it since the wire of `resume` began, and need not be told.
+    /// The same, but the machine has not forgotten it since the wire of `resume` began, and need not be set.
     Kept,
 }
 
@@ -169,18 +169,19 @@ pub enum PausedBy {
     Program,
     /// The machine has not heard of the program for too long.
     Silence,
-    /// Something at the machine, such as a button or a door; or nobody can tell. A person has to say whether it
-    /// may go on.
+    /// Something at the machine, such as a button or a door; or it cannot be known. A person has to confirm that it
+    /// may resume.
     #[default]
     Machine,
 }
 
 /// Where a machine is in a session that was begun before, in the numbers of the wire's steps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-pub struct GoingOn {
-    /// The last step that it has taken. It makes it without being told again.
+#[schemars(rename = "GoingOn")] // as schemas have named it from the first
+pub struct ResumeState {
+    /// The last step that it has taken. It runs it without being sent it again.
     pub accepted: u32,
-    /// The last that it has made.
+    /// The last that it has done.
     pub done: u32,
 }
 

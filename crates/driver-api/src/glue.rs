@@ -84,7 +84,7 @@ unsafe extern "C" fn close_c<D: MachineDriver>(instance: *mut c_void) {
     if !instance.is_null() {
         // SAFETY: `instance` came from `open_c::<D>` and is not used again.
         let instance = unsafe { Box::from_raw(instance.cast::<Instance<D>>()) };
-        // A driver that panics while it closes has nothing left to tell.
+        // A driver that panics while it closes has nothing left to report.
         let _ = catch_unwind(AssertUnwindSafe(move || drop(instance)));
     }
 }

@@ -19,7 +19,7 @@ pub struct Job {
     pub material: MaterialRef,
     /// Centreline radius of the machine's bends, mm.
     pub bend_radius_mm: f64,
-    /// The wires, in the order in which they are made.
+    /// The wires, in the order in which they are bent.
     pub wires: Vec<Wire>,
 }
 
@@ -50,7 +50,7 @@ pub struct Wire {
     pub path_mm: Vec<[f64; 3]>,
     /// The wire as designed: lengths from corner to corner, angles as they shall be, canonical signs.
     pub design: Vec<DesignStep>,
-    /// What the machine's axes are told for each step of `design`: scheduled, compensated, in the
+    /// What is sent to the machine's axes for each step of `design`: scheduled, compensated, in the
     /// machine's signs. Absent where the checks let none be made.
     #[serde(default)]
     pub machine: Option<Vec<Step>>,
@@ -77,7 +77,8 @@ pub struct Step {
     pub bend_deg: f64,
 }
 
-/// A step of the design, with the length of its straight part.
+/// A step of the design, with the length of its straight part: a type of its own, because its signs are the canonical ones
+/// while those of a [`Step`] are the machine's.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct DesignStep {
     /// How far the wire is fed, from corner to corner, mm.

@@ -6,7 +6,7 @@
 //! the JSON Schema of every message.
 //!
 //! In Rust a driver implements [`MachineDriver`] (and [`MachineSession`] when it moves a machine) and
-//! ends with [`export_driver!`]; nothing in it is unsafe. [`conformance`] tells whether it keeps the
+//! ends with [`export_driver!`]; nothing in it is unsafe. [`conformance`] reports whether it keeps the
 //! rules.
 //!
 //! Lengths are millimetres, angles degrees. Which way is positive: see [`Step`].
@@ -16,6 +16,8 @@
 //!
 //! **Time.** A call starts something and returns; what becomes of it comes by `poll`. Only `encode` may
 //! take long. Deadlines are in [`deadline`]; a driver that misses one is ended.
+
+#![deny(missing_docs)]
 
 mod abi;
 mod bench;
@@ -30,6 +32,7 @@ mod event;
 mod glue;
 mod job;
 mod limits;
+mod number;
 mod port;
 mod schemas;
 #[cfg(feature = "serial")]
@@ -46,10 +49,11 @@ pub use call::{
 pub use description::{Capability, Content, Description, Files, FormatDescription};
 pub use driver::{MachineDriver, MachineSession};
 pub use error::DriverError;
-pub use event::{Direction, DoneBy, Event, GoingOn, HeadBy, PausedBy, ReferenceBy, SettingCheck};
+pub use event::{Direction, DoneBy, Event, HeadBy, PausedBy, ReferenceBy, ResumeState, SettingCheck};
 pub use glue::table;
 pub use job::{DesignStep, Job, MachineRef, MaterialRef, Step, Wire};
 pub use limits::{AxisLimit, AxisRate, Beyond, Extent, Limits};
+pub use number::{fixed, is_zero};
 pub use port::{Port, Ports, Usb};
 pub use schemas::message_schemas;
 pub use table::{Reply, SafeTable, TableError};

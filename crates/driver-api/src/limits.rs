@@ -71,7 +71,7 @@ pub struct Beyond<'a> {
 const ROUNDING: f64 = 1e-6;
 
 impl Limits {
-    /// The first step of a wire that is beyond a limit; those before `from`, counted from 1, are made.
+    /// The first step of a wire that is beyond a limit; those before `from`, counted from 1, are done.
     #[must_use]
     pub fn beyond(&self, steps: &[Step], from: u32) -> Option<Beyond<'_>> {
         let mut at = [0.0; 3];

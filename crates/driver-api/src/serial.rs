@@ -53,7 +53,7 @@ fn refusal(port: &str, error: &serialport::Error) -> DriverError {
             format!("this user may not open the port '{port}'"),
             "on Linux join the group of serial ports with `sudo usermod -aG dialout $USER`, then log in again",
         ),
-        // A port that another program has locked is told as if it were not there.
+        // A port that another program has locked is reported as if it were not there.
         ErrorKind::NoDevice if text.contains("busy") || text.contains("lock") => (
             "port-busy",
             format!("the port '{port}' is used by another program"),
@@ -107,7 +107,7 @@ mod tests {
 
     use super::*;
 
-    /// Who is told that there is no such port looks at the cable, and not for the other program.
+    /// A user who reads that there is no such port looks at the cable, and not for the other program.
     #[test]
     fn a_port_that_is_in_use_is_told_from_one_that_is_not_there() {
         let (_other_end, port) = TTYPort::pair().unwrap();
@@ -121,7 +121,7 @@ mod tests {
     /// A machine that is busy for a few milliseconds is still there; reads must not wait for as long.
     #[test]
     fn a_write_is_given_more_time_than_a_read() {
-        // Nobody reads at the other end: the line takes bytes until it is full.
+        // The other end does not read: the line takes bytes until it is full.
         let (_other_end, port) = TTYPort::pair().unwrap();
         let mut port = Port(Box::new(port));
         port.0.set_timeout(READ_PATIENCE).unwrap();

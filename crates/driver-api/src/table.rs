@@ -26,8 +26,7 @@ pub enum TableError {
     NoTable,
     /// The driver speaks another major version.
     #[error(
-        "the driver was built for version {major}.{minor} of the driver interface, this program speaks {ABI_MAJOR}.{ABI_MINOR}; {}",
-        if *major > ABI_MAJOR { "update the program, or ask the driver's author for a build for this one" } else { "ask the driver's author for a newer build" }
+        "the driver was built for version {major}.{minor} of the driver interface, this program speaks {ABI_MAJOR}.{ABI_MINOR}"
     )]
     Version {
         /// The driver's.

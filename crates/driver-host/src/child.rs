@@ -109,7 +109,7 @@ fn listen(mut requests: impl Read + Send + 'static) -> Receiver<Frame> {
                 break;
             }
         }
-        // Nobody is there any more. The driver gets the time that `close` has, and then no more.
+        // The program is gone. The driver gets the time that `close` has, and then no more.
         drop(sender);
         thread::sleep(deadline::CLOSE);
         confine::end();
@@ -134,7 +134,7 @@ fn answer(mut table: SafeTable, requests: Receiver<Frame>, replies: &mut impl Wr
     }
 }
 
-/// What there is to report, as a JSON array. What came before a refusal is told first, and the refusal at
+/// What there is to report, as a JSON array. What came before a refusal is reported first, and the refusal at
 /// the next look.
 fn events(table: &mut SafeTable, refused: &mut Option<Reply>) -> Result<Reply, TableError> {
     if let Some(refused) = refused.take() {
@@ -143,7 +143,7 @@ fn events(table: &mut SafeTable, refused: &mut Option<Reply>) -> Result<Reply, T
     let mut all = vec![b'['];
     let begun = Instant::now();
     for count in 0..MOST_EVENTS {
-        // What is left is told at the next look: this one has a deadline, and each event may take its time.
+        // What is left is reported at the next look: this one has a deadline, and each event may take its time.
         if count > 0 && begun.elapsed() > LOOK {
             break;
         }

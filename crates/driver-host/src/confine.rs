@@ -31,7 +31,7 @@ mod unix {
     /// Ends this process and what the driver has started, without running anything of the driver's.
     pub(crate) fn end() -> ! {
         let own = rustix::process::getpid();
-        // Started by hand, its group is that of whoever started it.
+        // Started by hand, its group is that of the process that started it.
         if rustix::process::getpgrp() == own {
             let _ = rustix::process::kill_current_process_group(Signal::KILL);
         }

@@ -17,7 +17,7 @@ use crate::ending::Ending;
 use crate::error::HostError;
 use crate::frame::{Frame, Mark};
 use crate::process::{Failure, Process, ProcessHandle};
-use crate::shelf::{Found, Verdict};
+use crate::registry::{DiscoveredDriver, TrustStatus};
 use crate::trust::Fingerprint;
 
 /// Which program is the process of a driver, and what it may use.
@@ -37,7 +37,7 @@ impl Launch {
     /// The running program itself.
     ///
     /// # Errors
-    /// When the system does not tell which file that is.
+    /// When the system does not report which file that is.
     pub fn this_program() -> io::Result<Self> {
         Ok(Self { program: std::env::current_exe()?, memory_bytes: MEMORY_BYTES })
     }
@@ -64,14 +64,14 @@ impl Driver {
     /// # Errors
     /// [`HostError::NotTrusted`], [`HostError::Changed`] or [`HostError::Unsafe`] when it may not; else as every
     /// call.
-    pub fn start(found: &Found, launch: &Launch) -> Result<Self, HostError> {
+    pub fn start(found: &DiscoveredDriver, launch: &Launch) -> Result<Self, HostError> {
         let file = found.file.clone();
         let expected = match &found.verdict {
-            Verdict::Shipped => None,
-            Verdict::Accepted(hash) => Some(*hash),
-            Verdict::Unknown(hash) => return Err(HostError::NotTrusted { file, hash: *hash }),
-            Verdict::Changed(hash) => return Err(HostError::Changed { file, hash: *hash }),
-            Verdict::Refused(reason) => return Err(HostError::Unsafe { file, reason: reason.clone() }),
+            TrustStatus::Shipped => None,
+            TrustStatus::Accepted(hash) => Some(*hash),
+            TrustStatus::Unknown(hash) => return Err(HostError::NotTrusted { file, hash: *hash }),
+            TrustStatus::Changed(hash) => return Err(HostError::Changed { file, hash: *hash }),
+            TrustStatus::Refused(reason) => return Err(HostError::Unsafe { file, reason: reason.clone() }),
         };
         let (mut link, greeting) = Link::start(&file, expected.as_ref(), launch)?;
         let description: Description = link.parse("its start", &greeting)?;
@@ -97,7 +97,6 @@ impl Driver {
         Ok(OpenDriver { link: self.link, description: self.description, minor: self.minor })
     }
 
-    /// The number of its process.
     #[must_use]
     pub fn process_id(&self) -> u32 {
         self.link.process.id()
@@ -146,7 +145,7 @@ impl OpenDriver {
         self.call_for::<Ports>("the ports", &Call::Ports, deadline::CALL).map(|listed| listed.ports)
     }
 
-    /// How far the axes of its machine go and how fast; nothing for a driver that was made before it could be asked.
+    /// How far the axes of its machine go and how fast; nothing for a driver that was built before it could be asked.
     ///
     /// # Errors
     /// [`HostError`].
@@ -184,7 +183,7 @@ impl OpenDriver {
         self.link.parse(during, &reply)
     }
 
-    /// Asks something whose answer says no more than that it was done.
+    /// Asks something whose answer only says that it was done.
     ///
     /// # Errors
     /// [`HostError`].
@@ -213,7 +212,6 @@ impl OpenDriver {
         self.link.process.handle().clone()
     }
 
-    /// The number of its process.
     #[must_use]
     pub fn process_id(&self) -> u32 {
         self.link.process.id()

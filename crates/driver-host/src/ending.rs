@@ -16,11 +16,10 @@ pub(crate) enum Ending {
     Garbage,
     /// It wrote a frame beyond all measure.
     TooLarge(usize),
-    /// It was ended because it took too long, or because nobody needs it any more.
+    /// It was ended because it took too long, or because it is not needed any more.
     Killed,
 }
 
-/// An exit status in words.
 pub(crate) fn in_words(status: ExitStatus) -> String {
     #[cfg(unix)]
     {

@@ -4,64 +4,45 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use wirebend_driver_api::DriverError;
+use wirebend_error::{ErrorCode, ErrorRemedy, ProblemReport};
 
+use crate::registry::LibraryRefusal;
 use crate::trust::{Fingerprint, TrustError};
 
-/// Why a driver could not be had or did not do what it was asked. The message says what to do.
+/// Why a driver could not be had or did not do what it was asked.
 #[derive(Debug, thiserror::Error)]
 pub enum HostError {
-    /// Nobody has accepted the library.
-    #[error(
-        "{} is a driver that did not come with this program (SHA-256 {hash}); if you trust its author, accept it with `wirebend driver trust {}`",
-        file.display(), file.display()
-    )]
+    /// The library was not accepted.
+    #[error("{} is a driver that did not come with this program, and is not accepted (SHA-256 {hash})", file.display())]
     NotTrusted {
-        /// The library.
         file: PathBuf,
         /// What it is now.
         hash: Fingerprint,
     },
     /// The library was accepted and has been changed.
-    #[error(
-        "{} was changed since it was accepted (SHA-256 {hash}); if that was an update of yours, accept it again with `wirebend driver trust {}`",
-        file.display(), file.display()
-    )]
+    #[error("{} was changed since it was accepted (SHA-256 {hash})", file.display())]
     Changed {
-        /// The library.
         file: PathBuf,
         /// What it is now.
         hash: Fingerprint,
     },
     /// Others could change the library, or it cannot be read.
     #[error("{} is not loaded: {reason}", file.display())]
-    Unsafe {
-        /// The library.
-        file: PathBuf,
-        /// Why.
-        reason: String,
-    },
+    Unsafe { file: PathBuf, reason: LibraryRefusal },
     /// The process of a driver could not be started.
     #[error("the process of the driver {driver} cannot be started: {cause}")]
-    Start {
-        /// The library.
-        driver: String,
-        /// Why.
-        cause: std::io::Error,
-    },
+    Start { driver: String, cause: std::io::Error },
     /// The library is no driver that this program can use.
     #[error("{driver} cannot be used: {reason}")]
     Load {
-        /// The library.
         driver: String,
-        /// A word that stays: `library`, `symbol`, `version`, `table`, `changed`, `limit`.
+        /// A word that stays: `library`, `symbol`, `newer-version`, `older-version`, `table`, `changed`, `limit`.
         code: String,
-        /// Why.
         reason: String,
     },
     /// The driver broke a rule of the boundary.
-    #[error("the driver {driver} broke a rule during {during}: {reason}; report this to its author")]
+    #[error("the driver {driver} broke a rule during {during}: {reason}")]
     Broken {
-        /// The driver.
         driver: String,
         /// What it was asked.
         during: &'static str,
@@ -71,7 +52,6 @@ pub enum HostError {
     /// The process of the driver ended.
     #[error("the driver {driver} {how} during {during}{said}")]
     Died {
-        /// The driver.
         driver: String,
         /// What it was asked.
         during: &'static str,
@@ -83,7 +63,6 @@ pub enum HostError {
     /// The driver did not answer in time, and was ended.
     #[error("the driver {driver} did not answer {during} within {deadline:?} and was ended{said}")]
     Hung {
-        /// The driver.
         driver: String,
         /// What it was asked.
         during: &'static str,
@@ -93,11 +72,8 @@ pub enum HostError {
         said: String,
     },
     /// The driver wrote to the pipe itself, and was ended.
-    #[error(
-        "the driver {driver} wrote something during {during} that is no answer, and was ended; report this to its author"
-    )]
+    #[error("the driver {driver} wrote something during {during} that is no answer, and was ended")]
     Garbage {
-        /// The driver.
         driver: String,
         /// What it was asked.
         during: &'static str,
@@ -107,7 +83,6 @@ pub enum HostError {
         "the driver {driver} answered {bytes} bytes to {during}, which is more than anything needs, and was ended"
     )]
     TooLarge {
-        /// The driver.
         driver: String,
         /// What it was asked.
         during: &'static str,
@@ -115,11 +90,8 @@ pub enum HostError {
         bytes: usize,
     },
     /// The process was ended before, by a stop or after a failure.
-    #[error("the driver {driver} was ended before: start it again")]
-    Ended {
-        /// The driver.
-        driver: String,
-    },
+    #[error("the driver {driver} was ended before")]
+    Ended { driver: String },
     /// A stop came before the driver was asked.
     #[error("{during} was given up: the machine was stopped before")]
     StoppedBefore {
@@ -129,7 +101,6 @@ pub enum HostError {
     /// The driver said no.
     #[error("the driver {driver} refuses: {error}")]
     Refused {
-        /// The driver.
         driver: String,
         /// What it said.
         error: DriverError,
@@ -142,22 +113,63 @@ pub enum HostError {
 impl HostError {
     /// A name that stays the same while the wording may change.
     #[must_use]
-    pub fn code(&self) -> &'static str {
+    pub fn code(&self) -> ErrorCode {
         match self {
-            Self::NotTrusted { .. } => "driver-not-trusted",
-            Self::Changed { .. } => "driver-changed",
-            Self::Unsafe { .. } => "driver-unsafe",
-            Self::Start { .. } => "driver-start",
-            Self::Load { .. } => "driver-load",
-            Self::Broken { .. } => "driver-broken",
-            Self::Died { .. } => "driver-died",
-            Self::Hung { .. } => "driver-hung",
-            Self::Garbage { .. } => "driver-garbage",
-            Self::TooLarge { .. } => "driver-too-large",
-            Self::Ended { .. } => "driver-ended",
-            Self::StoppedBefore { .. } => "stopped-before",
-            Self::Refused { .. } => "driver-refused",
-            Self::Trust(_) => "driver-trust",
+            Self::NotTrusted { .. } => ErrorCode::DriverNotTrusted,
+            Self::Changed { .. } => ErrorCode::DriverChanged,
+            Self::Unsafe { .. } => ErrorCode::DriverUnsafe,
+            Self::Start { .. } => ErrorCode::DriverStart,
+            Self::Load { .. } => ErrorCode::DriverLoad,
+            Self::Broken { .. } => ErrorCode::DriverBroken,
+            Self::Died { .. } => ErrorCode::DriverDied,
+            Self::Hung { .. } => ErrorCode::DriverHung,
+            Self::Garbage { .. } => ErrorCode::DriverGarbage,
+            Self::TooLarge { .. } => ErrorCode::DriverTooLarge,
+            Self::Ended { .. } => ErrorCode::DriverEnded,
+            Self::StoppedBefore { .. } => ErrorCode::StoppedBefore,
+            Self::Refused { .. } => ErrorCode::DriverRefused,
+            Self::Trust(_) => ErrorCode::DriverTrust,
         }
     }
+
+    /// What can be done about it.
+    #[must_use]
+    pub fn remedies(&self) -> Vec<ErrorRemedy> {
+        vec![match self {
+            Self::Unsafe { reason: LibraryRefusal::WritableByAll(path), .. } => {
+                ErrorRemedy::RestrictAccess { path: path.clone() }
+            }
+            Self::NotTrusted { file, .. } => ErrorRemedy::TrustDriver { file: file.clone(), again: false },
+            Self::Changed { file, .. } => ErrorRemedy::TrustDriver { file: file.clone(), again: true },
+            Self::Broken { .. } | Self::Garbage { .. } => ErrorRemedy::ReportToAuthor,
+            Self::Ended { .. } => ErrorRemedy::ConnectAgain,
+            Self::Load { code, .. } if code == "newer-version" => ErrorRemedy::UpdateProgram,
+            Self::Load { code, .. } if code == "older-version" => ErrorRemedy::UpdateDriver,
+            Self::Refused { error, .. } => return advice_of(error),
+            Self::Trust(error) => return error.remedies(),
+            Self::Load { .. }
+            | Self::Unsafe { .. }
+            | Self::Start { .. }
+            | Self::Died { .. }
+            | Self::Hung { .. }
+            | Self::TooLarge { .. }
+            | Self::StoppedBefore { .. } => return Vec::new(),
+        }]
+    }
 }
+
+/// What a driver reports, under the code that it has given.
+#[must_use]
+pub fn report_of(error: &DriverError) -> ProblemReport {
+    let DriverError { code, message, .. } = error;
+    ProblemReport { code: code.clone(), message: message.clone(), remedies: advice_of(error) }
+}
+
+/// What a driver advises, in its own words: they are the author's, and pass through as they are.
+#[must_use]
+pub fn advice_of(error: &DriverError) -> Vec<ErrorRemedy> {
+    let advice = error.help.clone();
+    if advice.is_empty() { Vec::new() } else { vec![ErrorRemedy::FollowDriver { advice }] }
+}
+
+wirebend_error::reported!(HostError);

@@ -90,7 +90,7 @@ impl Frame {
         }
         let [a, b, c, d, i, j, k, l, mark] = head;
         let length = u32::from_le_bytes([a, b, c, d]) as usize;
-        // The mark first: what a driver prints by accident has none, whatever length its letters make.
+        // The mark first: what a driver prints by accident has none, whatever length its letters give.
         let mark = Mark::ALL.into_iter().find(|known| *known as u8 == mark).ok_or(FrameError::Garbage)?;
         let size = length.checked_sub(HEAD).ok_or(FrameError::Garbage)?;
         if size > MOST_BYTES {

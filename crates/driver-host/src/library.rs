@@ -4,7 +4,7 @@
 
 use std::path::Path;
 
-use wirebend_driver_api::{ENTRY_SYMBOL, Entry, SafeTable, TableError};
+use wirebend_driver_api::{ABI_MAJOR, ENTRY_SYMBOL, Entry, SafeTable, TableError};
 
 /// Why a library is no driver that this program can use.
 #[derive(Debug, thiserror::Error)]
@@ -22,7 +22,8 @@ impl LoadError {
         match self {
             Self::Library(_) => "library",
             Self::Symbol => "symbol",
-            Self::Table(TableError::Version { .. }) => "version",
+            Self::Table(TableError::Version { major, .. }) if *major > ABI_MAJOR => "newer-version",
+            Self::Table(TableError::Version { .. }) => "older-version",
             Self::Table(_) => "table",
         }
     }

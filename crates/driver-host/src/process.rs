@@ -31,21 +31,21 @@ pub(crate) enum Failure {
 #[derive(Debug)]
 pub(crate) struct Process(ProcessHandle);
 
-/// The same process, for whoever may have to stop it from another thread.
+/// The same process, for a caller that may have to stop it from another thread.
 #[derive(Debug, Clone)]
 pub(crate) struct ProcessHandle(Arc<Shared>);
 
 struct Shared {
     child: Mutex<Child>,
     group: u32,
-    /// Whom to tell at once when the process is lost.
+    /// What to notify at once when the process is lost.
     lost: Mutex<Option<Arc<dyn Fn() + Send + Sync>>>,
     waiting: Mutex<Waiting>,
-    /// Told when `Waiting::ending` is set.
+    /// Notified when `Waiting::ending` is set.
     ended: Condvar,
     requests: Mutex<Option<Sender<Frame>>>,
     words: Mutex<Words>,
-    /// Told when the error stream is closed.
+    /// Notified when the error stream is closed.
     silent: Condvar,
 }
 
@@ -133,7 +133,6 @@ impl Process {
         lock(&self.0.0.words).last.shown()
     }
 
-    /// The number of the process.
     pub fn id(&self) -> u32 {
         self.0.0.group
     }
@@ -161,7 +160,7 @@ impl ProcessHandle {
         self.0.kill();
     }
 
-    /// Whom to tell when the process ends otherwise than by the program's leave: at once, before anything is found out
+    /// What to notify when the process ends otherwise than by the program's leave: at once, before anything is found out
     /// about it, from whichever thread notices it first, and perhaps more than once.
     pub fn when_lost(&self, tell: impl Fn() + Send + Sync + 'static) {
         *lock(&self.0.lost) = Some(Arc::new(tell));
@@ -170,7 +169,7 @@ impl ProcessHandle {
 
 impl Drop for Process {
     fn drop(&mut self) {
-        // The end of its pipe tells the process to end; what does not is ended.
+        // At the end of its pipe the process has to end; what does not is ended.
         *lock(&self.0.0.requests) = None;
         if !self.0.0.wait_for_end(wirebend_driver_api::deadline::CLOSE) {
             self.0.kill();
@@ -235,7 +234,7 @@ impl Shared {
         self.end_now();
     }
 
-    /// Nothing of it is left that could use the port; then whoever has to know is told.
+    /// Nothing of it is left that could use the port; then the observers are notified.
     fn end_now(&self) {
         self.kill_group();
         let _ = lock(&self.child).kill();
@@ -277,7 +276,7 @@ impl Shared {
             };
             let expected = matches!(frame.mark, Mark::Ok | Mark::Refused | Mark::Broken);
             match lock(&self.waiting).replies.remove(&frame.id).filter(|_| expected) {
-                // Whoever waited may have given up.
+                // The caller that waited may have given up.
                 Some(waiting) => drop(waiting.try_send(frame)),
                 None => break Some(Ending::Garbage),
             }

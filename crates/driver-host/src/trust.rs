@@ -9,6 +9,7 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
+use wirebend_error::ErrorRemedy;
 
 /// The SHA-256 of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -85,31 +86,34 @@ pub enum TrustError {
     Io {
         /// The list.
         file: PathBuf,
-        /// Why.
         cause: io::Error,
     },
     /// It is a list of another version.
-    #[error(
-        "{}: this is a list of accepted drivers of version {version}, and this program writes {VERSION}; update the program, or delete the list and accept the drivers again",
-        file.display()
-    )]
+    #[error("{}: this is a list of accepted drivers of version {version}, and this program writes {VERSION}", file.display())]
     Version {
         /// The list.
         file: PathBuf,
-        /// Its version.
         version: u32,
     },
     /// It is not such a list.
-    #[error(
-        "{}: this is not a list of accepted drivers: {cause}; mend it, or delete it and accept the drivers again",
-        file.display()
-    )]
+    #[error("{}: this is not a list of accepted drivers: {cause}", file.display())]
     Shape {
         /// The list.
         file: PathBuf,
-        /// Where and why.
         cause: serde_json::Error,
     },
+}
+
+impl TrustError {
+    /// What can be done about it.
+    #[must_use]
+    pub fn remedies(&self) -> Vec<ErrorRemedy> {
+        match self {
+            Self::Io { .. } => vec![ErrorRemedy::CheckDisk],
+            Self::Version { .. } => vec![ErrorRemedy::UpdateProgram, ErrorRemedy::ResetTrust],
+            Self::Shape { .. } => vec![ErrorRemedy::ResetTrust],
+        }
+    }
 }
 
 /// The version of the list's format.

@@ -5,5 +5,9 @@
 //! two places only: [`read::read_file`] and [`document::save_atomically`].
 
 pub mod document;
+mod encoding;
+mod length_unit;
+mod limit;
+pub mod number;
 pub mod read;
 pub mod write;

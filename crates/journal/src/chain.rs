@@ -1,7 +1,7 @@
 //! A line of a journal: a number, a hash over it and all lines before, and the entry as JSON.
 //!
 //! The hash tells a line that was not written to its end, as in a power cut, from one that was changed later,
-//! and shows when one is missing. It is no signature: whoever wants to can write another journal.
+//! and shows when one is missing. It is no signature: anyone can write another journal.
 
 use std::fmt::Write as _;
 

@@ -8,46 +8,30 @@ use std::path::{Path, PathBuf};
 pub enum LogError {
     /// There is one already.
     #[error("there is a file {} already", path.display())]
-    Exists {
-        /// The file.
-        path: PathBuf,
-    },
+    Exists { path: PathBuf },
     /// Another process has it.
     #[error("{} is in use by another program", path.display())]
-    InUse {
-        /// The file.
-        path: PathBuf,
-    },
+    InUse { path: PathBuf },
     /// It has not one whole line.
     #[error("{} has not one whole line", path.display())]
-    Empty {
-        /// The file.
-        path: PathBuf,
-    },
+    Empty { path: PathBuf },
     /// A line was changed, or one is missing.
     #[error("line {line} of {} is damaged: {what}", path.display())]
     Damaged {
-        /// The file.
         path: PathBuf,
         /// Which line, from 1.
         line: usize,
-        /// What is wrong.
         what: String,
     },
     /// Writing failed before: what is in the file is not sure any more.
-    #[error("{} could not be written before: open it again", path.display())]
-    Broken {
-        /// The file.
-        path: PathBuf,
-    },
+    #[error("{} could not be written before", path.display())]
+    Broken { path: PathBuf },
     /// The system refuses.
     #[error("{} cannot be {doing}: {cause}", path.display())]
     Io {
-        /// The file.
         path: PathBuf,
         /// What was tried.
         doing: &'static str,
-        /// Why not.
         cause: io::Error,
     },
 }

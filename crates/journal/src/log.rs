@@ -42,7 +42,7 @@ impl Log {
         Ok(log)
     }
 
-    /// Takes a log up again. A last line that was not written to its end is taken away.
+    /// Opens a log again to append to it. A last line that was not written to its end is taken away.
     ///
     /// # Errors
     /// [`LogError`]; the file is as it was then.
@@ -63,7 +63,7 @@ impl Log {
         Ok((log, lines))
     }
 
-    /// Reads a log without taking it up: another process may be writing it.
+    /// Reads a log without opening it for writing: another process may be writing it.
     ///
     /// # Errors
     /// [`LogError::Empty`], [`LogError::Damaged`], [`LogError::Io`].
@@ -72,11 +72,11 @@ impl Log {
         understood(path, &bytes)
     }
 
-    /// Whether somebody writes it: another process, or another place of this one.
+    /// Whether it is open for writing, in this process or another.
     #[must_use]
     pub fn is_in_use(path: &Path) -> bool {
         let Ok(file) = File::open(path) else { return false };
-        // Whoever does nothing but look does not keep others from it for longer than that takes.
+        // A reader locks writers out only for as long as it reads.
         matches!(file.try_lock_shared(), Err(TryLockError::WouldBlock))
     }
 
@@ -103,7 +103,6 @@ impl Log {
         Ok(())
     }
 
-    /// The file.
     #[must_use]
     pub fn path(&self) -> &Path {
         &self.path

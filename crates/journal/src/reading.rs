@@ -7,7 +7,7 @@ use crate::chain::Chain;
 pub struct Lines {
     /// The entries of the whole lines, in order; there is one at least.
     pub entries: Vec<String>,
-    /// The last line was not written to its end, and counts for nothing: whoever wrote it had not gone on yet.
+    /// The last line was not written to its end, and counts for nothing: its writer had not continued yet.
     pub torn: bool,
     pub(crate) chain: Chain,
     /// How many bytes the whole lines have.

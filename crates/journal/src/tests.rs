@@ -46,7 +46,7 @@ fn what_is_written_is_read() {
     assert_eq!((again, log.length()), (read, whole().len() as u64));
 }
 
-/// The power goes at any byte. What is whole counts, the rest does not, and the log goes on.
+/// The power goes at any byte. What is whole counts, the rest does not, and the log continues.
 #[test]
 fn a_last_line_that_was_cut_off_counts_for_nothing() {
     let (_folder, path) = written(1);
@@ -124,7 +124,7 @@ fn two_do_not_write_the_same_log() {
     assert!(Log::is_in_use(&path));
     assert!(matches!(Log::open(&path), Err(LogError::InUse { .. })));
     assert!(matches!(Log::create(&path, "1"), Err(LogError::Exists { .. })));
-    assert_eq!(Log::read(&path).unwrap().entries.len(), 2, "whoever only looks may");
+    assert_eq!(Log::read(&path).unwrap().entries.len(), 2, "reading alone is allowed");
     drop(first);
     assert!(!Log::is_in_use(&path));
     Log::open(&path).unwrap();

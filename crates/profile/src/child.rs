@@ -2,8 +2,9 @@
 
 use serde_json::{Map, Value};
 
+use crate::heading::OWN;
 use crate::library::Library;
-use crate::merge::{OWN, merge};
+use crate::merge::merge;
 use crate::resolve::typed;
 use crate::{
     Kind, MachineProfile, MaterialProfile, NoiseProfile, Profile, ProfileError, SCHEMA_VERSION, to_text,

@@ -1,7 +1,9 @@
-//! Why a profile was refused or not found, and what to do.
+//! Why a profile was refused or not found.
 
 use std::fmt;
 use std::io;
+
+use wirebend_error::{ErrorCode, ErrorRemedy};
 
 use crate::Kind;
 
@@ -29,11 +31,11 @@ impl fmt::Display for Place {
     }
 }
 
-/// Why a profile was refused or not found. The message says place, expectation and remedy.
+/// Why a profile was refused or not found. The message says where, what was found and what was expected.
 #[derive(Debug, thiserror::Error)]
 pub enum ProfileError {
     /// A file or folder could not be read.
-    #[error("{file}: cannot be read ({source}); check that it exists and that you may read it")]
+    #[error("{file}: cannot be read: {source}")]
     Unreadable {
         /// The file or folder.
         file: String,
@@ -41,7 +43,7 @@ pub enum ProfileError {
         source: io::Error,
     },
     /// A file is too large to be a profile.
-    #[error("{file}: larger than {limit} bytes, which no profile is; check that it is the right file")]
+    #[error("{file}: larger than {limit} bytes, which no profile is")]
     TooLarge {
         /// The file.
         file: String,
@@ -49,7 +51,7 @@ pub enum ProfileError {
         limit: usize,
     },
     /// A file is not text.
-    #[error("{file}: not UTF-8 text (byte {byte}); save it as UTF-8")]
+    #[error("{file}: not UTF-8 text (byte {byte})")]
     NotText {
         /// The file.
         file: String,
@@ -57,7 +59,7 @@ pub enum ProfileError {
         byte: usize,
     },
     /// A file is not JSON.
-    #[error("{place}: not JSON: {message} (column {column}); correct the text there")]
+    #[error("{place}: not JSON: {message} (column {column})")]
     Syntax {
         /// Where.
         place: Place,
@@ -67,7 +69,7 @@ pub enum ProfileError {
         message: String,
     },
     /// An unknown key, a wrong type, or one of the keys without which a file is no profile.
-    #[error("{place}: {message} (column {column}); {help}")]
+    #[error("{place}: {message} (column {column})")]
     Shape {
         /// Where.
         place: Place,
@@ -76,13 +78,10 @@ pub enum ProfileError {
         /// What was found and expected.
         message: String,
         /// What to do.
-        help: String,
+        remedy: Box<ErrorRemedy>,
     },
     /// The `kind` key is absent or not a known word.
-    #[error(
-        "{place}: {found}, expected \"kind\": \"machine\", \"material\" or \"noise\"; \
-         add the one that the file describes"
-    )]
+    #[error("{place}: {found}, expected \"kind\": \"machine\", \"material\" or \"noise\"")]
     UnknownKind {
         /// Where.
         place: Place,
@@ -90,7 +89,7 @@ pub enum ProfileError {
         found: String,
     },
     /// A file lies in the folder of another kind.
-    #[error("{place}: a {found} profile in the folder {folder}/; move it to {}/", found.folder())]
+    #[error("{place}: a {found} profile in the folder {folder}/")]
     WrongFolder {
         /// Where.
         place: Place,
@@ -100,10 +99,7 @@ pub enum ProfileError {
         folder: String,
     },
     /// A file was written for a newer program.
-    #[error(
-        "{place}: schema_version {found}, this program reads up to {known}; \
-         update the program, or use a profile of an older version"
-    )]
+    #[error("{place}: schema_version {found}, this program reads up to {known}")]
     NewerVersion {
         /// Where.
         place: Place,
@@ -114,8 +110,7 @@ pub enum ProfileError {
     },
     /// An id is not a slug.
     #[error(
-        "{place}: the id `{id}` must be of lower-case letters, digits and single hyphens; \
-         for instance `my-bender`"
+        "{place}: the id `{id}` must be of lower-case letters, digits and single hyphens, such as `my-bender`"
     )]
     BadId {
         /// Where.
@@ -124,7 +119,7 @@ pub enum ProfileError {
         id: String,
     },
     /// An id is not the file's name.
-    #[error("{place}: the id `{id}` differs from the file's name; rename the file to {id}.json")]
+    #[error("{place}: the id `{id}` differs from the file's name")]
     IdNotFileName {
         /// Where.
         place: Place,
@@ -132,7 +127,7 @@ pub enum ProfileError {
         id: String,
     },
     /// Two files of the person's folders have one id.
-    #[error("{place}: the id `{id}` is taken by {first}; give one of the two its own id")]
+    #[error("{place}: the id `{id}` is taken by {first}")]
     DuplicateId {
         /// The file that was refused.
         place: Place,
@@ -142,10 +137,7 @@ pub enum ProfileError {
         first: String,
     },
     /// A person's file has the id of a shipped profile.
-    #[error(
-        "{place}: `{id}` is a {kind} that comes with the program; give yours its own id, \
-         and \"inherits\": \"{id}\" to change only what differs"
-    )]
+    #[error("{place}: `{id}` is a {kind} that comes with the program")]
     ShadowsShipped {
         /// The file that was refused.
         place: Place,
@@ -156,7 +148,7 @@ pub enum ProfileError {
     },
     /// The parent does not exist.
     #[error(
-        "{place}: inherits from the unknown {kind} `{parent}` (one whose file was refused is unknown too); {help}"
+        "{place}: inherits from the unknown {kind} `{parent}` (one whose file was refused is unknown too)"
     )]
     UnknownParent {
         /// The `inherits` key.
@@ -166,10 +158,10 @@ pub enum ProfileError {
         /// Id of the parent.
         parent: String,
         /// The nearest ids and the known ones.
-        help: String,
+        remedy: Box<ErrorRemedy>,
     },
     /// The parents of a profile run in a circle.
-    #[error("{place}: the parents run in a circle: {}; remove one \"inherits\"", chain.join(" -> "))]
+    #[error("{place}: the parents run in a circle: {}", chain.join(" -> "))]
     Cycle {
         /// The `inherits` key of the profile that cannot be used.
         place: Place,
@@ -177,7 +169,7 @@ pub enum ProfileError {
         chain: Vec<String>,
     },
     /// A profile names another one that does not exist.
-    #[error("{place}: {key} names the unknown {kind} `{id}`; {help}")]
+    #[error("{place}: {key} names the unknown {kind} `{id}`")]
     UnknownReference {
         /// Where.
         place: Place,
@@ -188,31 +180,28 @@ pub enum ProfileError {
         /// Id that is named.
         id: String,
         /// The nearest ids and the known ones.
-        help: String,
+        remedy: Box<ErrorRemedy>,
     },
     /// No profile has this id.
-    #[error("no {kind} has the id `{id}`; {help}")]
+    #[error("no {kind} has the id `{id}`")]
     Unknown {
         /// Kind.
         kind: Kind,
         /// Id that was asked for.
         id: String,
         /// The nearest ids and the known ones.
-        help: String,
+        remedy: Box<ErrorRemedy>,
     },
     /// No profile of any kind has this id.
-    #[error("no profile has the id `{id}`; {help}")]
+    #[error("no profile has the id `{id}`")]
     UnknownId {
         /// Id that was asked for.
         id: String,
         /// The nearest ids and the known ones.
-        help: String,
+        remedy: Box<ErrorRemedy>,
     },
     /// The profile only serves to be inherited from.
-    #[error(
-        "{place}: the {kind} `{id}` is abstract and cannot be used itself; \
-         use a profile that inherits from it"
-    )]
+    #[error("{place}: the {kind} `{id}` is abstract and cannot be used itself")]
     Abstract {
         /// The `abstract` key.
         place: Place,
@@ -222,7 +211,7 @@ pub enum ProfileError {
         id: String,
     },
     /// A required value is set neither by the file nor by a parent.
-    #[error("{file}: {key} is not set, here or by a parent; add {how}")]
+    #[error("{file}: {key} is not set, here or by a parent")]
     Missing {
         /// The file.
         file: String,
@@ -232,7 +221,7 @@ pub enum ProfileError {
         how: String,
     },
     /// A value breaks a rule.
-    #[error("{place}: {key} is {found}, expected {expected}; correct the value")]
+    #[error("{place}: {key} is {found}, expected {expected}")]
     Rule {
         /// Where it was set, possibly in a parent's file.
         place: Place,
@@ -248,38 +237,67 @@ pub enum ProfileError {
 impl ProfileError {
     /// A stable word for programs that show the error.
     #[must_use]
-    pub fn code(&self) -> &'static str {
+    pub fn code(&self) -> ErrorCode {
         match self {
-            Self::Unreadable { .. } => "profile-unreadable",
-            Self::TooLarge { .. } => "profile-too-large",
-            Self::NotText { .. } => "profile-not-text",
-            Self::Syntax { .. } => "profile-syntax",
-            Self::Shape { .. } => "profile-shape",
-            Self::UnknownKind { .. } => "profile-unknown-kind",
-            Self::WrongFolder { .. } => "profile-wrong-folder",
-            Self::NewerVersion { .. } => "profile-newer-version",
-            Self::BadId { .. } => "profile-bad-id",
-            Self::IdNotFileName { .. } => "profile-id-not-file-name",
-            Self::DuplicateId { .. } => "profile-duplicate-id",
-            Self::ShadowsShipped { .. } => "profile-shadows-shipped",
-            Self::UnknownParent { .. } => "profile-unknown-parent",
-            Self::Cycle { .. } => "profile-cycle",
-            Self::UnknownReference { .. } => "profile-unknown-reference",
-            Self::Unknown { .. } => "profile-unknown",
-            Self::UnknownId { .. } => "profile-unknown-id",
-            Self::Abstract { .. } => "profile-abstract",
-            Self::Missing { .. } => "profile-missing",
-            Self::Rule { .. } => "profile-rule",
+            Self::Unreadable { .. } => ErrorCode::ProfileUnreadable,
+            Self::TooLarge { .. } => ErrorCode::ProfileTooLarge,
+            Self::NotText { .. } => ErrorCode::ProfileNotText,
+            Self::Syntax { .. } => ErrorCode::ProfileSyntax,
+            Self::Shape { .. } => ErrorCode::ProfileShape,
+            Self::UnknownKind { .. } => ErrorCode::ProfileUnknownKind,
+            Self::WrongFolder { .. } => ErrorCode::ProfileWrongFolder,
+            Self::NewerVersion { .. } => ErrorCode::ProfileNewerVersion,
+            Self::BadId { .. } => ErrorCode::ProfileBadId,
+            Self::IdNotFileName { .. } => ErrorCode::ProfileIdNotFileName,
+            Self::DuplicateId { .. } => ErrorCode::ProfileDuplicateId,
+            Self::ShadowsShipped { .. } => ErrorCode::ProfileShadowsShipped,
+            Self::UnknownParent { .. } => ErrorCode::ProfileUnknownParent,
+            Self::Cycle { .. } => ErrorCode::ProfileCycle,
+            Self::UnknownReference { .. } => ErrorCode::ProfileUnknownReference,
+            Self::Unknown { .. } => ErrorCode::ProfileUnknown,
+            Self::UnknownId { .. } => ErrorCode::ProfileUnknownId,
+            Self::Abstract { .. } => ErrorCode::ProfileAbstract,
+            Self::Missing { .. } => ErrorCode::ProfileMissing,
+            Self::Rule { .. } => ErrorCode::ProfileRule,
         }
+    }
+
+    /// What can be done about it.
+    #[must_use]
+    pub fn remedies(&self) -> Vec<ErrorRemedy> {
+        vec![match self {
+            Self::Unreadable { .. } => ErrorRemedy::CheckReadable,
+            Self::TooLarge { .. } => ErrorRemedy::CheckRightFile,
+            Self::NotText { .. } => ErrorRemedy::ExportAs { form: "UTF-8 text".to_owned() },
+            Self::Syntax { .. } | Self::UnknownKind { .. } | Self::Rule { .. } => ErrorRemedy::CorrectProfile,
+            Self::WrongFolder { found, .. } => {
+                ErrorRemedy::MoveFile { folder: format!("{}/", found.folder()) }
+            }
+            Self::NewerVersion { .. } => ErrorRemedy::UpdateProgram,
+            Self::BadId { .. } | Self::DuplicateId { .. } => ErrorRemedy::ChooseOtherId,
+            Self::IdNotFileName { id, .. } => ErrorRemedy::RenameFile { name: format!("{id}.json") },
+            Self::ShadowsShipped { id, .. } => {
+                return vec![ErrorRemedy::ChooseOtherId, ErrorRemedy::InheritFrom { ids: vec![id.clone()] }];
+            }
+            Self::Cycle { .. } => ErrorRemedy::RemoveParent,
+            Self::Shape { remedy, .. }
+            | Self::UnknownParent { remedy, .. }
+            | Self::UnknownReference { remedy, .. }
+            | Self::Unknown { remedy, .. }
+            | Self::UnknownId { remedy, .. } => (**remedy).clone(),
+            Self::Abstract { .. } => ErrorRemedy::UseChild,
+            Self::Missing { how, .. } => ErrorRemedy::AddKey { text: how.clone() },
+        }]
     }
 }
 
-/// "Did you mean" of the nearest known words, if any is near.
-pub(crate) fn nearest<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> Option<String> {
+/// The known words that are nearest to another one.
+pub(crate) fn nearest<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> Vec<String> {
     let mut scored: Vec<(f64, &str)> =
         known.map(|other| (strsim::jaro_winkler(word, other), other)).collect();
     scored.retain(|(score, _)| *score > 0.75);
     scored.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(b.1)));
-    let words: Vec<String> = scored.iter().take(3).map(|(_, word)| format!("`{word}`")).collect();
-    (!words.is_empty()).then(|| format!("did you mean {}?", words.join(" or ")))
+    scored.iter().take(3).map(|(_, word)| (*word).to_owned()).collect()
 }
+
+wirebend_error::reported!(ProfileError);

@@ -1,17 +1,18 @@
-//! Who set what: a profile, value by value, with the file and the line of each.
+//! Which file set what: a profile, value by value, with the file and the line of each.
 
 use serde_json::{Map, Value};
 
+use crate::heading::OWN;
 use crate::layer::Layer;
 use crate::library::Library;
-use crate::merge::{Merged, OWN, is_figure, merge};
+use crate::merge::{Merged, is_figure, merge};
 use crate::position::line_of;
-use crate::resolve::origin;
+use crate::resolved::origin;
 use crate::{
     Kind, MachineProfile, MaterialProfile, NoiseProfile, Place, Profile, ProfileError, Resolved, to_text,
 };
 
-/// A profile with its values and whoever set them.
+/// A profile with its values and the files that set them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Explained {
     /// Name for people; the id when no name is set.
@@ -65,7 +66,7 @@ pub struct Overridden {
 }
 
 impl Library {
-    /// Every value of a profile and who set it. Abstract profiles can be explained too.
+    /// Every value of a profile and the file that set it. Abstract profiles can be explained too.
     ///
     /// # Errors
     /// [`ProfileError::Unknown`] with the nearest ids.

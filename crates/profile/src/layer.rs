@@ -2,6 +2,7 @@
 
 use serde_json::error::Category;
 use serde_json::{Map, Value};
+use wirebend_error::ErrorRemedy;
 
 use crate::error::nearest;
 use crate::kind::is_slug;
@@ -134,23 +135,27 @@ fn json_error(file: &str, error: &serde_json::Error) -> ProfileError {
         return ProfileError::Syntax { place, column, message };
     }
     let message = message.replace("struct Sourced", "a figure with its source");
-    let help = key_hint(&message);
-    ProfileError::Shape { place, column, message, help }
+    let remedy = Box::new(key_hint(&message));
+    ProfileError::Shape { place, column, message, remedy }
 }
 
-/// Advice for serde's message: the nearest of the keys that it lists in backticks.
-fn key_hint(message: &str) -> String {
+/// What to do about serde's message: the nearest of the keys that it lists in backticks.
+fn key_hint(message: &str) -> ErrorRemedy {
     let mut words = message.split('`').skip(1).step_by(2);
-    let advice = if message.starts_with("unknown field") {
-        words.next().and_then(|unknown| nearest(unknown, words))
+    let add = |text: String| ErrorRemedy::AddKey { text };
+    if message.starts_with("unknown field") {
+        let near = words.next().map(|unknown| nearest(unknown, words)).unwrap_or_default();
+        if !near.is_empty() {
+            return ErrorRemedy::ChooseKnown { near, known: Vec::new() };
+        }
     } else if message.ends_with("a figure with its source") {
-        Some(format!("write {FIGURE}"))
-    } else if message.starts_with("missing field") {
-        words.next().map(|key| format!("add \"{key}\""))
-    } else {
-        None
-    };
-    advice.unwrap_or_else(|| "see the JSON Schema in machine-profiles/schema/".into())
+        return add(FIGURE.to_owned());
+    } else if message.starts_with("missing field")
+        && let Some(key) = words.next()
+    {
+        return add(format!("\"{key}\""));
+    }
+    ErrorRemedy::SeeSchema
 }
 
 #[cfg(test)]
@@ -160,7 +165,9 @@ mod tests {
     #[test]
     fn a_misspelt_key_is_answered_with_the_nearest_one() {
         let message = "unknown field `max_bend`, expected one of `min_edge_mm`, `max_bend_deg`";
-        assert_eq!(key_hint(message), "did you mean `max_bend_deg`?");
-        assert_eq!(key_hint("missing field `source`"), "add \"source\"");
+        let near = vec!["max_bend_deg".to_owned()];
+        assert_eq!(key_hint(message), ErrorRemedy::ChooseKnown { near, known: Vec::new() });
+        assert_eq!(key_hint("missing field `source`"), ErrorRemedy::AddKey { text: "\"source\"".to_owned() });
+        assert_eq!(key_hint("unknown field `x`, there are no fields"), ErrorRemedy::SeeSchema);
     }
 }

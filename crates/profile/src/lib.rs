@@ -6,7 +6,7 @@
 //!
 //! Enter at [`Library`]: [`Library::shipped`] has the profiles inside the program,
 //! [`Library::add_folder`] adds a person's own, [`Library::machine`] and its siblings resolve one,
-//! [`Library::explain`] says who set what, [`Library::child_text`] starts a new one.
+//! [`Library::explain`] says which file set what, [`Library::child_text`] starts a new one.
 //! The crate knows no stage of the pipeline: figures are plain `f64` with the unit in the key.
 //!
 //! ```
@@ -17,12 +17,14 @@
 //! # Ok::<(), wirebend_profile::ProfileError>(())
 //! ```
 
+#![deny(missing_docs)]
+
 mod check;
 mod child;
 mod error;
 mod explain;
 mod figures;
-mod figures_machine;
+mod heading;
 mod kind;
 mod layer;
 mod library;
@@ -35,6 +37,7 @@ mod noise;
 mod position;
 mod profile;
 mod resolve;
+mod resolved;
 mod schema;
 mod shape;
 mod shipped;
@@ -44,8 +47,8 @@ pub use check::{Checked, check_file, check_text};
 pub use child::Child;
 pub use error::{Place, ProfileError};
 pub use explain::{Ancestor, Explained, ExplainedValue, Overridden};
+pub use figures::machine::{BendFigures, LimitFigures, MachineFigures};
 pub use figures::{Complete, ErrorFigures, MaterialFigures, NoiseFigures};
-pub use figures_machine::{BendFigures, LimitFigures, MachineFigures};
 pub use kind::{Kind, MAX_FILE_BYTES, SCHEMA_VERSION, is_slug};
 pub use library::{Added, Library, Listing};
 pub use machine::{
@@ -56,7 +59,7 @@ pub use material::{LossPoint, MaterialProfile, MaterialTag, Springback};
 pub use merge::Origin;
 pub use noise::{AngleError, LengthError, NoiseProfile, NoiseTag, RatioError};
 pub use profile::{Profile, to_text};
-pub use resolve::Resolved;
+pub use resolved::Resolved;
 pub use schema::{schema, schema_files};
 pub use shape::{Part, Shape, Solid};
 pub use sourced::{Reference, Sign, Sourced};

@@ -5,6 +5,8 @@ use std::fs;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
+use wirebend_error::ErrorRemedy;
+
 use crate::error::nearest;
 use crate::layer::Layer;
 use crate::{
@@ -193,7 +195,7 @@ impl Library {
     }
 
     fn unknown(&self, kind: Kind, id: &str) -> ProfileError {
-        ProfileError::Unknown { kind, id: id.into(), help: self.known(kind, id, "") }
+        ProfileError::Unknown { kind, id: id.into(), remedy: Box::new(self.known(kind, id, "")) }
     }
 
     /// The kinds that have a profile with this id, at least one.
@@ -203,8 +205,9 @@ impl Library {
     pub fn kinds(&self, id: &str) -> Result<Vec<Kind>, ProfileError> {
         let kinds: Vec<Kind> = Kind::ALL.into_iter().filter(|kind| self.layer(*kind, id).is_some()).collect();
         if kinds.is_empty() {
-            let help = self.known_in_any_kind(id);
-            return Err(ProfileError::UnknownId { id: id.into(), help });
+            let known: BTreeSet<&str> = self.layers.values().map(|layer| layer.id.as_str()).collect();
+            let remedy = Box::new(choose(id, known));
+            return Err(ProfileError::UnknownId { id: id.into(), remedy });
         }
         Ok(kinds)
     }
@@ -253,31 +256,17 @@ impl Library {
         self.layers.get(&(kind, id.to_owned()))
     }
 
-    /// Advice after an id that is not known, in a profile whose own id is `besides`.
-    pub(crate) fn known(&self, kind: Kind, id: &str, besides: &str) -> String {
+    /// What to do about an id that is not known, in a profile whose own id is `besides`.
+    pub(crate) fn known(&self, kind: Kind, id: &str, besides: &str) -> ErrorRemedy {
         let ids = self.of_kind(kind).map(|layer| layer.id.as_str()).filter(|known| *known != besides);
-        let ids: Vec<&str> = ids.collect();
-        let near = nearest(id, ids.iter().copied());
-        let known = if ids.is_empty() { "none".into() } else { ids.join(", ") };
-        match near {
-            Some(near) => format!("{near} Known: {known}"),
-            None => format!("known: {known}"),
-        }
+        choose(id, ids.collect())
     }
+}
 
-    /// Advice after an id that no kind knows.
-    fn known_in_any_kind(&self, id: &str) -> String {
-        let of = |kind: Kind| {
-            let ids: Vec<&str> = self.of_kind(kind).map(|layer| layer.id.as_str()).collect();
-            format!("{}: {}", kind.folder(), ids.join(", "))
-        };
-        let known = Kind::ALL.map(of).join("; ");
-        let ids: BTreeSet<&str> = self.layers.values().map(|layer| layer.id.as_str()).collect();
-        match nearest(id, ids.into_iter()) {
-            Some(near) => format!("{near} Known {known}"),
-            None => format!("known {known}"),
-        }
-    }
+/// What to do about an id that is none of these.
+fn choose(id: &str, known: BTreeSet<&str>) -> ErrorRemedy {
+    let near = nearest(id, known.iter().copied());
+    ErrorRemedy::ChooseKnown { near, known: known.into_iter().map(str::to_owned).collect() }
 }
 
 /// Reads one file, never more of it than the largest profile.

@@ -4,90 +4,46 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
-use crate::profile::{is_default, layer};
+use crate::heading::profile;
+use crate::profile::layer;
 use crate::shape::Shape;
-use crate::sourced::{Reference, Sign, Sourced};
+use crate::sourced::{Sign, Sourced};
 
-/// The `kind` of a machine profile.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum MachineTag {
-    /// The only word.
-    Machine,
-}
-
-/// A wire bender: driver, export formats, limits, axes, compensation and sign conventions.
-///
-/// Lengths in millimetres, angles in degrees, times in seconds. Signs are canonical (right-handed
-/// turtle) except where a machine's own axis is named.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct MachineProfile {
-    /// Address or path of the JSON Schema, for editors. Not read by the program.
-    #[serde(rename = "$schema", default, skip_serializing_if = "Option::is_none")]
-    pub schema: Option<String>,
-    /// Version of this format.
-    #[schemars(range(min = 1, max = 1))]
-    pub schema_version: u32,
-    /// Says that this is a machine profile.
-    pub kind: MachineTag,
-    /// Slug of lower-case letters, digits and hyphens; equals the file's name without `.json`.
-    #[schemars(regex(pattern = r"^[a-z0-9]+(-[a-z0-9]+)*$"))]
-    pub id: String,
-    /// Id of the machine profile that gives every value not set here.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub inherits: Option<String>,
-    /// True for a base that only serves to be inherited from and may leave values open.
-    #[serde(rename = "abstract", default, skip_serializing_if = "is_default")]
-    pub is_abstract: bool,
-    /// Name for people.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub name: Option<String>,
-    /// A few sentences: what machine this is, what was and was not verified.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub description: Option<String>,
-    /// Which driver speaks to the machine.
-    #[serde(default, skip_serializing_if = "is_default")]
-    pub driver: Driver,
-    /// Which files can be written for it.
-    #[serde(default, skip_serializing_if = "is_default")]
-    pub export: Export,
-    /// Id of the material that a new document starts with.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub default_material: Option<String>,
-    /// Wire that fits.
-    #[serde(default, skip_serializing_if = "is_default")]
-    pub wire: Wire,
-    /// What may be asked of the machine.
-    #[serde(default, skip_serializing_if = "is_default")]
-    pub limits: Limits,
-    /// Feed axis.
-    #[serde(default, skip_serializing_if = "is_default")]
-    pub feed: Feed,
-    /// Rotate axis.
-    #[serde(default, skip_serializing_if = "is_default")]
-    pub rotate: Rotate,
-    /// Bend axis and the geometry of its pin and peg.
-    #[serde(default, skip_serializing_if = "is_default")]
-    pub bend: Bend,
-    /// What is compensated for this machine unless a person asks otherwise.
-    #[serde(default, skip_serializing_if = "is_default")]
-    pub compensation: Compensation,
-    /// The machine's conventions against the canonical ones.
-    #[serde(default, skip_serializing_if = "is_default")]
-    pub signs: Signs,
-    /// Time model beyond the rates of the axes.
-    #[serde(default, skip_serializing_if = "is_default")]
-    pub time: Time,
-    /// What the machine looks like, and what a wire can hit.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub shapes: Option<Vec<Shape>>,
-    /// Id of the noise profile that simulations of this machine use.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub error: Option<String>,
-    /// Publications that the `source` texts name.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub sources: Option<Vec<Reference>>,
+profile! {
+    /// A wire bender: driver, export formats, limits, axes, compensation and sign conventions.
+    ///
+    /// Lengths in millimetres, angles in degrees, times in seconds. Signs are canonical (right-handed
+    /// turtle) except where a machine's own axis is named.
+    pub struct MachineProfile: MachineTag::Machine, "machine" {
+        /// A few sentences: what machine this is, what was and was not verified.
+        description;
+        /// Which driver speaks to the machine.
+        pub driver: Driver,
+        /// Which files can be written for it.
+        pub export: Export,
+        /// Id of the material that a new document starts with.
+        pub default_material: Option<String>,
+        /// Wire that fits.
+        pub wire: Wire,
+        /// What may be asked of the machine.
+        pub limits: Limits,
+        /// Feed axis.
+        pub feed: Feed,
+        /// Rotate axis.
+        pub rotate: Rotate,
+        /// Bend axis and the geometry of its pin and peg.
+        pub bend: Bend,
+        /// What is compensated for this machine unless a person asks otherwise.
+        pub compensation: Compensation,
+        /// The machine's conventions against the canonical ones.
+        pub signs: Signs,
+        /// Time model beyond the rates of the axes.
+        pub time: Time,
+        /// What the machine looks like, and what a wire can hit.
+        pub shapes: Option<Vec<Shape>>,
+        /// Id of the noise profile that simulations of this machine use.
+        pub error: Option<String>,
+    }
 }
 
 layer! {

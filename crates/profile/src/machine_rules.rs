@@ -1,9 +1,10 @@
 //! What a complete machine profile needs and what contradicts itself in one.
 
 use crate::Kind;
+use crate::heading::heading;
 use crate::kind::is_slug;
 use crate::machine::{BendMethod, MachineProfile};
-use crate::profile::{Fault, Profile, header};
+use crate::profile::{Fault, Profile};
 use crate::sourced::Sourced;
 
 type Figure = Option<Sourced<f64>>;
@@ -48,7 +49,7 @@ pub(crate) const FIGURE: &str = "{\"value\": number, \"source\": text, \"measure
 impl Profile for MachineProfile {
     const KIND: Kind = Kind::Machine;
     const WHOLE: &'static [&'static str] = &[];
-    header!();
+    heading!();
 
     fn required(&self) -> Vec<(&'static str, &'static str)> {
         let mut keys = REQUIRED.to_vec();
@@ -114,10 +115,9 @@ impl MachineProfile {
             return;
         }
         // Further back, the orbit ends behind the pin, and the peg never touches the wire.
-        let least = -(orbit.value.powi(2) - contact.powi(2)).sqrt();
-        if let Some(offset) = self.bend.orbit_offset_mm.as_ref().filter(|offset| offset.value <= least) {
-            let expected =
-                format!("above {least:.3}, from where the orbit reaches the wire ahead of the pin");
+        let min = -(orbit.value.powi(2) - contact.powi(2)).sqrt();
+        if let Some(offset) = self.bend.orbit_offset_mm.as_ref().filter(|offset| offset.value <= min) {
+            let expected = format!("above {min:.3}, from where the orbit reaches the wire ahead of the pin");
             faults.push(
                 Fault::new("bend.orbit_offset_mm", offset.value, expected).against("bend.orbit_radius_mm"),
             );

@@ -1,9 +1,10 @@
 //! What a complete material profile needs and what contradicts itself in one.
 
 use crate::Kind;
+use crate::heading::heading;
 use crate::machine_rules::{FIGURE, above, within};
 use crate::material::{LossPoint, MaterialProfile, Springback};
-use crate::profile::{Fault, Profile, header};
+use crate::profile::{Fault, Profile};
 
 const REQUIRED: &[(&str, &str)] = &[
     ("name", "a name for people"),
@@ -21,7 +22,7 @@ const REQUIRED: &[(&str, &str)] = &[
 impl Profile for MaterialProfile {
     const KIND: Kind = Kind::Material;
     const WHOLE: &'static [&'static str] = &["springback"];
-    header!();
+    heading!();
 
     fn required(&self) -> Vec<(&'static str, &'static str)> {
         let mut keys = REQUIRED.to_vec();

@@ -5,12 +5,10 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
+use crate::heading::OWN;
 use crate::layer::Layer;
 
-/// Keys that speak of one file and are never taken from a parent.
-pub(crate) const OWN: [&str; 6] = ["$schema", "schema_version", "kind", "id", "inherits", "abstract"];
-
-/// Who set a value.
+/// Which file set a value.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Origin {
     /// Id of the profile.

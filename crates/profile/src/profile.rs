@@ -27,25 +27,6 @@ macro_rules! layer {
 }
 pub(crate) use layer;
 
-/// Gives a profile's struct the accessors of its header.
-macro_rules! header {
-    () => {
-        fn id(&self) -> &str {
-            &self.id
-        }
-        fn schema_version(&self) -> u32 {
-            self.schema_version
-        }
-        fn inherits(&self) -> Option<&str> {
-            self.inherits.as_deref()
-        }
-        fn is_abstract(&self) -> bool {
-            self.is_abstract
-        }
-    };
-}
-pub(crate) use header;
-
 /// Whether a group sets nothing, so that it is left out when written.
 pub(crate) fn is_default<T: Default + PartialEq>(value: &T) -> bool {
     *value == T::default()
@@ -60,8 +41,6 @@ pub trait Profile: DeserializeOwned + Serialize + JsonSchema {
 
     /// The slug; equals the file's stem.
     fn id(&self) -> &str;
-    /// Format version of the file.
-    fn schema_version(&self) -> u32;
     /// Id of the parent.
     fn inherits(&self) -> Option<&str>;
     /// Whether this only serves to be inherited from.

@@ -1,45 +1,14 @@
 //! From an id to a complete profile: the chain of parents, the merge, and the rules.
 
-use std::collections::BTreeMap;
-
-use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
+use wirebend_error::ErrorRemedy;
 
 use crate::layer::Layer;
 use crate::library::Library;
-use crate::merge::{Merged, Origin, merge};
+use crate::merge::{Merged, merge};
 use crate::profile::Fault;
+use crate::resolved::{Resolved, origin};
 use crate::{Kind, Place, Profile, ProfileError};
-
-/// A profile with its parents merged in, and who set what.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Resolved<T> {
-    /// The merged profile. Its `inherits` is still the file's own.
-    pub profile: T,
-    /// Dotted key of each value to the profile that set it.
-    pub provenance: BTreeMap<String, Origin>,
-    /// Ids from the profile itself to its last ancestor.
-    pub chain: Vec<String>,
-}
-
-impl<T> Resolved<T> {
-    /// Who set a value, by dotted key such as `limits.max_bend_deg`; keys inside a value that is
-    /// replaced whole answer for the whole. `None` for a group and for what nobody set.
-    #[must_use]
-    pub fn origin(&self, key: &str) -> Option<&Origin> {
-        origin(&self.provenance, key)
-    }
-}
-
-pub(crate) fn origin<'a>(provenance: &'a BTreeMap<String, Origin>, key: &str) -> Option<&'a Origin> {
-    let mut key = key;
-    loop {
-        if let Some(origin) = provenance.get(key) {
-            return Some(origin);
-        }
-        key = key.rsplit_once('.')?.0;
-    }
-}
 
 impl Library {
     /// The profile and its ancestors, child first.
@@ -57,7 +26,7 @@ impl Library {
                 place,
                 kind: first.kind,
                 parent: parent.clone(),
-                help: self.known(first.kind, parent, &layer.id),
+                remedy: Box::new(self.known(first.kind, parent, &layer.id)),
             })?;
             chain.push(layer);
         }
@@ -125,10 +94,10 @@ impl Whole<'_> {
         }
         for (key, kind, id) in profile.references() {
             if self.library.layer(kind, id).is_none() {
-                let help = self.library.known(kind, id, "");
+                let remedy = Box::new(self.library.known(kind, id, ""));
                 let (key, id) = (key.to_owned(), id.to_owned());
                 let place = self.place(&key);
-                errors.push(ProfileError::UnknownReference { place, key, kind, id, help });
+                errors.push(ProfileError::UnknownReference { place, key, kind, id, remedy });
             }
         }
         errors
@@ -182,8 +151,8 @@ pub(crate) fn unfit(file: &str, error: &serde_json::Error) -> ProfileError {
     ProfileError::Shape {
         place: Place::file(file),
         column: 0,
-        message: error.to_string(),
-        help: "the file and its parents do not fit together".into(),
+        message: format!("the file and its parents do not fit together: {error}"),
+        remedy: Box::new(ErrorRemedy::CorrectProfile),
     }
 }
 

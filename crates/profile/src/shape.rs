@@ -55,7 +55,7 @@ pub struct Shape {
     /// Where the dimensions come from: a drawing, a measurement, or why they are estimates.
     #[schemars(length(min = 1))]
     pub source: String,
-    /// True when somebody measured them on the real machine.
+    /// True when they were measured on the real machine.
     pub measured: bool,
 }
 

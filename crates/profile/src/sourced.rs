@@ -16,7 +16,7 @@ pub struct Sourced<T> {
     /// Where the figure comes from: a paper, a data sheet, a measurement, or why it is an estimate.
     #[schemars(length(min = 1))]
     pub source: String,
-    /// True when somebody measured it on the real machine or wire; false for a stated, derived or
+    /// True when it was measured on the real machine or wire; false for a stated, derived or
     /// estimated figure.
     pub measured: bool,
 }

@@ -7,7 +7,6 @@ use wirebend_driver_api::{DriverError, EncodedFile, Job};
 use crate::program::{Program, trimmed};
 use crate::settings::{Comments, Names, Settings, clean};
 
-/// The file of one wire.
 pub(crate) fn wire(settings: &Rc<Settings>, job: &Job, index: usize) -> Result<EncodedFile, DriverError> {
     let wire = &job.wires[index];
     let steps = wire.machine_steps(index)?;

@@ -18,7 +18,6 @@ pub use settings::{Comments, Homing, Letter, Mode, Moves, Settings, Streaming};
 
 const FORMAT: &str = "gcode";
 
-/// The driver.
 #[derive(Debug)]
 pub struct Grbl {
     settings: Rc<Settings>,

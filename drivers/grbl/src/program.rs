@@ -7,8 +7,8 @@ use wirebend_driver_api::{DriverError, Step};
 use crate::settings::{Letter, Mode, Moves, Names, Settings};
 
 /// The largest position in units of the machine. Beyond it grbl, which counts in single precision, could no
-/// longer tell two positions a tenth of a unit apart.
-pub(crate) const FARTHEST: f64 = 1e6;
+/// longer distinguish two positions a tenth of a unit apart.
+pub(crate) const MAX_POSITION: f64 = 1e6;
 /// The highest line number that grbl takes (error 27).
 const LAST_LINE: u32 = 9_999_999;
 
@@ -18,15 +18,14 @@ pub(crate) enum Unwritable {
     /// A value of the step.
     #[error("its {what} is {value}, which is not a number")]
     NotFinite { what: &'static str, value: f64 },
-    /// A position.
-    #[error("its {what} ends at {position:.0} units of the machine, more than {FARTHEST}")]
+    #[error("its {what} ends at {position:.0} units of the machine, more than {MAX_POSITION}")]
     TooFar { what: &'static str, position: f64 },
 }
 
-/// Lines, and where the axes stand when all of them are made. Within a stretch no move sets right what another has moved:
+/// Lines, and where the axes stand when all of them are done. Within a segment no move sets right what another has moved:
 /// a line that was changed on its way shows at its end.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Stretch {
+pub(crate) struct Segment {
     pub lines: Vec<String>,
     /// Feed, rotation and bend as written, in units of the machine, from where the program began.
     pub end: [f64; 3],
@@ -98,12 +97,12 @@ impl Program {
         self.numbered(lines)
     }
 
-    /// The head turned from where it begins to a place, for a wire that is taken up again. Nothing for zero.
-    pub fn turned_to(&mut self, rotate_deg: f64) -> Result<Option<Stretch>, Unwritable> {
+    /// The head turned from where it begins to a place, for a wire that is resumed. Nothing for zero.
+    pub fn turned_to(&mut self, rotate_deg: f64) -> Result<Option<Segment>, Unwritable> {
         let settings = Rc::clone(&self.settings);
         let line = self.rotate.by(rotate_deg, &settings)?;
         let end = self.written();
-        Ok(line.map(|line| Stretch { lines: self.numbered(vec![line]), end }))
+        Ok(line.map(|line| Segment { lines: self.numbered(vec![line]), end }))
     }
 
     fn written(&self) -> [f64; 3] {
@@ -119,12 +118,12 @@ impl Program {
     /// A step: feed and rotate with the pin in, then pin out, bend, back, pin in. A part that is too small
     /// to be written is left out here and made up for by the next.
     pub fn step(&mut self, step: &Step) -> Result<Vec<String>, Unwritable> {
-        Ok(self.stretches(step)?.into_iter().flat_map(|stretch| stretch.lines).collect())
+        Ok(self.segments(step)?.into_iter().flat_map(|segment| segment.lines).collect())
     }
 
-    /// The same in stretches. A move to a position (G90) makes up for a wrong one of its axis before it, so that each move
-    /// of a bend ends a stretch there; distances (G91) leave what is wrong in them to the end of the step.
-    pub fn stretches(&mut self, step: &Step) -> Result<Vec<Stretch>, Unwritable> {
+    /// The same in segments. A move to a position (G90) makes up for a wrong one of its axis before it, so that each move
+    /// of a bend ends a segment there; distances (G91) leave what is wrong in them to the end of the step.
+    pub fn segments(&mut self, step: &Step) -> Result<Vec<Segment>, Unwritable> {
         let settings = Rc::clone(&self.settings);
         // A step that cannot be written leaves no trace.
         let (mut feed, mut rotate, mut bend) = (self.feed.clone(), self.rotate.clone(), self.bend.clone());
@@ -142,7 +141,7 @@ impl Program {
                 bends.push((lines, bend.written(&settings)));
             }
         }
-        let mut stretches = Vec::new();
+        let mut segments = Vec::new();
         let end = |bend_at| [feed.written(&settings), rotate.written(&settings), bend_at];
         if !bends.is_empty() {
             if settings.bend_returns {
@@ -154,7 +153,7 @@ impl Program {
             for (moves, bend_at) in bends {
                 lines.extend(moves);
                 if settings.mode == Mode::Absolute {
-                    stretches.push(Stretch { lines: std::mem::take(&mut lines), end: end(bend_at) });
+                    segments.push(Segment { lines: std::mem::take(&mut lines), end: end(bend_at) });
                 }
             }
             lines.extend_from_slice(&settings.pin_in);
@@ -163,16 +162,16 @@ impl Program {
             bend.exact = before;
         }
         let end = end(bend.written(&settings));
-        match stretches.last_mut() {
+        match segments.last_mut() {
             // What takes the pin in moves no axis.
             Some(last) => last.lines.append(&mut lines),
-            None => stretches.push(Stretch { lines, end }),
+            None => segments.push(Segment { lines, end }),
         }
         (self.feed, self.rotate, self.bend) = (feed, rotate, bend);
-        for stretch in &mut stretches {
-            stretch.lines = self.numbered(std::mem::take(&mut stretch.lines));
+        for segment in &mut segments {
+            segment.lines = self.numbered(std::mem::take(&mut segment.lines));
         }
-        Ok(stretches)
+        Ok(segments)
     }
 
     fn numbered(&mut self, lines: Vec<String>) -> Vec<String> {
@@ -195,10 +194,10 @@ impl Program {
 }
 
 /// Ends of the moves that make a bend, counted from its start.
-fn parts(bend_deg: f64, largest_deg: f64) -> impl Iterator<Item = f64> {
-    let count = if largest_deg > 0.0 { (bend_deg.abs() / largest_deg).ceil().max(1.0) } else { 1.0 };
+fn parts(bend_deg: f64, max_deg: f64) -> impl Iterator<Item = f64> {
+    let count = if max_deg > 0.0 { (bend_deg.abs() / max_deg).ceil().max(1.0) } else { 1.0 };
     // A bend that is no number is one part, and is refused when it is written.
-    let count = if count <= FARTHEST { count } else { 1.0 };
+    let count = if count <= MAX_POSITION { count } else { 1.0 };
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // 1 to a million
     let whole = count as u32;
     (1..=whole).map(move |k| if k == whole { bend_deg } else { bend_deg * f64::from(k) / count })
@@ -229,7 +228,7 @@ impl AxisAt {
         if position.is_nan() {
             return Err(Unwritable::NotFinite { what: self.what, value: place });
         }
-        if position.abs() > FARTHEST {
+        if position.abs() > MAX_POSITION {
             return Err(Unwritable::TooFar { what: self.what, position });
         }
         #[allow(clippy::cast_possible_truncation)] // at most a million with four digits

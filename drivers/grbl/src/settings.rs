@@ -1,6 +1,7 @@
 //! What a person can set. The comments of the fields are shown in a form.
 
 mod check;
+mod refusal;
 mod template;
 
 use std::collections::BTreeMap;
@@ -56,7 +57,7 @@ pub struct Settings {
     pub pin_dwell_s: f64,
     /// Whether the bend axis goes back to where it was before the pin is taken in. Without it each bend counts from where the one before has ended.
     pub bend_returns: bool,
-    /// The largest part of a bend that is made in one move, degrees; at least 0.1; 0 makes every bend in one move.
+    /// The largest angle that is bent in one move, degrees; at least 0.1; 0 does every bend in one move.
     #[schemars(range(min = 0.0, max = 360.0))]
     pub arc_step_deg: f64,
     /// Pause between the parts of a bend, s.
@@ -89,7 +90,7 @@ impl Default for Settings {
             bend_axis: Letter::Z,
             mode: Mode::default(),
             moves: Moves::default(),
-            // What $110 to $112 are on a machine whose settings nobody has changed.
+            // What $110 to $112 are on a machine whose settings were not changed.
             feed_rate_mm_per_min: 500.0,
             rotate_rate_deg_per_min: 500.0,
             bend_rate_deg_per_min: 500.0,
@@ -147,7 +148,7 @@ impl Letter {
     }
 
     /// Its place in the positions that the machine reports.
-    pub(crate) const fn place(self) -> usize {
+    pub(crate) const fn index(self) -> usize {
         self as usize
     }
 }

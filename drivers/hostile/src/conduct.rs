@@ -1,4 +1,4 @@
-//! What it was told to do, and those misdeeds that need no answer.
+//! What it was ordered to do, and those misdeeds that need no answer.
 
 use std::fs::File;
 use std::io::Write;
@@ -7,12 +7,11 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::OnceLock;
 
-/// How it behaves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Conduct {
     /// As a driver should.
     Well,
-    /// One of [`HOW`](crate::HOW), for whoever makes the answer.
+    /// One of [`HOW`](crate::HOW), for the code that makes the answer.
     As(&'static str),
 }
 
@@ -79,13 +78,13 @@ fn told() -> Option<(&'static str, &'static str)> {
 /// Descriptors that the driver was never given.
 fn each_descriptor(mut misuse: impl FnMut(&mut File)) {
     for number in 3..32 {
-        // SAFETY: none: the descriptor may belong to anybody, or to nobody.
+        // SAFETY: none: the descriptor may belong to any other code, or to none.
         let mut file = ManuallyDrop::new(unsafe { <File as std::os::fd::FromRawFd>::from_raw_fd(number) });
         misuse(&mut file);
     }
 }
 
-/// Closes a descriptor that somebody else uses. Rust refuses to close what it did not open, C does not.
+/// Closes a descriptor that other code uses. Rust refuses to close what it did not open, C does not.
 fn close(number: i32) {
     unsafe extern "C" {
         safe fn close(number: i32) -> i32;

@@ -1,9 +1,9 @@
 //! A machine that outlives its driver: it is kept in a file, as a real one keeps its queue when the computer is
-//! gone. Everything that it makes is written down there, so that a step that is made twice is seen.
+//! gone. Everything that it does is written down there, so that a step that is done twice is seen.
 //!
 //! Settings: `machine` (the file), `faults` (a list of `{"at": step, "how": …}`, of which each happens once),
-//! `alone` (how many of the steps that it has taken it makes before it is connected to again), `holds_by_hand` (in which of
-//! the moves by hand, from 1, it holds; a search for the reference is one) and `misset` (one of its settings is another until
+//! `alone` (how many of the steps that it has taken it does before it is connected to again), `holds_by_hand` (in which of
+//! the moves by hand, from 1, it holds; homing is one) and `misset` (one of its settings is another until
 //! they are written).
 
 use std::collections::VecDeque;
@@ -13,7 +13,7 @@ use std::path::PathBuf;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use wirebend_driver_api::{
-    Batch, Call, DoneBy, DriverError, Event, GoingOn, HeadBy, Limits, PausedBy, ReferenceBy, Sent,
+    Batch, Call, DoneBy, DriverError, Event, HeadBy, Limits, PausedBy, ReferenceBy, ResumeState, Sent,
     SettingCheck, Step,
 };
 
@@ -51,19 +51,18 @@ struct Fault {
 enum How {
     /// The cable is pulled before it begins; the machine stays in its session.
     Unplug,
-    /// The same when it has been made and before that was told.
+    /// The same when it has been done and before that was reported.
     UnplugAfter,
     /// The controller starts anew, and has forgotten everything.
     Reset,
     ResetAfter,
-    /// Somebody presses the button of the machine: it makes the step, and holds.
+    /// A person presses the button of the machine: it finishes the step, and holds.
     Hold,
     /// The driver is gone.
     Crash,
     CrashAfter,
 }
 
-/// What is in the file.
 #[derive(Debug, Default, Serialize, Deserialize)]
 struct Kept {
     /// None after a reset.
@@ -75,11 +74,11 @@ struct Kept {
     done: u32,
     /// The batch that ends the wire was taken.
     ends: bool,
-    /// Every step that was ever made, in order.
+    /// Every step that was ever done, in order.
     made: Vec<u32>,
     /// Where the head was said to stand, for each arming.
     heads: Vec<f64>,
-    /// Every step as it was told.
+    /// Every step as it was sent.
     told: Vec<Step>,
 }
 
@@ -95,7 +94,7 @@ pub(crate) struct Machine {
     settings: Settings,
     file: PathBuf,
     kept: Kept,
-    going_on: bool,
+    resumed: bool,
     holds: bool,
     finished: bool,
     cable: Cable,
@@ -119,7 +118,7 @@ impl Machine {
             settings,
             file,
             kept,
-            going_on: false,
+            resumed: false,
             holds: false,
             finished: false,
             cable: Cable::In,
@@ -142,7 +141,7 @@ impl Machine {
             Call::Home { .. } => self.move_by_hand(Event::Homed),
             Call::Jog(_) => self.move_by_hand(Event::Jogged),
             Call::Arm(run) => {
-                if !self.going_on {
+                if !self.resumed {
                     self.kept.sessions += 1;
                     self.kept.session = Some(self.kept.sessions);
                     (self.kept.accepted, self.kept.done) = (run.after, run.after);
@@ -167,7 +166,7 @@ impl Machine {
                 return Err(DriverError::new("disconnected", "the port is gone", "connect again"));
             }
             Call::Stop => {
-                (self.going_on, self.holds) = (false, false);
+                (self.resumed, self.holds) = (false, false);
                 self.kept.session = None;
                 self.save();
                 if let Some(Cut { made, exact }) = self.settings.cut
@@ -192,14 +191,14 @@ impl Machine {
 
     fn connect(&mut self, resume: Option<&str>) {
         let known = self.kept.session.map(|session| session.to_string());
-        self.going_on = resume.is_some() && resume == known.as_deref();
-        let mut going_on = None;
-        if self.going_on {
+        self.resumed = resume.is_some() && resume == known.as_deref();
+        let mut state = None;
+        if self.resumed {
             let alone = self.settings.alone.min(self.kept.accepted - self.kept.done);
             (0..alone).for_each(|_| self.make());
-            // Nobody was there for a second: what was not begun waits.
+            // No program was there for a second: what was not begun waits.
             self.holds = self.kept.done < self.kept.accepted;
-            going_on = Some(GoingOn { accepted: self.kept.accepted, done: self.kept.done });
+            state = Some(ResumeState { accepted: self.kept.accepted, done: self.kept.done });
         }
         let identity = "a machine in a file".to_owned();
         let other = || SettingCheck {
@@ -213,7 +212,7 @@ impl Machine {
             identity,
             settings,
             homed: false,
-            going_on,
+            resume: state,
             reference: ReferenceBy::default(),
             done_by: DoneBy::default(),
             head: HeadBy::default(),
@@ -243,7 +242,7 @@ impl Machine {
         Ok(serde_json::to_value(Sent { accepted: self.kept.accepted, free }).unwrap_or_default())
     }
 
-    /// Makes one step for each look at it.
+    /// Does one step for each look at it.
     pub fn poll(&mut self) -> Option<Event> {
         if self.events.is_empty() && !self.holds && self.kept.session.is_some() {
             self.turn();
@@ -272,7 +271,7 @@ impl Machine {
                 self.holds = true;
                 self.events.extend([Event::Done { n }, Event::Paused { by: PausedBy::Machine }]);
             }
-            // It may go on by itself.
+            // It may resume by itself.
             Some(How::Unplug | How::UnplugAfter) => {
                 self.cable = Cable::Out;
                 self.fault(None, "unplugged");

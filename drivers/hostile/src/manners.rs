@@ -1,4 +1,4 @@
-//! What it does when it behaves: a machine in memory that makes every step at once.
+//! What it does when it behaves: a machine in memory that does every step at once.
 
 use std::collections::VecDeque;
 
@@ -16,7 +16,7 @@ const DESCRIPTION: &str = r#"{"id": "hostile", "name": "Hostile", "version": "0.
 "settings_schema": {"type": "object", "additionalProperties": false, "properties": {
     "machine": {"type": "string", "description": "File that the machine is kept in."},
     "faults": {"type": "array", "items": {"type": "object"}, "description": "What goes wrong, and at which step."},
-    "alone": {"type": "integer", "description": "Steps that it makes while nobody is there."},
+    "alone": {"type": "integer", "description": "Steps that it does while no program is there."},
     "holds_by_hand": {"type": "integer", "description": "The move by hand in which it holds."},
     "misset": {"type": "boolean", "description": "A setting is another one until it is written."}}}}"#;
 
@@ -30,10 +30,10 @@ fn settings(when: &str) -> Value {
 const TOKEN: &str = "hostile-1";
 
 fn connected(request: &Value) -> Value {
-    // Nobody has asked it to go on, and it has made more than it has taken.
+    // It was not asked to resume, and it has done more than it has taken.
     let lie = is_told("connect", "lie").then(|| json!({"accepted": 3, "done": 9}));
-    let going_on = lie.or_else(|| (request["resume"] == TOKEN).then(|| json!({"accepted": 3, "done": 1})));
-    json!({"event": "connected", "identity": "nobody", "settings": settings("connect"), "going_on": going_on})
+    let resume = lie.or_else(|| (request["resume"] == TOKEN).then(|| json!({"accepted": 3, "done": 1})));
+    json!({"event": "connected", "identity": "nobody", "settings": settings("connect"), "going_on": resume})
 }
 
 fn written() -> Value {
@@ -52,11 +52,11 @@ pub(crate) struct Instance {
     events: VecDeque<Value>,
     /// The one that it moves instead of the one in memory.
     machine: Option<Machine>,
-    /// It has told of a fault.
+    /// It has reported a fault.
     faulted: bool,
 }
 
-/// Faults that it can tell of while its machine moves on: one after which it stops the machine when it is told to, one after
+/// Faults that it can report while its machine moves on: one after which it stops the machine when it is ordered to, one after
 /// which it never says that the machine stands, and one that has taken its port away.
 const FAULTS: [&str; 3] = ["fault", "numb", "gone"];
 
@@ -125,7 +125,7 @@ impl Instance {
             return Ok(event.unwrap_or_default());
         }
         if is_told("poll", "lie") {
-            // A step of a wire that it was never told of.
+            // A step of a wire that it was never sent.
             return Ok(json!({"event": "done", "n": 86_419}).to_string());
         }
         if let Some(table) = &mut self.real {
@@ -142,7 +142,7 @@ impl Instance {
 
     fn send(&mut self, request: &Value) -> Value {
         let steps = request["steps"].as_array().map(Vec::as_slice).unwrap_or_default();
-        // Steps that were never sent, and a wire that is made before its steps are.
+        // Steps that were never sent, and a wire that is finished before its steps are.
         let lie = if is_told("send", "lie") { 5 } else { 0 };
         let numbers = steps.iter().filter_map(|step| Some(step["n"].as_u64()? + lie));
         self.events.extend(numbers.map(|n| json!({"event": "done", "n": n})));

@@ -46,7 +46,7 @@ pub(crate) fn is_remark(line: &str) -> bool {
     line.is_empty() || (line.starts_with("//") && line.ends_with("//"))
 }
 
-/// Whether a line is that of another controller, whatever goes on: grbl's greeting and answers, or a sealed line of the
+/// Whether a line is that of another controller, whatever is under way: grbl's greeting and answers, or a sealed line of the
 /// WireBend-kit's firmware, which ends with `*` and four hexadecimal digits.
 pub(crate) fn is_of_another(line: &str) -> bool {
     let begins = |word: &str| line.get(..word.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(word));

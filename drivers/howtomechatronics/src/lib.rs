@@ -3,8 +3,8 @@
 //! `README.md` says exactly what is written and sent, and what the machine cannot do.
 
 mod command;
+mod duration;
 mod limits;
-mod pace;
 mod program;
 mod session;
 mod settings;
@@ -37,7 +37,7 @@ impl MachineDriver for HowToMechatronics {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             description: "The Arduino bender of HowToMechatronics and its clones: whole millimetres and \
                           degrees, as a file or sent by the clock. The machine moves its arm when the port is \
-                          opened, acknowledges nothing, so that steps count as made by the clock alone, and \
+                          opened, acknowledges nothing, so that steps count as done by the clock alone, and \
                           cannot be stopped by the program: keep its power switch at hand. No machine has been run by this driver."
                 .to_owned(),
             capabilities: [Capability::Export, Capability::Live, Capability::Ports].into(),

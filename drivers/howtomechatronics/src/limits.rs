@@ -3,7 +3,7 @@
 use wirebend_driver_api::{Axis, AxisLimit, AxisRate, Extent, Limits};
 
 use crate::Settings;
-use crate::whole::{LARGEST_ANGLE_DEG, LARGEST_FEED_MM};
+use crate::whole::{MAX_ANGLE_DEG, MAX_FEED_MM};
 
 pub(crate) fn of(settings: &Settings) -> Limits {
     let s = settings;
@@ -14,9 +14,9 @@ pub(crate) fn of(settings: &Settings) -> Limits {
     let stroke = 2.0 / (1.0 / s.bend_rate_deg_per_s + 1.0 / s.bend_return_rate_deg_per_s);
     Limits {
         limits: vec![
-            AxisLimit::known(Axis::Feed, Extent::Step, LARGEST_FEED_MM, coil),
-            AxisLimit::known(Axis::Rotate, Extent::Step, LARGEST_ANGLE_DEG, counted),
-            AxisLimit::known(Axis::Bend, Extent::Step, LARGEST_ANGLE_DEG, counted),
+            AxisLimit::known(Axis::Feed, Extent::Step, MAX_FEED_MM, coil),
+            AxisLimit::known(Axis::Rotate, Extent::Step, MAX_ANGLE_DEG, counted),
+            AxisLimit::known(Axis::Bend, Extent::Step, MAX_ANGLE_DEG, counted),
         ],
         rates: vec![
             AxisRate::new(Axis::Feed, s.feed_rate_mm_per_s, &["feed_rate_mm_per_s"]),

@@ -61,15 +61,15 @@ struct Rounded {
 
 impl Rounded {
     fn add(&mut self, axes: &Axes) {
-        let of = |axis: &Axis, together: f64| (axis.changed, axis.largest_error, together);
+        let of = |axis: &Axis, together: f64| (axis.changed, axis.max_error, together);
         let axes = [
             of(&axes.feed, axes.feed.carry.abs()),
             of(&axes.rotate, axes.rotate.carry.abs()),
             of(axes.bend.each(), axes.bend.together()),
         ];
-        for (worst, (changed, largest_error, together)) in self.axes.iter_mut().zip(axes) {
+        for (worst, (changed, max_error, together)) in self.axes.iter_mut().zip(axes) {
             self.changed += changed;
-            *worst = (worst.0.max(largest_error), worst.1.max(together));
+            *worst = (worst.0.max(max_error), worst.1.max(together));
         }
     }
 

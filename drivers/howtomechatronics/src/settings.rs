@@ -80,10 +80,10 @@ impl Settings {
             ("margin_percent", self.margin_percent, 0.0, 1000.0),
             ("most_feed_mm", f64::from(self.most_feed_mm), 1.0, 1e5),
         ];
-        match checked.into_iter().find(|(_, value, least, most)| !(*least..=*most).contains(value)) {
+        match checked.into_iter().find(|(_, value, min, max)| !(*min..=*max).contains(value)) {
             None => Ok(()),
-            Some((key, value, least, most)) => {
-                let message = format!("'{key}' is {value}; it can be {least} to {most}");
+            Some((key, value, min, max)) => {
+                let message = format!("'{key}' is {value}; it can be {min} to {max}");
                 Err(DriverError::new("settings", message, "set it to what was measured, or leave it out"))
             }
         }

@@ -15,12 +15,11 @@ use crate::Settings;
 use crate::command::{Command, echoed, is_of_another, is_remark};
 use crate::whole::Axes;
 
-/// Steps that are taken ahead; the program sends more when they are made.
+/// Steps that are taken ahead; the program sends more when they are done.
 const ROOM: usize = 64;
 /// A line of the machine is a few words; what is longer is noise and is cut there, in bytes.
-const LONGEST_LINE: usize = 200;
+const MAX_LINE: usize = 200;
 
-/// A connection.
 #[derive(Debug)]
 pub(crate) struct Timed {
     settings: Settings,
@@ -41,18 +40,17 @@ pub(crate) struct Timed {
 enum State {
     /// The board starts.
     Booting,
-    /// It takes commands.
     Ready,
-    /// Where its axes are nobody knows any more.
+    /// The position of its axes is unknown.
     Lost,
 }
 
 #[derive(Debug)]
 enum Task {
     Say(Command),
-    /// All commands of this step have been made.
+    /// All commands of this step are done.
     Step(u32),
-    /// All steps have been made.
+    /// All steps are done.
     Wire,
     /// Nothing is under way any more.
     Stop,
@@ -97,15 +95,15 @@ impl Timed {
                 "disconnect, put the machine at its start by hand, and connect again",
             ),
             State::Ready if self.under_way.is_some() || !self.queue.is_empty() => {
-                refused("busy", "a wire is being made", "wait until it is finished, or stop it")
+                refused("busy", "a wire is being bent", "wait until it is finished, or stop it")
             }
             State::Ready if run.after > run.steps => {
-                let message = format!("{} of {} steps cannot be made already", run.after, run.steps);
+                let message = format!("{} of {} steps cannot be done already", run.after, run.steps);
                 refused("no-such-step", &message, "plan the wire again")
             }
             State::Ready => {
                 let mut axes = Axes::default();
-                // The head was put at its start, and the made part of the wire has left it elsewhere.
+                // The head was put at its start, and the finished part of the wire has left it elsewhere.
                 let turn = Step { rotate_deg: run.rotate_at_deg, ..Step::default() };
                 let turn = axes.commands(&turn, "where the head was", self.settings.most_feed_mm)?;
                 let (steps, taken) = (run.steps, run.after);
@@ -121,7 +119,7 @@ impl Timed {
         let Some(wire) = &mut self.wire else {
             return Err(DriverError::new(
                 "not-armed",
-                "there is no wire to make",
+                "there is no wire to bend",
                 "arm the machine for a wire",
             ));
         };
@@ -160,7 +158,7 @@ impl Timed {
         Ok(Sent { accepted: taken, free: u32::try_from(room).unwrap_or(0) })
     }
 
-    /// Sends nothing more. What the machine is making it makes to the end, and only then it is at rest.
+    /// Sends nothing more. The machine finishes what it was sent, and only then it is at rest.
     pub fn stop(&mut self) {
         self.wire = None;
         self.queue.clear();
@@ -168,8 +166,8 @@ impl Timed {
         self.queue.push_back(Task::Stop);
         self.events.push_back(Event::Warning(DriverError::new(
             "no-stop",
-            "this machine cannot be stopped by the program: nothing more is sent, and what it was sent it makes \
-             to the end",
+            "this machine cannot be stopped by the program: nothing more is sent, and it finishes what it \
+             was sent",
             "cut its power to stop the motion under way",
         )));
     }
@@ -201,7 +199,7 @@ impl Timed {
     /// Bytes of the machine: lines for the console, and what it says to a command.
     pub fn receive(&mut self, bytes: &[u8], now: Duration) {
         for byte in bytes {
-            if *byte != b'\n' && self.line.len() < LONGEST_LINE {
+            if *byte != b'\n' && self.line.len() < MAX_LINE {
                 self.line.push(*byte);
                 continue;
             }
@@ -212,7 +210,7 @@ impl Timed {
     }
 
     pub fn unplugged(&mut self) {
-        let message = "the line to the machine is gone; what it was sent it makes to the end";
+        let message = "the line to the machine is gone; it finishes what it was sent";
         let help =
             "cut its power if it still moves, plug it in, put it at its start by hand, and connect again";
         self.fail(DriverError::new("unplugged", message, help), true);
@@ -232,20 +230,20 @@ impl Timed {
             identity: "unknown: this machine does not say what it is".to_owned(),
             settings: Vec::new(),
             homed: true,
-            going_on: None,
+            resume: None,
             reference: ReferenceBy::default(),
             done_by: DoneBy::Clock,
             head: HeadBy::default(),
         });
         self.events.push_back(Event::Warning(DriverError::new(
             "no-acknowledgement",
-            "this machine never says that it has made something: a step counts as made when the time that it is reckoned \
+            "this machine never reports that something is done: a step counts as done when the time that it is reckoned \
              to take is over, even where no machine is at the port",
             "watch it, and see that the port is the right one",
         )));
         self.events.push_back(Event::Warning(DriverError::new(
             "homed-by-hand",
-            "this machine does not tell where its axes are; the program takes them to be at their start",
+            "this machine does not report where its axes are; the program takes them to be at their start",
             "before arming turn the wire head and the bend arm to their start by hand, where the sketch has not \
              done it",
         )));

@@ -11,9 +11,9 @@ const NOTHING_MM: f64 = 1e-6;
 /// A bend below this is none, degrees: the noise of computing with floats.
 const NO_BEND_DEG: f64 = 1e-9;
 /// More wire than any coil has, mm.
-pub(crate) const LARGEST_FEED_MM: f64 = 1e6;
+pub(crate) const MAX_FEED_MM: f64 = 1e6;
 /// The sketch counts 16 steps a degree in 16 bits: 32767 / 16.
-pub(crate) const LARGEST_ANGLE_DEG: f64 = 2047.0;
+pub(crate) const MAX_ANGLE_DEG: f64 = 2047.0;
 
 /// The three axes with what they still owe.
 #[derive(Debug, Clone, Default)]
@@ -29,7 +29,7 @@ pub(crate) struct Axis {
     /// What was asked for and not written yet: between minus a half and a half.
     pub carry: f64,
     /// The largest difference between a step and what was written for it.
-    pub largest_error: f64,
+    pub max_error: f64,
     /// How many steps were written as something else than they are.
     pub changed: usize,
 }
@@ -46,7 +46,7 @@ impl Axis {
         let error = (value - whole).abs();
         // What the last bits of a float do is no change that a person has to hear of.
         self.changed += usize::from(error > NOTHING_MM);
-        self.largest_error = self.largest_error.max(error);
+        self.max_error = self.max_error.max(error);
         whole as i32
     }
 }
@@ -72,7 +72,7 @@ impl Bends {
         }
         match self.turned {
             0 => {}
-            // The axis points the other way: a bend below zero goes on the same way round.
+            // The axis points the other way: a bend below zero continues the same way round.
             180 | -180 => self.axis.carry = -self.axis.carry,
             _ => {
                 self.left_behind = self.together();
@@ -126,14 +126,14 @@ impl Axes {
 fn check(step: &Step, place: &str) -> Result<(), DriverError> {
     let Step { feed_mm, rotate_deg, bend_deg } = *step;
     let axes = [
-        ("feed", "mm", feed_mm, LARGEST_FEED_MM),
-        ("rotate", "degrees", rotate_deg, LARGEST_ANGLE_DEG),
-        ("bend", "degrees", bend_deg, LARGEST_ANGLE_DEG),
+        ("feed", "mm", feed_mm, MAX_FEED_MM),
+        ("rotate", "degrees", rotate_deg, MAX_ANGLE_DEG),
+        ("bend", "degrees", bend_deg, MAX_ANGLE_DEG),
     ];
-    for (name, unit, value, largest) in axes {
-        if !value.is_finite() || value.abs() > largest {
+    for (name, unit, value, max) in axes {
+        if !value.is_finite() || value.abs() > max {
             let message =
-                format!("{place}: {name} is {value} {unit}; this machine counts up to {largest} {unit}");
+                format!("{place}: {name} is {value} {unit}; this machine counts up to {max} {unit}");
             return Err(DriverError::new("too-large", message, "divide the design, or look at its scale"));
         }
     }
@@ -167,7 +167,7 @@ mod tests {
         assert!(left.iter().all(|error| error.abs() < 1e-9), "{axes:?}");
     }
 
-    /// After 1.5 mm as 2 there is half a millimetre too much; a feed of -1 to mend it would never end.
+    /// After 1.5 mm as 2 there is half a millimetre too much; a feed of -1 to correct it would never end.
     #[test]
     fn a_step_of_zero_stays_zero() {
         let mut axes = Axes::default();
@@ -184,7 +184,7 @@ mod tests {
             steps.iter().map(words).collect::<Vec<_>>().join(", ")
         };
         for (steps, expected) in [
-            // 45.4 + 45.6 = 91: after half a turn a bend below zero goes on the same way round.
+            // 45.4 + 45.6 = 91: after half a turn a bend below zero continues the same way round.
             (&[(0.0, 45.4), (180.0, -45.6)] as &[_], "b45, z180 b-46"),
             (&[(0.0, 45.4), (-180.0, -45.6)], "b45, z-180 b-46"),
             // 45.4 - 45.4 = 0: a bend above zero takes the first one back.
@@ -197,7 +197,7 @@ mod tests {
             // Other planes: each the nearest number, also in a plane that the wire has been in before.
             (&[(0.0, 45.4), (90.0, 45.4)], "b45, z90 b45"),
             (&[(0.0, 45.4), (90.0, 45.4), (-90.0, 45.4)], "b45, z90 b45, z-90 b45"),
-            // A bend that is too small to be written is made by the next of its plane, and lost out of it.
+            // A bend that is too small to be written is added to the next of its plane, and lost otherwise.
             (&[(0.0, 0.4), (180.0, -0.4)], ", z180 b-1"),
             (&[(0.0, 0.4), (90.0, 0.4)], ", z90"),
         ] {

@@ -1,6 +1,6 @@
 //! Scripts for the Pensa D.I.Wire. `README.md` says exactly what is written and what is not known.
 
-mod number;
+mod rounding;
 mod script;
 mod settings;
 
@@ -12,7 +12,7 @@ use wirebend_driver_api::{
 
 pub use settings::{Case, Comments, Extension, Settings};
 
-use number::Rounding;
+use rounding::Rounding;
 
 const FORMAT: &str = "pensa-script";
 

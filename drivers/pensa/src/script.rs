@@ -2,9 +2,9 @@
 
 use std::fmt::Write as _;
 
-use wirebend_driver_api::{DriverError, Step};
+use wirebend_driver_api::{DriverError, Step, fixed, is_zero};
 
-use crate::number::{Rounding, fixed, is_zero};
+use crate::rounding::Rounding;
 use crate::settings::{Comments, Settings};
 
 /// Pin out of the way, and back at the wire: the heights that published programs give.

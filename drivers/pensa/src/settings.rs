@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use wirebend_driver_api::DriverError;
 
 /// The most digits behind the decimal point.
-const MOST_DECIMALS: u8 = 9;
+const MAX_DECIMALS: u8 = 9;
 
 /// How scripts are written. The comments below are shown in a form.
 #[derive(Debug, Clone, Serialize, Deserialize, JsonSchema)]
@@ -75,8 +75,8 @@ pub enum Comments {
 
 impl Settings {
     pub(crate) fn check(&self) -> Result<(), DriverError> {
-        if self.decimals > MOST_DECIMALS {
-            let message = format!("'decimals' is {}; it can be 0 to {MOST_DECIMALS}", self.decimals);
+        if self.decimals > MAX_DECIMALS {
+            let message = format!("'decimals' is {}; it can be 0 to {MAX_DECIMALS}", self.decimals);
             return Err(DriverError::new("settings", message, "set it to 5, as published programs have"));
         }
         Ok(())

@@ -2,13 +2,13 @@
 
 use wirebend_driver_api::{DesignStep, DriverError, Job, Wire};
 
-use crate::grid::{Grid, MOST_UNITS};
+use crate::grid::{Grid, MAX_UNITS};
 use crate::layout::BendLayout;
 use crate::measure;
 use crate::refusal;
 use crate::rounding::Rounding;
-use crate::settings::{Column, Handedness, RotationCount};
 use crate::sheet::Sheet;
+use crate::values::{Column, Handedness, RotationCount};
 
 /// A bend below this is none, degrees: the noise of computing with floats, far below nine decimals.
 const NO_BEND_DEG: f64 = 1e-10;
@@ -91,7 +91,7 @@ fn lengths(
     for (row, part) in rows.iter_mut().zip(parts) {
         let next = style.grid.units(style.in_unit(part.sum_mm));
         row.distance = style.grid.units(style.in_unit(part.distance_mm));
-        if row.distance > MOST_UNITS {
+        if row.distance > MAX_UNITS {
             let distance = style.in_unit(part.distance_mm);
             return Err(refusal::too_long(index, distance, style.unit, style.grid.decimals));
         }

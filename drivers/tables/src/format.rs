@@ -1,6 +1,6 @@
 //! The formats, and what each says where a person and a preset say nothing.
 
-use crate::settings::{Column, LengthUnit, Lengths, RotationCount};
+use crate::values::{Column, LengthUnit, Lengths, RotationCount};
 
 /// A table that can be written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -9,7 +9,6 @@ pub(crate) enum TableFormat {
     Lra,
     /// The same under the names of a machine's axes.
     Ybc,
-    /// Corners.
     Xyz,
     /// Distances and planes counted from the start.
     Cumulative,

@@ -1,8 +1,8 @@
 //! Numbers with a fixed count of decimals, counted in whole units of the last place. Sums and differences
 //! of whole units are exact, so nothing is lost between one row and the next.
 
-/// The most units that are told apart and written without fault: a kilometre at nine decimals.
-pub(crate) const MOST_UNITS: f64 = 1e15;
+/// The most units that an f64 counts and writes exactly: a kilometre with nine decimals.
+pub(crate) const MAX_UNITS: f64 = 1e15;
 
 /// How many decimals there are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -76,7 +76,7 @@ mod tests {
     #[test]
     fn the_largest_numbers_are_written_digit_by_digit() {
         let grid = Grid { decimals: 9 };
-        assert_eq!(grid.text(MOST_UNITS - 1.0), "999999.999999999");
+        assert_eq!(grid.text(MAX_UNITS - 1.0), "999999.999999999");
         assert_eq!(grid.text(123_456_789_012_345.0), "123456.789012345");
     }
 }

@@ -5,14 +5,15 @@ use wirebend_driver_api::DriverError;
 use crate::format::TableFormat;
 use crate::grid::Grid;
 use crate::refusal::setting;
-use crate::settings::{
-    Column, Comments, DecimalMark, Handedness, LengthUnit, Lengths, LineEnd, PointColumn, RotationCount,
-    Separator, Settings,
-};
+use crate::settings::Settings;
 use crate::sheet::Style;
+use crate::values::{
+    Column, Comments, DecimalMark, Handedness, LengthUnit, Lengths, LineEnd, PointColumn, RotationCount,
+    Separator,
+};
 
 /// The most digits behind the decimal mark.
-const MOST_DECIMALS: u8 = 9;
+const MAX_DECIMALS: u8 = 9;
 
 /// How a table of bends is written.
 #[derive(Debug)]
@@ -106,8 +107,8 @@ pub(crate) fn points(settings: &Settings) -> Result<PointLayout, DriverError> {
 fn style(settings: &Settings) -> Result<Style, DriverError> {
     let said = settings.preset.says();
     let decimals = settings.decimals.unwrap_or(3);
-    if decimals > MOST_DECIMALS {
-        let message = format!("'decimals' is {decimals}; it can be 0 to {MOST_DECIMALS}");
+    if decimals > MAX_DECIMALS {
+        let message = format!("'decimals' is {decimals}; it can be 0 to {MAX_DECIMALS}");
         return Err(setting(message, "set it to 3 for thousandths"));
     }
     let decimal_mark = settings.decimal_mark.or(said.decimal_mark).unwrap_or(DecimalMark::Point);

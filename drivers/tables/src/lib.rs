@@ -12,6 +12,7 @@ mod refusal;
 mod rounding;
 mod settings;
 mod sheet;
+mod values;
 
 use serde_json::Value;
 use wirebend_driver_api::{
@@ -20,9 +21,10 @@ use wirebend_driver_api::{
 };
 
 pub use preset::Preset;
-pub use settings::{
+pub use settings::Settings;
+pub use values::{
     Column, Comments, DecimalMark, Handedness, LengthUnit, Lengths, LineEnd, PointColumn, RotationCount,
-    Separator, Settings,
+    Separator,
 };
 
 use format::TableFormat;

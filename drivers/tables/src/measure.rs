@@ -3,7 +3,7 @@
 use wirebend_driver_api::{DesignStep, DriverError};
 
 use crate::refusal;
-use crate::settings::Lengths;
+use crate::values::Lengths;
 
 /// Arcs that just meet may overlap by the last bits of a float, mm.
 const MEETING_MM: f64 = 1e-6;

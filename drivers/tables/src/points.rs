@@ -2,12 +2,12 @@
 
 use wirebend_driver_api::{DriverError, Job, Wire};
 
-use crate::grid::MOST_UNITS;
+use crate::grid::MAX_UNITS;
 use crate::layout::PointLayout;
 use crate::refusal;
 use crate::rounding::Rounding;
-use crate::settings::PointColumn;
 use crate::sheet::Sheet;
+use crate::values::PointColumn;
 
 /// A row for each corner, from the start of the wire to its end. Points do not depend on one another, so
 /// each is rounded alone.
@@ -28,7 +28,7 @@ pub(crate) fn table(
                 return Err(refusal::not_a_number(index, "point", n, axis, mm));
             }
             *units = style.grid.units(style.in_unit(mm));
-            if units.abs() > MOST_UNITS {
+            if units.abs() > MAX_UNITS {
                 return Err(refusal::too_long(index, style.in_unit(mm), style.unit, style.grid.decimals));
             }
             rounding.length(mm, style.grid.value(*units) * style.unit.mm());

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::settings::{Column, DecimalMark, Lengths, RotationCount, Separator};
+use crate::values::{Column, DecimalMark, Lengths, RotationCount, Separator};
 
 /// A family of readers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]

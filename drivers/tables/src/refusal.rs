@@ -2,9 +2,9 @@
 
 use wirebend_driver_api::DriverError;
 
-use crate::settings::LengthUnit;
+use crate::values::LengthUnit;
 
-/// A key of the settings whose value makes no sense.
+/// A setting with an invalid value.
 pub(crate) fn setting(message: impl Into<String>, help: impl Into<String>) -> DriverError {
     DriverError::new("settings", message, help)
 }

@@ -1,7 +1,7 @@
 //! Rows of cells as text.
 
 use crate::grid::Grid;
-use crate::settings::{DecimalMark, LengthUnit, LineEnd, Separator};
+use crate::values::{DecimalMark, LengthUnit, LineEnd, Separator};
 
 /// How cells and numbers are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

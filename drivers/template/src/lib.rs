@@ -12,10 +12,10 @@ use wirebend_driver_api::{
 
 const FORMAT: &str = "template-text";
 /// The most digits behind the decimal point.
-const MOST_DECIMALS: u8 = 6;
+const MAX_DECIMALS: u8 = 6;
 /// The largest length or angle that a column holds. With six decimals it still is a whole number of units
 /// below 2^53, which a float counts exactly.
-const LARGEST: f64 = 100_000.0;
+const MAX_VALUE: f64 = 100_000.0;
 
 /// What a person can set. The comments below are shown in a form.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -68,9 +68,9 @@ impl MachineDriver for Template {
 
     fn open(settings: Settings) -> Result<Self, DriverError> {
         let refused = |message: String, help: &str| Err(DriverError::new("settings", message, help));
-        if settings.decimals > MOST_DECIMALS {
+        if settings.decimals > MAX_DECIMALS {
             return refused(
-                format!("'decimals' is {}; it can be 0 to {MOST_DECIMALS}", settings.decimals),
+                format!("'decimals' is {}; it can be 0 to {MAX_DECIMALS}", settings.decimals),
                 "set it to 3 for thousandths",
             );
         }
@@ -136,8 +136,8 @@ impl Column {
     }
 
     fn next(&mut self, value: f64) -> Result<String, String> {
-        if !value.is_finite() || value.abs() > LARGEST {
-            return Err(format!("{} is {value}; a column holds up to {LARGEST}", self.name));
+        if !value.is_finite() || value.abs() > MAX_VALUE {
+            return Err(format!("{} is {value}; a column holds up to {MAX_VALUE}", self.name));
         }
         let scale = f64::from(10_u32.pow(self.decimals));
         let exact = value * scale + self.carry;

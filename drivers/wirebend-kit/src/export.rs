@@ -2,10 +2,10 @@
 
 use std::fmt::Write as _;
 
-use wirebend_driver_api::{DriverError, EncodedFile, Job, Step};
+use wirebend_driver_api::{DriverError, EncodedFile, Job, Step, fixed, is_zero};
 
 /// Digits behind the decimal point: a tenth of a step or less.
-const DECIMALS: usize = 3;
+const DECIMALS: u8 = 3;
 
 /// The program of one wire, with the hash of its design in the first line. Every feed is written; rotations and
 /// bends that are zero in these digits are not.
@@ -17,30 +17,13 @@ pub(crate) fn wire(job: &Job, index: usize) -> Result<EncodedFile, DriverError> 
         let _ = writeln!(text, "# design {hash}");
     }
     for &Step { feed_mm, rotate_deg, bend_deg } in steps {
-        let _ = writeln!(text, "F {}", fixed(feed_mm));
+        let _ = writeln!(text, "F {}", fixed(feed_mm, DECIMALS));
         for (letter, angle) in [("R", rotate_deg), ("B", bend_deg)] {
-            let angle = fixed(angle);
-            if angle.bytes().any(|byte| (b'1'..=b'9').contains(&byte)) {
+            let angle = fixed(angle, DECIMALS);
+            if !is_zero(&angle) {
                 let _ = writeln!(text, "{letter} {angle}");
             }
         }
     }
     Ok(EncodedFile { text })
-}
-
-/// Without a minus in front of zero.
-fn fixed(value: f64) -> String {
-    let text = format!("{value:.DECIMALS$}");
-    let is_zero = !text.bytes().any(|byte| (b'1'..=b'9').contains(&byte));
-    if is_zero { text.trim_start_matches('-').to_owned() } else { text }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn there_is_no_negative_zero() {
-        assert_eq!([fixed(-0.0004), fixed(-0.000_500_1), fixed(30.0)], ["0.000", "-0.001", "30.000"]);
-    }
 }

@@ -25,7 +25,6 @@ pub use settings::Settings;
 
 const FORMAT: &str = "wirebend-kit-text";
 
-/// The driver.
 #[derive(Debug)]
 pub struct WirebendKit {
     settings: Rc<Settings>,

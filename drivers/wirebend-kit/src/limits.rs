@@ -5,13 +5,13 @@ use wirebend_driver_api::{Axis, AxisLimit, AxisRate, Extent, Limits};
 use crate::protocol::SETTINGS;
 use crate::settings::Settings;
 
-/// The firmware counts the wire in 32 bits and refuses what is beyond half of them: `INT32_MAX / 2` of `controller.c`.
-const MOST_FED_STEPS: f64 = 1_073_741_823.0;
+/// The firmware counts the fed wire in 32 bits and refuses a feed beyond half of them: `INT32_MAX / 2` in `limits.c`.
+const MAX_FED_STEPS: f64 = 1_073_741_823.0;
 
-/// What `connect` and the firmware would refuse: `line_of` of the session, `check` of `controller.c`.
+/// The limits that `line_of` of the session and `limits.c` of the firmware check.
 pub(crate) fn of(settings: &Settings) -> Limits {
     let s = settings;
-    let fed = MOST_FED_STEPS / s.feed_steps_per_mm;
+    let fed = MAX_FED_STEPS / s.feed_steps_per_mm;
     Limits {
         limits: vec![
             AxisLimit::of_setting(Axis::Feed, Extent::Step, s.feed_most_mm, "feed_most_mm"),

@@ -1,31 +1,17 @@
 //! For tests and benchmarks: libraries and programs of this workspace that are loaded or started, not
-//! linked, so that Cargo does not know that a test needs them. They are built when the first of them is asked for, but where
-//! `WIREBEND_BUILT` names a folder that has them already.
+//! linked, so that Cargo does not know that a test needs them. `make built` builds them; a test that misses one, or finds one that
+//! is older than its sources, says so.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // a test may stop at what cannot be
 
 use std::env::consts::{DLL_PREFIX, DLL_SUFFIX, EXE_SUFFIX};
 use std::path::{Path, PathBuf};
-use std::process::Command;
-use std::sync::OnceLock;
+use std::time::SystemTime;
 
-/// All of them at once: what they share is built once, and not for each with the features that it alone needs.
-const PACKAGES: [&str; 9] = [
-    "wirebend-cli",
-    "wirebend-driver-host",
-    "wirebend-driver-grbl",
-    "wirebend-driver-hostile",
-    "wirebend-driver-howtomechatronics",
-    "wirebend-driver-pensa",
-    "wirebend-driver-tables",
-    "wirebend-driver-template",
-    "wirebend-driver-wirebend-kit",
-];
-
-/// The library of a driver by its folder in `drivers/`, built now if it has to be.
+/// The library of a driver by its folder in `drivers/`.
 ///
 /// # Panics
-/// When it cannot be built.
+/// When it is missing, or older than its sources.
 #[must_use]
 pub fn driver(folder: &str) -> PathBuf {
     let library = match folder {
@@ -35,10 +21,20 @@ pub fn driver(folder: &str) -> PathBuf {
     built(&format!("{DLL_PREFIX}{library}{DLL_SUFFIX}"))
 }
 
+/// The folder of the drivers that ship with the program, all of which are there.
+///
+/// # Panics
+/// When one is not.
+#[must_use]
+pub fn shipped_drivers() -> PathBuf {
+    let built = ["pensa", "tables", "grbl", "howtomechatronics", "wirebend-kit"].map(driver);
+    built[0].parent().unwrap().to_owned()
+}
+
 /// The smallest program that can be the process of a driver.
 ///
 /// # Panics
-/// When it cannot be built.
+/// When it is missing, or older than its sources.
 #[must_use]
 pub fn driver_child() -> PathBuf {
     built(&format!("wirebend-driver-child{EXE_SUFFIX}"))
@@ -47,7 +43,7 @@ pub fn driver_child() -> PathBuf {
 /// The program of the command line. Libraries of [`driver`] lie beside it, where it looks for them.
 ///
 /// # Panics
-/// When it cannot be built.
+/// When it is missing, or older than its sources.
 #[must_use]
 pub fn wirebend() -> PathBuf {
     built(&format!("wirebend{EXE_SUFFIX}"))
@@ -56,7 +52,6 @@ pub fn wirebend() -> PathBuf {
 /// The program with a driver that is a real one until it is let loose, and misbehaves at its next poll then.
 #[derive(Debug)]
 pub struct Loose {
-    /// The program.
     pub program: PathBuf,
     leash: PathBuf,
 }
@@ -92,37 +87,58 @@ impl Loose {
     }
 }
 
-/// The workspace of the running test; a target folder may hold this crate as built in another checkout.
-fn workspace() -> PathBuf {
-    let package = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_else(|| env!("CARGO_MANIFEST_DIR").into());
-    let found = Path::new(&package).ancestors().find(|folder| folder.join("Cargo.lock").is_file());
-    found.unwrap_or_else(|| panic!("{} is in no workspace", package.display())).to_owned()
-}
-
-/// A file of what is built, which is there when this returns.
+/// A file of what is built. It is as new as its sources, or the test ends here: one that is older tests something else.
 fn built(name: &str) -> PathBuf {
-    static FOLDER: OnceLock<PathBuf> = OnceLock::new();
-    let given = std::env::var_os("WIREBEND_BUILT").map(PathBuf::from);
-    let file = FOLDER.get_or_init(|| given.unwrap_or_else(build)).join(name);
-    assert!(file.is_file(), "{} was not made: is its package missing in this list?", file.display());
+    let file = folder().join(name);
+    assert!(file.is_file(), "{} is missing: run `make built`, or cargo build --workspace", file.display());
+    if let Some(source) = newer_source(&file) {
+        panic!("{} is older than {source}: run `make built`, or cargo build --workspace", file.display());
+    }
     file
 }
 
-/// Builds into a folder of its own within that of the running test, and gives the folder. In the same folder it would write
-/// over libraries that the run of the tests still links: those of the drivers have no hash in their names, and they have
-/// other features than in the workspace.
-fn build() -> PathBuf {
-    let own = std::env::current_exe().unwrap();
-    let profile = own.ancestors().skip(1).find(|folder| !folder.ends_with("deps")).unwrap();
-    let target = profile.parent().unwrap().join("built");
-    let mut cargo = Command::new(env!("CARGO"));
-    cargo.current_dir(workspace());
-    cargo.args(["build", "--quiet", "--offline", "--lib", "--bins", "--target-dir"]).arg(&target);
-    cargo.args(PACKAGES.iter().flat_map(|package| ["--package", package]));
-    if profile.ends_with("release") {
-        cargo.arg("--release");
+/// That of the running test, or the one that `WIREBEND_BUILT` names.
+fn folder() -> PathBuf {
+    if let Some(named) = std::env::var_os("WIREBEND_BUILT") {
+        return named.into();
     }
-    let done = cargo.output().unwrap();
-    assert!(done.status.success(), "{cargo:?}: {}", String::from_utf8_lossy(&done.stderr));
-    target.join(profile.file_name().unwrap())
+    let own = std::env::current_exe().unwrap();
+    own.ancestors().skip(1).find(|folder| !folder.ends_with("deps")).unwrap().to_owned()
+}
+
+/// A source that was changed since a file was built of it, by the list that Cargo writes beside what it builds.
+fn newer_source(file: &Path) -> Option<String> {
+    let built = changed(file)?;
+    let list = std::fs::read_to_string(file.with_extension("d")).ok()?;
+    let (_, sources) = list.split_once(": ")?;
+    // A space within a name is escaped.
+    let sources = sources.trim_end().replace("\\ ", "\0");
+    let newer = |source: &&str| changed(Path::new(&source.replace('\0', " "))).is_some_and(|at| at > built);
+    sources.split(' ').find(newer).map(|source| source.replace('\0', " "))
+}
+
+fn changed(file: &Path) -> Option<SystemTime> {
+    file.metadata().ok()?.modified().ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A driver that is loaded as it was before a change passes or fails for what is not there any more.
+    #[test]
+    fn a_file_that_is_older_than_its_source_is_found() {
+        let folder = tempfile::tempdir().unwrap();
+        let [built, source] = ["libone.so", "a source.rs"].map(|name| folder.path().join(name));
+        let list = format!("{}: {}\n", built.display(), source.display().to_string().replace(' ', "\\ "));
+        std::fs::write(built.with_extension("d"), list).unwrap();
+        std::fs::write(&source, "").unwrap();
+        std::fs::write(&built, "").unwrap();
+        let file = std::fs::File::options().write(true).open(&source).unwrap();
+        let at = changed(&built).unwrap();
+        file.set_modified(at).unwrap();
+        assert_eq!(newer_source(&built), None);
+        file.set_modified(at + std::time::Duration::from_secs(1)).unwrap();
+        assert_eq!(newer_source(&built), Some(source.display().to_string()));
+    }
 }

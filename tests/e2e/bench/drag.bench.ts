@@ -3,7 +3,7 @@ import { Editor, until } from "../support/editor.ts";
 import { Sight } from "../support/sight.ts";
 import { type Figure, hand, ms, within } from "./figures.ts";
 import { column, PLACES } from "./models.ts";
-import { type Asked, install, type Move, rate, recorded, type Recording, set } from "./recorder.ts";
+import { type Asked, install, type Move, type Recording, rate, recorded, set } from "./recorder.ts";
 
 /** Of the column: at its outline in the view from the front, where no other is behind it. */
 const VERTEX = 160;
@@ -79,15 +79,28 @@ function moveOf({ place, asked }: Asked, moves: readonly Move[], sight: Sight, p
 /** What was answered, after making sure that what the frame shows is of that place. */
 function answeredOf({ asked, moves }: Recording, sight: Sight, press: { x: number; y: number }): Answered[] {
   return asked.map((one, index) => {
-    if (one.answered === null || one.begun === null || one.framed === null) throw new Error("a question was not answered");
+    if (one.answered === null || one.begun === null || one.framed === null)
+      throw new Error("a question was not answered");
     // Of two answers in one frame the later one is seen.
-    if (asked[index + 1]?.framed !== one.framed) expect(one.shown.replaceAll(/\s/g, "")).toBe(`${(one.length_mm ?? NaN).toFixed(1)}mm`);
-    return { move: moveOf(one, moves, sight, press), asked: one.asked, answered: one.answered, begun: one.begun, framed: one.framed };
+    if (asked[index + 1]?.framed !== one.framed)
+      expect(one.shown.replaceAll(/\s/g, "")).toBe(`${(one.length_mm ?? NaN).toFixed(1)}mm`);
+    return {
+      move: moveOf(one, moves, sight, press),
+      asked: one.asked,
+      answered: one.answered,
+      begun: one.begun,
+      framed: one.framed,
+    };
   });
 }
 
 /** Drags several times, and says what came of it. */
-async function drags(times: number, draws: boolean, sight: Sight, press: { x: number; y: number }): Promise<{ rows: Figure[]; notes: string[] }> {
+async function drags(
+  times: number,
+  draws: boolean,
+  sight: Sight,
+  press: { x: number; y: number },
+): Promise<{ rows: Figure[]; notes: string[] }> {
   await set(editor.page, { draws });
   const all: Answered[] = [];
   const every: number[] = [];
@@ -117,11 +130,27 @@ async function drags(times: number, draws: boolean, sight: Sight, press: { x: nu
       { what: "the same, 95 of 100 within", measured: part(answer, 0.95), aim: "≤ 33 ms" },
       { what: "from a move to the frame that shows its checks, 50 of 100", measured: part(whole, 0.5), aim: null },
       { what: "the same, 95 of 100 within", measured: part(whole, 0.95), aim: "≤ 33 ms" },
-      { what: "  of it until it is asked, 50 of 100", measured: part(({ move, asked }) => asked - move.at, 0.5), aim: null },
-      { what: "  of it until the next frame is begun to be drawn, 50 of 100", measured: part(({ answered, begun }) => begun - answered, 0.5), aim: null },
-      { what: "  of it until the page is done with it, 50 of 100", measured: part(({ begun, framed }) => framed - begun, 0.5), aim: null },
+      {
+        what: "  of it until it is asked, 50 of 100",
+        measured: part(({ move, asked }) => asked - move.at, 0.5),
+        aim: null,
+      },
+      {
+        what: "  of it until the next frame is begun to be drawn, 50 of 100",
+        measured: part(({ answered, begun }) => begun - answered, 0.5),
+        aim: null,
+      },
+      {
+        what: "  of it until the page is done with it, 50 of 100",
+        measured: part(({ begun, framed }) => framed - begun, 0.5),
+        aim: null,
+      },
       { what: "moves that were answered, of those that were made", measured: `${all.length}/${sent}`, aim: null },
-      { what: "every move heard, until checks of it or a later one, 95 of 100", measured: ms(within(every, 0.95)), aim: null },
+      {
+        what: "every move heard, until checks of it or a later one, 95 of 100",
+        measured: ms(within(every, 0.95)),
+        aim: null,
+      },
     ],
     notes: [
       `${sent} moves, ${(1000 / within(gaps, 0.5)).toFixed(0)} a second, to ${mm.toFixed(0)} mm away; ${feasible} of ${all.length} answers say: within the limits.`,

@@ -14,7 +14,9 @@ function vertexOf(ring: number, k: number): Place {
 }
 
 /** Places of the vertices of the column, by id. */
-export const PLACES: readonly Place[] = Array.from({ length: RINGS * AROUND }, (_, id) => vertexOf(Math.floor(id / AROUND), id % AROUND));
+export const PLACES: readonly Place[] = Array.from({ length: RINGS * AROUND }, (_, id) =>
+  vertexOf(Math.floor(id / AROUND), id % AROUND),
+);
 
 /** The column of 1000 edges of `benches/benches/pipeline.rs`, as OBJ in mm: one wire runs through all of it. */
 export function column(): string {
@@ -25,7 +27,10 @@ export function column(): string {
       edges.push(`l ${number(ring, k)} ${number(ring, k + 1)}`);
       if (ring + 1 === RINGS) continue;
       const shift = ring % 2;
-      edges.push(`l ${number(ring, k)} ${number(ring + 1, k + shift)}`, `l ${number(ring, k)} ${number(ring + 1, k + shift + AROUND - 1)}`);
+      edges.push(
+        `l ${number(ring, k)} ${number(ring + 1, k + shift)}`,
+        `l ${number(ring, k)} ${number(ring + 1, k + shift + AROUND - 1)}`,
+      );
     }
   }
   return [...PLACES.map((place) => `v ${place.join(" ")}`), ...edges, ""].join("\n");

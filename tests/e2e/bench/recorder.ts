@@ -48,7 +48,20 @@ export interface Recording {
 
 /** Runs in the page before its scripts: listens to what goes in and out of the editor, which knows nothing of it. */
 function record(): void {
-  const kept: Recording = { moves: [], asked: [], work: [], frames: 0, calls: 0, draws: true, chosen: null, dialog: null, said: null, shown: null, surface: Infinity, looks: 0 };
+  const kept: Recording = {
+    moves: [],
+    asked: [],
+    work: [],
+    frames: 0,
+    calls: 0,
+    draws: true,
+    chosen: null,
+    dialog: null,
+    said: null,
+    shown: null,
+    surface: Infinity,
+    looks: 0,
+  };
   (window as unknown as { record: Recording }).record = kept;
   /** Handed to the editor, and not drawn yet. */
   let waiting: Asked[] = [];
@@ -80,9 +93,28 @@ function record(): void {
     },
     { ...passive, capture: true },
   );
-  window.addEventListener("pointermove", () => void (moving = moved = true), { ...passive, capture: true });
-  window.addEventListener("pointermove", () => void (moving = false), passive);
-  window.addEventListener("click", ({ timeStamp }) => void (kept.said = timeStamp), { ...passive, capture: true });
+  window.addEventListener(
+    "pointermove",
+    () => {
+      moving = true;
+      moved = true;
+    },
+    { ...passive, capture: true },
+  );
+  window.addEventListener(
+    "pointermove",
+    () => {
+      moving = false;
+    },
+    passive,
+  );
+  window.addEventListener(
+    "click",
+    ({ timeStamp }) => {
+      kept.said = timeStamp;
+    },
+    { ...passive, capture: true },
+  );
 
   // The view's own callbacks: what a move asks for, and what such a one asks for itself.
   const request = window.requestAnimationFrame.bind(window);
@@ -111,9 +143,12 @@ function record(): void {
       const drawn = waiting;
       waiting = [];
       if (drawn.length > 0) {
-        const shown = [...document.querySelectorAll(".status-figures div")].find((one) => one.querySelector("dt")?.textContent === "Wire")?.querySelector("dd")?.textContent ?? "";
+        const shown =
+          [...document.querySelectorAll(".status-figures div")]
+            .find((one) => one.querySelector("dt")?.textContent === "Wire")
+            ?.querySelector("dd")?.textContent ?? "";
         const begun = performance.now();
-        drawn.forEach((one) => void (one.begun = begun));
+        for (const one of drawn) one.begun = begun;
         afterFrame((now) => drawn.forEach((one) => Object.assign(one, { framed: now, shown })));
       }
     }
@@ -121,7 +156,10 @@ function record(): void {
   };
   gl.drawElements = function (mode, count, ...rest) {
     kept.calls += 1;
-    if (count >= kept.surface && kept.shown === null) afterFrame((now) => void (kept.shown ??= now));
+    if (count >= kept.surface && kept.shown === null)
+      afterFrame((now) => {
+        kept.shown ??= now;
+      });
     if (kept.draws) drawElements.call(this, mode, count, ...rest);
   };
   gl.drawArrays = function (...words) {
@@ -142,7 +180,18 @@ function record(): void {
     const text = typeof init?.body === "string" ? init.body : "{}";
     const { ask, moved } = JSON.parse(text) as { ask?: string; moved?: { at_mm: [number, number, number] }[] };
     const place = ask === "check" ? moved?.[0]?.at_mm : undefined;
-    const asked: Asked | null = place ? { place, asked: performance.now(), answered: null, length_mm: null, feasible: false, begun: null, framed: null, shown: "" } : null;
+    const asked: Asked | null = place
+      ? {
+          place,
+          asked: performance.now(),
+          answered: null,
+          length_mm: null,
+          feasible: false,
+          begun: null,
+          framed: null,
+          shown: "",
+        }
+      : null;
     if (asked) kept.asked.push(asked);
     const answer = await fetch(to, init);
     if (ask === "look") kept.looks += 1;
@@ -172,10 +221,12 @@ function record(): void {
 /** From the next page that is loaded on. */
 export const install = (page: Page): Promise<unknown> => page.addInitScript(record);
 
-export const recorded = (page: Page): Promise<Recording> => page.evaluate(() => (window as unknown as { record: Recording }).record);
+export const recorded = (page: Page): Promise<Recording> =>
+  page.evaluate(() => (window as unknown as { record: Recording }).record);
 
 /** Sets parts of the record, to begin anew. */
-export const set = (page: Page, parts: Partial<Recording>): Promise<void> => page.evaluate((parts) => void Object.assign((window as unknown as { record: Recording }).record, parts), parts);
+export const set = (page: Page, parts: Partial<Recording>): Promise<void> =>
+  page.evaluate((parts) => void Object.assign((window as unknown as { record: Recording }).record, parts), parts);
 
 /** Nothing is drawn any more. */
 export const rests = (page: Page): Promise<void> =>

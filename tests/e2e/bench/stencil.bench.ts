@@ -32,11 +32,15 @@ async function open(): Promise<{ asks: number; shows: number }> {
   await editor.choose(file, () => editor.button("Open stencil…").click());
   // The dialog looks a second time, which is over before a person has read it.
   await until(async () => (await recorded(page)).looks).toBe(2);
-  await editor.button("Put it into this design").click();
-  await editor.section("trace").getByText(/^200.000 triangles$/).waitFor();
+  await editor.button("Add to this design").click();
+  await editor
+    .section("trace")
+    .getByText(/^200.000 triangles$/)
+    .waitFor();
   await until(async () => (await recorded(page)).shown !== null).toBe(true);
   const { chosen, dialog, said, shown } = await recorded(page);
-  if (chosen === null || dialog === null || said === null || shown === null) throw new Error("a part of opening was not seen");
+  if (chosen === null || dialog === null || said === null || shown === null)
+    throw new Error("a part of opening was not seen");
   return { asks: dialog - chosen, shows: shown - said };
 }
 
@@ -95,9 +99,21 @@ it("measures a stencil", async () => {
   const idle = (await recorded(page)).frames - before;
 
   const rows: Figure[] = [
-    { what: "chosen until shown with its search tree, without the answer", measured: seconds(median(opened.map(({ asks, shows }) => asks + shows))), aim: "≤ 2 s" },
-    { what: "  of it from the choice until it asks what the numbers are", measured: seconds(median(opened.map(({ asks }) => asks))), aim: null },
-    { what: "  of it from the answer until the frame that shows it", measured: seconds(median(opened.map(({ shows }) => shows))), aim: null },
+    {
+      what: "chosen until shown with its search tree, without the answer",
+      measured: seconds(median(opened.map(({ asks, shows }) => asks + shows))),
+      aim: "≤ 2 s",
+    },
+    {
+      what: "  of it from the choice until it asks what the numbers are",
+      measured: seconds(median(opened.map(({ asks }) => asks))),
+      aim: null,
+    },
+    {
+      what: "  of it from the answer until the frame that shows it",
+      measured: seconds(median(opened.map(({ shows }) => shows))),
+      aim: null,
+    },
     { what: "finding what a click would snap to, 50 of 100", measured: ms(within(work, 0.5)), aim: null },
     { what: "the same, 99 of 100 within", measured: ms(within(work, 0.99)), aim: "≤ 5 ms" },
     { what: "draw calls of a frame, tracing", measured: String(calls), aim: null },

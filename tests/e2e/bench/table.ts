@@ -1,5 +1,5 @@
-import { availableParallelism, loadavg } from "node:os";
 import { existsSync, readdirSync, readFileSync, rmSync } from "node:fs";
+import { availableParallelism, loadavg } from "node:os";
 import { type Figures, folder } from "./figures.ts";
 
 /** Of the last minute: programs that wanted a processor. */
@@ -16,10 +16,20 @@ export function teardown(): void {
   const names = existsSync(folder) ? readdirSync(folder).toSorted() : [];
   const lines = names.flatMap((name) => {
     const { title, rows, notes } = JSON.parse(readFileSync(`${folder}/${name}`, "utf8")) as Figures;
-    const written = rows.map(({ what, measured, aim }) => `${what.padEnd(64)} ${measured.padStart(10)}   ${(aim ?? "").padStart(8)}`);
-    return ["", `${title.padEnd(64)} ${"measured".padStart(10)}   ${"aim".padStart(8)}`, ...written.map((line) => line.trimEnd()), ...notes.map((note) => `  ${note}`)];
+    const written = rows.map(
+      ({ what, measured, aim }) => `${what.padEnd(64)} ${measured.padStart(10)}   ${(aim ?? "").padStart(8)}`,
+    );
+    return [
+      "",
+      `${title.padEnd(64)} ${"measured".padStart(10)}   ${"aim".padStart(8)}`,
+      ...written.map((line) => line.trimEnd()),
+      ...notes.map((note) => `  ${note}`),
+    ];
   });
-  // Whoever else worked at the same time has lengthened every figure.
-  lines.push("", `load of ${availableParallelism()} processors: ${before.toFixed(1)} before, ${(loadavg()[0] ?? 0).toFixed(1)} after`);
+  // Other work at the same time has lengthened every figure.
+  lines.push(
+    "",
+    `load of ${availableParallelism()} processors: ${before.toFixed(1)} before, ${(loadavg()[0] ?? 0).toFixed(1)} after`,
+  );
   process.stdout.write(`${lines.join("\n")}\n`);
 }

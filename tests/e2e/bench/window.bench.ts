@@ -11,7 +11,7 @@ import { family, nameOf, pss, used } from "./processes.ts";
 import { Windows } from "./windows.ts";
 
 const STARTS = 5;
-/** By somebody who has never started it: the toolkit has kept nothing for them yet. */
+/** By a user who has never started it: the toolkit has kept nothing for them yet. */
 const FIRST_STARTS = 3;
 const [WIDTH, HEIGHT] = [1440, 900];
 /** The middle of the view, where nothing lies over it: part of the width and of the height. */
@@ -44,7 +44,10 @@ beforeAll(async () => {
   windows = await Windows.of(screen.display);
   folder = mkdtempSync(join(tmpdir(), "wirebend-bench-"));
   design = `${folder}/bunny.wirebend`;
-  execFileSync(unpacked.commands, ["import", `${root}examples/bunny.obj`, "--face-edges", "-o", design], { env: surroundings(folder), stdio: "ignore" });
+  execFileSync(unpacked.commands, ["import", `${root}examples/bunny.obj`, "--face-edges", "-o", design], {
+    env: surroundings(folder),
+    stdio: "ignore",
+  });
 });
 
 afterAll(async () => {
@@ -76,7 +79,9 @@ async function watch(began: number): Promise<{ seen: number; whole: number }> {
     if (!bytes.equals(before)) {
       whole = now;
       for (let y = Math.round(HEIGHT * VIEW.top); y < HEIGHT * VIEW.bottom; y += 1) {
-        const [left, right] = [VIEW.left, VIEW.right].map((part) => from + y * lineBytes + Math.round(WIDTH * part) * 4);
+        const [left, right] = [VIEW.left, VIEW.right].map(
+          (part) => from + y * lineBytes + Math.round(WIDTH * part) * 4,
+        );
         if (bytes.compare(before, left, right, left, right) === 0) continue;
         seen = now;
         break;
@@ -110,7 +115,9 @@ async function start(home: string, last: boolean): Promise<Started> {
   const began = performance.now();
   const child = spawn(unpacked.window, [design], { env: surroundings(home), stdio: ["ignore", "ignore", "pipe"] });
   let said = "";
-  child.stderr?.on("data", (text: Buffer) => void (said += text.toString()));
+  child.stderr?.on("data", (text: Buffer) => {
+    said += text.toString();
+  });
   const died = new Promise<never>((_, reject) => {
     child.once("error", reject);
     child.once("exit", (code) => reject(new Error(`the window ended with ${code}: ${said}`)));
@@ -129,7 +136,14 @@ async function start(home: string, last: boolean): Promise<Started> {
       await Promise.race([new Promise((resolve) => setTimeout(resolve, IDLE)), died]);
       idle = { all: (used(pids) - before.all) / IDLE, own: (used(own) - before.own) / IDLE };
     }
-    return { mapped: mapped - began, seen: seen - began, whole: whole - began, bytes, processes: pids.map(nameOf), idle };
+    return {
+      mapped: mapped - began,
+      seen: seen - began,
+      whole: whole - began,
+      bytes,
+      processes: pids.map(nameOf),
+      idle,
+    };
   } finally {
     died.catch(() => {});
     await end(child, family(child.pid ?? 0));
@@ -150,11 +164,31 @@ it("measures the installed window", async () => {
   expect(starts[0]?.processes.length).toBeGreaterThan(1);
   const rows: Figure[] = [
     { what: "the .deb", measured: megabytes(size), aim: "≤ 15 MB" },
-    { what: "from the start until the window is mapped", measured: seconds(median(starts.map(({ mapped }) => mapped))), aim: "≤ 1 s" },
-    { what: "until the design, its checks on it, is in the view", measured: seconds(median(starts.map(({ seen }) => seen))), aim: "≤ 2 s" },
-    { what: "the same where a person has never started it before", measured: seconds(median(first.map(({ seen }) => seen))), aim: "≤ 2 s" },
-    { what: "until nothing in the window changes any more", measured: seconds(median(starts.map(({ whole }) => whole))), aim: null },
-    { what: "memory of all its processes (PSS)", measured: megabytes(median(starts.map(({ bytes }) => bytes))), aim: "≤ 450 MB" },
+    {
+      what: "from the start until the window is mapped",
+      measured: seconds(median(starts.map(({ mapped }) => mapped))),
+      aim: "≤ 1 s",
+    },
+    {
+      what: "until the design, its checks on it, is in the view",
+      measured: seconds(median(starts.map(({ seen }) => seen))),
+      aim: "≤ 2 s",
+    },
+    {
+      what: "the same where a person has never started it before",
+      measured: seconds(median(first.map(({ seen }) => seen))),
+      aim: "≤ 2 s",
+    },
+    {
+      what: "until nothing in the window changes any more",
+      measured: seconds(median(starts.map(({ whole }) => whole))),
+      aim: null,
+    },
+    {
+      what: "memory of all its processes (PSS)",
+      measured: megabytes(median(starts.map(({ bytes }) => bytes))),
+      aim: "≤ 450 MB",
+    },
     { what: "processor used in 20 s in which nothing happens", measured: percent(idle.all), aim: "0 %" },
     { what: "of it the program, without its toolkit's processes", measured: percent(idle.own), aim: "0 %" },
   ];
@@ -164,7 +198,7 @@ it("measures the installed window", async () => {
     notes: [
       `${basename(deb())} of ${mtime.toISOString().slice(0, 16).replace("T", " ")} UTC, unpacked, on a screen in memory without a graphics card.`,
       `Medians of ${STARTS} starts, and of ${FIRST_STARTS} first ones, in which the shaders of the view are compiled for the processor. Not counted: the very`,
-      `first (mapped after ${seconds(cold.mapped)}, in the view after ${seconds(cold.seen)}), which reads the program from the disk. Mapped as the screen tells it;`,
+      `first (mapped after ${seconds(cold.mapped)}, in the view after ${seconds(cold.seen)}), which reads the program from the disk. Mapped as the screen reports it;`,
       `in the view when the middle of the view does not change any more; looked at every ${LOOK} ms. Processes: ${[...new Set(starts.at(-1)?.processes)].join(", ")}.`,
     ],
   });

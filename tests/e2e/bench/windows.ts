@@ -34,7 +34,7 @@ export class Windows {
       if (this.root === null) this.begin();
       if (this.root !== null) this.hear();
     });
-    // Little-endian, version 11.0, and no proof of who asks: it is a screen of our own.
+    // Little-endian, version 11.0, and no proof of the user: it is a screen of our own.
     const hello = Buffer.alloc(12);
     hello.write("l");
     hello.writeUInt16LE(11, 2);

@@ -25,7 +25,8 @@ const drawn = () => editor.page.evaluate(() => (window as unknown as { drawn: nu
 const slider = () => animate().getByLabel("Position in the program");
 
 /** "1:09" of seconds. */
-const clock = (seconds: number) => `${Math.floor(Math.round(seconds) / 60)}:${String(Math.round(seconds) % 60).padStart(2, "0")}`;
+const clock = (seconds: number) =>
+  `${Math.floor(Math.round(seconds) / 60)}:${String(Math.round(seconds) % 60).padStart(2, "0")}`;
 
 /** So many pictures of the screen later. */
 const frames = (count: number) =>
@@ -55,7 +56,7 @@ it("makes the program of the design by itself, and plays, holds, steps, slides a
   await slider().fill("3.5");
   await until(percent).toBe(70);
   await animate().getByRole("option", { selected: true }).filter({ hasText: /^4/ }).waitFor();
-  await animate().getByRole("button", { name: "To the beginning" }).click();
+  await animate().getByRole("button", { name: "Go to start" }).click();
   await until(percent).toBe(0);
 });
 
@@ -79,7 +80,10 @@ it("says how long it plays at the speeds that are set", async () => {
     await field.fill(String(value));
     await field.press("Enter");
   };
-  const said = () => animate().getByText(/^plays in/).innerText();
+  const said = () =>
+    animate()
+      .getByText(/^plays in/)
+      .innerText();
   await set("Bend", 1);
   await until(said).toBe(`plays in ${clock(feed + rotate + bend + wait)}`);
   await set("Feed", 2);
@@ -91,12 +95,14 @@ it("says how long it plays at the speeds that are set", async () => {
   await until(said).toBe(`plays in ${clock((feed / 2 + rotate / 5 + (bend + wait) / 10) / 4)}`);
 });
 
-it("says how far the made wire is from the designed one, as the machine makes it", async () => {
+it("says how far the made wire is from the designed one, as the machine bends it", async () => {
   await animate().getByText("As made", { exact: true }).click();
   const { wires, by_machine } = await editor.loopback.ask("made", {});
   expect(by_machine).toBe(true);
   const worst = (wires[0]?.worst_mm ?? NaN).toFixed(2);
-  await animate().getByText(new RegExp(`${worst.replace(".", "\\.")}.mm.*, on the simulated machine`)).waitFor();
+  await animate()
+    .getByText(new RegExp(`${worst.replace(".", "\\.")}.mm.*, on the simulated machine`))
+    .waitFor();
   await animate().getByText("Both", { exact: true }).click();
   await editor.isClean("animate");
   await animate().getByRole("button", { name: "Back to the design" }).click();

@@ -4,7 +4,9 @@ import { Editor, until } from "../support/editor.ts";
 import { type Place, Sight } from "../support/sight.ts";
 
 let editor: Editor;
-beforeAll(async () => void (editor = await Editor.open()));
+beforeAll(async () => {
+  editor = await Editor.open();
+});
 afterAll(() => editor?.end());
 
 const check = () => editor.section("check");
@@ -21,7 +23,8 @@ function lengthOf(design: DesignView, wanted: readonly number[]): number {
 }
 
 async function cornerOf(place: Place): Promise<number | undefined> {
-  const near = ({ at_mm }: DesignView["vertices"][number]) => at_mm.every((value, k) => Math.abs(value - (place[k] ?? 0)) < 1e-6);
+  const near = ({ at_mm }: DesignView["vertices"][number]) =>
+    at_mm.every((value, k) => Math.abs(value - (place[k] ?? 0)) < 1e-6);
   return (await editor.design()).vertices.find(near)?.id;
 }
 
@@ -30,7 +33,7 @@ async function fixesOf(title: string | RegExp): Promise<void> {
   await check().locator(".line", { hasText: title }).getByRole("button", { name: "Fix…" }).click();
 }
 
-it("mends 22 odd vertices with the edges that add least, shows it before, and takes it back", async () => {
+it("fixes 22 odd vertices with the edges that add least, shows it before, and takes it back", async () => {
   await editor.take("bunny", "check");
   await check().getByText("22 odd vertices: no single wire").waitFor();
   const { fixes } = await editor.loopback.ask("fixes", {});
@@ -43,15 +46,25 @@ it("mends 22 odd vertices with the edges that add least, shows it before, and ta
   await fixesOf("22 odd vertices");
   await check().getByText("Double 11 edges (+601.4 mm").waitFor();
   await editor.button("Preview").click();
-  await check().getByText("Stock, time and cost in all are known once there is a wire within the machine's limits.").waitFor();
+  await check()
+    .getByText("Totals of stock, time and cost are shown once the wires are within the machine's limits.")
+    .waitFor();
   expect(await editor.button("Preview").getAttribute("aria-pressed")).toBe("true");
   await editor.isClean("check-preview");
 
   await editor.button("Apply").click();
   await check().getByText("One wire runs through every edge").waitFor();
   expect((await editor.design()).state.doublings.toSorted()).toEqual(doubles.edit.edges.toSorted());
-  const all = lengthOf(design, design.edges.map(({ id }) => id)) + added;
-  const shown = await editor.page.getByRole("contentinfo").locator("div", { hasText: /^Wire/ }).locator("dd").innerText();
+  const all =
+    lengthOf(
+      design,
+      design.edges.map(({ id }) => id),
+    ) + added;
+  const shown = await editor.page
+    .getByRole("contentinfo")
+    .locator("div", { hasText: /^Wire/ })
+    .locator("dd")
+    .innerText();
   expect(Number(shown.replaceAll(/[^\d.]/g, ""))).toBeCloseTo(all, 1);
   expect(shown).toMatch(/ mm$/);
 
@@ -60,7 +73,7 @@ it("mends 22 odd vertices with the edges that add least, shows it before, and ta
   expect((await editor.design()).state.doublings).toEqual([]);
 });
 
-it("says an edge is too short as soon as it is, and moves a vertex to mend it", async () => {
+it("says an edge is too short as soon as it is, and moves a vertex to fix it", async () => {
   await editor.take("house", "check", "edit");
   await check().getByText("Edges long enough").waitFor();
   const corner = await cornerOf([35, 0, 0]);
@@ -69,7 +82,9 @@ it("says an edge is too short as soon as it is, and moves a vertex to mend it", 
   await field.press("Enter");
   // Of 60 mm of wall 15 are left.
   await until(() => editor.phrase("check")).toMatch(/^Error: \d+ to fix$/);
-  const line = check().locator(".line", { hasText: /too short/ }).first();
+  const line = check()
+    .locator(".line", { hasText: /too short/ })
+    .first();
   expect(await line.locator(".line-sub").innerText()).toMatch(/15\.0 mm, limit \d+\.\d mm/);
   await line.getByRole("button", { name: "Fix…" }).waitFor();
   await editor.isCleanNow("check-short");
@@ -82,7 +97,9 @@ it("says an edge is too short as soon as it is, and moves a vertex to mend it", 
   await annotation.first().waitFor();
 
   await line.getByRole("button", { name: "Fix…" }).click();
-  const fix = check().locator(".fix", { hasText: /Move vertex/ }).first();
+  const fix = check()
+    .locator(".fix", { hasText: /Move vertex/ })
+    .first();
   await fix.getByRole("button", { name: "Preview" }).click();
   const [now, then] = await fix.locator("tr", { hasText: "Errors" }).locator("td").allInnerTexts();
   expect(Number(then)).toBeLessThan(Number(now));
@@ -95,7 +112,11 @@ it("answers while a vertex is dragged, before it is let go", async () => {
   await editor.take("house", "check");
   await check().getByText("Edges long enough").waitFor();
   const before = await editor.design();
-  const sight = await Sight.from(editor.page, "front", before.vertices.map(({ at_mm }) => at_mm));
+  const sight = await Sight.from(
+    editor.page,
+    "front",
+    before.vertices.map(({ at_mm }) => at_mm),
+  );
   const { mouse } = editor.page;
   const [from, to] = [sight.at([35, 0, 0]), sight.at([35, 0, 45])];
   await mouse.move(from.x, from.y);
@@ -116,6 +137,9 @@ it("answers while a vertex is dragged, before it is let go", async () => {
 it("frames and selects what a line is about, and lists the places of several", async () => {
   await editor.take("bunny", "check", "edit");
   await check().getByText("22 odd vertices: no single wire").click();
-  await editor.section("edit").getByText(/^22 vertices/).waitFor();
+  await editor
+    .section("edit")
+    .getByText(/^22 vertices/)
+    .waitFor();
   await editor.isClean("check");
 });

@@ -19,24 +19,48 @@ const preview = () => section().locator(".preview pre");
 const into = (name: string) => join(editor.loopback.home, "files", name);
 
 /** How files begin that are no text, by the definitions of their formats. */
-const BEGINNINGS: Readonly<Record<string, string>> = { gltf: "glTF", png: "\u0089PNG", "template-pdf": "%PDF-", "job-sheet": "%PDF-" };
+const BEGINNINGS: Readonly<Record<string, string>> = {
+  gltf: "glTF",
+  png: "\u0089PNG",
+  "template-pdf": "%PDF-",
+  "job-sheet": "%PDF-",
+};
 
 it("writes each format of the machine, and each file begins as was shown", async () => {
   const { formats } = await editor.loopback.ask("exports", {});
-  expect(formats.map(({ id }) => id)).toEqual(expect.arrayContaining(["wirebend-kit-text", "lra-csv", "template-pdf", "template-dxf", "job-sheet", "svg", "png", "obj"]));
+  expect(formats.map(({ id }) => id)).toEqual(
+    expect.arrayContaining([
+      "wirebend-kit-text",
+      "lra-csv",
+      "template-pdf",
+      "template-dxf",
+      "job-sheet",
+      "svg",
+      "png",
+      "obj",
+    ]),
+  );
   for (const { id, extension } of formats) {
     await format().selectOption(id);
     const shown = await editor.loopback.ask("export", { format: id, settings: {} });
     const beginning = shown.beginnings[0] ?? null;
-    if (beginning === null) await section().locator(".preview figcaption", { hasText: "nothing to read here" }).waitFor();
+    if (beginning === null)
+      await section().locator(".preview figcaption", { hasText: "binary file: no preview" }).waitFor();
     else await until(() => preview().first().textContent()).toBe(beginning);
     const file = into(`out-${id}.${extension}`);
     await target().fill(file);
     await write().click();
-    await section().locator(".written", { hasText: file.replace(`.${extension}`, "") }).first().waitFor();
-    const [written = file] = shown.bytes.length > 1 ? (await section().locator(".written .selectable").allInnerTexts()) : [file];
+    await section()
+      .locator(".written", { hasText: file.replace(`.${extension}`, "") })
+      .first()
+      .waitFor();
+    const [written = file] =
+      shown.bytes.length > 1 ? await section().locator(".written .selectable").allInnerTexts() : [file];
     const bytes = readFileSync(written);
-    if (beginning !== null) expect(bytes.toString("utf8").replaceAll("\r\n", "\n").startsWith(beginning.replaceAll("\r\n", "\n")), id).toBe(true);
+    if (beginning !== null)
+      expect(bytes.toString("utf8").replaceAll("\r\n", "\n").startsWith(beginning.replaceAll("\r\n", "\n")), id).toBe(
+        true,
+      );
     const begins = BEGINNINGS[id];
     if (begins) expect(bytes.toString("latin1").startsWith(begins), id).toBe(true);
     // A sheet carries the time at which it was written.
@@ -77,7 +101,9 @@ it("says that a file is written where a person sees it, in a low window too", as
 it("shows at once what a setting changes", async () => {
   await format().selectOption("lra-csv");
   await until(() => preview().first().textContent()).toMatch(/,/);
-  await section().getByRole("button", { name: /^Settings of this export/ }).click();
+  await section()
+    .getByRole("button", { name: /^Settings of this export/ })
+    .click();
   await section().getByLabel("Separator", { exact: true }).selectOption("semicolon · ;");
   await until(() => preview().first().textContent()).toMatch(/;/);
   // Choices between true, false and nothing are such fields too.
@@ -97,7 +123,7 @@ it("replaces a file that is there only when a person says so", async () => {
   writeFileSync(file, "keep me");
   await target().fill(file);
   await write().click();
-  await section().getByText("There is such a file").waitFor();
+  await section().getByText("The file exists already").waitFor();
   expect(readFileSync(file, "utf8")).toBe("keep me");
   await editor.isCleanNow("export-exists");
   await section().getByRole("button", { name: "Replace" }).click();
@@ -108,7 +134,7 @@ it("replaces a file that is there only when a person says so", async () => {
 it("says why a file cannot be written where it was named", async () => {
   await target().fill(into("no-such-folder/mine.txt"));
   await write().click();
-  await section().getByText("It was not written").waitFor();
+  await section().getByText("The file was not written").waitFor();
   expect(await section().getByRole("alert").innerText()).toContain("no-such-folder");
 });
 
@@ -116,17 +142,17 @@ it("writes a program of what the machine cannot make only when that is said", as
   await editor.take("bunny", "export");
   await editor.loopback.ask("edit", { request: { edit: "doublings", edges: doubles } });
   await editor.reload("export");
-  await section().getByText("The machine cannot make this").waitFor();
+  await section().getByText("The machine cannot bend this", { exact: true }).waitFor();
   const file = into("bunny.txt");
   await target().fill(file);
   await until(() => write().getAttribute("aria-disabled")).toBe("true");
-  await section().getByLabel("Write it all the same").check();
+  await section().getByLabel("Write it anyway").check();
   await until(() => write().getAttribute("aria-disabled")).toBeNull();
   await write().click();
   await section().locator(".written", { hasText: "bunny.txt" }).waitFor();
   expect(existsSync(file)).toBe(true);
-  // A picture is no program: nobody has to be asked.
-  await section().getByLabel("Write it all the same").uncheck();
+  // A picture is no program: the user need not be asked.
+  await section().getByLabel("Write it anyway").uncheck();
   await format().selectOption("svg");
   await until(() => preview().first().textContent()).toMatch(/<svg/);
   await editor.isClean("export");
@@ -134,12 +160,12 @@ it("writes a program of what the machine cannot make only when that is said", as
 
 it("says of an empty design that there is nothing to show yet, and not that it cannot be made", async () => {
   await editor.take(null, "export");
-  await section().getByText("As soon as there is an edge").waitFor();
-  expect(await section().getByText("The machine cannot make this").count()).toBe(0);
+  await section().getByText("Draw an edge to see").waitFor();
+  expect(await section().getByText("The machine cannot bend this").count()).toBe(0);
   expect(await write().count()).toBe(0);
 });
 
-it("writes the document, the wireframe and the job to go on with", async () => {
+it("writes the document, the wireframe and the job to continue with", async () => {
   await editor.take("house", "export");
   await section().getByRole("button", { name: "Job…" }).click();
   await editor.messages.filter({ hasText: "The job is in" }).waitFor();
@@ -147,7 +173,10 @@ it("writes the document, the wireframe and the job to go on with", async () => {
   await editor.messages.filter({ hasText: "The wireframe is in" }).waitFor();
   const { vertices, edges } = await editor.design();
   const lines = readFileSync(into("House.obj"), "utf8").split("\n");
-  expect([lines.filter((line) => line.startsWith("v ")).length, lines.filter((line) => line.startsWith("l ")).length]).toEqual([vertices.length, edges.length]);
+  expect([
+    lines.filter((line) => line.startsWith("v ")).length,
+    lines.filter((line) => line.startsWith("l ")).length,
+  ]).toEqual([vertices.length, edges.length]);
   await section().getByRole("button", { name: "Document…" }).click();
   await editor.page.getByRole("contentinfo").getByText("saved", { exact: true }).waitFor();
   expect(JSON.parse(readFileSync(into("House.wirebend"), "utf8"))).toBeTruthy();

@@ -3,7 +3,9 @@ import { picture } from "../support/browser.ts";
 import { Editor, type Section, until } from "../support/editor.ts";
 
 let editor: Editor;
-beforeAll(async () => void (editor = await Editor.open()));
+beforeAll(async () => {
+  editor = await Editor.open();
+});
 afterAll(() => editor?.end());
 
 const SIZES = [
@@ -20,7 +22,8 @@ const LARGE: ReadonlySet<Section> = new Set(["edit", "run"]);
 const outside = () =>
   editor.page.evaluate(() => {
     const found: string[] = [];
-    const name = (element: Element) => `<${element.tagName.toLowerCase()} class="${element.getAttribute("class") ?? ""}"> ${(element.textContent ?? "").trim().slice(0, 40)}`;
+    const name = (element: Element) =>
+      `<${element.tagName.toLowerCase()} class="${element.getAttribute("class") ?? ""}"> ${(element.textContent ?? "").trim().slice(0, 40)}`;
     const { innerWidth, innerHeight } = window;
     const root = document.documentElement;
     if (root.scrollWidth > innerWidth || root.scrollHeight > innerHeight) found.push("the window itself scrolls");
@@ -34,12 +37,15 @@ const outside = () =>
       const scrolls = ["auto", "scroll"].includes(style.overflowX);
       const cut = style.textOverflow === "ellipsis" || style.overflowX === "clip";
       const field = element instanceof HTMLInputElement || element instanceof HTMLSelectElement;
-      if (element.clientWidth > 0 && element.scrollWidth > element.clientWidth + 1 && !scrolls && !cut && !field) found.push(`too wide by ${element.scrollWidth - element.clientWidth}: ${name(element)}`);
+      if (element.clientWidth > 0 && element.scrollWidth > element.clientWidth + 1 && !scrolls && !cut && !field)
+        found.push(`too wide by ${element.scrollWidth - element.clientWidth}: ${name(element)}`);
       const inside = element.closest(".panel-sections, .rows, .popover, pre");
-      if (box.right > innerWidth + 1 || box.left < -1 || (!inside && (box.bottom > innerHeight + 1 || box.top < -1))) found.push(`outside of the window: ${name(element)}`);
+      if (box.right > innerWidth + 1 || box.left < -1 || (!inside && (box.bottom > innerHeight + 1 || box.top < -1)))
+        found.push(`outside of the window: ${name(element)}`);
     }
     // A scrolling part of the panel scrolls up and down alone.
-    for (const part of document.querySelectorAll(".panel-sections, .popover, .dialog-body")) if (part.scrollWidth > part.clientWidth) found.push(`scrolls sideways: ${name(part)}`);
+    for (const part of document.querySelectorAll(".panel-sections, .popover, .dialog-body"))
+      if (part.scrollWidth > part.clientWidth) found.push(`scrolls sideways: ${name(part)}`);
     return found;
   });
 
@@ -50,7 +56,7 @@ async function everywhere(name: string, inLarge: readonly (typeof THEMES)[number
     if (themes.length > 0) await editor.page.setViewportSize(size);
     for (const colorScheme of themes) {
       await editor.page.emulateMedia({ colorScheme });
-      await until(() => editor.page.evaluate(() => document.documentElement.dataset["theme"])).toBe(colorScheme);
+      await until(() => editor.page.evaluate(() => document.documentElement.dataset.theme)).toBe(colorScheme);
       expect(await outside(), `${name} at ${size.width} in ${colorScheme}`).toEqual([]);
       await picture(editor.page, `looks-${name}-${size.width}-${colorScheme}`);
     }
@@ -122,7 +128,7 @@ it("stays where a person has scrolled the panel to", async () => {
   await until(async () => (await at()) === (await end())).toBe(true);
   const down = await at();
   for (const y of [300, 320, 400]) await editor.page.mouse.move(1150, y);
-  // What is drawn anew is told of in the next frames.
+  // What is drawn anew is reported in the next frames.
   await editor.page.keyboard.press("Control+a");
   await editor.page.waitForTimeout(300);
   expect(await at()).toBeGreaterThanOrEqual(down ?? 0);

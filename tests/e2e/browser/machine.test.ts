@@ -5,7 +5,7 @@ import { afterAll, beforeAll, expect, it } from "vitest";
 import { Editor, until } from "../support/editor.ts";
 import { root } from "../support/places.ts";
 
-/** A driver by somebody else, as far as this home knows. */
+/** A third-party driver, as far as this home knows. */
 const FOREIGN = `${root}target/debug/libtemplate_driver.so`;
 
 let editor: Editor;
@@ -23,7 +23,8 @@ afterAll(() => editor?.end());
 const section = () => editor.section("machine");
 const fold = (name: RegExp) => section().locator(".fold-head").filter({ hasText: name });
 const card = (name: string) => section().locator(".machine-card").filter({ hasText: name });
-const clock = (seconds: number) => `${Math.floor(Math.round(seconds) / 60)}:${String(Math.round(seconds) % 60).padStart(2, "0")}`;
+const clock = (seconds: number) =>
+  `${Math.floor(Math.round(seconds) / 60)}:${String(Math.round(seconds) % 60).padStart(2, "0")}`;
 
 it("shows the machines as cards with what they can do", async () => {
   const { machines } = await editor.loopback.ask("machines", {});
@@ -31,7 +32,9 @@ it("shows the machines as cards with what they can do", async () => {
   expect(await section().locator(".machine-card").count()).toBe(machines.length);
   expect(await card("WireBend-kit").getAttribute("aria-pressed")).toBe("true");
   const kit = machines.find(({ id }) => id === "wirebend-kit");
-  await card("WireBend-kit").getByText(`edge ≥ ${kit?.min_edge_mm.toFixed(1)} mm`).waitFor();
+  await card("WireBend-kit")
+    .getByText(`edge ≥ ${kit?.min_edge_mm.toFixed(1)} mm`)
+    .waitFor();
 });
 
 it("says before and after of another machine, and then switches", async () => {
@@ -48,7 +51,9 @@ it("says before and after of another machine, and then switches", async () => {
   await beside.getByRole("button", { name: "Switch", exact: true }).click();
   await editor.page.locator(".top-made .picker", { hasText: "Pensa D.I.Wire Pro" }).waitFor();
   expect((await editor.design()).state.machine).toBe("pensa-diwire-pro");
-  await until(() => editor.page.getByRole("contentinfo").locator("div", { hasText: /^Time/ }).locator("dd").innerText()).toBe(clock(other?.time_s ?? NaN));
+  await until(() =>
+    editor.page.getByRole("contentinfo").locator("div", { hasText: /^Time/ }).locator("dd").innerText(),
+  ).toBe(clock(other?.time_s ?? NaN));
   await editor.button(/^Undo/).click();
   await editor.page.locator(".top-made .picker", { hasText: "WireBend-kit" }).waitFor();
 });
@@ -100,7 +105,11 @@ it("says what becomes feasible elsewhere", async () => {
   await list.locator(".machine-card").filter({ hasText: "Pensa" }).click();
   const { to } = await editor.loopback.ask("compare", { against: ["pensa-diwire-pro"] });
   const more = to[0]?.newly_feasible.diagnostics.length ?? 0;
-  if (more > 0) await list.getByText(/becomes? feasible|within the machine's limits/).first().waitFor();
+  if (more > 0)
+    await list
+      .getByText(/becomes? feasible|within the machine's limits/)
+      .first()
+      .waitFor();
   else await list.getByText(/on both/).waitFor();
   await editor.page.keyboard.press("Escape");
   await list.waitFor({ state: "detached" });
@@ -109,10 +118,12 @@ it("says what becomes feasible elsewhere", async () => {
 it("shows the settings with where they come from, and changes those of a copy alone", async () => {
   await fold(/^This machine/).click();
   await fold(/^Settings/).click();
-  const rate = section().getByLabel(/^Feed rate/i).first();
+  const rate = section()
+    .getByLabel(/^Feed rate/i)
+    .first();
   await rate.waitFor();
   expect(await rate.getAttribute("aria-disabled")).toBe("true");
-  await section().getByText("This profile comes with the program and cannot be changed.").waitFor();
+  await section().getByText("This profile comes with the program and is read-only.").waitFor();
 
   await section().getByRole("button", { name: "Copy to my profiles…" }).click();
   await section().getByLabel("Name").fill("My kit");
@@ -127,22 +138,41 @@ it("shows the settings with where they come from, and changes those of a copy al
   const before = await editor.loopback.ask("program", {});
   await section().getByRole("button", { name: "Save", exact: true }).click();
   const id = (await editor.design()).state.machine ?? "";
-  await until(async () => (await editor.loopback.ask("machine-view", { machine: id })).settings.find(({ key }) => key === "feed_rate_mm_per_s")).toMatchObject({ value: 55, set_by: id });
-  const field = section().locator(".settings-field").filter({ hasText: /^Feed rate/i }).first();
+  await until(async () =>
+    (await editor.loopback.ask("machine-view", { machine: id })).settings.find(
+      ({ key }) => key === "feed_rate_mm_per_s",
+    ),
+  ).toMatchObject({ value: 55, set_by: id });
+  const field = section()
+    .locator(".settings-field")
+    .filter({ hasText: /^Feed rate/i })
+    .first();
   await field.getByText(/your profile|this profile|My kit|set here/i).waitFor();
   await editor.isCleanNow("machine-settings");
   // The program is that of the machine as it is set now.
-  expect(await editor.loopback.ask("program", {})).toMatchObject({ machine: id, wires: [{ steps: before.wires[0]?.steps.map(() => expect.anything()) }] });
+  expect(await editor.loopback.ask("program", {})).toMatchObject({
+    machine: id,
+    wires: [{ steps: before.wires[0]?.steps.map(() => expect.anything()) }],
+  });
 });
 
 it("says why a value is refused, and keeps what was typed", async () => {
-  const rate = section().getByLabel(/^Feed rate/i).first();
+  const rate = section()
+    .getByLabel(/^Feed rate/i)
+    .first();
   await rate.fill("-3");
   await rate.press("Enter");
   expect(await rate.getAttribute("aria-invalid")).toBe("true");
   await rate.press("Escape");
   // Each value alone is in its range; together the driver does not take them.
-  const [position, travel] = [section().getByLabel(/^Home position/i).first(), section().getByLabel(/^Home travel/i).first()];
+  const [position, travel] = [
+    section()
+      .getByLabel(/^Home position/i)
+      .first(),
+    section()
+      .getByLabel(/^Home travel/i)
+      .first(),
+  ];
   await position.fill("100");
   await position.press("Enter");
   await travel.fill("1");
@@ -165,10 +195,10 @@ it("explains every value", async () => {
   await dialog.waitFor({ state: "detached" });
 });
 
-it("runs a driver by somebody else only once it is trusted, by its hash", async () => {
+it("runs a third-party driver only once it is trusted, by its hash", async () => {
   await fold(/^Drivers/).click();
   const line = section().locator(".line", { hasText: "libforeign.so" });
-  await line.getByText("not accepted: it is not run").waitFor();
+  await line.getByText("not trusted: it is not run").waitFor();
   await line.getByRole("button", { name: "Trust…" }).click();
   const dialog = editor.page.getByRole("dialog", { name: "Trust a driver" });
   const hash = createHash("sha256").update(readFileSync(FOREIGN)).digest("hex");
@@ -179,7 +209,10 @@ it("runs a driver by somebody else only once it is trusted, by its hash", async 
   await dialog.getByLabel("I have compared the hash").check();
   await trust.click();
   await dialog.waitFor({ state: "detached" });
-  await until(async () => (await editor.loopback.ask("drivers", {})).drivers.find(({ file }) => file.endsWith("libforeign.so"))?.state).not.toBe("unknown");
-  await section().getByText("not accepted: it is not run").waitFor({ state: "detached" });
+  await until(
+    async () =>
+      (await editor.loopback.ask("drivers", {})).drivers.find(({ file }) => file.endsWith("libforeign.so"))?.state,
+  ).not.toBe("unknown");
+  await section().getByText("not trusted: it is not run").waitFor({ state: "detached" });
   await editor.isClean("machine");
 });

@@ -10,29 +10,36 @@ beforeAll(async () => {
 afterAll(() => editor?.end());
 
 const run = () => editor.section("run");
-const button = (name: string | RegExp) => run().getByRole("button", typeof name === "string" ? { name, exact: true } : { name });
+const button = (name: string | RegExp) =>
+  run().getByRole("button", typeof name === "string" ? { name, exact: true } : { name });
 const dialog = () => editor.page.getByRole("dialog");
 const state = async () => {
   const { state } = await editor.loopback.ask("machine-state", {});
   if (!state) throw new Error("no machine is connected");
   return state;
 };
-/** Until the window says that the machine stands so, and is done with what it was told. */
+/** Until the window says that the machine stands so, and is done with its order. */
 const stands = async (phase: string) => {
   await run().locator(`.run-phase.${phase}`).waitFor();
   if (phase !== "making" && phase !== "holding") await until(async () => (await state()).busy).toBe(false);
 };
 /**
- * Until the machine is there, going on where it holds by itself: at ten times the speed it takes a tenth of a second in which this computer
+ * Until the machine is there, resuming where it holds by itself: at ten times the speed it takes a tenth of a second in which this computer
  * was busy for a cable that was cut.
  */
 const goingOn = (there: () => Promise<boolean>) =>
   until(async () => {
     if (await there()) return true;
-    if ((await state()).phase === "holding") await button("Go on").click({ timeout: 1000 }).catch(() => undefined);
+    if ((await state()).phase === "holding")
+      await button("Resume")
+        .click({ timeout: 1000 })
+        .catch(() => undefined);
     return false;
   }).toBe(true);
-const isMade = () => run().getByText(/^The wire is made, in/).isVisible();
+const isMade = () =>
+  run()
+    .getByText(/^The wire is finished, in/)
+    .isVisible();
 
 async function connect(port: string): Promise<void> {
   await run().getByLabel("Port", { exact: true }).selectOption(port);
@@ -46,10 +53,10 @@ async function arm(): Promise<void> {
   await stands("armed");
 }
 
-/** How a machine stands that goes on with a wire, or is done with it. */
+/** How a machine stands that resumes a wire, or is done with it. */
 const GONE_ON: ReadonlySet<string> = new Set(["making", "holding", "ready"]);
 
-/** Answers what is asked before an interrupted wire goes on: nothing of the steps in doubt was made. */
+/** Answers what is asked before an interrupted wire resumes: nothing of the steps in doubt was done. */
 async function goOn(): Promise<void> {
   await button("Resume…").click();
   await until(async () => GONE_ON.has((await state()).phase) || (await state()).question !== null).toBe(true);
@@ -61,7 +68,8 @@ async function goOn(): Promise<void> {
       continue;
     }
     if (question.kind === "doubt") await dialog().getByText("None of it", { exact: true }).click();
-    await dialog().getByRole("button", { name: "Go on", exact: true }).click();
+    const yes = question.kind === "doubt" ? "Continue" : "Resume";
+    await dialog().getByRole("button", { name: yes, exact: true }).click();
     await until(async () => (await state()).question?.id !== question.id).toBe(true);
   }
 }
@@ -76,14 +84,18 @@ it("connects the simulated machine, and says why the rest has to wait", async ()
   expect(await editor.page.locator(".stop-button").getAttribute("aria-disabled")).toBeNull();
 });
 
-it("homes, and moves by hand with what it tells of its place", async () => {
+it("homes, and moves by hand with the place that it reports", async () => {
   await button("Home").click();
   await stands("ready");
   await button("Record").click();
   const feed = run().getByLabel("Feed by, mm");
   await feed.fill("12.5");
   await feed.press("Tab");
-  for (const [name, axis] of [["Feed 12.5 mm", 0], ["Rotate 90.0°", 2], ["Bend 45.0°", 1]] as const) {
+  for (const [name, axis] of [
+    ["Feed 12.5 mm", 0],
+    ["Rotate 90.0°", 2],
+    ["Bend 45.0°", 1],
+  ] as const) {
     await button(name).click();
     // One after the other: the place is that of a machine at rest.
     await until(async () => (await state()).recorded).toBe([0, 2, 1].indexOf(axis) + 1);
@@ -96,7 +108,9 @@ it("homes, and moves by hand with what it tells of its place", async () => {
 });
 
 it("shows what goes over the line both ways, filters it and clears it", async () => {
-  await run().getByRole("button", { name: /^Console/ }).click();
+  await run()
+    .getByRole("button", { name: /^Console/ })
+    .click();
   const log = run().getByRole("log", { name: "Lines to and from the machine" });
   for (const way of ["to the machine", "from the machine"]) await log.getByRole("img", { name: way }).first().waitFor();
   await run().getByLabel("Filter lines").fill("no machine says this");
@@ -105,11 +119,18 @@ it("shows what goes over the line both ways, filters it and clears it", async ()
   await editor.isCleanNow("run-console");
   await run().getByRole("button", { name: "Clear", exact: true }).last().click();
   await log.getByText("Nothing was said yet.").waitFor();
-  await run().getByRole("button", { name: /^Console/ }).click();
+  await run()
+    .getByRole("button", { name: /^Console/ })
+    .click();
 });
 
-it("keeps what was moved, writes it, and makes it again", async () => {
-  await until(() => run().locator(".recorded li").allInnerTexts()).toEqual(["Feed 12.5 mm", "Rotate 90.0°", "Bend 45.0°", "Rotate −90.0°"]);
+it("keeps what was moved, writes it, and replays it", async () => {
+  await until(() => run().locator(".recorded li").allInnerTexts()).toEqual([
+    "Feed 12.5 mm",
+    "Rotate 90.0°",
+    "Bend 45.0°",
+    "Rotate −90.0°",
+  ]);
   await button("Save…").click();
   const file = await run().locator(".written .selectable").innerText();
   await editor.isCleanNow("run-recorded");
@@ -118,12 +139,12 @@ it("keeps what was moved, writes it, and makes it again", async () => {
   await stands("ready");
   await editor.choose(file, () => button("Replay…").click());
   // What the file holds is read before it moves anything.
-  await dialog().getByText("It makes: feed 12.5 mm, rotate 90°, bend 45°, rotate -90°").waitFor();
+  await dialog().getByText("Moves: feed 12.5 mm, rotate 90°, bend 45°, rotate -90°").waitFor();
   await dialog().getByRole("button", { name: "Move", exact: true }).click();
   await until(async () => (await state()).position?.feed_mm.toFixed(1)).toBe("25.0");
   await stands("ready");
 
-  // The same moves of another machine: they are made only when a person says so once more.
+  // The same moves of another machine: they run only when a person confirms it once more.
   const moves = readFileSync(file, "utf8");
   expect(moves).toContain('"wirebend-kit"');
   writeFileSync(file, moves.replace('"wirebend-kit"', '"grbl-bender"'));
@@ -132,7 +153,7 @@ it("keeps what was moved, writes it, and makes it again", async () => {
   await asks.waitFor();
   await editor.isCleanNow("run-foreign-moves");
   expect((await state()).position?.feed_mm.toFixed(1)).toBe("25.0");
-  await asks.getByRole("button", { name: "Replay all the same" }).click();
+  await asks.getByRole("button", { name: "Replay anyway" }).click();
   await dialog().getByRole("button", { name: "Move", exact: true }).click();
   await until(async () => (await state()).position?.feed_mm.toFixed(1)).toBe("37.5");
   await asks.waitFor({ state: "detached" });
@@ -140,7 +161,7 @@ it("keeps what was moved, writes it, and makes it again", async () => {
   await button("Record").click();
 });
 
-it("arms with a summary, starts, shows the steps, pauses and goes on", async () => {
+it("arms with a summary, starts, shows the steps, pauses and resumes", async () => {
   await button("Arm…").click();
   const lines = await dialog().locator(".question-lines").innerText();
   const { wires } = await editor.loopback.ask("program", {});
@@ -159,11 +180,14 @@ it("arms with a summary, starts, shows the steps, pauses and goes on", async () 
   await button("Start").click();
   await stands("making");
   const shown = editor.page.locator(".timeline-step");
-  // Its wire is seen while it comes out, and not only when the first step is made.
-  await shown.filter({ hasText: /^making · step 1 \/ 5 · [1-9]/ }).waitFor();
+  // Its wire is seen while it comes out, and not only when the first step is done.
+  await shown.filter({ hasText: /^bending · step 1 \/ 5 · [1-9]/ }).waitFor();
   // It may hold by itself before.
   await until(async () => {
-    if ((await state()).phase === "making") await button("Pause").click({ timeout: 1000 }).catch(() => undefined);
+    if ((await state()).phase === "making")
+      await button("Pause")
+        .click({ timeout: 1000 })
+        .catch(() => undefined);
     return (await state()).phase;
   }).toBe("holding");
   await stands("holding");
@@ -173,16 +197,16 @@ it("arms with a summary, starts, shows the steps, pauses and goes on", async () 
   await goingOn(async () => ((await state()).wire?.made ?? 0) > (held ?? 0));
 });
 
-it("stops by the button, at once, and tells what is known of the wire", async () => {
+it("stops by the button, at once, and shows what is known of the wire", async () => {
   await editor.page.locator(".top-bar .stop-button").click();
   await stands("stopped");
   const { unfinished } = await state();
   expect(unfinished).toMatchObject({ name: "House", of: 5 });
-  await run().getByRole("group", { name: "Interrupted wire" }).getByText(`of 5 is made`).waitFor();
+  await run().getByRole("group", { name: "Interrupted wire" }).getByText(`of 5 is done`).waitFor();
   await editor.isClean("run-stopped");
 });
 
-it("goes on after a stop, is stopped once more by the key, and makes the wire in the end", async () => {
+it("resumes after a stop, is stopped once more by the key, and finishes the wire in the end", async () => {
   await goOn();
   // Whatever has the focus: also a field.
   const field = run().getByLabel("Feed by, mm");
@@ -193,7 +217,7 @@ it("goes on after a stop, is stopped once more by the key, and makes the wire in
   expect(await field.inputValue()).toBe(typed);
   await button("Disconnect").click();
   await run().locator(".section-phrase", { hasText: "not connected" }).waitFor();
-  // It is gone on with at the machine where it was begun.
+  // It is resumed at the machine where it was begun.
   await connect("sim:10");
   await goOn();
   await goingOn(isMade);
@@ -201,24 +225,26 @@ it("goes on after a stop, is stopped once more by the key, and makes the wire in
   expect((await state()).unfinished).toBeNull();
 });
 
-it("makes a wire from the first step to the last, and keeps a record of it", async () => {
+it("bends a wire from the first step to the last, and keeps a record of it", async () => {
   await button("Disconnect").click();
   await connect("sim:max");
   await arm();
   await button("Start").click();
-  await run().getByText(/^The wire is made, in/).waitFor();
+  await run()
+    .getByText(/^The wire is finished, in/)
+    .waitFor();
   await stands("ready");
   const { runs } = await editor.loopback.ask("runs", {});
   const worst = runs.at(-1)?.worst_deviation_mm?.toFixed(2);
   await run().getByText(`Worst vertex ${worst} mm from the design.`).waitFor();
   await run().getByRole("button", { name: /^Runs/ }).click();
   const [first, second] = await run().locator(".fold", { hasText: "Runs" }).locator(".line").allInnerTexts();
-  expect(first).toMatch(new RegExp(`House[^]*5 steps made · worst vertex ${worst} mm`));
-  expect(second).toMatch(/5 steps made[^]*2 interruptions/);
+  expect(first).toMatch(new RegExp(`House[^]*5 steps done · worst vertex ${worst} mm`));
+  expect(second).toMatch(/5 steps done[\s\S]*2 interruptions/);
   await editor.isCleanNow("run-made");
 });
 
-it("asks how much of a step is in the wire that was stopped in its feed, and makes the rest", async () => {
+it("asks how much of a step is in the wire that was stopped in its feed, and finishes it", async () => {
   await button("Disconnect").click();
   // Slow enough to be met in a feed.
   await editor.loopback.ask("connect", { port: "sim:3" });
@@ -238,17 +264,17 @@ it("asks how much of a step is in the wire that was stopped in its feed, and mak
   const whole = (await state()).question?.doubt?.told.feed_mm ?? NaN;
   expect(counted?.feed_mm).toBeGreaterThan(3);
   expect(counted?.feed_mm).toBeLessThan(whole);
-  // The wire is seen with what is made of the step.
+  // The wire is seen with what is done of the step.
   await editor.page.locator(".timeline-step", { hasText: /step 1 \/ 5/ }).waitFor();
   await dialog().getByText("Measured", { exact: true }).click();
-  await dialog().getByText("How to tell").click();
+  await dialog().getByText("How to check").click();
   await editor.isClean("run-doubt");
   await dialog().getByText("As counted", { exact: true }).click();
   await dialog().getByText("may have lost steps as it stopped").waitFor();
-  await dialog().getByRole("button", { name: "Go on", exact: true }).click();
+  await dialog().getByRole("button", { name: "Continue", exact: true }).click();
   await dialog().getByText("Step 1 was stopped in its middle").waitFor();
   await editor.isCleanNow("run-rest");
-  await dialog().getByRole("button", { name: "Go on", exact: true }).click();
+  await dialog().getByRole("button", { name: "Resume", exact: true }).click();
   await until(async () => (await state()).phase).toBe("making");
   await editor.page.keyboard.press("Control+Space");
   await stands("stopped");
@@ -257,7 +283,7 @@ it("asks how much of a step is in the wire that was stopped in its feed, and mak
   await run().getByRole("group", { name: "Interrupted wire" }).waitFor({ state: "detached" });
 });
 
-it("tells of an interrupted wire after a crash, and gives it up when that is said twice", async () => {
+it("reports an interrupted wire after a crash, and gives it up when that is said twice", async () => {
   await button("Disconnect").click();
   await connect("sim:10");
   await arm();
@@ -266,7 +292,7 @@ it("tells of an interrupted wire after a crash, and gives it up when that is sai
   await editor.page.keyboard.press("Control+Space");
   await stands("stopped");
 
-  // What is known of it outlives the program, and is told before a machine is connected.
+  // What is known of it outlives the program, and is shown before a machine is connected.
   await editor.crash();
   await editor.take("house", "run");
   await run().getByText("A wire was interrupted").waitFor();

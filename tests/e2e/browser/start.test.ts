@@ -4,7 +4,9 @@ import { afterAll, beforeAll, expect, it } from "vitest";
 import { Editor, until } from "../support/editor.ts";
 
 let editor: Editor;
-beforeAll(async () => void (editor = await Editor.open({ hints: true })));
+beforeAll(async () => {
+  editor = await Editor.open({ hints: true });
+});
 afterAll(() => editor?.end());
 
 const dialog = (name: string | RegExp) => editor.page.getByRole("dialog", { name });
@@ -37,7 +39,9 @@ it("offers three examples as pictures, a plane to draw on, and all of the exampl
   const { examples } = await editor.loopback.ask("examples", {});
   await until(() => dialog("Examples").locator(".card").count()).toBe(examples.length);
   await editor.isClean("start-examples");
-  await dialog("Examples").getByRole("button", { name: /^Spring/ }).click();
+  await dialog("Examples")
+    .getByRole("button", { name: /^Spring/ })
+    .click();
   await until(name).toBe("Spring");
   expect(await editor.page.getByRole("heading", { name: "Drop a model" }).count()).toBe(0);
 });
@@ -70,7 +74,9 @@ it("asks before it drops what no file has", async () => {
   await asks.getByRole("button", { name: "Save", exact: true }).click();
   await until(name).toBe("untitled");
   // Under the name that was suggested.
-  expect((await editor.loopback.ask("open", { design: { input: { file: into("hook.wirebend") } } })).design.vertices).toHaveLength(5);
+  expect(
+    (await editor.loopback.ask("open", { design: { input: { file: into("hook.wirebend") } } })).design.vertices,
+  ).toHaveLength(5);
   await editor.reload();
   await editor.page.locator(".viewport canvas").focus();
   await editor.page.keyboard.press("a");

@@ -3,7 +3,9 @@ import { Editor, until } from "../support/editor.ts";
 import { type Place, Sight } from "../support/sight.ts";
 
 let editor: Editor;
-beforeAll(async () => void (editor = await Editor.open()));
+beforeAll(async () => {
+  editor = await Editor.open();
+});
 afterAll(() => editor?.end());
 
 const trace = () => editor.section("trace");
@@ -11,15 +13,30 @@ const trace = () => editor.section("trace");
 /** A cube of 2 as an STL, which does not say 2 of what. */
 function cube(): string {
   const corner = (k: number): string => [k & 1, (k >> 1) & 1, k >> 2].map((bit) => bit * 2).join(" ");
-  const faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
-  const triangles = faces.flatMap(([a = 0, b = 0, c = 0, d = 0]) => [[a, b, c], [a, c, d]]);
-  const facet = (corners: number[]) => `facet normal 0 0 0\nouter loop\n${corners.map((k) => `vertex ${corner(k)}`).join("\n")}\nendloop\nendfacet\n`;
+  const faces = [
+    [0, 2, 3, 1],
+    [4, 5, 7, 6],
+    [0, 1, 5, 4],
+    [2, 6, 7, 3],
+    [0, 4, 6, 2],
+    [1, 3, 7, 5],
+  ];
+  const triangles = faces.flatMap(([a = 0, b = 0, c = 0, d = 0]) => [
+    [a, b, c],
+    [a, c, d],
+  ]);
+  const facet = (corners: number[]) =>
+    `facet normal 0 0 0\nouter loop\n${corners.map((k) => `vertex ${corner(k)}`).join("\n")}\nendloop\nendfacet\n`;
   return `solid cube\n${triangles.map(facet).join("")}endsolid cube\n`;
 }
 
 const INCH = 25.4;
 /** Corners of the cube in mm, once it is read as inches. */
-const CORNERS: readonly Place[] = [0, 1, 2, 3, 4, 5, 6, 7].map((k) => [(k & 1) * 2 * INCH, ((k >> 1) & 1) * 2 * INCH, (k >> 2) * 2 * INCH]);
+const CORNERS: readonly Place[] = [0, 1, 2, 3, 4, 5, 6, 7].map((k) => [
+  (k & 1) * 2 * INCH,
+  ((k >> 1) & 1) * 2 * INCH,
+  (k >> 2) * 2 * INCH,
+]);
 
 /** Clicks where something is to be snapped to, once it is shown that it would be. */
 async function click(place: { x: number; y: number }, snap: string): Promise<void> {
@@ -47,7 +64,12 @@ it("snaps to corners of the stencil, shows so before the click, and ends a stran
   const sight = await Sight.from(editor.page, "front", CORNERS);
   await editor.page.keyboard.press("t");
   const size = 2 * INCH;
-  const corners: readonly Place[] = [[0, 0, 0], [size, 0, 0], [size, 0, size], [0, 0, size]];
+  const corners: readonly Place[] = [
+    [0, 0, 0],
+    [size, 0, 0],
+    [size, 0, size],
+    [0, 0, size],
+  ];
   for (const corner of corners) await click(sight.at(corner), "Corner of the stencil");
   await until(async () => (await editor.design()).vertices.length).toBe(4);
   await trace().getByText("3 edges drawn").waitFor();
@@ -89,23 +111,33 @@ it("draws on a plane, on the grid of it", async () => {
   await trace().getByText("XZ", { exact: true }).click();
   await editor.page.locator(".viewport canvas").focus();
   await editor.page.keyboard.press("1");
-  // Nothing is there to find one's way by: the view tells the places itself, before each click.
+  // Nothing is there to find one's way by: the view reports the places itself, before each click.
   const canvas = await editor.page.locator(".viewport canvas").boundingBox();
   const [x, y] = [(canvas?.x ?? 0) + 400, (canvas?.y ?? 0) + 300];
   const seen: Place[] = [];
-  for (const [dx, dy] of [[0, 0], [150, 0], [150, 150]] as const) {
+  for (const [dx, dy] of [
+    [0, 0],
+    [150, 0],
+    [150, 150],
+  ] as const) {
     await editor.page.mouse.move(x + dx - 5, y + dy);
     await editor.page.mouse.move(x + dx, y + dy, { steps: 3 });
     const card = editor.page.locator(".hover-card", { hasText: /Grid|On the plane/ });
     await card.waitFor();
-    const figures = (await card.innerText()).replaceAll("\u2212", "-").match(/-?\d+\.\d/g)?.map(Number) ?? [];
+    const figures =
+      (await card.innerText())
+        .replaceAll("\u2212", "-")
+        .match(/-?\d+\.\d/g)
+        ?.map(Number) ?? [];
     seen.push([figures[0] ?? NaN, figures[1] ?? NaN, figures[2] ?? NaN]);
     await editor.page.mouse.click(x + dx, y + dy);
   }
   await until(async () => (await editor.design()).vertices.length).toBe(3);
   const { vertices, edges } = await editor.design();
   expect(edges).toHaveLength(2);
-  vertices.forEach(({ at_mm }, index) => at_mm.forEach((value, k) => expect(value).toBeCloseTo(seen[index]?.[k] ?? NaN, 1)));
+  vertices.forEach(({ at_mm }, index) =>
+    at_mm.forEach((value, k) => expect(value).toBeCloseTo(seen[index]?.[k] ?? NaN, 1)),
+  );
   expect(vertices.every(({ at_mm }) => Math.abs(at_mm[1]) < 1e-9)).toBe(true);
   await editor.isClean("trace-draw");
 });
@@ -122,7 +154,7 @@ it("makes an edge as long as is typed, towards the pointer", async () => {
   const [from, to] = vertices.slice(-2).map(({ at_mm }) => at_mm);
   expect(Math.hypot(...[0, 1, 2].map((k) => (to?.[k] ?? NaN) - (from?.[k] ?? NaN)))).toBeCloseTo(42.5, 9);
   expect([edges.length, (to?.[0] ?? 0) > (from?.[0] ?? 0)]).toEqual([3, true]);
-  // The strand goes on from there, and a length that is given up leaves it open.
+  // The strand continues from there, and a length that is given up leaves it open.
   await editor.page.keyboard.type("7");
   await editor.page.keyboard.press("Escape");
   await trace().getByText("3 edges drawn").waitFor();

@@ -5,19 +5,24 @@ import { Editor, until } from "../support/editor.ts";
 import { wrongFiles } from "../support/wrong.ts";
 
 /** A profile that inherits from another, which does so from it. */
-const profile = (id: string, inherits: string) => JSON.stringify({ schema_version: 1, kind: "machine", id, name: id, inherits });
+const profile = (id: string, inherits: string) =>
+  JSON.stringify({ schema_version: 1, kind: "machine", id, name: id, inherits });
 
 let editor: Editor;
 beforeAll(async () => {
   editor = await Editor.open({}, (home) => {
     const machines = join(home, "own", "machines");
     mkdirSync(machines, { recursive: true });
-    for (const [id, inherits] of [["hen", "egg"], ["egg", "hen"]] as const) writeFileSync(join(machines, `${id}.json`), profile(id, inherits));
+    for (const [id, inherits] of [
+      ["hen", "egg"],
+      ["egg", "hen"],
+    ] as const)
+      writeFileSync(join(machines, `${id}.json`), profile(id, inherits));
   });
 });
 afterAll(() => editor?.end());
 
-it("tells at once of profiles that inherit from each other in a circle", async () => {
+it("reports at once profiles that inherit from each other in a circle", async () => {
   await editor.messages.filter({ hasText: /hen\.json.*the parents run in a circle: hen -> egg -> hen/ }).waitFor();
   await editor.messages.filter({ hasText: "egg.json" }).waitFor();
   await editor.isCleanNow("wrong-profiles");
@@ -25,7 +30,7 @@ it("tells at once of profiles that inherit from each other in a circle", async (
   expect((await editor.loopback.ask("machines", {})).machines.length).toBeGreaterThan(3);
 });
 
-it("names every file that is wrong, and why, and goes on with what was open", async () => {
+it("names every file that is wrong, and why, and continues with what was open", async () => {
   await editor.take("house", "edit");
   const into = (name: string) => join(editor.loopback.home, "files", name);
   await editor.loopback.ask("save", { path: into("house.wirebend") });
@@ -48,7 +53,10 @@ it("names every file that is wrong, and why, and goes on with what was open", as
     }
     said[name] = await message.innerText();
     // However long a message is, it stays in the window.
-    expect(await message.evaluate((item) => item.scrollWidth <= item.clientWidth && item.getBoundingClientRect().top >= 0), name).toBe(true);
+    expect(
+      await message.evaluate((item) => item.scrollWidth <= item.clientWidth && item.getBoundingClientRect().top >= 0),
+      name,
+    ).toBe(true);
     await message.getByRole("button", { name: "Dismiss" }).click();
     await message.waitFor({ state: "detached" });
   }
@@ -63,7 +71,8 @@ it("names every file that is wrong, and why, and goes on with what was open", as
 it("takes only the first of several files, and says so", async () => {
   await editor.page.evaluate(() => {
     const dataTransfer = new DataTransfer();
-    for (const name of ["a.obj", "b.obj"]) dataTransfer.items.add(new File(["v 0 0 0\nv 50 0 0\nv 50 50 0\nl 1 2 3\n"], name));
+    for (const name of ["a.obj", "b.obj"])
+      dataTransfer.items.add(new File(["v 0 0 0\nv 50 0 0\nv 50 50 0\nl 1 2 3\n"], name));
     window.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
   });
   await editor.messages.filter({ hasText: "Only the first of 2 files is opened" }).waitFor();

@@ -2,7 +2,7 @@ import { execFileSync } from "node:child_process";
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { expect, it } from "vitest";
-import { button, Driven, section, says } from "../support/installed.ts";
+import { button, Driven, says, section } from "../support/installed.ts";
 import { seat } from "../support/seat.ts";
 
 /** How long the page does nothing else, ms. */
@@ -27,25 +27,33 @@ it("stops the machine by its key while the page is too busy to hear of it", asyn
     await driven.click(section("Run"));
     await driven.choose("#section-run select", "sim:10");
     await driven.click(button("Connect"));
-    await driven.click("//section[@id='section-run']" + button("Home"));
-    await driven.click("//section[@id='section-run']" + button("Arm…"));
+    await driven.click(`//section[@id='section-run']${button("Home")}`);
+    await driven.click(`//section[@id='section-run']${button("Arm…")}`);
     await driven.click(button("Arm"));
-    await driven.click("//section[@id='section-run']" + button("Start"));
-    await driven.until(says("making the wire"), "the wire is begun");
+    await driven.click(`//section[@id='section-run']${button("Start")}`);
+    await driven.until(says("bending the wire"), "the wire is begun");
 
     await driven.run(
       `window.begun = 0;
-       setTimeout(() => { window.begun = Date.now(); while (Date.now() - window.begun < arguments[0]); window.over = Date.now(); }, 200);`.replace("arguments[0]", String(BUSY)),
+       setTimeout(() => { window.begun = Date.now(); while (Date.now() - window.begun < arguments[0]); window.over = Date.now(); }, 200);`.replace(
+        "arguments[0]",
+        String(BUSY),
+      ),
     );
     await new Promise((resolve) => setTimeout(resolve, 1000));
     const environment = { ...process.env, DISPLAY: at.screen.display };
-    const [window = ""] = execFileSync("xdotool", ["search", "--onlyvisible", "--class", "wirebend-kit"], { env: environment, encoding: "utf8" }).trim().split("\n");
+    const [window = ""] = execFileSync("xdotool", ["search", "--onlyvisible", "--class", "wirebend-kit"], {
+      env: environment,
+      encoding: "utf8",
+    })
+      .trim()
+      .split("\n");
     execFileSync("xdotool", ["windowfocus", "--sync", window], { env: environment });
     execFileSync("xdotool", ["key", "ctrl+space"], { env: environment });
 
     await driven.until("window.over", "the page is free again");
     const [begun, over] = await driven.run<[number, number]>("return [window.begun, window.over]");
-    await driven.until(says("topped"), "the page tells of the stop");
+    await driven.until(says("topped"), "the page shows the stop");
     const [stop = NaN] = stops(driven.home);
     expect(stop).toBeGreaterThan(begun);
     expect(stop).toBeLessThan(over);

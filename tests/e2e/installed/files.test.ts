@@ -3,7 +3,7 @@ import { copyFileSync, mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { Driven, inside, inRoot, says } from "../support/installed.ts";
+import { Driven, inRoot, inside, says } from "../support/installed.ts";
 import { root } from "../support/places.ts";
 import { seat } from "../support/seat.ts";
 
@@ -18,7 +18,7 @@ beforeAll(async () => {
     bus.on("error", reject);
     bus.stdout?.once("data", (line: Buffer) => resolve(line.toString().trim()));
   });
-  process.env["DBUS_SESSION_BUS_ADDRESS"] = address;
+  process.env.DBUS_SESSION_BUS_ADDRESS = address;
   folder = mkdtempSync(join(inRoot ? `${inRoot}/tmp` : tmpdir(), "wirebend-files-"));
 });
 
@@ -27,7 +27,7 @@ afterAll(async () => {
   rmSync(folder, { recursive: true, force: true });
 });
 
-/** A file that whoever uses the window can read; as the window sees it. */
+/** A file that the user of the window can read; as the window sees it. */
 function put(example: string, name: string): string {
   const path = join(folder, name);
   copyFileSync(`${root}examples/${example}`, path);

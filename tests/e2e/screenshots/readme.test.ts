@@ -19,7 +19,10 @@ const STRAND: readonly Place[] = [
   [72.4, -141.7, 73.1],
 ];
 /** What is joined across it. */
-const ACROSS = [[0, 4], [1, 5]] as const;
+const ACROSS = [
+  [0, 4],
+  [1, 5],
+] as const;
 
 let editor: Editor;
 
@@ -33,7 +36,7 @@ afterAll(async () => {
 });
 
 async function picture(name: string): Promise<void> {
-  // Without the ring of whoever came by the keyboard.
+  // Without the ring that shows after use of the keyboard.
   await editor.page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
   await editor.page.screenshot({ path: `${folder}/window-${name}.png`, animations: "disabled" });
 }
@@ -52,7 +55,11 @@ it("makes the pictures", async () => {
 
   // A surface to trace on, from the right, and a strand around it.
   await editor.take("bunny-stencil", "trace");
-  await editor.section("trace").getByText(/triangles/).first().waitFor();
+  await editor
+    .section("trace")
+    .getByText(/triangles/)
+    .first()
+    .waitFor();
   const whole = await editor.loopback.ask("look", { design: { input: { file: `${root}examples/bunny.obj` } } });
   const half = (whole.size_mm ?? [0, 0, 0]).map((size) => size / 2);
   // The bunny's box, of which the view shows the middle in its middle.
@@ -100,7 +107,10 @@ it("makes the pictures", async () => {
   await page.keyboard.press("Home");
   await only("edit", "check");
   await editor.section("check").getByRole("button", { name: /Fix/ }).first().click();
-  const double = editor.section("check").locator("li", { hasText: /^Double 1 edge/ }).last();
+  const double = editor
+    .section("check")
+    .locator("li", { hasText: /^Double 1 edge/ })
+    .last();
   await double.getByRole("button", { name: "Preview" }).click();
   await picture("check");
   await double.getByRole("button", { name: "Apply" }).click();
@@ -113,12 +123,20 @@ it("makes the pictures", async () => {
   await slider.fill(String(0.6 * Number(await slider.getAttribute("max"))));
   await page.locator(".viewport canvas").focus();
   await page.keyboard.press("f");
-  await editor.section("animate").getByText(/[5-7]\d.%/).first().waitFor();
+  await editor
+    .section("animate")
+    .getByText(/[5-7]\d.%/)
+    .first()
+    .waitFor();
   await picture("animate");
 
   await only("animate", "machine");
   const cards = page.locator("#section-machine .machine-card");
-  await until(async () => (await cards.count()) === (await page.locator("#section-machine .machine-card .machine-picture:has(polygon, path)").count())).toBe(true);
+  await until(
+    async () =>
+      (await cards.count()) ===
+      (await page.locator("#section-machine .machine-card .machine-picture:has(polygon, path)").count()),
+  ).toBe(true);
   await picture("machine");
 
   await only("machine", "export");
@@ -135,8 +153,14 @@ it("makes the pictures", async () => {
   await run.getByRole("button", { name: "Arm…" }).click();
   await page.getByRole("button", { name: "Arm", exact: true }).click();
   await run.getByRole("button", { name: "Start", exact: true }).click();
-  await page.getByText(/\b[5-9] of [0-9]+ steps made/).first().waitFor();
+  await page
+    .getByText(/\b[5-9] of [0-9]+ steps done/)
+    .first()
+    .waitFor();
   await picture("run");
   await page.keyboard.press("Control+Space");
-  await page.getByText(/stopped/i).first().waitFor();
+  await page
+    .getByText(/stopped/i)
+    .first()
+    .waitFor();
 });

@@ -1,7 +1,6 @@
-import { mkdirSync } from "node:fs";
-import { readFileSync } from "node:fs";
+import { mkdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
-import { type Browser, type Page, chromium } from "playwright-core";
+import { type Browser, chromium, type Page } from "playwright-core";
 import { pictures } from "./places.ts";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -21,7 +20,7 @@ export function openBrowser(more: readonly string[] = []): Promise<Browser> {
   return chromium.launch({ executablePath: "/usr/bin/chromium", headless: true, args });
 }
 
-/** What a page complained of that nobody expected. */
+/** What a page complained of that was not expected. */
 export interface Complaints {
   readonly list: string[];
 }
@@ -32,7 +31,11 @@ export async function openPage(
   url: string,
   { width = 1280, height = 800, scheme = "dark" as "dark" | "light", hints = false } = {},
 ): Promise<[Page, Complaints]> {
-  const context = await browser.newContext({ viewport: { width, height }, colorScheme: scheme, acceptDownloads: false });
+  const context = await browser.newContext({
+    viewport: { width, height },
+    colorScheme: scheme,
+    acceptDownloads: false,
+  });
   const page = await context.newPage();
   const complaints: Complaints = { list: [] };
   page.on("pageerror", (error) => complaints.list.push(error.message));
@@ -41,7 +44,10 @@ export async function openPage(
     if (message.type() === "error" && !message.text().includes("422")) complaints.list.push(message.text());
   });
   // An empty page has no storage.
-  if (!hints) await page.addInitScript(() => void (location.protocol === "http:" && localStorage.setItem("wirebend.hints", "seen")));
+  if (!hints)
+    await page.addInitScript(
+      () => void (location.protocol === "http:" && localStorage.setItem("wirebend.hints", "seen")),
+    );
   await page.goto(url);
   return [page, complaints];
 }
@@ -52,14 +58,27 @@ export interface Violation {
   readonly nodes: readonly string[];
 }
 
+/** As axe reports it. */
+interface Found {
+  readonly id: string;
+  readonly impact: string | null;
+  readonly nodes: readonly { readonly html: string }[];
+}
+
 /** What axe finds that keeps people out. */
 export async function barriers(page: Page): Promise<Violation[]> {
   await page.evaluate(axe);
   return page.evaluate(async () => {
-    const { violations } = await (window as unknown as { axe: { run: () => Promise<{ violations: any[] }> } }).axe.run();
+    const { violations } = await (
+      window as unknown as { axe: { run: () => Promise<{ violations: Found[] }> } }
+    ).axe.run();
     return violations
       .filter(({ impact }) => impact === "serious" || impact === "critical")
-      .map(({ id, impact, nodes }) => ({ id, impact, nodes: nodes.map((node: { html: string }) => node.html.slice(0, 160)) }));
+      .map(({ id, impact, nodes }) => ({
+        id,
+        impact,
+        nodes: nodes.map((node) => node.html.slice(0, 160)),
+      }));
   });
 }
 

@@ -9,7 +9,7 @@ import { Loopback } from "./loopback.ts";
 export type Section = "trace" | "edit" | "check" | "animate" | "machine" | "export" | "run";
 
 /** How long something may take on a computer that is busy, ms. */
-export const PATIENCE = Number(process.env["E2E_PATIENCE_MS"] ?? 30_000);
+export const PATIENCE = Number(process.env.E2E_PATIENCE_MS ?? 30_000);
 
 /** Waits until something is as it should be. */
 export const until = <T>(look: () => T | Promise<T>) => expect.poll(look, { timeout: PATIENCE, interval: 40 });
@@ -26,7 +26,11 @@ export class Editor {
   }
 
   /** `before`: what is to be in the home before it starts; `browserArguments`: arguments for the browser beside the usual ones. */
-  static async open(options: Parameters<typeof openPage>[2] = {}, before: (home: string) => void = () => {}, browserArguments: readonly string[] = []): Promise<Editor> {
+  static async open(
+    options: Parameters<typeof openPage>[2] = {},
+    before: (home: string) => void = () => {},
+    browserArguments: readonly string[] = [],
+  ): Promise<Editor> {
     const home = Loopback.home();
     before(home);
     const loopback = await Loopback.start(home);
@@ -51,7 +55,7 @@ export class Editor {
     await this.ready();
   }
 
-  /** Until the window has taken up the open design, and the view is there. */
+  /** Until the window shows the open design, and the view is there. */
   async ready(): Promise<void> {
     await this.page.locator(".viewport canvas").waitFor();
     await this.page.getByRole("contentinfo", { name: "Status" }).getByText(/saved/).waitFor();
@@ -62,7 +66,10 @@ export class Editor {
     if (example === null) await this.loopback.ask("new", {});
     else await this.loopback.ask("open-example", { id: example });
     await this.reload(...sections);
-    if (example !== null) await this.section("edit").locator(".section-phrase", { hasText: /vert|empty/ }).waitFor();
+    if (example !== null)
+      await this.section("edit")
+        .locator(".section-phrase", { hasText: /vert|empty/ })
+        .waitFor();
   }
 
   async reload(...sections: Section[]): Promise<void> {
@@ -89,7 +96,14 @@ export class Editor {
   async menu(...names: readonly string[]): Promise<void> {
     const [menu = "", ...items] = names;
     await this.page.getByRole("menubar").getByRole("menuitem", { name: menu, exact: true }).click();
-    for (const item of items) await this.page.getByRole("menu").getByRole(/^(Dark|Light|As the system|Millimetres|Inches)$/.test(item) ? "menuitemradio" : "menuitem", { name: item }).first().click();
+    for (const item of items)
+      await this.page
+        .getByRole("menu")
+        .getByRole(/^(Dark|Light|As the system|Millimetres|Inches)$/.test(item) ? "menuitemradio" : "menuitem", {
+          name: item,
+        })
+        .first()
+        .click();
   }
 
   /** The design as the Rust side has it. */
@@ -111,7 +125,8 @@ export class Editor {
       ({ name, bytes }) => {
         const dataTransfer = new DataTransfer();
         dataTransfer.items.add(new File([new Uint8Array(bytes)], name));
-        for (const type of ["dragover", "drop"]) window.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }));
+        for (const type of ["dragover", "drop"])
+          window.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }));
       },
       { name: basename(file), bytes },
     );
@@ -123,7 +138,7 @@ export class Editor {
     await chooser.setFiles(file);
   }
 
-  /** What is told over the view. */
+  /** What is shown over the view. */
   get messages(): Locator {
     return this.page.getByLabel("Messages").getByRole("listitem");
   }
@@ -133,11 +148,11 @@ export class Editor {
     return this.isClean(name, ["dark"]);
   }
 
-  /** Nothing went wrong that nobody expected, and nobody is kept out, in both themes. */
+  /** Nothing went wrong unexpectedly, and no user is kept out, in both themes. */
   async isClean(name: string, themes: readonly ("dark" | "light")[] = ["dark", "light"]): Promise<void> {
     for (const scheme of themes) {
       await this.page.emulateMedia({ colorScheme: scheme });
-      await until(() => this.page.evaluate(() => document.documentElement.dataset["theme"])).toBe(scheme);
+      await until(() => this.page.evaluate(() => document.documentElement.dataset.theme)).toBe(scheme);
       expect(await barriers(this.page), `barriers of ${name} in ${scheme}`).toEqual([]);
       await picture(this.page, `${name}-${scheme}`);
     }

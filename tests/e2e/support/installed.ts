@@ -30,20 +30,33 @@ export function deb(): string {
 }
 
 /** Another root file system, in which the package was installed, and who is to use it there. */
-export const inRoot = process.env["WIREBEND_ROOT"];
-const user = process.env["WIREBEND_USER"];
+export const inRoot = process.env.WIREBEND_ROOT;
+const user = process.env.WIREBEND_USER;
 
 export function unpack(): Unpacked {
-  if (inRoot) return { folder: inRoot, window: "/usr/bin/wirebend-kit", commands: "/usr/bin/wirebend", bytes: statSync(deb()).size };
+  if (inRoot)
+    return {
+      folder: inRoot,
+      window: "/usr/bin/wirebend-kit",
+      commands: "/usr/bin/wirebend",
+      bytes: statSync(deb()).size,
+    };
   const folder = mkdtempSync(join(tmpdir(), "wirebend-deb-"));
   execFileSync("dpkg-deb", ["--extract", deb(), folder]);
-  return { folder, window: `${folder}/usr/bin/wirebend-kit`, commands: `${folder}/usr/bin/wirebend`, bytes: statSync(deb()).size };
+  return {
+    folder,
+    window: `${folder}/usr/bin/wirebend-kit`,
+    commands: `${folder}/usr/bin/wirebend`,
+    bytes: statSync(deb()).size,
+  };
 }
 
 /** The button of this name that can be pressed. */
-export const button = (name: string): string => `//button[normalize-space(.)=${JSON.stringify(name)} and not(@aria-disabled='true') and not(@disabled)]`;
+export const button = (name: string): string =>
+  `//button[normalize-space(.)=${JSON.stringify(name)} and not(@aria-disabled='true') and not(@disabled)]`;
 /** The header of a section that is closed. */
-export const section = (name: string): string => `//section//h2/button[@aria-expanded='false'][.//*[normalize-space(.)=${JSON.stringify(name)}]]`;
+export const section = (name: string): string =>
+  `//section//h2/button[@aria-expanded='false'][.//*[normalize-space(.)=${JSON.stringify(name)}]]`;
 /** A script of the page: whether this is to be read on it. */
 export const says = (text: string): string => `document.body.innerText.includes(${JSON.stringify(text)})`;
 
@@ -67,7 +80,7 @@ export class Driven {
   private constructor(
     private readonly child: ChildProcess,
     readonly client: Client,
-    /** The home of whoever uses it. */
+    /** The home of its user. */
     readonly home: string,
     /** The same as the window sees it. */
     readonly seen: string,
@@ -90,7 +103,7 @@ export class Driven {
       XDG_DATA_HOME: `${seen}/data`,
       XDG_CACHE_HOME: `${seen}/cache`,
       DISPLAY: display,
-      // The toolkit lets itself be driven only where it is told so.
+      // The toolkit lets itself be driven only where it is set so.
       TAURI_AUTOMATION: "true",
       TAURI_WEBVIEW_AUTOMATION: "true",
     };
@@ -101,7 +114,10 @@ export class Driven {
       port,
       logLevel: "error",
       connectionRetryCount: 0,
-      capabilities: { alwaysMatch: { "webkitgtk:browserOptions": { binary: window, args: words } }, firstMatch: [{}] } as never,
+      capabilities: {
+        alwaysMatch: { "webkitgtk:browserOptions": { binary: window, args: words } },
+        firstMatch: [{}],
+      } as never,
     });
     return new Driven(child, client, home, seen, environment);
   }
@@ -121,7 +137,10 @@ export class Driven {
   }
 
   async click(xpath: string): Promise<void> {
-    await this.until(`document.evaluate(${JSON.stringify(xpath)}, document, null, 9, null).singleNodeValue`, `there is ${xpath}`);
+    await this.until(
+      `document.evaluate(${JSON.stringify(xpath)}, document, null, 9, null).singleNodeValue`,
+      `there is ${xpath}`,
+    );
     const found = await this.client.findElement("xpath", xpath);
     // A part of the panel that is scrolled away cannot be clicked.
     await this.run("arguments[0].scrollIntoView({ block: 'center' })", found);
@@ -130,7 +149,10 @@ export class Driven {
 
   /** Chooses of a list, which the system draws where no driver reaches it. */
   async choose(selector: string, value: string): Promise<void> {
-    await this.until(`[...(document.querySelector(${JSON.stringify(selector)})?.options ?? [])].some((one) => one.value === ${JSON.stringify(value)})`, `${selector} has ${value}`);
+    await this.until(
+      `[...(document.querySelector(${JSON.stringify(selector)})?.options ?? [])].some((one) => one.value === ${JSON.stringify(value)})`,
+      `${selector} has ${value}`,
+    );
     await this.run(
       `const list = document.querySelector(arguments[0]);
        Object.getOwnPropertyDescriptor(HTMLSelectElement.prototype, "value").set.call(list, arguments[1]);

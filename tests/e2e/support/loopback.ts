@@ -9,7 +9,7 @@ import { root } from "./places.ts";
 type AskName = keyof Requests & keyof Responses;
 
 /** The folder below `target` that it was built into: what is measured is built as what is installed. */
-const BUILD = process.env["E2E_BUILD"] ?? "debug";
+const BUILD = process.env.E2E_BUILD ?? "debug";
 
 /** The window's Rust side in a home of its own. */
 export class Loopback {
@@ -19,14 +19,16 @@ export class Loopback {
     readonly home: string,
   ) {}
 
-  /** Where it keeps what it is given; `start` goes on with what an earlier one has left there. */
+  /** Where it keeps what it is given; `start` continues with what an earlier one has left there. */
   static home(): string {
     return mkdtempSync(join(tmpdir(), "wirebend-e2e-"));
   }
 
   static async start(home = Loopback.home()): Promise<Loopback> {
     const program = `${root}target/${BUILD}/wirebend-loopback`;
-    const child = spawn(program, ["--dist", `${root}ui/dist`, "--home", home], { stdio: ["ignore", "pipe", "inherit"] });
+    const child = spawn(program, ["--dist", `${root}ui/dist`, "--home", home], {
+      stdio: ["ignore", "pipe", "inherit"],
+    });
     const url = await new Promise<string>((resolve, reject) => {
       child.on("error", reject);
       child.on("exit", (code) => reject(new Error(`${program} ended with ${code} before it was ready`)));
@@ -39,7 +41,11 @@ export class Loopback {
   async ask<K extends AskName>(name: K, request: Requests[K]): Promise<Responses[K]> {
     const { origin, searchParams } = new URL(this.url);
     const headers = { "x-token": searchParams.get("token") ?? "" };
-    const answer = await fetch(`${origin}/ask`, { method: "POST", headers, body: JSON.stringify({ ask: name, ...request }) });
+    const answer = await fetch(`${origin}/ask`, {
+      method: "POST",
+      headers,
+      body: JSON.stringify({ ask: name, ...request }),
+    });
     if (!answer.ok) throw new Error(`${name}: ${await answer.text()}`);
     return (await answer.json()) as Responses[K];
   }

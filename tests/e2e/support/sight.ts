@@ -34,7 +34,12 @@ export class Sight {
     };
     const [[left, rightmost], [low, high]] = [extent(right), extent(up)];
     const half = Math.max(LEAST / 2, (high - low) / 2, ((rightmost - left) / 2) * (box.height / box.width));
-    return new Sight([(left + rightmost) / 2, (low + high) / 2], [box.x + box.width / 2, box.y + box.height / 2], sides, (2 * half * ROOM) / box.height);
+    return new Sight(
+      [(left + rightmost) / 2, (low + high) / 2],
+      [box.x + box.width / 2, box.y + box.height / 2],
+      sides,
+      (2 * half * ROOM) / box.height,
+    );
   }
 
   /** Pixels of the window. */

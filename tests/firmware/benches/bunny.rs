@@ -5,5 +5,5 @@
 use wirebend_tests_firmware::lockstep;
 
 fn main() {
-    lockstep::in_lockstep("bunny", &lockstep::lines(include_str!("../tests/controller/steps/bunny.csv")));
+    lockstep::in_lockstep("bunny", &lockstep::lines(include_str!("../tests/all/controller/steps/bunny.csv")));
 }

@@ -35,7 +35,7 @@ static void on_port(struct avr_irq_t *irq, uint32_t value, void *param)
 	show(param, port_of(param, irq, IOPORT_IRQ_REG_PORT));
 }
 
-/* simavr tells of a direction before it stores it. */
+/* simavr reports a direction before it stores it. */
 static void on_direction(struct avr_irq_t *irq, uint32_t value, void *param)
 {
 	struct uno *uno = param;

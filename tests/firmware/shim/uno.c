@@ -127,7 +127,7 @@ static void after_reset(struct uno *uno, uint8_t mcusr)
 	vectors_after_reset(uno);
 }
 
-/* `flag` of MCUSR is added to those that nobody has cleared, unless `alone`. */
+/* `flag` of MCUSR is added to those that were not cleared, unless `alone`. */
 void uno_reset(struct uno *uno, uint8_t flag, uint8_t alone)
 {
 	if (uno->avr->run != uno->run)

@@ -3,7 +3,7 @@
 
 enum { DOR = 1 << 3, FIFO_MASK = 63, UART_HOLDS = 3 /* two characters and the shift register */ };
 
-/* simavr's own input would show a byte before it is here, take 64 of them, and never tell of an overrun. */
+/* simavr's own input would show a byte before it is here, take 64 of them, and never report an overrun. */
 static avr_cycle_count_t on_wire(struct avr_t *avr, avr_cycle_count_t when, void *param)
 {
 	struct uno *uno = param;
@@ -67,7 +67,7 @@ void wire_attach(struct uno *uno)
 	avr_irq_register_notify(&uno->uart->io.irq[UART_IRQ_OUTPUT], on_sent, uno);
 }
 
-/* What was being sent is cut off; what is on the way in goes on coming. avr_reset has wiped the timer. */
+/* What was being sent is cut off; what is on the way in still arrives. avr_reset has wiped the timer. */
 void wire_after_reset(struct uno *uno)
 {
 	struct wire_byte *sent = uno->sent.items;

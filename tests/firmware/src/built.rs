@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)] // a test may stop at what cannot be
 
 use std::collections::BTreeMap;
+use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::{Mutex, OnceLock, PoisonError};
@@ -23,13 +24,17 @@ pub fn firmware(machine: &str) -> PathBuf {
     let mut make = Command::new("make");
     make.arg("--no-print-directory").arg("-C").arg(package().join("../../firmware")).arg(&elf);
     make.arg(format!("MACHINE={machine}")).arg(format!("OUT={}", folder.display()));
+    // Every test is a process of its own, and each finds out by make whether it has to be built.
+    let turn = File::create(folder.with_extension("lock")).unwrap();
+    turn.lock().unwrap();
     run(&mut make);
+    drop(turn);
     let elf = made(elf);
     built.insert(machine.to_owned(), elf.clone());
     elf
 }
 
-/// The program in `probe/`, which uses what the firmware uses and does what a test of the bench tells it.
+/// The program in `probe/`, which uses what the firmware uses and does what a test of the bench orders.
 ///
 /// # Panics
 /// When it cannot be built.

@@ -7,16 +7,10 @@ use std::path::PathBuf;
 pub enum UnoError {
     /// The file is missing, or no ELF file for an AVR.
     #[error("{} is no program for an AVR: {why}; give the .elf that avr-gcc makes", file.display())]
-    NoProgram {
-        /// The file.
-        file: PathBuf,
-        /// What is wrong with it.
-        why: String,
-    },
+    NoProgram { file: PathBuf, why: String },
     /// An instruction that the chip does not have: the program jumped out of itself.
     #[error("the controller crashed at cycle {cycle}, byte address {program_counter:#06x}: {said}")]
     Crashed {
-        /// When.
         cycle: u64,
         /// Where, in bytes of flash.
         program_counter: u32,
@@ -27,10 +21,7 @@ pub enum UnoError {
     #[error(
         "the controller sleeps with interrupts off from cycle {cycle} on; reset it, or let it sleep after sei"
     )]
-    AsleepForEver {
-        /// When.
-        cycle: u64,
-    },
+    AsleepForEver { cycle: u64 },
     /// No interrupt came to be led astray.
     #[error("no interrupt began until cycle {cycle}; let the program turn one on")]
     NoInterrupt {
@@ -39,38 +30,23 @@ pub enum UnoError {
     },
     /// A port has bits 0 to 7.
     #[error("a port has no bit {bit}; give 0 to 7")]
-    NoBit {
-        /// What was given.
-        bit: u8,
-    },
+    NoBit { bit: u8 },
     /// Bytes outside of a memory.
     #[error("{what} is bytes {from:#06x} to {to:#06x}; {count} bytes from {at:#06x} on do not fit")]
     OutOfMemory {
-        /// Which memory.
         what: &'static str,
-        /// Its first address.
         from: usize,
-        /// Its last address.
         to: usize,
         /// What was asked for.
         at: usize,
-        /// And how many.
         count: usize,
     },
     /// The ELF file has no such symbol.
     #[error("the program has no symbol {name}; link it with avr-libc's start-up code and keep its symbols")]
-    NoSymbol {
-        /// The symbol.
-        name: String,
-    },
+    NoSymbol { name: String },
     /// The pseudo-terminal could not be made or used.
     #[error("{doing} failed: {why}")]
-    Terminal {
-        /// What.
-        doing: &'static str,
-        /// Why.
-        why: std::io::Error,
-    },
+    Terminal { doing: &'static str, why: std::io::Error },
     /// The thread with the controller has ended: `stop` says why.
     #[error("the controller's thread has ended; `stop` gives the reason")]
     Ended,

@@ -5,7 +5,7 @@
 use std::ffi::{CStr, CString, c_char, c_int};
 use std::ptr::NonNull;
 
-use crate::uno::{InterruptTime, PinChange, Port};
+use crate::chip::{InterruptTime, PinChange, Port};
 
 /// Bytes of data memory: registers, I/O and RAM.
 pub(crate) const DATA_BYTES: usize = 0x900;
@@ -69,7 +69,6 @@ pub(crate) enum Ended {
     AsleepForEver,
 }
 
-/// A controller of the shim.
 pub(crate) struct Controller(NonNull<Shim>);
 
 // SAFETY: the shim keeps nothing of a controller in a thread or in a global but the simulator's log function,
@@ -153,7 +152,7 @@ impl Controller {
     }
 
     pub(crate) fn data_mut(&mut self) -> &mut [u8] {
-        // SAFETY: as `data`, and nobody else has it.
+        // SAFETY: as `data`, and no other code has it.
         unsafe { std::slice::from_raw_parts_mut(uno_data(self.0.as_ptr()), DATA_BYTES) }
     }
 

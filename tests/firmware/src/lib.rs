@@ -11,6 +11,7 @@
 
 pub mod board;
 mod built;
+mod chip;
 mod error;
 mod fault;
 mod ffi;
@@ -22,6 +23,7 @@ pub mod table;
 mod uno;
 
 pub use built::{firmware, probe};
+pub use chip::{InterruptTime, PinChange, Port};
 pub use error::UnoError;
 pub use pty::{Behind, OnPty, Options, Pace};
-pub use uno::{BYTE_CYCLES, HZ, InterruptTime, PinChange, Port, Ram, ResetCause, Uno, vector};
+pub use uno::{BYTE_CYCLES, HZ, Ram, ResetCause, Uno, vector};

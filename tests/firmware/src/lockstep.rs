@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used)] // a test may stop at what cannot be
 #![allow(clippy::print_stdout)] // figures, for --nocapture
 
-use crate::board::{Avr, Board, Host, MS, Seen, What};
+use crate::board::{Avr, Board, Host, MS, Observation, What};
 use crate::job::Job;
 
 /// How far an interval between two pulses of a move may differ from the other's, cycles of 62.5 ns: each pulse waits
@@ -13,7 +13,7 @@ const JITTER: u64 = 240;
 /// 500 ms, so two pulses that are closer and alike are of one move.
 const ONE_MOVE: u64 = 20 * MS;
 
-/// Steps of the lines of a job, from a file of `tests/controller/steps`.
+/// Steps of the lines of a job, from a file of `tests/all/controller/steps`.
 ///
 /// # Panics
 /// When it is no such file.
@@ -32,7 +32,7 @@ fn make<B: Board>(lines: &[[i32; 3]]) -> Job<B> {
 }
 
 /// How far the intervals between pulses of one move differ, cycles: the most.
-fn jitter(host: &[Seen], avr: &[Seen]) -> u64 {
+fn jitter(host: &[Observation], avr: &[Observation]) -> u64 {
     let mut worst = 0;
     for (host, avr) in host.windows(2).zip(avr.windows(2)) {
         let (expected, found) = (host[1].at - host[0].at, avr[1].at - avr[0].at);
@@ -44,7 +44,7 @@ fn jitter(host: &[Seen], avr: &[Seen]) -> u64 {
     worst
 }
 
-/// Makes a job on both and compares everything that is seen.
+/// Runs a job on both and compares everything that is seen.
 ///
 /// # Panics
 /// At the first difference.
@@ -56,7 +56,7 @@ pub fn in_lockstep(name: &str, lines: &[[i32; 3]]) {
     }
     assert_eq!(host_seen.len(), avr_seen.len(), "{name}: one does more than the other");
     let sum = |axis: usize| lines.iter().map(|line| i64::from(line[axis])).sum::<i64>();
-    assert_eq!(host.table.counted[..2], [sum(0), sum(1)], "{name}: what was asked and what was made");
+    assert_eq!(host.table.counted[..2], [sum(0), sum(1)], "{name}: what was asked and what was done");
     let uno = &avr.table.board.uno;
     assert_eq!((uno.overruns(), uno.lost_sending()), (0, 0), "{name}: bytes lost");
     let worst = jitter(host_seen, avr_seen);

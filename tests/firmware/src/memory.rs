@@ -6,7 +6,6 @@ use crate::uno::Uno;
 
 /// First byte of RAM; below are registers.
 const RAM_START: usize = 0x100;
-/// Bytes of EEPROM.
 const EEPROM_BYTES: usize = 1024;
 /// What unused stack is painted with: neither 0 nor 0xFF, which programs write often.
 const PAINT: u8 = 0xC5;
@@ -66,7 +65,7 @@ impl Uno {
     }
 
     /// Paints the RAM from the end of the program's variables to just below the stack pointer, so that
-    /// [`Self::untouched_stack`] can tell later what the stack has used.
+    /// [`Self::untouched_stack`] can show later what the stack has used.
     ///
     /// # Errors
     /// When the program has no symbol `_end`.

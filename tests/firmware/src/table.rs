@@ -1,6 +1,6 @@
 //! A machine on a table: a controller, its bend axis and the switch that the axis meets.
 
-use crate::board::{BEND, Board, Reset, Seen, What};
+use crate::board::{BEND, Board, Observation, Reset, What};
 
 /// Where the bend axis of a new machine really stands, steps from zero.
 pub const AT_FIRST: i64 = -3000;
@@ -12,7 +12,6 @@ pub type Switch = Box<dyn FnMut(i64) -> bool>;
 
 /// A controller with its bend axis and its switch.
 pub struct Table<B> {
-    /// The controller.
     pub board: B,
     switch: Switch,
     /// Where the bend axis really stands, steps from zero.
@@ -20,8 +19,8 @@ pub struct Table<B> {
     /// Steps since the first power-on, by axis.
     pub counted: [i64; 3],
     /// Everything that was seen but bytes.
-    pub seen: Vec<Seen>,
-    /// Bytes to the host that nobody has taken.
+    pub seen: Vec<Observation>,
+    /// Bytes to the host that were not taken.
     pub bytes: Vec<u8>,
 }
 
@@ -63,12 +62,12 @@ impl<B: Board> Table<B> {
         self.board.set_switch((self.switch)(self.bend));
     }
 
-    /// Lets the machine go on for so many cycles.
+    /// Lets the machine run for so many cycles.
     pub fn run(&mut self, cycles: u64) {
         self.run_until(self.board.now() + cycles);
     }
 
-    /// Lets it go on until a cycle.
+    /// Lets it run until a cycle.
     pub fn run_until(&mut self, cycle: u64) {
         loop {
             let seen = self.board.run(cycle);
@@ -81,7 +80,7 @@ impl<B: Board> Table<B> {
         }
     }
 
-    fn saw(&mut self, seen: Seen) {
+    fn saw(&mut self, seen: Observation) {
         match seen.what {
             What::Byte(byte) => return self.bytes.push(byte),
             What::Pulse { axis, forward } => {

@@ -4,6 +4,7 @@ use std::ffi::CString;
 use std::os::unix::ffi::OsStrExt;
 use std::path::Path;
 
+use crate::chip::{InterruptTime, PinChange, Port};
 use crate::error::UnoError;
 use crate::ffi::{Controller, Ended, last_words};
 
@@ -16,31 +17,6 @@ pub const BYTE_CYCLES: u64 = 1360;
 
 /// Seed of the noise in RAM at the first power-on.
 const FIRST_SEED: u64 = 1;
-
-/// A port of the chip.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Port {
-    /// Pins 8 to 13 of the board.
-    B,
-    /// Pins A0 to A5.
-    C,
-    /// Pins 0 to 7.
-    D,
-}
-
-/// A pin that the controller drives has changed its level. A pin that it does not drive reads low here, as the
-/// drivers' inputs have pull-downs: when a reset lets go of a pin that was high, it falls.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct PinChange {
-    /// When.
-    pub cycle: u64,
-    /// Port of the pin.
-    pub port: Port,
-    /// Bit of the port, 0 to 7.
-    pub bit: u8,
-    /// True when it is high now.
-    pub level: bool,
-}
 
 /// Why the chip is reset, as MCUSR shows it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,19 +38,6 @@ pub enum Ram {
     Kept,
     /// Noise of this seed, as after a time without power.
     Scrambled(u64),
-}
-
-/// What an interrupt has cost so far.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct InterruptTime {
-    /// Its number in the chip's table, 1 to 25.
-    pub vector: u8,
-    /// How often it ran.
-    pub count: u64,
-    /// The longest run, from its vector to the end of its `reti`. The chip takes 4 cycles more to get there.
-    pub worst_cycles: u64,
-    /// The longest wait from its flag to its vector, in cycles; while it was not enabled it waited too.
-    pub worst_wait_cycles: u64,
 }
 
 /// Numbers of interrupts in the chip's table.
@@ -222,7 +185,7 @@ impl Uno {
         Ok(())
     }
 
-    /// Resets the chip. The EEPROM is kept, the cycles go on; a byte on its way to the controller goes on coming.
+    /// Resets the chip. The EEPROM is kept, the cycles continue; a byte on its way to the controller still arrives.
     pub fn reset(&mut self, cause: ResetCause, ram: Ram) {
         let flag = match cause {
             ResetCause::PowerOn => 1,

@@ -15,15 +15,14 @@ use axum::routing::{get, post};
 use futures_util::stream::{self, Stream};
 use serde::Deserialize;
 use tokio::sync::broadcast;
-use wirebend_app::Desk;
+use wirebend_api::Workspace;
 
 /// The largest file that is handed over.
 const MOST_BYTES: usize = 512 << 20;
 
-/// What is served.
 pub(crate) struct Served {
-    pub desk: Arc<Desk>,
-    pub told: broadcast::Sender<String>,
+    pub desk: Arc<Workspace>,
+    pub events: broadcast::Sender<String>,
     pub token: Box<str>,
     pub dist: PathBuf,
     pub files: PathBuf,
@@ -44,7 +43,7 @@ pub(crate) fn router(served: Arc<Served>) -> Router {
         .route("/upload", post(upload))
         .route("/save-path", post(save_path))
         .route("/stop", post(stop))
-        .route("/told", get(told))
+        .route("/events", get(events))
         .layer(DefaultBodyLimit::max(MOST_BYTES))
         .layer(middleware::from_fn_with_state(Arc::clone(&served), with_token));
     asked.fallback(page).with_state(served)
@@ -103,11 +102,11 @@ fn plain(name: &str) -> &str {
     Path::new(name).file_name().and_then(|name| name.to_str()).unwrap_or("file")
 }
 
-async fn told(State(served): State<Arc<Served>>) -> Sse<impl Stream<Item = Result<Event, Infallible>>> {
-    let heard = stream::unfold(served.told.subscribe(), |mut told| async {
+async fn events(State(served): State<Arc<Served>>) -> Sse<impl Stream<Item = Result<Event, Infallible>>> {
+    let heard = stream::unfold(served.events.subscribe(), |mut events| async {
         loop {
-            match told.recv().await {
-                Ok(text) => return Some((Ok(Event::default().data(text)), told)),
+            match events.recv().await {
+                Ok(text) => return Some((Ok(Event::default().data(text)), events)),
                 // A page that was too slow hears the newer ones.
                 Err(broadcast::error::RecvError::Lagged(_)) => {}
                 Err(broadcast::error::RecvError::Closed) => return None,

@@ -14,9 +14,9 @@ use std::sync::Arc;
 use anyhow::{Context, Result};
 use clap::Parser;
 use tokio::sync::broadcast;
-use wirebend_app::{Desk, Listener, Places, Tell};
+use wirebend_api::{EventSink, Places, WindowEvent, Workspace};
 
-/// How many tells are kept for a page that is slow.
+/// How many events are kept for a page that is slow.
 const KEPT: usize = 4096;
 
 #[derive(Parser)]
@@ -33,21 +33,21 @@ struct Arguments {
     port: u16,
 }
 
-/// Passes on what is told to every page that listens.
-struct Telling(broadcast::Sender<String>);
+/// Passes events on to every page that listens.
+struct EventRelay(broadcast::Sender<String>);
 
-impl Listener for Telling {
-    fn hear(&self, tell: &Tell) {
+impl EventSink for EventRelay {
+    fn emit(&self, event: &WindowEvent) {
         // Without a page that listens it goes nowhere.
-        let _ = serde_json::to_string(tell).map(|text| self.0.send(text));
+        let _ = serde_json::to_string(event).map(|text| self.0.send(text));
     }
 }
 
 fn main() -> ExitCode {
     // The process of a driver is this program too, and knows of nothing else.
     let mut words = std::env::args_os().skip(1);
-    if words.next().is_some_and(|word| word == wirebend_app::CHILD_COMMAND) {
-        return wirebend_app::child_main(&words.collect::<Vec<_>>());
+    if words.next().is_some_and(|word| word == wirebend_api::CHILD_COMMAND) {
+        return wirebend_api::child_main(&words.collect::<Vec<_>>());
     }
     tracing_subscriber::fmt().with_writer(std::io::stderr).with_max_level(tracing::Level::WARN).init();
     match serve(Arguments::parse()) {
@@ -75,13 +75,13 @@ fn serve(arguments: Arguments) -> Result<()> {
     let files = home.join("files");
     std::fs::create_dir_all(&files).with_context(|| format!("{} cannot be made", files.display()))?;
     let (sender, _) = broadcast::channel(KEPT);
-    let desk = Arc::new(Desk::new(places, Arc::new(Telling(sender.clone())))?);
+    let desk = Arc::new(Workspace::new(places, Arc::new(EventRelay(sender.clone())))?);
     let token = token()?;
     let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(2).enable_io().build()?;
     runtime.block_on(async {
         let listener = tokio::net::TcpListener::bind(SocketAddr::from((Ipv4Addr::LOCALHOST, port))).await?;
         writeln!(std::io::stdout(), "http://{}/?token={token}", listener.local_addr()?)?;
-        let served = http::Served { desk, told: sender, token: token.into(), dist, files };
+        let served = http::Served { desk, events: sender, token: token.into(), dist, files };
         axum::serve(listener, http::router(Arc::new(served))).await?;
         Ok(())
     })

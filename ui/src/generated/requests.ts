@@ -1,4 +1,4 @@
-/* Made by `make generate` from crates/app/schema. Do not edit. */
+/* Made by `make generate` from crates/api/schema. Do not edit. */
 
 /**
  * What a person says to a question.
@@ -40,20 +40,11 @@ export type EditRequest =
        */
       edges: [number, number][];
       edit: "paste";
-      /**
-       * Its vertices.
-       */
       vertices: PastedVertex[];
     }
   | {
-      /**
-       * Edges.
-       */
       edges?: number[];
       edit: "delete";
-      /**
-       * Vertices.
-       */
       vertices?: number[];
     }
   | {
@@ -65,9 +56,6 @@ export type EditRequest =
        */
       by_mm: [number, number, number];
       edit: "move";
-      /**
-       * Which.
-       */
       vertices: number[];
     }
   | {
@@ -82,18 +70,12 @@ export type EditRequest =
        * Where: more than 0 (its first vertex), less than 1 (its second).
        */
       at: number;
-      /**
-       * Which.
-       */
       edge: number;
       edit: "split";
     }
   | {
       at: MergePlace;
       edit: "merge";
-      /**
-       * Which.
-       */
       vertices: number[];
     }
   | {
@@ -110,9 +92,6 @@ export type EditRequest =
         [number, number, number, number],
         [number, number, number, number]
       ];
-      /**
-       * Which.
-       */
       vertices: number[];
     }
   | {
@@ -135,9 +114,6 @@ export type EditRequest =
        * @maxItems 3
        */
       point_mm: [number, number, number];
-      /**
-       * Which.
-       */
       vertices: number[];
     }
   | {
@@ -158,9 +134,6 @@ export type EditRequest =
         [number, number, number, number],
         [number, number, number, number]
       ];
-      /**
-       * Which.
-       */
       vertices: number[];
     }
   | {
@@ -169,9 +142,6 @@ export type EditRequest =
        * Fixed or free.
        */
       support: boolean;
-      /**
-       * Which.
-       */
       vertices: number[];
     }
   | {
@@ -182,9 +152,6 @@ export type EditRequest =
       tolerance_mm: number;
     }
   | {
-      /**
-       * Which.
-       */
       edges: number[];
       edit: "detach";
     }
@@ -219,17 +186,11 @@ export type EditRequest =
       tolerance_mm: number;
     }
   | {
-      /**
-       * Which.
-       */
       edges: number[];
       edit: "doublings";
     }
   | {
       edit: "start";
-      /**
-       * Where.
-       */
       vertex?: number | null;
     }
   | {
@@ -245,9 +206,6 @@ export type EditRequest =
     }
   | {
       edit: "notes";
-      /**
-       * The text.
-       */
       text: string;
     }
   | {
@@ -271,15 +229,11 @@ export type EditRequest =
 /**
  * Where the vertex goes that others are merged into.
  */
-export type MergePlace = "first" | "last" | "centre";
+export type MergePlace = "last" | "first" | "centre";
 /**
  * What the numbers of a file measure.
  */
-export type LengthUnit = "mm" | "cm" | "m" | "inch";
-/**
- * What a profile describes.
- */
-export type Kind = "machine" | "material" | "noise";
+export type LengthUnit = ("mm" | "cm" | "m") | "inch";
 /**
  * Which way a positive rotation of a table turns the axis of the next bend.
  */
@@ -293,13 +247,7 @@ export type Input =
     }
   | {
       bytes: {
-        /**
-         * The bytes.
-         */
         bytes: number[];
-        /**
-         * The name.
-         */
         name: string;
       };
     };
@@ -308,30 +256,27 @@ export type Input =
  */
 export type ProgramKind = "nominal" | "compensated";
 /**
- * What a window orders. A stop is none of these: it is always possible.
+ * An order for a connected machine. STOP is none of these: it is always possible.
  */
-export type MachineOrder =
+export type Order =
   | {
       order: "home";
     }
   | {
-      /**
-       * The moves, in order.
-       */
       moves: Move[];
       order: "jog";
       /**
-       * Whether those that are made are kept for a recording.
+       * Whether those that are done are kept for a recording.
        */
       record?: boolean;
     }
   | {
       /**
-       * Whether to make it although the machine's settings are not those of its profile.
+       * Whether to bend it although the machine's settings are not those of its profile.
        */
       accept_settings?: boolean;
       /**
-       * Whether to make it although a check says that it cannot be made.
+       * Whether to bend it although a check says that the machine cannot make it.
        */
       despite_errors?: boolean;
       order: "arm";
@@ -354,16 +299,13 @@ export type MachineOrder =
     }
   | {
       /**
-       * Whether to make it although the machine's settings are not those of its profile.
+       * Whether to bend it although the machine's settings are not those of its profile.
        */
       accept_settings?: boolean;
       /**
-       * What became of the first step of which nobody knows; absent, a person is asked.
+       * What became of the first step in doubt; absent, the user is asked.
        */
       decided?: Decided | null;
-      /**
-       * Hash of its job.
-       */
       job_hash: string;
       order: "resume-run";
       /**
@@ -372,9 +314,6 @@ export type MachineOrder =
       wire: number;
     }
   | {
-      /**
-       * Hash of its job.
-       */
       job_hash: string;
       order: "abandon";
       /**
@@ -389,7 +328,7 @@ export type MachineOrder =
       file: string;
       order: "replay";
       /**
-       * Whether to make them although they were recorded on another machine, or before its profile was changed.
+       * Whether to replay them although they were recorded on another machine, or before its profile was changed.
        */
       other_machine?: boolean;
     }
@@ -400,7 +339,7 @@ export type MachineOrder =
       order: "disconnect";
     };
 /**
- * One axis by an amount, in canonical signs, or the search for the reference.
+ * One axis by an amount, in canonical signs, or homing.
  */
 export type Move =
   | {
@@ -437,10 +376,18 @@ export type Decision =
   | {
       part: PartOfStep;
     };
+/**
+ * What a profile describes.
+ */
+export type Kind = "machine" | "material" | "noise";
 
+export interface All {
+  requests: Requests;
+}
 export interface Requests {
   about: AboutRequest;
   answer: AnswerMachine;
+  "by-hand": ByHandRequest;
   "change-settings": ChangeSettings;
   check: CheckDesign;
   "clear-recent": ClearRecent;
@@ -450,10 +397,10 @@ export interface Requests {
   connect: ConnectMachine;
   "copy-machine": CopyMachine;
   discard: DiscardUnsaved;
+  "driver-trust": DriverTrustRequest;
   drivers: DriversRequest;
   edit: EditDesign;
   examples: ExamplesRequest;
-  "explain-profile": ProfileExplainRequest;
   export: ExportDesign;
   exports: ExportsRequest;
   fixes: FixesRequest;
@@ -468,6 +415,7 @@ export interface Requests {
   "open-example": OpenExample;
   order: OrderMachine;
   ports: PortsRequest;
+  "profile-explain": ProfileExplainRequest;
   program: ProgramRequest;
   "put-stencil": PutStencil;
   recorded: RecordedRequest;
@@ -480,7 +428,6 @@ export interface Requests {
   "save-recording": SaveRecording;
   "save-wireframe": SaveWireframe;
   start: Start;
-  "trust-driver": DriverTrustRequest;
   undo: Undo;
 }
 /**
@@ -492,13 +439,10 @@ export interface AboutRequest {}
  */
 export interface AnswerMachine {
   answer: Answer;
-  /**
-   * The number of the question.
-   */
   question: number;
 }
 /**
- * How much of a step is in the wire, in canonical signs. What it bends counts for nothing: a bend is made from its beginning.
+ * How much of a step is in the wire, in canonical signs; a driver and its journal have the same in the machine's signs. What it bends counts for nothing: a bend starts from its beginning.
  */
 export interface PartOfStep {
   /**
@@ -511,12 +455,13 @@ export interface PartOfStep {
   rotate_deg: number;
 }
 /**
+ * Asks for the wire that moves by hand have bent since the machine was homed or connected.
+ */
+export interface ByHandRequest {}
+/**
  * Changes the driver's settings in a profile of the person's own.
  */
 export interface ChangeSettings {
-  /**
-   * The machine.
-   */
   machine: string;
   /**
    * All settings that the profile is to set; what is left out is its parent's, or the driver's default.
@@ -539,15 +484,10 @@ export interface CheckDesign {
  */
 export interface Moved {
   /**
-   * Where, mm.
-   *
    * @minItems 3
    * @maxItems 3
    */
   at_mm: [number, number, number];
-  /**
-   * Which.
-   */
   vertex: number;
 }
 /**
@@ -588,23 +528,25 @@ export interface CopyMachine {
    * The id of the new one.
    */
   id: string;
-  /**
-   * The machine.
-   */
   machine: string;
-  /**
-   * Its name.
-   */
   name: string;
 }
 /**
  * Throws away a design that was open when the program or the computer stopped.
  */
 export interface DiscardUnsaved {
-  /**
-   * Its journal.
-   */
   journal: string;
+}
+/**
+ * Which library to accept. A user who accepts it has to name its hash, which this command shows when it is
+ * not named: then nothing is accepted and nothing is run.
+ */
+export interface DriverTrustRequest {
+  library: string;
+  /**
+   * Its SHA-256.
+   */
+  sha256?: string | null;
 }
 /**
  * Asks for the drivers.
@@ -621,8 +563,6 @@ export interface EditDesign {
  */
 export interface PastedVertex {
   /**
-   * Where it is, mm.
-   *
    * @minItems 3
    * @maxItems 3
    */
@@ -637,34 +577,16 @@ export interface PastedVertex {
  */
 export interface Placed {
   /**
-   * Where, mm.
-   *
    * @minItems 3
    * @maxItems 3
    */
   at_mm: [number, number, number];
-  /**
-   * Which.
-   */
   vertex: number;
 }
 /**
  * Asks for the examples.
  */
 export interface ExamplesRequest {}
-/**
- * What to explain.
- */
-export interface ProfileExplainRequest {
-  /**
-   * The profile.
-   */
-  id: string;
-  /**
-   * Its kind, where several kinds have a profile with this id.
-   */
-  kind?: Kind | null;
-}
 /**
  * Writes the open design, or shows what would be written.
  */
@@ -673,9 +595,6 @@ export interface ExportDesign {
    * Whether to write a program although a check says that it cannot be made.
    */
   despite_errors?: boolean;
-  /**
-   * The format.
-   */
   format: string;
   /**
    * Where it goes; absent, its beginning is returned.
@@ -696,9 +615,6 @@ export interface Output {
    * Whether a file that is there may be replaced.
    */
   force?: boolean;
-  /**
-   * The file.
-   */
   path: string;
 }
 /**
@@ -706,7 +622,7 @@ export interface Output {
  */
 export interface ExportsRequest {}
 /**
- * Asks what would mend what the checks say.
+ * Asks what would fix what the checks say.
  */
 export interface FixesRequest {}
 /**
@@ -728,7 +644,7 @@ export interface DesignInput {
    */
   face_edges?: boolean;
   /**
-   * Its format, where name and contents do not tell.
+   * Its format, where name and contents do not show it.
    */
   format?: string | null;
   /**
@@ -779,7 +695,7 @@ export interface MachineViewRequest {
  */
 export interface MachinesRequest {}
 /**
- * Asks how the machine makes the open design.
+ * Asks how the machine bends the open design.
  */
 export interface MadeRequest {}
 /**
@@ -801,20 +717,14 @@ export interface NewDesign {
 export interface OpenDesign {
   design: DesignInput;
 }
-/**
- * Opens an example.
- */
 export interface OpenExample {
-  /**
-   * Its id.
-   */
   id: string;
 }
 /**
  * Says what the connected machine is to do.
  */
 export interface OrderMachine {
-  request: MachineOrder;
+  request: Order;
 }
 /**
  * What a person says of one step. It counts for that step alone, however often it is said.
@@ -839,6 +749,13 @@ export interface PortsRequest {
    */
   machine?: string | null;
 }
+export interface ProfileExplainRequest {
+  id: string;
+  /**
+   * Its kind, where several kinds have a profile with this id.
+   */
+  kind?: Kind | null;
+}
 /**
  * Asks for the program of the open design.
  */
@@ -858,16 +775,13 @@ export interface RecordedRequest {}
  */
 export interface Redo {}
 /**
- * Takes up a design that was open when the program or the computer stopped.
+ * Restores a design that was open when the program or the computer stopped.
  */
 export interface RestoreUnsaved {
-  /**
-   * Its journal.
-   */
   journal: string;
 }
 /**
- * Asks for the records of what was made.
+ * Asks for the records of what was bent.
  */
 export interface RunsRequest {}
 /**
@@ -893,7 +807,7 @@ export interface SaveDesign {
  */
 export interface SaveJob {
   /**
-   * Whether to make a job although a check says that it cannot be made.
+   * Whether to write a job although a check says that it cannot be made.
    */
   despite_errors?: boolean;
   output: Output;
@@ -914,20 +828,6 @@ export interface SaveWireframe {
  * What a window needs when it opens.
  */
 export interface Start {}
-/**
- * Which library to accept. Whoever accepts it has to name its hash, which this command tells when it is
- * not named: then nothing is accepted and nothing is run.
- */
-export interface DriverTrustRequest {
-  /**
-   * The library.
-   */
-  library: string;
-  /**
-   * Its SHA-256.
-   */
-  sha256?: string | null;
-}
 /**
  * Undoes the last change.
  */

@@ -1,4 +1,4 @@
-/* Made by `make generate` from crates/app/schema. Do not edit. */
+/* Made by `make generate` from crates/api/schema. Do not edit. */
 
 /**
  * An order without its particulars, such as for a button.
@@ -17,6 +17,24 @@ export type OrderName =
   | "write-settings"
   | "disconnect";
 /**
+ * Why an order is not possible now.
+ */
+export type Because =
+  | ("homing" | "no-wire-armed")
+  | "connecting"
+  | "not-homed"
+  | "moving"
+  | "wire-armed"
+  | "no-wire-under-way"
+  | "wire-under-way"
+  | "holding"
+  | "stopping"
+  | "failed"
+  | "not-connected"
+  | "unable"
+  | "busy"
+  | "question-open";
+/**
  * What the machine is in.
  */
 export type Phase =
@@ -33,11 +51,487 @@ export type Phase =
   | "failed"
   | "closed";
 /**
+ * What a person can do about an error, with what it takes to offer it. Several remedies of an error are done in their order, or are
+ * a choice; each front end words them.
+ */
+export type ErrorRemedy =
+  | {
+      remedy: "check-readable";
+    }
+  | {
+      remedy: "check-right-file";
+    }
+  | {
+      remedy: "check-disk";
+    }
+  | {
+      remedy: "correct-file";
+    }
+  | {
+      remedy: "export-again";
+    }
+  | {
+      /**
+       * What is not read, as a noun.
+       */
+      part: string;
+      remedy: "export-without";
+    }
+  | {
+      /**
+       * The form, such as a format.
+       */
+      form: string;
+      remedy: "export-as";
+    }
+  | {
+      remedy: "export-resolved";
+    }
+  | {
+      remedy: "open-model";
+    }
+  | {
+      remedy: "put-files-beside";
+    }
+  | {
+      remedy: "open-from-folder";
+    }
+  | {
+      remedy: "simplify-model";
+    }
+  | {
+      remedy: "repair-mesh";
+    }
+  | {
+      /**
+       * The names.
+       */
+      columns: string;
+      remedy: "name-columns";
+    }
+  | {
+      remedy: "split-bend";
+    }
+  | {
+      remedy: "choose-file-format";
+    }
+  | {
+      remedy: "choose-unit";
+    }
+  | {
+      remedy: "check-scale";
+    }
+  | {
+      remedy: "leave-out-layers";
+    }
+  | {
+      remedy: "import-again";
+    }
+  | {
+      remedy: "use-last-copy";
+    }
+  | {
+      remedy: "open-as-it-is";
+    }
+  | {
+      remedy: "update-program";
+    }
+  | {
+      remedy: "choose-other-file";
+    }
+  | {
+      /**
+       * The file.
+       */
+      path: string;
+      remedy: "overwrite";
+    }
+  | {
+      input: InputName;
+      remedy: "correct-input";
+    }
+  | {
+      /**
+       * What.
+       */
+      inputs: InputName[];
+      remedy: "leave-out";
+    }
+  | {
+      /**
+       * All.
+       */
+      known: string[];
+      /**
+       * Those with similar names.
+       */
+      near: string[];
+      remedy: "choose-known";
+    }
+  | {
+      remedy: "correct-profile";
+    }
+  | {
+      remedy: "add-key";
+      /**
+       * What to write.
+       */
+      text: string;
+    }
+  | {
+      remedy: "see-schema";
+    }
+  | {
+      /**
+       * The folder.
+       */
+      folder: string;
+      remedy: "move-file";
+    }
+  | {
+      /**
+       * Its new name.
+       */
+      name: string;
+      remedy: "rename-file";
+    }
+  | {
+      remedy: "choose-other-id";
+    }
+  | {
+      /**
+       * Those that it can be.
+       */
+      ids: string[];
+      remedy: "inherit-from";
+    }
+  | {
+      remedy: "use-child";
+    }
+  | {
+      remedy: "remove-parent";
+    }
+  | {
+      /**
+       * The kinds.
+       */
+      kinds: string[];
+      remedy: "choose-kind";
+    }
+  | {
+      remedy: "copy-profile";
+    }
+  | {
+      remedy: "set-home";
+    }
+  | {
+      /**
+       * The machines.
+       */
+      known: string[];
+      remedy: "choose-machine";
+    }
+  | {
+      remedy: "choose-machine-and-material";
+    }
+  | {
+      remedy: "take-as-nominal";
+    }
+  | {
+      remedy: "turn-back";
+    }
+  | {
+      remedy: "take-face-edges";
+    }
+  | {
+      remedy: "trace-surface";
+    }
+  | {
+      remedy: "open-as-wireframe";
+    }
+  | {
+      remedy: "plan-again";
+    }
+  | {
+      /**
+       * The machine; null for any that can do it.
+       */
+      machine: string | null;
+      remedy: "plan-for-machine";
+    }
+  | {
+      remedy: "plan-within-limit";
+    }
+  | {
+      remedy: "make-job";
+    }
+  | {
+      remedy: "use-job";
+    }
+  | {
+      remedy: "use-design";
+    }
+  | {
+      remedy: "use-program-file";
+    }
+  | {
+      remedy: "import-original";
+    }
+  | {
+      remedy: "fix-findings";
+    }
+  | {
+      remedy: "ignore-findings";
+    }
+  | {
+      remedy: "install-font";
+    }
+  | {
+      remedy: "bend-test-piece";
+    }
+  | {
+      remedy: "save-design";
+    }
+  | {
+      remedy: "open-design";
+    }
+  | {
+      /**
+       * It was accepted before and has been changed.
+       */
+      again: boolean;
+      /**
+       * Its library.
+       */
+      file: string;
+      remedy: "trust-driver";
+    }
+  | {
+      /**
+       * The file or folder.
+       */
+      path: string;
+      remedy: "restrict-access";
+    }
+  | {
+      remedy: "list-drivers";
+    }
+  | {
+      remedy: "name-driver-folder";
+    }
+  | {
+      remedy: "report-to-author";
+    }
+  | {
+      /**
+       * In its words.
+       */
+      advice: string;
+      remedy: "follow-driver";
+    }
+  | {
+      remedy: "update-driver";
+    }
+  | {
+      remedy: "change-driver-setting";
+    }
+  | {
+      remedy: "reset-trust";
+    }
+  | {
+      /**
+       * Those that its driver lists.
+       */
+      known: string[];
+      remedy: "choose-port";
+    }
+  | {
+      remedy: "export-file";
+    }
+  | {
+      remedy: "confirm-motion";
+    }
+  | {
+      remedy: "confirm-zero";
+    }
+  | {
+      remedy: "state-head";
+    }
+  | {
+      remedy: "turn-head-back";
+    }
+  | {
+      remedy: "turn-head-less";
+    }
+  | {
+      remedy: "turn-axes-back";
+    }
+  | {
+      remedy: "home";
+    }
+  | {
+      remedy: "arm-again";
+    }
+  | {
+      remedy: "arm-or-jog";
+    }
+  | {
+      remedy: "start-or-disarm";
+    }
+  | {
+      remedy: "continue-or-stop";
+    }
+  | {
+      remedy: "pause-or-stop";
+    }
+  | {
+      remedy: "wait";
+    }
+  | {
+      remedy: "stop";
+    }
+  | {
+      remedy: "cut-power";
+    }
+  | {
+      remedy: "check-power-and-port";
+    }
+  | {
+      remedy: "connect";
+    }
+  | {
+      remedy: "connect-again";
+    }
+  | {
+      /**
+       * The port.
+       */
+      port: string;
+      remedy: "connect-at";
+    }
+  | {
+      remedy: "ask-again";
+    }
+  | {
+      remedy: "answer";
+    }
+  | {
+      remedy: "use-other-machine";
+    }
+  | {
+      remedy: "look-at-wire";
+    }
+  | {
+      /**
+       * The machine.
+       */
+      machine: string;
+      /**
+       * Where it is.
+       */
+      port: string;
+      remedy: "write-settings";
+    }
+  | {
+      remedy: "set-machine";
+    }
+  | {
+      remedy: "accept-settings";
+    }
+  | {
+      remedy: "close-other-programs";
+    }
+  | {
+      remedy: "choose-wire";
+    }
+  | {
+      remedy: "choose-job";
+    }
+  | {
+      remedy: "resume-run";
+      run: RunTarget;
+    }
+  | {
+      remedy: "abandon-run";
+      run: RunTarget;
+    }
+  | {
+      /**
+       * The machine has counted how much of it is done.
+       */
+      counted: boolean;
+      remedy: "answer-doubt";
+      run: RunTarget;
+      /**
+       * The step, from 1.
+       */
+      step: number;
+    }
+  | {
+      remedy: "resume-without-answer";
+      run: RunTarget;
+    }
+  | {
+      remedy: "stop-and-answer";
+      run: RunTarget;
+    }
+  | {
+      remedy: "measure-step";
+    }
+  | {
+      remedy: "begin-anew";
+    }
+  | {
+      remedy: "name-runs-folder";
+    }
+  | {
+      remedy: "list-runs";
+    }
+  | {
+      remedy: "record-again";
+    }
+  | {
+      /**
+       * The machine.
+       */
+      machine: string;
+      remedy: "replay-here";
+    }
+  | {
+      remedy: "record-first";
+    };
+/**
+ * Something that a person gives.
+ */
+export type InputName =
+  | "scale"
+  | "units"
+  | "weld"
+  | "face-edges"
+  | "centreline-radius"
+  | "tolerance"
+  | "layers"
+  | "handedness"
+  | "program"
+  | "material"
+  | "double"
+  | "closed"
+  | "start"
+  | "reverse"
+  | "keep-order"
+  | "runs"
+  | "profile-id"
+  | "profile-name"
+  | "format-settings"
+  | "moves"
+  | "resume"
+  | "abandon";
+/**
  * What a question is about.
  */
-export type QuestionKind = "move" | "arm" | "go-on" | "doubt" | "said" | "head" | "settings";
+export type QuestionKind = "head" | "move" | "arm" | "go-on" | "doubt" | "said" | "settings";
 /**
- * Who says that a step is made.
+ * What reports that a step is done.
  */
 export type DoneBy = "machine" | "clock";
 /**
@@ -72,15 +566,176 @@ export type Solid =
       };
     };
 /**
- * How bad it is.
+ * The kind of a finding: a name that stays the same.
+ */
+export type DiagnosticCode =
+  | "zero_length_edge"
+  | "parallel_edges"
+  | "coincident_vertices"
+  | "isolated_vertex"
+  | "several_wires"
+  | "no_edges"
+  | "no_euler_path"
+  | "route_refused"
+  | "edge_too_short"
+  | "edge_near_limit"
+  | "bend_too_sharp"
+  | "bend_near_limit"
+  | "bend_out_of_reach"
+  | "bend_too_small"
+  | "bend_in_scatter"
+  | "corner_not_made"
+  | "fold_back"
+  | "doubled_edge"
+  | "feed_too_short"
+  | "feed_near_limit"
+  | "arcs_overlap"
+  | "feed_too_long"
+  | "rotation_out_of_range"
+  | "stock_too_long"
+  | "wire_does_not_fit";
+/**
+ * What can be done about a finding, where the finding is.
+ */
+export type RemedyReport =
+  | {
+      remedy: "leave";
+    }
+  | {
+      remedy: "leave_touching";
+    }
+  | {
+      remedy: "leave_room";
+    }
+  | {
+      remedy: "tie_wires";
+    }
+  | {
+      remedy: "draw_edges";
+    }
+  | {
+      remedy: "take_face_edges";
+    }
+  | {
+      remedy: "delete_edge";
+    }
+  | {
+      remedy: "delete_parallel_edge";
+    }
+  | {
+      remedy: "merge_vertices";
+    }
+  | {
+      remedy: "connect_vertex";
+    }
+  | {
+      remedy: "delete_vertex";
+    }
+  | {
+      remedy: "connect_parts";
+    }
+  | {
+      remedy: "bend_each_part";
+    }
+  | {
+      /**
+       * The length that they add, in mm.
+       */
+      added_mm: number;
+      /**
+       * The length of the wire's edges without them, in mm.
+       */
+      design_mm: number;
+      edges: number[];
+      remedy: "double_edges";
+    }
+  | {
+      remedy: "find_doubling";
+    }
+  | {
+      remedy: "reduce_odd_vertices";
+    }
+  | {
+      remedy: "start_at_vertex";
+    }
+  | {
+      remedy: "end_at_vertex";
+    }
+  | {
+      remedy: "choose_start";
+    }
+  | {
+      remedy: "leave_start_open";
+    }
+  | {
+      remedy: "split_design";
+    }
+  | {
+      remedy: "split_edge";
+    }
+  | {
+      /**
+       * By at least so much, in mm, where that is known.
+       */
+      by_mm?: number | null;
+      remedy: "lengthen_edge";
+    }
+  | {
+      remedy: "shorten_straight";
+    }
+  | {
+      remedy: "add_bend";
+    }
+  | {
+      remedy: "scale_up";
+    }
+  | {
+      remedy: "scale_down";
+    }
+  | {
+      remedy: "open_angle";
+    }
+  | {
+      remedy: "open_angle_of_two";
+    }
+  | {
+      /**
+       * The largest bend that can be reached, in degrees.
+       */
+      max_deg: number;
+      remedy: "keep_bend_below";
+    }
+  | {
+      remedy: "enlarge_bend";
+    }
+  | {
+      remedy: "straighten";
+    }
+  | {
+      remedy: "ease_bends";
+    }
+  | {
+      remedy: "turn_bend_plane";
+    }
+  | {
+      remedy: "choose_material";
+    }
+  | {
+      remedy: "choose_machine";
+    }
+  | {
+      remedy: "choose_machine_with_rotation";
+    };
+/**
+ * How bad a finding is.
  */
 export type SeverityName = "error" | "warning" | "info";
 /**
  * What the numbers of a file measure.
  */
-export type LengthUnit = "mm" | "cm" | "m" | "inch";
+export type LengthUnit = ("mm" | "cm" | "m") | "inch";
 /**
- * One axis by an amount, in canonical signs, or the search for the reference.
+ * One axis by an amount, in canonical signs, or homing.
  */
 export type Move =
   | {
@@ -128,10 +783,6 @@ export type Files = "each-wire" | "one";
  */
 export type DriverState = "shipped" | "accepted" | "unknown" | "changed" | "refused";
 /**
- * Where a sample lies among the pairs of its table.
- */
-export type SamplePlace = "pair" | "between" | "beyond";
-/**
  * A change that a person asks for. Lengths in mm, vertices and edges by their ids.
  */
 export type EditRequest =
@@ -156,20 +807,11 @@ export type EditRequest =
        */
       edges: [number, number][];
       edit: "paste";
-      /**
-       * Its vertices.
-       */
       vertices: PastedVertex[];
     }
   | {
-      /**
-       * Edges.
-       */
       edges: number[];
       edit: "delete";
-      /**
-       * Vertices.
-       */
       vertices: number[];
     }
   | {
@@ -181,9 +823,6 @@ export type EditRequest =
        */
       by_mm: [number, number, number];
       edit: "move";
-      /**
-       * Which.
-       */
       vertices: number[];
     }
   | {
@@ -198,18 +837,12 @@ export type EditRequest =
        * Where: more than 0 (its first vertex), less than 1 (its second).
        */
       at: number;
-      /**
-       * Which.
-       */
       edge: number;
       edit: "split";
     }
   | {
       at: MergePlace;
       edit: "merge";
-      /**
-       * Which.
-       */
       vertices: number[];
     }
   | {
@@ -226,9 +859,6 @@ export type EditRequest =
         [number, number, number, number],
         [number, number, number, number]
       ];
-      /**
-       * Which.
-       */
       vertices: number[];
     }
   | {
@@ -251,9 +881,6 @@ export type EditRequest =
        * @maxItems 3
        */
       point_mm: [number, number, number];
-      /**
-       * Which.
-       */
       vertices: number[];
     }
   | {
@@ -274,9 +901,6 @@ export type EditRequest =
         [number, number, number, number],
         [number, number, number, number]
       ];
-      /**
-       * Which.
-       */
       vertices: number[];
     }
   | {
@@ -285,9 +909,6 @@ export type EditRequest =
        * Fixed or free.
        */
       support: boolean;
-      /**
-       * Which.
-       */
       vertices: number[];
     }
   | {
@@ -298,9 +919,6 @@ export type EditRequest =
       tolerance_mm: number;
     }
   | {
-      /**
-       * Which.
-       */
       edges: number[];
       edit: "detach";
     }
@@ -335,17 +953,11 @@ export type EditRequest =
       tolerance_mm: number;
     }
   | {
-      /**
-       * Which.
-       */
       edges: number[];
       edit: "doublings";
     }
   | {
       edit: "start";
-      /**
-       * Where.
-       */
       vertex: number | null;
     }
   | {
@@ -361,9 +973,6 @@ export type EditRequest =
     }
   | {
       edit: "notes";
-      /**
-       * The text.
-       */
       text: string;
     }
   | {
@@ -387,23 +996,380 @@ export type EditRequest =
 /**
  * Where the vertex goes that others are merged into.
  */
-export type MergePlace = "first" | "last" | "centre";
-/**
- * What a file is.
- */
+export type MergePlace = "last" | "first" | "centre";
 export type Seen = "document" | "wireframe" | "stencil" | "both" | "job";
+/**
+ * Where a sample lies among the pairs of its table.
+ */
+export type SamplePlace = "pair" | "between" | "beyond";
 /**
  * What became of a wire.
  */
 export type Outcome = "finished" | "sent" | "abandoned" | "unfinished";
 /**
- * Who has said how much of a step is made.
+ * Whether the machine or a person has said how much of a step is done.
  */
-export type ToldBy = "machine" | "person";
+export type ToldBy = "person" | "machine";
+/**
+ * Something that an operator reports.
+ */
+export type OperatorEvent =
+  | (MachineState & {
+      event: "state";
+    })
+  | ((
+      | {
+          lines: string[];
+          news: "about";
+        }
+      | {
+          news: "homing";
+        }
+      | {
+          /**
+           * Since the wire was begun or resumed, s.
+           */
+          elapsed_s: number;
+          /**
+           * How far the machine is in the step after the last that is done, in part of the step's time, from where it reports
+           * its axes; 0 where it reports none.
+           */
+          in_step: number;
+          /**
+           * The last step that is done.
+           */
+          made: number;
+          news: "wire";
+          /**
+           * How many there are.
+           */
+          of: number;
+          /**
+           * What is estimated to be left, s.
+           */
+          remaining_s: number;
+          /**
+           * The last that the machine has taken.
+           */
+          sent: number;
+          /**
+           * Index of the wire, from 0.
+           */
+          wire: number;
+        }
+      | {
+          /**
+           * How far it is bent.
+           */
+          bend_deg: number;
+          /**
+           * How far the wire is fed.
+           */
+          feed_mm: number;
+          news: "position";
+          /**
+           * How far it is turned about itself.
+           */
+          rotate_deg: number;
+        }
+      | {
+          news: "console";
+          /**
+           * The line.
+           */
+          text: string;
+          /**
+           * Whether it went to the machine.
+           */
+          to_machine: boolean;
+        }
+      | (ProblemReport & {
+          news: "warning";
+        })
+      | {
+          by: PausedBy;
+          news: "paused";
+        }
+      | {
+          news: "resumed";
+        }
+    ) & {
+      event: "news";
+    })
+  | (Question & {
+      event: "question";
+    })
+  | {
+      answer: Answer;
+      event: "answered";
+      id: number;
+    }
+  | {
+      event: "jogged";
+      made: Move;
+    }
+  | (RunResponse & {
+      event: "run-ended";
+    })
+  | {
+      by: StoppedBy;
+      /**
+       * Whether the driver was ended for it, or had ended before: then the machine has to be connected anew.
+       */
+      driver_ended: boolean;
+      event: "stopped";
+      /**
+       * From the call to its end, ms.
+       */
+      took_ms: number;
+    }
+  | (ProblemReport & {
+      event: "problem";
+    });
+/**
+ * Why a machine holds.
+ */
+export type PausedBy = "program" | "silence" | "machine";
+/**
+ * What a person says to a question.
+ */
+export type Answer =
+  | "yes"
+  | "no"
+  | "made"
+  | "not-made"
+  | "as-counted"
+  | {
+      part: PartOfStep;
+    }
+  | {
+      head: number;
+    };
+/**
+ * Why wires, or moves by hand, were not begun.
+ */
+export type LeftBecause = "declined" | "nobody-asked";
+/**
+ * What became of a wire.
+ */
+export type RunOutcome = ("made" | "stopped") | "made-before" | "sent" | "failed" | "abandoned";
+/**
+ * Whether a machine that was stopped, or whose driver was lost or has reported a fault, stands.
+ */
+export type Standstill = "awaited" | "confirmed" | "not-confirmed";
+/**
+ * What sent the stop.
+ */
+export type StoppedBy = "driver" | "nothing-more" | "end-of-driver" | "host";
+/**
+ * The kind of an error: a name that stays the same.
+ */
+export type ErrorCode =
+  | "ask"
+  | "at-work"
+  | "begun-elsewhere"
+  | "beyond-limit"
+  | "busy"
+  | "compensated"
+  | "confirmation-of-another"
+  | "confirmation-used"
+  | "connected-before"
+  | "contradiction"
+  | "damaged-job"
+  | "declined"
+  | "document"
+  | "document-changed"
+  | "document-dangling"
+  | "document-empty"
+  | "document-inconsistent"
+  | "document-json"
+  | "document-newer"
+  | "document-no-such-version"
+  | "document-not-finite"
+  | "document-save"
+  | "document-stencil"
+  | "document-stencil-damaged"
+  | "document-wireframe"
+  | "document-write"
+  | "document-wrong-format"
+  | "driver-broken"
+  | "driver-changed"
+  | "driver-died"
+  | "driver-ended"
+  | "driver-garbage"
+  | "driver-hung"
+  | "driver-library"
+  | "driver-limits-unknown"
+  | "driver-load"
+  | "driver-not-trusted"
+  | "driver-refused"
+  | "driver-settings"
+  | "driver-start"
+  | "driver-too-large"
+  | "driver-too-old"
+  | "driver-trust"
+  | "driver-unsafe"
+  | "edit"
+  | "exists"
+  | "failure"
+  | "files-only"
+  | "format-of-another"
+  | "head-beyond"
+  | "head-not-kept"
+  | "head-too-far"
+  | "head-turned"
+  | "head-unknown"
+  | "held"
+  | "id-taken"
+  | "in-doubt"
+  | "is-a-job"
+  | "job-not-kept"
+  | "journal-damaged"
+  | "journal-empty"
+  | "journal-exists"
+  | "journal-impossible"
+  | "journal-in-use"
+  | "journal-io"
+  | "journal-newer"
+  | "json"
+  | "left-in-wire"
+  | "machine-at-work"
+  | "machine-fault"
+  | "machine-geometry"
+  | "moves"
+  | "moves-of-another"
+  | "no-answer"
+  | "no-driver"
+  | "no-edge"
+  | "no-example"
+  | "no-file"
+  | "no-job"
+  | "no-machine"
+  | "no-order"
+  | "no-own-folder"
+  | "no-port"
+  | "no-question"
+  | "no-run"
+  | "no-settings"
+  | "no-surface"
+  | "no-thread"
+  | "no-vertex"
+  | "no-wire"
+  | "noise-profile"
+  | "not-a-job"
+  | "not-begun"
+  | "not-confirmed"
+  | "not-connected"
+  | "not-counted"
+  | "not-feasible"
+  | "not-kept"
+  | "not-now"
+  | "not-of-step"
+  | "not-permitted"
+  | "nothing"
+  | "nothing-begun"
+  | "nothing-recorded"
+  | "nowhere-to-record"
+  | "nowhere-to-trust"
+  | "off-zero"
+  | "only-stencil"
+  | "open-parent"
+  | "other-compensation"
+  | "other-kind"
+  | "other-library"
+  | "other-machine"
+  | "other-step"
+  | "other-wire"
+  | "out-of-order"
+  | "own-program"
+  | "picture"
+  | "profile-abstract"
+  | "profile-bad-id"
+  | "profile-changed"
+  | "profile-cycle"
+  | "profile-duplicate-id"
+  | "profile-id-not-file-name"
+  | "profile-missing"
+  | "profile-newer-version"
+  | "profile-not-text"
+  | "profile-rule"
+  | "profile-shadows-shipped"
+  | "profile-shape"
+  | "profile-syntax"
+  | "profile-too-large"
+  | "profile-unknown"
+  | "profile-unknown-id"
+  | "profile-unknown-kind"
+  | "profile-unknown-parent"
+  | "profile-unknown-reference"
+  | "profile-unreadable"
+  | "profile-wrong-folder"
+  | "question-open"
+  | "read-elsewhere"
+  | "read-empty"
+  | "read-index"
+  | "read-io"
+  | "read-library"
+  | "read-loop"
+  | "read-no-corner"
+  | "read-no-layers"
+  | "read-no-such-layer"
+  | "read-number"
+  | "read-scale"
+  | "read-stencil"
+  | "read-syntax"
+  | "read-tolerance"
+  | "read-too-deep"
+  | "read-too-large"
+  | "read-too-many"
+  | "read-truncated"
+  | "read-unknown-format"
+  | "read-unsupported"
+  | "read-wireframe"
+  | "runs-folder"
+  | "session"
+  | "session-purpose"
+  | "session-stale"
+  | "session-state"
+  | "settings-differ"
+  | "settled"
+  | "several-kinds"
+  | "several-runs"
+  | "several-unfinished"
+  | "shipped-profile"
+  | "springback-table"
+  | "stage-not-reached"
+  | "stale"
+  | "start-without-edge"
+  | "stencil-missing"
+  | "steps"
+  | "still-moving"
+  | "stop-not-confirmed"
+  | "stop-not-confirmed-yet"
+  | "stopped"
+  | "stopped-before"
+  | "stopped-since"
+  | "unfinished"
+  | "unknown-format"
+  | "unsupported"
+  | "unwritable"
+  | "unwritten"
+  | "value"
+  | "wrong-answer"
+  | "zero-not-confirmed";
+/**
+ * The kind of an error, which gives the exit status.
+ */
+export type ErrorKind = "usage" | "bad-input" | "not-feasible" | "failure" | "stopped" | "may-move";
 
+export interface All {
+  responses: Responses;
+  events: Events;
+}
 export interface Responses {
   about: AboutResponse;
   answer: MachineNow;
+  "by-hand": ByHandResponse;
   "change-settings": SettingsChanged;
   check: LiveCheck;
   "clear-recent": Started;
@@ -413,10 +1379,10 @@ export interface Responses {
   connect: MachineNow;
   "copy-machine": ProfileNewResponse;
   discard: Started;
+  "driver-trust": DriverTrustResponse;
   drivers: DriversResponse;
   edit: EditMade;
   examples: ExamplesResponse;
-  "explain-profile": ProfileExplainResponse;
   export: ExportPreview;
   exports: ExportsResponse;
   fixes: FixesResponse;
@@ -431,6 +1397,7 @@ export interface Responses {
   "open-example": DesignOpened;
   order: MachineNow;
   ports: PortsResponse;
+  "profile-explain": ProfileExplainResponse;
   program: ProgramResponse;
   "put-stencil": EditMade;
   recorded: Recorded;
@@ -443,7 +1410,6 @@ export interface Responses {
   "save-recording": SavedRecording;
   "save-wireframe": SavedWireframe;
   start: Started;
-  "trust-driver": DriverTrustResponse;
   undo: EditMade;
 }
 /**
@@ -470,14 +1436,8 @@ export interface AboutResponse {
    * The packages of others that it is made of: name, version, licence.
    */
   packages: [string, string, string][];
-  /**
-   * Its version.
-   */
   version: string;
 }
-/**
- * How the machine stands.
- */
 export interface MachineNow {
   /**
    * Its state; null where none was connected.
@@ -489,28 +1449,26 @@ export interface MachineNow {
  */
 export interface MachineState {
   /**
-   * An order is being carried out, or a person is asked because of it: what is told of the phase is not its end.
+   * An order is being carried out, or a person is asked because of it: what is reported of the phase is not its end.
    */
   busy: boolean;
   /**
-   * The orders that make sense now.
+   * The orders that are possible now.
    */
   can: OrderName[];
+  /**
+   * The others, and why they are not possible now.
+   */
+  cannot: RefusedOrder[];
   /**
    * What is being done within that, in a word or two.
    */
   doing: string | null;
-  /**
-   * Its driver.
-   */
   driver: string | null;
   /**
    * What it says that it is.
    */
   identity: string | null;
-  /**
-   * The machine.
-   */
   machine: string;
   phase: Phase;
   /**
@@ -520,11 +1478,11 @@ export interface MachineState {
   /**
    * Where its axes are, in canonical signs.
    */
-  position: StepReport | null;
+  position: JobStep | null;
   /**
    * What failed last; null once something else was ordered.
    */
-  problem: RunProblem | null;
+  problem: ProblemReport | null;
   /**
    * What a person is being asked.
    */
@@ -542,50 +1500,78 @@ export interface MachineState {
    */
   simulated: boolean;
   /**
-   * The last wire on it, where that was interrupted and can be gone on with.
+   * The last wire on it, where that was interrupted and can be resumed.
    */
   unfinished: Unfinished | null;
   /**
-   * The wire that is armed or being made, or that was the last.
+   * The wire that is armed or being bent, or that was the last.
    */
   wire: WireState | null;
 }
 /**
- * Feed, then rotate, then bend.
+ * An order that is not possible now.
  */
-export interface StepReport {
+export interface RefusedOrder {
+  because: Because;
+  order: OrderName;
+}
+/**
+ * Feed, then rotate, then bend, in canonical signs.
+ */
+export interface JobStep {
   /**
-   * Bend, in degrees.
+   * How far it is bent.
    */
   bend_deg: number;
   /**
-   * Feed, in mm.
+   * How far the wire is fed.
    */
   feed_mm: number;
   /**
-   * Turn about the wire, in degrees, right-handed about the direction of travel.
+   * How far it is turned about itself.
    */
   rotate_deg: number;
 }
 /**
- * What failed.
+ * What failed, or is worth a warning.
  */
-export interface RunProblem {
+export interface ProblemReport {
   /**
-   * A name that stays.
+   * A name that stays the same while the wording changes. Drivers have names of their own.
    */
   code: string;
   /**
-   * What happened and what to do.
+   * What is wrong, and where.
    */
   message: string;
+  /**
+   * What can be done about it.
+   */
+  remedies?: ErrorRemedy[];
+}
+/**
+ * A wire of a job that was begun.
+ */
+export interface RunTarget {
+  /**
+   * The job's file; null where it is in no file.
+   */
+  job: string | null;
+  /**
+   * The port that was named.
+   */
+  port: string | null;
+  /**
+   * Index of the wire, from 0; null where the job has no other.
+   */
+  wire: number | null;
 }
 /**
  * What a person is asked.
  */
 export interface Question {
   /**
-   * The step that it is about, where nobody knows whether that was made.
+   * The step that it is about, where it is not known whether that was done.
    */
   doubt: Doubt | null;
   /**
@@ -601,13 +1587,10 @@ export interface Question {
    * What they have to know: lines to read.
    */
   lines: string[];
-  /**
-   * The question.
-   */
   question: string;
 }
 /**
- * A step of which nobody knows whether it was made.
+ * A step in doubt: it is not known whether it was done.
  */
 export interface Doubt {
   before: PartOfStep;
@@ -615,9 +1598,13 @@ export interface Doubt {
    * How much of it is in the wire as the machine has counted; null where it cannot tell.
    */
   counted: PartOfStep | null;
-  designed: StepReport;
+  designed: JobStep;
   /**
-   * The last step that was sent: when this one was made, the next ones up to it are in doubt, too.
+   * How far that is in part of the step's time; 0 where it cannot tell.
+   */
+  in_step: number;
+  /**
+   * The last step that was sent: when this one was done, the next ones up to it are in doubt, too.
    */
   last: number;
   /**
@@ -628,14 +1615,14 @@ export interface Doubt {
    * The step, from 1.
    */
   step: number;
-  told: StepReport;
+  told: JobStep;
   /**
    * Index of the wire, from 0.
    */
   wire: number;
 }
 /**
- * How much of a step is in the wire, in canonical signs. What it bends counts for nothing: a bend is made from its beginning.
+ * How much of a step is in the wire, in canonical signs; a driver and its journal have the same in the machine's signs. What it bends counts for nothing: a bend starts from its beginning.
  */
 export interface PartOfStep {
   /**
@@ -652,7 +1639,7 @@ export interface PartOfStep {
  */
 export interface HeadAsked {
   /**
-   * Where it was left; null where nobody knows.
+   * Where it was left; null where that is not known.
    */
   left_at_deg: number | null;
   /**
@@ -685,7 +1672,7 @@ export interface SettingCheck {
   name: string;
 }
 /**
- * A wire that was interrupted and can be gone on with.
+ * A wire that was interrupted and can be resumed.
  */
 export interface Unfinished {
   /**
@@ -693,18 +1680,15 @@ export interface Unfinished {
    */
   id: string;
   /**
-   * Steps of which nobody knows whether they were made: the first and the last.
+   * Steps in doubt, of which it is not known whether they were done: the first and the last.
    *
    * @minItems 2
    * @maxItems 2
    */
   in_doubt: [number, number] | null;
-  /**
-   * Hash of its job.
-   */
   job_hash: string;
   /**
-   * The last step that is known to be made.
+   * The last step that is known to be done.
    */
   made: number;
   /**
@@ -720,13 +1704,10 @@ export interface Unfinished {
    */
   port: string;
   /**
-   * Whether it can be gone on with: its record may be damaged. Then it can be given up, and nothing is known of when and
+   * Whether it can be resumed: its record may be damaged. Then it can be given up, and nothing is known of when and
    * where it was begun.
    */
   resumable: boolean;
-  /**
-   * When.
-   */
   started: string;
   /**
    * Index of the wire, from 0.
@@ -739,15 +1720,20 @@ export interface Unfinished {
 export interface WireState {
   done_by: DoneBy;
   /**
-   * Since it was started or taken up, s.
+   * Since it was started or resumed, s.
    */
   elapsed_s: number;
   /**
-   * Hash of its job: the open design may make another one by now.
+   * How far the machine is in the step after `made`, in part of the step's time, from where it reports its axes; 0 where
+   * it reports none.
+   */
+  in_step: number;
+  /**
+   * Hash of its job: the open design may give another one by now.
    */
   job_hash: string;
   /**
-   * The last step that was made, or whose time is over where the machine does not say what it makes.
+   * The last step that is done, or whose time is over where the machine does not report that.
    */
   made: number;
   /**
@@ -772,6 +1758,126 @@ export interface WireState {
   wire: number;
 }
 /**
+ * The wire that moves by hand have bent.
+ */
+export interface ByHandResponse {
+  /**
+   * How many moves are done.
+   */
+  moves: number;
+  wire: PlayedWire;
+}
+/**
+ * A wire as it is played.
+ */
+export interface PlayedWire {
+  /**
+   * The bend axis at the beginning, a vector of length 1 in the design's frame.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  bend_axis: [number, number, number];
+  /**
+   * Where the wire begins, and where it is after each step: one more than there are steps. mm, in the design's frame.
+   */
+  corners_mm: [number, number, number][];
+  steps: PlayedStep[];
+  /**
+   * Stock to load, mm.
+   */
+  stock_mm: number | null;
+  /**
+   * Time on the machine, s.
+   */
+  time_s: number | null;
+}
+/**
+ * A step as it is played.
+ */
+export interface PlayedStep {
+  designed: JobStep;
+  /**
+   * The edges along which it feeds.
+   */
+  edges: number[];
+  /**
+   * Where wire and machine are, from the step's beginning to its end.
+   */
+  moments: MomentReport[];
+  pose: PoseReport;
+  /**
+   * Seconds for feed, rotate, the bend axis there and back, and for waiting.
+   *
+   * @minItems 4
+   * @maxItems 4
+   */
+  seconds: [number, number, number, number];
+  /**
+   * What is sent to the machine, in canonical signs; null where the wire is not compensated.
+   */
+  told: JobStep | null;
+  /**
+   * The vertex at which it bends, or at which the wire ends.
+   */
+  vertex: number | null;
+}
+/**
+ * Where wire and machine are at one moment of a step. Between two moments everything moves evenly.
+ */
+export interface MomentReport {
+  /**
+   * The part of the step's time that has passed, from 0 to 1. Two moments at the same time: it jumps.
+   */
+  at: number;
+  /**
+   * How far the bend axis has turned, right-handed about z of the head, degrees: it goes there and comes back.
+   */
+  bend_axis_deg: number;
+  /**
+   * How much of the bend is in the wire, from 0 to 1: it stays.
+   */
+  bent: number;
+  /**
+   * How much of the feed is through the bend point, from 0 to 1.
+   */
+  fed: number;
+  /**
+   * How far the head has turned, right-handed about x of the machine's frame, degrees.
+   */
+  head_deg: number;
+  /**
+   * Where the peg is along its own axis: at 0 it is in, so that the wire can pass it, at 1 it is out and bends.
+   */
+  peg_out: number;
+}
+/**
+ * How the wire lies in the machine while it runs a step. Frame of the machine: mm, right-handed, the origin is the bend
+ * point, x the way the wire leaves, z the bend axis of the head at its reference. The point of the wire that is just
+ * leaving lies at the origin.
+ */
+export interface PoseReport {
+  /**
+   * The axis through the origin about which the wire that is out then turns, a vector of length 1 in the machine's frame.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  bend_axis: [number, number, number];
+  /**
+   * How far it turns, right-handed, degrees.
+   */
+  bend_deg: number;
+  /**
+   * From the frame of the design to that of the machine, while the wire is fed and the head rotates: a quaternion of
+   * length 1, x, y, z, w.
+   *
+   * @minItems 4
+   * @maxItems 4
+   */
+  turn: [number, number, number, number];
+}
+/**
  * The machine with other settings.
  */
 export interface SettingsChanged {
@@ -781,9 +1887,6 @@ export interface SettingsChanged {
   file: string;
   machine: MachineViewResponse;
 }
-/**
- * A machine.
- */
 export interface MachineViewResponse {
   /**
    * Largest bends to both sides, degrees.
@@ -792,9 +1895,6 @@ export interface MachineViewResponse {
    * @maxItems 2
    */
   bend_deg: [number, number];
-  /**
-   * What it is.
-   */
   description: string;
   /**
    * Thinnest and thickest wire, mm.
@@ -803,21 +1903,15 @@ export interface MachineViewResponse {
    * @maxItems 2
    */
   diameter_mm: [number, number];
-  /**
-   * Its driver.
-   */
   driver: string;
   /**
    * Why its driver cannot be used; null where it can.
    */
-  driver_problem: RunProblem | null;
+  driver_problem: ProblemReport | null;
   /**
    * Its profile.
    */
   file: string;
-  /**
-   * Its id.
-   */
   id: string;
   /**
    * The profile that it inherits from.
@@ -835,10 +1929,11 @@ export interface MachineViewResponse {
    * Shortest feed, mm.
    */
   min_feed_mm: number;
-  /**
-   * Its name.
-   */
   name: string;
+  /**
+   * How far the peg reaches beyond the middle of the wire along the bend axis while it is out, mm.
+   */
+  peg_top_mm: number;
   /**
    * A point of the axis about which the peg goes, mm, in the same frame.
    *
@@ -887,9 +1982,6 @@ export interface SettingValue {
    * The file of that profile.
    */
   file: string | null;
-  /**
-   * Its key.
-   */
   key: string;
   /**
    * The line in it, from 1.
@@ -899,12 +1991,7 @@ export interface SettingValue {
    * The profile that sets it; null where it is the driver's default.
    */
   set_by: string | null;
-  /**
-   * Its value.
-   */
-  value: {
-    [k: string]: unknown;
-  };
+  value: unknown;
 }
 /**
  * A body of a machine. Frame: the origin is where a bend begins, x the way the wire leaves, z the bend axis, right-handed;
@@ -926,7 +2013,7 @@ export interface Shape {
    */
   axis: [number, number, number];
   /**
-   * True when somebody measured them on the real machine.
+   * True when they were measured on the real machine.
    */
   measured: boolean;
   /**
@@ -962,13 +2049,10 @@ export interface LiveCheck {
   wires: WireFigures[];
 }
 /**
- * One thing to know.
+ * A finding: what is wrong or worth knowing.
  */
 export interface DiagnosticReport {
-  /**
-   * What it is about: a name that stays the same.
-   */
-  code: string;
+  code: DiagnosticCode;
   /**
    * The edge that it is about foremost.
    */
@@ -978,7 +2062,7 @@ export interface DiagnosticReport {
    */
   edges?: number[];
   /**
-   * What to do.
+   * What to do: the remedies in words.
    */
   help: string;
   /**
@@ -990,9 +2074,13 @@ export interface DiagnosticReport {
    */
   limit_source?: string | null;
   /**
-   * What it is.
+   * What it says, with its figures: a sentence without a full stop.
    */
   message: string;
+  /**
+   * What can be done about it, the most promising first.
+   */
+  remedies?: RemedyReport[];
   severity: SeverityName;
   /**
    * The step of the program, counted from 0.
@@ -1076,7 +2164,7 @@ export interface Started {
   /**
    * What a person should know at once, such as profiles of theirs that cannot be used.
    */
-  warnings: string[];
+  warnings: ProblemReport[];
 }
 /**
  * The whole design.
@@ -1099,9 +2187,6 @@ export interface DesignView {
    */
   vertices: VertexView[];
 }
-/**
- * An edge.
- */
 export interface EdgeView {
   /**
    * The vertex where it starts.
@@ -1111,9 +2196,6 @@ export interface EdgeView {
    * The vertex where it ends.
    */
   b: number;
-  /**
-   * Its id.
-   */
   id: number;
 }
 /**
@@ -1164,7 +2246,7 @@ export interface DesignState {
    */
   start: number | null;
   /**
-   * What the stencil is called, after its file; null without a stencil, and where nobody knows.
+   * What the stencil is called, after its file; null without a stencil, and where it is not known.
    */
   stencil: string | null;
   /**
@@ -1175,11 +2257,8 @@ export interface DesignState {
   /**
    * Why changes are not kept safe: a person should save. Null where they are.
    */
-  unkept: string | null;
+  unkept: ProblemReport | null;
 }
-/**
- * A vertex.
- */
 export interface VertexView {
   /**
    * Where it is, mm, right-handed.
@@ -1188,9 +2267,6 @@ export interface VertexView {
    * @maxItems 3
    */
   at_mm: [number, number, number];
-  /**
-   * Its id.
-   */
   id: number;
   /**
    * Whether the design holds it fixed.
@@ -1201,13 +2277,7 @@ export interface VertexView {
  * A file that was open.
  */
 export interface RecentEntry {
-  /**
-   * Its name.
-   */
   name: string;
-  /**
-   * The file.
-   */
   path: string;
   /**
    * Whether it is still there.
@@ -1244,13 +2314,10 @@ export interface Unsaved {
  */
 export interface Recorded {
   /**
-   * In the order in which they were made.
+   * In the order in which they ran.
    */
   moves: Move[];
 }
-/**
- * What was opened.
- */
 export interface DesignOpened {
   design: DesignView;
   /**
@@ -1278,6 +2345,10 @@ export interface NoteReport {
    * A sentence.
    */
   message: string;
+  /**
+   * What can be done about it.
+   */
+  remedies?: ErrorRemedy[];
 }
 /**
  * The design on several machines.
@@ -1321,9 +2392,6 @@ export interface MachineSide {
    * How many edges are travelled, each time counted.
    */
   feeds: number | null;
-  /**
-   * The machine.
-   */
   machine: string;
   /**
    * Mass of the wire that is fed, in g.
@@ -1333,9 +2401,6 @@ export interface MachineSide {
    * The wire in it: the one that was asked for, else the document's, else the machine's own.
    */
   material: string;
-  /**
-   * Its name.
-   */
   name: string;
   /**
    * Stock to load, in mm.
@@ -1379,9 +2444,6 @@ export interface OtherSide {
    * How many edges are travelled, each time counted.
    */
   feeds: number | null;
-  /**
-   * The machine.
-   */
   machine: string;
   /**
    * Mass of the wire that is fed, in g.
@@ -1391,12 +2453,9 @@ export interface OtherSide {
    * The wire in it: the one that was asked for, else the document's, else the machine's own.
    */
   material: string;
-  /**
-   * Its name.
-   */
   name: string;
-  newly_feasible: Objections;
-  newly_infeasible: Objections;
+  newly_feasible: Findings;
+  newly_infeasible: Findings;
   /**
    * The same with the machine's own wire, where that of the design does not fit it; null where it fits, where the machine
    * has no other wire, and in the comparison with its own wire.
@@ -1419,56 +2478,32 @@ export interface OtherSide {
  * Differences of sums; null where one of the two is not known.
  */
 export interface Change {
-  /**
-   * Of the number of bends.
-   */
   bends: number | null;
   /**
    * Of the cost; null also where the currencies differ.
    */
   cost: number | null;
-  /**
-   * Of the mass, in g.
-   */
   mass_g: number | null;
-  /**
-   * Of the stock, in mm.
-   */
   stock_mm: number | null;
-  /**
-   * Of the time, in s.
-   */
   time_s: number | null;
 }
 /**
  * Errors and where they are; ids ascend, each once.
  */
-export interface Objections {
+export interface Findings {
   /**
    * The errors.
    */
   diagnostics: WireDiagnostic[];
-  /**
-   * The edges.
-   */
   edges: number[];
-  /**
-   * The steps.
-   */
   steps: WireStep[];
-  /**
-   * The vertices.
-   */
   vertices: number[];
 }
 /**
  * One thing to know of a wire, or of the design.
  */
 export interface WireDiagnostic {
-  /**
-   * What it is about: a name that stays the same.
-   */
-  code: string;
+  code: DiagnosticCode;
   /**
    * The edge that it is about foremost.
    */
@@ -1478,7 +2513,7 @@ export interface WireDiagnostic {
    */
   edges?: number[];
   /**
-   * What to do.
+   * What to do: the remedies in words.
    */
   help: string;
   /**
@@ -1490,9 +2525,13 @@ export interface WireDiagnostic {
    */
   limit_source?: string | null;
   /**
-   * What it is.
+   * What it says, with its figures: a sentence without a full stop.
    */
   message: string;
+  /**
+   * What can be done about it, the most promising first.
+   */
+  remedies?: RemedyReport[];
   severity: SeverityName;
   /**
    * The step of the program, counted from 0.
@@ -1532,17 +2571,11 @@ export interface WireStep {
    */
   wire: number;
 }
-/**
- * A profile that was made.
- */
 export interface ProfileNewResponse {
   /**
    * Its file; null where it is returned.
    */
   file: string | null;
-  /**
-   * Its id.
-   */
   id: string;
   /**
    * The id of its parent.
@@ -1551,8 +2584,28 @@ export interface ProfileNewResponse {
   kind: Kind;
 }
 /**
- * The drivers.
+ * A library and whether it is accepted.
  */
+export interface DriverTrustResponse {
+  /**
+   * Whether it is accepted now.
+   */
+  accepted: boolean;
+  /**
+   * What it says that it is, once it is accepted.
+   */
+  id: string | null;
+  /**
+   * The library, by its absolute path.
+   */
+  library: string;
+  name: string | null;
+  /**
+   * Its SHA-256.
+   */
+  sha256: string;
+  version: string | null;
+}
 export interface DriversResponse {
   /**
    * In the order in which they are asked.
@@ -1563,21 +2616,12 @@ export interface DriversResponse {
    */
   missing: string[];
 }
-/**
- * A driver.
- */
 export interface DriverEntry {
   /**
    * What it can do.
    */
   capabilities: Capability[];
-  /**
-   * What it is.
-   */
   description: string | null;
-  /**
-   * The library.
-   */
   file: string;
   /**
    * What it writes.
@@ -1591,14 +2635,15 @@ export interface DriverEntry {
    * Machines whose profiles name it.
    */
   machines: string[];
-  /**
-   * Its name.
-   */
   name: string | null;
   /**
    * Why it cannot be used.
    */
   problem: string | null;
+  /**
+   * What can be done about that.
+   */
+  remedies?: ErrorRemedy[];
   /**
    * The JSON Schema of its settings.
    */
@@ -1610,9 +2655,6 @@ export interface DriverEntry {
    */
   sha256: string | null;
   state: DriverState;
-  /**
-   * Its version.
-   */
   version: string | null;
 }
 /**
@@ -1634,7 +2676,7 @@ export interface FormatDescription {
    */
   name: string;
   /**
-   * Whether a machine runs it. Then it is not written of what cannot be made, unless a person says so.
+   * Whether a machine runs it. Then it is not written for a design that cannot be made, unless a person says so.
    */
   program: boolean;
 }
@@ -1659,13 +2701,7 @@ export interface ViewChange {
    * Edges that were added or changed.
    */
   edges: EdgeView[];
-  /**
-   * Edges that are gone.
-   */
   gone_edges: number[];
-  /**
-   * Vertices that are gone.
-   */
   gone_vertices: number[];
   state: DesignState;
   /**
@@ -1677,18 +2713,12 @@ export interface ViewChange {
    */
   vertices: VertexView[];
 }
-/**
- * The examples.
- */
 export interface ExamplesResponse {
   /**
    * Simple ones first.
    */
   examples: ExampleEntry[];
 }
-/**
- * An example.
- */
 export interface ExampleEntry {
   /**
    * What there is to see.
@@ -1702,142 +2732,7 @@ export interface ExampleEntry {
    * Its lines for a small picture, mm.
    */
   lines_mm: [[number, number, number], [number, number, number]][];
-  /**
-   * Its name.
-   */
   name: string;
-}
-/**
- * A profile, value by value.
- */
-export interface ProfileExplainResponse {
-  /**
-   * Whether it only serves to be inherited from.
-   */
-  abstract: boolean;
-  /**
-   * The profile itself, its parent, and so on.
-   */
-  chain: AncestorReport[];
-  /**
-   * Its id.
-   */
-  id: string;
-  kind: Kind;
-  /**
-   * Its name.
-   */
-  name: string;
-  /**
-   * The curve of a material's springback table; absent where there is no table.
-   */
-  springback?: SpringbackReport | null;
-  /**
-   * Its values, in the order in which the shipped files have them.
-   */
-  values: ValueReport[];
-}
-/**
- * A profile of a chain.
- */
-export interface AncestorReport {
-  /**
-   * Its file.
-   */
-  file: string;
-  /**
-   * Its id.
-   */
-  id: string;
-  /**
-   * Whether it comes with the program.
-   */
-  shipped: boolean;
-}
-/**
- * What a wire loses of bends, by its table.
- */
-export interface SpringbackReport {
-  /**
-   * To the negative side; bends without their sign.
-   */
-  negative: SpringbackSample[];
-  /**
-   * To the positive side, bends ascending.
-   */
-  positive: SpringbackSample[];
-  /**
-   * What lies between and beyond the pairs.
-   */
-  rule: string;
-}
-/**
- * The curve at one place.
- */
-export interface SpringbackSample {
-  /**
-   * The bend that is left, degrees.
-   */
-  bend_deg: number;
-  /**
-   * What the wire loses of it, degrees: it is bent that much farther.
-   */
-  loss_deg: number;
-  place: SamplePlace;
-}
-/**
- * One value.
- */
-export interface ValueReport {
-  /**
-   * The file of that profile.
-   */
-  file: string;
-  /**
-   * The parent's value that it replaces.
-   */
-  instead_of: OverriddenReport | null;
-  /**
-   * Dotted key; its last word ends with the unit of a figure.
-   */
-  key: string;
-  /**
-   * The line in it, from 1.
-   */
-  line: number | null;
-  /**
-   * Whether a figure was measured; null for what is no figure.
-   */
-  measured: boolean | null;
-  /**
-   * The profile that set it.
-   */
-  set_by: string;
-  /**
-   * Where a figure comes from; null for what is no figure.
-   */
-  source: string | null;
-  /**
-   * The value; null where a parent's value is taken away.
-   */
-  value: {
-    [k: string]: unknown;
-  };
-}
-/**
- * A value of a parent.
- */
-export interface OverriddenReport {
-  /**
-   * The profile that set it.
-   */
-  set_by: string;
-  /**
-   * The value.
-   */
-  value: {
-    [k: string]: unknown;
-  };
 }
 /**
  * A file, or the beginning of what it would be.
@@ -1847,9 +2742,6 @@ export interface ExportPreview {
    * Of each file that would be written its first lines; null of one that is no text.
    */
   beginnings: (string | null)[];
-  /**
-   * Of each file its size.
-   */
   bytes: number[];
   /**
    * Whether the machine can make it.
@@ -1859,9 +2751,6 @@ export interface ExportPreview {
    * The files that were written.
    */
   files: string[];
-  /**
-   * The format.
-   */
   format: string;
   /**
    * What was assumed or left out.
@@ -1879,7 +2768,7 @@ export interface ExportsResponse {
   /**
    * Drivers that could not be asked, and why.
    */
-  problems: RunProblem[];
+  problems: ProblemReport[];
 }
 /**
  * A format to choose.
@@ -1897,16 +2786,13 @@ export interface FormatEntry {
    * What `--format` takes.
    */
   id: string;
-  /**
-   * Its name.
-   */
   name: string;
   /**
    * Whether it is the machine's own or one that its profile lists.
    */
   of_machine: boolean;
   /**
-   * Whether a machine runs it: then it is not written of what cannot be made.
+   * Whether a machine runs it: then it is not written for a design that cannot be made.
    */
   program: boolean;
   /**
@@ -1923,7 +2809,7 @@ export interface FormatEntry {
   };
 }
 /**
- * What would mend what the checks say.
+ * What would fix what the checks say.
  */
 export interface FixesResponse {
   /**
@@ -1932,7 +2818,7 @@ export interface FixesResponse {
   fixes: Fix[];
 }
 /**
- * Something that mends what a check says. Lengths in mm.
+ * Something that fixes what a check says. Lengths in mm.
  */
 export interface Fix {
   change: FixChange;
@@ -1981,9 +2867,6 @@ export interface FixChange {
    * Time on the machine, s.
    */
   time_s: number | null;
-  /**
-   * Warnings.
-   */
   warnings: number;
 }
 /**
@@ -1991,8 +2874,6 @@ export interface FixChange {
  */
 export interface PastedVertex {
   /**
-   * Where it is, mm.
-   *
    * @minItems 3
    * @maxItems 3
    */
@@ -2007,15 +2888,10 @@ export interface PastedVertex {
  */
 export interface Placed {
   /**
-   * Where, mm.
-   *
    * @minItems 3
    * @maxItems 3
    */
   at_mm: [number, number, number];
-  /**
-   * Which.
-   */
   vertex: number;
 }
 /**
@@ -2048,20 +2924,12 @@ export interface FixPreview {
  */
 export interface Moved {
   /**
-   * Where, mm.
-   *
    * @minItems 3
    * @maxItems 3
    */
   at_mm: [number, number, number];
-  /**
-   * Which.
-   */
   vertex: number;
 }
-/**
- * What is in a file.
- */
 export interface LookResponse {
   /**
    * Whether units and scale are open: the format does not say them.
@@ -2075,17 +2943,11 @@ export interface LookResponse {
    * Faces of its surface.
    */
   faces: number;
-  /**
-   * Its format.
-   */
   format: string;
   /**
    * The layers of a drawing, hidden ones included.
    */
   layers: string[];
-  /**
-   * Its name.
-   */
   name: string;
   /**
    * What would be merged, ignored or assumed.
@@ -2104,9 +2966,6 @@ export interface LookResponse {
    */
   vertices: number;
 }
-/**
- * The machines.
- */
 export interface MachinesResponse {
   /**
    * By id.
@@ -2147,17 +3006,11 @@ export interface MachineEntry {
    * The formats that can be written for it, its default first.
    */
   formats: string[];
-  /**
-   * Its id.
-   */
   id: string;
   /**
    * Shortest designed edge, in mm.
    */
   min_edge_mm: number;
-  /**
-   * Its name.
-   */
   name: string;
   /**
    * Its own format, where only its driver writes it.
@@ -2169,15 +3022,15 @@ export interface MachineEntry {
   shipped: boolean;
 }
 /**
- * How the machine makes the open design.
+ * How the machine bends the open design.
  */
 export interface MadeResponse {
   /**
-   * Whether the driver's simulated machine made it; otherwise the formulas of the compensation did, backwards.
+   * Whether the driver's simulated machine bent it; otherwise the formulas of the compensation did, backwards.
    */
   by_machine: boolean;
   /**
-   * What the machine told, and what was left out.
+   * What the machine reported, and what was left out.
    */
   notes: NoteReport[];
   /**
@@ -2186,7 +3039,7 @@ export interface MadeResponse {
   wires: MadeWire[];
 }
 /**
- * A wire as it is made.
+ * A wire as it is bent.
  */
 export interface MadeWire {
   /**
@@ -2198,7 +3051,11 @@ export interface MadeWire {
    */
   deviations_mm: number[];
   /**
-   * Points along its middle, mm; empty where only formulas made it.
+   * How it lies in the machine while each step bends it; fewer where it has fewer corners.
+   */
+  poses: PoseReport[];
+  /**
+   * Points along its middle, mm; empty where only formulas computed it.
    */
   wire_mm: [number, number, number][];
   /**
@@ -2206,9 +3063,6 @@ export interface MadeWire {
    */
   worst_mm: number;
 }
-/**
- * The materials.
- */
 export interface MaterialsResponse {
   /**
    * By id.
@@ -2227,28 +3081,19 @@ export interface MaterialEntry {
    * Density, in kg/m³.
    */
   density_kg_per_m3: number;
-  /**
-   * Diameter, in mm.
-   */
   diameter_mm: number;
   /**
    * Its profile.
    */
   file: string;
-  /**
-   * Its id.
-   */
   id: string;
   /**
    * Depth of the neutral fibre, as a fraction of the diameter.
    */
   k_factor: number;
-  /**
-   * Its name.
-   */
   name: string;
   /**
-   * Price of a millimetre, in `currency`; null where nobody knows.
+   * Price of a millimetre, in `currency`; null where it is not known.
    */
   price_per_mm: number | null;
   /**
@@ -2271,9 +3116,6 @@ export interface MaterialEntry {
    */
   yield_strength_mpa: number;
 }
-/**
- * The ports.
- */
 export interface PortsResponse {
   /**
    * Those that a machine is likely at first.
@@ -2283,10 +3125,11 @@ export interface PortsResponse {
    * Drivers that could not be asked, and why.
    */
   problems: string[];
+  /**
+   * What can be done about that.
+   */
+  remedies?: ErrorRemedy[];
 }
-/**
- * A port.
- */
 export interface PortEntry {
   /**
    * What is plugged in there, as far as it is known.
@@ -2339,6 +3182,118 @@ export interface Usb {
   vid: number;
 }
 /**
+ * A profile, value by value.
+ */
+export interface ProfileExplainResponse {
+  /**
+   * Whether it only serves to be inherited from.
+   */
+  abstract: boolean;
+  /**
+   * The profile itself, its parent, and so on.
+   */
+  chain: AncestorReport[];
+  id: string;
+  kind: Kind;
+  name: string;
+  /**
+   * The curve of a material's springback table; absent where there is no table.
+   */
+  springback?: SpringbackReport | null;
+  /**
+   * Its values, in the order in which the shipped files have them.
+   */
+  values: ValueReport[];
+}
+/**
+ * A profile of a chain.
+ */
+export interface AncestorReport {
+  file: string;
+  id: string;
+  /**
+   * Whether it comes with the program.
+   */
+  shipped: boolean;
+}
+/**
+ * What a wire loses of bends, by its table.
+ */
+export interface SpringbackReport {
+  /**
+   * To the negative side; bends without their sign.
+   */
+  negative: SpringbackSample[];
+  /**
+   * To the positive side, bends ascending.
+   */
+  positive: SpringbackSample[];
+  /**
+   * What lies between and beyond the pairs.
+   */
+  rule: string;
+}
+/**
+ * The curve at one place.
+ */
+export interface SpringbackSample {
+  /**
+   * The bend that is left, degrees.
+   */
+  bend_deg: number;
+  /**
+   * What the wire loses of it, degrees: it is bent that much farther.
+   */
+  loss_deg: number;
+  place: SamplePlace;
+}
+export interface ValueReport {
+  /**
+   * The file of that profile.
+   */
+  file: string;
+  /**
+   * The parent's value that it replaces.
+   */
+  instead_of: OverriddenReport | null;
+  /**
+   * Dotted key; its last word ends with the unit of a figure.
+   */
+  key: string;
+  /**
+   * The line in it, from 1.
+   */
+  line: number | null;
+  /**
+   * Whether a figure was measured; null for what is no figure.
+   */
+  measured: boolean | null;
+  /**
+   * The profile that set it.
+   */
+  set_by: string;
+  /**
+   * Where a figure comes from; null for what is no figure.
+   */
+  source: string | null;
+  /**
+   * The value; null where a parent's value is taken away.
+   */
+  value: {
+    [k: string]: unknown;
+  };
+}
+/**
+ * A value of a parent.
+ */
+export interface OverriddenReport {
+  /**
+   * The profile that set it.
+   */
+  set_by: string;
+  value: unknown;
+}
+/**
  * The program of the open design.
  */
 export interface ProgramResponse {
@@ -2351,17 +3306,11 @@ export interface ProgramResponse {
    */
   feasible: boolean;
   /**
-   * Hash of the job that arming the design as it is would make; null where none can be made. A wire of the
+   * Hash of the job that arming the design as it is would give; null where none can be made. A wire of the
    * connected machine whose job has this hash is one of this very program.
    */
   job_hash: string | null;
-  /**
-   * The machine.
-   */
   machine: string;
-  /**
-   * The material.
-   */
   material: string;
   /**
    * The wires that have a program.
@@ -2371,59 +3320,6 @@ export interface ProgramResponse {
    * Wires that have none: the checks say why.
    */
   without: number;
-}
-/**
- * A wire as it is played.
- */
-export interface PlayedWire {
-  /**
-   * The bend axis at the beginning, a vector of length 1 in the design's frame.
-   *
-   * @minItems 3
-   * @maxItems 3
-   */
-  bend_axis: [number, number, number];
-  /**
-   * Where the wire begins, and where it is after each step: one more than there are steps. mm, in the design's frame.
-   */
-  corners_mm: [number, number, number][];
-  /**
-   * The steps.
-   */
-  steps: PlayedStep[];
-  /**
-   * Stock to load, mm.
-   */
-  stock_mm: number | null;
-  /**
-   * Time on the machine, s.
-   */
-  time_s: number | null;
-}
-/**
- * A step as it is played.
- */
-export interface PlayedStep {
-  designed: StepReport;
-  /**
-   * The edges along which it feeds.
-   */
-  edges: number[];
-  /**
-   * Seconds for feed, rotate, the bend axis there and back, and for waiting.
-   *
-   * @minItems 4
-   * @maxItems 4
-   */
-  seconds: [number, number, number, number];
-  /**
-   * What the machine is told, in canonical signs; null where the wire is not compensated.
-   */
-  told: StepReport | null;
-  /**
-   * The vertex at which it bends, or at which the wire ends.
-   */
-  vertex: number | null;
 }
 /**
  * The records.
@@ -2446,29 +3342,17 @@ export interface RunEntry {
    * When it was over.
    */
   ended: string | null;
-  /**
-   * Its id.
-   */
   id: string;
   /**
    * How often it was stopped or failed.
    */
   interruptions: number | null;
-  /**
-   * Hash of the job.
-   */
   job_hash: string | null;
-  /**
-   * The machine.
-   */
   machine: string | null;
   /**
-   * The last step that was made.
+   * The last step that is done.
    */
   made: number | null;
-  /**
-   * The material.
-   */
   material: string | null;
   /**
    * Name of the design.
@@ -2495,7 +3379,7 @@ export interface RunEntry {
    */
   wire: number | null;
   /**
-   * How far the worst corner is from the design, in mm, where somebody has measured.
+   * How far the worst corner is from the design, in mm, where that was measured.
    */
   worst_deviation_mm: number | null;
 }
@@ -2503,22 +3387,16 @@ export interface RunEntry {
  * One record.
  */
 export interface RunsShowResponse {
-  /**
-   * Its id.
-   */
   id: string;
-  /**
-   * Its journal.
-   */
   journal: string;
   record: Record;
 }
 /**
- * What was made of a wire.
+ * What was bent of a wire.
  */
 export interface Record {
   /**
-   * Corners of the wire, where a simulated machine made it, mm.
+   * Corners of the wire, where a simulated machine bent it, mm.
    */
   corners_mm: [number, number, number][];
   /**
@@ -2526,7 +3404,7 @@ export interface Record {
    */
   decisions: Decision[];
   /**
-   * How far each corner is from the design, mm; absent where nobody has measured.
+   * How far each corner is from the design, mm; absent where that was not measured.
    */
   deviations_mm: number[] | null;
   /**
@@ -2539,7 +3417,7 @@ export interface Record {
   interruptions: Interruption[];
   job: Heading;
   /**
-   * The last step that was made, or, where the machine does not say so, that has had its time.
+   * The last step that is done, or, where the machine does not report that, that has had its time.
    */
   made: number;
   outcome: Outcome;
@@ -2549,24 +3427,18 @@ export interface Record {
   started: string;
 }
 /**
- * What was said of a step in doubt: by a person, or by the machine where it could tell how far it was.
+ * What was said of a step in doubt: by a person, or by the machine where it had counted how far it was.
  */
 export interface Decision {
-  /**
-   * When.
-   */
   at: string;
   /**
-   * Whether it was made.
+   * Whether it was done.
    */
   made: boolean;
   /**
-   * How much of it was in the wire, where it was made in part; its rest was made then.
+   * How much of it was in the wire, where it was done in part; its rest was done then.
    */
   part: PartInWire | null;
-  /**
-   * The step.
-   */
   step: number;
 }
 /**
@@ -2588,12 +3460,9 @@ export interface PartInWire {
  */
 export interface Interruption {
   /**
-   * The last step that was known to be made.
+   * The last step that was known to be done.
    */
   after: number;
-  /**
-   * When.
-   */
   at: string;
   /**
    * What happened, for a person.
@@ -2601,7 +3470,7 @@ export interface Interruption {
   what: string;
 }
 /**
- * What is to be made, of what, on which machine.
+ * What is to be bent, of what, on which machine.
  */
 export interface Heading {
   /**
@@ -2613,17 +3482,11 @@ export interface Heading {
    * Id of the driver.
    */
   driver: string;
-  /**
-   * Version of the driver.
-   */
   driver_version: string;
   /**
-   * How long each step is reckoned to take, s; empty where nobody has reckoned it.
+   * How long each step is reckoned to take, s; empty where there is no estimate.
    */
   estimates_s: number[];
-  /**
-   * Hash of the job.
-   */
   job_hash: string;
   /**
    * Id of the machine's profile.
@@ -2662,59 +3525,175 @@ export interface Heading {
  * A job that was written.
  */
 export interface SavedJob {
-  /**
-   * The file.
-   */
   file: string;
-  /**
-   * Its hash.
-   */
   job_hash: string;
 }
 /**
  * The recording that was written.
  */
 export interface SavedRecording {
-  /**
-   * Its file.
-   */
   file: string;
 }
 /**
  * A wireframe that was written.
  */
 export interface SavedWireframe {
-  /**
-   * The file.
-   */
   file: string;
 }
+export interface Events {
+  operator: OperatorEvent;
+  refusal: ApiErrorReport;
+  work: Work;
+}
 /**
- * A library and whether it is accepted.
+ * What became of the wires of the request.
  */
-export interface DriverTrustResponse {
+export interface RunResponse {
   /**
-   * Whether it is accepted now.
+   * The records that were written where they were asked for.
    */
-  accepted: boolean;
+  files: string[];
   /**
-   * What it says that it is, once it is accepted.
+   * What the machine says that it is.
    */
-  id: string | null;
+  identity: string | null;
+  job_hash: string;
   /**
-   * The library, by its absolute path.
+   * Wires that were asked for and not begun.
    */
-  library: string;
+  left: number[];
   /**
-   * Its name.
+   * Why not; null where nothing is left, or a wire before them was not finished.
    */
-  name: string | null;
+  left_because: LeftBecause | null;
+  machine: string;
+  material: string;
   /**
-   * Its SHA-256.
+   * What a person should know.
    */
-  sha256: string;
+  notes: NoteReport[];
   /**
-   * Its version.
+   * Where the machine was; null where none was connected.
    */
-  version: string | null;
+  port: string | null;
+  /**
+   * The wires, in the order in which they were run.
+   */
+  wires: WireRun[];
+}
+/**
+ * What became of one wire.
+ */
+export interface WireRun {
+  /**
+   * How far each vertex is from the design, in mm, where a simulated machine bent the wire.
+   */
+  deviations_mm: number[] | null;
+  done_by: DoneBy;
+  /**
+   * How long it took this time, in s.
+   */
+  elapsed_s: number;
+  /**
+   * The id of its record: see `wirebend runs`.
+   */
+  id: string;
+  /**
+   * Steps in doubt, of which it is not known whether they were done: the first and the last.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  in_doubt: [number, number] | null;
+  /**
+   * The last step that is done, or, where the machine does not report that, that has had its time.
+   */
+  made: number;
+  outcome: RunOutcome;
+  /**
+   * What failed, or why it was stopped without a request.
+   */
+  problem: ProblemReport | null;
+  /**
+   * The command that resumes it, where there is something to resume; only a command line has one.
+   */
+  resume: string | null;
+  /**
+   * Whether the machine stands after a stop, after its driver was lost, or after a fault while it might move; null
+   * where there was none of them.
+   */
+  standstill: Standstill | null;
+  /**
+   * How many there are.
+   */
+  steps: number;
+  /**
+   * Wire that had to be put in, in mm.
+   */
+  stock_mm: number;
+  /**
+   * What caused a stop; null without one, and for one of the machine itself.
+   */
+  stopped_by: StoppedBy | null;
+  /**
+   * The step that was stopped in its middle, as far as the machine counts.
+   */
+  stopped_in: StoppedIn | null;
+  /**
+   * Its index, from 0.
+   */
+  wire: number;
+}
+/**
+ * A step that was stopped in its middle.
+ */
+export interface StoppedIn {
+  /**
+   * Where the bend axis stands, degrees.
+   */
+  bend_at_deg: number;
+  made: PartOfStep;
+  of: JobStep;
+  step: number;
+  /**
+   * Whether that is sure. An axis that was on its way may have lost steps: then the user has to look at the wire.
+   */
+  sure: boolean;
+}
+/**
+ * Why something came to nothing. A window shows the message and may go by the code; it never compares texts.
+ */
+export interface ApiErrorReport {
+  code: ErrorCode;
+  /**
+   * What the checks say, where that is the reason.
+   */
+  diagnostics: DiagnosticReport[];
+  kind: ErrorKind;
+  message: string;
+  /**
+   * What can be done about it.
+   */
+  remedies: ErrorRemedy[];
+}
+/**
+ * How far long work is.
+ */
+export interface Work {
+  /**
+   * What was asked for.
+   */
+  ask: string;
+  /**
+   * So many things are done.
+   */
+  done: number;
+  /**
+   * Of so many; 0 where that is not known.
+   */
+  of: number;
+  /**
+   * A word or two for a person.
+   */
+  stage: string;
 }

@@ -2,7 +2,7 @@ import { Loopback } from "./loopback";
 import type { Platform } from "./platform";
 import { TauriWindow } from "./tauri";
 
-export { type AskName, type FileKind, type Platform, Refused, type Told } from "./platform";
+export { type AskName, type FileKind, type Platform, Refused, type WindowEvent } from "./platform";
 
 function surroundings(): Platform {
   if ("__TAURI_INTERNALS__" in window) return new TauriWindow();

@@ -1,6 +1,6 @@
 import type { Requests } from "../generated/requests";
 import type { Responses } from "../generated/responses";
-import { type AskName, type FileKind, type Platform, Refused, type Told } from "./platform";
+import { type AskName, type FileKind, type Platform, Refused, type WindowEvent } from "./platform";
 
 /**
  * The Rust side behind HTTP on this computer, for tests in a browser: not part of what is installed. The token is in the
@@ -25,8 +25,8 @@ export class Loopback implements Platform {
     return (await this.send("/stencil", null)).arrayBuffer();
   }
 
-  listen(hear: (told: Told) => void): () => void {
-    const events = new EventSource(`/told?token=${encodeURIComponent(this.token)}`);
+  listen(hear: (event: WindowEvent) => void): () => void {
+    const events = new EventSource(`/events?token=${encodeURIComponent(this.token)}`);
     events.onmessage = (event) => hear(JSON.parse(event.data));
     return () => events.close();
   }

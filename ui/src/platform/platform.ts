@@ -1,20 +1,21 @@
 import type { Requests } from "../generated/requests";
-import type { Responses } from "../generated/responses";
-import type { Tells } from "../generated/tells";
-import { worded } from "../state/wording";
+import type { Events, Responses } from "../generated/responses";
+import { errorText } from "./error_text";
 
 /** Something that can be asked of the Rust side. */
 export type AskName = keyof Requests & keyof Responses;
 
-/** What is told unasked. */
-export type Told = { [K in Exclude<keyof Tells, "refusal">]: { tell: K; value: Tells[K] } }[Exclude<keyof Tells, "refusal">];
+/** What the Rust side sends without being asked. */
+export type WindowEvent = {
+  [K in Exclude<keyof Events, "refusal">]: { event: K; value: Events[K] };
+}[Exclude<keyof Events, "refusal">];
 
 /** Why something came to nothing: shown with its message; code by the code, never by the text. */
 export class Refused extends Error {
-  readonly refusal: Tells["refusal"];
+  readonly refusal: Events["refusal"];
 
-  constructor(refusal: Tells["refusal"]) {
-    super(worded(refusal));
+  constructor(refusal: Events["refusal"]) {
+    super(errorText(refusal));
     this.refusal = refusal;
   }
 }
@@ -32,8 +33,8 @@ export interface Platform {
   ask<K extends AskName>(name: K, request: Requests[K]): Promise<Responses[K]>;
   /** The stencil of the open design: see `Desk::stencil_mesh`. Empty without one. */
   stencilMesh(): Promise<ArrayBuffer>;
-  /** Hears what is told; the function that is returned ends it. */
-  listen(hear: (told: Told) => void): () => void;
+  /** Hears of events; the function that is returned ends it. */
+  listen(hear: (event: WindowEvent) => void): () => void;
   /** A file to open; null where the person has chosen none. */
   pickFile(kinds: readonly FileKind[]): Promise<string | null>;
   /** A file to write; null where the person has chosen none. The dialog has asked whether it may be replaced. */
@@ -50,6 +51,6 @@ export interface Platform {
   close(): Promise<void>;
   /** The title of the window. */
   setTitle(title: string): void;
-  /** Stops the machine, whatever else is going on. Does not wait for other asks. */
+  /** Stops the machine, whatever else is under way. Does not wait for other asks. */
   stop(): Promise<void>;
 }

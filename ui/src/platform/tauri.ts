@@ -1,10 +1,10 @@
 import { Channel, invoke } from "@tauri-apps/api/core";
+import { listen } from "@tauri-apps/api/event";
 import { getCurrentWebview } from "@tauri-apps/api/webview";
 import { getCurrentWindow } from "@tauri-apps/api/window";
-import { listen } from "@tauri-apps/api/event";
 import type { Requests } from "../generated/requests";
 import type { Responses } from "../generated/responses";
-import { type AskName, type FileKind, type Platform, Refused, type Told } from "./platform";
+import { type AskName, type FileKind, type Platform, Refused, type WindowEvent } from "./platform";
 
 /** What a handler returns before it is there: its end is asked for later. */
 function later(ending: Promise<() => void>): () => void {
@@ -27,11 +27,11 @@ export class TauriWindow implements Platform {
     return invoke<ArrayBuffer>("stencil_mesh");
   }
 
-  listen(hear: (told: Told) => void): () => void {
-    const channel = new Channel<Told>();
+  listen(hear: (event: WindowEvent) => void): () => void {
+    const channel = new Channel<WindowEvent>();
     let hears = true;
-    channel.onmessage = (told) => {
-      if (hears) hear(told);
+    channel.onmessage = (event) => {
+      if (hears) hear(event);
     };
     void invoke("listen", { channel });
     return () => {
@@ -64,7 +64,7 @@ export class TauriWindow implements Platform {
   }
 
   async filesToOpen(): Promise<readonly string[]> {
-    // The Rust side tells of each file either here or by an event: it is not asked before the events are heard.
+    // The Rust side reports each file either here or by an event: it is not asked before the events are heard.
     await this.listening.catch(() => {});
     return invoke<string[]>("files_to_open");
   }

@@ -1,7 +1,19 @@
-/** What the scene is given and what it tells: the only part of `scene/` that the rest of the editor knows. */
+/** What the scene is given and what it reports: the only part of `scene/` that the rest of the editor knows. */
 
 /** mm, right-handed, z up. */
 export type Vec3 = readonly [number, number, number];
+
+/** How lengths are written: the editor has one way to write numbers, and the scene is given it. */
+export interface LengthFormat {
+  /** mm in one of the unit that is shown. */
+  readonly mm: number;
+  /** "mm", "in". */
+  readonly name: string;
+  /** mm as a number of the unit, with the digits that a machine can make: "601.4". */
+  number(mm: number): string;
+  /** The same with no more digits than it needs: "5", "0.25". */
+  short(mm: number): string;
+}
 
 export interface SceneVertex {
   readonly id: number;
@@ -110,7 +122,7 @@ export type Hovered =
   | { readonly kind: "edge"; readonly id: number; readonly x: number; readonly y: number }
   | { readonly kind: "snap"; readonly snap: SnapKind; readonly at: Vec3; readonly x: number; readonly y: number };
 
-/** What the scene tells. Places on the screen are CSS pixels from the upper left corner of the viewport. */
+/** What the scene reports. Places on the screen are CSS pixels from the upper left corner of the viewport. */
 export interface SceneListener {
   selected(selection: Selection): void;
   hovered(what: Hovered | null): void;
@@ -120,7 +132,7 @@ export interface SceneListener {
   dropped(moved: readonly Moved[]): void;
   dragCancelled(): void;
   /**
-   * Resolves with the id of the vertex that the strand goes on from; null ends the strand. A rejection ends it too; telling why is up
+   * Resolves with the id of the vertex that the strand continues from; null ends the strand. A rejection ends it too; reporting why is up
    * to the listener.
    */
   stroke(stroke: Stroke): Promise<number | null>;
@@ -129,22 +141,48 @@ export interface SceneListener {
   viewChanged(name: string): void;
 }
 
+/**
+ * How a wire lies in its machine while it runs a step; the point that is just leaving lies at the origin. Frame of the machine: mm,
+ * right-handed, the origin is the bend point, +x the way the wire leaves, z the bend axis of the head at its reference.
+ */
+export interface Pose {
+  /** From the frame of the design to that of the machine, until it bends: a quaternion of length 1, x, y, z, w. */
+  readonly turn: readonly [number, number, number, number];
+  /** About this axis through the origin the wire that is out then turns, by `bend` degrees; of length 1, in the frame of the machine. */
+  readonly bendAxis: Vec3;
+  readonly bend: number;
+}
+
+/** Where wire and machine are at one moment of a step. Between two of them everything moves evenly. */
+export interface Moment {
+  /** The part of the step's time that has passed, from 0 to 1. */
+  readonly at: number;
+  /** How much of the feed, and of the bend, is done, from 0 to 1. */
+  readonly fed: number;
+  readonly bent: number;
+  /** Degrees: of the head about x, and of the bend axis about the head's z. */
+  readonly head: number;
+  readonly bendAxis: number;
+  /** Of the peg along its own axis: at 0 it is in, so that the wire can pass it, at 1 it is out and bends. */
+  readonly pegOut: number;
+}
+
 /** One step of a program, as it is played. */
 export interface PlayedStep {
-  /** mm. */
-  readonly feed: number;
-  /** Degrees, right-handed about the direction of travel. */
-  readonly rotate: number;
-  /** Degrees, right-handed about the bend axis. */
-  readonly bend: number;
-  /** Seconds that each of the three takes, and that the peg takes to come out and go in; 0 where it stays out. */
+  /** From its beginning to its end. */
+  readonly moments: readonly Moment[];
+  /** For feed, rotate, the bend axis there and back, and for waiting. */
   readonly seconds: readonly [number, number, number, number];
-  /** Degrees that the bend axis goes to, which is more than the bend: springback and setback. */
-  readonly bendAxis: number;
+}
+
+/** A wire as it is drawn: where it begins and where it is after each step, mm, in the frame of the design; a pose for each step. */
+export interface PlayedPath {
+  readonly corners: readonly Vec3[];
+  readonly poses: readonly Pose[];
 }
 
 /** A body of a machine. Lengths in mm, in the frame of the part that it belongs to; see `MachineBody.part`. */
-export type MachineShape =
+type MachineShape =
   | { readonly kind: "box"; readonly size: Vec3 }
   | { readonly kind: "cylinder"; readonly radius: number; readonly length: number };
 
@@ -159,17 +197,18 @@ export interface MachineBody {
   readonly axis: Vec3;
 }
 
-/** A wire to be played on a machine: one step for each straight part of the path, as the schedule has them. */
+/** A wire to be played on a machine. */
 export interface Played {
   readonly steps: readonly PlayedStep[];
-  /** Corners and ends of the wire as designed, in the order of the walk, in mm, in the frame of the design. */
-  readonly path: readonly Vec3[];
-  /** The same as the simulated machine makes it; null where that is not known. */
-  readonly made: readonly Vec3[] | null;
+  readonly designed: PlayedPath;
+  /** The same as the simulated machine bends it; null where that is not known. */
+  readonly made: PlayedPath | null;
   readonly bodies: readonly MachineBody[];
   readonly wireDiameter: number;
-  /** x of the axis that the peg turns about, mm; 0, the bend point, where it is not given. */
-  readonly orbitOffset?: number;
+  /** x of the axis that the peg turns about, mm: 0 is the bend point. */
+  readonly orbitOffset: number;
+  /** How far the peg reaches beyond the middle of the wire while it is out, mm. */
+  readonly pegTop: number;
 }
 
 export type Shown = "designed" | "made" | "both";

@@ -1,17 +1,14 @@
 /** What is in the picture, put together: the tools and the viewport change it, and it draws itself. */
 
-import { Group, Scene, type Object3D, type WebGLRenderer } from "three";
-import { Backdrop } from "./backdrop";
-import { Camera } from "./camera";
-import { DesignLayer, EDGE_STYLE, NO_MARKS } from "./design_layer";
-import { type Change, DrawnDesign } from "./drawn_design";
-import { Gizmo } from "./gizmo";
-import type { Handle } from "./gizmo_parts";
-import { facing, Grid } from "./grid";
-import { gridSpacing, type Spacing } from "./grid_spacing";
+import { Group, type Object3D, Scene, type WebGLRenderer } from "three";
+import { paint, shared } from "./drawing/shading";
+import { type Sign, Symbols } from "./drawing/symbols";
+import { THEMES, type Theme } from "./drawing/theme";
+import { type TubeLook, Tubes } from "./drawing/tubes";
 import type {
   DrawingPlane,
   Layer,
+  LengthFormat,
   Moved,
   Preview,
   SceneDesign,
@@ -22,18 +19,21 @@ import type {
   Tool,
   Vec3,
 } from "./interface";
-import { Labels } from "./labels";
-import { axes, framedAspect, framing, pixelAtTarget } from "./orbit";
-import { Playback } from "./playback";
-import type { Projection } from "./projection";
-import { SelectionLayer } from "./selection_layer";
-import { paint, shared } from "./shading";
-import { Stencil } from "./stencil";
-import { type Sign, Symbols } from "./symbols";
-import { type Theme, THEMES } from "./theme";
-import { type TubeLook, Tubes } from "./tubes";
+import { Backdrop } from "./layers/backdrop";
+import { DesignLayer, EDGE_STYLE, NO_MARKS } from "./layers/design_layer";
+import { type Change, DrawnDesign } from "./layers/drawn_design";
+import { Gizmo } from "./layers/gizmo";
+import { facing, Grid } from "./layers/grid";
+import { gridSpacing, type Spacing } from "./layers/grid_spacing";
+import { Labels } from "./layers/labels";
+import { SelectionLayer } from "./layers/selection_layer";
+import { Stencil } from "./layers/stencil";
+import { Playback } from "./playback/playback";
+import type { Handle } from "./tools/gizmo_parts";
 import { ballAround, middle } from "./vec";
-import type { Units } from "./units";
+import { Camera } from "./view/camera";
+import { axes, framedAspect, framing, pixelAtTarget } from "./view/orbit";
+import type { Projection } from "./view/projection";
 
 /** A line over the picture: a rubber band, an axis that is locked. */
 export interface Guide {
@@ -56,7 +56,6 @@ export class Stage {
   snap: SnapSettings = DEFAULT_SNAP;
   /** Null for the ground. */
   plane: DrawingPlane | null = null;
-  units: Units = "mm";
   spacing: Spacing = { mm: 10, fine: 1 };
   private readonly uniforms = shared();
   private readonly world = new Scene();
@@ -68,7 +67,14 @@ export class Stage {
   private readonly layer = new DesignLayer(this.uniforms, this.theme);
   readonly selected = new SelectionLayer(this.uniforms);
   private readonly preview = new Tubes(this.uniforms, { ...EDGE_STYLE, radius: 0.9, most: 2.4, dash: 11, flat: true });
-  private readonly guides = new Tubes(this.uniforms, { radius: 100, least: 0.9, most: 0.9, dash: 9, flat: true, above: true });
+  private readonly guides = new Tubes(this.uniforms, {
+    radius: 100,
+    least: 0.9,
+    most: 0.9,
+    dash: 9,
+    flat: true,
+    above: true,
+  });
   private readonly symbols = new Symbols(this.uniforms);
   private readonly gizmo = new Gizmo(this.uniforms);
   readonly playback = new Playback(this.uniforms, this.theme);
@@ -85,6 +91,7 @@ export class Stage {
   /** `overlay`: for texts over the picture; `changed`: it has to be drawn again. */
   constructor(
     overlay: HTMLElement,
+    public lengths: LengthFormat,
     private readonly changed: () => void,
   ) {
     this.labels = new Labels(overlay, this.theme);
@@ -294,11 +301,11 @@ export class Stage {
   }
 
   private layGrid(height: number): void {
-    const { camera, units } = this;
+    const { camera, lengths } = this;
     const { orbit, ball } = camera;
     const drawing = this.tool === "draw" && !this.playing;
     const snapped = drawing ? this.snap.grid : 0;
-    this.spacing = gridSpacing(pixelAtTarget(orbit, height), units, snapped);
+    this.spacing = gridSpacing(pixelAtTarget(orbit, height), lengths, snapped);
     const back = axes(orbit).back;
     const ground = facing(back, orbit.orthographic);
     // The machine stands on the ground; a design is wherever it was drawn.
@@ -309,8 +316,10 @@ export class Stage {
 }
 
 function areSame(a: SceneMarks, b: SceneMarks): boolean {
-  const verdicts = (a: SceneMarks["vertices"], b: SceneMarks["vertices"]): boolean => a.size === b.size && [...a].every(([id, verdict]) => b.get(id) === verdict);
-  const ids = (a: SceneMarks["odd"], b: SceneMarks["odd"]): boolean => a.size === b.size && [...a].every((id) => b.has(id));
+  const verdicts = (a: SceneMarks["vertices"], b: SceneMarks["vertices"]): boolean =>
+    a.size === b.size && [...a].every(([id, verdict]) => b.get(id) === verdict);
+  const ids = (a: SceneMarks["odd"], b: SceneMarks["odd"]): boolean =>
+    a.size === b.size && [...a].every((id) => b.has(id));
   return (
     a.checked === b.checked &&
     a.start?.vertex === b.start?.vertex &&
@@ -324,7 +333,10 @@ function areSame(a: SceneMarks, b: SceneMarks): boolean {
 
 function disposeOf(object: Object3D): void {
   object.traverse((part) => {
-    const { geometry, material } = part as { geometry?: { dispose(): void }; material?: { dispose(): void } | { dispose(): void }[] };
+    const { geometry, material } = part as {
+      geometry?: { dispose(): void };
+      material?: { dispose(): void } | { dispose(): void }[];
+    };
     geometry?.dispose();
     for (const one of material ? [material].flat() : []) one.dispose();
   });

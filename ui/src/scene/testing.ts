@@ -1,10 +1,10 @@
 /** What tests of the scene need: a camera without a window, and small designs. */
 
-import { Camera } from "./camera";
-import { DrawnDesign } from "./drawn_design";
-import type { SceneDesign, SceneVertex, Vec3 } from "./interface";
-import { HALF_HEIGHT, looking, type ViewName } from "./orbit";
-import type { Projection } from "./projection";
+import type { LengthFormat, SceneDesign, SceneVertex, Vec3 } from "./interface";
+import { DrawnDesign } from "./layers/drawn_design";
+import { Camera } from "./view/camera";
+import { HALF_HEIGHT, looking, type ViewName } from "./view/orbit";
+import type { Projection } from "./view/projection";
 
 /** 800 by 600 CSS pixels that look at the origin. In axis views a pixel is 1 mm, so z = 100 in front view is 100 pixels above the middle. */
 export function projectionOf(view: ViewName): Projection {
@@ -20,6 +20,22 @@ export function designOf(places: readonly Vec3[], ends: readonly (readonly [numb
     vertices: new Map(places.map((at, id): [number, SceneVertex] => [id, { id, at, support: false }])),
     edges: new Map(ends.map(([a, b], id) => [id, { id, a, b }])),
   };
+}
+
+/** Lengths as the editor would have them written, without what sets thousands apart. */
+const written = (mm: number, name: string, digits: number): LengthFormat => ({
+  mm,
+  name,
+  number: (length) => (length / mm).toFixed(digits).replace("-", "\u2212"),
+  short: (length) => String(length / mm),
+});
+export const MM = written(1, "mm", 1);
+export const INCH = written(25.4, "in", 3);
+
+/** What a test knows to be there; it fails here where it is not. */
+export function given<T>(value: T | null | undefined): T {
+  if (value === null || value === undefined) throw new Error("what the test looks at is not there");
+  return value;
 }
 
 export function drawn(design: SceneDesign): DrawnDesign {

@@ -1,12 +1,12 @@
-/** The view of a design: what the editor's panels call. See `interface.ts` for what it tells. */
+/** The view of a design: what the editor's panels call. See `interface.ts` for what it reports. */
 
 import { type Object3D, WebGLRenderer } from "three";
-import { Frames } from "./frames";
-import { spacingText } from "./grid_spacing";
+import { THEMES, type ThemeName } from "./drawing/theme";
 import type {
   Axis,
   DrawingPlane,
   Layer,
+  LengthFormat,
   Played,
   Preview,
   SceneDesign,
@@ -19,17 +19,18 @@ import type {
   SnapSettings,
   Tool,
 } from "./interface";
-import { looking, type Orbit, type ViewName } from "./orbit";
-import { Overlay } from "./overlay";
-import { Pointer, type ToolHandler } from "./pointer";
-import { SelectTool } from "./select_tool";
+import { spacingText } from "./layers/grid_spacing";
+import { Overlay } from "./layers/overlay";
 import { Stage } from "./stage";
-import { type ThemeName, THEMES } from "./theme";
-import { TraceTool } from "./trace_tool";
-import { afterKey } from "./view_keys";
-import type { Units } from "./units";
+import { Pointer, type ToolHandler } from "./tools/pointer";
+import { SelectTool } from "./tools/select_tool";
+import { TraceTool } from "./tools/trace_tool";
+import { Frames } from "./view/frames";
+import { looking, type Orbit, type ViewName } from "./view/orbit";
+import { afterKey } from "./view/view_keys";
 
 export interface ViewportOptions {
+  readonly lengths: LengthFormat;
   /** Smooth edges; without a graphics card they cost most of the time. */
   readonly antialias?: boolean;
   /** What the view is called for a screen reader. */
@@ -42,7 +43,7 @@ type AnyView = ViewName | "parallel";
 /** As it is told: "Front". */
 const shownName = (view: AnyView): string => (view[0] ?? "").toUpperCase() + view.slice(1);
 
-/** More pixels than these cannot be told apart, and cost time. */
+/** More pixels than these cannot be distinguished, and cost time. */
 const MOST_RATIO = 2;
 
 export class Viewport {
@@ -64,17 +65,21 @@ export class Viewport {
   constructor(
     private readonly host: HTMLElement,
     private readonly listener: SceneListener,
-    options: ViewportOptions = {},
+    options: ViewportOptions,
   ) {
     const { canvas } = this;
-    this.renderer = new WebGLRenderer({ canvas, antialias: options.antialias ?? true, powerPreference: "high-performance" });
+    this.renderer = new WebGLRenderer({
+      canvas,
+      antialias: options.antialias ?? true,
+      powerPreference: "high-performance",
+    });
     this.renderer.autoClear = false;
     this.renderer.info.autoReset = false;
     this.frames = new Frames(
       () => this.pointer.work(),
       () => this.draw(),
     );
-    this.stage = new Stage(this.overlay.element, () => this.frames.request());
+    this.stage = new Stage(this.overlay.element, options.lengths, () => this.frames.request());
     this.selecting = new SelectTool(this.stage, listener, this.overlay);
     this.tracing = new TraceTool(this.stage, listener, this.overlay);
     this.pointer = new Pointer(
@@ -87,7 +92,13 @@ export class Viewport {
     canvas.tabIndex = 0;
     canvas.setAttribute("role", "application");
     canvas.setAttribute("aria-label", options.label ?? "View of the design");
-    Object.assign(canvas.style, { display: "block", width: "100%", height: "100%", touchAction: "none", outlineOffset: "-2px" });
+    Object.assign(canvas.style, {
+      display: "block",
+      width: "100%",
+      height: "100%",
+      touchAction: "none",
+      outlineOffset: "-2px",
+    });
     if (getComputedStyle(host).position === "static") host.style.position = "relative";
     host.append(canvas, this.overlay.element);
     const { signal } = this.stop;
@@ -175,8 +186,8 @@ export class Viewport {
     this.frames.request();
   }
 
-  setUnits(units: Units): void {
-    this.stage.units = units;
+  setLengths(lengths: LengthFormat): void {
+    this.stage.lengths = lengths;
     this.frames.request();
   }
 
@@ -216,7 +227,10 @@ export class Viewport {
   toggleParallel(): void {
     const { camera } = this.stage;
     const from = this.view_;
-    if (from !== "perspective" && from !== "parallel") return this.view("perspective");
+    if (from !== "perspective" && from !== "parallel") {
+      this.view("perspective");
+      return;
+    }
     camera.orbit = { ...camera.orbit, orthographic: from === "perspective" };
     this.named(from === "perspective" ? "parallel" : "perspective");
     this.stage.viewMoved();
@@ -259,7 +273,7 @@ export class Viewport {
     this.frames.request();
   }
 
-  /** So many steps of what is played were really made; null or 0 for none. */
+  /** So many steps of what is played were really done; null or 0 for none. */
   setProgress(steps: number | null): void {
     this.stage.playback.setProgress(steps ?? 0);
     this.frames.request();
@@ -309,9 +323,10 @@ export class Viewport {
   }
 
   private draw(): void {
-    if (this.stage.camera.width < 2 || this.stage.camera.height < 2 || this.renderer.getContext().isContextLost()) return;
+    if (this.stage.camera.width < 2 || this.stage.camera.height < 2 || this.renderer.getContext().isContextLost())
+      return;
     this.stage.draw(this.renderer);
-    this.overlay.grid(`Grid ${spacingText(this.stage.spacing, this.stage.units)}`);
+    this.overlay.grid(`Grid ${spacingText(this.stage.spacing, this.stage.lengths)}`);
   }
 
   private resize(): void {
@@ -330,7 +345,10 @@ export class Viewport {
     if (ratio === this.ratio) return;
     this.ratio = ratio;
     this.renderer.setPixelRatio(Math.min(ratio, MOST_RATIO));
-    matchMedia(`(resolution: ${ratio}dppx)`).addEventListener("change", () => this.resize(), { once: true, signal: this.stop.signal });
+    matchMedia(`(resolution: ${ratio}dppx)`).addEventListener("change", () => this.resize(), {
+      once: true,
+      signal: this.stop.signal,
+    });
   }
 
   /** The first thing there is to see, once there is room to see it. */

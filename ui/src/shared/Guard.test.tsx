@@ -21,7 +21,7 @@ it("keeps what stands beside a part that fails, says which part that is, and tri
   await act(async () =>
     createRoot(place).render(
       <>
-        <button>STOP</button>
+        <button type="button">STOP</button>
         <Guard name="Machine">
           <Fragile />
         </Guard>
@@ -29,7 +29,9 @@ it("keeps what stands beside a part that fails, says which part that is, and tri
     ),
   );
   expect(place.querySelector("button")?.textContent).toBe("STOP");
-  expect(place.querySelector("[role=alert]")?.textContent).toContain("Machine cannot be shown because of a mistake in this program: no such thing");
+  expect(place.querySelector("[role=alert]")?.textContent).toContain(
+    "Machine cannot be shown because of a mistake in this program: no such thing",
+  );
   broken = false;
   await act(async () => place.querySelector<HTMLButtonElement>(".guard button")?.click());
   expect(place.textContent).toBe("STOPWhole");

@@ -1,13 +1,13 @@
 import { Component, type ReactNode } from "react";
-import { Button } from "./Button";
-import "./lines.css";
+import { Button } from "./controls/Button";
+import "./guard.css";
 
 interface Failed {
   /** Why; null while all is well. */
   readonly problem: string | null;
 }
 
-/** A part of the window. Where a mistake in it ends it, the other parts go on, and above all STOP does. */
+/** A part of the window. Where a mistake in it ends it, the other parts keep working, and above all STOP does. */
 export class Guard extends Component<{ readonly name: string; readonly children: ReactNode }, Failed> {
   override state: Failed = { problem: null };
 
@@ -22,7 +22,8 @@ export class Guard extends Component<{ readonly name: string; readonly children:
     return (
       <div className="guard" role="alert">
         <p>
-          <strong>{name}</strong> cannot be shown because of a mistake in this program: {problem}. Nothing of the design is lost.
+          <strong>{name}</strong> cannot be shown because of a mistake in this program: {problem}. Nothing of the design
+          is lost.
         </p>
         <Button small onClick={() => this.setState({ problem: null })}>
           Show it again

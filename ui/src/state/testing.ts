@@ -1,7 +1,7 @@
 /** What tests of the state need. */
 
-import type { DesignState } from "./design";
-import type { MachineState, OrderName, Phase } from "./operator";
+import type { DesignState } from "./design/design";
+import type { Because, MachineState, OrderName, Phase } from "./machine/operator";
 
 /** A design of which nothing was done. */
 export const designState = (given: Partial<DesignState> = {}): DesignState => ({
@@ -22,7 +22,26 @@ export const designState = (given: Partial<DesignState> = {}): DesignState => ({
   ...given,
 });
 
-/** A machine that stands so, and can be told these orders. */
+const ORDERS: Readonly<Record<OrderName, true>> = {
+  home: true,
+  jog: true,
+  arm: true,
+  disarm: true,
+  start: true,
+  pause: true,
+  resume: true,
+  "resume-run": true,
+  abandon: true,
+  replay: true,
+  "write-settings": true,
+  disconnect: true,
+};
+
+/** Every other order than these, refused for one reason. */
+export const refused = (because: Because, ...can: OrderName[]): MachineState["cannot"] =>
+  (Object.keys(ORDERS) as OrderName[]).filter((order) => !can.includes(order)).map((order) => ({ order, because }));
+
+/** A machine that stands so, and takes these orders and no others. */
 export const machineState = (phase: Phase, ...can: OrderName[]): MachineState => ({
   phase,
   machine: "wirebend-kit",
@@ -34,6 +53,7 @@ export const machineState = (phase: Phase, ...can: OrderName[]): MachineState =>
   settings: [],
   wire: null,
   can,
+  cannot: refused("busy", ...can),
   busy: false,
   doing: null,
   question: null,

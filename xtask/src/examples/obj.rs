@@ -1,5 +1,7 @@
 //! An example as the text of a Wavefront OBJ file: comments, `v` lines, `l` lines with indices from 1.
 
+use wirebend_files::number::short;
+
 use super::{Example, Point};
 
 /// The whole file; coordinates in mm with six decimals, zeros at their end left away.
@@ -17,14 +19,8 @@ pub(super) fn render(example: &Example) -> String {
 }
 
 fn vertex_line(point: Point) -> String {
-    let [x, y, z] = point.map(coordinate);
+    let [x, y, z] = point.map(|coordinate_mm| short(coordinate_mm, 6));
     format!("v {x} {y} {z}")
-}
-
-fn coordinate(value_mm: f64) -> String {
-    let fixed = format!("{value_mm:.6}");
-    let short = fixed.trim_end_matches('0').trim_end_matches('.');
-    if short == "-0" { "0".to_owned() } else { short.to_owned() }
 }
 
 #[cfg(test)]

@@ -13,7 +13,7 @@ use crate::committed::CommittedFile;
 const SHIPPED: &[&str] =
     &["wirebend-window", "wirebend-cli", "wirebend-driver-wirebend-kit", "wirebend-driver-grbl"];
 const SYSTEM: &str = "x86_64-unknown-linux-gnu";
-const FILE: &str = "crates/app/src/desk/packages.json";
+const FILE: &str = "crates/api/src/workspace/packages.json";
 
 pub(super) fn file(root: &Path) -> Result<CommittedFile> {
     let mut packages = of_cargo(root)?;

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use anyhow::{Result, bail};
-use wirebend_app::{App, DesignInput, ExportRequest, NoProgress, PlanChoices, Request, Response};
+use wirebend_api::{Command, DesignInput, ExportRequest, Installation, NoProgress, PlanChoices, Response};
 
 use crate::committed::CommittedFile;
 
@@ -15,11 +15,17 @@ const PICTURES: [(&str, bool, &str); 3] = [
 ];
 
 pub(super) fn files(root: &Path) -> Result<Vec<CommittedFile>> {
-    let app = App::new(&[])?;
+    let app = Installation::new(&[])?;
     PICTURES.iter().map(|&(name, face_edges, machine)| draw(&app, root, name, face_edges, machine)).collect()
 }
 
-fn draw(app: &App, root: &Path, name: &str, face_edges: bool, machine: &str) -> Result<CommittedFile> {
+fn draw(
+    app: &Installation,
+    root: &Path,
+    name: &str,
+    face_edges: bool,
+    machine: &str,
+) -> Result<CommittedFile> {
     let design = DesignInput { face_edges, ..DesignInput::file(root.join(format!("examples/{name}.obj"))) };
     let choices = PlanChoices { machine: Some(machine.into()), double: true, ..PlanChoices::default() };
     let request = ExportRequest {
@@ -30,7 +36,7 @@ fn draw(app: &App, root: &Path, name: &str, face_edges: bool, machine: &str) -> 
         output: None,
         despite_errors: true,
     };
-    let Response::Export(found) = app.run(&Request::Export(request), &NoProgress)? else {
+    let Response::Export(found) = Command::Export(request).run(app, &NoProgress)? else {
         bail!("an export answered something else");
     };
     let text = String::from_utf8(found.contents.concat())?;

@@ -28,8 +28,8 @@ struct Setting {
     id: u8,
     name: String,
     unit: String,
-    least: i32,
-    most: i32,
+    min: i32,
+    max: i32,
     meaning: String,
 }
 
@@ -38,7 +38,7 @@ pub(super) fn files(root: &Path) -> Result<Vec<CommittedFile>> {
     let codes = codes(root)?;
     let settings = settings(root)?;
     Ok(vec![
-        CommittedFile { path: "firmware/core/codes.h".into(), text: header(&codes, &settings) },
+        CommittedFile { path: "firmware/core/common/codes.h".into(), text: header(&codes, &settings) },
         CommittedFile {
             path: "drivers/wirebend-kit/src/protocol/codes.rs".into(),
             text: constants(&codes, &settings),
@@ -84,8 +84,8 @@ fn settings(root: &Path) -> Result<Vec<Setting>> {
             id,
             name: row[1].to_owned(),
             unit: row[2].to_owned(),
-            least: number(3)?,
-            most: number(4)?,
+            min: number(3)?,
+            max: number(4)?,
             meaning: row[5].to_owned(),
         });
     }
@@ -117,7 +117,7 @@ fn header(codes: &[Code], settings: &[Setting]) -> String {
         let _ = writeln!(text, "#define WB_SETTING_{} {id} /* {unit}: {meaning} */", constant(name));
     }
     let ranges: Vec<String> =
-        settings.iter().map(|Setting { least, most, .. }| format!("    {{{least}, {most}}}")).collect();
+        settings.iter().map(|Setting { min, max, .. }| format!("    {{{min}, {max}}}")).collect();
     let _ = write!(text, "\n#define WB_SETTINGS_RANGES \\\n{}\n\n", ranges.join(", \\\n"));
     for (name, bit) in INVERTED {
         let _ = writeln!(text, "#define WB_INVERTED_{} {bit}", constant(name));
@@ -134,13 +134,13 @@ fn camel(name: &str) -> String {
 fn constants(codes: &[Code], settings: &[Setting]) -> String {
     let mut text = format!("//! Codes of the wire protocol.\n//!\n//! {NOTICE}\n");
     let title = |group: &str| match group {
-        "command" => ("Command", "What the controller is asked."),
-        "reply" => ("Reply", "What it answers, and what it says unasked."),
-        "error" => ("Refusal", "Why it does not do what it was asked."),
-        "alarm" => ("Alarm", "Why it has stopped."),
-        "state" => ("State", "What it does."),
-        "reset" => ("Reset", "Why it has started."),
-        _ => ("Machine", "The machine that a firmware was built for: its pins, and its first settings."),
+        "command" => ("Command", "A request of the host."),
+        "reply" => ("Reply", "A frame of the controller: an answer, or a report."),
+        "error" => ("Refusal", "Why a command is refused."),
+        "alarm" => ("Alarm", "Why the controller has stopped or holds."),
+        "state" => ("State", "What the controller is doing."),
+        "reset" => ("Reset", "Why the controller has started."),
+        _ => ("Machine", "The machine that a firmware was built for: its pins and its default settings."),
     };
     let mut groups: Vec<&str> = codes.iter().map(|code| code.group.as_str()).collect();
     groups.dedup();
@@ -159,14 +159,14 @@ fn constants(codes: &[Code], settings: &[Setting]) -> String {
         }
         let _ = write!(
             text,
-            "}}\n\nimpl {name} {{\n    /// The one with this code.\n    #[must_use]\n    pub const fn of(code: u8) -> Option<Self> {{\n        Some(match code {{\n"
+            "}}\n\nimpl {name} {{\n    /// The variant with this code.\n    #[must_use]\n    pub const fn of(code: u8) -> Option<Self> {{\n        Some(match code {{\n"
         );
         for code in &members {
             let _ = writeln!(text, "            {} => Self::{},", value(code), camel(&code.name));
         }
         text.push_str("            _ => return None,\n        })\n    }\n");
         if !letters {
-            text.push_str("\n    /// For a person.\n    #[must_use]\n    pub const fn meaning(self) -> &'static str {\n        match self {\n");
+            text.push_str("\n    /// The text for a user.\n    #[must_use]\n    pub const fn meaning(self) -> &'static str {\n        match self {\n");
             for code in &members {
                 let meaning = match group {
                     "machine" => code.meaning.clone(),
@@ -186,19 +186,19 @@ fn constants(codes: &[Code], settings: &[Setting]) -> String {
         text.push_str("}\n");
     }
     text.push_str(
-        "\n/// A setting of the controller.\n#[derive(Debug, Clone, Copy, PartialEq, Eq)]\npub struct Setting {\n    /// Its number on the line.\n    pub id: u8,\n    /// Its name.\n    pub name: &'static str,\n    /// Its unit.\n    pub unit: &'static str,\n    /// The least that it may be.\n    pub least: i32,\n    /// The most that it may be.\n    pub most: i32,\n}\n\n",
+        "\n/// A setting of the controller.\n#[derive(Debug, Clone, Copy, PartialEq, Eq)]\npub struct Setting {\n    /// Its id in frames.\n    pub id: u8,\n    /// As in profiles and messages.\n    pub name: &'static str,\n    /// Unit of its value.\n    pub unit: &'static str,\n    /// Smallest allowed value.\n    pub min: i32,\n    /// Largest allowed value.\n    pub max: i32,\n}\n\n",
     );
     let _ = writeln!(
         text,
         "/// Every setting, in order of their numbers, which count from 1.\npub const SETTINGS: [Setting; {}] = [",
         settings.len()
     );
-    for Setting { id, name, unit, least, most, .. } in settings {
+    for Setting { id, name, unit, min, max, .. } in settings {
         let _ = writeln!(
             text,
-            "    Setting {{ id: {id}, name: {name:?}, unit: {unit:?}, least: {}, most: {} }},",
-            grouped(*least),
-            grouped(*most)
+            "    Setting {{ id: {id}, name: {name:?}, unit: {unit:?}, min: {}, max: {} }},",
+            grouped(*min),
+            grouped(*max)
         );
     }
     text.push_str("];\n");
@@ -245,9 +245,9 @@ fn manual(codes: &[Code], settings: &[Setting]) -> String {
         }
         let _ = writeln!(text, "| `{}{}` | {} | {} |", code.value, code.fields, code.name, code.meaning);
     }
-    text.push_str("\n## Settings\n\n| Id | Name | Unit | Least | Most | Meaning |\n| --- | --- | --- | --- | --- | --- |\n");
-    for Setting { id, name, unit, least, most, meaning } in settings {
-        let _ = writeln!(text, "| {id} | `{name}` | {unit} | {least} | {most} | {meaning} |");
+    text.push_str("\n## Settings\n\n| Id | Name | Unit | Min | Max | Meaning |\n| --- | --- | --- | --- | --- | --- |\n");
+    for Setting { id, name, unit, min, max, meaning } in settings {
+        let _ = writeln!(text, "| {id} | `{name}` | {unit} | {min} | {max} | {meaning} |");
     }
     text
 }

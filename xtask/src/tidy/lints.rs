@@ -1,12 +1,14 @@
-//! Rule: every crate takes the lints of the workspace, and these ask for documentation.
+//! Rule: every crate takes the lints of the workspace, and those whose documentation is published ask for it.
 
 use super::finding::Finding;
 use super::members::Member;
 use super::tree::TreeFile;
 
-const ROOT: &str = "Cargo.toml";
+/// The crates that others build on: what they export is documented.
+const PUBLISHED: &[&str] = &["crates/core", "crates/profile", "crates/driver-api"];
+const ASKS: &str = "#![deny(missing_docs)]";
 
-/// Crates without `[lints] workspace = true`, libraries that switch documentation off, a workspace that does not ask for it.
+/// Crates without `[lints] workspace = true`, and published ones that do not ask for documentation.
 pub(super) fn check(members: &[Member], files: &[TreeFile]) -> Vec<Finding> {
     let mut findings = Vec::new();
     for member in members {
@@ -15,29 +17,18 @@ pub(super) fn check(members: &[Member], files: &[TreeFile]) -> Vec<Finding> {
             let why = "a crate with its own lints drifts from the others";
             findings.push(Finding::new(&path, 1, "no [lints] workspace = true", why, "add these two lines"));
         }
-        findings.extend(undocumented(&format!("{}/src/lib.rs", member.room), files));
-    }
-    let why = "a public item without documentation cannot be used without reading its code";
-    match setting(files, ROOT, "workspace.lints.rust", "missing_docs") {
-        Some((_, value)) if value.contains("deny") || value.contains("forbid") => {}
-        Some((line, _)) => {
-            findings.push(Finding::new(ROOT, line, "missing_docs is not denied", why, "set it to \"deny\""));
-        }
-        None => {
-            let to_do = "add missing_docs = \"deny\" to [workspace.lints.rust]";
-            findings.push(Finding::new(ROOT, 1, "missing_docs is not set", why, to_do));
+        if PUBLISHED.contains(&member.room.as_str()) {
+            findings.extend(undocumented(&format!("{}/src/lib.rs", member.room), files));
         }
     }
     findings
 }
 
-fn undocumented(library: &str, files: &[TreeFile]) -> Vec<Finding> {
-    let lines = files.iter().filter(|file| file.path == library).flat_map(TreeFile::lines);
-    let off =
-        lines.filter(|(_, line)| line.trim_start().starts_with("#![allow(") && line.contains("missing_docs"));
-    let why = "every library crate documents what it exports";
-    off.map(|(line, _)| Finding::new(library, line, "missing_docs is allowed", why, "remove the attribute"))
-        .collect()
+fn undocumented(library: &str, files: &[TreeFile]) -> Option<Finding> {
+    let mut lines = files.iter().filter(|file| file.path == library).flat_map(TreeFile::lines);
+    let why = "a public item without documentation cannot be used without reading its code";
+    let asks = lines.any(|(_, line)| line.trim() == ASKS);
+    (!asks).then(|| Finding::new(library, 1, "missing_docs is not denied", why, format!("add {ASKS}")))
 }
 
 /// Line and value of `key` in `[table]` of the manifest at `path`, also when it is written `table.key = …`.
@@ -63,33 +54,31 @@ mod tests {
     use super::super::sample::{file, places};
     use super::*;
 
-    const ROOT_TEXT: &str = "[workspace.lints.rust]\nmissing_docs = \"deny\"\n";
-
     fn member(room: &str) -> Member {
         Member { room: room.to_owned(), dependencies: Vec::new() }
     }
 
     #[test]
     fn a_crate_that_takes_the_lints_is_fine() {
-        let files =
-            [file(ROOT, ROOT_TEXT), file("crates/a/Cargo.toml", "[package]\n[lints]\nworkspace = true\n")];
+        let files = [file("crates/a/Cargo.toml", "[package]\n[lints]\nworkspace = true\n")];
         assert!(check(&[member("crates/a")], &files).is_empty());
     }
 
     #[test]
     fn a_crate_with_its_own_lints_is_found() {
         let other_table = "[package]\nedition.workspace = true\n[lints.rust]\nworkspace = true\n";
-        let files = [file(ROOT, ROOT_TEXT), file("crates/a/Cargo.toml", other_table)];
+        let files = [file("crates/a/Cargo.toml", other_table)];
         assert_eq!(places(&check(&[member("crates/a")], &files)), ["crates/a/Cargo.toml:1"]);
     }
 
     #[test]
-    fn documentation_cannot_be_switched_off() {
-        let files = [
-            file(ROOT, "[workspace.lints.rust]\nunsafe_code = \"forbid\"\nmissing_docs = \"allow\"\n"),
-            file("crates/a/Cargo.toml", "[lints]\nworkspace = true\n"),
-            file("crates/a/src/lib.rs", "//! A.\n#![allow(missing_docs)]\n"),
-        ];
-        assert_eq!(places(&check(&[member("crates/a")], &files)), ["crates/a/src/lib.rs:2", "Cargo.toml:3"]);
+    fn what_is_published_asks_for_documentation() {
+        let manifest = || file("crates/core/Cargo.toml", "[lints]\nworkspace = true\n");
+        let with = |attribute: &str| {
+            let library = file("crates/core/src/lib.rs", &format!("//! A.\n{attribute}\n"));
+            places(&check(&[member("crates/core")], &[manifest(), library]))
+        };
+        assert!(with("#![deny(missing_docs)]").is_empty());
+        assert_eq!(with("#![allow(missing_docs)]"), ["crates/core/src/lib.rs:1"]);
     }
 }

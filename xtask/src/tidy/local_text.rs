@@ -1,4 +1,4 @@
-//! Rule: the repository reads the same on every machine: no paths of somebody's disk, no package registries or mirrors.
+//! Rule: the repository reads the same on every machine: no paths of a user's disk, no package registries or mirrors.
 
 use super::RULES;
 use super::finding::Finding;
@@ -72,8 +72,8 @@ mod tests {
     fn paths_of_one_machine_are_found() {
         let text = "fine\nlet a = \"/tmp/x\";\nsee /home/someone/x\n";
         assert_eq!(
-            places(&check(&[file("crates/app/src/a.rs", text)])),
-            ["crates/app/src/a.rs:2", "crates/app/src/a.rs:3"]
+            places(&check(&[file("crates/api/src/a.rs", text)])),
+            ["crates/api/src/a.rs:2", "crates/api/src/a.rs:3"]
         );
     }
 

@@ -3,12 +3,18 @@
 //! Each rule is a function of values in memory; only `tree` and `members` read the disk. The rules name what they
 //! forbid, so this folder itself is not searched for forbidden words.
 
+mod c_units;
+mod error_texts;
+mod facts;
 mod finding;
+mod firmware_order;
+mod glossary;
 mod leftovers;
 mod length;
 mod lints;
 mod local_text;
 mod members;
+mod modules;
 mod purity;
 mod rooms;
 mod rust_source;
@@ -31,14 +37,20 @@ pub(crate) fn run(root: &Path) -> Result<()> {
     let members = members::read(root)?;
 
     let mut findings = rooms::check(&members, &files);
+    findings.extend(modules::check(&members, &files));
     findings.extend(purity::check_dependencies(&members, &files));
     findings.extend(purity::check_sources(&files));
+    findings.extend(facts::check(&files));
+    findings.extend(error_texts::check(&files));
+    findings.extend(c_units::check(&files));
+    findings.extend(firmware_order::check(&files));
     findings.extend(length::check(&files));
     findings.extend(leftovers::check(&files));
     findings.extend(unsafe_code::check(&files));
     findings.extend(lints::check(&members, &files));
     findings.extend(sources::check(&files));
     findings.extend(local_text::check(&files));
+    findings.extend(glossary::check(&files));
     findings.sort_by(|a, b| (a.only_report, &a.path, a.line).cmp(&(b.only_report, &b.path, b.line)));
 
     let failures = findings.iter().filter(|finding| !finding.only_report).count();

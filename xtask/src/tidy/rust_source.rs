@@ -1,5 +1,7 @@
 //! Just enough of Rust's lexical rules to search code without comments, strings and tests.
 
+use std::ops::Range;
+
 /// The source with comments and the insides of strings and characters replaced by spaces; lines stay where they were.
 pub(super) fn code_only(source: &str) -> String {
     let bytes = source.as_bytes();
@@ -16,14 +18,59 @@ pub(super) fn code_only(source: &str) -> String {
 /// `code` (from [`code_only`]) with every item under `#[cfg(test)]` replaced by spaces.
 pub(super) fn without_tests(code: &str) -> String {
     let mut kept = code.as_bytes().to_vec();
-    let mut from = 0;
+    for item in test_items(code) {
+        blank(&mut kept[item]);
+    }
+    String::from_utf8_lossy(&kept).into_owned()
+}
+
+/// Where the items under `#[cfg(test)]` of `code` (from [`code_only`]) stand, with that attribute.
+pub(super) fn test_items(code: &str) -> Vec<Range<usize>> {
+    let (mut items, mut from) = (Vec::new(), 0);
     while let Some(found) = code[from..].find("#[cfg(test)]") {
         let start = from + found;
         let end = item_end(code.as_bytes(), start + "#[cfg(test)]".len());
-        blank(&mut kept[start..end]);
+        items.push(start..end);
         from = end;
     }
-    String::from_utf8_lossy(&kept).into_owned()
+    items
+}
+
+/// Where the attributes of `code` (from [`code_only`]) stand.
+pub(super) fn attributes(code: &str) -> Vec<Range<usize>> {
+    let bytes = code.as_bytes();
+    let starts = code.match_indices('#').map(|(at, _)| at);
+    let opened = starts.filter(|&at| {
+        let inner = at + 1 + usize::from(bytes.get(at + 1) == Some(&b'!'));
+        bytes.get(inner) == Some(&b'[')
+    });
+    let closed = |at: usize| {
+        let mut depth = 0_usize;
+        for (offset, byte) in bytes[at..].iter().enumerate() {
+            match byte {
+                b'[' => depth += 1,
+                b']' if depth == 1 => return at + offset + 1,
+                b']' => depth -= 1,
+                _ => {}
+            }
+        }
+        bytes.len()
+    };
+    opened.map(|at| at..closed(at)).collect()
+}
+
+/// Where the strings of `source` stand, with their quotes; comments are skipped.
+pub(super) fn strings(source: &str) -> Vec<Range<usize>> {
+    let bytes = source.as_bytes();
+    let (mut found, mut at) = (Vec::new(), 0);
+    while at < bytes.len() {
+        let end = skip_text(bytes, at);
+        if end > at && !source[at..].starts_with(['/', '\'']) {
+            found.push(at..end);
+        }
+        at = end.max(at + 1);
+    }
+    found
 }
 
 /// Line from 1 of a byte offset.
@@ -46,7 +93,7 @@ fn blank(bytes: &mut [u8]) {
     bytes.iter_mut().filter(|byte| **byte != b'\n').for_each(|byte| *byte = b' ');
 }
 
-/// End of the comment, string or character that starts at `at`; `at` itself where code goes on.
+/// End of the comment, string or character that starts at `at`; `at` itself where code continues.
 fn skip_text(bytes: &[u8], at: usize) -> usize {
     let rest = &bytes[at..];
     let after_name = at > 0 && (bytes[at - 1].is_ascii_alphanumeric() || bytes[at - 1] == b'_');
@@ -118,7 +165,7 @@ fn raw_string(rest: &[u8]) -> usize {
 }
 
 /// End of the item after an attribute: its closing brace, or its semicolon.
-fn item_end(code: &[u8], from: usize) -> usize {
+pub(super) fn item_end(code: &[u8], from: usize) -> usize {
     let mut depth = 0_usize;
     for (offset, byte) in code[from..].iter().enumerate() {
         match byte {
@@ -155,6 +202,16 @@ mod tests {
         let kept = without_tests(code);
         assert!(kept.contains("fn a") && kept.contains("fn c") && kept.contains("fn e"));
         assert!(!kept.contains("fn b") && !kept.contains("mod d"));
+    }
+
+    #[test]
+    fn strings_and_attributes_are_found_where_they_stand() {
+        let source = "#[error(\"a [b\")]\nfn f() { /* \"no\" */ g(\"c\", r#\"d\"#, '\"', v[0]) } // \"no\"\n#![allow(x)]";
+        let texts: Vec<&str> = strings(source).into_iter().map(|range| &source[range]).collect();
+        assert_eq!(texts, ["\"a [b\"", "\"c\"", "r#\"d\"#"]);
+        let found: Vec<&str> =
+            attributes(&code_only(source)).into_iter().map(|range| &source[range]).collect();
+        assert_eq!(found, ["#[error(\"a [b\")]", "#![allow(x)]"]);
     }
 
     #[test]

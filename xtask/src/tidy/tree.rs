@@ -25,7 +25,7 @@ impl TreeFile {
         self.path.rsplit_once('.').is_some_and(|(_, extension)| extensions.contains(&extension))
     }
 
-    /// Material that a test reads and nobody writes by hand.
+    /// Material that a test reads and that is not written by hand.
     pub(super) fn is_fixture(&self) -> bool {
         ["fixtures", "testdata", "golden", "snapshots"].iter().any(|folder| {
             self.path.starts_with(&format!("{folder}/")) || self.path.contains(&format!("/{folder}/"))

@@ -53,8 +53,8 @@ mod tests {
     fn unsafe_code_is_found_on_its_line() {
         let source = "// unsafe in words\nfn a() {\n    unsafe { b() }\n}\n#![allow(unsafe_code)]\nlet not_unsafe = 1;\n";
         assert_eq!(
-            places(&check(&[file("crates/app/src/a.rs", source)])),
-            ["crates/app/src/a.rs:3", "crates/app/src/a.rs:5"]
+            places(&check(&[file("crates/api/src/a.rs", source)])),
+            ["crates/api/src/a.rs:3", "crates/api/src/a.rs:5"]
         );
     }
 

@@ -4,14 +4,14 @@ use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::{Args, Subcommand};
-use wirebend_app::{Decided, Decision, Move, PartOfStep};
+use wirebend_api::{Decided, Decision, Move, PartOfStep};
 
 use crate::number::number;
 
 /// Where the machine is, and that it may move.
 #[derive(Debug, Args)]
 pub(crate) struct PortArgs {
-    /// Port of the machine, such as /dev/ttyACM0 or COM3 (see `wirebend ports`); where none is named, a simulated machine makes the wire
+    /// Port of the machine, such as /dev/ttyACM0 or COM3 (see `wirebend ports`); where none is named, a simulated machine bends the wire
     #[arg(long, short, value_name = "PORT")]
     pub port: Option<String>,
     /// Say that the machine may move, instead of being asked
@@ -25,33 +25,33 @@ pub(crate) struct ZeroArgs {
     /// Say that every axis of a machine without switches stands at zero (for `jog`: where it counts from), instead of being asked; --yes does not say it
     #[arg(long)]
     pub axes_at_zero: bool,
-    /// Say where the head stands, in degrees from where its cable is unwound; needed where nobody knows it, as after a turn that was lost
+    /// Say where the head stands, in degrees from where its cable is unwound; needed where that is not known, as after a turn that was lost
     #[arg(long, value_name = "DEGREES", allow_negative_numbers = true, value_parser = degrees)]
     pub head_at: Option<f64>,
 }
 
 #[derive(Debug, Args)]
 pub(crate) struct RunArgs {
-    /// Job to make, or - for standard input
+    /// Job to run, or - for standard input
     #[arg(value_name = "JOB")]
     pub job: PathBuf,
     #[command(flatten)]
     pub at: PortArgs,
     #[command(flatten)]
     pub zero: ZeroArgs,
-    /// Make this wire alone, counted from 1
+    /// Bend this wire alone, counted from 1
     #[arg(long, value_name = "N")]
     pub wire: Option<NonZeroUsize>,
-    /// Go on with what was interrupted; with an answer, say what became of step N, of which nobody knows: made:N, not-made:N, as-counted:N (the rest of it is made from where the machine has counted), part:N:MM:DEGREES (from what was fed and turned as you measure it)
+    /// Resume what was interrupted; with an answer, state what became of step N, which is in doubt: made:N, not-made:N, as-counted:N (the rest of it is bent from where the machine has counted), part:N:MM:DEGREES (from what was fed and turned as you measure it)
     #[arg(long, value_name = "ANSWER", num_args = 0..=1, require_equals = true, default_missing_value = "ask", conflicts_with = "abandon", value_parser = answer)]
     pub resume: Option<Answer>,
     /// Give up what was interrupted, so that the wire can be begun anew; nothing moves
     #[arg(long)]
     pub abandon: bool,
-    /// Make wires although settings of the machine are not those of its profile
+    /// Bend wires although settings of the machine are not those of its profile
     #[arg(long)]
     pub accept_settings: bool,
-    /// Write the record of what was made to this file, too
+    /// Write the record of the run to this file, too
     #[arg(long, value_name = "FILE")]
     pub record: Option<PathBuf>,
     /// Replace a record that is there
@@ -96,7 +96,7 @@ pub(crate) struct JogArgs {
     pub at: PortArgs,
     #[command(flatten)]
     pub zero: ZeroArgs,
-    /// Write the moves that were made to this file (.wbmoves), to be replayed
+    /// Write the moves that were done to this file (.wbmoves), to be replayed
     #[arg(long, value_name = "FILE")]
     pub record: Option<PathBuf>,
     /// Replace a recording that is there
@@ -145,7 +145,7 @@ pub(crate) struct MachineSettingsArgs {
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum RunsCommand {
-    /// List what was made
+    /// List the wires that were bent
     #[command(after_help = "Example:\n  wirebend runs list --json")]
     List,
     /// Show one record

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand};
 use clap_complete::Shell;
-use wirebend_app::DumpStage;
+use wirebend_api::StageName;
 
 use live::{JogArgs, MachineSettingsArgs, PortsArgs, ReplayArgs, RunArgs, RunsCommand};
 pub(crate) use shared::{ChoiceArgs, DangerArgs, DesignArgs, ExportedArgs, KindArgs, OutputArgs, ReadArgs};
@@ -15,7 +15,7 @@ use shared::{parse_setting, stage_parser};
 
 const AFTER: &str = "\
 Exit status: 0 done · 2 wrong use · 3 bad input · 4 not feasible on this machine (the report is \
-still printed) · 5 machine or driver failure · 6 nobody knows whether the machine stands: cut its \
+still printed) · 5 machine or driver failure · 6 it is not known whether the machine stands: cut its \
 power · 130 stopped by the person.
 Messages go to the error stream, results to the standard output; - stands for standard input or output.";
 
@@ -24,11 +24,11 @@ Messages go to the error stream, results to the standard output; - stands for st
 #[command(name = "wirebend", version, after_help = AFTER, arg_required_else_help = true)]
 pub struct Cli {
     #[command(subcommand)]
-    pub(crate) command: Command,
+    pub(crate) command: Subcommands,
     /// Print one JSON object on the standard output instead of a report
     #[arg(long, global = true, display_order = 100)]
     pub(crate) json: bool,
-    /// Tell more of what is done: -v, -vv, -vvv
+    /// Show more of what is done: -v, -vv, -vvv
     #[arg(short, long, action = clap::ArgAction::Count, global = true, display_order = 101)]
     pub(crate) verbose: u8,
     /// Use the profiles in this folder too (machines/, materials/, noise/)
@@ -43,7 +43,7 @@ pub struct Cli {
 }
 
 #[derive(Debug, Subcommand)]
-pub(crate) enum Command {
+pub(crate) enum Subcommands {
     /// List the machines
     #[command(after_help = "Example:\n  wirebend machines")]
     Machines,
@@ -53,7 +53,7 @@ pub(crate) enum Command {
     /// List the drivers, what they write and which of them wait to be trusted
     #[command(after_help = "Examples:\n  wirebend drivers\n  wirebend drivers --driver-path ~/my-drivers")]
     Drivers,
-    /// Check a driver of somebody else's, or accept it
+    /// Check a third-party driver, or accept it
     #[command(subcommand)]
     Driver(DriverCommand),
     /// Read a model, a drawing, a table or a program into a .wirebend document, or into an .obj of its wireframe
@@ -75,7 +75,7 @@ pub(crate) enum Command {
         #[command(flatten)]
         output: OutputArgs,
     },
-    /// Say what a machine cannot make of a wireframe, and why
+    /// Report what a machine cannot make of a wireframe, and why
     #[command(after_help = "Example:\n  wirebend check examples/house.obj --machine wirebend-kit")]
     Check {
         #[command(flatten)]
@@ -147,7 +147,7 @@ pub(crate) enum Command {
         #[arg(long)]
         force: bool,
     },
-    /// Make a job on its machine; Ctrl-C is STOP
+    /// Run a job on its machine; Ctrl-C is STOP
     #[command(
         after_help = "Examples:\n  wirebend run cube.wbjob --port sim\n  wirebend run cube.wbjob --port /dev/ttyACM0\n  wirebend run cube.wbjob --port /dev/ttyACM0 --resume"
     )]
@@ -157,7 +157,7 @@ pub(crate) enum Command {
         after_help = "Example:\n  wirebend jog --machine wirebend-kit --port sim:max home f 10 r 90 b -45 --record try.wbmoves"
     )]
     Jog(JogArgs),
-    /// Make recorded moves again; Ctrl-C is STOP
+    /// Replay recorded moves; Ctrl-C is STOP
     #[command(after_help = "Example:\n  wirebend replay try.wbmoves --port sim:max")]
     Replay(ReplayArgs),
     /// List the ports that a machine can be at
@@ -168,7 +168,7 @@ pub(crate) enum Command {
         after_help = "Examples:\n  wirebend machine-settings --machine wirebend-kit --port /dev/ttyACM0\n  wirebend machine-settings --machine wirebend-kit --port /dev/ttyACM0 --write"
     )]
     MachineSettings(MachineSettingsArgs),
-    /// Tell what was made, wire by wire
+    /// Show what was bent, wire by wire
     #[command(after_help = "Examples:\n  wirebend runs\n  wirebend runs show 3f2a9c81d0b4-0-1")]
     Runs {
         #[command(subcommand)]
@@ -181,7 +181,7 @@ pub(crate) enum Command {
     Dump {
         /// Stage to print
         #[arg(value_name = "STAGE", value_parser = stage_parser())]
-        stage: DumpStage,
+        stage: StageName,
         #[command(flatten)]
         design: DesignArgs,
         #[command(flatten)]
@@ -212,7 +212,7 @@ pub(crate) enum DriverCommand {
         #[arg(value_name = "LIBRARY")]
         library: PathBuf,
     },
-    /// Accept a driver of somebody else's as it is; without --sha256 say what it is and accept nothing
+    /// Accept a third-party driver as it is; without --sha256 say what it is and accept nothing
     #[command(
         after_help = "Example:\n  wirebend driver trust ./libmy_driver.so\n  wirebend driver trust ./libmy_driver.so --sha256 HASH"
     )]
@@ -220,7 +220,7 @@ pub(crate) enum DriverCommand {
         /// Library to accept
         #[arg(value_name = "LIBRARY")]
         library: PathBuf,
-        /// Its SHA-256, as its author tells it or as this command shows it
+        /// Its SHA-256, as its author publishes it or as this command shows it
         #[arg(long, value_name = "HASH")]
         sha256: Option<String>,
     },

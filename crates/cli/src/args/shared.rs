@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use wirebend_app::{DumpStage, Format, Handedness, LengthUnit, ProfileKind, ProgramKind};
+use wirebend_api::{Format, Handedness, LengthUnit, ProfileKind, ProgramKind, StageName};
 
 /// Which kind of profile is meant.
 #[derive(Debug, Args)]
@@ -148,9 +148,9 @@ fn kind_parser() -> impl TypedValueParser<Value = ProfileKind> {
         .map(|word| ProfileKind::from_word(&word).unwrap_or(ProfileKind::Machine))
 }
 
-pub(super) fn stage_parser() -> impl TypedValueParser<Value = DumpStage> {
-    let by_name = |name: String| DumpStage::ALL.into_iter().find(|stage| stage.as_str() == name);
+pub(super) fn stage_parser() -> impl TypedValueParser<Value = StageName> {
+    let by_name = |name: String| StageName::ALL.into_iter().find(|stage| stage.as_str() == name);
     // The parser before has refused every other name.
-    PossibleValuesParser::new(DumpStage::ALL.map(DumpStage::as_str))
-        .map(move |name| by_name(name).unwrap_or(DumpStage::Wireframe))
+    PossibleValuesParser::new(StageName::ALL.map(StageName::as_str))
+        .map(move |name| by_name(name).unwrap_or(StageName::Wireframe))
 }

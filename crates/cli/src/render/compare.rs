@@ -3,13 +3,13 @@
 use std::collections::BTreeMap;
 use std::io::Write;
 
-use wirebend_app::{CompareResponse, MachineSide, Objections, OtherSide, WireDiagnostic};
+use wirebend_api::{CompareResponse, Findings, MachineSide, OtherSide, WireDiagnostic};
 
 use super::notes;
 use super::number::{count, duration, mm};
 use super::tables::aligned;
 
-/// How many errors of a machine are told before the rest is counted.
+/// How many errors of a machine are listed before the rest is counted.
 const TOLD: usize = 12;
 
 pub(super) fn compare(out: &mut impl Write, found: &CompareResponse) -> std::io::Result<()> {
@@ -142,10 +142,10 @@ fn place(found: &WireDiagnostic) -> String {
 }
 
 /// Errors by code and where they were, in one line.
-fn gone(objections: &Objections) -> String {
+fn gone(findings: &Findings) -> String {
     let mut of_code: BTreeMap<&str, Vec<String>> = BTreeMap::new();
-    for found in &objections.diagnostics {
-        of_code.entry(found.diagnostic.code).or_default().push(place(found));
+    for found in &findings.diagnostics {
+        of_code.entry(found.diagnostic.code.as_str()).or_default().push(place(found));
     }
     let told = of_code.into_iter().map(|(code, places)| match places.len() {
         0..=3 => format!("{code} at {}", places.join(", ")),

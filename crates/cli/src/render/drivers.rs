@@ -2,12 +2,12 @@
 
 use std::io::Write;
 
-use wirebend_app::{
+use wirebend_api::{
     DriverCheckResponse, DriverEntry, DriverState, DriverTrustResponse, DriversResponse, SeverityName,
 };
 
-use super::severity_style;
 use super::tables::table;
+use super::{advice, severity_style};
 
 pub(super) fn list(
     out: &mut impl Write,
@@ -21,7 +21,7 @@ pub(super) fn list(
             driver.version.clone().unwrap_or_default(),
             state(driver.state).to_owned(),
             formats.join(", "),
-            if driver.capabilities.contains(&wirebend_app::Capability::Live) { "yes" } else { "no" }
+            if driver.capabilities.contains(&wirebend_api::Capability::Live) { "yes" } else { "no" }
                 .to_owned(),
             driver.machines.join(", "),
         ]
@@ -44,7 +44,8 @@ const fn state(state: DriverState) -> &'static str {
 fn unusable(err: &mut impl Write, driver: &DriverEntry) -> std::io::Result<()> {
     let Some(problem) = &driver.problem else { return Ok(()) };
     let style = severity_style(SeverityName::Warning);
-    writeln!(err, "{style}{}{style:#}: {problem}", state(driver.state))
+    writeln!(err, "{style}{}{style:#}: {problem}", state(driver.state))?;
+    advice::write(err, &driver.remedies)
 }
 
 pub(super) fn check(err: &mut impl Write, found: &DriverCheckResponse) -> std::io::Result<()> {
@@ -73,7 +74,7 @@ pub(super) fn trust(err: &mut impl Write, found: &DriverTrustResponse) -> std::i
     writeln!(err, "{library}\nSHA-256 {hash}")?;
     writeln!(
         err,
-        "A driver runs with your rights. If this is the library that its author has given you, accept it with:"
+        "A driver runs with your rights. If this is the library that its author gave you, trust it with:"
     )?;
     writeln!(err, "  wirebend driver trust {library} --sha256 {hash}")
 }

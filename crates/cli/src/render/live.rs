@@ -2,18 +2,18 @@
 
 use std::io::Write;
 
-use wirebend_app::{
+use wirebend_api::{
     DoneBy, JogResponse, LeftBecause, MachineSettingsResponse, PortsResponse, RunOutcome, RunResponse,
     SeverityName, Standstill, StoppedBy, StoppedIn, Usb, WireRun, shown_deg,
 };
 
 use super::number::{count, duration};
 use super::tables::table;
-use super::{severity_style, written};
+use super::{advice, severity_style, written};
 
-/// The summary of a run: for whoever reads the result.
+/// The summary of a run, for the reader of the result.
 pub(super) fn run(out: &mut impl Write, err: &mut impl Write, found: &RunResponse) -> std::io::Result<()> {
-    // Warnings were told when they came; notes were not.
+    // Warnings were shown when they came; notes were not.
     super::notes(err, &found.notes)?;
     for wire in &found.wires {
         one_wire(out, err, wire)?;
@@ -23,9 +23,9 @@ pub(super) fn run(out: &mut impl Write, err: &mut impl Write, found: &RunRespons
         let why = match found.left_because {
             Some(LeftBecause::Declined) => "as you said",
             Some(LeftBecause::NobodyAsked) => {
-                "because nobody was there to say that the next wire is in: make each with --wire N"
+                "because it could not be confirmed that the next wire is loaded: run each with --wire N"
             }
-            None => "because the wire before them was not made",
+            None => "because the wire before them was not done",
         };
         writeln!(err, "not begun: wire {}, {why}", left.join(", "))?;
     }
@@ -35,19 +35,19 @@ pub(super) fn run(out: &mut impl Write, err: &mut impl Write, found: &RunRespons
 fn one_wire(out: &mut impl Write, err: &mut impl Write, wire: &WireRun) -> std::io::Result<()> {
     let WireRun { wire: index, id, made, steps, .. } = wire;
     let took = duration(wire.elapsed_s);
-    // What the clock says nobody has seen.
+    // What the clock counts was not observed.
     let made = match wire.done_by {
-        DoneBy::Machine => format!("{made} of {steps} steps made"),
+        DoneBy::Machine => format!("{made} of {steps} steps done"),
         DoneBy::Clock => {
-            format!("{made} of {steps} steps sent in full; the machine does not say whether it made them")
+            format!("{made} of {steps} steps sent in full; the machine does not report whether it ran them")
         }
     };
     let outcome = match wire.outcome {
-        RunOutcome::Made => format!("made in {took}, all {steps} steps"),
-        RunOutcome::MadeBefore => format!("made before, all {steps} steps: nothing was left to do"),
+        RunOutcome::Made => format!("finished in {took}, all {steps} steps"),
+        RunOutcome::MadeBefore => format!("finished before, all {steps} steps: nothing was left to do"),
         RunOutcome::Sent => {
             format!(
-                "sent, all {steps} steps; the machine does not say whether it made them: look at the wire"
+                "sent, all {steps} steps; the machine does not report whether it ran them: look at the wire"
             )
         }
         RunOutcome::Stopped => format!("stopped with {made}"),
@@ -61,12 +61,13 @@ fn one_wire(out: &mut impl Write, err: &mut impl Write, wire: &WireRun) -> std::
     if let Some(problem) = &wire.problem {
         let style = severity_style(SeverityName::Error);
         writeln!(err, "{style}error{style:#}[{}]: {}", problem.code, problem.message)?;
+        advice::write(err, &problem.remedies)?;
     }
     standing(err, wire.stopped_by, wire.standstill)?;
     if let Some([first, last]) = wire.in_doubt {
         let which = if first == last { format!("step {first}") } else { format!("steps {first} to {last}") };
         let was = if first == last { "was" } else { "were" };
-        writeln!(err, "nobody knows whether {which} of {steps} {was} made: look at the wire")?;
+        writeln!(err, "it is not known whether {which} of {steps} {was} done: look at the wire")?;
     }
     if let Some(StoppedIn { step, made, of, bend_at_deg, sure }) = &wire.stopped_in {
         let counted = if *sure { "" } else { ", as the machine counts" };
@@ -81,12 +82,12 @@ fn one_wire(out: &mut impl Write, err: &mut impl Write, wire: &WireRun) -> std::
         )?;
     }
     if let Some(resume) = &wire.resume {
-        writeln!(err, "go on with:\n  {resume}")?;
+        writeln!(err, "resume with:\n  {resume}")?;
     }
     Ok(())
 }
 
-/// Whether the machine stands, and what to do if nobody knows.
+/// Whether the machine stands, and what to do if that is not known.
 fn standing(
     err: &mut impl Write,
     by: Option<StoppedBy>,
@@ -99,7 +100,7 @@ fn standing(
             writeln!(err, "the machine has NOT confirmed that it stands: cut its power")
         }
         Some(Standstill::NotConfirmed | Standstill::Awaited) => {
-            writeln!(err, "the machine was not told to stop and may still be moving: cut its power")
+            writeln!(err, "the machine was not ordered to stop and may still be moving: cut its power")
         }
         None => Ok(()),
     }
@@ -108,14 +109,15 @@ fn standing(
 pub(super) fn jog(out: &mut impl Write, err: &mut impl Write, found: &JogResponse) -> std::io::Result<()> {
     let made = count(found.made.len(), "move", "moves");
     let stopped = if found.stopped { ", then stopped" } else { "" };
-    writeln!(out, "{made} of {} made{stopped}", found.of)?;
+    writeln!(out, "{made} of {} done{stopped}", found.of)?;
     if !found.made.is_empty() && found.made.len() < found.of {
         let each: Vec<String> = found.made.iter().map(ToString::to_string).collect();
-        writeln!(out, "  made: {}", each.join(", "))?;
+        writeln!(out, "  done: {}", each.join(", "))?;
     }
     if let Some(problem) = &found.problem {
         let style = severity_style(SeverityName::Error);
         writeln!(err, "{style}error{style:#}[{}]: {}", problem.code, problem.message)?;
+        advice::write(err, &problem.remedies)?;
     }
     standing(err, None, found.standstill)?;
     for note in found.notes.iter().filter(|note| note.code == "nothing-recorded") {
@@ -140,7 +142,8 @@ pub(super) fn ports(
         ]
     });
     table(out, ["port", "usb", "may well be", "what"], rows)?;
-    found.problems.iter().try_for_each(|problem| writeln!(err, "not asked: {problem}"))
+    found.problems.iter().try_for_each(|problem| writeln!(err, "not asked: {problem}"))?;
+    advice::write(err, &found.remedies)
 }
 
 fn described(description: &str, usb: Option<&Usb>) -> String {
@@ -155,7 +158,7 @@ pub(super) fn machine_settings(
 ) -> std::io::Result<()> {
     writeln!(out, "{} at {}", found.identity, found.port)?;
     if found.settings.is_empty() {
-        writeln!(out, "it is set as the profile of '{}' says", found.machine)?;
+        writeln!(out, "its settings match the profile '{}'", found.machine)?;
     } else {
         let rows = found.settings.iter().map(|setting| {
             let matters = if setting.matters { "wires come out wrong" } else { "does not matter" };

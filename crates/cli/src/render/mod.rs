@@ -1,9 +1,11 @@
 //! Responses as text for a person, or as JSON for a program.
 
+pub(crate) mod advice;
 mod compare;
 mod drivers;
 mod live;
 pub(crate) mod number;
+mod options;
 pub(crate) mod plan;
 mod profile;
 mod runs;
@@ -13,13 +15,14 @@ mod tables;
 use std::io::Write;
 
 use anstyle::{AnsiColor, Style};
-use wirebend_app::{
+use wirebend_api::{
     ExportResponse, ImportResponse, LeftBecause, NoteReport, Response, RunOutcome, RunResponse, SeverityName,
     Standstill,
 };
 
-use crate::errors::{WrongUse, exit};
-use crate::requests::Contents;
+use crate::contents::Contents;
+use crate::exit;
+use crate::usage::WrongUse;
 use number::{count, mm};
 
 /// Shows a response and gives the exit status that it deserves.
@@ -73,7 +76,7 @@ fn status(response: &Response) -> u8 {
         Response::Compare(found) => found.from.feasible,
         Response::ProfileCheck(found) => return if found.ok { exit::DONE } else { exit::BAD_INPUT },
         Response::DriverCheck(found) => return if found.kept { exit::DONE } else { exit::FAILURE },
-        // Whoever asked to have it accepted has to hear that it is not.
+        // A user who asked to accept it has to read that it is not accepted.
         Response::DriverTrust(found) => return if found.accepted { exit::DONE } else { exit::USAGE },
         Response::Run(found) => return status_of_run(found),
         Response::Jog(found) | Response::Replay(found) if may_move(found.standstill) => {
@@ -113,7 +116,7 @@ fn may_move(standstill: Option<Standstill>) -> bool {
 }
 
 /// A machine that may still be moving counts before all else, a wire that failed before one that was stopped, and that
-/// before what nobody confirmed.
+/// before what was not confirmed.
 fn status_of_run(found: &RunResponse) -> u8 {
     let any = |outcome| found.wires.iter().any(|wire| wire.outcome == outcome);
     match found.left_because {
@@ -161,7 +164,10 @@ pub(crate) fn severity_style(severity: SeverityName) -> Style {
 }
 
 pub(crate) fn notes(out: &mut impl Write, notes: &[NoteReport]) -> std::io::Result<()> {
-    notes.iter().try_for_each(|note| writeln!(out, "note: {}", note.message))
+    notes.iter().try_for_each(|note| {
+        writeln!(out, "note: {}", note.message)?;
+        advice::write(out, &note.remedies)
+    })
 }
 
 fn import(out: &mut impl Write, found: &ImportResponse) -> std::io::Result<()> {
@@ -191,7 +197,7 @@ fn export(out: &mut impl Write, found: &ExportResponse) -> std::io::Result<()> {
         let machine = &found.machine;
         writeln!(
             out,
-            "{style}warning{style:#}: this cannot be made on '{machine}'; `wirebend check` says why"
+            "{style}warning{style:#}: this cannot be bent on '{machine}'; `wirebend check` says why"
         )?;
     }
     written(out, found.files.iter())

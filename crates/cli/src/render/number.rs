@@ -1,18 +1,10 @@
 //! Numbers as a person reads them.
 
+use wirebend_api::number::{fixed, thousands};
+
 /// A length with one decimal and its thousands apart.
 pub(crate) fn mm(value: f64) -> String {
-    let text = format!("{:.1}", value.abs());
-    let (whole, decimals) = text.split_once('.').unwrap_or((&text, "0"));
-    let mut grouped = String::new();
-    for (k, digit) in whole.chars().enumerate() {
-        if k > 0 && (whole.len() - k) % 3 == 0 {
-            grouped.push('\u{202f}');
-        }
-        grouped.push(digit);
-    }
-    let sign = if value < 0.0 && text != "0.0" { "-" } else { "" };
-    format!("{sign}{grouped}.{decimals}")
+    thousands(&fixed(value, 1))
 }
 
 /// A duration as hours, minutes and seconds, from the largest that is needed.

@@ -3,12 +3,14 @@
 use std::collections::BTreeMap;
 use std::io::Write;
 
-use wirebend_app::{CheckResponse, DiagnosticReport, PlanReport, PlanResponse, SeverityName, WireReport};
+use wirebend_api::{
+    CheckResponse, DiagnosticCode, DiagnosticReport, PlanReport, PlanResponse, SeverityName, WireReport,
+};
 
 use super::number::{count, duration, mm};
-use super::{notes, severity_style, written};
+use super::{notes, options, severity_style, written};
 
-/// How many diagnostics of one code are told before the rest is counted.
+/// How many diagnostics of one code are listed before the rest is counted.
 const TOLD: usize = 6;
 
 pub(super) fn plan(out: &mut impl Write, found: &PlanResponse) -> std::io::Result<()> {
@@ -23,10 +25,10 @@ pub(super) fn plan(out: &mut impl Write, found: &PlanResponse) -> std::io::Resul
     }
     diagnostics(out, &found.report)?;
     if found.withheld {
-        // A job is made of what the machine is told, which a bend beyond its reach has not.
+        // A job holds what is sent to the machine, which a bend beyond its reach has not.
         let despite = wires.iter().all(|wire| wire.compensated.is_some());
-        let or = if despite { ", or write it all the same with --despite-errors" } else { "" };
-        writeln!(out, "no job was written: mend what the checks name{or}")?;
+        let or = if despite { ", or write it anyway with --despite-errors" } else { "" };
+        writeln!(out, "no job was written: fix the errors above{or}")?;
     }
     written(out, found.output.iter())
 }
@@ -48,7 +50,7 @@ fn wire(out: &mut impl Write, report: &WireReport) -> std::io::Result<()> {
         let doubled = match route.doubled_edges {
             0 => String::new(),
             edges => format!(
-                "; {} travelled twice, {} mm{}",
+                "; {} doubled, {} mm more{}",
                 count(edges, "edge", "edges"),
                 mm(route.doubled_mm),
                 if route.optimal { ", the least possible" } else { "" }
@@ -80,9 +82,10 @@ fn wire(out: &mut impl Write, report: &WireReport) -> std::io::Result<()> {
             out,
             "stock",
             format!(
-                "{} mm: {} mm are fed, the rest is a tail that cannot be",
+                "{} mm: {} mm fed + {} mm unusable tail",
                 mm(compensated.stock_mm),
-                mm(compensated.feed_mm)
+                mm(compensated.feed_mm),
+                mm(compensated.stock_mm - compensated.feed_mm)
             ),
         )?;
     }
@@ -105,7 +108,7 @@ fn wire(out: &mut impl Write, report: &WireReport) -> std::io::Result<()> {
 pub(super) fn check(out: &mut impl Write, found: &CheckResponse) -> std::io::Result<()> {
     notes(out, &found.notes)?;
     list(out, &found.diagnostics.iter().collect::<Vec<_>>())?;
-    let verdict = if found.feasible { "within the limits of" } else { "cannot be made on" };
+    let verdict = if found.feasible { "within the limits of" } else { "cannot be bent on" };
     summary(
         out,
         &format!("{verdict} {} with {}{}", found.machine, found.material, unchecked(found.feasible)),
@@ -119,7 +122,7 @@ pub(crate) fn diagnostics(out: &mut impl Write, report: &PlanReport) -> std::io:
     let mut all: Vec<&DiagnosticReport> = report.diagnostics().iter().chain(of_wires).collect();
     all.sort_by_key(|diagnostic| diagnostic.severity as u8);
     list(out, &all)?;
-    let verdict = if report.feasible() { "within the machine's limits" } else { "cannot be made as it is" };
+    let verdict = if report.feasible() { "within the machine's limits" } else { "cannot be bent as it is" };
     summary(out, &format!("{verdict}{}", unchecked(report.feasible())), &all)
 }
 
@@ -141,18 +144,18 @@ fn summary(out: &mut impl Write, verdict: &str, all: &[&DiagnosticReport]) -> st
 
 /// Diagnostics, the first few of each code in full and the rest as a count.
 fn list(out: &mut impl Write, all: &[&DiagnosticReport]) -> std::io::Result<()> {
-    let mut of_code: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut of_code: BTreeMap<DiagnosticCode, usize> = BTreeMap::new();
     for diagnostic in all {
         *of_code.entry(diagnostic.code).or_default() += 1;
     }
-    let mut told: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut told: BTreeMap<DiagnosticCode, usize> = BTreeMap::new();
     for diagnostic in all {
         let number = told.entry(diagnostic.code).or_default();
         *number += 1;
         if *number <= TOLD {
             one(out, diagnostic)?;
         }
-        let total = of_code.get(diagnostic.code).copied().unwrap_or_default();
+        let total = of_code.get(&diagnostic.code).copied().unwrap_or_default();
         if *number == TOLD + 1 {
             writeln!(out, "  … and {} more of {}; --json lists all", total - TOLD, diagnostic.code)?;
         }
@@ -173,7 +176,9 @@ fn one(out: &mut impl Write, diagnostic: &DiagnosticReport) -> std::io::Result<(
         writeln!(out, "    limit from {source}")?;
     }
     if diagnostic.severity != SeverityName::Info {
-        writeln!(out, "    help: {}", diagnostic.help)?;
+        let options = options::of(&diagnostic.remedies);
+        let by = if options.is_empty() { String::new() } else { format!(" [{}]", options.join(", ")) };
+        writeln!(out, "    help: {}{by}", diagnostic.help)?;
     }
     Ok(())
 }

@@ -1,20 +1,20 @@
-//! Profiles: whether they can be used, what was written, who set what.
+//! Profiles: whether they can be used, what was written, which profile set what.
 
 use std::io::Write;
 
 use anstyle::Style;
 use serde_json::Value;
-use wirebend_app::{
+use wirebend_api::{
     ProfileCheckResponse, ProfileExplainResponse, ProfileNewResponse, SamplePlace, SeverityName,
     SpringbackReport, SpringbackSample, ValueReport,
 };
 
-use super::severity_style;
 use super::tables::padded;
+use super::{advice, severity_style};
 
 /// The widest line.
 const COLUMNS: usize = 120;
-/// The widest cell of a value; a longer text is told in full below it.
+/// The widest cell of a value; a longer text is shown in full below it.
 const VALUE: usize = 26;
 
 /// What the last words of a key say of its value's unit; the longer ones first.
@@ -48,9 +48,10 @@ pub(super) fn check(out: &mut impl Write, found: &ProfileCheckResponse) -> std::
                 verdict.kind.unwrap_or("profile")
             )?;
         } else {
-            for error in &verdict.errors {
+            for problem in &verdict.problems {
                 let style = severity_style(SeverityName::Error);
-                writeln!(out, "{style}error{style:#}: {error}")?;
+                writeln!(out, "{style}error{style:#}: {}", problem.message)?;
+                advice::write(out, &problem.remedies)?;
             }
         }
     }

@@ -1,8 +1,8 @@
-//! What was made.
+//! What was bent.
 
 use std::io::Write;
 
-use wirebend_app::{
+use wirebend_api::{
     Outcome, PartInWire, RunEntry, RunsExportResponse, RunsResponse, RunsShowResponse, ToldBy,
 };
 
@@ -41,7 +41,7 @@ fn row(run: &RunEntry) -> [String; 7] {
 
 const fn outcome(outcome: Outcome) -> &'static str {
     match outcome {
-        Outcome::Finished => "made",
+        Outcome::Finished => "finished",
         Outcome::Sent => "sent, not acknowledged",
         Outcome::Abandoned => "given up",
         Outcome::Unfinished => "not over",
@@ -71,8 +71,8 @@ pub(super) fn show(out: &mut impl Write, found: &RunsShowResponse) -> std::io::R
     for decision in &record.decisions {
         let step = decision.step;
         let what = match decision.part {
-            _ if decision.made => format!("step {step} was made"),
-            None => format!("step {step} was not made"),
+            _ if decision.made => format!("step {step} was done"),
+            None => format!("step {step} was not done"),
             Some(PartInWire { feed_mm, rotate_deg, by }) => {
                 let by = match by {
                     ToldBy::Machine => "the machine counted",

@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use wirebend_app::{SimulateResponse, SimulationModel};
+use wirebend_api::{SimulateResponse, SimulationModel};
 
 use super::number::count;
 use super::{notes, written};
@@ -10,7 +10,7 @@ use super::{notes, written};
 pub(super) fn simulate(out: &mut impl Write, found: &SimulateResponse) -> std::io::Result<()> {
     notes(out, &found.notes)?;
     if found.model == SimulationModel::ClosedForm {
-        writeln!(out, "by formulas alone: there is no simulated machine that made this")?;
+        writeln!(out, "calculated: this machine has no simulator")?;
     }
     let several = found.wires.len() > 1;
     for (index, wire) in found.wires.iter().enumerate() {
@@ -41,6 +41,6 @@ pub(super) fn simulate(out: &mut impl Write, found: &SimulateResponse) -> std::i
             }
         }
     }
-    writeln!(out, "distances are taken with the first vertex and the first direction held in place")?;
+    writeln!(out, "distances are measured with the first vertex and the first direction fixed")?;
     written(out, found.files.iter())
 }

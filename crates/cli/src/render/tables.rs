@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use wirebend_app::{MachinesResponse, MaterialsResponse};
+use wirebend_api::{MachinesResponse, MaterialsResponse};
 
 pub(super) fn machines(out: &mut impl Write, found: &MachinesResponse) -> std::io::Result<()> {
     let rows = found.machines.iter().map(|machine| {

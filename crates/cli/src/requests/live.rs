@@ -1,17 +1,18 @@
 //! The requests of what moves a machine, or asks it.
 
-use wirebend_app::{
-    JogRequest, MachineSettingsRequest, Output, PortsRequest, ReplayRequest, Request, RunHow, RunRequest,
+use wirebend_api::{
+    Command, JogRequest, MachineSettingsRequest, Output, PortsRequest, ReplayRequest, RunHow, RunRequest,
     RunsExportRequest, RunsRequest, RunsShowRequest,
 };
 
-use super::{Contents, Prepared, input, place};
+use super::{Prepared, input, place};
 use crate::args::live::{
     Answer, JogArgs, MachineSettingsArgs, PortsArgs, ReplayArgs, RunArgs, RunsCommand, moves,
 };
-use crate::errors::WrongUse;
+use crate::contents::Contents;
+use crate::usage::WrongUse;
 
-pub(super) fn run(args: RunArgs) -> anyhow::Result<Request> {
+pub(super) fn run(args: RunArgs) -> anyhow::Result<Command> {
     let RunArgs { job, at, zero, wire, resume, abandon, accept_settings, record, force } = args;
     let wire = wire.map(|wire| wire.get() - 1);
     let how = match resume {
@@ -19,7 +20,7 @@ pub(super) fn run(args: RunArgs) -> anyhow::Result<Request> {
         None if abandon => RunHow::Abandon,
         None => RunHow::Begin,
     };
-    Ok(Request::Run(RunRequest {
+    Ok(Command::Run(RunRequest {
         job: input(&job)?,
         port: at.port,
         wire,
@@ -32,9 +33,9 @@ pub(super) fn run(args: RunArgs) -> anyhow::Result<Request> {
     }))
 }
 
-pub(super) fn jog(args: JogArgs) -> anyhow::Result<Request> {
+pub(super) fn jog(args: JogArgs) -> anyhow::Result<Command> {
     let JogArgs { machine, at, zero, record, force, moves: words } = args;
-    Ok(Request::Jog(JogRequest {
+    Ok(Command::Jog(JogRequest {
         machine,
         port: at.port,
         moves: moves(&words).map_err(WrongUse)?,
@@ -45,10 +46,10 @@ pub(super) fn jog(args: JogArgs) -> anyhow::Result<Request> {
     }))
 }
 
-pub(super) fn replay(args: ReplayArgs) -> anyhow::Result<Request> {
+pub(super) fn replay(args: ReplayArgs) -> anyhow::Result<Command> {
     let ReplayArgs { file, at, zero, machine } = args;
     let file = input(&file)?;
-    Ok(Request::Replay(ReplayRequest {
+    Ok(Command::Replay(ReplayRequest {
         file,
         machine,
         port: at.port,
@@ -58,25 +59,25 @@ pub(super) fn replay(args: ReplayArgs) -> anyhow::Result<Request> {
     }))
 }
 
-pub(super) fn ports(args: PortsArgs) -> Request {
+pub(super) fn ports(args: PortsArgs) -> Command {
     let PortsArgs { machine, driver } = args;
-    Request::Ports(PortsRequest { machine, driver })
+    Command::Ports(PortsRequest { machine, driver })
 }
 
-pub(super) fn machine_settings(args: MachineSettingsArgs) -> Request {
+pub(super) fn machine_settings(args: MachineSettingsArgs) -> Command {
     let MachineSettingsArgs { machine, at, write } = args;
-    Request::MachineSettings(MachineSettingsRequest { machine, port: at.port, write, confirmed: at.yes })
+    Command::MachineSettings(MachineSettingsRequest { machine, port: at.port, write, confirmed: at.yes })
 }
 
 pub(super) fn runs(command: RunsCommand) -> Prepared {
-    let written = |request| Prepared::Request(Box::new(request), Contents::Written);
+    let written = |request| Prepared::Command(Box::new(request), Contents::Written);
     match command {
-        RunsCommand::List => written(Request::Runs(RunsRequest {})),
-        RunsCommand::Show { id } => written(Request::RunsShow(RunsShowRequest { id })),
+        RunsCommand::List => written(Command::Runs(RunsRequest {})),
+        RunsCommand::Show { id } => written(Command::RunsShow(RunsShowRequest { id })),
         RunsCommand::Export { id, output } => {
             let (output, contents) = place(output, true);
-            let request = Request::RunsExport(RunsExportRequest { id, output });
-            Prepared::Request(Box::new(request), contents)
+            let request = Command::RunsExport(RunsExportRequest { id, output });
+            Prepared::Command(Box::new(request), contents)
         }
     }
 }

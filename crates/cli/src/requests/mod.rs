@@ -6,62 +6,54 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use anyhow::Context;
-use wirebend_app::{
-    CheckRequest, CompareRequest, DesignInput, DriverCheckRequest, DriverTrustRequest, DriversRequest,
-    DumpRequest, ExportRequest, ImportRequest, Input, MachinesRequest, MaterialsRequest, Output, PlanChoices,
-    PlanRequest, ProfileCheckRequest, ProfileExplainRequest, ProfileNewRequest, ProfilePlace, Request,
-    SimulateRequest,
+use wirebend_api::{
+    CheckRequest, Command, CompareRequest, DesignInput, DriverCheckRequest, DriverTrustRequest,
+    DriversRequest, DumpRequest, ExportRequest, ImportRequest, Input, MachinesRequest, MaterialsRequest,
+    Output, PlanChoices, PlanRequest, ProfileCheckRequest, ProfileExplainRequest, ProfileNewRequest,
+    ProfilePlace, SimulateRequest,
 };
 
 use crate::args::live::RunsCommand;
-use crate::args::{ChoiceArgs, Command, DesignArgs, DriverCommand, OutputArgs, ProfileCommand, ReadArgs};
-use crate::errors::{BadInput, WrongUse};
+use crate::args::{ChoiceArgs, DesignArgs, DriverCommand, OutputArgs, ProfileCommand, ReadArgs, Subcommands};
+use crate::contents::Contents;
+use crate::usage::{BadInput, WrongUse};
 
 /// The most that is read from standard input.
 const MOST_BYTES: u64 = 512 << 20;
 
-/// Where contents go that the application did not write to a file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Contents {
-    /// Nowhere: they were written, or not asked for.
-    Written,
-    /// To the standard output.
-    StandardOutput,
-}
-
 pub(crate) enum Prepared {
     /// To be run by the application.
-    Request(Box<Request>, Contents),
+    Command(Box<Command>, Contents),
     /// To be printed as it is.
     Text(Vec<u8>),
 }
 
-pub(crate) fn prepare(command: Command) -> anyhow::Result<Prepared> {
-    let written = |request| Prepared::Request(Box::new(request), Contents::Written);
+pub(crate) fn prepare(command: Subcommands) -> anyhow::Result<Prepared> {
+    let written = |request| Prepared::Command(Box::new(request), Contents::Written);
     Ok(match command {
-        Command::Machines => written(Request::Machines(MachinesRequest {})),
-        Command::Materials => written(Request::Materials(MaterialsRequest {})),
-        Command::Drivers => written(Request::Drivers(DriversRequest {})),
-        Command::Driver(DriverCommand::Check { library }) => {
-            written(Request::DriverCheck(DriverCheckRequest { library }))
+        Subcommands::Machines => written(Command::Machines(MachinesRequest {})),
+        Subcommands::Materials => written(Command::Materials(MaterialsRequest {})),
+        Subcommands::Drivers => written(Command::Drivers(DriversRequest {})),
+        Subcommands::Driver(DriverCommand::Check { library }) => {
+            written(Command::DriverCheck(DriverCheckRequest { library }))
         }
-        Command::Driver(DriverCommand::Trust { library, sha256 }) => {
-            written(Request::DriverTrust(DriverTrustRequest { library, sha256 }))
+        Subcommands::Driver(DriverCommand::Trust { library, sha256 }) => {
+            written(Command::DriverTrust(DriverTrustRequest { library, sha256 }))
         }
-        Command::Import { file, read, machine, material, output } => {
+        Subcommands::Import { file, read, machine, material, output } => {
             let (output, contents) = place(output, true);
             let design = design(&DesignArgs { file, read })?;
             let request = ImportRequest { design, machine, material, output };
-            Prepared::Request(Box::new(Request::Import(request)), contents)
+            Prepared::Command(Box::new(Command::Import(request)), contents)
         }
-        Command::Check { design: args, choices: chosen } => {
-            written(Request::Check(CheckRequest { design: design(&args)?, choices: choices(chosen) }))
+        Subcommands::Check { design: args, choices: chosen } => {
+            written(Command::Check(CheckRequest { design: design(&args)?, choices: choices(chosen) }))
         }
-        Command::Plan { design: args, choices: chosen, compare, .. } if !compare.is_empty() => {
+        Subcommands::Plan { design: args, choices: chosen, compare, .. } if !compare.is_empty() => {
             let (design, choices) = (design(&args)?, choices(chosen));
-            written(Request::Compare(CompareRequest { design, choices, against: compare }))
+            written(Command::Compare(CompareRequest { design, choices, against: compare }))
         }
-        Command::Plan { design: args, choices: chosen, output, danger, .. } => {
+        Subcommands::Plan { design: args, choices: chosen, output, danger, .. } => {
             let (output, contents) = place(output, false);
             let request = PlanRequest {
                 design: design(&args)?,
@@ -70,9 +62,9 @@ pub(crate) fn prepare(command: Command) -> anyhow::Result<Prepared> {
                 output,
                 despite_errors: danger.despite_errors,
             };
-            Prepared::Request(Box::new(Request::Plan(request)), contents)
+            Prepared::Command(Box::new(Command::Plan(request)), contents)
         }
-        Command::Export { design: args, choices: chosen, format, settings, output, danger } => {
+        Subcommands::Export { design: args, choices: chosen, format, settings, output, danger } => {
             let (output, contents) = place(output, true);
             let request = ExportRequest {
                 design: design(&DesignArgs { file: args.file, read: args.read })?,
@@ -82,9 +74,9 @@ pub(crate) fn prepare(command: Command) -> anyhow::Result<Prepared> {
                 output,
                 despite_errors: danger.despite_errors,
             };
-            Prepared::Request(Box::new(Request::Export(request)), contents)
+            Prepared::Command(Box::new(Command::Export(request)), contents)
         }
-        Command::Simulate { job, noise, runs, seed, svg, png, force } => {
+        Subcommands::Simulate { job, noise, runs, seed, svg, png, force } => {
             if [&svg, &png].into_iter().flatten().any(|path| path == Path::new("-")) {
                 return Err(
                     WrongUse("a picture goes to a file: name one after --svg or --png".to_owned()).into()
@@ -93,36 +85,36 @@ pub(crate) fn prepare(command: Command) -> anyhow::Result<Prepared> {
             let picture = |path: PathBuf| Output { path, force };
             let job = input(&job)?;
             let (svg, png) = (svg.map(picture), png.map(picture));
-            written(Request::Simulate(SimulateRequest { job, noise, runs, seed, svg, png }))
+            written(Command::Simulate(SimulateRequest { job, noise, runs, seed, svg, png }))
         }
-        Command::Run(args) => written(live::run(args)?),
-        Command::Jog(args) => written(live::jog(args)?),
-        Command::Replay(args) => written(live::replay(args)?),
-        Command::Ports(args) => written(live::ports(args)),
-        Command::MachineSettings(args) => written(live::machine_settings(args)),
-        Command::Runs { command } => live::runs(command.unwrap_or(RunsCommand::List)),
-        Command::Dump { stage, design: args, choices: chosen } => {
-            written(Request::Dump(DumpRequest { stage, design: design(&args)?, choices: choices(chosen) }))
+        Subcommands::Run(args) => written(live::run(args)?),
+        Subcommands::Jog(args) => written(live::jog(args)?),
+        Subcommands::Replay(args) => written(live::replay(args)?),
+        Subcommands::Ports(args) => written(live::ports(args)),
+        Subcommands::MachineSettings(args) => written(live::machine_settings(args)),
+        Subcommands::Runs { command } => live::runs(command.unwrap_or(RunsCommand::List)),
+        Subcommands::Dump { stage, design: args, choices: chosen } => {
+            written(Command::Dump(DumpRequest { stage, design: design(&args)?, choices: choices(chosen) }))
         }
-        Command::Profile(ProfileCommand::Check { files }) => {
-            written(Request::ProfileCheck(ProfileCheckRequest { files }))
+        Subcommands::Profile(ProfileCommand::Check { files }) => {
+            written(Command::ProfileCheck(ProfileCheckRequest { files }))
         }
-        Command::Profile(ProfileCommand::New { id, from, kind, name, all, output }) => {
+        Subcommands::Profile(ProfileCommand::New { id, from, kind, name, all, output }) => {
             let force = output.force;
             let (place, contents) = profile_place(output.output)?;
             let kind = kind.kind;
             let request = ProfileNewRequest { id, inherits: from, kind, name, all, place, force };
-            Prepared::Request(Box::new(Request::ProfileNew(request)), contents)
+            Prepared::Command(Box::new(Command::ProfileNew(request)), contents)
         }
-        Command::Profile(ProfileCommand::Explain { id, kind }) => {
-            written(Request::ProfileExplain(ProfileExplainRequest { id, kind: kind.kind }))
+        Subcommands::Profile(ProfileCommand::Explain { id, kind }) => {
+            written(Command::ProfileExplain(ProfileExplainRequest { id, kind: kind.kind }))
         }
-        Command::Completions { shell } => {
+        Subcommands::Completions { shell } => {
             let mut text = Vec::new();
             clap_complete::generate(shell, &mut crate::command(), "wirebend", &mut text);
             Prepared::Text(text)
         }
-        Command::Man => {
+        Subcommands::Man => {
             let mut text = Vec::new();
             clap_mangen::Man::new(crate::command()).render(&mut text)?;
             Prepared::Text(text)
@@ -149,7 +141,7 @@ fn profile_place(output: Option<PathBuf>) -> Result<(ProfilePlace, Contents), Wr
         None => {
             let homeless = "there is no home folder with profiles of your own: name a file with -o";
             let folder =
-                wirebend_app::Places::of_person().own.ok_or_else(|| WrongUse(homeless.to_owned()))?;
+                wirebend_api::Places::of_person().own.ok_or_else(|| WrongUse(homeless.to_owned()))?;
             (ProfilePlace::Folder(folder), Contents::Written)
         }
     })

@@ -2,51 +2,25 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // a test may stop at what cannot be
 
-#[cfg(target_os = "linux")]
-mod asked;
-#[cfg(target_os = "linux")]
-mod bender;
-#[cfg(target_os = "linux")]
-mod board;
-#[cfg(target_os = "linux")]
-mod board_limits;
-mod by_hand;
-mod c_drivers;
 mod compare;
-mod driver_limits;
-mod driver_settings;
-mod driver_settings_inherited;
+#[cfg(target_os = "linux")]
+mod documents;
 mod drivers;
-mod drivers_refused;
-#[cfg(target_os = "linux")]
-mod heads;
-mod interrupted;
-#[cfg(target_os = "linux")]
-mod lost;
+mod machine;
 mod outputs;
 mod profiles;
 mod programs;
-#[cfg(target_os = "linux")]
-mod random_stops;
 mod results;
-mod runs;
-#[cfg(target_os = "linux")]
-mod silent;
 mod simulations;
 mod statuses;
-#[cfg(target_os = "linux")]
-mod still_moving;
-#[cfg(target_os = "linux")]
-mod stop;
 mod wrong_files;
-#[cfg(target_os = "linux")]
-mod zeroed;
 
 #[cfg(target_os = "linux")]
-#[path = "../../../../drivers/grbl/tests/pty/model/mod.rs"]
+#[path = "../../../../drivers/grbl/tests/all/pty/model/mod.rs"]
 #[allow(dead_code)] // the driver's own tests use the rest
 mod grbl_model;
 
+use std::error::Error;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -102,7 +76,7 @@ fn run_program(program: &Path, folder: &Path, arguments: &[&str], input: &[u8]) 
     command
         .args(arguments)
         .current_dir(folder)
-        // The profiles of whoever runs the tests are not part of them.
+        // The profiles of the user who runs the tests are not part of them.
         .env("XDG_CONFIG_HOME", folder)
         .env("XDG_DATA_HOME", folder)
         .stdin(Stdio::piped())
@@ -131,11 +105,25 @@ fn run(arguments: &[&str]) -> Ran {
     run_in(folder.path(), arguments, b"")
 }
 
+/// A committed schema of a result.
+fn schema_file(name: &str) -> Value {
+    let file = root().join(format!("crates/api/schema/{name}.schema.json"));
+    serde_json::from_slice(&std::fs::read(file).unwrap()).unwrap()
+}
+
+/// Where a schema refers to another file it is one beside it.
+struct SchemaFolder;
+
+impl jsonschema::Retrieve for SchemaFolder {
+    fn retrieve(&self, uri: &jsonschema::Uri<String>) -> Result<Value, Box<dyn Error + Send + Sync>> {
+        let name = uri.path().as_str().trim_start_matches('/').strip_suffix(".schema.json");
+        Ok(schema_file(name.ok_or("no file of a schema")?))
+    }
+}
+
 /// Checks a result against the committed schema of its command.
 fn assert_fits(schema: &str, value: &Value) {
-    let file = root().join(format!("crates/app/schema/{schema}.schema.json"));
-    let schema: Value = serde_json::from_slice(&std::fs::read(file).unwrap()).unwrap();
-    let validator = jsonschema::validator_for(&schema).unwrap();
+    let validator = jsonschema::options().with_retriever(SchemaFolder).build(&schema_file(schema)).unwrap();
     let errors: Vec<String> =
         validator.iter_errors(value).map(|e| format!("{}: {e}", e.instance_path())).collect();
     assert!(errors.is_empty(), "{errors:#?}");

@@ -15,7 +15,14 @@ fn a_file_that_is_there_is_replaced_only_on_request() {
     let cube = example("cube-8-edges.obj");
     let export = ["export", &cube, "-m", "wirebend-kit", "-o", "cube.txt"];
     let said = run_in(folder.path(), &export, b"").ended(2).err;
-    assert!(said.contains("--force"), "{said}");
+    assert!(said.contains("error: cube.txt exists already\n"), "{said}");
+    assert!(said.contains("help: replace it with --force"), "{said}");
+    let json = run_in(folder.path(), &[&export[..], &["--json"]].concat(), b"").ended(2).json();
+    let remedies =
+        serde_json::json!([{"remedy": "choose-other-file"}, {"remedy": "overwrite", "path": "cube.txt"}]);
+    assert_eq!((&json["error"]["code"], &json["error"]["remedies"]), (&"exists".into(), &remedies), "{json}");
+    assert_eq!(json["error"]["message"], "cube.txt exists already");
+    assert_eq!(json["error"]["help"][1], "replace it with --force");
     assert_eq!(read(folder.path(), "cube.txt"), "mine");
     run_in(folder.path(), &[&export[..], &["--force"]].concat(), b"").ended(0);
     assert!(read(folder.path(), "cube.txt").contains("F 30.770"));
@@ -101,13 +108,13 @@ fn what_cannot_be_made_is_written_only_on_request() {
     let said = run_in(folder.path(), &[&export[..], &["--despite-errors"]].concat(), b"").ended(0).err;
     assert!(said.contains("warning"), "{said}");
     assert!(read(folder.path(), "bunny.txt").lines().count() > 400);
-    // A job that was made all the same keeps what was objected to.
+    // A job that was written anyway keeps what was objected to.
     let plan = ["plan", &bunny, "--face-edges", "--double", "-m", "wirebend-kit", "-o", "b.wbjob"];
     let said = run_in(folder.path(), &plan, b"").ended(4).err;
     assert!(said.contains("no job was written"), "{said}");
     run_in(folder.path(), &[&plan[..], &["--despite-errors"]].concat(), b"").ended(4);
     let said = run_in(folder.path(), &["export", "b.wbjob", "-o", "b.txt"], b"").ended(0).err;
-    assert!(said.contains("the job was made although") && said.contains("155.0°"), "{said}");
+    assert!(said.contains("the job was planned despite an error") && said.contains("155.0°"), "{said}");
     // A picture is no program.
     let picture =
         ["export", &bunny, "--face-edges", "--double", "-m", "wirebend-kit", "-f", "svg", "-o", "b.svg"];

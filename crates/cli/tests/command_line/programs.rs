@@ -51,7 +51,7 @@ fn a_compensated_program_is_never_compensated_twice() {
         let steps = of[stage]["steps"].as_array().unwrap();
         steps.iter().map(|step| step["bend_deg"].as_f64().unwrap().abs()).collect()
     };
-    // A cube has bends of 90° and, where it doubles an edge or crosses, others; the design's own plan tells which.
+    // A cube has bends of 90° and, where it doubles an edge or crosses, others; the design's own plan shows which.
     let cube = example("cube.obj");
     let own = run_in(folder.path(), &["plan", &cube, "-m", "wirebend-kit", "--double", "--json"], b"")
         .ended(0)
@@ -120,7 +120,7 @@ fn an_order_is_kept_of_programs_only() {
         run_in(folder.path(), &["plan", &house, "-m", "wirebend-kit", "--keep-order"], b"").ended(3).err;
     assert!(refused.contains("no order to keep"), "{refused}");
     run_in(folder.path(), &["plan", &house, "-m", "wirebend-kit", "--keep-order", "--double"], b"").ended(2);
-    // A table, read from its end to its start by nobody: the first feed stays the first.
+    // A table, never read from its end to its start: the first feed stays the first.
     std::fs::write(folder.path().join("part.csv"), "L,R,A\n30,0,45\n50,0,-45\n90,,\n").unwrap();
     let plan = ["plan", "part.csv", "-m", "wirebend-kit", "--clr", "0", "--keep-order", "--json"];
     let json = run_in(folder.path(), &plan, b"").json();

@@ -120,7 +120,7 @@ fn a_person_reads_both_lengths_and_what_to_do() {
     for said in [
         "240.0 mm as designed",
         "624.4 mm",
-        "224.4 mm are fed",
+        "224.4 mm fed + 400.0 mm unusable tail",
         "2 min 21 s",
         "within the machine's limits; collisions not checked",
     ] {
@@ -128,7 +128,9 @@ fn a_person_reads_both_lengths_and_what_to_do() {
     }
     assert!(done.out.is_empty(), "reports go to the error stream");
     let refused = run(&["plan", &example("cube.obj"), "--machine", "wirebend-kit"]).ended(4);
-    for said in ["no_euler_path", "8 vertices are odd", "travel 3 edges twice", "90.0 mm", "cannot be made"] {
+    for said in
+        ["no_euler_path", "8 vertices are odd", "double 3 edges", "90.0 mm", "[--double]", "cannot be bent"]
+    {
         assert!(refused.err.contains(said), "{said} is not in\n{}", refused.err);
     }
 }

@@ -68,7 +68,9 @@ fn with_errors_the_figures_over_all_runs_are_of_formulas() {
 #[test]
 fn the_report_says_how_it_was_found() {
     let folder = tempfile::tempdir().unwrap();
-    for (machine, said) in [("wirebend-kit", "simulated machine"), ("grbl-bender", "by formulas alone")] {
+    for (machine, said) in
+        [("wirebend-kit", "simulated machine"), ("grbl-bender", "this machine has no simulator")]
+    {
         let job = format!("{machine}.wbjob");
         run_in(
             folder.path(),

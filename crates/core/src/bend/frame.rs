@@ -29,9 +29,9 @@ impl Frame {
     pub fn looking(position: Point3<f64>, tangent: Vector3<f64>, towards: Vector3<f64>) -> Option<Self> {
         let t = tangent.try_normalize(0.0)?;
         let across = |v: Vector3<f64>| (v - t * t.dot(&v)).try_normalize(1e-9);
-        let least = t.iamin();
+        let axis = t.iamin();
         let n = across(towards.try_normalize(0.0).unwrap_or(towards))
-            .or_else(|| across(Vector3::ith(least, 1.0)))?;
+            .or_else(|| across(Vector3::ith(axis, 1.0)))?;
         Some(Self { position, axes: Matrix3::from_columns(&[t, n, t.cross(&n)]) })
     }
 

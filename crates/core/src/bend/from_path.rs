@@ -21,7 +21,7 @@ pub enum PathError {
 /// Replaying the program from that frame gives the path back, with its handedness. Bends are in
 /// [0°, 180°]; the rotation before a bend is the signed angle between its plane and the last valid
 /// one, and the first bend has none. Where the direction changes by no more than `straight`, the
-/// feed goes on and the plane is carried over; the next bend starts from the direction that the
+/// feed continues and the plane is carried over; the next bend starts from the direction that the
 /// wire really has, so directions do not drift. A fold back is a bend of 180° in the plane of the
 /// bend before it.
 ///

@@ -5,13 +5,17 @@
 //! whatever stages it has got through, so that a design that cannot be bent is still explained.
 
 mod bend_angle;
+mod code;
 mod coincident;
 mod diagnostic;
 mod edge_length;
 mod euler_path;
+mod fact;
 mod feed_length;
 mod fold_back;
+mod limit;
 mod parallel_edges;
+mod remedy;
 mod rotation;
 mod sharp_vertex;
 mod slight_bend;
@@ -21,7 +25,11 @@ mod wire_diameter;
 mod wires;
 mod zero_length;
 
-pub use diagnostic::{Code, Diagnostic, Limit, Place, Quantity, Severity};
+pub use code::Code;
+pub use diagnostic::{Diagnostic, Location, Severity};
+pub use fact::{BendOf, Fact};
+pub use limit::{Limit, LimitSource, Quantity, ReachLimit, Sourced};
+pub use remedy::Remedy;
 
 use crate::bend::NominalProgram;
 use crate::compensate::{CompensatedProgram, Compensation, StepError};
@@ -30,38 +38,31 @@ use crate::schedule::{RotationOutOfRange, ScheduledProgram};
 use crate::units::{Angle, Length};
 use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
 
-/// A limit with where it comes from.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Sourced<T> {
-    /// The limit.
-    pub value: T,
-    /// Where it comes from, for a person to read.
-    pub source: String,
-}
-
 /// What a machine can do.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MachineLimits {
     /// The bend farthest to the negative side; zero or less.
-    pub least_bend: Sourced<Angle>,
+    pub min_bend: Sourced<Angle>,
     /// The bend farthest to the positive side; zero or more.
-    pub largest_bend: Sourced<Angle>,
+    pub max_bend: Sourced<Angle>,
     /// The shortest designed edge between two bends.
-    pub least_edge: Sourced<Length>,
+    pub min_edge: Sourced<Length>,
     /// The shortest feed.
-    pub least_feed: Sourced<Length>,
+    pub min_feed: Sourced<Length>,
     /// The longest single feed, if there is one.
-    pub most_feed: Option<Sourced<Length>>,
+    pub max_feed: Option<Sourced<Length>>,
     /// The longest stock that it takes, if there is one.
-    pub most_stock: Option<Sourced<Length>>,
+    pub max_stock: Option<Sourced<Length>>,
     /// The end of the stock that cannot be fed.
     pub tail: Sourced<Length>,
     /// The thinnest wire.
-    pub least_diameter: Sourced<Length>,
+    pub min_diameter: Sourced<Length>,
     /// The thickest wire.
-    pub most_diameter: Sourced<Length>,
-    /// Where the limits of the head come from, the lower one first.
-    pub head_sources: [String; 2],
+    pub max_diameter: Sourced<Length>,
+    /// Where the lower limit of the head's rotation comes from; [`HeadLimits`](crate::schedule::HeadLimits) has its value.
+    pub min_rotation_source: String,
+    /// Where the upper limit of the head's rotation comes from.
+    pub max_rotation_source: String,
     /// Where the limit of the bend axis comes from; `BendModel` has its value.
     pub axis_source: String,
 }
@@ -79,7 +80,7 @@ pub struct Design<'a> {
 
 /// One wire, with the stages that it has got through.
 #[derive(Debug, Clone, Copy)]
-pub struct Wire<'a> {
+pub struct WireStages<'a> {
     /// The wireframe.
     pub wireframe: &'a Wireframe,
     /// The component that this wire covers.
@@ -116,7 +117,7 @@ pub struct Wire<'a> {
     pub limits: &'a MachineLimits,
 }
 
-impl Wire<'_> {
+impl WireStages<'_> {
     /// The vertex at which a step bends, or at which the wire ends.
     fn vertex_of_step(&self, step: usize) -> Option<VertexId> {
         let last = self.nominal?.spans.get(step)?.end.checked_sub(1)?;
@@ -131,8 +132,8 @@ impl Wire<'_> {
     }
 
     /// A step, the vertex at its bend and the edges of its feed.
-    fn place_of_step(&self, step: usize) -> Place {
-        Place {
+    fn location_of_step(&self, step: usize) -> Location {
+        Location {
             vertices: self.vertex_of_step(step).into_iter().collect(),
             edges: self.edges_of_step(step),
             step: Some(step),
@@ -153,7 +154,7 @@ pub fn check_design(design: &Design) -> Vec<Diagnostic> {
 
 /// Everything worth saying about a wire on a machine, in the order of the checks.
 #[must_use]
-pub fn check_wire(wire: &Wire) -> Vec<Diagnostic> {
+pub fn check_wire(wire: &WireStages) -> Vec<Diagnostic> {
     let checks = [
         euler_path::check,
         edge_length::check,

@@ -2,21 +2,17 @@
 
 use std::collections::BTreeMap;
 
-use super::{Code, Design, Diagnostic, Place, Severity};
+use super::{Design, Diagnostic, Fact, Location, Remedy, Severity};
 
 pub(super) fn check(design: &Design, found: &mut Vec<Diagnostic>) {
     let mut first = BTreeMap::new();
     for (id, edge) in design.wireframe.edges() {
         if let Some(&earlier) = first.get(&edge.ends()) {
             found.push(Diagnostic {
-                code: Code::ParallelEdges,
                 severity: Severity::Warning,
-                place: Place::at_edges([id, earlier]),
-                measured: None,
-                limit: None,
-                message: format!("edges {earlier} and {id} both join vertices {} and {}", edge.a, edge.b),
-                help: "delete one of them; an edge that has to be travelled twice is doubled by the route"
-                    .to_owned(),
+                location: Location::at_edges([id, earlier]),
+                fact: Fact::ParallelEdges { edges: [earlier, id], ends: [edge.a, edge.b] },
+                remedies: vec![Remedy::DeleteParallelEdge],
             });
         } else {
             first.insert(edge.ends(), id);

@@ -1,63 +1,55 @@
 //! Vertices through which no wire can be bent, whichever two edges it takes: known before there is a route.
 
-use super::bend_angle::reach_source;
-use super::{Code, Diagnostic, Limit, Place, Quantity, ROUNDING, Severity, Wire};
+use super::bend_angle::reach_limit;
+use super::{BendOf, Diagnostic, Fact, Location, ROUNDING, Remedy, Severity, WireStages};
 use crate::compensate::BendError;
-use crate::units::{Angle, digits_apart};
+use crate::units::Angle;
 use crate::wireframe::VertexId;
 
-pub(super) fn check(wire: &Wire, found: &mut Vec<Diagnostic>) {
-    // Of a route each bend is judged, and there are no others.
+pub(super) fn check(wire: &WireStages, found: &mut Vec<Diagnostic>) {
+    // A route has its own bends, and each of them is judged.
     if wire.route.is_some() {
         return;
     }
-    let limits = [&wire.limits.least_bend, &wire.limits.largest_bend];
-    let [least, largest] = limits;
-    let limit = if least.value.abs() > largest.value { least } else { largest };
+    let (min, max) = (&wire.limits.min_bend, &wire.limits.max_bend);
+    let limit = if min.value.abs() > max.value { min } else { max };
     for &vertex in &wire.component.vertices {
         let Some(bend) = gentlest(wire, vertex) else { continue };
-        let stated = Limit { value: Quantity::Angle(limit.value), source: limit.source.clone() };
-        let (code, most, limit) = if bend.deg() > limit.value.abs().deg() + ROUNDING {
-            (Code::BendTooSharp, limit.value.abs(), stated)
-        } else if let Some(most) = reach(wire, bend) {
-            let source = reach_source(wire, bend);
-            (Code::BendOutOfReach, most, Limit { value: Quantity::Angle(most), source })
+        let of = BendOf::Vertex;
+        let fact = if bend.deg() > limit.value.abs().deg() + ROUNDING {
+            Fact::BendTooSharp { bend, of, limit: limit.clone() }
+        } else if let Some(max) = max_reach(wire, bend) {
+            Fact::BendOutOfReach { bend, of, max, reach: reach_limit(wire, bend) }
         } else {
             continue;
         };
-        // Of a closed wire the two ends may lie at a vertex of two edges: there it is not bent.
+        // The two ends of a closed wire may lie at a vertex of two edges: there it is not bent.
         let passes = !wire.closed || wire.wireframe.incident(vertex).len() > 2;
-        let digits = digits_apart(bend.deg(), most.deg(), 1);
         found.push(Diagnostic {
-            code,
             severity: if passes { Severity::Error } else { Severity::Warning },
-            place: Place::at_vertices([vertex]),
-            measured: Some(Quantity::Angle(bend)),
-            limit: Some(limit),
-            message: format!(
-                "the gentlest bend at vertex {vertex} is {bend:.digits$}, more than the machine makes ({most:.digits$})"
-            ),
-            help: if passes {
-                "open the angle between two of its edges"
+            location: Location::at_vertices([vertex]),
+            fact,
+            remedies: if passes {
+                vec![Remedy::OpenAngleOfTwo]
             } else {
-                "open the angle between its edges, or start the wire there"
-            }
-            .to_owned(),
+                vec![Remedy::OpenAngle, Remedy::StartAtVertex]
+            },
         });
     }
 }
 
 /// The largest bend that the machine can press and keep with this wire, where the bend is beyond it to both sides.
-fn reach(wire: &Wire, bend: Angle) -> Option<Angle> {
-    let most = |side: Angle| match wire.compensation.bend.command(side) {
-        Err(BendError::OutOfReach { largest, .. }) => Some(largest),
+fn max_reach(wire: &WireStages, bend: Angle) -> Option<Angle> {
+    let max_to = |side: Angle| match wire.compensation.bend.command(side) {
+        Err(BendError::OutOfReach { max, .. }) => Some(max),
         _ => None,
     };
-    Some(most(bend)?.max(most(-bend)?))
+    Some(max_to(bend)?.max(max_to(-bend)?))
 }
 
-/// The least bend with which a wire passes through a vertex; none where it only ends, or where an edge has no length.
-fn gentlest(wire: &Wire, vertex: VertexId) -> Option<Angle> {
+/// The smallest bend with which a wire passes through a vertex; none where it only ends, or where an edge has no
+/// length.
+fn gentlest(wire: &WireStages, vertex: VertexId) -> Option<Angle> {
     let edges = wire.wireframe.incident(vertex);
     let out: Vec<_> =
         edges.iter().map(|&edge| wire.wireframe.direction(edge, vertex)).collect::<Option<_>>()?;

@@ -1,12 +1,12 @@
-//! Corners that are gentler than the bend axis resolves: the wire goes straight on there.
+//! Corners that are smaller than the bend axis resolves: the wire goes straight on there.
 
-use super::{Code, Diagnostic, Limit, Place, Quantity, Severity, Wire};
+use super::{Diagnostic, Fact, Location, Remedy, Severity, WireStages};
 use crate::units::Angle;
 
 /// Below this a corner is the rounding of a file with three decimals, not a design; degrees.
 const ROUNDING_DEG: f64 = 0.005;
 
-pub(super) fn check(wire: &Wire, found: &mut Vec<Diagnostic>) {
+pub(super) fn check(wire: &WireStages, found: &mut Vec<Diagnostic>) {
     let (Some(route), Some(nominal)) = (wire.route, wire.nominal) else { return };
     let within = nominal.spans.iter().flat_map(|span| span.start + 1..span.end);
     for (before, after) in
@@ -19,20 +19,14 @@ pub(super) fn check(wire: &Wire, found: &mut Vec<Diagnostic>) {
             continue;
         }
         found.push(Diagnostic {
-            code: Code::CornerNotMade,
             severity: Severity::Warning,
-            place: Place { vertices: vec![after.from], edges: vec![before.edge, after.edge], step: None },
-            measured: Some(Quantity::Angle(corner)),
-            limit: Some(Limit {
-                value: Quantity::Angle(wire.straight),
-                source: "half of what the bend axis resolves".to_owned(),
-            }),
-            message: format!(
-                "the corner at vertex {} is {corner:.3}, less than the bend axis can make: the wire goes straight on",
-                after.from
-            ),
-            help: "make the corner straight or sharper; what follows is bent from where the wire really points"
-                .to_owned(),
+            location: Location {
+                vertices: vec![after.from],
+                edges: vec![before.edge, after.edge],
+                step: None,
+            },
+            fact: Fact::CornerNotMade { vertex: after.from, corner, straight: wire.straight },
+            remedies: vec![Remedy::Straighten, Remedy::EnlargeBend],
         });
     }
 }

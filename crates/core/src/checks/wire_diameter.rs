@@ -1,26 +1,24 @@
 //! Whether the wire fits the machine at all.
 
-use super::{Code, Diagnostic, Limit, Place, Quantity, Severity, Wire};
+use super::{Diagnostic, Fact, Location, Remedy, Severity, WireStages};
 
-pub(super) fn check(wire: &Wire, found: &mut Vec<Diagnostic>) {
-    let (least, most) = (&wire.limits.least_diameter, &wire.limits.most_diameter);
-    let (limit, verdict) = if wire.diameter < least.value {
-        (least, "thinner")
-    } else if wire.diameter > most.value {
-        (most, "thicker")
+pub(super) fn check(wire: &WireStages, found: &mut Vec<Diagnostic>) {
+    let (min, max) = (&wire.limits.min_diameter, &wire.limits.max_diameter);
+    let limit = if wire.diameter < min.value {
+        min
+    } else if wire.diameter > max.value {
+        max
     } else {
         return;
     };
     found.push(Diagnostic {
-        code: Code::WireDoesNotFit,
         severity: Severity::Error,
-        place: Place::default(),
-        measured: Some(Quantity::Length(wire.diameter)),
-        limit: Some(Limit { value: Quantity::Length(limit.value), source: limit.source.clone() }),
-        message: format!(
-            "a wire of {:.2} is {verdict} than the machine takes ({:.2} to {:.2})",
-            wire.diameter, least.value, most.value
-        ),
-        help: "choose another material, or another machine".to_owned(),
+        location: Location::default(),
+        fact: Fact::WireDoesNotFit {
+            diameter: wire.diameter,
+            range: [min.value, max.value],
+            source: limit.source.clone(),
+        },
+        remedies: vec![Remedy::ChooseMaterial, Remedy::ChooseMachine],
     });
 }

@@ -14,7 +14,7 @@ use crate::units::{Angle, Length};
 
 pub use feed::FeedModel;
 pub(crate) use feed::{corner, with_bend_before};
-pub use setback::{PegGeometry, PegGeometryError};
+pub use setback::{PegGeometry, PegGeometryError, PegRadius};
 pub use springback::{Springback, SpringbackCurve, SpringbackError, SpringbackPoint};
 
 /// From a bend that is to be left to the position of the bend axis, and back.
@@ -32,26 +32,21 @@ pub struct BendModel {
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum BendError {
     /// The axis or the peg cannot go that far.
-    #[error(
-        "a bend of {bend:.digits$} is out of reach: the largest that can be made to this side is {largest:.digits$}",
-        digits = crate::units::digits_apart(bend.abs().deg(), largest.deg(), 2)
-    )]
+    #[error("a bend of {bend} is out of reach: the largest to this side is {max}")]
     OutOfReach {
         /// The bend.
         bend: Angle,
         /// The largest one to the same side.
-        largest: Angle,
+        max: Angle,
     },
     /// The axis would have to stop before the middle, on the side of the opposite bends.
-    #[error("a bend of {bend:.2} is too small: the peg would stop on the far side of the wire's axis")]
+    #[error("a bend of {bend:.2} is too small: the axis would stop before the middle")]
     TooSmall {
         /// The bend.
         bend: Angle,
     },
     /// The wire folds back: its straight parts have no corner from which a feed could be reckoned.
-    #[error(
-        "a bend of {bend:.2} folds the wire back on itself: the feeds on both sides cannot be compensated"
-    )]
+    #[error("a bend of {bend:.2} folds the wire back: it has no corner to compensate feeds for")]
     FoldBack {
         /// The bend.
         bend: Angle,
@@ -67,7 +62,7 @@ impl BendModel {
         if bend == Angle::ZERO {
             return Ok(bend);
         }
-        let out_of_reach = || BendError::OutOfReach { bend, largest: self.largest(bend) };
+        let out_of_reach = || BendError::OutOfReach { bend, max: self.max_bend(bend) };
         let axis = self.axis(bend).ok_or_else(out_of_reach)?;
         if axis <= Angle::ZERO {
             return Err(BendError::TooSmall { bend });
@@ -94,12 +89,12 @@ impl BendModel {
             None => command.abs(),
         };
         let pressed = Angle::computed(command.signum() * pressed.rad());
-        self.springback.as_ref().map_or(pressed, |model| model.left(pressed))
+        self.springback.as_ref().map_or(pressed, |model| model.formed(pressed))
     }
 
     /// The largest bend that can be made to the side of `side`, as a magnitude up to 180°.
     #[must_use]
-    pub fn largest(&self, side: Angle) -> Angle {
+    pub fn max_bend(&self, side: Angle) -> Angle {
         let sign = if side < Angle::ZERO { -1.0 } else { 1.0 };
         let reachable = |size: f64| self.axis(Angle::computed(sign * size)).is_some();
         if reachable(std::f64::consts::PI) {
@@ -128,7 +123,7 @@ pub struct CompensatedProgram {
 impl CompensatedProgram {
     /// A program that was compensated before and has been kept in a job whose hash still fits.
     #[must_use]
-    pub fn kept(steps: Vec<Step>) -> Self {
+    pub fn from_job_steps(steps: Vec<Step>) -> Self {
         Self { steps }
     }
 

@@ -18,21 +18,30 @@ pub struct PegGeometry {
     reach: f64,
 }
 
+/// A radius of [`PegGeometry`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PegRadius {
+    /// Radius R of the peg's orbit.
+    Orbit,
+    /// Centreline radius `r_n` of the wire around the pin.
+    Pin,
+    /// Effective radius `r_e` of the peg.
+    Peg,
+}
+
 /// Why dimensions are not those of a peg bender.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum PegGeometryError {
     /// A radius is not more than zero.
-    #[error("{name} is {value}: it must be more than 0 mm")]
+    #[error("the radius of the {radius:?} is {value}; it is more than 0 mm")]
     NotPositive {
-        /// Which dimension.
-        name: &'static str,
+        /// Which radius.
+        radius: PegRadius,
         /// Its value.
         value: Length,
     },
     /// The peg cannot touch a straight wire.
-    #[error(
-        "the peg never touches the wire: its orbit of radius {orbit_radius} is smaller than its contact distance {peg}"
-    )]
+    #[error("an orbit of radius {orbit_radius} is smaller than the contact distance {peg} of the peg")]
     NoContact {
         /// R.
         orbit_radius: Length,
@@ -40,9 +49,7 @@ pub enum PegGeometryError {
         peg: Length,
     },
     /// The peg meets the wire's axis only behind the pin.
-    #[error(
-        "the peg never touches the wire: with an orbit offset of {offset} its orbit of radius {orbit_radius} ends before the pin"
-    )]
+    #[error("an orbit of offset {offset} and radius {orbit_radius} ends before the pin")]
     Behind {
         /// s.
         offset: Length,
@@ -64,9 +71,11 @@ impl PegGeometry {
         pin: Length,
         peg: Length,
     ) -> Result<Self, PegGeometryError> {
-        for (name, value) in [("orbit radius", orbit_radius), ("pin radius", pin), ("peg radius", peg)] {
+        for (radius, value) in
+            [(PegRadius::Orbit, orbit_radius), (PegRadius::Pin, pin), (PegRadius::Peg, peg)]
+        {
             if value <= Length::ZERO {
-                return Err(PegGeometryError::NotPositive { name, value });
+                return Err(PegGeometryError::NotPositive { radius, value });
             }
         }
         if peg >= orbit_radius {

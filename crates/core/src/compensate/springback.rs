@@ -29,13 +29,15 @@ pub struct SpringbackPoint {
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum SpringbackError {
     /// No pair at all.
-    #[error("a springback table needs at least one measured pair")]
+    #[error("a springback table without a pair")]
     Empty,
     /// A loss or a bend below zero.
-    #[error("pair {0} of the springback table: the formed angle and the loss must not be negative")]
+    #[error("pair {0} of the springback table, from 0: formed angle or loss is negative")]
     Range(usize),
     /// Pairs out of order, or a larger command that would leave a smaller bend.
-    #[error("pair {0} of the springback table: formed angle and formed angle plus loss must both increase")]
+    #[error(
+        "pair {0} of the springback table, from 0: formed angle or formed angle plus loss does not increase"
+    )]
     NotIncreasing(usize),
 }
 
@@ -77,7 +79,7 @@ impl SpringbackCurve {
     }
 
     /// The angle that is left; zero where the wire springs back all the way.
-    fn left(&self, bent: f64) -> f64 {
+    fn formed(&self, bent: f64) -> f64 {
         self.along(bent, |[formed, bent]| [bent, formed]).max(0.0)
     }
 
@@ -110,10 +112,10 @@ impl Springback {
     /// The angle that is left of a bend: the inverse of [`Springback::bend_to`]. A bend that is no
     /// larger than what the wire springs back leaves none.
     #[must_use]
-    pub fn left(&self, bent: Angle) -> Angle {
+    pub fn formed(&self, bent: Angle) -> Angle {
         let magnitude = match self {
             Self::Constant(loss) => (bent.abs().rad() - loss.rad()).max(0.0),
-            Self::Table { .. } => self.curve(bent).map_or(0.0, |curve| curve.left(bent.abs().rad())),
+            Self::Table { .. } => self.curve(bent).map_or(0.0, |curve| curve.formed(bent.abs().rad())),
         };
         Angle::computed(bent.signum() * magnitude)
     }

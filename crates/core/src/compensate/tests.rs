@@ -91,13 +91,13 @@ fn the_range_of_the_published_bender_is_within_reach() {
 #[test]
 fn unreachable_bends_say_what_can_be_made() {
     let limited = BendModel { axis_limit: Some(deg(100.0)), ..published() };
-    let Err(BendError::OutOfReach { bend, largest }) = limited.command(deg(120.0)) else {
+    let Err(BendError::OutOfReach { bend, max }) = limited.command(deg(120.0)) else {
         panic!("120° needs the axis beyond 100°")
     };
     assert_eq!(bend, deg(120.0));
-    assert!(limited.command(largest).is_ok());
-    assert!(limited.command(largest + deg(1e-3)).is_err());
-    assert_eq!(limited.largest(deg(-1.0)), largest, "both sides are alike");
+    assert!(limited.command(max).is_ok());
+    assert!(limited.command(max + deg(1e-3)).is_err());
+    assert_eq!(limited.max_bend(deg(-1.0)), max, "both sides are alike");
     // Without springback a bend of 1° is pressed before the peg's centre reaches the wire's axis.
     let bare = BendModel { springback: None, ..published() };
     assert_eq!(bare.command(deg(1.0)), Err(BendError::TooSmall { bend: deg(1.0) }));
@@ -121,7 +121,7 @@ fn the_table_goes_through_what_was_measured_and_its_sides_differ() {
     // Outside of what was measured the loss stays that of the nearest pair.
     assert!((table.bend_to(deg(150.0)).deg() - 158.6).abs() < 1e-9);
     assert!((table.bend_to(deg(2.0)).deg() - 6.9).abs() < 1e-9);
-    assert_eq!(table.left(deg(4.8)), Angle::ZERO);
+    assert_eq!(table.formed(deg(4.8)), Angle::ZERO);
 }
 
 #[test]
@@ -134,7 +134,7 @@ fn wrong_tables_and_dimensions_are_refused() {
     assert_eq!(SpringbackCurve::new(&falling), Err(SpringbackError::NotIncreasing(1)));
     assert!(matches!(
         PegGeometry::new(mm(20.0), mm(12.0), mm(0.0), mm(4.0)),
-        Err(PegGeometryError::NotPositive { name: "pin radius", .. })
+        Err(PegGeometryError::NotPositive { radius: PegRadius::Pin, .. })
     ));
     assert!(matches!(
         PegGeometry::new(mm(4.0), mm(12.0), mm(3.0), mm(4.0)),

@@ -12,9 +12,9 @@ use crate::units::{Angle, Length};
 
 /// No curve is cut into more pieces than this, whatever the tolerance. A circle of a kilometre needs fewer at
 /// 0.1 µm.
-const MOST_PIECES: f64 = 524_288.0;
+const MAX_PIECES: f64 = 524_288.0;
 /// As many times a curve is halved at most.
-const MOST_HALVINGS: u32 = 19;
+const MAX_HALVINGS: u32 = 19;
 
 /// An arc of an ellipse: `centre + u·cos t + v·sin t`, with t from `start` on over `sweep`.
 ///
@@ -30,7 +30,7 @@ pub struct EllipticArc {
     pub v: Vector3<f64>,
     /// Where it starts.
     pub start: Angle,
-    /// How far it goes on, backwards if negative.
+    /// How far it continues, backwards if negative.
     pub sweep: Angle,
 }
 
@@ -67,9 +67,9 @@ impl EllipticArc {
         let (uu, uv, vv) = (self.u.norm_squared(), self.u.dot(&self.v), self.v.norm_squared());
         let longest = (f64::midpoint(uu, vv) + (0.5 * (uu - vv)).hypot(uv)).sqrt();
         let half_step = (1.0 - (tolerance.mm() / longest).clamp(0.0, 1.0)).acos();
-        let step = (2.0 * half_step).clamp(TAU / MOST_PIECES, FRAC_PI_2);
+        let step = (2.0 * half_step).clamp(TAU / MAX_PIECES, FRAC_PI_2);
         // A whole circle of a step that divides it has no piece more for the last bit.
-        let pieces = (self.sweep.rad().abs() / step - 1e-9).ceil().clamp(1.0, MOST_PIECES);
+        let pieces = (self.sweep.rad().abs() / step - 1e-9).ceil().clamp(1.0, MAX_PIECES);
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // clamped
         let count = pieces as u32;
         let at = |k: u32| self.start.rad() + self.sweep.rad() * (f64::from(k) / pieces);
@@ -97,10 +97,10 @@ pub enum SplineError {
         expected: usize,
     },
     /// More points than the caller has room for.
-    #[error("at this tolerance it has more than {most} points")]
+    #[error("at this tolerance it has more than {max_points} points")]
     TooManyPoints {
         /// How many there may be.
-        most: usize,
+        max_points: usize,
     },
     /// A knot below the one before it, or one so often that the curve falls apart.
     #[error("knot {knot} is out of order or repeated too often")]
@@ -191,8 +191,8 @@ impl Spline {
     /// is halved until those are near the straight line between its ends.
     ///
     /// # Errors
-    /// [`SplineError::TooManyPoints`] as soon as there are more than `most`.
-    pub fn flatten(&self, tolerance: Length, most: usize) -> Result<Vec<Point3<f64>>, SplineError> {
+    /// [`SplineError::TooManyPoints`] as soon as there are more than `max_points`.
+    pub fn flatten(&self, tolerance: Length, max_points: usize) -> Result<Vec<Point3<f64>>, SplineError> {
         let mut points = Vec::new();
         for span in self.degree..self.control.len() {
             if self.knots[span] < self.knots[span + 1] {
@@ -200,7 +200,7 @@ impl Spline {
                 if points.is_empty() {
                     points.push(cartesian(&piece[0]));
                 }
-                flatten_piece(piece, tolerance.mm(), &mut points, most)?;
+                flatten_piece(piece, tolerance.mm(), &mut points, max_points)?;
             }
         }
         Ok(points)
@@ -238,15 +238,15 @@ fn flatten_piece(
     piece: Vec<Vector4<f64>>,
     tolerance: f64,
     points: &mut Vec<Point3<f64>>,
-    most: usize,
+    max_points: usize,
 ) -> Result<(), SplineError> {
     let mut waiting = vec![(piece, 0)];
     while let Some((mut left, halvings)) = waiting.pop() {
         let ends = (cartesian(&left[0]), cartesian(&left[left.len() - 1]));
         let near = |point| distance_to_segment(&cartesian(point), &ends.0, &ends.1) <= tolerance;
-        if halvings == MOST_HALVINGS || left[1..left.len() - 1].iter().all(near) {
-            if points.len() >= most {
-                return Err(SplineError::TooManyPoints { most });
+        if halvings == MAX_HALVINGS || left[1..left.len() - 1].iter().all(near) {
+            if points.len() >= max_points {
+                return Err(SplineError::TooManyPoints { max_points });
             }
             points.push(ends.1);
             continue;

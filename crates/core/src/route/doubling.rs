@@ -4,13 +4,13 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use super::RouteError;
-use super::matching::least_cost_pairs;
+use super::matching::min_cost_pairs;
 use super::network::Network;
 use crate::units::Length;
 use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
 
 /// The most entries of search trees that are kept, 64 MiB of them.
-const MOST_KEPT: usize = 1 << 24;
+const MAX_KEPT: usize = 1 << 24;
 
 /// No link leads to the root of a search.
 const NOWHERE: u32 = u32::MAX;
@@ -27,7 +27,7 @@ pub struct Doubling {
 /// The edges whose doubling makes a route possible and adds the least length; no set is shorter.
 ///
 /// For an open route two odd vertices stay odd, the best two, and with a wanted `start` that one and
-/// the best other. For a closed one none does. More than `most_odd` odd vertices are refused: memory
+/// the best other. For a closed one none does. More than `max_odd` odd vertices are refused: memory
 /// grows with their square and time with their cube (400 take a third of a second, 1500 a quarter of
 /// a minute).
 ///
@@ -38,7 +38,7 @@ pub fn doubling(
     component: &Component,
     start: Option<VertexId>,
     closed: bool,
-    most_odd: usize,
+    max_odd: usize,
 ) -> Result<Doubling, RouteError> {
     if component.edges.is_empty() {
         return Err(RouteError::NoEdges);
@@ -62,14 +62,14 @@ pub fn doubling(
         }
         free = 1;
     }
-    if terminals.len() > most_odd {
-        return Err(RouteError::TooManyOdd { odd: terminals.len(), most: most_odd });
+    if terminals.len() > max_odd {
+        return Err(RouteError::TooManyOdd { odd: terminals.len(), max: max_odd });
     }
     let count = terminals.len();
     let mut search = Search::new(&network);
     let mut distances = vec![0; count * count];
     // Where they fit, the searches are kept for the paths; else those of the pairs are run again.
-    let keep = count * network.vertices.len() <= MOST_KEPT;
+    let keep = count * network.vertices.len() <= MAX_KEPT;
     let mut kept: Vec<Vec<u32>> = Vec::new();
     for (k, &root) in terminals.iter().enumerate() {
         search.run(&network, root, &terminals[k + 1..]);
@@ -80,7 +80,7 @@ pub fn doubling(
             distances[k * count + j] = search.distance[other];
         }
     }
-    let pairs = least_cost_pairs(count + free, |k, j| match (k < count, j < count) {
+    let pairs = min_cost_pairs(count + free, |k, j| match (k < count, j < count) {
         (true, true) => Some(distances[k * count + j]),
         (true, false) => Some(0),
         _ => None,

@@ -9,7 +9,7 @@ const FEW: usize = 8;
 /// for each pair, lower index first; `None` forbids the pair. Where no perfect matching avoids the
 /// forbidden pairs, those that it needs are left out of the result. Each pair of the result has its
 /// lower index first, and they are in ascending order.
-pub(super) fn least_cost_pairs(
+pub(super) fn min_cost_pairs(
     count: usize,
     cost: impl Fn(usize, usize) -> Option<i64>,
 ) -> Vec<(usize, usize)> {
@@ -69,10 +69,10 @@ mod tests {
     #[test]
     fn a_forbidden_pair_is_left_out_where_nothing_else_is_possible() {
         // 0 and 1 are the two ends of a wire; they may not meet, and 2 and 3 may.
-        let pairs = least_cost_pairs(4, |a, b| ((a, b) != (0, 1)).then_some(10));
+        let pairs = min_cost_pairs(4, |a, b| ((a, b) != (0, 1)).then_some(10));
         assert_eq!(pairs.len(), 2);
         assert!(!pairs.contains(&(0, 1)));
-        assert_eq!(least_cost_pairs(2, |_, _| None), []);
+        assert_eq!(min_cost_pairs(2, |_, _| None), []);
     }
 
     proptest! {

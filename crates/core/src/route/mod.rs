@@ -82,7 +82,7 @@ pub struct RouteOptions {
     /// Whether the wire must end where it starts.
     pub closed: bool,
     /// The largest bend that the machine makes; larger ones are avoided where possible.
-    pub sharpest_bend: Option<Angle>,
+    pub max_bend: Option<Angle>,
 }
 
 /// Why there is no route.
@@ -114,28 +114,28 @@ pub enum RouteError {
     #[error("edge {0} is to be doubled but is not part of this wire")]
     DoubledElsewhere(EdgeId),
     /// More edges at one vertex than can be paired.
-    #[error("{ends} edge ends meet at vertex {vertex}: they can be paired for up to {most}")]
+    #[error("{ends} edge ends meet at vertex {vertex}: they can be paired for up to {max}")]
     TooManyEnds {
         /// The vertex.
         vertex: VertexId,
         /// How many ends meet there, those of doubled edges included.
         ends: usize,
         /// How many may.
-        most: usize,
+        max: usize,
     },
     /// More odd vertices than can be matched exactly.
-    #[error("{odd} vertices are odd: the cheapest doubling can be found for up to {most}")]
+    #[error("{odd} vertices are odd: the cheapest doubling can be found for up to {max}")]
     TooManyOdd {
         /// How many there are.
         odd: usize,
         /// How many there may be.
-        most: usize,
+        max: usize,
     },
 }
 
 /// The most edge ends at one vertex that are paired: time grows with their cube. No wire comes through
 /// one point a hundred times.
-const MOST_ENDS: usize = 200;
+const MAX_ENDS: usize = 200;
 
 /// A route through every edge of a component.
 ///
@@ -184,11 +184,11 @@ pub fn route(
         meeting[network.links[copy].a] += 1;
         meeting[network.links[copy].b] += 1;
     }
-    if let Some(vertex) = meeting.iter().position(|&ends| ends > MOST_ENDS) {
+    if let Some(vertex) = meeting.iter().position(|&ends| ends > MAX_ENDS) {
         let (vertex, ends) = (network.vertices[vertex], meeting[vertex]);
-        return Err(RouteError::TooManyEnds { vertex, ends, most: MOST_ENDS });
+        return Err(RouteError::TooManyEnds { vertex, ends, max: MAX_ENDS });
     }
-    let mut pairing = Pairing::new(&network, &copies, ends, options.sharpest_bend);
+    let mut pairing = Pairing::new(&network, &copies, ends, options.max_bend);
     trails::join(&mut pairing);
     let mut travelled = vec![false; network.links.len()];
     let traversals = trails::walk(&pairing)

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::matching::least_cost_pairs;
+use super::matching::min_cost_pairs;
 use super::network::Network;
 use crate::units::Angle;
 
@@ -21,7 +21,7 @@ pub(super) struct Pairing<'a> {
     network: &'a Network,
     /// The link of each copy: every link once, and each doubled one once more.
     copies: &'a [usize],
-    sharpest: f64,
+    max_bend_deg: f64,
     has_wire_ends: bool,
     /// Who follows whom.
     mate: Vec<End>,
@@ -36,7 +36,7 @@ impl<'a> Pairing<'a> {
         network: &'a Network,
         copies: &'a [usize],
         ends: Option<(usize, usize)>,
-        sharpest: Option<Angle>,
+        max_bend: Option<Angle>,
     ) -> Self {
         let mut meeting: Vec<Vec<End>> = vec![Vec::new(); network.vertices.len()];
         for (copy, &link) in copies.iter().enumerate() {
@@ -50,14 +50,14 @@ impl<'a> Pairing<'a> {
         let mut pairing = Self {
             network,
             copies,
-            sharpest: sharpest.map_or(180.0, Angle::deg),
+            max_bend_deg: max_bend.map_or(180.0, Angle::deg),
             has_wire_ends: ends.is_some(),
             mate: vec![usize::MAX; 2 * copies.len() + if ends.is_some() { 2 } else { 0 }],
             at: Vec::with_capacity(meeting.len()),
         };
         for ends in meeting {
             // The two ends of the wire follow nothing, least of all each other.
-            let matched = least_cost_pairs(ends.len(), |k, j| {
+            let matched = min_cost_pairs(ends.len(), |k, j| {
                 let both = pairing.is_wire_end(ends[k]) && pairing.is_wire_end(ends[j]);
                 (!both).then(|| pairing.cost(ends[k], ends[j]))
             });
@@ -84,7 +84,7 @@ impl<'a> Pairing<'a> {
         let bend = (-self.out(p).dot(&self.out(q))).clamp(-1.0, 1.0).acos().to_degrees();
         #[allow(clippy::cast_possible_truncation)] // at most 180² · 1000
         let sharpness = (bend * bend * PER_SQUARE_DEGREE).round() as i64;
-        let beyond = if bend > self.sharpest { BEYOND_LIMIT } else { 0 };
+        let beyond = if bend > self.max_bend_deg { BEYOND_LIMIT } else { 0 };
         let fold = if self.copies[p / 2] == self.copies[q / 2] { FOLD_BACK } else { 0 };
         fold + beyond + sharpness
     }

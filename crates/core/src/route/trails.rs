@@ -9,10 +9,10 @@ use petgraph::unionfind::UnionFind;
 use super::pairing::{End, Pairing};
 
 /// Two pairs of one vertex and what they would become, with what that adds to the cost.
-type Swap = (i64, usize, [(End, End); 2], [(End, End); 2]);
+type PairChange = (i64, usize, [(End, End); 2], [(End, End); 2]);
 
-/// Joins all trails of a pairing into one. Each step takes the cheapest swap of two pairs that
-/// belong to different trails; a swap that folds the wire back is never the cheaper of the two that
+/// Joins all trails of a pairing into one. Each step takes the cheapest change of two pairs that
+/// belong to different trails; a change that folds the wire back is never the cheaper of the two that
 /// are possible.
 pub(super) fn join(pairing: &mut Pairing) {
     let mut trails = UnionFind::<usize>::new(pairing.end_count());
@@ -23,27 +23,27 @@ pub(super) fn join(pairing: &mut Pairing) {
     for end in 0..pairing.end_count() {
         trails.union(end, pairing.mate(end));
     }
-    let mut swaps = BinaryHeap::new();
+    let mut changes = BinaryHeap::new();
     for vertex in 0..pairing.vertices().len() {
         let pairs = pairing.vertices()[vertex].clone();
-        offer(pairing, vertex, &pairs, &mut trails, &mut swaps);
+        offer(pairing, vertex, &pairs, &mut trails, &mut changes);
     }
-    while let Some(Reverse((_, vertex, old, new))) = swaps.pop() {
+    while let Some(Reverse((_, vertex, old, new))) = changes.pop() {
         let current = old.iter().all(|pair| pairing.vertices()[vertex].contains(pair));
         if current && trails.union(old[0].0, old[1].0) {
             pairing.replace(vertex, old, new);
-            offer(pairing, vertex, &new, &mut trails, &mut swaps);
+            offer(pairing, vertex, &new, &mut trails, &mut changes);
         }
     }
 }
 
-/// Puts every swap of some pairs of a vertex that would join two trails into the queue.
+/// Puts every change of some pairs of a vertex that would join two trails into the queue.
 fn offer(
     pairing: &Pairing,
     vertex: usize,
     of: &[(End, End)],
     trails: &mut UnionFind<usize>,
-    swaps: &mut BinaryHeap<Reverse<Swap>>,
+    changes: &mut BinaryHeap<Reverse<PairChange>>,
 ) {
     let pairs = &pairing.vertices()[vertex];
     for &(a, b) in of {
@@ -61,7 +61,7 @@ fn offer(
                 let both_wire_ends = |x, y| pairing.is_wire_end(x) && pairing.is_wire_end(y);
                 if !both_wire_ends(p, q) && !both_wire_ends(r, s) {
                     let added = pairing.cost(p, q) + pairing.cost(r, s) - now;
-                    swaps.push(Reverse((added, vertex, [(a, b), (c, d)], new)));
+                    changes.push(Reverse((added, vertex, [(a, b), (c, d)], new)));
                 }
             }
         }

@@ -1,6 +1,6 @@
-//! The schedule: which of the equal ways to make each bend is taken.
+//! The schedule: which of the equal choices to make each bend is taken.
 //!
-//! (φ, θ) and (φ ± 180°, -θ) are the same bend, and the head may stand a whole turn further. Which
+//! (φ, θ) and (φ ± 180°, -θ) are the same bend, and the head may unflipped a whole turn further. Which
 //! one is run decides how far the head turns, whether its cable winds up, and to which side the
 //! peg pushes.
 
@@ -11,9 +11,9 @@ use crate::units::Angle;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HeadLimits {
     /// The least absolute angle of the head; zero or less.
-    pub least: Angle,
+    pub min: Angle,
     /// The largest absolute angle of the head; zero or more.
-    pub most: Angle,
+    pub max: Angle,
     /// How long it takes to turn by one degree, in seconds.
     pub seconds_per_degree: f64,
 }
@@ -31,28 +31,28 @@ pub struct ScheduledProgram {
 
 /// A bend that no turn of the head within its limits can make.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[error(
-    "step {}: the head would have to stand at {wanted:.2} (or a multiple of half a turn away), outside {least:.1} to {most:.1}",
-    .step + 1
-)]
+#[error("step {}: the head cannot turn to {wanted:.2} within {min:.1} to {max:.1}", .step + 1)]
 pub struct RotationOutOfRange {
     /// Index of the step, from 0.
     pub step: usize,
     /// The angle nearest to zero at which the bend could be made.
     pub wanted: Angle,
     /// The limit below.
-    pub least: Angle,
+    pub min: Angle,
     /// The limit above.
-    pub most: Angle,
+    pub max: Angle,
 }
 
-/// One way to make a bend.
+/// One of the equal ways to make a bend, with the fastest choices before it.
 #[derive(Debug, Clone, Copy)]
-struct Way {
+struct BendChoice {
+    /// Angle of the head during the bend.
     head: Angle,
+    /// Whether the bend goes to the negative side.
     flipped: bool,
-    /// Nanoseconds from the start, and the index of the way before.
+    /// Time from the start to the end of this bend, in ns.
     spent: i64,
+    /// Index of the choice for the bend before.
     from: usize,
 }
 
@@ -74,7 +74,7 @@ impl BendCost {
 ///
 /// `bend_seconds` tells how long a signed bend takes, or `None` where it cannot be made to that
 /// side; such a bend is only chosen where the other side cannot make it either, and it is for
-/// the checks to say so. Among equally fast ways the one that keeps the head nearer to zero wins.
+/// the checks to say so. Among equally fast choices the one that keeps the head nearer to zero wins.
 ///
 /// # Errors
 /// [`RotationOutOfRange`] names the first step that no choice before it makes possible.
@@ -99,19 +99,19 @@ pub fn schedule(
         .collect();
     // The wire is round: before the first bend it has no side, so that bend is made with the head at
     // zero, to either side.
-    let mut best: Option<(i64, Vec<Way>)> = None;
+    let mut best: Option<(i64, Vec<BendChoice>)> = None;
     let mut refused = None;
     for flipped in [false, true] {
         match fastest(program, &bends, &costs, limits, flipped) {
-            Ok((spent, ways)) if best.as_ref().is_none_or(|(least, _)| spent < *least) => {
-                best = Some((spent, ways));
+            Ok((spent, choices)) if best.as_ref().is_none_or(|(cost, _)| spent < *cost) => {
+                best = Some((spent, choices));
             }
             Ok(_) => {}
             Err(error) => refused = Some(error),
         }
     }
     match (best, refused) {
-        (Some((_, ways)), _) => Ok(build(program, &bends, &ways)),
+        (Some((_, choices)), _) => Ok(build(program, &bends, &choices)),
         (None, Some(error)) => Err(error),
         (None, None) => Ok(unturned(program)),
     }
@@ -127,82 +127,82 @@ fn fastest(
     costs: &[BendCost],
     limits: &HeadLimits,
     first_flipped: bool,
-) -> Result<(i64, Vec<Way>), RotationOutOfRange> {
-    let mut layers: Vec<Vec<Way>> = Vec::with_capacity(bends.len());
-    layers.push(vec![Way {
+) -> Result<(i64, Vec<BendChoice>), RotationOutOfRange> {
+    let mut layers: Vec<Vec<BendChoice>> = Vec::with_capacity(bends.len());
+    layers.push(vec![BendChoice {
         head: Angle::ZERO,
         flipped: first_flipped,
         spent: costs[0].of(first_flipped),
         from: 0,
     }]);
-    // Where the head stands for a bend that is not flipped, up to whole turns. Rotations of steps
-    // that bend nothing count towards the next bend.
-    let mut stand = if first_flipped { Angle::HALF_TURN } else { Angle::ZERO };
+    // The head's angle for a bend that is not flipped, up to whole turns. Rotations of steps that bend
+    // nothing count towards the next bend.
+    let mut unflipped = if first_flipped { Angle::HALF_TURN } else { Angle::ZERO };
     for (pair, cost) in bends.windows(2).zip(&costs[1..]) {
         let turned: Angle = program.steps[pair[0] + 1..=pair[1]].iter().map(|step| step.rotate).sum();
-        stand = (stand + turned).wrapped();
+        unflipped = (unflipped + turned).wrapped();
         let mut layer = Vec::new();
-        for (head, flipped) in stands(stand, limits) {
+        for (head, flipped) in head_angles(unflipped, limits) {
             let made = cost.of(flipped);
-            let reach = |way: &Way| {
-                let turn = nanoseconds((head - way.head).abs().deg() * limits.seconds_per_degree);
-                way.spent.saturating_add(turn).saturating_add(made)
+            let reach = |before: &BendChoice| {
+                let turn = nanoseconds((head - before.head).abs().deg() * limits.seconds_per_degree);
+                before.spent.saturating_add(turn).saturating_add(made)
             };
-            let before = layers[layers.len() - 1].iter().enumerate();
-            if let Some((spent, from)) = before.map(|(k, way)| (reach(way), k)).min() {
-                layer.push(Way { head, flipped, spent, from });
+            let last = layers[layers.len() - 1].iter().enumerate();
+            if let Some((spent, from)) = last.map(|(k, choice)| (reach(choice), k)).min() {
+                layer.push(BendChoice { head, flipped, spent, from });
             }
         }
         if layer.is_empty() {
-            let (least, most) = (limits.least, limits.most);
-            let other = (stand + Angle::HALF_TURN).wrapped();
-            let wanted = if other.abs() < stand.abs() { other } else { stand };
-            return Err(RotationOutOfRange { step: pair[1], wanted, least, most });
+            let (min, max) = (limits.min, limits.max);
+            let other = (unflipped + Angle::HALF_TURN).wrapped();
+            let wanted = if other.abs() < unflipped.abs() { other } else { unflipped };
+            return Err(RotationOutOfRange { step: pair[1], wanted, min, max });
         }
         layers.push(layer);
     }
     let last = &layers[layers.len() - 1];
     let mut at = (0..last.len()).min_by_key(|&k| (last[k].spent, k)).unwrap_or(0);
     let spent = last[at].spent;
-    let mut ways = Vec::with_capacity(layers.len());
+    let mut choices = Vec::with_capacity(layers.len());
     for layer in layers.iter().rev() {
-        ways.push(layer[at]);
+        choices.push(layer[at]);
         at = layer[at].from;
     }
-    ways.reverse();
-    Ok((spent, ways))
+    choices.reverse();
+    Ok((spent, choices))
 }
 
 /// A head that may turn without end is not wound farther than this from where it starts: more choices
 /// would take time to weigh and none of them is nearer.
-const MOST_HALF_TURNS: f64 = 40.0;
+const MAX_HALF_TURNS: f64 = 40.0;
 
 /// Every angle of the head within its limits, and within twenty turns, at which a bend can be made, nearest to zero first,
 /// with whether the bend is then flipped.
-fn stands(unflipped: Angle, limits: &HeadLimits) -> Vec<(Angle, bool)> {
+fn head_angles(unflipped: Angle, limits: &HeadLimits) -> Vec<(Angle, bool)> {
     // Rounding of a sum of angles must not push the head over a limit that it just reaches.
     let slack = Angle::computed(1e-9);
-    let span = limits.most.deg().max(-limits.least.deg());
+    let span = limits.max.deg().max(-limits.min.deg());
     #[allow(clippy::cast_possible_truncation)] // limits are a few turns
-    let turns = (span / 180.0).ceil().min(MOST_HALF_TURNS) as i32 + 1;
-    let mut stands: Vec<(Angle, bool)> = (-turns..=turns)
+    let turns = (span / 180.0).ceil().min(MAX_HALF_TURNS) as i32 + 1;
+    let mut head_angles: Vec<(Angle, bool)> = (-turns..=turns)
         .map(|halves| (unflipped + Angle::HALF_TURN.times(halves), halves % 2 != 0))
-        .filter(|&(head, _)| head >= limits.least - slack && head <= limits.most + slack)
-        .map(|(head, flipped)| (head.max(limits.least).min(limits.most), flipped))
+        .filter(|&(head, _)| head >= limits.min - slack && head <= limits.max + slack)
+        .map(|(head, flipped)| (head.max(limits.min).min(limits.max), flipped))
         .collect();
-    stands.sort_by_key(|&(head, flipped)| (head.abs(), flipped, head < Angle::ZERO));
-    stands
+    head_angles.sort_by_key(|&(head, flipped)| (head.abs(), flipped, head < Angle::ZERO));
+    head_angles
 }
 
-fn build(program: &NominalProgram, bends: &[usize], ways: &[Way]) -> ScheduledProgram {
+fn build(program: &NominalProgram, bends: &[usize], choices: &[BendChoice]) -> ScheduledProgram {
     let mut scheduled = ScheduledProgram::default();
     let mut head = Angle::ZERO;
     for (k, step) in program.steps.iter().enumerate() {
         let mut made = Step { feed: step.feed, ..Step::default() };
         if let Ok(at) = bends.binary_search(&k) {
-            made.rotate = ways[at].head - head;
-            made.bend = if ways[at].flipped { -step.bend } else { step.bend };
-            head = ways[at].head;
+            made.rotate = choices[at].head - head;
+            made.bend = if choices[at].flipped { -step.bend } else { step.bend };
+            head = choices[at].head;
         }
         scheduled.steps.push(made);
         scheduled.head.push(head);
@@ -212,7 +212,7 @@ fn build(program: &NominalProgram, bends: &[usize], ways: &[Way]) -> ScheduledPr
 
 #[allow(clippy::cast_possible_truncation)] // a job takes hours, not centuries
 fn nanoseconds(seconds: f64) -> i64 {
-    // Rounds, since time is not negative; `round` is a call, and this runs once for every pair of ways.
+    // Rounds, since time is not negative; `round` is a call, and this runs once for every pair of choices.
     (seconds * 1.0e9 + 0.5) as i64
 }
 

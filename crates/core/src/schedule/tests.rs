@@ -7,8 +7,8 @@ fn deg(value: f64) -> Angle {
     Angle::from_deg(value).unwrap()
 }
 
-fn limits(least: f64, most: f64) -> HeadLimits {
-    HeadLimits { least: deg(least), most: deg(most), seconds_per_degree: 1.0 }
+fn limits(min: f64, max: f64) -> HeadLimits {
+    HeadLimits { min: deg(min), max: deg(max), seconds_per_degree: 1.0 }
 }
 
 fn program(turns: &[(f64, f64)]) -> NominalProgram {
@@ -64,14 +64,14 @@ fn turns_of_steps_without_a_bend_are_not_lost() {
 }
 
 /// The least time over every choice of sign and winding, tried one by one.
-fn least_by_trying(turns: &[(f64, f64)], least: f64, most: f64, flip_cost: f64) -> Option<f64> {
+fn min_by_trying(turns: &[(f64, f64)], min: f64, max: f64, flip_cost: f64) -> Option<f64> {
     fn go(
         turns: &[(f64, f64)],
         k: usize,
         stand: f64,
         head: f64,
         spent: f64,
-        (least, most, flip): (f64, f64, f64),
+        (min, max, flip): (f64, f64, f64),
     ) -> Option<f64> {
         let Some(&(rotate, _)) = turns.get(k) else {
             return Some(spent);
@@ -80,11 +80,11 @@ fn least_by_trying(turns: &[(f64, f64)], least: f64, most: f64, flip_cost: f64) 
         let mut best: Option<f64> = None;
         for halves in -12..=12 {
             let at = stand + 180.0 * f64::from(halves);
-            if at < least - 1e-9 || at > most + 1e-9 {
+            if at < min - 1e-9 || at > max + 1e-9 {
                 continue;
             }
             let made = if halves % 2 == 0 { 1.0 } else { 1.0 + flip };
-            let total = go(turns, k + 1, stand, at, spent + (at - head).abs() + made, (least, most, flip));
+            let total = go(turns, k + 1, stand, at, spent + (at - head).abs() + made, (min, max, flip));
             best = match (best, total) {
                 (Some(a), Some(b)) => Some(a.min(b)),
                 (a, b) => a.or(b),
@@ -92,7 +92,7 @@ fn least_by_trying(turns: &[(f64, f64)], least: f64, most: f64, flip_cost: f64) 
         }
         best
     }
-    let limits = (least, most, flip_cost);
+    let limits = (min, max, flip_cost);
     let straight = go(turns, 1, 0.0, 0.0, 1.0, limits);
     let flipped = go(turns, 1, 180.0, 0.0, 1.0 + flip_cost, limits);
     match (straight, flipped) {
@@ -112,12 +112,12 @@ proptest! {
     #[test]
     fn nothing_is_faster_and_the_shape_stays(
         turns in prop::collection::vec((-179.0..180.0_f64, 5.0..170.0_f64), 1..6),
-        least in -400.0..0.0_f64, most in 0.0..400.0_f64, flip_cost in 0.0..90.0_f64,
+        min in -400.0..0.0_f64, max in 0.0..400.0_f64, flip_cost in 0.0..90.0_f64,
     ) {
         let nominal = program(&turns);
         let cost = |bend: Angle| Some(if bend > Angle::ZERO { 1.0 } else { 1.0 + flip_cost });
-        let found = schedule(&nominal, &limits(least, most), cost).ok();
-        let tried = least_by_trying(&turns, least, most, flip_cost);
+        let found = schedule(&nominal, &limits(min, max), cost).ok();
+        let tried = min_by_trying(&turns, min, max, flip_cost);
         prop_assert_eq!(found.is_some(), tried.is_some());
         if let (Some(scheduled), Some(tried)) = (found, tried) {
             let bends: f64 = scheduled.steps.iter().filter(|s| s.bend != Angle::ZERO).filter_map(|s| cost(s.bend)).sum();
@@ -126,7 +126,7 @@ proptest! {
             for (step, head) in scheduled.steps.iter().zip(&scheduled.head) {
                 at += step.rotate.deg();
                 prop_assert!((head.deg() - at).abs() < 1e-9);
-                prop_assert!(at >= least - 1e-6 && at <= most + 1e-6);
+                prop_assert!(at >= min - 1e-6 && at <= max + 1e-6);
             }
             // Bent to the negative side first, the wire comes out turned by half a turn about its start.
             let mut start = Frame::default();

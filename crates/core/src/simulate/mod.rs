@@ -1,4 +1,4 @@
-//! The wire that a machine makes: what its commands leave, and how errors add up along it.
+//! The wire that a machine bends: what its commands leave, and how errors add up along it.
 //!
 //! Kinematic: the inverse models of [`crate::compensate`] turn commands into bends and lengths,
 //! and homogeneous transforms into positions. Errors follow Bend-Forming (Bhundiya and Cordero
@@ -39,15 +39,28 @@ pub struct ErrorModel {
     pub curvature: ErrorTerm,
 }
 
+/// What an error is of: a motion of the machine, or the wire itself.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ErrorSource {
+    /// The feed of a step.
+    Feed,
+    /// The rotation before a bend.
+    Rotation,
+    /// The angle of a bend.
+    Bend,
+    /// The bow of a strut.
+    Curvature,
+}
+
 /// Why errors cannot be drawn.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[error("the error of {of} is {bias} ± {sigma}: both must be finite and the deviation not negative")]
+#[error("the error of {of:?} is {bias} ± {sigma}; both are finite and the deviation not negative")]
 pub struct BadErrorTerm {
-    /// Which motion.
-    pub of: &'static str,
-    /// Its constant part.
+    /// What is off.
+    pub of: ErrorSource,
+    /// Its constant error.
     pub bias: f64,
-    /// Its deviation.
+    /// Its standard deviation.
     pub sigma: f64,
 }
 
@@ -83,7 +96,7 @@ fn imperfect(
     program: &CompensatedProgram,
     compensation: &Compensation,
     fractions: &[Vec<f64>],
-    draw: &mut impl FnMut(Term) -> f64,
+    draw: &mut impl FnMut(ErrorSource) -> f64,
 ) -> Vec<Point3<f64>> {
     let disturbed: Vec<Step> = program
         .steps()
@@ -93,9 +106,9 @@ fn imperfect(
             let is_bend = bent != Angle::ZERO;
             let off = |by: f64| Angle::computed(by.to_radians());
             Step {
-                feed: step.feed + Length::computed(draw(Term::Feed)),
-                rotate: if is_bend { step.rotate + off(draw(Term::Rotate)) } else { step.rotate },
-                bend: if is_bend { bent + off(draw(Term::Bend)) } else { bent },
+                feed: step.feed + Length::computed(draw(ErrorSource::Feed)),
+                rotate: if is_bend { step.rotate + off(draw(ErrorSource::Rotation)) } else { step.rotate },
+                bend: if is_bend { bent + off(draw(ErrorSource::Bend)) } else { bent },
             }
         })
         .collect();
@@ -103,7 +116,7 @@ fn imperfect(
     let mut path = vec![frame.position];
     for (step, fractions) in corner_to_corner(&disturbed, compensation).iter().zip(fractions) {
         let from = frame.position;
-        let along = frame.t() * (step.feed.mm() * chord_over_arc(draw(Term::Curvature)));
+        let along = frame.t() * (step.feed.mm() * chord_over_arc(draw(ErrorSource::Curvature)));
         for &fraction in fractions {
             frame.position = from + along * fraction;
             path.push(frame.position);
@@ -119,14 +132,6 @@ fn imperfect(
 fn chord_over_arc(bow: f64) -> f64 {
     let quarter = (2.0 * bow).atan();
     if quarter.abs() < 1e-6 { 1.0 } else { (2.0 * quarter).sin() / (2.0 * quarter) }
-}
-
-#[derive(Clone, Copy)]
-enum Term {
-    Feed,
-    Rotate,
-    Bend,
-    Curvature,
 }
 
 /// How far one vertex of the route lies from where it should, over all runs.
@@ -151,7 +156,7 @@ pub struct ErrorReport {
 
 /// What is simulated.
 #[derive(Debug, Clone, Copy)]
-pub struct Trial<'a> {
+pub struct SimulationInput<'a> {
     /// Frame in which the design starts.
     pub start: Frame,
     /// Positions of the route's vertices as designed, in mm.
@@ -195,10 +200,10 @@ pub fn scheduled_start(start: Frame, scheduled: &[Step]) -> Frame {
     frame
 }
 
-/// The wire that a machine without errors makes: its vertices in mm, in the order of the route.
+/// The wire that a machine without errors bends: its vertices in mm, in the order of the route.
 #[must_use]
-pub fn perfect_wire(trial: &Trial) -> Vec<Point3<f64>> {
-    imperfect(trial.start, trial.program, trial.compensation, trial.fractions, &mut |_| 0.0)
+pub fn perfect_wire(input: &SimulationInput) -> Vec<Point3<f64>> {
+    imperfect(input.start, input.program, input.compensation, input.fractions, &mut |_| 0.0)
 }
 
 /// Bends the wire `runs` times with errors drawn from `seed`; the same seed gives the same report.
@@ -206,38 +211,38 @@ pub fn perfect_wire(trial: &Trial) -> Vec<Point3<f64>> {
 /// # Errors
 /// [`BadErrorTerm`] when an error is not finite or a deviation is negative.
 pub fn simulate(
-    trial: &Trial,
+    input: &SimulationInput,
     errors: &ErrorModel,
     runs: u32,
     seed: u64,
     mut each_run: impl FnMut(&[Point3<f64>]),
 ) -> Result<ErrorReport, BadErrorTerm> {
-    let normal = |of: &'static str, term: ErrorTerm| {
+    let normal = |of: ErrorSource, term: ErrorTerm| {
         let bad = BadErrorTerm { of, bias: term.bias, sigma: term.sigma };
         if !term.bias.is_finite() || !term.sigma.is_finite() || term.sigma < 0.0 {
             return Err(bad);
         }
         Normal::new(term.bias, term.sigma).map_err(|_| bad)
     };
-    let feed = normal("the feed", errors.feed_mm)?;
-    let rotate = normal("the rotation", errors.rotate_deg)?;
-    let bend = normal("the bend", errors.bend_deg)?;
-    let curvature = normal("the curvature", errors.curvature)?;
+    let feed = normal(ErrorSource::Feed, errors.feed_mm)?;
+    let rotate = normal(ErrorSource::Rotation, errors.rotate_deg)?;
+    let bend = normal(ErrorSource::Bend, errors.bend_deg)?;
+    let curvature = normal(ErrorSource::Curvature, errors.curvature)?;
     let mut random = ChaCha8Rng::seed_from_u64(seed);
-    let mut deviations = vec![Vec::with_capacity(runs as usize); trial.design.len()];
-    let mut gaps = vec![Vec::with_capacity(runs as usize); trial.passes.len()];
+    let mut deviations = vec![Vec::with_capacity(runs as usize); input.design.len()];
+    let mut gaps = vec![Vec::with_capacity(runs as usize); input.passes.len()];
     for _ in 0..runs {
         let mut draw = |term| match term {
-            Term::Feed => feed.sample(&mut random),
-            Term::Rotate => rotate.sample(&mut random),
-            Term::Bend => bend.sample(&mut random),
-            Term::Curvature => curvature.sample(&mut random),
+            ErrorSource::Feed => feed.sample(&mut random),
+            ErrorSource::Rotation => rotate.sample(&mut random),
+            ErrorSource::Bend => bend.sample(&mut random),
+            ErrorSource::Curvature => curvature.sample(&mut random),
         };
-        let made = imperfect(trial.start, trial.program, trial.compensation, trial.fractions, &mut draw);
-        for ((design, made), distances) in trial.design.iter().zip(&made).zip(&mut deviations) {
+        let made = imperfect(input.start, input.program, input.compensation, input.fractions, &mut draw);
+        for ((design, made), distances) in input.design.iter().zip(&made).zip(&mut deviations) {
             distances.push((design - made).norm());
         }
-        for (passes, distances) in trial.passes.iter().zip(&mut gaps) {
+        for (passes, distances) in input.passes.iter().zip(&mut gaps) {
             let between = passes.iter().flat_map(|&a| passes.iter().map(move |&b| (a, b)));
             let widest = between.map(|(a, b)| (made[a] - made[b]).norm()).fold(0.0, f64::max);
             distances.push(widest);

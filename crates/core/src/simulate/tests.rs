@@ -8,10 +8,10 @@ fn planned(w: &Wireframe) -> WirePlan {
     plan_wire(w, &w.components()[0], &published_machine(), &options, |_| ())
 }
 
-fn with_trial<T>(plan: &WirePlan, passes: &[Vec<usize>], then: impl FnOnce(&Trial) -> T) -> T {
+fn with_input<T>(plan: &WirePlan, passes: &[Vec<usize>], then: impl FnOnce(&SimulationInput) -> T) -> T {
     let machine = published_machine();
     let spans = plan.nominal.as_ref().unwrap().spans.iter().cloned();
-    then(&Trial {
+    then(&SimulationInput {
         start: scheduled_start(plan.start, &plan.scheduled.as_ref().unwrap().steps),
         design: &plan.path,
         fractions: &fractions(&plan.path, spans),
@@ -38,7 +38,7 @@ fn twisted() -> Wireframe {
 #[test]
 fn without_errors_the_compensated_program_makes_the_design() {
     let plan = planned(&twisted());
-    let made = with_trial(&plan, &[], perfect_wire);
+    let made = with_input(&plan, &[], perfect_wire);
     for (design, made) in plan.path.iter().zip(&made) {
         assert!((design - made).norm() < 1e-8, "{design} became {made}");
     }
@@ -50,7 +50,7 @@ fn without_compensation_the_same_machine_misses() {
     let mut plan = planned(&twisted());
     let bare = Compensation::default();
     plan.compensated = crate::compensate::compensate(plan.scheduled.as_ref().unwrap(), &bare).ok();
-    let made = with_trial(&plan, &[], perfect_wire);
+    let made = with_input(&plan, &[], perfect_wire);
     let worst = plan.path.iter().zip(&made).map(|(a, b)| (a - b).norm()).fold(0.0, f64::max);
     assert!(worst > 20.0, "{worst}");
 }
@@ -61,7 +61,7 @@ fn feed_errors_add_up_along_a_straight_wire_as_statistics_say() {
     let w = chain(&[[0., 0., 0.], [60., 0., 0.], [120., 1., 0.], [180., 0., 0.], [240., 1., 0.]]);
     let plan = planned(&w);
     let errors = ErrorModel { feed_mm: ErrorTerm { bias: 0.0, sigma: 0.5 }, ..ErrorModel::default() };
-    let report = with_trial(&plan, &[], |trial| simulate(trial, &errors, 4000, 7, |_| ()).unwrap());
+    let report = with_input(&plan, &[], |input| simulate(input, &errors, 4000, 7, |_| ()).unwrap());
     // Half-normal with sigma 0.5·√4 = 1: mean √(2/π) = 0.798, 95 % within 1.960.
     let end = report.deviations[4];
     assert!((end.mean.mm() - 0.798).abs() < 0.03, "{}", end.mean);
@@ -73,7 +73,7 @@ fn feed_errors_add_up_along_a_straight_wire_as_statistics_say() {
 fn a_constant_bend_error_swings_the_rest_of_the_wire() {
     let w = chain(&[[0., 0., 0.], [100., 0., 0.], [100., 100., 0.]]);
     let errors = ErrorModel { bend_deg: ErrorTerm { bias: 2.0, sigma: 0.0 }, ..ErrorModel::default() };
-    let report = with_trial(&planned(&w), &[], |trial| simulate(trial, &errors, 1, 1, |_| ()).unwrap());
+    let report = with_input(&planned(&w), &[], |input| simulate(input, &errors, 1, 1, |_| ()).unwrap());
     // 100 mm swung by 2° is 3.49 mm; the corner itself moves by what a larger arc takes.
     assert!((report.deviations[2].mean.mm() - 3.49).abs() < 0.1, "{}", report.deviations[2].mean);
     assert!(report.deviations[1].mean < mm(0.1));
@@ -84,7 +84,7 @@ fn a_bowed_strut_is_shorter_from_end_to_end() {
     let w = chain(&[[0., 0., 0.], [100., 0., 0.]]);
     for (bow, lost) in [(0.5, 100.0 - 200.0 / std::f64::consts::PI), (0.02, 0.1066), (0.0, 0.0)] {
         let errors = ErrorModel { curvature: ErrorTerm { bias: bow, sigma: 0.0 }, ..ErrorModel::default() };
-        let report = with_trial(&planned(&w), &[], |trial| simulate(trial, &errors, 1, 1, |_| ()).unwrap());
+        let report = with_input(&planned(&w), &[], |input| simulate(input, &errors, 1, 1, |_| ()).unwrap());
         // Half a circle rises by half its diameter; a slight bow f takes 8/3·f².
         assert!((report.deviations[1].mean.mm() - lost).abs() < 1e-3, "{}", report.deviations[1].mean);
     }
@@ -99,7 +99,7 @@ fn a_seed_gives_the_same_runs_and_another_one_others() {
     let plan = planned(&w);
     let errors = ErrorModel { bend_deg: ErrorTerm { bias: 0.0, sigma: 0.75 }, ..ErrorModel::default() };
     let run =
-        |seed| with_trial(&plan, &[vec![0, 4]], |trial| simulate(trial, &errors, 50, seed, |_| ()).unwrap());
+        |seed| with_input(&plan, &[vec![0, 4]], |input| simulate(input, &errors, 50, seed, |_| ()).unwrap());
     assert_eq!(run(1), run(1));
     assert_ne!(run(1), run(2));
     // The square ends where it starts: the gap between the two passes is the deviation of its end.
@@ -121,7 +121,7 @@ fn errors_that_are_no_numbers_are_refused() {
     let plan = planned(&twisted());
     for term in [ErrorTerm { bias: f64::NAN, sigma: 1.0 }, ErrorTerm { bias: 0.0, sigma: -1.0 }] {
         let errors = ErrorModel { rotate_deg: term, ..ErrorModel::default() };
-        let refused = with_trial(&plan, &[], |trial| simulate(trial, &errors, 1, 1, |_| ()));
-        assert_eq!(refused.unwrap_err().of, "the rotation");
+        let refused = with_input(&plan, &[], |input| simulate(input, &errors, 1, 1, |_| ()));
+        assert_eq!(refused.unwrap_err().of, ErrorSource::Rotation);
     }
 }

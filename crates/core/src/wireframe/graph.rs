@@ -11,7 +11,7 @@ use crate::units::Length;
 
 /// Largest coordinate that is accepted, in mm. A kilometre of wire is beyond every bender, and the
 /// square of this stays exact enough for every tolerance used here.
-const LARGEST_COORDINATE_MM: f64 = 1.0e6;
+const MAX_COORDINATE_MM: f64 = 1.0e6;
 
 /// Names a vertex for as long as its wireframe lives.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -73,11 +73,23 @@ impl Edge {
     }
 }
 
+/// Coordinates as "(x, y, z)", in powers of ten where they are long.
+struct Coordinates<'a>(&'a Point3<f64>);
+
+impl fmt::Display for Coordinates<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (c, before) in self.0.iter().zip(["(", ", ", ", "]) {
+            if c.abs() < 1e12 { write!(f, "{before}{c}")? } else { write!(f, "{before}{c:e}")? }
+        }
+        f.write_str(")")
+    }
+}
+
 /// Why a vertex or an edge cannot be added.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum WireframeError {
     /// A coordinate is NaN, infinite or beyond a kilometre.
-    #[error("{} is not a position: each coordinate must be a number within ±1 000 000 mm", told(.0))]
+    #[error("{} is not a position: each coordinate must be a number within ±1 000 000 mm", Coordinates(.0))]
     Position(Point3<f64>),
     /// An edge names a vertex that is not there.
     #[error("there is no vertex {0}")]
@@ -309,15 +321,9 @@ impl Wireframe {
     }
 }
 
-/// Coordinates for people, of whatever size.
-fn told(position: &Point3<f64>) -> String {
-    let one = |&c: &f64| if c.abs() < 1e12 { c.to_string() } else { format!("{c:e}") };
-    format!("({})", position.iter().map(one).collect::<Vec<_>>().join(", "))
-}
-
 /// Refuses a coordinate that is NaN, infinite or beyond a kilometre.
 pub(super) fn check_position(position: Point3<f64>) -> Result<(), WireframeError> {
-    if position.coords.iter().all(|c| c.abs() <= LARGEST_COORDINATE_MM) {
+    if position.coords.iter().all(|c| c.abs() <= MAX_COORDINATE_MM) {
         Ok(())
     } else {
         Err(WireframeError::Position(position))

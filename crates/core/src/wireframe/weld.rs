@@ -17,7 +17,7 @@ pub struct WeldReport {
     /// Edges that are gone because another one joins the same two vertices.
     pub duplicate_edges: usize,
     /// How far the farthest vertex was moved: never more than the tolerance.
-    pub largest_move: Length,
+    pub max_move: Length,
 }
 
 impl WeldReport {
@@ -44,7 +44,7 @@ impl Wireframe {
             let kept = VertexId(welder.put(id.0, vertex.position));
             let Some(onto) = draft.vertex(kept).filter(|_| kept != id) else { continue };
             let moved = Length::computed((vertex.position - onto.position).norm());
-            report.largest_move = report.largest_move.max(moved);
+            report.max_move = report.max_move.max(moved);
             report.merged_vertices += 1;
             into.insert(id, kept);
             // A support stays one when it is welded to a free vertex. The position is that of an
@@ -108,7 +108,7 @@ mod tests {
         w.commit(&delta).unwrap();
         assert_eq!((w.vertex_count(), w.edge_count()), (4, 4));
         assert_eq!((report.merged_vertices, report.collapsed_edges, report.duplicate_edges), (4, 1, 1));
-        assert!((report.largest_move.mm() - 4e-4).abs() < 1e-12);
+        assert!((report.max_move.mm() - 4e-4).abs() < 1e-12);
         assert!(w.odd_vertices(&w.components()[0], &[]).is_empty());
     }
 
@@ -118,7 +118,7 @@ mod tests {
         let (delta, report) = w.weld(Length::from_mm(1.0).unwrap());
         w.commit(&delta).unwrap();
         assert_eq!(w.vertex_count(), 3, "a chain is not drawn together");
-        assert!((report.largest_move.mm() - 0.9).abs() < 1e-12);
+        assert!((report.max_move.mm() - 0.9).abs() < 1e-12);
         assert_eq!(w.edges().next().map(|(_, edge)| edge), Some(Edge { a: VertexId(0), b: VertexId(3) }));
     }
 

@@ -17,7 +17,10 @@ pub(super) fn check(subject: &mut dyn Subject, description: &Description, found:
             continue;
         }
         found.note(format!("{id}: writes the same job the same way"), repeats(subject, format));
-        found.note(format!("{id}: tells a wire from its mirror image"), tells_mirrored(subject, format));
+        found.note(
+            format!("{id}: distinguishes a wire from its mirror image"),
+            tells_mirrored(subject, format),
+        );
         found.note(format!("{id}: writes every wire of a job"), writes_all(subject, format));
         if format.content == Content::Machine {
             let mut bare = job();

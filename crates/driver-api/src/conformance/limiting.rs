@@ -5,7 +5,7 @@ use super::{Conformance, Subject};
 use crate::{AxisLimit, AxisRate, Call, Description, DriverError, Limits, Reply};
 
 pub(super) fn check(subject: &mut dyn Subject, description: &Description, found: &mut Conformance) {
-    found.note("tells limits and rates above zero, with settings that it has", told(subject, description));
+    found.note("reports limits and rates above zero, with settings that it has", told(subject, description));
 }
 
 /// A driver of 1.1 does not know the call.

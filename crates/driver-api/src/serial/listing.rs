@@ -23,7 +23,7 @@ const TERMINALS: &str = "/sys/class/tty";
 /// The ports of this computer, those with a chip that benders have first.
 ///
 /// # Errors
-/// [`DriverError`] with the code `ports` when the system does not tell.
+/// [`DriverError`] with the code `ports` when the system does not report them.
 pub fn ports() -> Result<Vec<Port>, DriverError> {
     // The library panics where the system does not show its terminals, as in a container: there are no ports then.
     if cfg!(target_os = "linux") && !Path::new(TERMINALS).is_dir() {
@@ -85,7 +85,7 @@ mod tests {
         SerialPortType::UsbPort(UsbPortInfo { vid, pid, serial_number: None, manufacturer: None, product })
     }
 
-    /// Whoever plugs a copy of an Uno in finds it at the top, by a name that says something.
+    /// A user who plugs in a copy of an Uno finds it at the top, by a name that says something.
     #[test]
     fn a_board_comes_before_a_modem() {
         let ports = in_order(vec![

@@ -119,7 +119,7 @@ impl<C: Conversation> Runner<'_, C> {
     }
 
     fn reports(&mut self, line: usize, expected: &Value) -> Result<(), TranscriptError> {
-        // An event that may come unmentioned can be mentioned all the same.
+        // An event that may come unmentioned can be mentioned anyway.
         while let Some(event) = self.events.pop_front() {
             if holds(&event, expected) {
                 return Ok(());

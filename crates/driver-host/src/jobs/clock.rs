@@ -1,6 +1,8 @@
-//! Time, from outside: the loop that makes a wire has no clock of its own, so that tests need not wait.
+//! Time, from outside: the loop that runs a wire has no clock of its own, so that tests need not wait.
 
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
+
+use jiff::Timestamp;
 
 /// What time it is, for measuring and for people.
 pub trait Clock {
@@ -34,54 +36,18 @@ impl Clock for SystemClock {
     }
 }
 
-const DAY_S: u64 = 86_400;
-
 /// Seconds since 1970 as a date of the Gregorian calendar.
 fn stamp(seconds: u64) -> String {
-    let (mut days, of_day) = (seconds / DAY_S, seconds % DAY_S);
-    let mut year = 1970;
-    while days >= year_days(year) {
-        days -= year_days(year);
-        year += 1;
-    }
-    let february = year_days(year) - 337;
-    let mut month = 1;
-    for length in [31, february, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31] {
-        if days < length {
-            break;
-        }
-        days -= length;
-        month += 1;
-    }
-    let (hour, minute, second) = (of_day / 3600, of_day / 60 % 60, of_day % 60);
-    format!("{year:04}-{month:02}-{:02}T{hour:02}:{minute:02}:{second:02}Z", days + 1)
+    let at = i64::try_from(seconds).ok().and_then(|seconds| Timestamp::from_second(seconds).ok());
+    at.unwrap_or(Timestamp::MAX).to_string()
 }
 
 /// The time of a stamp of [`SystemClock`]; `None` for one that is none.
 #[must_use]
 pub fn stamped(stamp: &str) -> Option<SystemTime> {
-    let (date, time) = stamp.strip_suffix('Z')?.split_once('T')?;
-    let parts = |text: &str, by: char| {
-        let numbers: Option<Vec<u64>> = text.split(by).map(|part| part.parse().ok()).collect();
-        <[u64; 3]>::try_from(numbers?).ok()
-    };
-    let ([year, month, day], [hour, minute, second]) = (parts(date, '-')?, parts(time, ':')?);
-    if !(1970..=9999).contains(&year) || !(1..=12).contains(&month) || !(1..=31).contains(&day) {
-        return None;
-    }
-    if hour > 23 || minute > 59 || second > 59 {
-        return None;
-    }
-    let february = year_days(year) - 337;
-    let months = [31, february, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31];
-    let before: u64 = (1970..year).map(year_days).sum();
-    let of_year: u64 = months.iter().zip(1..month).map(|(days, _)| days).sum();
-    let seconds = (before + of_year + day - 1) * DAY_S + hour * 3600 + minute * 60 + second;
-    UNIX_EPOCH.checked_add(Duration::from_secs(seconds))
-}
-
-const fn year_days(year: u64) -> u64 {
-    if year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400)) { 366 } else { 365 }
+    let at: Timestamp = stamp.strip_suffix('Z').and(stamp.parse().ok())?;
+    // A clock that is set before 1970 gives no such stamp.
+    (at >= Timestamp::UNIX_EPOCH).then(|| at.into())
 }
 
 #[cfg(test)]

@@ -1,46 +1,49 @@
 //! How a wire is interrupted: failures and stops, each written down once, and what came of them.
 
 use wirebend_driver_api::DriverError;
+use wirebend_error::ErrorRemedy;
 
 use super::error::JobError;
-use super::journal::What;
+use super::journal::EntryKind;
 use super::progress::Progress;
 use super::run::JobRun;
-use crate::session::{SessionError, Standstill, State, StopOutcome, StoppedBy};
+use crate::session::{Phase, SessionError, Standstill, StopOutcome, StoppedBy};
 
 impl JobRun {
     /// The driver failed: what it said before it did counts.
     pub(super) fn failed(&mut self, error: &SessionError, told: &mut Vec<Progress>) -> Result<(), JobError> {
         self.catch_up()?;
-        self.faulted(DriverError::new(error.code(), error.to_string(), ""), None, told)
+        let fault = DriverError::new(error.code().as_str(), error.to_string(), "");
+        self.faulted(fault, error.remedies(), None, told)
     }
 
     pub(super) fn faulted(
         &mut self,
         error: DriverError,
+        remedies: Vec<ErrorRemedy>,
         in_doubt: Option<u32>,
         told: &mut Vec<Progress>,
     ) -> Result<(), JobError> {
         self.note_not_taken()?;
-        self.note(What::Fault { error: error.clone(), in_doubt })?;
-        let in_doubt = self.account().in_doubt().map(|steps| (*steps.start(), *steps.end()));
-        self.pace.holds(self.clock.now());
-        self.feed.halt();
-        told.push(Progress::Fault { error, in_doubt });
+        self.note(EntryKind::Fault { error: error.clone(), in_doubt })?;
+        let in_doubt = self.journal_state().in_doubt().map(|steps| (*steps.start(), *steps.end()));
+        self.estimator.holds(self.clock.now());
+        self.window.halt();
+        told.push(Progress::Fault { error, remedies, in_doubt });
         Ok(())
     }
 
     /// Steps that were reported where this did not hear it.
     pub(super) fn catch_up(&mut self) -> Result<(), JobError> {
-        for n in self.account().done + 1..=self.session.progress().1 {
-            self.note(What::Done { n })?;
+        for n in self.journal_state().done + 1..=self.session.progress().1 {
+            self.note(EntryKind::Done { n })?;
         }
         Ok(())
     }
 
     /// A stop by whomever is written down once.
     pub(super) fn notice_stop(&mut self, told: &mut Vec<Progress>) -> Result<(), JobError> {
-        if !matches!(self.session.state(), State::Stopping | State::Stopped) || self.stop_noted {
+        if !matches!(self.session.phase(), Phase::Stopping | Phase::Stopped) || self.stop_noted {
             return Ok(());
         }
         self.was_stopped(told)
@@ -68,18 +71,18 @@ impl JobRun {
         }
         self.standstill_noted = true;
         told.push(Progress::Standstill { confirmed });
-        if self.account().is_over() { Ok(()) } else { self.note(What::Standstill { confirmed }) }
+        if self.journal_state().is_over() { Ok(()) } else { self.note(EntryKind::Standstill { confirmed }) }
     }
 
     pub(super) fn stopped(&mut self, by: Option<StoppedBy>) -> Result<(), JobError> {
         self.catch_up()?;
-        if !self.account().is_over() {
+        if !self.journal_state().is_over() {
             self.note_not_taken()?;
         }
         (self.armed, self.stop_noted) = (None, true);
-        self.feed.halt();
-        self.pace.holds(self.clock.now());
-        if self.account().is_over() { Ok(()) } else { self.note(What::Stopped { by }) }
+        self.window.halt();
+        self.estimator.holds(self.clock.now());
+        if self.journal_state().is_over() { Ok(()) } else { self.note(EntryKind::Stopped { by }) }
     }
 
     /// Stops the machine, and writes that down. The stop comes first, and has been brought about whatever the

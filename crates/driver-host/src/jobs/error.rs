@@ -1,10 +1,12 @@
-//! Why a wire is not begun, taken up or gone on with.
+//! Why a wire is not begun, reattached or resumed.
+
+use wirebend_error::{ErrorCode, ErrorRemedy};
 
 use super::journal::JournalError;
 use super::resume::{Contradiction, Settled};
 use crate::session::SessionError;
 
-/// Why a wire is not begun, taken up or gone on with. Nothing moves for it.
+/// Why a wire is not begun, reattached or resumed. Nothing moves for it.
 #[derive(Debug, thiserror::Error)]
 pub enum JobError {
     /// The journal cannot be read or written.
@@ -18,19 +20,14 @@ pub enum JobError {
     OtherWire {
         /// What differs.
         what: &'static str,
-        /// In the journal.
         journal: String,
-        /// In the job.
         job: String,
     },
-    /// A number that a machine cannot be told, or steps that are not as many as the job says.
-    #[error("{what}; plan the job again")]
-    Steps {
-        /// What is wrong.
-        what: String,
-    },
+    /// A number that cannot be sent to a machine, or steps that are not as many as the job says.
+    #[error("{what}")]
+    Steps { what: String },
     /// A person has to look first.
-    #[error("nobody knows whether step {step} was made: look at the wire, and say so first")]
+    #[error("it is not known whether step {step} was done")]
     InDoubt {
         /// The first step in doubt.
         step: u32,
@@ -38,37 +35,69 @@ pub enum JobError {
     /// A person has said something of a step that is not in doubt.
     #[error("step {step} is not the one in doubt: {}", expected(*in_doubt))]
     NotInDoubt {
-        /// The step.
         step: u32,
         /// The first that is.
         in_doubt: Option<u32>,
     },
     /// More of a step, or less than nothing of it.
-    #[error("step {step} has a {what} of {whole:.1}{unit}, of which {part:.1}{unit} cannot be made")]
+    #[error("step {step} has a {what} of {whole:.1}{unit}, of which {part:.1}{unit} cannot be done")]
     NotOfStep {
-        /// The step.
         step: u32,
         /// Feed or rotation.
         what: &'static str,
         /// What was said of it.
         part: f64,
-        /// The whole.
         whole: f64,
-        /// Its unit.
         unit: &'static str,
     },
-    /// The machine makes it at this moment.
-    #[error("the wire is being made: wait, or stop the machine first")]
+    /// The machine is bending it at this moment.
+    #[error("the wire is being bent")]
     AtWork,
     /// The machine and the journal cannot both be right.
     #[error(transparent)]
     Contradiction(#[from] Contradiction),
-    /// There is nothing to be made.
-    #[error("there is nothing to be made: {}", settled(*.0))]
+    /// There is nothing left to do.
+    #[error("there is nothing left to do: {}", settled(*.0))]
     Nothing(Settled),
-    /// Nobody has confirmed it since the wire was begun or stopped.
-    #[error("the wire was not begun, or was stopped since: begin it first")]
+    /// It was not confirmed since the wire was begun or stopped.
+    #[error("the wire was not begun, or was stopped since")]
     NotBegun,
+}
+
+impl JobError {
+    /// A name that stays the same while the wording may change.
+    #[must_use]
+    pub const fn code(&self) -> ErrorCode {
+        match self {
+            Self::Journal(error) => error.code(),
+            Self::Session(_) => ErrorCode::Session,
+            Self::OtherWire { .. } => ErrorCode::OtherWire,
+            Self::Steps { .. } => ErrorCode::Steps,
+            Self::InDoubt { .. } | Self::NotInDoubt { .. } => ErrorCode::InDoubt,
+            Self::NotOfStep { .. } => ErrorCode::NotOfStep,
+            Self::AtWork => ErrorCode::AtWork,
+            Self::Contradiction(_) => ErrorCode::Contradiction,
+            Self::Nothing(_) => ErrorCode::Nothing,
+            Self::NotBegun => ErrorCode::NotBegun,
+        }
+    }
+
+    /// What can be done about it.
+    #[must_use]
+    pub fn remedies(&self) -> Vec<ErrorRemedy> {
+        match self {
+            Self::Journal(error) => error.remedies(),
+            Self::Session(error) => error.remedies(),
+            Self::Steps { .. } => vec![ErrorRemedy::PlanAgain],
+            Self::InDoubt { .. } => vec![ErrorRemedy::LookAtWire],
+            Self::AtWork => vec![ErrorRemedy::Wait, ErrorRemedy::Stop],
+            Self::Contradiction(_) => vec![ErrorRemedy::Stop, ErrorRemedy::LookAtWire, ErrorRemedy::Home],
+            Self::NotBegun => vec![ErrorRemedy::BeginAnew],
+            Self::OtherWire { .. } | Self::NotInDoubt { .. } | Self::NotOfStep { .. } | Self::Nothing(_) => {
+                Vec::new()
+            }
+        }
+    }
 }
 
 fn expected(in_doubt: Option<u32>) -> String {
@@ -77,8 +106,8 @@ fn expected(in_doubt: Option<u32>) -> String {
 
 const fn settled(settled: Settled) -> &'static str {
     match settled {
-        Settled::Finished => "the wire is made",
+        Settled::Finished => "the wire is finished",
         Settled::Abandoned => "the wire was given up",
-        Settled::AllMade => "every step is made",
+        Settled::AllMade => "every step is done",
     }
 }

@@ -2,9 +2,9 @@
 
 use wirebend_driver_api::Step;
 
-use super::account::{Account, Part};
 use super::error::JobError;
-use super::journal::{ToldBy, What};
+use super::journal::{EntryKind, ToldBy};
+use super::journal_state::{JournalState, Part};
 use super::resume::Resume;
 use super::run::JobRun;
 
@@ -19,10 +19,10 @@ const BENT_TOO_FAR_DEG: f64 = 2.0;
 
 /// What is said of the first step in doubt.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Verdict {
-    /// It was made to its end.
+pub enum StepOutcome {
+    /// It is done.
     Made,
-    /// Nothing of what was sent of it was made.
+    /// Nothing of what was sent of it was done.
     NotMade,
     /// So much of it is in the wire.
     Part(Part),
@@ -31,15 +31,12 @@ pub enum Verdict {
 /// The first step in doubt, and what is known of it. All in the machine's signs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Doubtful {
-    /// Which.
     pub step: u32,
-    /// The last in doubt.
     pub last: u32,
-    /// The whole of it.
     pub whole: Step,
     /// How much of it was in the wire before it was sent last.
     pub before: Part,
-    /// How much of it is in the wire as the machine counts; nothing where it cannot tell.
+    /// How much of it is in the wire as the machine counts; nothing where it does not count that.
     pub counted: Option<Part>,
     /// The axis that was on its way when it was stopped may stand elsewhere than counted: a person has to measure.
     pub measure: bool,
@@ -49,14 +46,14 @@ impl JobRun {
     /// The first step in doubt.
     #[must_use]
     pub fn doubtful(&self) -> Option<Doubtful> {
-        self.doubtful_in(self.account())
+        self.doubtful_in(self.journal_state())
     }
 
-    fn doubtful_in(&self, account: &Account) -> Option<Doubtful> {
-        let (step, last) = account.in_doubt().map(|steps| (*steps.start(), *steps.end()))?;
+    fn doubtful_in(&self, state: &JournalState) -> Option<Doubtful> {
+        let (step, last) = state.in_doubt().map(|steps| (*steps.start(), *steps.end()))?;
         let whole = self.step(step)?;
-        let before = account.part;
-        let told = account.part_made.and_then(|told| Some((told.made?, told.exact)));
+        let before = state.part;
+        let told = state.part_made.and_then(|told| Some((told.made?, told.exact)));
         let rest = before.rest(whole);
         let counted = told.filter(|(made, _)| is_of(rest, *made)).map(|(made, exact)| {
             let part = Part {
@@ -69,7 +66,7 @@ impl JobRun {
         Some(Doubtful { step, last, whole, before, counted: counted.map(|(part, _)| part), measure })
     }
 
-    /// How much of the first step in doubt is in the wire, where the machine can tell and nobody has to look.
+    /// How much of the first step in doubt is in the wire, where the machine counts that and nobody has to look.
     pub(super) fn sure_part(&self) -> Option<(u32, Part)> {
         let doubtful = self.doubtful()?;
         Some((doubtful.step, doubtful.counted.filter(|_| !doubtful.measure)?))
@@ -79,40 +76,42 @@ impl JobRun {
     ///
     /// # Errors
     /// [`JobError::NotInDoubt`] for another step, [`JobError::NotOfStep`] for more than the step has,
-    /// [`JobError::AtWork`] while the machine may still make it.
-    pub fn decide(&mut self, n: u32, verdict: Verdict) -> Result<Resume, JobError> {
-        self.may_decide(n, verdict)?;
-        let what = match verdict {
-            Verdict::Made => What::Decided { n, made: true },
-            Verdict::NotMade => What::Decided { n, made: false },
-            Verdict::Part(part) => part.within(self.step(n).unwrap_or_default()).told_by(n, ToldBy::Person),
+    /// [`JobError::AtWork`] while the machine may still run it.
+    pub fn decide(&mut self, n: u32, outcome: StepOutcome) -> Result<Resume, JobError> {
+        self.may_decide(n, outcome)?;
+        let what = match outcome {
+            StepOutcome::Made => EntryKind::Decided { n, made: true },
+            StepOutcome::NotMade => EntryKind::Decided { n, made: false },
+            StepOutcome::Part(part) => {
+                part.within(self.step(n).unwrap_or_default()).told_by(n, ToldBy::Person)
+            }
         };
         self.note(what)?;
         Ok(self.resume_from())
     }
 
-    /// What a person has said of steps since the machine was stopped, in order; nothing was made since.
-    pub fn said(&self) -> impl Iterator<Item = (u32, Verdict)> {
-        self.account().said.iter().map(|said| (said.step, said.verdict))
+    /// What a person has said of steps since the machine was stopped, in order; nothing was bent since.
+    pub fn said(&self) -> impl Iterator<Item = (u32, StepOutcome)> {
+        self.journal_state().said.iter().map(|said| (said.step, said.outcome))
     }
 
     /// How much of a step the machine counted, of which a person has said something since.
     #[must_use]
     pub fn counted_before(&self, n: u32) -> Option<Part> {
-        self.doubtful_in(&self.account().before(n)?)?.counted
+        self.doubtful_in(&self.journal_state().before(n)?)?.counted
     }
 
     /// A person takes back what they have said of a step: it, and those after it, are in doubt again. Gives what may be
     /// done then.
     ///
     /// # Errors
-    /// [`JobError::NotInDoubt`] where nothing was said of it, or something was made since.
+    /// [`JobError::NotInDoubt`] where nothing was said of it, or something was bent since.
     pub fn take_back(&mut self, n: u32) -> Result<Resume, JobError> {
-        if self.is_in_hand() || self.account().before(n).is_none() {
-            let in_doubt = self.account().in_doubt().map(|steps| *steps.start());
+        if self.is_in_hand() || self.journal_state().before(n).is_none() {
+            let in_doubt = self.journal_state().in_doubt().map(|steps| *steps.start());
             return Err(JobError::NotInDoubt { step: n, in_doubt });
         }
-        self.note(What::TakenBack { n })?;
+        self.note(EntryKind::TakenBack { n })?;
         Ok(self.resume_from())
     }
 
@@ -120,15 +119,15 @@ impl JobRun {
     ///
     /// # Errors
     /// As [`JobRun::decide`]; nothing is written down.
-    pub fn may_decide(&self, n: u32, verdict: Verdict) -> Result<(), JobError> {
+    pub fn may_decide(&self, n: u32, outcome: StepOutcome) -> Result<(), JobError> {
         if self.is_in_hand() {
             return Err(JobError::AtWork);
         }
-        let in_doubt = self.account().in_doubt().map(|steps| *steps.start());
+        let in_doubt = self.journal_state().in_doubt().map(|steps| *steps.start());
         if in_doubt != Some(n) {
             return Err(JobError::NotInDoubt { step: n, in_doubt });
         }
-        let Verdict::Part(Part { feed_mm, rotate_deg }) = verdict else { return Ok(()) };
+        let StepOutcome::Part(Part { feed_mm, rotate_deg }) = outcome else { return Ok(()) };
         let whole = self.step(n).unwrap_or_default();
         for (what, part, whole, unit, at) in [
             ("feed", feed_mm, whole.feed_mm, " mm", MEASURED_MM),
@@ -149,8 +148,8 @@ impl JobRun {
 
     /// What is to be sent of a step.
     pub(super) fn to_send(&self, n: u32, step: Step) -> Step {
-        let account: &Account = self.account();
-        if n == account.done + 1 { account.part.rest(step) } else { step }
+        let state: &JournalState = self.journal_state();
+        if n == state.done + 1 { state.part.rest(step) } else { step }
     }
 }
 
@@ -172,8 +171,8 @@ impl Part {
     }
 
     /// The entry of a journal.
-    pub(super) const fn told_by(self, n: u32, by: ToldBy) -> What {
-        What::Part { n, feed_mm: self.feed_mm, rotate_deg: self.rotate_deg, by }
+    pub(super) const fn told_by(self, n: u32, by: ToldBy) -> EntryKind {
+        EntryKind::Part { n, feed_mm: self.feed_mm, rotate_deg: self.rotate_deg, by }
     }
 }
 
@@ -182,7 +181,7 @@ fn is_between(part: f64, whole: f64, at: f64) -> bool {
     part >= whole.min(0.0) - at && part <= whole.max(0.0) + at
 }
 
-/// Whether a machine that makes this can stand there. A wire that is bent too far no step makes right.
+/// Whether a machine that runs this can stand there. No step corrects a wire that is bent too far.
 fn is_of(step: Step, made: Step) -> bool {
     let past = if step.bend_deg < 0.0 { -made.bend_deg } else { made.bend_deg };
     is_between(made.feed_mm, step.feed_mm, FEED_AT_MM)
@@ -190,8 +189,8 @@ fn is_of(step: Step, made: Step) -> bool {
         && past <= step.bend_deg.abs() + BENT_TOO_FAR_DEG
 }
 
-/// Whether feed and head stood when the step was ended: each has not begun or has made its way. Where the bend axis stands
-/// does not matter, since its bend is made anew.
+/// Whether feed and head stood when the step was ended: each has not begun or is done. Where the bend axis stands
+/// does not matter, since its bend starts again.
 fn is_at_rest(step: Step, made: Step) -> bool {
     let at_an_end = |made: f64, whole: f64, at: f64| made.abs() < at || (made - whole).abs() < at;
     at_an_end(made.feed_mm, step.feed_mm, FEED_AT_MM)

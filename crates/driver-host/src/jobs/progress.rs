@@ -1,11 +1,12 @@
-//! What the loop tells whoever calls it.
+//! What the loop reports to its caller.
 
 use std::time::Duration;
 
 use wirebend_driver_api::{Direction, DriverError, PausedBy, Step};
+use wirebend_error::ErrorRemedy;
 
-use super::account::Standing;
-use crate::session::{State, StoppedBy};
+use super::journal_state::JobState;
+use crate::session::{Phase, StoppedBy};
 
 /// Something that happened, in order.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,9 +16,8 @@ pub enum Progress {
         /// The last.
         n: u32,
     },
-    /// A step was made.
+    /// A step is done.
     Made {
-        /// Which.
         n: u32,
         /// How many the wire has.
         of: u32,
@@ -34,36 +34,34 @@ pub enum Progress {
     /// Something that a person should know and that ends nothing.
     Warning(DriverError),
     /// The machine holds.
-    Paused {
-        /// Why.
-        by: PausedBy,
-    },
-    /// The machine goes on.
+    Paused { by: PausedBy },
+    /// The machine resumes.
     Resumed,
-    /// The wire as a simulated machine made it, mm, in the frame of the turtle at its start.
+    /// The wire as a simulated machine bent it, mm, in the frame of the turtle at its start.
     Wire {
         /// Points along its middle.
         wire_mm: Vec<[f64; 3]>,
         /// Its ends and corners.
         corners_mm: Vec<[f64; 3]>,
     },
-    /// The wire is made. The last that is told.
+    /// The wire is finished. The last that is reported.
     Finished,
     /// A stop was sent, or the machine was stopped at the machine itself.
     Stopped {
-        /// Who brought it about; `None` for the machine itself.
+        /// What caused it; `None` for the machine itself.
         by: Option<StoppedBy>,
     },
-    /// What came of a stop, or of the stop that follows the loss of a driver. The last that is told.
+    /// What came of a stop, or of the stop that follows the loss of a driver. The last that is reported.
     Standstill {
         /// Whether the machine has confirmed that it stands.
         confirmed: bool,
     },
-    /// The run is over, or takes no more steps; what was sent before may still be made, and is told.
+    /// The run is over, or takes no more steps; what was sent before may still be run, and is reported.
     Fault {
-        /// What happened and what to do.
         error: DriverError,
-        /// The steps of which nobody knows whether they were made: the first and the last.
+        /// What can be done about it.
+        remedies: Vec<ErrorRemedy>,
+        /// The steps in doubt, of which it is not known whether they were done: the first and the last.
         in_doubt: Option<(u32, u32)>,
     },
 }
@@ -75,14 +73,14 @@ pub struct Overview {
     pub of: u32,
     /// The last that the driver has taken.
     pub sent: u32,
-    /// The last that was made.
+    /// The last that is done.
     pub made: u32,
     /// Since this run was begun, with pauses.
     pub elapsed: Duration,
     /// What is estimated to be left, without pauses.
     pub remaining: Duration,
-    /// The state of the session.
-    pub state: State,
+    /// What the machine is in.
+    pub phase: Phase,
     /// What was written down last.
-    pub standing: Standing,
+    pub standing: JobState,
 }

@@ -1,4 +1,4 @@
-//! What was made of a wire, for whoever asks later: written beside the journal.
+//! What was bent of a wire, as a record for later: written beside the journal.
 
 use std::fs::{self, File};
 use std::io::{self, Write};
@@ -8,13 +8,13 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_driver_api::DoneBy;
 
-use super::journal::{Entry, Heading, ToldBy, What};
+use super::journal::{Entry, EntryKind, Heading, ToldBy};
 
-/// What was made of a wire.
+/// What was bent of a wire.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Record {
-    /// What was to be made, of what, on which machine.
+    /// What was to be bent, of what, on which machine.
     pub job: Heading,
     /// When it was begun.
     pub started: String,
@@ -22,15 +22,15 @@ pub struct Record {
     pub ended: Option<String>,
     /// What became of it.
     pub outcome: Outcome,
-    /// The last step that was made, or, where the machine does not say so, that has had its time.
+    /// The last step that is done, or, where the machine does not report that, that has had its time.
     pub made: u32,
     /// Stops and failures, in order.
     pub interruptions: Vec<Interruption>,
     /// What was said of steps that were in doubt, in order.
     pub decisions: Vec<Decision>,
-    /// Corners of the wire, where a simulated machine made it, mm.
+    /// Corners of the wire, where a simulated machine bent it, mm.
     pub corners_mm: Vec<[f64; 3]>,
-    /// How far each corner is from the design, mm; absent where nobody has measured.
+    /// How far each corner is from the design, mm; absent where that was not measured.
     pub deviations_mm: Option<Vec<f64>>,
 }
 
@@ -38,9 +38,8 @@ pub struct Record {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Outcome {
-    /// It is made.
     Finished,
-    /// All of its steps were sent, to a machine that does not say whether it has made them.
+    /// All of its steps were sent, to a machine that does not report whether it has run them.
     Sent,
     /// A person has given it up.
     Abandoned,
@@ -52,25 +51,22 @@ pub enum Outcome {
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Interruption {
-    /// When.
     pub at: String,
-    /// The last step that was known to be made.
+    /// The last step that was known to be done.
     pub after: u32,
     /// What happened, for a person.
     pub what: String,
 }
 
-/// What was said of a step in doubt: by a person, or by the machine where it could tell how far it was.
+/// What was said of a step in doubt: by a person, or by the machine where it had counted how far it was.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Decision {
-    /// When.
     pub at: String,
-    /// The step.
     pub step: u32,
-    /// Whether it was made.
+    /// Whether it was done.
     pub made: bool,
-    /// How much of it was in the wire, where it was made in part; its rest was made then.
+    /// How much of it was in the wire, where it was done in part; its rest was done then.
     pub part: Option<PartInWire>,
 }
 
@@ -82,7 +78,7 @@ pub struct PartInWire {
     pub feed_mm: f64,
     /// Turned, degrees.
     pub rotate_deg: f64,
-    /// Who has said so.
+    /// Whether the machine or a person has said so.
     pub by: ToldBy,
 }
 
@@ -91,7 +87,7 @@ impl Record {
     #[must_use]
     pub fn of(entries: &[Entry]) -> Option<Self> {
         let (first, rest) = entries.split_first()?;
-        let What::Job(job) = &first.what else { return None };
+        let EntryKind::Job(job) = &first.what else { return None };
         let mut record = Self {
             job: job.clone(),
             started: first.at.clone(),
@@ -111,49 +107,49 @@ impl Record {
         Some(record)
     }
 
-    fn count(&mut self, Entry { at, what }: &Entry, before: &What) {
+    fn count(&mut self, Entry { at, what }: &Entry, before: &EntryKind) {
         match what {
-            What::Done { n } => self.made = *n,
-            What::Decided { n, made } => {
+            EntryKind::Done { n } => self.made = *n,
+            EntryKind::Decided { n, made } => {
                 self.made = if *made { *n } else { self.made };
                 self.decisions.push(Decision { at: at.clone(), step: *n, made: *made, part: None });
             }
-            What::Part { n, feed_mm, rotate_deg, by } => {
+            EntryKind::Part { n, feed_mm, rotate_deg, by } => {
                 let part = PartInWire { feed_mm: *feed_mm, rotate_deg: *rotate_deg, by: *by };
                 let part = Some(part);
                 self.decisions.push(Decision { at: at.clone(), step: *n, made: false, part });
             }
-            What::TakenBack { n } => {
+            EntryKind::TakenBack { n } => {
                 if let Some(at) = self.decisions.iter().rposition(|decision| decision.step == *n) {
                     self.made = *n - 1;
                     self.decisions.truncate(at);
                 }
             }
-            What::Stopped { .. } => self.interrupted(at, "stopped".to_owned()),
-            What::Fault { error, .. } => self.interrupted(at, error.to_string()),
-            What::Standstill { confirmed: false } => {
+            EntryKind::Stopped { .. } => self.interrupted(at, "stopped".to_owned()),
+            EntryKind::Fault { error, .. } => self.interrupted(at, error.to_string()),
+            EntryKind::Standstill { confirmed: false } => {
                 if let Some(last) = self.interruptions.last_mut() {
                     last.what.push_str("; the machine has not confirmed that it stands");
                 }
             }
-            // What ended without a word: the program itself, or the computer. Who only asked has begun nothing.
-            What::Connected { .. }
+            // What ended without a word: the program itself, or the computer. A program that only asked has begun nothing.
+            EntryKind::Connected { .. }
                 if !matches!(
                     before,
-                    What::Job(_)
-                        | What::Connected { .. }
-                        | What::Decided { .. }
-                        | What::Part { .. }
-                        | What::TakenBack { .. }
-                        | What::PartMade { .. }
-                        | What::Stopped { .. }
-                        | What::Standstill { .. }
-                        | What::Fault { .. }
+                    EntryKind::Job(_)
+                        | EntryKind::Connected { .. }
+                        | EntryKind::Decided { .. }
+                        | EntryKind::Part { .. }
+                        | EntryKind::TakenBack { .. }
+                        | EntryKind::PartMade { .. }
+                        | EntryKind::Stopped { .. }
+                        | EntryKind::Standstill { .. }
+                        | EntryKind::Fault { .. }
                 ) =>
             {
                 self.interrupted(at, "the program was ended".to_owned());
             }
-            What::Made { corners_mm, deviations_mm } => {
+            EntryKind::Made { corners_mm, deviations_mm } => {
                 if !corners_mm.is_empty() {
                     self.corners_mm.clone_from(corners_mm);
                 }
@@ -161,14 +157,14 @@ impl Record {
                     self.deviations_mm.clone_from(deviations_mm);
                 }
             }
-            What::Finished => {
+            EntryKind::Finished => {
                 let outcome = match self.job.done_by {
                     DoneBy::Machine => Outcome::Finished,
                     DoneBy::Clock => Outcome::Sent,
                 };
                 self.over(at, outcome);
             }
-            What::Abandoned => self.over(at, Outcome::Abandoned),
+            EntryKind::Abandoned => self.over(at, Outcome::Abandoned),
             _ => {}
         }
     }
@@ -200,7 +196,6 @@ impl Record {
         fs::rename(&new, path)
     }
 
-    /// Its JSON Schema.
     #[must_use]
     pub fn schema() -> serde_json::Value {
         schemars::schema_for!(Self).to_value()

@@ -12,12 +12,12 @@ const ROUNDING_DEG: f64 = 1e-6;
 /// A program counts from there: the head has its turns up to the limits of its cables, and the bend axis
 /// its reach to both sides. The wire itself may be fed by hand.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(super) struct OffZero {
+pub(super) struct AxisOffsets {
     rotate_deg: f64,
     bend_deg: f64,
 }
 
-impl OffZero {
+impl AxisOffsets {
     pub fn turned(&mut self, axis: Axis, by: f64) {
         match axis {
             Axis::Feed => {}
@@ -26,7 +26,7 @@ impl OffZero {
         }
     }
 
-    /// The head of a wire that is taken up again, which need not be where a wire starts.
+    /// The head of a wire that is resumed, which need not be where a wire starts.
     pub fn head_stands_at(&mut self, rotate_deg: f64) {
         self.rotate_deg = rotate_deg;
     }

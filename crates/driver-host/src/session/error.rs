@@ -1,8 +1,10 @@
 //! Why a session does not do what it was asked.
 
 use wirebend_driver_api::{Capability, SettingCheck};
+use wirebend_error::{ErrorCode, ErrorRemedy};
 
-use super::state::{Act, State};
+use super::permit::PermitKind;
+use super::phase::{Act, Phase};
 use crate::error::HostError;
 
 /// Why a session does not do what it was asked. The machine does not move for it.
@@ -13,55 +15,59 @@ pub enum SessionError {
     State {
         /// What was asked.
         act: Act,
-        /// The state.
-        state: State,
-        /// In which states it is possible.
+        /// What the machine is in.
+        state: Phase,
+        /// When it is possible.
         expected: &'static str,
     },
     /// The machine was armed again, or stopped, since.
-    #[error("the machine was stopped or armed anew since this was confirmed: arm it again")]
+    #[error("the machine was stopped or armed anew since this was confirmed")]
     Stale,
+    /// The yes is to a question of another session, or the permit is another session's.
+    #[error("this was confirmed for another connection")]
+    OtherSession,
+    /// The question was answered before, or another one was asked since.
+    #[error("this confirmation was used before, or another question was asked since")]
+    ConfirmationUsed,
+    /// A stop ends what was confirmed before it.
+    #[error("the machine was stopped since this was confirmed")]
+    StoppedSince,
+    /// The person was asked for something else.
+    #[error("{act} was not confirmed, only {permitted}")]
+    NotPermitted {
+        /// What was to be done.
+        act: &'static str,
+        /// What was confirmed.
+        permitted: PermitKind,
+    },
     /// The session is armed for moves by hand.
-    #[error("the machine is armed for moves by hand: arm it for the wire")]
+    #[error("the machine is armed for moves by hand, not for a wire")]
     NotForAWire,
     /// The session is armed for a wire.
-    #[error("the machine is armed for a wire: arm it for moves by hand")]
+    #[error("the machine is armed for a wire, not for moves by hand")]
     ForAWire,
     /// The axes are not where a wire has to start.
-    #[error(
-        "the head stands {rotate_deg:.3}° and the bend axis {bend_deg:.3}° from where a wire starts: turn them back by hand, or home the machine"
-    )]
+    #[error("the head stands {rotate_deg:.3}° and the bend axis {bend_deg:.3}° from where a wire starts")]
     OffZero {
         /// The head.
         rotate_deg: f64,
         /// The bend axis.
         bend_deg: f64,
     },
-    /// Nobody knows where the head stands, and the machine has no switch to find it.
+    /// It is not known where the head stands, and the machine has no switch to find it.
     #[error(
-        "nobody knows where the head stands, between {least:.1}° and {most:.1}° from its zero as the machine counts: look at it, and say where it stands"
+        "it is not known where the head stands, between {least:.1}° and {most:.1}° from its zero as the machine counts"
     )]
-    HeadUnknown {
-        /// At least here.
-        least: f64,
-        /// At most here.
-        most: f64,
-    },
+    HeadUnknown { least: f64, most: f64 },
     /// Where the head will stand cannot be written down, and so it was not turned.
     #[error("where the head stands cannot be kept: {cause}; nothing was moved")]
-    HeadNotKept {
-        /// Why not.
-        cause: String,
-    },
+    HeadNotKept { cause: String },
     /// The machine is set otherwise than its profile says.
     #[error(
-        "the machine is not set as its profile says, and wires would come out wrong: {}; set it, or accept the differences",
+        "the machine is not set as its profile says, and wires would come out wrong: {}",
         listed(settings)
     )]
-    SettingsDiffer {
-        /// The settings.
-        settings: Vec<SettingCheck>,
-    },
+    SettingsDiffer { settings: Vec<SettingCheck> },
     /// Steps with a gap, out of order, or too many.
     #[error("the steps have to follow number {sent} without a gap, and end with {total} at most")]
     Steps {
@@ -71,9 +77,7 @@ pub enum SessionError {
         total: u32,
     },
     /// The driver reports steps that cannot be.
-    #[error(
-        "the driver reports step {n}, after {done} and with {sent} sent: its account cannot be trusted; stop the machine and look"
-    )]
+    #[error("the driver reports step {n}, after {done} and with {sent} sent: its account cannot be trusted")]
     OutOfOrder {
         /// What it reports.
         n: u32,
@@ -85,19 +89,15 @@ pub enum SessionError {
     /// The driver or its machine cannot do this at all.
     #[error("the driver '{driver}' cannot do this: it lacks '{}'", word(*capability))]
     Unsupported {
-        /// The driver.
         driver: String,
         /// What it lacks.
         capability: Capability,
     },
-    /// The driver was built before wires could be taken up again.
-    #[error(
-        "the driver '{driver}' is too old to begin a wire after step {after}: it would pass over that; use a newer one, or make the wire anew"
-    )]
+    /// The driver was built before wires could be resumed.
+    #[error("the driver '{driver}' is too old to begin a wire after step {after}: it would pass over that")]
     TooOld {
-        /// The driver.
         driver: String,
-        /// How many steps are made.
+        /// How many steps are done.
         after: u32,
     },
     /// The driver failed or refused.
@@ -108,20 +108,44 @@ pub enum SessionError {
 impl SessionError {
     /// A name that stays the same while the wording may change.
     #[must_use]
-    pub fn code(&self) -> &'static str {
+    pub fn code(&self) -> ErrorCode {
         match self {
-            Self::State { .. } => "session-state",
-            Self::Stale => "session-stale",
-            Self::NotForAWire | Self::ForAWire => "session-purpose",
-            Self::OffZero { .. } => "off-zero",
-            Self::HeadUnknown { .. } => "head-unknown",
-            Self::HeadNotKept { .. } => "head-not-kept",
-            Self::SettingsDiffer { .. } => "settings-differ",
-            Self::Steps { .. } => "steps",
-            Self::OutOfOrder { .. } => "out-of-order",
-            Self::Unsupported { .. } => "unsupported",
-            Self::TooOld { .. } => "driver-too-old",
+            Self::State { .. } => ErrorCode::SessionState,
+            Self::Stale => ErrorCode::SessionStale,
+            Self::OtherSession => ErrorCode::ConfirmationOfAnother,
+            Self::ConfirmationUsed => ErrorCode::ConfirmationUsed,
+            Self::StoppedSince => ErrorCode::StoppedSince,
+            Self::NotPermitted { .. } => ErrorCode::NotPermitted,
+            Self::NotForAWire | Self::ForAWire => ErrorCode::SessionPurpose,
+            Self::OffZero { .. } => ErrorCode::OffZero,
+            Self::HeadUnknown { .. } => ErrorCode::HeadUnknown,
+            Self::HeadNotKept { .. } => ErrorCode::HeadNotKept,
+            Self::SettingsDiffer { .. } => ErrorCode::SettingsDiffer,
+            Self::Steps { .. } => ErrorCode::Steps,
+            Self::OutOfOrder { .. } => ErrorCode::OutOfOrder,
+            Self::Unsupported { .. } => ErrorCode::Unsupported,
+            Self::TooOld { .. } => ErrorCode::DriverTooOld,
             Self::Host(error) => error.code(),
+        }
+    }
+
+    /// What can be done about it.
+    #[must_use]
+    pub fn remedies(&self) -> Vec<ErrorRemedy> {
+        match self {
+            Self::Stale | Self::NotForAWire | Self::ForAWire => vec![ErrorRemedy::ArmAgain],
+            Self::OtherSession | Self::ConfirmationUsed | Self::StoppedSince | Self::NotPermitted { .. } => {
+                vec![ErrorRemedy::AskAgain]
+            }
+            Self::OffZero { .. } => vec![ErrorRemedy::TurnAxesBack, ErrorRemedy::Home],
+            Self::HeadUnknown { .. } => vec![ErrorRemedy::StateHead],
+            Self::HeadNotKept { .. } => vec![ErrorRemedy::CheckDisk],
+            Self::SettingsDiffer { .. } => vec![ErrorRemedy::SetMachine, ErrorRemedy::AcceptSettings],
+            Self::State { .. } | Self::Steps { .. } => Vec::new(),
+            Self::OutOfOrder { .. } => vec![ErrorRemedy::Stop, ErrorRemedy::LookAtWire],
+            Self::Unsupported { .. } => vec![ErrorRemedy::UseOtherMachine],
+            Self::TooOld { .. } => vec![ErrorRemedy::UpdateDriver, ErrorRemedy::BeginAnew],
+            Self::Host(error) => error.remedies(),
         }
     }
 }
@@ -145,3 +169,5 @@ const fn word(capability: Capability) -> &'static str {
         Capability::Unknown => "something newer",
     }
 }
+
+wirebend_error::reported!(SessionError);

@@ -1,4 +1,4 @@
-//! Where the head stands, counted from where its cable is unwound: kept over connections by whoever holds the record, since
+//! Where the head stands, counted from where its cable is unwound: kept over connections by the holder of the record, since
 //! most machines have no switch for it and forget it with their power.
 
 use std::collections::VecDeque;
@@ -6,7 +6,7 @@ use std::fmt;
 
 use wirebend_driver_api::{Axis, Event, HeadBy, Motion, NumberedStep, ReferenceBy, Step};
 
-use super::{Confirmed, Session, SessionError};
+use super::{Session, SessionError};
 
 /// Below this a turn is rounding, degrees.
 const ROUNDING_DEG: f64 = 1e-6;
@@ -20,7 +20,6 @@ pub enum HeadPlace {
     /// Nothing was ever kept of it: it is taken to stand at zero.
     #[default]
     Unsaid,
-    /// Here.
     At(f64),
     /// Somewhere from the first to the second: it was turning when it was last heard of.
     Between(f64, f64),
@@ -93,14 +92,14 @@ pub(super) struct Head {
     counted: bool,
     /// What has to be added to the machine's positions.
     base: Option<f64>,
-    /// Where it stands when all that was sent is made.
+    /// Where it stands when all that was sent is done.
     end: f64,
-    /// Where it stands after each step that was sent and not made.
+    /// Where it stands after each step that was sent and not done.
     ahead: VecDeque<f64>,
     /// Where it stands when the jog under way is over.
     jogged: Option<HeadPlace>,
     /// The last position among the reports that are being taken.
-    told: Option<f64>,
+    reported: Option<f64>,
 }
 
 impl fmt::Debug for Head {
@@ -127,10 +126,10 @@ impl Head {
 
     /// New reports are about to be taken.
     pub fn listens(&mut self) {
-        self.told = None;
+        self.reported = None;
     }
 
-    /// Before the search for the reference: where the machine has to be told that the head stands.
+    /// Before homing: the position of the head that has to be sent to the machine.
     pub fn homes(&mut self, reference: ReferenceBy) -> Result<Option<f64>, SessionError> {
         self.ahead.clear();
         if reference == ReferenceBy::Person || self.place == HeadPlace::Unsaid {
@@ -168,8 +167,8 @@ impl Head {
         Ok(())
     }
 
-    /// The machine still is in a wire of before: where the head stands after each of its steps, from the last that is made.
-    pub fn goes_on(&mut self, made_deg: f64, steps: impl IntoIterator<Item = f64>) {
+    /// The machine still is in a wire of before: where the head stands after each of its steps, from the last that is done.
+    pub fn reattached(&mut self, made_deg: f64, steps: impl IntoIterator<Item = f64>) {
         self.ahead = steps.into_iter().collect();
         self.end = self.ahead.back().copied().unwrap_or(made_deg);
         if self.by != HeadBy::Reference {
@@ -228,7 +227,7 @@ impl Head {
                 let kept = *head == HeadBy::Kept;
                 (self.by, self.counted, self.base) = (*head, kept, kept.then_some(0.0));
             }
-            Event::Position(Step { rotate_deg, .. }) => self.told = Some(*rotate_deg),
+            Event::Position(Step { rotate_deg, .. }) => self.reported = Some(*rotate_deg),
             Event::Homed => self.homed(reference),
             Event::Done { .. } => {
                 if let Some(made) = self.ahead.pop_front() {
@@ -257,8 +256,8 @@ impl Head {
     fn stands(&mut self) {
         self.ahead.clear();
         self.jogged = None;
-        if let (HeadPlace::Between(..), Some(told), Some(base)) = (self.place, self.told, self.base) {
-            self.is(HeadPlace::At(told + base));
+        if let (HeadPlace::Between(..), Some(reported), Some(base)) = (self.place, self.reported, self.base) {
+            self.is(HeadPlace::At(reported + base));
         }
     }
 }
@@ -269,19 +268,18 @@ impl Session {
         (self.head.place, self.head.keeper) = (place, Some(keeper));
     }
 
-    /// Where the head stands.
     #[must_use]
     pub const fn head_place(&self) -> HeadPlace {
         self.head.place
     }
 
-    /// Who knows where the head stands once the machine was switched off or reset.
+    /// What knows where the head stands once the machine was switched off or reset.
     #[must_use]
     pub const fn head_by(&self) -> HeadBy {
         self.head.by
     }
 
-    /// Whether the machine counts its head from zero by itself, or finds that: nobody has to tell it where that stands.
+    /// Whether the machine counts its head from zero by itself, or finds that: it need not be told where that stands.
     #[must_use]
     pub fn counts_its_head(&self) -> bool {
         self.head.by == HeadBy::Reference || self.head.counted
@@ -291,7 +289,7 @@ impl Session {
     ///
     /// # Errors
     /// [`SessionError::HeadNotKept`].
-    pub fn head_stands_at(&mut self, deg: f64, _confirmed: &Confirmed) -> Result<(), SessionError> {
+    pub fn head_stands_at(&mut self, deg: f64) -> Result<(), SessionError> {
         self.head.counted = false;
         if self.reference == ReferenceBy::Person {
             // Its positions count from where it was zeroed, which may be elsewhere.
@@ -304,7 +302,7 @@ impl Session {
     ///
     /// # Errors
     /// [`SessionError::HeadNotKept`].
-    pub fn head_is_zeroed(&mut self, _confirmed: &Confirmed) -> Result<(), SessionError> {
+    pub fn head_is_zeroed(&mut self) -> Result<(), SessionError> {
         self.head.base = Some(0.0);
         self.head.may_be(HeadPlace::At(0.0))
     }

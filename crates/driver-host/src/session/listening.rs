@@ -2,18 +2,18 @@
 
 use wirebend_driver_api::{Event, SettingCheck};
 
-use super::axes::OffZero;
-use super::{Session, SessionError, Standstill, State};
+use super::axes::AxisOffsets;
+use super::{Phase, Session, SessionError, Standstill};
 
 impl Session {
     /// Takes what the driver reports, and moves the state along.
     ///
     /// # Errors
     /// [`SessionError::Host`] when the driver fails or refuses, [`SessionError::OutOfOrder`] when its account
-    /// cannot be true: the state is [`State::Faulted`] then.
+    /// cannot be true: the state is [`Phase::Failed`] then.
     pub fn poll(&mut self) -> Result<Vec<Event>, SessionError> {
         if self.lost && self.guard.standstill() == Some(Standstill::Awaited) {
-            // The program itself waits for the machine; there is nobody else to hear.
+            // The program itself waits for the machine; nothing else hears it.
             return Ok(Vec::new());
         }
         let polled = self.driver.poll();
@@ -21,55 +21,66 @@ impl Session {
         let mut events = polled.inspect_err(|_| self.driver_failed())?;
         self.head.listens();
         for event in &mut events {
-            if let Event::Connected { going_on, .. } = event
+            if let Event::Connected { resume, .. } = event
                 && !self.resuming
             {
-                // Nobody has told it of which wire.
-                *going_on = None;
+                // It does not know of which wire.
+                *resume = None;
             }
+            self.count_own_stop(event);
             self.take_note(event)?;
             self.head.hears(event, self.reference);
-            self.state = self.state.after(event);
+            self.phase = self.phase.after(event);
         }
         self.notice_stop();
         self.see_stop_through();
         Ok(events)
     }
 
+    /// A stop at the machine itself ends what was confirmed before it, too.
+    fn count_own_stop(&self, event: &Event) {
+        let at_rest = matches!(self.phase, Phase::Connecting | Phase::Stopped | Phase::Failed);
+        let own = self.guard.standstill() != Some(Standstill::Awaited) && !at_rest;
+        if own && matches!(event, Event::Stopped { .. }) {
+            self.arming.count_stop();
+        }
+    }
+
     /// What an event says of the wire and of the axes. A driver that skips a step, reports one that it was not
-    /// sent, or a wire as made before its last step is, is not to be believed.
+    /// sent, or a wire as finished before its last step is done, is not to be believed.
     fn take_note(&mut self, event: &Event) -> Result<(), SessionError> {
         let complete = self.done == self.sent && self.steps == Some(self.done);
         let believed = match event {
             Event::Done { n } | Event::PartMade { step: n, .. } => *n == self.done + 1 && *n <= self.sent,
-            Event::Finished => complete || !matches!(self.state, State::Running | State::Paused),
-            Event::Connected { going_on: Some(going_on), .. } => going_on.done <= going_on.accepted,
+            Event::Finished => complete || !matches!(self.phase, Phase::Making | Phase::Holding),
+            Event::Connected { resume: Some(resume), .. } => resume.done <= resume.accepted,
             _ => true,
         };
         match event {
             Event::Done { n } if believed => self.done = *n,
             Event::Homed => {
-                self.off = OffZero::default();
+                self.off = AxisOffsets::default();
                 self.guard.rests();
             }
+            Event::Position(position) => self.position = Some(*position),
             Event::Jogged => self.guard.rests(),
             Event::Finished if believed => self.guard.rests(),
             Event::Stopped { .. } => self.guard.confirm(),
             // It no longer waits for the stop.
             Event::Fault { .. } if self.guard.standstill() == Some(Standstill::Awaited) => self.lose_driver(),
-            Event::Fault { .. } if self.state != State::Disconnected && self.guard.concerns() => self.halt(),
-            Event::Connected { settings, going_on, identity, reference, done_by, limits, .. } => {
+            Event::Fault { .. } if self.phase != Phase::Connecting && self.guard.concerns() => self.halt(),
+            Event::Connected { settings, resume, identity, reference, done_by, limits, .. } => {
                 (self.reference, self.done_by) = (*reference, *done_by);
                 self.limits.clone_from(limits);
                 self.identity.clone_from(identity);
-                self.off = OffZero::default();
+                self.off = AxisOffsets::default();
                 self.differences = differences(settings);
-                self.going_on = *going_on;
-                if going_on.is_none() {
+                self.resume = *resume;
+                if resume.is_none() {
                     self.guard.rests();
                 }
-                if let Some(going_on) = going_on {
-                    (self.sent, self.done) = (going_on.accepted, going_on.done);
+                if let Some(resume) = resume {
+                    (self.sent, self.done) = (resume.accepted, resume.done);
                 }
             }
             Event::SettingsWritten { settings, limits } => {
@@ -89,7 +100,7 @@ impl Session {
     }
 }
 
-/// Those that make wires come out wrong.
+/// Those with which wires come out wrong.
 fn differences(settings: &[SettingCheck]) -> Vec<SettingCheck> {
     settings.iter().filter(|setting| setting.matters).cloned().collect()
 }

@@ -6,26 +6,39 @@ mod error;
 mod head;
 mod listening;
 mod motions;
+mod orders;
+mod permit;
+mod phase;
+mod snapshot;
 mod standstill;
-mod state;
 mod stop;
 mod stop_line;
+mod stopping;
+
+use std::cell::OnceCell;
+use std::time::Duration;
 
 use serde::de::DeserializeOwned;
-use wirebend_driver_api::{Call, Capability, DoneBy, GoingOn, Limits, ReferenceBy, SettingCheck, deadline};
+use wirebend_driver_api::{
+    Call, Capability, DoneBy, Limits, ReferenceBy, ResumeState, SettingCheck, Step, deadline,
+};
 
 use crate::driver::OpenDriver;
 use crate::error::HostError;
-pub use armed::{Armed, Asked, Confirmed, Purpose};
-use axes::OffZero;
+pub use armed::Armed;
+use axes::AxisOffsets;
 pub use error::SessionError;
 use head::Head;
 pub use head::{HeadKeeper, HeadPlace};
 pub(crate) use motions::turned;
+pub use orders::{Because, OrderName, Orders, RefusedOrder};
+use permit::Questions;
+pub use permit::{Confirmation, Permit, PermitKind, PermitRequest, Simulation};
+pub use phase::Phase;
+use phase::{Act, Transition};
+pub use snapshot::{Snapshot, WireProgress};
+use standstill::SessionGuard;
 pub use standstill::Standstill;
-use standstill::{DRIVER_CONFIRMS_WITHIN, GIVE_UP_AFTER, SessionGuard};
-pub use state::State;
-use state::{Act, Transition};
 use stop::Arming;
 pub use stop::{StopHandle, StopOutcome, StoppedBy};
 pub use stop_line::{StopLine, StopLineError};
@@ -34,24 +47,33 @@ pub use stop_line::{StopLine, StopLineError};
 #[derive(Debug)]
 pub struct Session {
     driver: OpenDriver,
-    state: State,
+    port: String,
+    /// Asked of the driver once, when it is first needed.
+    is_simulated: OnceCell<bool>,
+    questions: Questions,
+    phase: Phase,
+    position: Option<Step>,
     arming: Arming,
     /// The arming, or the stop, that this session knows of.
     known: u64,
+    /// How many stops it knows of.
+    known_stops: u64,
     /// Steps of the wire in hand, when armed for one.
     steps: Option<u32>,
     sent: u32,
     done: u32,
+    /// Since the wire in hand was begun, and what is estimated to be left of it. Nothing once another is permitted.
+    times: Option<(Duration, Duration)>,
     /// How far rotate and bend axis are from their reference, degrees, in the machine's signs.
-    off: OffZero,
-    /// Settings of the machine that make wires come out wrong, as long as no person has accepted them.
+    off: AxisOffsets,
+    /// Settings of the machine with which wires come out wrong, as long as no person has accepted them.
     differences: Vec<SettingCheck>,
     /// What the machine itself says of its axes.
     limits: Limits,
     /// The driver was given the token of an earlier arming.
     resuming: bool,
     /// What the machine said of it.
-    going_on: Option<GoingOn>,
+    resume: Option<ResumeState>,
     /// The last that the machine said of holding.
     holds: bool,
     guard: SessionGuard,
@@ -59,16 +81,16 @@ pub struct Session {
     identity: String,
     /// The driver was ended because the machine may move and the driver is not to be trusted with that.
     lost: bool,
-    /// Who brings its axes to their reference.
+    /// Whether the machine or a person brings its axes to their reference.
     reference: ReferenceBy,
-    /// Who says that a step is made.
+    /// What reports that a step is done.
     done_by: DoneBy,
     head: Head,
 }
 
 impl Session {
     /// Opens a port. The machine's answer comes by [`Session::poll`]; until then the state is
-    /// [`State::Disconnected`]. `line` is the program's own way to the port, by which it stops the machine where the
+    /// [`Phase::Connecting`]. `line` is the program's own way to the port, by which it stops the machine where the
     /// driver does not, or is lost while the machine may move. It has to be opened before: see [`StopLine::open`].
     ///
     /// # Errors
@@ -79,8 +101,8 @@ impl Session {
     }
 
     /// The same with the token of an earlier arming: where the machine still is in that wire, it becomes
-    /// [`State::Interrupted`], and [`Session::going_on`] tells how far it is. What it has taken already it may
-    /// make by itself; everything else needs [`Session::take_up`].
+    /// [`Phase::Interrupted`], and [`Session::resume_state`] gives how far it is. What it has taken already it may
+    /// run by itself; everything else needs [`Session::reattach`].
     ///
     /// # Errors
     /// As [`Session::connect`].
@@ -102,17 +124,23 @@ impl Session {
         let arming = Arming::first();
         let session = Self {
             driver,
-            state: State::Disconnected,
+            port: port.to_owned(),
+            is_simulated: OnceCell::new(),
+            questions: Questions::default(),
+            phase: Phase::Connecting,
+            position: None,
             known: arming.now(),
+            known_stops: arming.stops(),
             arming,
             steps: None,
             sent: 0,
             done: 0,
-            off: OffZero::default(),
+            times: None,
+            off: AxisOffsets::default(),
             differences: Vec::new(),
             limits: Limits::default(),
             resuming: resume.is_some(),
-            going_on: None,
+            resume: None,
             holds: false,
             guard: SessionGuard::default(),
             identity: String::new(),
@@ -136,8 +164,8 @@ impl Session {
     /// How far the machine was in the wire of the token when it was connected; `None` when it is not in it any
     /// more, or was not asked.
     #[must_use]
-    pub const fn going_on(&self) -> Option<GoingOn> {
-        self.going_on
+    pub const fn resume_state(&self) -> Option<ResumeState> {
+        self.resume
     }
 
     /// How far the head is turned from its reference, degrees, in the machine's signs, as far as it is known.
@@ -152,38 +180,43 @@ impl Session {
         &self.identity
     }
 
-    /// Who brings the axes to their reference. Where a person does, [`Session::home`] moves nothing, and their yes has to be
-    /// that the axes stand there.
+    /// Whether the machine or a person brings the axes to their reference. Where a person does, [`Session::home`] moves
+    /// nothing, and their yes has to be that the axes stand there.
     #[must_use]
     pub const fn reference(&self) -> ReferenceBy {
         self.reference
     }
 
-    /// Who says that a step is made: the machine, or the clock alone.
+    /// What reports that a step is done: the machine, or the clock alone.
     #[must_use]
     pub const fn done_by(&self) -> DoneBy {
         self.done_by
     }
 
-    /// The state.
+    /// What the machine is in.
     #[must_use]
-    pub const fn state(&self) -> State {
-        self.state
+    pub const fn phase(&self) -> Phase {
+        self.phase
     }
 
-    /// The driver.
+    /// Whether the wire that it was armed for last is done: nothing was asked of the machine since.
+    #[must_use]
+    pub fn is_done(&self) -> bool {
+        self.phase == Phase::Ready && self.steps == Some(self.done)
+    }
+
     #[must_use]
     pub const fn driver(&self) -> &OpenDriver {
         &self.driver
     }
 
-    /// The last step that was sent, and the last that was made.
+    /// The last step that was sent, and the last that is done.
     #[must_use]
     pub const fn progress(&self) -> (u32, u32) {
         (self.sent, self.done)
     }
 
-    /// Settings of the machine that make wires come out wrong; none when a person has accepted them.
+    /// Settings of the machine with which wires come out wrong; none when a person has accepted them.
     #[must_use]
     pub fn differences(&self) -> &[SettingCheck] {
         &self.differences
@@ -195,47 +228,14 @@ impl Session {
         &self.limits
     }
 
-    /// Makes wires although settings of the machine differ.
-    pub fn accept_differences(&mut self, _confirmed: Confirmed) {
+    /// Bends wires although settings of the machine differ.
+    ///
+    /// # Errors
+    /// [`SessionError`] where the permit does not hold or is not for a wire.
+    pub fn accept_differences(&mut self, permit: &Permit) -> Result<(), SessionError> {
+        self.permits(permit, "accepting settings that differ", &[PermitKind::Wire])?;
         self.differences.clear();
-    }
-
-    /// Stops the machine; see [`StopHandle::stop`].
-    pub fn stop(&mut self) -> StopOutcome {
-        let outcome = self.stop_handle().stop();
-        self.notice_stop();
-        if outcome.driver_ended {
-            self.driver_failed();
-        }
-        outcome
-    }
-
-    /// Whether the machine stands after the last stop, after its driver was lost, or after a fault while it might move;
-    /// `None` when there was none of them since. While it is awaited, [`Session::poll`] follows it.
-    #[must_use]
-    pub fn standstill(&self) -> Option<Standstill> {
-        self.guard.standstill()
-    }
-
-    /// How the last stop through this session or one of its handles went.
-    #[must_use]
-    pub fn last_stop(&self) -> Option<StopOutcome> {
-        self.arming.stopped()
-    }
-
-    /// The same, and forgets it: whoever goes on with the session has heard of it. What it ended stays ended.
-    #[must_use]
-    pub fn take_stop(&mut self) -> Option<StopOutcome> {
-        self.notice_stop();
-        self.guard.forget();
-        self.arming.take_stopped()
-    }
-
-    /// What stops the machine from any thread, whatever this one is doing.
-    #[must_use]
-    pub fn stop_handle(&self) -> StopHandle {
-        let can_stop = self.driver.description().can(Capability::Stop);
-        StopHandle::new(self.driver.handle(), self.arming.clone(), can_stop, self.guard.copy())
+        Ok(())
     }
 
     /// Closes the port and gives the driver back.
@@ -246,63 +246,6 @@ impl Session {
         self.driver.call("disconnecting", &Call::Disconnect)?;
         self.share_port();
         Ok(self.driver)
-    }
-
-    /// Learns of a stop through a handle, whether or not the driver reports it.
-    fn notice_stop(&mut self) {
-        let now = self.arming.now();
-        if now != self.known {
-            self.known = now;
-            if !matches!(self.state, State::Disconnected | State::Faulted) {
-                let awaited = self.guard.standstill() == Some(Standstill::Awaited);
-                self.state = if awaited { State::Stopping } else { State::Stopped };
-            }
-        }
-    }
-
-    /// A driver that does not bring the machine's confirmation in time is ended: the program asks for it itself.
-    fn see_stop_through(&mut self) {
-        let Some(awaited) = self.guard.awaited_for() else { return };
-        if awaited > DRIVER_CONFIRMS_WITHIN && !self.lost && self.guard.line().is_some() {
-            self.lose_driver();
-        } else if awaited > GIVE_UP_AFTER && self.guard.line().is_none() {
-            self.guard.give_up();
-            self.state = State::Faulted;
-        }
-    }
-
-    /// The driver has told of a fault while the machine may move. Whether that has ended the motion the driver need not
-    /// know, and what the machine was sent before it may still make: it is stopped as by a person, and says that it stands.
-    fn halt(&mut self) {
-        if self.stop_handle().halt().driver_ended {
-            self.driver_failed();
-        }
-    }
-
-    /// What it was asked it did not do, and it may be gone. Where the machine may move, nothing more is left to it.
-    fn driver_failed(&mut self) {
-        if self.guard.concerns() {
-            self.lose_driver();
-        }
-        self.state = State::Faulted;
-        self.share_port();
-    }
-
-    /// Ends the driver, for whose loss the guard stops the machine.
-    fn lose_driver(&mut self) {
-        self.lost = true;
-        self.driver.handle().kill();
-        // One that had ended before was noticed then.
-        self.guard.driver_is_lost();
-        self.state = State::Faulted;
-        self.share_port();
-    }
-
-    /// Lets a new driver open the port although this program keeps it.
-    fn share_port(&self) {
-        if let Some(line) = self.guard.line() {
-            line.share();
-        }
     }
 
     /// Whether no stop has come of which this session does not know yet.
@@ -328,10 +271,10 @@ impl Session {
         called
     }
 
-    fn may(&self, act: Act) -> Result<State, SessionError> {
+    fn may(&self, act: Act) -> Result<Phase, SessionError> {
         // After a fault, too, nothing begins before the machine stands.
         let awaited = self.guard.standstill() == Some(Standstill::Awaited);
-        let state = if awaited && self.state == State::Faulted { State::Stopping } else { self.state };
+        let state = if awaited && self.phase == Phase::Failed { Phase::Stopping } else { self.phase };
         match state.on(act) {
             Transition::To(next) => Ok(next),
             Transition::Refused { expected } => Err(SessionError::State { act, state, expected }),

@@ -4,8 +4,8 @@ use wirebend_driver_api::{
     ArmedReply, Axis, Batch, Call, Capability, Motion, NumberedStep, Run, Sent, Step, deadline,
 };
 
-use super::state::Act;
-use super::{Armed, Confirmed, HeadPlace, Purpose, Session, SessionError, State};
+use super::phase::Act;
+use super::{Armed, HeadPlace, Permit, PermitKind, Phase, Session, SessionError};
 use crate::error::HostError;
 
 impl Session {
@@ -14,14 +14,15 @@ impl Session {
     ///
     /// # Errors
     /// [`SessionError`].
-    pub fn home(&mut self, _confirmed: &Confirmed) -> Result<(), SessionError> {
+    pub fn home(&mut self, permit: &Permit) -> Result<(), SessionError> {
         self.require(Capability::Home)?;
         self.may(Act::Home)?;
-        // What was reported before is not about this search; but a stop that comes only to light now came after the
+        self.permits(permit, "homing", &[PermitKind::Wire, PermitKind::ByHand])?;
+        // What was reported before is not about this homing; but a stop that comes only to light now came after the
         // person's yes.
-        let (known, before) = (self.known, self.state);
+        let (known, before) = (self.known, self.phase);
         self.poll()?;
-        if self.known != known || (self.state == State::Stopped && before != State::Stopped) {
+        if self.known != known || (self.phase == Phase::Stopped && before != Phase::Stopped) {
             return Err(SessionError::Stale);
         }
         let next = self.may(Act::Home)?;
@@ -30,48 +31,57 @@ impl Session {
         let head_at_deg = self.head.homes(self.reference)?;
         let called = self.motion("homing", &Call::Home { head_at_deg });
         self.faulting_before(called, place)?;
-        self.state = next;
+        (self.phase, self.steps) = (next, None);
         Ok(())
     }
 
-    /// Makes ready to move. The token that this gives is what every motion needs; it ends with the wire,
-    /// with a stop, a fault, or another arming.
+    /// Makes ready for one wire of a job, or for the rest of one: from the step after [`Run::after`] on. The token that
+    /// this gives is what every motion needs; it ends with the wire, with a stop, a fault, or another arming.
     ///
     /// Both axes have to be at their reference. For the rest of a wire the driver learns from
-    /// [`Run::rotate_at_deg`] where the made part has left the head.
+    /// [`Run::rotate_at_deg`] where the finished part has left the head.
     ///
     /// # Errors
     /// [`SessionError`].
-    pub fn arm(&mut self, purpose: Purpose, _confirmed: Confirmed) -> Result<Armed, SessionError> {
+    pub fn arm(&mut self, run: Run, permit: Permit) -> Result<Armed, SessionError> {
         let next = self.may(Act::Arm)?;
+        self.uses_up(permit, "bending a wire", PermitKind::Wire)?;
         self.guard.forget();
-        let (steps, after, token) = match purpose {
-            Purpose::Wire(run) => {
-                let (steps, after, rotate_at_deg) = (run.steps, run.after, run.rotate_at_deg);
-                self.off.require_zero()?;
-                if !self.differences.is_empty() {
-                    return Err(SessionError::SettingsDiffer { settings: self.differences.clone() });
-                }
-                if after > steps || !rotate_at_deg.is_finite() {
-                    return Err(SessionError::Steps { sent: after, total: steps });
-                }
-                if (after > 0 || rotate_at_deg != 0.0) && self.driver.minor() == 0 {
-                    let driver = self.driver.description().id.clone();
-                    return Err(SessionError::TooOld { driver, after });
-                }
-                self.head.begins(rotate_at_deg)?;
-                let token = self.call_to_arm(run)?;
-                self.off.head_stands_at(rotate_at_deg);
-                (Some(steps), after, token)
-            }
-            Purpose::ByHand => (None, 0, None),
-        };
+        let (steps, after, rotate_at_deg) = (run.steps, run.after, run.rotate_at_deg);
+        self.off.require_zero()?;
+        if !self.differences.is_empty() {
+            return Err(SessionError::SettingsDiffer { settings: self.differences.clone() });
+        }
+        if after > steps || !rotate_at_deg.is_finite() {
+            return Err(SessionError::Steps { sent: after, total: steps });
+        }
+        if (after > 0 || rotate_at_deg != 0.0) && self.driver.minor() == 0 {
+            let driver = self.driver.description().id.clone();
+            return Err(SessionError::TooOld { driver, after });
+        }
+        self.head.begins(rotate_at_deg)?;
+        let token = self.call_to_arm(run)?;
+        self.off.head_stands_at(rotate_at_deg);
         let armed = self.armed(token)?;
-        (self.state, self.steps, self.sent, self.done) = (next, steps, after, after);
+        (self.phase, self.steps, self.sent, self.done) = (next, Some(steps), after, after);
+        self.times = Some(Default::default());
         Ok(armed)
     }
 
-    /// Goes on with the wire that the machine still is in, after [`Session::connect_resuming`]: `run` is that of
+    /// Makes ready for moves by hand. The token ends as that of [`Session::arm`].
+    ///
+    /// # Errors
+    /// [`SessionError`].
+    pub fn arm_by_hand(&mut self, permit: &Permit) -> Result<Armed, SessionError> {
+        let next = self.may(Act::ArmByHand)?;
+        self.permits(permit, "moving by hand", &[PermitKind::ByHand])?;
+        self.guard.forget();
+        let armed = self.armed(None)?;
+        (self.phase, self.steps, self.sent, self.done) = (next, None, 0, 0);
+        Ok(armed)
+    }
+
+    /// Resumes the wire that the machine still is in, after [`Session::connect_resuming`]: `run` is that of
     /// the wire, `steps` are all of its steps, of the next of which the head was turned by `begun_deg` before the machine
     /// was sent the rest. Nothing new moves for it; the token that this gives is what
     /// sending and, where the machine holds, resuming need.
@@ -79,14 +89,15 @@ impl Session {
     /// # Errors
     /// [`SessionError`], such as [`SessionError::Steps`] for a wire that has fewer steps than the machine has
     /// taken.
-    pub fn take_up(
+    pub fn reattach(
         &mut self,
         run: Run,
         steps: &[Step],
         begun_deg: f64,
-        _confirmed: Confirmed,
+        permit: Permit,
     ) -> Result<Armed, SessionError> {
-        let next = self.may(Act::TakeUp)?;
+        let next = self.may(Act::Reattach)?;
+        self.uses_up(permit, "bending a wire", PermitKind::Wire)?;
         self.guard.forget();
         if !self.differences.is_empty() {
             return Err(SessionError::SettingsDiffer { settings: self.differences.clone() });
@@ -103,15 +114,15 @@ impl Session {
         let armed = self.armed(token)?;
         self.off.head_stands_at(head);
         let ahead = (self.done + 1..=self.sent).map(|n| turned(steps, n));
-        self.head.goes_on(rotate_at_deg, ahead);
-        self.steps = Some(total);
-        self.state = if self.holds { State::Paused } else { next };
+        self.head.reattached(rotate_at_deg, ahead);
+        (self.steps, self.times) = (Some(total), Some(Default::default()));
+        self.phase = if self.holds { Phase::Holding } else { next };
         Ok(armed)
     }
 
     /// Sends steps of the wire, from the one after the last that was sent. The driver takes as many as it
     /// has room for. When all were sent, none are: that the wire ends with them is said again, as a wire that
-    /// was taken up needs it.
+    /// was reattached needs it.
     ///
     /// # Errors
     /// [`SessionError`].
@@ -141,7 +152,7 @@ impl Session {
         newly.for_each(|step| self.off.turned(Axis::Rotate, step.step.rotate_deg));
         self.head.not_taken(steps.iter().filter(|step| step.n > accepted).count(), place);
         self.sent = accepted;
-        self.state = next;
+        self.phase = next;
         Ok(Sent { accepted, ..taken })
     }
 
@@ -160,11 +171,18 @@ impl Session {
         let called = self.motion("jogging", &Call::Jog(motion));
         self.faulting_before(called, place)?;
         self.off.turned(motion.axis, motion.by);
-        self.state = next;
+        self.phase = next;
         Ok(())
     }
 
-    /// Holds the machine; the state changes when the machine says that it does.
+    /// The moves by hand are over: the token of [`Session::arm_by_hand`] is not used any more.
+    pub fn end_moves(&mut self) {
+        if self.phase == Phase::Moving {
+            self.phase = Phase::Ready;
+        }
+    }
+
+    /// Holds the machine; the phase changes when the machine says that it does.
     ///
     /// # Errors
     /// [`SessionError`].
@@ -175,7 +193,7 @@ impl Session {
         self.faulting(called)
     }
 
-    /// Goes on after a pause: the machine moves.
+    /// Resumes after a pause: the machine moves.
     ///
     /// # Errors
     /// [`SessionError`].
@@ -192,16 +210,17 @@ impl Session {
     ///
     /// # Errors
     /// [`SessionError`].
-    pub fn write_settings(&mut self, _confirmed: &Confirmed) -> Result<(), SessionError> {
+    pub fn write_settings(&mut self, permit: Permit) -> Result<(), SessionError> {
         self.require(Capability::Settings)?;
         let next = self.may(Act::WriteSettings)?;
+        self.uses_up(permit, "writing settings", PermitKind::Settings)?;
         let call = Call::WriteSettings;
         let called = self
             .driver
             .motion_for::<serde_json::Value>("writing settings", &call, deadline::CALL, self.unstopped())
             .map(drop);
         self.faulting(called)?;
-        self.state = next;
+        self.phase = next;
         Ok(())
     }
 

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::stop_line::StopLine;
 
-/// How long a machine has to confirm a stop before nobody waits for it any more.
+/// How long a machine has to confirm a stop before the program stops waiting for it.
 pub(super) const GIVE_UP_AFTER: Duration = Duration::from_secs(10);
 /// How long the driver has for it before the program takes the port over.
 pub(super) const DRIVER_CONFIRMS_WITHIN: Duration = Duration::from_secs(3);
@@ -18,7 +18,7 @@ const AGAIN: Duration = Duration::from_millis(100);
 /// Between two looks for the reply.
 const LOOK: Duration = Duration::from_millis(10);
 
-/// Whether a machine that was stopped, or whose driver was lost or has told of a fault, stands.
+/// Whether a machine that was stopped, or whose driver was lost or has reported a fault, stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Standstill {
@@ -38,7 +38,7 @@ pub(super) struct Guard(Arc<Shared>);
 #[derive(Debug, Default)]
 struct Shared {
     known: Mutex<Known>,
-    /// Told when the machine stands, and when nobody waits for it any more.
+    /// Notified when the machine stands, and when the wait is given up.
     settled: Condvar,
 }
 
@@ -106,7 +106,7 @@ impl Guard {
         self.0.settled.notify_all();
     }
 
-    /// Nobody can find out whether the machine stands.
+    /// It cannot be found out whether the machine stands.
     pub fn give_up(&self) {
         let mut known = self.lock();
         if known.standstill == Some(Standstill::Awaited) {
@@ -115,7 +115,7 @@ impl Guard {
         self.0.settled.notify_all();
     }
 
-    /// Whoever goes on has heard of the last stop.
+    /// A caller that continues has heard of the last stop.
     pub fn forget(&self) {
         let mut known = self.lock();
         if known.standstill != Some(Standstill::Awaited) {

@@ -27,7 +27,10 @@ pub struct StopHandle {
 /// Which arming is in force. A stop moves it on, and so every token of before becomes stale.
 #[derive(Debug, Clone)]
 pub(super) struct Arming {
+    session: u64,
     number: Arc<AtomicU64>,
+    /// How many stops there were, those at the machine itself included.
+    stops: Arc<AtomicU64>,
     /// How the last stop went.
     stopped: Arc<Mutex<Option<StopOutcome>>>,
 }
@@ -39,7 +42,21 @@ impl Arming {
     /// For a new session.
     pub fn first() -> Self {
         let session = SESSIONS.fetch_add(1, Ordering::Relaxed);
-        Self { number: Arc::new(AtomicU64::new(session << 32)), stopped: Arc::default() }
+        let number = Arc::new(AtomicU64::new(session << 32));
+        Self { session, number, stops: Arc::default(), stopped: Arc::default() }
+    }
+
+    pub const fn session(&self) -> u64 {
+        self.session
+    }
+
+    pub fn stops(&self) -> u64 {
+        self.stops.load(Ordering::SeqCst)
+    }
+
+    /// The machine was stopped, by whomever.
+    pub fn count_stop(&self) {
+        self.stops.fetch_add(1, Ordering::SeqCst);
     }
 
     pub fn now(&self) -> u64 {
@@ -55,6 +72,7 @@ impl Arming {
     }
 
     fn end(&self) {
+        self.count_stop();
         self.number.fetch_add(1, Ordering::SeqCst);
     }
 
@@ -73,17 +91,17 @@ impl Arming {
     }
 }
 
-/// Who brought the stop about.
+/// What sent the stop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum StoppedBy {
     /// The driver: it has passed the stop on to the machine.
     Driver,
-    /// Nobody: the machine cannot be stopped. The driver sends nothing more; what the machine has been sent it
-    /// makes. Cut its power.
+    /// The machine cannot be stopped. The driver sends nothing more; the machine runs what it has been
+    /// sent. Cut its power.
     NothingMore,
     /// This program: the driver did not answer in time or refused, so its process was ended and its port
-    /// closed with it. What the machine holds in its own memory may still be made: cut its power.
+    /// closed with it. What the machine holds in its own memory may still run: cut its power.
     EndOfDriver,
     /// This program: the driver did not pass the stop on, and so the stop bytes of the machine's profile were
     /// written to the port by the program itself.
@@ -93,7 +111,7 @@ pub enum StoppedBy {
 /// How a stop was sent. Whether the machine stands is known later: [`StopHandle::standstill`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct StopOutcome {
-    /// Who brought it about.
+    /// What sent it.
     pub by: StoppedBy,
     /// Whether the driver's process was ended for it, or had ended before.
     pub driver_ended: bool,
@@ -109,19 +127,19 @@ impl StopHandle {
     /// Sends a stop. Does not depend on the driver: one that has not answered within [`deadline::STOP`] is ended,
     /// whatever else it is doing, and where the machine's profile has stop bytes the program writes them to the port
     /// itself, until the machine confirms. It can be asked for as often as a person wants.
-    #[must_use = "a driver that had to be ended cannot have told the machine"]
+    #[must_use = "a driver that had to be ended cannot have passed the stop on"]
     pub fn stop(&self) -> StopOutcome {
         let outcome = self.halt();
         self.arming.note(outcome);
         outcome
     }
 
-    /// The same where no person has asked for it: what was going on has failed, and the machine may move.
+    /// The same where no person has asked for it: what was under way has failed, and the machine may move.
     pub(super) fn halt(&self) -> StopOutcome {
         let started = Instant::now();
         // In one moment with the place in the queue: no motion that was allowed before comes after it.
         let latch = || {
-            // Whoever sees that it was stopped has to see that the machine is waited for.
+            // A thread that sees that it was stopped also has to see that the machine is waited for.
             self.guard.stop_begins();
             self.arming.end();
             true
@@ -143,9 +161,15 @@ impl StopHandle {
             self.guard.give_up();
             return StoppedBy::NothingMore;
         }
-        // A driver that has told nobody is of no use, whatever it was told: it would read the machine's reply.
+        // A driver that has not passed the stop on is of no use: it would read the machine's reply.
         self.process.kill();
         if self.guard.take_over() { StoppedBy::Host } else { StoppedBy::EndOfDriver }
+    }
+
+    /// How many stops there were through this session, those at the machine itself included.
+    #[must_use]
+    pub fn stops(&self) -> u64 {
+        self.arming.stops()
     }
 
     /// Whether the machine stands after the last stop, after its driver was lost, or after a fault while it might move;

@@ -14,9 +14,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 #[derive(Debug, thiserror::Error)]
 #[error("the program cannot keep the port {port} open for a stop of its own: {cause}")]
 pub struct StopLineError {
-    /// The port.
     pub port: String,
-    /// Why.
     pub cause: io::Error,
 }
 
@@ -128,7 +126,7 @@ mod imp {
     impl Port {
         pub fn open(port: &str) -> io::Result<Option<Self>> {
             let path = Path::new(port);
-            // A name without a folder is no device, and a port that is not there the driver tells of better.
+            // A name without a folder is no device, and a port that is not there the driver reports more exactly.
             if !path.is_absolute() || !path.exists() {
                 return Ok(None);
             }

@@ -6,12 +6,11 @@ use super::ids::{Pin, PinTarget};
 use super::project::Document;
 use super::snapshot::ProfileSnapshot;
 use super::stencil::StencilSource;
-use crate::read::LengthUnit;
+use crate::length_unit::LengthUnit;
 
 /// A value before and after.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Swap<T> {
-    /// As it was.
+pub struct Replaced<T> {
     pub before: T,
     /// As it becomes.
     pub after: T,
@@ -33,9 +32,8 @@ macro_rules! parts {
         /// A difference: what changes, from what, to what. All but the wireframe changes as a whole.
         #[derive(Debug, Clone, PartialEq)]
         pub struct DocumentChange {
-            /// The wireframe.
             pub wireframe: Delta,
-            $($(#[$doc])* pub $part: Option<Box<Swap<$type>>>,)*
+            $($(#[$doc])* pub $part: Option<Box<Replaced<$type>>>,)*
         }
 
         impl DocumentChange {
@@ -89,7 +87,7 @@ macro_rules! parts {
                 if after == self.$part {
                     return None;
                 }
-                let swap = Swap { before: self.$part.clone(), after };
+                let swap = Replaced { before: self.$part.clone(), after };
                 let change = DocumentChange::of_wireframe(Delta::none(&self.wireframe));
                 Some(DocumentChange { $part: Some(Box::new(swap)), ..change })
             })*
@@ -98,11 +96,8 @@ macro_rules! parts {
 }
 
 parts! {
-    /// The stencil.
     stencil, set_stencil: Option<StencilSource>,
-    /// The machine.
     machine, set_machine: Option<ProfileSnapshot>,
-    /// The material.
     material, set_material: Option<ProfileSnapshot>,
     /// Edges that may be laid twice.
     doublings, set_doublings: Vec<EdgeId>,
@@ -130,17 +125,17 @@ impl DocumentChange {
         let doublings = kept(&document.doublings, |id| !gone_edge(*id));
         let pins = kept(&document.pins, |pin| !gone(pin.on));
         let start = document.start.filter(|id| gone_vertex(*id));
-        let start = start.map(|id| Box::new(Swap { before: Some(id), after: None }));
+        let start = start.map(|id| Box::new(Replaced { before: Some(id), after: None }));
         Self { doublings, start, pins, ..Self::of_wireframe(wireframe) }
     }
 }
 
 /// The change that leaves out what is not to be kept; none where all is.
-fn kept<T: Clone>(all: &[T], keep: impl Fn(&T) -> bool) -> Option<Box<Swap<Vec<T>>>> {
+fn kept<T: Clone>(all: &[T], keep: impl Fn(&T) -> bool) -> Option<Box<Replaced<Vec<T>>>> {
     let after: Vec<T> = all.iter().filter(|one| keep(one)).cloned().collect();
-    (after.len() < all.len()).then(|| Box::new(Swap { before: all.to_vec(), after }))
+    (after.len() < all.len()).then(|| Box::new(Replaced { before: all.to_vec(), after }))
 }
 
-fn back<T: Clone>(swap: Option<&Swap<T>>) -> Option<Box<Swap<T>>> {
-    swap.map(|Swap { before, after }| Box::new(Swap { before: after.clone(), after: before.clone() }))
+fn back<T: Clone>(swap: Option<&Replaced<T>>) -> Option<Box<Replaced<T>>> {
+    swap.map(|Replaced { before, after }| Box::new(Replaced { before: after.clone(), after: before.clone() }))
 }

@@ -6,11 +6,11 @@ use nalgebra::Point3;
 use serde::{Deserialize, Serialize};
 use wirebend_core::wireframe::{Change, Delta, Edge, EdgeId, NextIds, Vertex, VertexId};
 
-use super::change::{DocumentChange, Swap};
+use super::change::{DocumentChange, Replaced};
 use super::ids::{Pin, PinFile};
 use super::snapshot::ProfileSnapshot;
 use super::stencil::{StencilFile, StencilSource};
-use crate::read::LengthUnit;
+use crate::length_unit::LengthUnit;
 
 /// Before and after.
 type Pair<T> = [Option<T>; 2];
@@ -89,7 +89,7 @@ impl DocumentChange {
             stencil.map(|file| file.unpack("this change")).transpose().map_err(|error| error.to_string())
         };
         let stencil = file.stencil.map(|[before, after]| {
-            Ok::<_, String>(Box::new(Swap { before: unpack(before)?, after: unpack(after)? }))
+            Ok::<_, String>(Box::new(Replaced { before: unpack(before)?, after: unpack(after)? }))
         });
         Ok(Self {
             wireframe,
@@ -132,10 +132,10 @@ fn changes<K: Ord, T, U>(
     parts.into_iter().map(|(key, pair)| (id(key), change(pair))).collect()
 }
 
-fn pair<T, U>(swap: Option<&Swap<T>>, part: impl Fn(&T) -> U) -> Option<[U; 2]> {
+fn pair<T, U>(swap: Option<&Replaced<T>>, part: impl Fn(&T) -> U) -> Option<[U; 2]> {
     swap.map(|swap| [part(&swap.before), part(&swap.after)])
 }
 
-fn swap<T, U>(pair: Option<[U; 2]>, of: impl Fn(U) -> T) -> Option<Box<Swap<T>>> {
-    pair.map(|[before, after]| Box::new(Swap { before: of(before), after: of(after) }))
+fn swap<T, U>(pair: Option<[U; 2]>, of: impl Fn(U) -> T) -> Option<Box<Replaced<T>>> {
+    pair.map(|[before, after]| Box::new(Replaced { before: of(before), after: of(after) }))
 }

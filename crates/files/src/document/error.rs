@@ -2,118 +2,72 @@
 
 use wirebend_core::mesh::StencilError;
 use wirebend_core::wireframe::WireframeError;
+use wirebend_error::{ErrorCode, ErrorRemedy};
 
 /// Why a document cannot be opened, made or saved.
 #[derive(Debug, thiserror::Error)]
 pub enum DocumentError {
     /// Not the JSON that a document of this version is.
-    #[error(
-        "{file}, line {line}, column {column}: {message}; if the file was edited by hand, undo that, else take its last good copy"
-    )]
+    #[error("{file}, line {line}, column {column}: {message}")]
     Json {
-        /// The file.
         file: String,
         /// From 1.
         line: usize,
         /// From 1.
         column: usize,
-        /// What is wrong.
         message: String,
     },
     /// Nothing is in it.
-    #[error("{file}: the file is empty, expected {expected}; take its last good copy")]
+    #[error("{file}: the file is empty, expected {expected}")]
     Empty {
-        /// The file.
         file: String,
         /// What should be in it.
         expected: &'static str,
     },
     /// A document of another kind.
-    #[error("{file}: this is a \"{found}\" file, expected \"{expected}\"; open it as what it is")]
+    #[error("{file}: this is a \"{found}\" file, expected \"{expected}\"")]
     WrongFormat {
-        /// The file.
         file: String,
-        /// What it says it is.
         found: String,
         /// What it should be.
         expected: &'static str,
     },
-    /// Made by a later version of the program.
-    #[error(
-        "{file}: its version {version} is newer than {known}, the newest known here; update the program to open it"
-    )]
+    /// Written by a later version of the program.
+    #[error("{file}: its version {version} is newer than {known}, the newest known here")]
     Newer {
-        /// The file.
         file: String,
-        /// Its version.
         version: u64,
         /// The newest that can be read.
         known: u64,
     },
     /// A version that never was.
-    #[error(
-        "{file}: there is no version {version} of this format; the file is damaged, take its last good copy"
-    )]
-    NoSuchVersion {
-        /// The file.
-        file: String,
-        /// What it says.
-        version: u64,
-    },
+    #[error("{file}: there is no version {version} of this format: the file is damaged")]
+    NoSuchVersion { file: String, version: u64 },
     /// A job that is not what was hashed.
-    #[error(
-        "{file}: the job was changed after it was made, its hash does not fit; plan the design again to get a new job"
-    )]
-    Changed {
-        /// The file.
-        file: String,
-    },
+    #[error("{file}: the job was changed after it was made, its hash does not fit")]
+    Changed { file: String },
     /// A vertex or an edge that cannot be.
-    #[error("{file}: {error}; take the last good copy of the file")]
-    Wireframe {
-        /// The file.
-        file: String,
-        /// What is wrong.
-        error: WireframeError,
-    },
+    #[error("{file}: {error}")]
+    Wireframe { file: String, error: WireframeError },
     /// Something points at a vertex or an edge that is not there.
-    #[error(
-        "{file}: \"{key}\" names {target}, which is not in the wireframe; take the last good copy of the file"
-    )]
+    #[error("{file}: \"{key}\" names {target}, which is not in the wireframe")]
     Dangling {
-        /// The file.
         file: String,
-        /// The key.
         key: &'static str,
         /// What it names.
         target: String,
     },
     /// The embedded stencil cannot be unpacked.
-    #[error("{file}: the embedded stencil is damaged: {message}; import the model again")]
-    StencilDamaged {
-        /// The file.
-        file: String,
-        /// What is wrong.
-        message: String,
-    },
+    #[error("{file}: the embedded stencil is damaged: {message}")]
+    StencilDamaged { file: String, message: String },
     /// The embedded stencil is no mesh.
-    #[error("{file}: {error}; import the model again")]
-    Stencil {
-        /// The file.
-        file: String,
-        /// What is wrong.
-        error: StencilError,
-    },
+    #[error("{file}: {error}")]
+    Stencil { file: String, error: StencilError },
     /// A number of a job is NaN or infinite.
-    #[error("a job cannot hold the number {value} ({key}); it must be finite")]
-    NotFinite {
-        /// Where.
-        key: &'static str,
-        /// The number.
-        value: f64,
-    },
+    #[error("a job cannot hold the number {value} ({key}): it must be finite")]
+    NotFinite { key: &'static str, value: f64 },
     /// The stages of a wire of a job do not fit each other.
-    #[error("wire {} of the job does not fit together: {what}; plan the design again to get a new job", .wire + 1)]
+    #[error("wire {} of the job does not fit together: {what}", .wire + 1)]
     Inconsistent {
         /// Index of the wire, from 0.
         wire: usize,
@@ -124,11 +78,8 @@ pub enum DocumentError {
     #[error("the document cannot be written: {0}")]
     Write(serde_json::Error),
     /// The operating system refused to save.
-    #[error(
-        "{path} cannot be saved: {error}; the file there, if any, is untouched. Check the folder and the space on the disk"
-    )]
+    #[error("{path} cannot be saved: {error}; the file there, if any, is untouched")]
     Save {
-        /// The file.
         path: String,
         /// What the system says.
         error: std::io::Error,
@@ -138,23 +89,41 @@ pub enum DocumentError {
 impl DocumentError {
     /// A name for the kind of error that does not change with its wording.
     #[must_use]
-    pub fn code(&self) -> &'static str {
+    pub fn code(&self) -> ErrorCode {
         match self {
-            Self::Json { .. } => "document-json",
-            Self::Empty { .. } => "document-empty",
-            Self::WrongFormat { .. } => "document-wrong-format",
-            Self::Newer { .. } => "document-newer",
-            Self::NoSuchVersion { .. } => "document-no-such-version",
-            Self::Changed { .. } => "document-changed",
-            Self::Wireframe { .. } => "document-wireframe",
-            Self::Dangling { .. } => "document-dangling",
-            Self::StencilDamaged { .. } => "document-stencil-damaged",
-            Self::Stencil { .. } => "document-stencil",
-            Self::NotFinite { .. } => "document-not-finite",
-            Self::Inconsistent { .. } => "document-inconsistent",
-            Self::Write(_) => "document-write",
-            Self::Save { .. } => "document-save",
+            Self::Json { .. } => ErrorCode::DocumentJson,
+            Self::Empty { .. } => ErrorCode::DocumentEmpty,
+            Self::WrongFormat { .. } => ErrorCode::DocumentWrongFormat,
+            Self::Newer { .. } => ErrorCode::DocumentNewer,
+            Self::NoSuchVersion { .. } => ErrorCode::DocumentNoSuchVersion,
+            Self::Changed { .. } => ErrorCode::DocumentChanged,
+            Self::Wireframe { .. } => ErrorCode::DocumentWireframe,
+            Self::Dangling { .. } => ErrorCode::DocumentDangling,
+            Self::StencilDamaged { .. } => ErrorCode::DocumentStencilDamaged,
+            Self::Stencil { .. } => ErrorCode::DocumentStencil,
+            Self::NotFinite { .. } => ErrorCode::DocumentNotFinite,
+            Self::Inconsistent { .. } => ErrorCode::DocumentInconsistent,
+            Self::Write(_) => ErrorCode::DocumentWrite,
+            Self::Save { .. } => ErrorCode::DocumentSave,
         }
+    }
+
+    /// What can be done about it.
+    #[must_use]
+    pub fn remedies(&self) -> Vec<ErrorRemedy> {
+        vec![match self {
+            Self::Json { .. }
+            | Self::Empty { .. }
+            | Self::NoSuchVersion { .. }
+            | Self::Wireframe { .. }
+            | Self::Dangling { .. } => ErrorRemedy::UseLastCopy,
+            Self::WrongFormat { .. } => ErrorRemedy::OpenAsItIs,
+            Self::Newer { .. } => ErrorRemedy::UpdateProgram,
+            Self::Changed { .. } | Self::Inconsistent { .. } => ErrorRemedy::PlanAgain,
+            Self::StencilDamaged { .. } | Self::Stencil { .. } => ErrorRemedy::ImportAgain,
+            Self::Save { .. } => ErrorRemedy::CheckDisk,
+            Self::NotFinite { .. } | Self::Write(_) => return Vec::new(),
+        }]
     }
 
     /// The line that is wrong, from 1, where there is one.

@@ -16,9 +16,7 @@ pub struct Pin {
 /// What a pin sticks to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PinTarget {
-    /// A vertex.
     Vertex(VertexId),
-    /// An edge.
     Edge(EdgeId),
 }
 
@@ -38,9 +36,7 @@ pub(crate) struct PinFile {
 #[serde(rename_all = "lowercase")]
 #[schemars(rename = "PinTarget")]
 enum TargetFile {
-    /// A vertex.
     Vertex(u32),
-    /// An edge.
     Edge(u32),
 }
 

@@ -1,4 +1,4 @@
-//! `.wbjob`: what is sent to a machine. It is hashed when it is made and never changes.
+//! `.wbjob`: what is sent to a machine. It is hashed when it is written and never changes.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -29,9 +29,9 @@ pub struct JobContents {
     pub machine: ProfileSnapshot,
     /// The wire that it was planned for.
     pub material: ProfileSnapshot,
-    /// The wires, in the order in which they are made.
+    /// The wires, in the order in which they are bent.
     pub wires: Vec<JobWire>,
-    /// What the checks objected to when a person had the job made all the same.
+    /// What the checks objected to when a person had the job written anyway.
     pub objections: Vec<String>,
 }
 
@@ -58,8 +58,10 @@ pub struct JobWire {
     pub time_s: f64,
 }
 
-/// Feed, then rotate, then bend; signs as in the canonical program.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+// Two other types have the same three values: core's `Step`, with units in its types, and the driver's, whose signs are the
+// machine's. As types they cannot be taken for each other, so signs are applied once.
+/// Feed, then rotate, then bend, in canonical signs.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct JobStep {
     /// How far the wire is fed.
@@ -106,13 +108,10 @@ pub(crate) struct JobFile {
     /// The hash of the design that the job was planned from.
     #[schemars(regex(pattern = "^[0-9a-f]{64}$"))]
     design_hash: String,
-    /// The machine.
     machine: ProfileSnapshot,
-    /// The material.
     material: ProfileSnapshot,
-    /// The wires.
     wires: Vec<JobWire>,
-    /// What the checks objected to when a person had the job made all the same.
+    /// What the checks objected to when a person had the job written anyway.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     objections: Vec<String>,
 }
@@ -153,7 +152,6 @@ impl Job {
         layout::to_bytes(&JobFile::of(&self.contents, Some(self.hash.clone())))
     }
 
-    /// What it is made of.
     #[must_use]
     pub const fn contents(&self) -> &JobContents {
         &self.contents

@@ -9,7 +9,7 @@ use serde_json::ser::{Formatter, Serializer};
 use super::error::DocumentError;
 
 /// Values deeper than this stay on the line of their parent.
-const DEEPEST_LINE: usize = 3;
+const MAX_LINE_DEPTH: usize = 3;
 
 #[derive(Default)]
 struct Layout {
@@ -18,7 +18,7 @@ struct Layout {
 
 impl Layout {
     fn line<W: Write + ?Sized>(&self, writer: &mut W) -> io::Result<()> {
-        if self.depth > DEEPEST_LINE {
+        if self.depth > MAX_LINE_DEPTH {
             return Ok(());
         }
         writer.write_all(b"\n")?;
@@ -27,13 +27,13 @@ impl Layout {
 
     fn separate<W: Write + ?Sized>(&self, writer: &mut W, first: bool) -> io::Result<()> {
         if !first {
-            writer.write_all(if self.depth > DEEPEST_LINE { b", " } else { b"," })?;
+            writer.write_all(if self.depth > MAX_LINE_DEPTH { b", " } else { b"," })?;
         }
         self.line(writer)
     }
 
     fn close<W: Write + ?Sized>(&mut self, writer: &mut W, mark: &[u8]) -> io::Result<()> {
-        let inline = self.depth > DEEPEST_LINE;
+        let inline = self.depth > MAX_LINE_DEPTH;
         self.depth -= 1;
         if !inline {
             self.line(writer)?;

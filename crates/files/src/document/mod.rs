@@ -17,7 +17,7 @@ mod snapshot;
 mod stencil;
 mod version;
 
-pub use change::{DocumentChange, StaleChange, Swap};
+pub use change::{DocumentChange, Replaced, StaleChange};
 pub use error::DocumentError;
 pub use hash::sha256_hex;
 pub use ids::{Pin, PinTarget};

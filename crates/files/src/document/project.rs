@@ -13,7 +13,7 @@ use super::layout;
 use super::snapshot::ProfileSnapshot;
 use super::stencil::{StencilFile, StencilSource};
 use super::version::History;
-use crate::read::LengthUnit;
+use crate::length_unit::LengthUnit;
 
 const HISTORY: History = History { format: "wirebend", title: "a WireBend project", migrations: &[] };
 
@@ -24,9 +24,9 @@ pub struct Document {
     pub wireframe: Wireframe,
     /// The surface that is traced.
     pub stencil: Option<StencilSource>,
-    /// The machine that it is made on.
+    /// The machine that it is bent on.
     pub machine: Option<ProfileSnapshot>,
-    /// The wire that it is made of.
+    /// The wire that it is bent from.
     pub material: Option<ProfileSnapshot>,
     /// Edges that the person allowed to be laid twice.
     pub doublings: Vec<EdgeId>,
@@ -46,7 +46,6 @@ pub struct Document {
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SourceFile {
-    /// Its name.
     pub file: String,
     /// Its SHA-256 in hexadecimal.
     #[schemars(regex(pattern = "^[0-9a-f]{64}$"))]
@@ -64,15 +63,12 @@ pub(crate) struct ProjectFile {
     /// The version of this format.
     #[schemars(extend("const" = 1))]
     version: u64,
-    /// The wireframe.
     wireframe: WireframeFile,
     /// The surface that is traced.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     stencil: Option<StencilFile>,
-    /// The machine.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     machine: Option<ProfileSnapshot>,
-    /// The material.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     material: Option<ProfileSnapshot>,
     /// Edges that may be laid twice, by id.
@@ -104,9 +100,7 @@ struct WireframeFile {
     next_vertex: u32,
     /// The id that the next edge will get.
     next_edge: u32,
-    /// The vertices.
     vertices: Vec<VertexFile>,
-    /// The edges.
     edges: Vec<EdgeFile>,
 }
 
@@ -115,7 +109,6 @@ struct WireframeFile {
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "Vertex")]
 struct VertexFile {
-    /// Its id.
     id: u32,
     /// x, y and z in mm, right-handed.
     at_mm: [f64; 3],
@@ -129,7 +122,6 @@ struct VertexFile {
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "Edge")]
 struct EdgeFile {
-    /// Its id.
     id: u32,
     /// The vertex where it starts, by id.
     a: u32,

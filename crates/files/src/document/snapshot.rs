@@ -8,7 +8,6 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ProfileSnapshot {
-    /// Its id.
     pub id: String,
     /// The resolved profile.
     pub snapshot: serde_json::Value,

@@ -13,14 +13,13 @@ use serde::{Deserialize, Serialize};
 use wirebend_core::mesh::Stencil;
 
 use super::error::DocumentError;
-use crate::read::LIMIT;
+use crate::limit::LIMIT;
 
 /// Where a document has its stencil.
 #[derive(Debug, Clone, PartialEq)]
 pub enum StencilSource {
     /// In the document itself.
     Embedded {
-        /// The surface.
         surface: Stencil,
         /// The file that it was read from; empty where nobody knows.
         name: String,
@@ -34,7 +33,6 @@ pub enum StencilSource {
     },
 }
 
-/// Where the stencil is.
 #[derive(Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 #[schemars(rename = "Stencil")]

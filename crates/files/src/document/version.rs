@@ -5,7 +5,7 @@ use serde::de::DeserializeOwned;
 use serde_json::Value;
 
 use super::error::DocumentError;
-use crate::read::utf8;
+use crate::encoding::utf8;
 
 /// From one version of a format to the next.
 pub(crate) type Migration = fn(Value) -> Result<Value, serde_json::Error>;

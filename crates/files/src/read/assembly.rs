@@ -4,10 +4,11 @@ use std::collections::HashMap;
 
 use nalgebra::Point3;
 use serde::Deserialize;
+use wirebend_error::ErrorRemedy;
 
 use super::Imported;
 use super::drawing::Drawing;
-use super::error::{Place, ReadError};
+use super::error::{Location, ReadError};
 use super::format::Format;
 use super::note::NoteKind;
 use super::options::{LengthUnit, ReadOptions};
@@ -67,33 +68,33 @@ impl Flag {
 pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> Result<Imported, ReadError> {
     let assembly: Assembly = serde_json::from_slice(bytes).map_err(|error| {
         let expected = "an object with node_list and element_list".into();
-        let help = "export the assembly again, or correct the line";
+        let remedy = ErrorRemedy::CorrectFile;
         let found = without_place(&error);
-        let (file, place) = (source.name.to_owned(), Place::Line(error.line()));
-        ReadError::Syntax { file, place, found, expected, help }
+        let (file, place) = (source.name.to_owned(), Location::Line(error.line()));
+        ReadError::Syntax { file, place, found, expected, remedy: Box::new(remedy) }
     })?;
     let mut drawing = Drawing::default();
     if let Some(word) = &assembly.unit {
         drawing.unit_mm = LengthUnit::from_word(word).map(LengthUnit::mm);
         if drawing.unit_mm.is_none() && options.units.is_none() {
-            let help = "choose the unit yourself when importing";
+            let remedy = ErrorRemedy::ChooseUnit;
             return Err(source.syntax(
-                Place::File,
+                Location::File,
                 word,
                 "a unit: millimeter, centimeter, meter or inch",
-                help,
+                remedy,
             ));
         }
     }
     let mut index_of = HashMap::new();
     for (k, node) in assembly.node_list.iter().enumerate() {
-        let place = Place::Item("node", k);
+        let place = Location::Item("node", k);
         source.room(place.clone(), k, "nodes")?;
         let id = node.id.unwrap_or(i64::try_from(k).unwrap_or(i64::MAX));
         let index = u32::try_from(k).unwrap_or(u32::MAX);
         if index_of.insert(id, index).is_some() {
-            let help = "give every node an id of its own";
-            return Err(source.syntax(place, &format!("node_id {id} again"), "another node_id", help));
+            let remedy = ErrorRemedy::CorrectFile;
+            return Err(source.syntax(place, &format!("node_id {id} again"), "another node_id", remedy));
         }
         let Coordinates { x, y, z } = node.point;
         drawing.points.push(Point3::new(x, y, z));
@@ -102,11 +103,11 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
         }
     }
     for (k, element) in assembly.element_list.iter().enumerate() {
-        let place = Place::Item("element", k);
+        let place = Location::Item("element", k);
         source.room(place.clone(), k, "elements")?;
         let [a, b] = *element.end_node_ids.as_slice() else {
             let found = format!("{} ends", element.end_node_ids.len());
-            return Err(source.syntax(place, &found, "two end_node_ids", "give the element two ends"));
+            return Err(source.syntax(place, &found, "two end_node_ids", ErrorRemedy::CorrectFile));
         };
         let end = |id: i64| {
             index_of.get(&id).copied().ok_or_else(|| ReadError::Index {

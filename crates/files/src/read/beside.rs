@@ -7,9 +7,9 @@ use super::read_up_to;
 use super::text::excerpt;
 
 /// How many bytes of such files are read for one model: as many as of a mesh.
-const MOST: u64 = 512 << 20;
+const MAX_BYTES: u64 = 512 << 20;
 /// How many names an error lists.
-const LISTED: usize = 20;
+const MAX_LISTED: usize = 20;
 
 /// The folder of a file.
 #[derive(Debug)]
@@ -22,7 +22,7 @@ pub(super) struct Beside<'a> {
 
 impl<'a> Beside<'a> {
     pub(super) fn new(folder: Option<&'a Path>) -> Self {
-        Self { folder, left: MOST }
+        Self { folder, left: MAX_BYTES }
     }
 
     /// The bytes of a file, named by a relative URI; none where [`Self::find`] does not find it.
@@ -48,20 +48,16 @@ impl<'a> Beside<'a> {
         }
     }
 
-    /// Of the files that a file names those that cannot be read, and what to do.
+    /// Of the files that a file names those that cannot be read.
     pub(super) fn missing<'b>(&self, file: &str, uris: impl Iterator<Item = &'b str>) -> ReadError {
         let missing = uris.filter_map(|uri| Some((uri, self.find(uri).err()?)));
         let mut listed: Vec<String> = missing.map(|(uri, why)| format!("{} ({why})", excerpt(uri))).collect();
-        if let Some(more) = listed.len().checked_sub(LISTED).filter(|more| *more > 0) {
-            listed.truncate(LISTED);
+        if let Some(more) = listed.len().checked_sub(MAX_LISTED).filter(|more| *more > 0) {
+            listed.truncate(MAX_LISTED);
             listed.push(format!("{more} more"));
         }
-        let help = if self.folder.is_some() {
-            "put these files beside it, or export the model as .glb"
-        } else {
-            "open the file itself from its folder, with these files beside it, or export the model as .glb"
-        };
-        ReadError::Elsewhere { file: file.to_owned(), missing: listed.join(", "), help }
+        let from_folder = self.folder.is_some();
+        ReadError::Elsewhere { file: file.to_owned(), missing: listed.join(", "), from_folder }
     }
 }
 

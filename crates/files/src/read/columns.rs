@@ -6,7 +6,9 @@
 //! Siemens NX documents them (`uf_route.h`): C distance, E rotation from the start, F radius, G
 //! angle, Y length.
 
-use super::error::{Place, ReadError};
+use wirebend_error::ErrorRemedy;
+
+use super::error::{Location, ReadError};
 use super::note::{NoteKind, Notes};
 use super::table::{Column, Table};
 use super::text::Source;
@@ -51,9 +53,9 @@ impl Columns {
     pub(super) fn of(table: &Table<'_>, source: Source<'_>, notes: &mut Notes) -> Result<Self, ReadError> {
         let Some(header) = &table.header else {
             if let Some((line, row)) = table.rows.iter().find(|(_, row)| row.len() > 4) {
-                let help = "name the columns in a header line, as L,R,A,CLR";
-                let place = Place::Line(*line);
-                return Err(source.syntax(place, &row.join(" "), "L, R, A and perhaps CLR", help));
+                let remedy = ErrorRemedy::NameColumns { columns: "L, R, A and CLR".to_owned() };
+                let place = Location::Line(*line);
+                return Err(source.syntax(place, &row.join(" "), "L, R, A and perhaps CLR", remedy));
             }
             return Ok(Self {
                 length: 0,
@@ -68,8 +70,10 @@ impl Columns {
         notes.add(NoteKind::HeaderSkipped, 1);
         let Some(columns) = Self::named(header) else {
             let found = header.iter().map(|column| column.name.as_str()).collect::<Vec<_>>().join(", ");
-            let help = "name the columns L, R, A and CLR, or D_mm for distances from the start";
-            return Err(source.syntax(Place::File, &found, "a header with L, R and A", help));
+            let remedy = ErrorRemedy::NameColumns {
+                columns: "L, R, A and CLR, or D_mm for distances from the start".to_owned(),
+            };
+            return Err(source.syntax(Location::File, &found, "a header with L, R and A", remedy));
         };
         let used = [Some(columns.length), columns.twist, columns.angle, columns.radius];
         notes.add(NoteKind::ColumnsIgnored, header.len() - used.iter().flatten().count());

@@ -7,7 +7,7 @@ use wirebend_core::mesh::Stencil;
 use wirebend_core::wireframe::{Edge, EdgeId, Vertex, VertexId, Welder, Wireframe};
 
 use super::Imported;
-use super::error::{Place, ReadError};
+use super::error::{Location, ReadError};
 use super::format::Format;
 use super::note::{NoteKind, Notes};
 use super::options::{LengthUnit, ReadOptions};
@@ -146,7 +146,8 @@ impl Drawing {
                 self.notes.add(NoteKind::VerticesMerged, 1);
                 continue;
             }
-            let place = self.point_lines.get(k).map_or(Place::Item("vertex", k), |&line| Place::Line(line));
+            let place =
+                self.point_lines.get(k).map_or(Location::Item("vertex", k), |&line| Location::Line(line));
             let vertex = Vertex { position, support: supports[k] };
             wireframe.insert_vertex(VertexId(welded[k]), vertex).map_err(|error| refuse(place, error))?;
         }
@@ -158,7 +159,7 @@ impl Drawing {
             } else if !joined.insert(edge.ends()) {
                 self.notes.add(NoteKind::EdgesMerged, 1);
             } else {
-                let place = Place::Item("edge", id as usize);
+                let place = Location::Item("edge", id as usize);
                 wireframe.insert_edge(EdgeId(id), edge).map_err(|error| refuse(place, error))?;
             }
         }

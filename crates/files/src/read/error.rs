@@ -1,15 +1,16 @@
-//! Why a file cannot be read: which file, where in it, what is there, what should be, what to do.
+//! Why a file cannot be read: which file, where in it, what is there, what should be.
 
 use std::fmt;
 
 use wirebend_core::mesh::StencilError;
 use wirebend_core::wireframe::WireframeError;
 
+use wirebend_error::{ErrorCode, ErrorRemedy, InputName};
+
 use crate::document::DocumentError;
 
-/// Where in a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Place {
+pub enum Location {
     /// A line of text, from 1.
     Line(usize),
     /// An offset in bytes, from 0.
@@ -20,7 +21,7 @@ pub enum Place {
     File,
 }
 
-impl fmt::Display for Place {
+impl fmt::Display for Location {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Line(line) => write!(f, ", line {line}"),
@@ -35,62 +36,49 @@ impl fmt::Display for Place {
 #[derive(Debug, thiserror::Error)]
 pub enum ReadError {
     /// The operating system refused.
-    #[error("{file}: {error}; check that the file exists and may be read")]
+    #[error("{file}: {error}")]
     Io {
-        /// The file.
         file: String,
         /// What the system says.
         error: std::io::Error,
     },
     /// The file is larger than any sensible one of its format.
-    #[error("{file} has {bytes} bytes, the limit is {limit}; simplify the model or export less of it")]
+    #[error("{file} has {bytes} bytes, the limit is {limit}")]
     TooLarge {
-        /// The file.
         file: String,
-        /// Its size.
         bytes: u64,
         /// The largest that is read.
         limit: u64,
     },
     /// Neither name nor content tells the format.
-    #[error("{file}: this is none of the known formats ({known}); name the format or export one of these", known = super::format::known())]
-    UnknownFormat {
-        /// The file.
-        file: String,
-    },
+    #[error("{file}: this is none of the known formats ({known})", known = super::format::known())]
+    UnknownFormat { file: String },
     /// Something else than what the format has there.
-    #[error("{file}{place}: found {found}, expected {expected}; {help}")]
+    #[error("{file}{place}: found {found}, expected {expected}")]
     Syntax {
-        /// The file.
         file: String,
-        /// Where.
-        place: Place,
+        place: Location,
         /// What is there, shortened.
         found: String,
         /// What should be there.
         expected: Box<str>,
-        /// What to do.
-        help: &'static str,
+        remedy: Box<ErrorRemedy>,
     },
     /// A number that is not one, or not finite.
-    #[error("{file}{place}: {found} is not a {expected}; correct the line or export the file again")]
+    #[error("{file}{place}: {found} is not a {expected}")]
     Number {
-        /// The file.
         file: String,
-        /// Where.
-        place: Place,
+        place: Location,
         /// What is there, shortened.
         found: String,
         /// The kind of number.
         expected: &'static str,
     },
     /// An index that names nothing.
-    #[error("{file}{place}: {found} names no {what}: {have}; correct the index or export the file again")]
+    #[error("{file}{place}: {found} names no {what}: {have}")]
     Index {
-        /// The file.
         file: String,
-        /// Where.
-        place: Place,
+        place: Location,
         /// The index as written.
         found: String,
         /// What it should name.
@@ -99,35 +87,20 @@ pub enum ReadError {
         have: String,
     },
     /// More vertices, faces or edges than any bender could use.
-    #[error("{file}{place}: more than {limit} {what}; simplify the model before importing it")]
+    #[error("{file}{place}: more than {limit} {what}")]
     TooMany {
-        /// The file.
         file: String,
-        /// Where.
-        place: Place,
-        /// Of what.
+        place: Location,
         what: &'static str,
         /// How many are read at most.
         limit: usize,
     },
     /// The file announces more than it holds.
-    #[error(
-        "{file}{place}: {announced}, but {available}; the file is cut off or damaged: export or download it again"
-    )]
-    Truncated {
-        /// The file.
-        file: String,
-        /// Where.
-        place: Place,
-        /// What it announces.
-        announced: String,
-        /// What there is.
-        available: String,
-    },
+    #[error("{file}{place}: {announced}, but {available}: the file is cut off or damaged")]
+    Truncated { file: String, place: Location, announced: String, available: String },
     /// The file is well formed and holds nothing of use.
-    #[error("{file}: no {expected} in it{but}; check that the right file was exported, with its geometry")]
+    #[error("{file}: no {expected} in it{but}")]
     Empty {
-        /// The file.
         file: String,
         /// What was looked for.
         expected: &'static str,
@@ -135,59 +108,26 @@ pub enum ReadError {
         but: String,
     },
     /// A position or an edge that no wireframe can have.
-    #[error("{file}{place}: {error}; check units and scale")]
-    Wireframe {
-        /// The file.
-        file: String,
-        /// Where.
-        place: Place,
-        /// What is wrong.
-        error: WireframeError,
-    },
+    #[error("{file}{place}: {error}")]
+    Wireframe { file: String, place: Location, error: WireframeError },
     /// A mesh that no stencil can have.
-    #[error("{file}: {error}; repair the mesh and export it again")]
-    Stencil {
-        /// The file.
-        file: String,
-        /// What is wrong.
-        error: StencilError,
-    },
+    #[error("{file}: {error}")]
+    Stencil { file: String, error: StencilError },
     /// A bend whose straight parts do not meet, in a table of tangent lengths.
-    #[error(
-        "{file}{place}: a bend of {bend_deg:.3}° has no corner, its straight parts are parallel; write it as two bends"
-    )]
-    NoCorner {
-        /// The file.
-        file: String,
-        /// Where.
-        place: Place,
-        /// The bend.
-        bend_deg: f64,
-    },
+    #[error("{file}{place}: a bend of {bend_deg:.3}° has no corner, its straight parts are parallel")]
+    NoCorner { file: String, place: Location, bend_deg: f64 },
     /// A scale that is not a positive number.
-    #[error("a scale of {scale} makes no sense; it must be a number greater than 0")]
-    Scale {
-        /// The scale.
-        scale: f64,
-    },
+    #[error("the scale is {scale}: it must be a number greater than 0")]
+    Scale { scale: f64 },
     /// A tolerance that no curve can be followed to.
-    #[error("a tolerance of {tolerance_mm} mm makes no sense; it must be {least} mm or more", least = super::options::LEAST_TOLERANCE_MM)]
-    Tolerance {
-        /// The tolerance.
-        tolerance_mm: f64,
-    },
+    #[error("the tolerance is {tolerance_mm} mm: it must be {least} mm or more", least = super::options::MIN_TOLERANCE_MM)]
+    Tolerance { tolerance_mm: f64 },
     /// Layers are asked of a format that has none.
-    #[error("{file}: a file of format {format} has no layers; leave the layers away")]
-    NoLayers {
-        /// The file.
-        file: String,
-        /// Its format.
-        format: super::Format,
-    },
+    #[error("{file}: a file of format {format} has no layers")]
+    NoLayers { file: String, format: super::Format },
     /// A layer is asked for that the file does not have.
-    #[error("{file}: there is no layer {name}; its layers are {have}")]
+    #[error("{file}: there is no layer {name}: its layers are {have}")]
     NoSuchLayer {
-        /// The file.
         file: String,
         /// What was asked for, shortened.
         name: String,
@@ -195,62 +135,46 @@ pub enum ReadError {
         have: String,
     },
     /// A block, an object or an element that holds itself.
-    #[error("{file}{place}: {what} {name} holds itself; export the file again, with its parts resolved")]
+    #[error("{file}{place}: {what} {name} holds itself")]
     Loop {
-        /// The file.
         file: String,
-        /// Where.
-        place: Place,
+        place: Location,
         /// Of which kind it is.
         what: &'static str,
         /// Its name, shortened.
         name: String,
     },
     /// Parts within parts, deeper than any program nests them.
-    #[error("{file}{place}: {what} more than {limit} deep; export the file again, with its parts resolved")]
+    #[error("{file}{place}: {what} more than {limit} deep")]
     TooDeep {
-        /// The file.
         file: String,
-        /// Where.
-        place: Place,
+        place: Location,
         /// What is nested.
         what: &'static str,
         /// How deep it is read at most.
         limit: usize,
     },
     /// Geometry in other files that cannot be read.
-    #[error("{file}: the geometry is in other files that cannot be read: {missing}; {help}")]
+    #[error("{file}: the geometry is in other files that cannot be read: {missing}")]
     Elsewhere {
-        /// The file.
         file: String,
         /// The other files, shortened, and why not.
         missing: String,
-        /// What to do.
-        help: &'static str,
+        /// The file was opened from its folder, so that others can lie beside it.
+        from_folder: bool,
     },
     /// Geometry in a way that is not read.
-    #[error("{file}{place}: {what} is not read; {help}")]
-    Unsupported {
-        /// The file.
-        file: String,
-        /// Where.
-        place: Place,
-        /// What it is.
-        what: String,
-        /// What to do.
-        help: &'static str,
-    },
+    #[error("{file}{place}: {what} is not read")]
+    Unsupported { file: String, place: Location, what: String, remedy: Box<ErrorRemedy> },
     /// A project document that cannot be opened.
     #[error(transparent)]
     Document(#[from] DocumentError),
     /// A parser refused what passed all checks before it.
-    #[error("{file}: {library} cannot read it ({message}); export it again, as text if there is a choice")]
+    #[error("{file}: {library} cannot read it: {message}")]
     Library {
-        /// The file.
         file: String,
         /// The parser.
         library: &'static str,
-        /// What it says.
         message: String,
     },
 }
@@ -258,31 +182,59 @@ pub enum ReadError {
 impl ReadError {
     /// A name for the kind of error that does not change with its wording.
     #[must_use]
-    pub fn code(&self) -> &'static str {
+    pub fn code(&self) -> ErrorCode {
         match self {
-            Self::Io { .. } => "read-io",
-            Self::TooLarge { .. } => "read-too-large",
-            Self::UnknownFormat { .. } => "read-unknown-format",
-            Self::Syntax { .. } => "read-syntax",
-            Self::Number { .. } => "read-number",
-            Self::Index { .. } => "read-index",
-            Self::TooMany { .. } => "read-too-many",
-            Self::Truncated { .. } => "read-truncated",
-            Self::Empty { .. } => "read-empty",
-            Self::Wireframe { .. } => "read-wireframe",
-            Self::Stencil { .. } => "read-stencil",
-            Self::NoCorner { .. } => "read-no-corner",
-            Self::Scale { .. } => "read-scale",
-            Self::Tolerance { .. } => "read-tolerance",
-            Self::NoLayers { .. } => "read-no-layers",
-            Self::NoSuchLayer { .. } => "read-no-such-layer",
-            Self::Loop { .. } => "read-loop",
-            Self::TooDeep { .. } => "read-too-deep",
-            Self::Elsewhere { .. } => "read-elsewhere",
-            Self::Unsupported { .. } => "read-unsupported",
+            Self::Io { .. } => ErrorCode::ReadIo,
+            Self::TooLarge { .. } => ErrorCode::ReadTooLarge,
+            Self::UnknownFormat { .. } => ErrorCode::ReadUnknownFormat,
+            Self::Syntax { .. } => ErrorCode::ReadSyntax,
+            Self::Number { .. } => ErrorCode::ReadNumber,
+            Self::Index { .. } => ErrorCode::ReadIndex,
+            Self::TooMany { .. } => ErrorCode::ReadTooMany,
+            Self::Truncated { .. } => ErrorCode::ReadTruncated,
+            Self::Empty { .. } => ErrorCode::ReadEmpty,
+            Self::Wireframe { .. } => ErrorCode::ReadWireframe,
+            Self::Stencil { .. } => ErrorCode::ReadStencil,
+            Self::NoCorner { .. } => ErrorCode::ReadNoCorner,
+            Self::Scale { .. } => ErrorCode::ReadScale,
+            Self::Tolerance { .. } => ErrorCode::ReadTolerance,
+            Self::NoLayers { .. } => ErrorCode::ReadNoLayers,
+            Self::NoSuchLayer { .. } => ErrorCode::ReadNoSuchLayer,
+            Self::Loop { .. } => ErrorCode::ReadLoop,
+            Self::TooDeep { .. } => ErrorCode::ReadTooDeep,
+            Self::Elsewhere { .. } => ErrorCode::ReadElsewhere,
+            Self::Unsupported { .. } => ErrorCode::ReadUnsupported,
             Self::Document(error) => error.code(),
-            Self::Library { .. } => "read-library",
+            Self::Library { .. } => ErrorCode::ReadLibrary,
         }
+    }
+
+    /// What can be done about it.
+    #[must_use]
+    pub fn remedies(&self) -> Vec<ErrorRemedy> {
+        vec![match self {
+            Self::Io { .. } => ErrorRemedy::CheckReadable,
+            Self::TooLarge { .. } | Self::TooMany { .. } => ErrorRemedy::SimplifyModel,
+            Self::UnknownFormat { .. } => ErrorRemedy::ChooseFileFormat,
+            Self::Syntax { remedy, .. } | Self::Unsupported { remedy, .. } => (**remedy).clone(),
+            Self::Number { .. } | Self::Index { .. } => ErrorRemedy::CorrectFile,
+            Self::Truncated { .. } | Self::Library { .. } => ErrorRemedy::ExportAgain,
+            Self::Empty { .. } => ErrorRemedy::CheckRightFile,
+            Self::Wireframe { .. } => ErrorRemedy::CheckScale,
+            Self::Stencil { .. } => ErrorRemedy::RepairMesh,
+            Self::NoCorner { .. } => ErrorRemedy::SplitBend,
+            Self::Scale { .. } => ErrorRemedy::CorrectInput { input: InputName::Scale },
+            Self::Tolerance { .. } => ErrorRemedy::CorrectInput { input: InputName::Tolerance },
+            Self::NoLayers { .. } => ErrorRemedy::LeaveOutLayers,
+            Self::NoSuchLayer { .. } => ErrorRemedy::CorrectInput { input: InputName::Layers },
+            Self::Loop { .. } | Self::TooDeep { .. } => ErrorRemedy::ExportResolved,
+            Self::Elsewhere { from_folder, .. } => {
+                let beside =
+                    if *from_folder { ErrorRemedy::PutFilesBeside } else { ErrorRemedy::OpenFromFolder };
+                return vec![beside, ErrorRemedy::ExportAs { form: ".glb".to_owned() }];
+            }
+            Self::Document(error) => return error.remedies(),
+        }]
     }
 
     /// The line of the file that is wrong, from 1, where there is one.
@@ -302,6 +254,6 @@ impl ReadError {
             Self::Document(error) => return error.line(),
             _ => return None,
         };
-        if let Place::Line(line) = place { Some(*line) } else { None }
+        if let Location::Line(line) = place { Some(*line) } else { None }
     }
 }

@@ -1,7 +1,9 @@
-//! The formats that can be read, and how a file's format is told.
+//! The formats that can be read, and how a file's format is detected.
 
 use std::fmt;
 use std::str::FromStr;
+
+use wirebend_error::ErrorRemedy;
 
 use super::error::ReadError;
 use super::table::Table;
@@ -41,7 +43,6 @@ pub enum Format {
 }
 
 impl Format {
-    /// Every format.
     pub const ALL: [Self; 14] = [
         Self::Obj,
         Self::Stl,
@@ -191,7 +192,7 @@ fn by_magic(bytes: &[u8]) -> Option<Format> {
 
 /// What a file is that is no model whatever its name, and what to do: the kinds that are dropped by mistake, which their readers would
 /// call damaged.
-pub(super) fn foreign(bytes: &[u8]) -> Option<(&'static str, &'static str)> {
+pub(super) fn foreign(bytes: &[u8]) -> Option<(&'static str, ErrorRemedy)> {
     const MAGIC: [(&[u8], &str); 10] = [
         (b"\x89PNG\r\n\x1a\n", "a PNG picture"),
         (b"\xff\xd8\xff", "a JPEG picture"),
@@ -208,10 +209,10 @@ pub(super) fn foreign(bytes: &[u8]) -> Option<(&'static str, &'static str)> {
         return None;
     }
     if bytes.starts_with(b"\xff\xfe\0\0") || bytes.starts_with(b"\0\0\xfe\xff") {
-        return Some(("a text in UTF-32", "save it as UTF-8"));
+        return Some(("a text in UTF-32", ErrorRemedy::ExportAs { form: "UTF-8 text".to_owned() }));
     }
     let found = MAGIC.iter().find(|(magic, _)| bytes.starts_with(magic));
-    found.map(|&(_, what)| (what, "open the model or drawing itself"))
+    found.map(|&(_, what)| (what, ErrorRemedy::OpenModel))
 }
 
 /// The format that the content looks like.

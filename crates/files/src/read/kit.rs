@@ -2,8 +2,10 @@
 //!
 //! `#` and `;` start a comment. Source: Faruqi et al., SCF '25, doi 10.1145/3745778.3766662.
 
+use wirebend_error::ErrorRemedy;
+
 use super::Imported;
-use super::error::{Place, ReadError};
+use super::error::{Location, ReadError};
 use super::format::Format;
 use super::note::{NoteKind, Notes};
 use super::options::ReadOptions;
@@ -20,15 +22,15 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
         notes.add(NoteKind::CommentsIgnored, usize::from(!comment.is_empty()));
         commands.comment(comment.trim_start_matches(['#', ';']));
         let words: Vec<&str> = command.split_whitespace().collect();
-        source.room(Place::Line(line), commands.len(), "steps")?;
+        source.room(Location::Line(line), commands.len(), "steps")?;
         match *words.as_slice() {
             [] => {}
             ["F" | "f", value] => commands.feed(line, feed_of(source, line, value, factor)?),
             ["R" | "r", value] => commands.rotate(line, angle_of(source, line, value)?),
             ["B" | "b", value] => commands.bend(line, angle_of(source, line, value)?),
             _ => {
-                let help = "a line holds one command and its number; correct the line";
-                return Err(source.syntax(Place::Line(line), command, "F, R or B and one number", help));
+                let remedy = ErrorRemedy::CorrectFile;
+                return Err(source.syntax(Location::Line(line), command, "F, R or B and one number", remedy));
             }
         }
     }

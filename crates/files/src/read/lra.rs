@@ -8,6 +8,7 @@
 
 use wirebend_core::bend::Step;
 use wirebend_core::units::{Angle, Length};
+use wirebend_error::ErrorRemedy;
 
 use super::Imported;
 use super::columns::Columns;
@@ -19,7 +20,7 @@ use super::program::finish;
 use super::table::Table;
 use super::text::{Source, decode};
 
-const CORRECT: &str = "correct the row";
+const CORRECT: ErrorRemedy = ErrorRemedy::CorrectFile;
 
 /// Whether a table has lengths, twists and angles rather than points.
 pub(super) fn looks_like(table: &Table<'_>) -> bool {
@@ -164,8 +165,8 @@ impl Rows<'_> {
         if length_mm < -self.rounding_mm(before.arc) {
             let expected =
                 format!("a distance of {:.3} mm or more, where the row before ends", before.end_mm);
-            let help = "correct the row; a column of single lengths is called L";
-            return Err(self.refuse(row, distance_mm, &expected, help));
+            let remedy = ErrorRemedy::CorrectFile;
+            return Err(self.refuse(row, distance_mm, &expected, remedy));
         }
         // What follows is measured from the distance as it is written.
         before.end_mm = distance_mm;
@@ -199,7 +200,7 @@ impl Rows<'_> {
         column.map_or(Ok(None), |column| self.table.value(self.source, row, column))
     }
 
-    fn refuse(&self, row: usize, found: f64, expected: &str, help: &'static str) -> ReadError {
-        self.source.syntax(self.table.place(row), &found.to_string(), expected, help)
+    fn refuse(&self, row: usize, found: f64, expected: &str, remedy: ErrorRemedy) -> ReadError {
+        self.source.syntax(self.table.place(row), &found.to_string(), expected, remedy)
     }
 }

@@ -35,17 +35,16 @@ use std::path::Path;
 use wirebend_core::mesh::Stencil;
 use wirebend_core::wireframe::Wireframe;
 
-pub use error::{Place, ReadError};
+pub use error::{Location, ReadError};
 pub use format::{Format, UnknownName, detect};
 pub use note::{Note, NoteKind};
 pub use options::{DEFAULT_TOLERANCE_MM, Handedness, LengthUnit, ReadOptions};
 pub use program::{ImportedProgram, wireframe_of_path};
 
 use crate::document::Document;
-pub(crate) use text::LIMIT;
+pub use crate::encoding::decode;
+use crate::encoding::utf8;
 use text::Source;
-pub use text::decode;
-pub(crate) use text::utf8;
 
 /// What a file held. Positions are millimetres in the frame of the file.
 #[derive(Debug, Clone)]
@@ -79,14 +78,20 @@ pub fn read(
     if !(options.scale > 0.0 && options.scale.is_finite()) {
         return Err(ReadError::Scale { scale: options.scale });
     }
-    if options.tolerance.mm() < options::LEAST_TOLERANCE_MM {
+    if options.tolerance.mm() < options::MIN_TOLERANCE_MM {
         return Err(ReadError::Tolerance { tolerance_mm: options.tolerance.mm() });
     }
     let source = Source { name };
     let format = format.map_or_else(|| detect(name, bytes), Ok)?;
-    if let Some((found, help)) = format::foreign(bytes) {
+    if let Some((found, remedy)) = format::foreign(bytes) {
         let (file, found, expected) = (name.to_owned(), found.to_owned(), format.title().into());
-        return Err(ReadError::Syntax { file, place: Place::File, found, expected, help });
+        return Err(ReadError::Syntax {
+            file,
+            place: Location::File,
+            found,
+            expected,
+            remedy: Box::new(remedy),
+        });
     }
     if !options.layers.is_empty() && !matches!(format, Format::Dxf | Format::Svg) {
         return Err(ReadError::NoLayers { file: name.to_owned(), format });

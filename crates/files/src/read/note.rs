@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-/// What happened.
+use wirebend_error::{ErrorRemedy, InputName};
+
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum NoteKind {
     /// Nothing says what the numbers measure.
@@ -17,9 +18,7 @@ pub enum NoteKind {
     EdgesCollapsed,
     /// Vertices that no edge or face uses.
     VerticesUnused,
-    /// Normals.
     NormalsIgnored,
-    /// Texture coordinates.
     TextureIgnored,
     /// Colours and other values of a vertex, a face or a triangle.
     AttributesIgnored,
@@ -31,7 +30,6 @@ pub enum NoteKind {
     PointsIgnored,
     /// Lines or entries of a kind that is not read.
     StatementsIgnored,
-    /// Comments.
     CommentsIgnored,
     /// Pin commands of a script.
     PinsIgnored,
@@ -83,15 +81,11 @@ pub enum NoteKind {
     OtherLayersIgnored,
     /// Elements of the paper space, around the drawing.
     PaperIgnored,
-    /// Texts.
     TextsIgnored,
-    /// Hatches and fills.
     HatchesIgnored,
-    /// Dimensions and leaders.
     DimensionsIgnored,
     /// Faces, surfaces and solids of a drawing.
     SurfacesIgnored,
-    /// Pictures.
     ImagesIgnored,
     /// Filters, masks, clip paths and markers: what they hide is read, what they add is not.
     FiltersIgnored,
@@ -106,7 +100,6 @@ pub enum NoteKind {
 /// One thing that a reader did, and how many times.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Note {
-    /// What.
     pub kind: NoteKind,
     /// How many times; 1 for what can happen once only.
     pub count: usize,
@@ -168,6 +161,16 @@ impl NoteKind {
         }
     }
 
+    /// What can be done about it.
+    #[must_use]
+    pub fn remedies(self) -> Vec<ErrorRemedy> {
+        match self {
+            Self::RadiusAssumed => vec![ErrorRemedy::CorrectInput { input: InputName::CentrelineRadius }],
+            Self::HandednessAssumed => vec![ErrorRemedy::CorrectInput { input: InputName::Handedness }],
+            _ => Vec::new(),
+        }
+    }
+
     /// Singular and plural of what is counted, or the whole sentence where nothing is.
     const fn words(self) -> (&'static str, &'static str) {
         match self {
@@ -201,12 +204,9 @@ impl NoteKind {
             Self::HeaderSkipped => ("the first row is a header", ""),
             Self::ColumnsIgnored => ("column ignored", "columns ignored"),
             Self::PolylineClosed => ("the last point repeats the first: the polyline is closed", ""),
-            Self::RadiusAssumed => (
-                "no bend radius given: lengths are taken from corner to corner; give a centreline radius",
-                "",
-            ),
+            Self::RadiusAssumed => ("no bend radius given: lengths are taken from corner to corner", ""),
             Self::HandednessAssumed => (
-                "nothing says which way rotations turn: taken by the right-hand rule along the wire; the table of a left-handed machine gives the mirror image, so give its handedness",
+                "nothing says which way rotations turn: taken by the right-hand rule along the wire; the table of a left-handed machine gives the mirror image",
                 "",
             ),
             Self::LeftHanded => ("the table is left-handed: its rotations are turned the other way", ""),
@@ -234,7 +234,7 @@ impl NoteKind {
                 "splines without control points: cubic ones are laid through their fit points",
             ),
             Self::BlocksExploded => {
-                ("block or part put in where it is used", "blocks or parts put in where they are used")
+                ("block or part inserted where it is used", "blocks or parts inserted where they are used")
             }
             Self::HiddenIgnored => ("hidden element left out", "hidden elements left out"),
             Self::OtherLayersIgnored => {

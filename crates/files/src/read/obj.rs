@@ -1,71 +1,125 @@
 //! Wavefront OBJ: `l` lines are a wireframe, faces a stencil.
 //!
-//! `tobj` reads the mesh. It gives errors without lines and numbers vertices by first use, so every
-//! line is checked here first, `tobj` gets what passed, and its vertices are mapped back.
+//! `tobj` reads the numbers. It does not say three things, so the file is handed to it statement by statement:
+//! - It keeps only vertices that a face uses, in the order of first use. A face of one point follows each vertex, so all
+//!   are kept in the order of the file.
+//! - It does not tell an `l` from an `f` of as many vertices. It keeps their order, so this side remembers which is which.
+//! - Its errors name no line. Once something is wrong, the first wrong statement is looked for here, with line and word.
 
 use std::fmt::Write as _;
 
 use nalgebra::Point3;
+use wirebend_error::ErrorRemedy;
 
 use super::Imported;
 use super::drawing::Drawing;
-use super::error::{Place, ReadError};
+use super::error::{Location, ReadError};
 use super::format::Format;
 use super::note::NoteKind;
 use super::options::ReadOptions;
 use super::text::{Source, decode, lines};
 
+const MIN_POLYLINE: usize = 2;
+const MIN_FACE: usize = 3;
+
 /// Reads points, lines and polygons; negative indices count back from the last vertex so far.
 pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> Result<Imported, ReadError> {
-    let mut scan = Scan {
-        source,
-        drawing: Drawing::default(),
-        mesh: String::new(),
-        met: Vec::new(),
-        faces: 0,
-        order: Vec::new(),
-    };
     let text = decode(bytes);
+    let mut file = File::new(source);
+    each_statement(&text, |line, statement| file.add(line, statement))?;
+    let refused = match file.drawing() {
+        Ok(drawing) => return drawing.finish(Format::Obj, source, options),
+        Err(refused) => refused,
+    };
+    let mut vertices = 0;
+    each_statement(&text, |line, statement| check(source, line, statement, &mut vertices))?;
+    Err(source.library("tobj", &refused))
+}
+
+/// Calls `with` for each statement, with the line where it ends. A backslash continues a line on the next one, but not a
+/// comment.
+fn each_statement(
+    text: &str,
+    mut with: impl FnMut(usize, &str) -> Result<(), ReadError>,
+) -> Result<(), ReadError> {
     let mut joined = String::new();
-    for (line, text) in lines(&text) {
-        // A backslash continues the line on the next one, but not a comment.
+    for (line, text) in lines(text) {
         let continued = if text.contains('#') { None } else { text.trim_end().strip_suffix('\\') };
         if let Some(begin) = continued {
             joined.push_str(begin);
             joined.push(' ');
         } else if joined.is_empty() {
-            scan.line(line, text)?;
+            with(line, text)?;
         } else {
             joined.push_str(text);
-            scan.line(line, &std::mem::take(&mut joined))?;
+            with(line, &std::mem::take(&mut joined))?;
         }
     }
-    scan.line(lines(&text).count(), &joined)?;
-    scan.mesh()?.finish(Format::Obj, source, options)
+    with(lines(text).count(), &joined)
 }
 
-struct Scan<'a> {
+/// The keyword of a statement and its words, without a comment.
+fn words(statement: &str) -> (&str, Vec<&str>) {
+    let mut words = code(statement).split_whitespace();
+    (words.next().unwrap_or_default(), words.collect())
+}
+
+fn code(statement: &str) -> &str {
+    statement.split('#').next().unwrap_or_default()
+}
+
+/// The index of a vertex; what follows a slash are a texture coordinate and a normal, which are not read.
+fn index(word: &str) -> &str {
+    word.split('/').next().unwrap_or_default()
+}
+
+/// What a statement draws.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Drawn {
+    Vertex,
+    Polyline,
+    Face,
+}
+
+struct File<'a> {
     source: Source<'a>,
     drawing: Drawing,
-    /// The vertices and faces for `tobj`, and nothing else.
-    mesh: String,
+    /// The statements for `tobj`.
+    text: String,
+    /// What each face of `tobj` is: one for each vertex, polyline and face of the file.
+    drawn: Vec<Drawn>,
+    edges: usize,
     faces: usize,
-    /// Whether a face uses a vertex, and the vertices in the order of first use by a face.
-    met: Vec<bool>,
-    order: Vec<u32>,
+    /// Whether a statement has too few words or too many.
+    is_wrong: bool,
 }
 
-impl Scan<'_> {
-    fn line(&mut self, line: usize, text: &str) -> Result<(), ReadError> {
-        let (code, comment) = text.split_at(text.find('#').unwrap_or(text.len()));
-        let mut words = code.split_whitespace();
-        let keyword = words.next().unwrap_or_default();
-        let words: Vec<&str> = words.collect();
+impl<'a> File<'a> {
+    fn new(source: Source<'a>) -> Self {
+        let (drawing, text, drawn) = (Drawing::default(), String::new(), Vec::new());
+        Self { source, drawing, text, drawn, edges: 0, faces: 0, is_wrong: false }
+    }
+
+    /// Takes a statement for `tobj`, or notes what is not read.
+    fn add(&mut self, line: usize, statement: &str) -> Result<(), ReadError> {
+        let (keyword, words) = words(statement);
         let ignored = match keyword {
-            "v" => return self.vertex(line, code, &words),
-            "f" => return self.face(line, code, &words),
-            "l" => return self.polyline(line, code, &words),
-            "" if comment.is_empty() => return Ok(()),
+            "v" => return self.vertex(line, &words),
+            "f" => {
+                self.source.room(Location::Line(line), self.faces, "faces")?;
+                self.faces += 1;
+                self.is_wrong |= words.len() < MIN_FACE;
+                self.corners(Drawn::Face, 'f', &words);
+                return Ok(());
+            }
+            "l" => {
+                self.edges += words.len().saturating_sub(1);
+                self.source.room(Location::Line(line), self.edges.saturating_sub(1), "edges")?;
+                self.is_wrong |= words.len() < MIN_POLYLINE;
+                self.corners(Drawn::Polyline, 'l', &words);
+                return Ok(());
+            }
+            "" if !statement.contains('#') => return Ok(()),
             "" => NoteKind::CommentsIgnored,
             "vn" => NoteKind::NormalsIgnored,
             "vt" => NoteKind::TextureIgnored,
@@ -77,99 +131,106 @@ impl Scan<'_> {
         Ok(())
     }
 
-    fn vertex(&mut self, line: usize, code: &str, words: &[&str]) -> Result<(), ReadError> {
-        let source = self.source;
-        source.room(Place::Line(line), self.drawing.points.len(), "vertices")?;
-        let number = |word: &str| source.number(line, word);
-        let point = match *words {
-            [x, y, z] => Point3::new(number(x)?, number(y)?, number(z)?),
-            // A weight divides, three or four more numbers are a colour.
-            [x, y, z, w] => Point3::new(number(x)?, number(y)?, number(z)?) / number(w)?,
-            [x, y, z, _, _, _] | [x, y, z, _, _, _, _] => {
+    fn vertex(&mut self, line: usize, words: &[&str]) -> Result<(), ReadError> {
+        self.source.room(Location::Line(line), self.drawing.point_lines.len(), "vertices")?;
+        // A weight divides, three or four more numbers are a colour.
+        let read = match words.len() {
+            count @ (3 | 4) => count,
+            6 | 7 => {
                 self.drawing.notes.add(NoteKind::AttributesIgnored, 1);
-                Point3::new(number(x)?, number(y)?, number(z)?)
+                3
             }
             _ => {
-                let help = "a vertex is v x y z; correct the line";
-                return Err(source.syntax(Place::Line(line), code, "three numbers after v", help));
+                self.is_wrong = true;
+                return Ok(());
             }
         };
-        if !point.coords.iter().all(|c| c.is_finite()) {
-            let help = "correct the weight, the fourth number";
-            return Err(source.syntax(Place::Line(line), code, "a finite position", help));
-        }
-        self.drawing.points.push(point);
+        let _ = writeln!(self.text, "v {}\nf -1", words[..read].join(" "));
         self.drawing.point_lines.push(line);
-        self.met.push(false);
+        self.drawn.push(Drawn::Vertex);
         Ok(())
     }
 
-    fn index(&self, line: usize, word: &str) -> Result<u32, ReadError> {
-        // What follows a slash are a texture coordinate and a normal, which are not read.
-        let vertex = word.split('/').next().unwrap_or_default();
-        self.source.index(line, vertex, "vertex", self.drawing.points.len(), true)
-    }
-
-    fn face(&mut self, line: usize, code: &str, words: &[&str]) -> Result<(), ReadError> {
-        self.source.room(Place::Line(line), self.faces, "faces")?;
-        if words.len() < 3 {
-            let help = "a face has at least 3 vertices; correct the line";
-            return Err(self.source.syntax(Place::Line(line), code, "three or more indices after f", help));
-        }
-        self.mesh.push('f');
+    fn corners(&mut self, drawn: Drawn, keyword: char, words: &[&str]) {
+        self.text.push(keyword);
         for word in words {
-            let index = self.index(line, word)?;
-            if !std::mem::replace(&mut self.met[index as usize], true) {
-                self.order.push(index);
-            }
-            let _ = write!(self.mesh, " {}", index + 1);
+            self.text.push(' ');
+            // To `tobj`, a slash alone is an index that names no vertex.
+            self.text.push_str(Some(index(word)).filter(|index| !index.is_empty()).unwrap_or("/"));
         }
-        self.mesh.push('\n');
-        self.faces += 1;
-        Ok(())
+        self.text.push('\n');
+        self.drawn.push(drawn);
     }
 
-    fn polyline(&mut self, line: usize, code: &str, words: &[&str]) -> Result<(), ReadError> {
-        if words.len() < 2 {
-            let help = "a line has at least 2 vertices; correct the line";
-            return Err(self.source.syntax(Place::Line(line), code, "two or more indices after l", help));
+    /// What `tobj` reads of it, or what is wrong, without a place.
+    fn drawing(mut self) -> Result<Drawing, String> {
+        if self.is_wrong {
+            return Err("a statement has too few words, or too many".to_owned());
         }
-        let ends = words.iter().map(|word| self.index(line, word)).collect::<Result<Vec<u32>, _>>()?;
-        for pair in ends.windows(2) {
-            self.source.room(Place::Line(line), self.drawing.edges.len(), "edges")?;
-            self.drawing.edges.push((pair[0], pair[1]));
-        }
-        Ok(())
-    }
-
-    /// Lets `tobj` read the faces and gives them the vertices of the file.
-    fn mesh(mut self) -> Result<Drawing, ReadError> {
-        if self.faces == 0 {
-            return Ok(self.drawing);
-        }
-        let mut text = String::new();
-        for point in &self.drawing.points {
-            let _ = writeln!(text, "v {:?} {:?} {:?}", point.x, point.y, point.z);
-        }
-        text.push_str(&self.mesh);
-        let options = tobj::LoadOptions::default();
         let no_materials = |_: &std::path::Path| Err(tobj::LoadError::OpenFileFailed);
-        let (models, _) = tobj::load_obj_buf(&mut text.as_bytes(), &options, no_materials)
-            .map_err(|error| self.source.library("tobj", &error))?;
-        for model in models {
-            let mut corners = model.mesh.indices.iter();
-            let triangles = vec![3; model.mesh.indices.len() / 3];
-            let arities =
-                if model.mesh.face_arities.is_empty() { &triangles } else { &model.mesh.face_arities };
-            for &arity in arities {
-                let face =
-                    corners.by_ref().take(arity as usize).map(|&k| self.order.get(k as usize).copied());
-                let face = face.collect::<Option<Vec<u32>>>();
-                self.drawing
-                    .faces
-                    .push(face.ok_or_else(|| self.source.library("tobj", &"it counts differently"))?);
+        let (models, _) =
+            tobj::load_obj_buf(&mut self.text.as_bytes(), &tobj::LoadOptions::default(), no_materials)
+                .map_err(|error| error.to_string())?;
+        // Without names of objects and materials, all is one model.
+        let mesh = models.into_iter().next().map(|model| model.mesh).unwrap_or_default();
+        if !mesh.positions.iter().all(|coordinate| coordinate.is_finite()) {
+            return Err("a position is not finite".to_owned());
+        }
+        self.drawing.points = mesh.positions.chunks_exact(3).map(Point3::from_slice).collect();
+        let mut indices = mesh.indices.into_iter();
+        let mut known = 0;
+        for (drawn, arity) in self.drawn.into_iter().zip(mesh.face_arities) {
+            known += u32::from(drawn == Drawn::Vertex);
+            let corners: Vec<u32> = indices.by_ref().take(arity as usize).collect();
+            if corners.iter().any(|&corner| corner >= known) {
+                return Err("an index names a vertex that comes later".to_owned());
+            }
+            match drawn {
+                Drawn::Vertex => {}
+                Drawn::Polyline => {
+                    self.drawing.edges.extend(corners.windows(2).map(|pair| (pair[0], pair[1])));
+                }
+                Drawn::Face => self.drawing.faces.push(corners),
             }
         }
         Ok(self.drawing)
     }
+}
+
+/// Refuses a wrong statement; `vertices` counts those so far.
+fn check(source: Source<'_>, line: usize, statement: &str, vertices: &mut usize) -> Result<(), ReadError> {
+    let (keyword, words) = words(statement);
+    let refuse = |expected: &str| {
+        Err(source.syntax(Location::Line(line), code(statement), expected, ErrorRemedy::CorrectFile))
+    };
+    match keyword {
+        "v" => {
+            if !matches!(words.len(), 3 | 4 | 6 | 7) {
+                return refuse("three numbers after v");
+            }
+            let read = if words.len() == 4 { 4 } else { 3 };
+            let numbers = words[..read]
+                .iter()
+                .map(|word| source.number(line, word))
+                .collect::<Result<Vec<f64>, _>>()?;
+            let weight = numbers.get(3).copied().unwrap_or(1.0);
+            if !numbers[..3].iter().all(|coordinate| (coordinate / weight).is_finite()) {
+                return refuse("a weight, the fourth number, that leaves a finite position");
+            }
+            *vertices += 1;
+        }
+        "f" if words.len() < MIN_FACE => {
+            return refuse("three or more indices after f");
+        }
+        "l" if words.len() < MIN_POLYLINE => {
+            return refuse("two or more indices after l");
+        }
+        "f" | "l" => {
+            words
+                .iter()
+                .try_for_each(|word| source.index(line, index(word), "vertex", *vertices, true).map(drop))?;
+        }
+        _ => {}
+    }
+    Ok(())
 }

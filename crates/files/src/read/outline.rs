@@ -6,7 +6,7 @@ use wirebend_core::units::{Angle, Length};
 use wirebend_core::wireframe::{Vertex, VertexId, Wireframe};
 
 use super::drawing::Drawing;
-use super::error::{Place, ReadError};
+use super::error::{Location, ReadError};
 use super::note::NoteKind;
 use super::options::ReadOptions;
 use super::text::{LIMIT, Source};
@@ -78,7 +78,7 @@ impl<'a> Pen<'a> {
     }
 
     /// Adds the vertices and edges of an outline; `line` is where it stands, in a text.
-    pub(super) fn draw(&mut self, place: &Place, outline: &Outline) -> Result<(), ReadError> {
+    pub(super) fn draw(&mut self, place: &Location, outline: &Outline) -> Result<(), ReadError> {
         let first = self.drawing.points.len();
         self.point(place, outline.start)?;
         for piece in &outline.pieces {
@@ -97,8 +97,8 @@ impl<'a> Pen<'a> {
                 }
                 Piece::Spline(spline) => {
                     spline.control().iter().try_for_each(|point| self.within(place, point))?;
-                    let most = LIMIT.saturating_sub(self.drawing.points.len());
-                    let Ok(points) = spline.flatten(self.tolerance, most) else {
+                    let max_points = LIMIT.saturating_sub(self.drawing.points.len());
+                    let Ok(points) = spline.flatten(self.tolerance, max_points) else {
                         return self.source.room(place.clone(), LIMIT, "vertices");
                     };
                     (points, None)
@@ -117,14 +117,14 @@ impl<'a> Pen<'a> {
     }
 
     /// Adds a corner of faces, and gives its index.
-    pub(super) fn corner(&mut self, place: &Place, point: Point3<f64>) -> Result<u32, ReadError> {
+    pub(super) fn corner(&mut self, place: &Location, point: Point3<f64>) -> Result<u32, ReadError> {
         self.within(place, &point)?;
         self.point(place, point)?;
         Ok(index(self.drawing.points.len()) - 1)
     }
 
     /// Refuses what no wireframe has room for before a curve that goes there is cut into any number of pieces.
-    fn within(&self, place: &Place, point: &Point3<f64>) -> Result<(), ReadError> {
+    fn within(&self, place: &Location, point: &Point3<f64>) -> Result<(), ReadError> {
         let vertex = Vertex { position: point * self.factor, support: false };
         Wireframe::new().insert_vertex(VertexId(0), vertex).map_err(|error| ReadError::Wireframe {
             file: self.source.name.to_owned(),
@@ -133,7 +133,7 @@ impl<'a> Pen<'a> {
         })
     }
 
-    fn point(&mut self, place: &Place, point: Point3<f64>) -> Result<(), ReadError> {
+    fn point(&mut self, place: &Location, point: Point3<f64>) -> Result<(), ReadError> {
         self.source.room(place.clone(), self.drawing.points.len(), "vertices")?;
         if let Some(bad) = point.coords.iter().find(|c| !c.is_finite()) {
             return Err(ReadError::Number {
@@ -144,14 +144,14 @@ impl<'a> Pen<'a> {
             });
         }
         self.drawing.points.push(point);
-        if let Place::Line(line) = place {
+        if let Location::Line(line) = place {
             self.drawing.point_lines.push(*line);
         }
         Ok(())
     }
 
     /// Edges from each point to the next, from number `first` on. A last point on the first one is that one.
-    fn join(&mut self, place: &Place, first: usize, closed: bool) -> Result<(), ReadError> {
+    fn join(&mut self, place: &Location, first: usize, closed: bool) -> Result<(), ReadError> {
         let points = &mut self.drawing.points;
         let returns =
             points.len() - first > 2 && (points[points.len() - 1] - points[first]).norm() <= self.weld;

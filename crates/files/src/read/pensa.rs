@@ -4,8 +4,10 @@
 //! formed wire about -z and +ROTATE about +y. Seen from the wire, which travels along -y, these are
 //! our own signs: the default convention fits.
 
+use wirebend_error::ErrorRemedy;
+
 use super::Imported;
-use super::error::{Place, ReadError};
+use super::error::{Location, ReadError};
 use super::format::Format;
 use super::note::{NoteKind, Notes};
 use super::options::ReadOptions;
@@ -29,7 +31,7 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
             commands.comment(comment);
         }
         let words: Vec<&str> = code.split_whitespace().collect();
-        source.room(Place::Line(line), commands.len(), "steps")?;
+        source.room(Location::Line(line), commands.len(), "steps")?;
         let command = words.first().map(|word| word.to_ascii_uppercase()).unwrap_or_default();
         match (command.as_str(), words.as_slice()) {
             (_, []) => {}
@@ -40,9 +42,9 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
                 notes.add(NoteKind::PinsIgnored, 1);
             }
             _ => {
-                let help = "a script holds commands, not instructions to a person; write each as a command";
-                let expected = "FEED, ROTATE, BEND or PINZ and one number";
-                return Err(source.syntax(Place::Line(line), &code, expected, help));
+                let remedy = ErrorRemedy::CorrectFile;
+                let expected = "a command: FEED, ROTATE, BEND or PINZ and one number";
+                return Err(source.syntax(Location::Line(line), &code, expected, remedy));
             }
         }
     }
@@ -63,8 +65,8 @@ fn without_comments<'a>(
     let mut comments = Vec::new();
     while let Some((before, after)) = rest.split_once('(') {
         let Some((comment, behind)) = after.split_once(')') else {
-            let help = "close the comment on its line";
-            return Err(source.syntax(Place::Line(line), text, "a comment that ends with )", help));
+            let remedy = ErrorRemedy::CorrectFile;
+            return Err(source.syntax(Location::Line(line), text, "a comment that ends with )", remedy));
         };
         code.push_str(before);
         code.push(' ');

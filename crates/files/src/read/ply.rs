@@ -7,10 +7,11 @@ use ply_rs_bw::parser::{ParseError, Parser, Reader};
 use ply_rs_bw::ply::{
     ElementDef, Encoding, Header, Property, PropertyAccess, PropertyAccessResult, PropertyType, ScalarType,
 };
+use wirebend_error::ErrorRemedy;
 
 use super::Imported;
 use super::drawing::Drawing;
-use super::error::{Place, ReadError};
+use super::error::{Location, ReadError};
 use super::format::Format;
 use super::note::NoteKind;
 use super::options::ReadOptions;
@@ -109,19 +110,19 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
                 "vertex" => drawing.points.push(point(source, k, &entry)?),
                 "face" => {
                     corners += entry.corners.len();
-                    source.room(Place::Item("face", k), corners / 8, "corners of faces")?;
+                    source.room(Location::Item("face", k), corners / 8, "corners of faces")?;
                     let face = entry.corners.iter().map(|&corner| index(source, "face", k, corner, count));
                     drawing.faces.push(face.collect::<Result<_, _>>()?);
                 }
                 "edge" => {
                     let [Some(a), Some(b)] = entry.ends else {
-                        let help = "export the edges with vertex1 and vertex2";
+                        let remedy = ErrorRemedy::ExportAgain;
                         let expected = "two whole numbers";
                         return Err(source.syntax(
-                            Place::Item("edge", k),
+                            Location::Item("edge", k),
                             "other properties",
                             expected,
-                            help,
+                            remedy,
                         ));
                     };
                     drawing
@@ -193,26 +194,26 @@ fn check_count(
     left: usize,
     source: Source<'_>,
 ) -> Result<(), ReadError> {
-    let place = Place::File;
+    let place = Location::File;
     // In text every entry has a line of its own.
-    let least: usize = match encoding {
+    let min: usize = match encoding {
         Encoding::Ascii => 1,
-        _ => element.properties.iter().map(|(_, property)| least_bytes(&property.data_type)).sum(),
+        _ => element.properties.iter().map(|(_, property)| min_bytes(&property.data_type)).sum(),
     };
-    if least == 0 && element.count > 0 {
-        let help = "export the file without this element";
+    if min == 0 && element.count > 0 {
+        let remedy = ErrorRemedy::ExportWithout { part: "this element".to_owned() };
         let found = format!("element {} {} without properties", element.name, element.count);
-        return Err(source.syntax(place, &found, "an element with properties", help));
+        return Err(source.syntax(place, &found, "an element with properties", remedy));
     }
     // The last line of a text may have no end.
-    if element.count > 0 && element.count > (left + 1) / least {
+    if element.count > 0 && element.count > (left + 1) / min {
         let announced = format!("{} entries of {} are announced", element.count, element.name);
         return Err(source.truncated(place, announced, format!("only {left} bytes are left")));
     }
     source.room(place, element.count.saturating_sub(1), "entries of an element")
 }
 
-fn least_bytes(data: &PropertyType) -> usize {
+fn min_bytes(data: &PropertyType) -> usize {
     let size = |scalar: &ScalarType| match scalar {
         ScalarType::Char | ScalarType::UChar => 1,
         ScalarType::Short | ScalarType::UShort => 2,
@@ -225,10 +226,10 @@ fn least_bytes(data: &PropertyType) -> usize {
 }
 
 fn point(source: Source<'_>, k: usize, entry: &Entry) -> Result<Point3<f64>, ReadError> {
-    let place = Place::Item("vertex", k);
+    let place = Location::Item("vertex", k);
     let [Some(x), Some(y), Some(z)] = entry.at else {
-        let help = "export the vertices with x, y and z";
-        return Err(source.syntax(place, "a vertex without position", "the properties x, y and z", help));
+        let remedy = ErrorRemedy::ExportAgain;
+        return Err(source.syntax(place, "a vertex without position", "the properties x, y and z", remedy));
     };
     match [x, y, z].into_iter().find(|c| !c.is_finite()) {
         None => Ok(Point3::new(x, y, z)),
@@ -254,7 +255,7 @@ fn index(
 fn no_vertex(source: Source<'_>, what: &'static str, k: usize, index: i64, count: usize) -> ReadError {
     ReadError::Index {
         file: source.name.to_owned(),
-        place: Place::Item(what, k),
+        place: Location::Item(what, k),
         found: index.to_string(),
         what: "vertex",
         have: format!("they count from 0 and there are {count}"),
@@ -280,16 +281,11 @@ fn check_indices(drawing: &Drawing, source: Source<'_>) -> Result<(), ReadError>
 
 fn refuse(source: Source<'_>, error: &ParseError) -> ReadError {
     let message = error.to_string();
-    let place = error.line().map_or(Place::File, Place::Line);
+    let place = error.line().map_or(Location::File, Location::Line);
     if error.kind() == std::io::ErrorKind::UnexpectedEof {
         return source.truncated(place, "more entries are announced".into(), "the file ends".into());
     }
     let message =
         message.split("\n\t").nth(1).unwrap_or(&message).trim_start_matches("String: ").trim_matches('\'');
-    source.syntax(
-        place,
-        message,
-        "a PLY header, then numbers as it says",
-        "correct the line or export the file again",
-    )
+    source.syntax(place, message, "a PLY header, then numbers as it says", ErrorRemedy::CorrectFile)
 }

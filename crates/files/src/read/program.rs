@@ -6,9 +6,10 @@ use nalgebra::Point3;
 use wirebend_core::bend::{Frame, NominalProgram, Step, replay};
 use wirebend_core::units::{Angle, Length};
 use wirebend_core::wireframe::{Vertex, VertexId, Welder, Wireframe, WireframeError};
+use wirebend_error::ErrorRemedy;
 
 use super::Imported;
-use super::error::{Place, ReadError};
+use super::error::{Location, ReadError};
 use super::format::Format;
 use super::note::{NoteKind, Notes};
 use super::options::ReadOptions;
@@ -150,8 +151,8 @@ impl Commands {
 pub(crate) fn feed_of(source: Source<'_>, line: usize, word: &str, factor: f64) -> Result<Length, ReadError> {
     let value = source.number(line, word)?;
     let refuse = || {
-        let help = "a wire is only fed forward; correct the line";
-        source.syntax(Place::Line(line), word, "a feed of 0 or more", help)
+        let remedy = ErrorRemedy::CorrectFile;
+        source.syntax(Location::Line(line), word, "a feed of 0 or more", remedy)
     };
     if value < 0.0 {
         return Err(refuse());
@@ -183,7 +184,7 @@ pub(crate) fn finish(
     let path = replay(Frame::default(), &steps);
     let (wireframe, traversal) = wireframe_of_path(&path, options.weld).map_err(|(point, error)| {
         let line = lines.get(point.saturating_sub(1)).copied();
-        let place = line.map_or(Place::Item("point", point), Place::Line);
+        let place = line.map_or(Location::Item("point", point), Location::Line);
         ReadError::Wireframe { file: source.name.to_owned(), place, error }
     })?;
     notes.add(NoteKind::VerticesMerged, path.len().saturating_sub(wireframe.vertex_count()));

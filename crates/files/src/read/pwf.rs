@@ -7,10 +7,11 @@
 use std::collections::BTreeSet;
 
 use nalgebra::Point3;
+use wirebend_error::ErrorRemedy;
 
 use super::Imported;
 use super::drawing::Drawing;
-use super::error::{Place, ReadError};
+use super::error::{Location, ReadError};
 use super::format::Format;
 use super::note::NoteKind;
 use super::options::ReadOptions;
@@ -23,10 +24,10 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
     for (line, text) in lines(&text) {
         let words: Vec<&str> = text.split_whitespace().collect();
         if let ["v", coordinates @ ..] = words.as_slice() {
-            source.room(Place::Line(line), drawing.points.len(), "vertices")?;
+            source.room(Location::Line(line), drawing.points.len(), "vertices")?;
             let [x, y, z] = coordinates else {
-                let help = "a vertex is v x y z; correct the line";
-                return Err(source.syntax(Place::Line(line), text, "three numbers after v", help));
+                let remedy = ErrorRemedy::CorrectFile;
+                return Err(source.syntax(Location::Line(line), text, "v and three numbers", remedy));
             };
             let point = [source.number(line, x)?, source.number(line, y)?, source.number(line, z)?];
             drawing.points.push(Point3::from(point));
@@ -40,7 +41,7 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
         let Some((&kind, rest)) = words.split_first() else {
             continue;
         };
-        source.room(Place::Line(line), drawing.edges.len(), "edges")?;
+        source.room(Location::Line(line), drawing.edges.len(), "edges")?;
         let have = drawing.points.len();
         let index = |word: &str| source.index(line, word, "vertex", have, false);
         match (kind, rest) {
@@ -66,8 +67,13 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
             }
             (comment, _) if comment.starts_with('#') => drawing.notes.add(NoteKind::CommentsIgnored, 1),
             _ => {
-                let help = "a line is v x y z, l a b, p base foot, c a b or g a b layer; correct the line";
-                return Err(source.syntax(Place::Line(line), text, "a PWF line", help));
+                let remedy = ErrorRemedy::CorrectFile;
+                return Err(source.syntax(
+                    Location::Line(line),
+                    text,
+                    "v x y z, l a b, p base foot, c a b or g a b layer",
+                    remedy,
+                ));
             }
         }
     }

@@ -5,10 +5,11 @@ use std::collections::HashMap;
 use std::io::{self, Read, Seek, SeekFrom};
 
 use nalgebra::Point3;
+use wirebend_error::ErrorRemedy;
 
 use super::Imported;
 use super::drawing::Drawing;
-use super::error::{Place, ReadError};
+use super::error::{Location, ReadError};
 use super::format::Format;
 use super::note::NoteKind;
 use super::options::ReadOptions;
@@ -85,23 +86,27 @@ fn binary(
         && let Some((number, line)) = first_line(bytes)
     {
         let expected = "solid, with which an STL in text begins";
-        let help = "this is text, but no STL: open the model itself, or rename the file to what it is";
-        return Err(source.syntax(Place::Line(number), line.trim_start(), expected, help));
+        let remedy = ErrorRemedy::OpenModel;
+        return Err(source.syntax(Location::Line(number), line.trim_start(), expected, remedy));
     }
     let Some(count) = announced(bytes) else {
         let announced = "a binary STL starts with 84 bytes".to_owned();
-        return Err(source.truncated(Place::File, announced, format!("there are {}", bytes.len())));
+        return Err(source.truncated(Location::File, announced, format!("there are {}", bytes.len())));
     };
     if held < count {
         let announced = format!("{count} triangles are announced");
-        return Err(source.truncated(Place::Byte(HEAD - 4), announced, format!("there is room for {held}")));
+        return Err(source.truncated(
+            Location::Byte(HEAD - 4),
+            announced,
+            format!("there is room for {held}"),
+        ));
     }
     drawing.notes.add(NoteKind::TrailingIgnored, bytes.len() - HEAD - count * TRIANGLE);
     let mut input = Input { bytes, at: 0, start: 0, line: None };
     let triangles =
         stl_io::create_stl_reader(&mut input).map_err(|error| source.library("stl_io", &error))?;
     for (k, triangle) in triangles.enumerate() {
-        let place = Place::Byte(HEAD + k * TRIANGLE);
+        let place = Location::Byte(HEAD + k * TRIANGLE);
         let triangle = triangle.map_err(|error| source.library("stl_io", &error))?;
         add(drawing, corners, source, &place, &triangle)?;
     }
@@ -120,18 +125,17 @@ fn text(
     while !bytes[start..].trim_ascii().is_empty() {
         let refuse = |error: &io::Error| {
             if error.kind() == io::ErrorKind::UnexpectedEof {
-                return source.truncated(Place::Line(line.get()), "a solid begins".into(), error.to_string());
+                return source.truncated(
+                    Location::Line(line.get()),
+                    "a solid begins".into(),
+                    error.to_string(),
+                );
             }
             let found =
                 bytes.split(|&byte| byte == b'\n').nth(line.get().saturating_sub(1)).unwrap_or_default();
             let expected = "solid, facet normal, outer loop, three vertices, endloop, endfacet, endsolid";
             let found = String::from_utf8_lossy(found);
-            source.syntax(
-                Place::Line(line.get()),
-                &found,
-                expected,
-                "correct the line or export the file again",
-            )
+            source.syntax(Location::Line(line.get()), &found, expected, ErrorRemedy::CorrectFile)
         };
         let begin = start + bytes[start..].iter().take_while(|byte| byte.is_ascii_whitespace()).count();
         line.set(line.get() + bytes[start..begin].split(|&byte| byte == b'\n').count() - 1);
@@ -144,7 +148,7 @@ fn text(
         let triangles = stl_io::create_stl_reader(&mut input).map_err(|error| refuse(&error))?;
         for triangle in triangles {
             let triangle = triangle.map_err(|error| refuse(&error))?;
-            add(drawing, corners, source, &Place::Line(line.get()), &triangle)?;
+            add(drawing, corners, source, &Location::Line(line.get()), &triangle)?;
         }
         start = input.at;
     }
@@ -155,7 +159,7 @@ fn add(
     drawing: &mut Drawing,
     corners: &mut Corners,
     source: Source<'_>,
-    place: &Place,
+    place: &Location,
     triangle: &stl_io::Triangle,
 ) -> Result<(), ReadError> {
     source.room(place.clone(), drawing.faces.len(), "triangles")?;

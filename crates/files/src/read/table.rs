@@ -1,6 +1,6 @@
 //! Tables of numbers as spreadsheets and bending machines write them.
 
-use super::error::{Place, ReadError};
+use super::error::{Location, ReadError};
 use super::options::{Handedness, LengthUnit};
 use super::text::{Source, lines};
 
@@ -93,12 +93,12 @@ impl<'a> Table<'a> {
             let behind = cell.split_once(['.', ',']).map_or("", |(_, behind)| behind);
             behind.bytes().take_while(u8::is_ascii_digit).count()
         });
-        0.1_f64.powi(decimals.max().and_then(|most| i32::try_from(most).ok()).unwrap_or(0))
+        0.1_f64.powi(decimals.max().and_then(|max| i32::try_from(max).ok()).unwrap_or(0))
     }
 
     /// The line of a row, for errors.
-    pub(crate) fn place(&self, row: usize) -> Place {
-        self.rows.get(row).map_or(Place::File, |&(line, _)| Place::Line(line))
+    pub(crate) fn place(&self, row: usize) -> Location {
+        self.rows.get(row).map_or(Location::File, |&(line, _)| Location::Line(line))
     }
 }
 

@@ -1,12 +1,11 @@
 //! Text as people's programs write it: lines, words and numbers, with errors that name the line.
 
-use std::borrow::Cow;
+use wirebend_error::ErrorRemedy;
 
-use super::error::{Place, ReadError};
+use super::error::{Location, ReadError};
 use super::note::Notes;
-
-/// The most vertices, faces, edges or steps that a file may hold.
-pub(crate) const LIMIT: usize = 5_000_000;
+pub(crate) use crate::encoding::{decode, utf8};
+pub(crate) use crate::limit::LIMIT;
 
 /// The most parts that blocks, uses and components may bring in: a few lines of a file can ask for any number.
 const LIMIT_WITHIN: usize = 250_000;
@@ -24,25 +23,31 @@ impl Source<'_> {
 
     pub(crate) fn syntax(
         self,
-        place: Place,
+        place: Location,
         found: &str,
         expected: impl Into<String>,
-        help: &'static str,
+        remedy: ErrorRemedy,
     ) -> ReadError {
         let expected = expected.into().into_boxed_str();
-        ReadError::Syntax { file: self.file(), place, found: excerpt(found), expected, help }
+        ReadError::Syntax {
+            file: self.file(),
+            place,
+            found: excerpt(found),
+            expected,
+            remedy: Box::new(remedy),
+        }
     }
 
     /// What a parser says of a text, as it says it.
     pub(crate) fn refused(
         self,
-        place: Place,
+        place: Location,
         message: &impl ToString,
         expected: &'static str,
-        help: &'static str,
+        remedy: ErrorRemedy,
     ) -> ReadError {
         let (found, expected) = (message.to_string(), expected.into());
-        ReadError::Syntax { file: self.file(), place, found, expected, help }
+        ReadError::Syntax { file: self.file(), place, found, expected, remedy: Box::new(remedy) }
     }
 
     /// Nothing remained; the notes say what was there.
@@ -50,7 +55,7 @@ impl Source<'_> {
         ReadError::Empty { file: self.file(), expected, but: notes.but() }
     }
 
-    pub(crate) fn truncated(self, place: Place, announced: String, available: String) -> ReadError {
+    pub(crate) fn truncated(self, place: Location, announced: String, available: String) -> ReadError {
         ReadError::Truncated { file: self.file(), place, announced, available }
     }
 
@@ -59,37 +64,46 @@ impl Source<'_> {
     }
 
     /// Refuses the one that is too many.
-    pub(crate) fn room(self, place: Place, count: usize, what: &'static str) -> Result<(), ReadError> {
+    pub(crate) fn room(self, place: Location, count: usize, what: &'static str) -> Result<(), ReadError> {
         self.room_of(LIMIT, place, count, what)
     }
 
     /// Refuses the one that is too many of the parts that parts hold.
-    pub(crate) fn room_within(self, place: Place, count: usize, what: &'static str) -> Result<(), ReadError> {
+    pub(crate) fn room_within(
+        self,
+        place: Location,
+        count: usize,
+        what: &'static str,
+    ) -> Result<(), ReadError> {
         self.room_of(LIMIT_WITHIN, place, count, what)
     }
 
-    fn room_of(self, limit: usize, place: Place, count: usize, what: &'static str) -> Result<(), ReadError> {
+    fn room_of(
+        self,
+        limit: usize,
+        place: Location,
+        count: usize,
+        what: &'static str,
+    ) -> Result<(), ReadError> {
         if count < limit {
             return Ok(());
         }
         Err(ReadError::TooMany { file: self.file(), place, what, limit })
     }
 
-    /// A finite number.
     pub(crate) fn number(self, line: usize, word: &str) -> Result<f64, ReadError> {
         word.parse().ok().filter(|value: &f64| value.is_finite()).ok_or_else(|| ReadError::Number {
             file: self.file(),
-            place: Place::Line(line),
+            place: Location::Line(line),
             found: excerpt(word),
             expected: "finite number",
         })
     }
 
-    /// A whole number.
     pub(crate) fn whole(self, line: usize, word: &str) -> Result<i64, ReadError> {
         word.parse().map_err(|_| ReadError::Number {
             file: self.file(),
-            place: Place::Line(line),
+            place: Location::Line(line),
             found: excerpt(word),
             expected: "whole number",
         })
@@ -114,7 +128,13 @@ impl Source<'_> {
             } else {
                 format!("they go from 1 to {have}")
             };
-            ReadError::Index { file: self.file(), place: Place::Line(line), found: excerpt(word), what, have }
+            ReadError::Index {
+                file: self.file(),
+                place: Location::Line(line),
+                found: excerpt(word),
+                what,
+                have,
+            }
         })
     }
 }
@@ -131,52 +151,6 @@ pub(crate) fn excerpt(text: &str) -> String {
         shown.push('…');
     }
     format!("\"{shown}\"")
-}
-
-/// How many words of a text without a byte order mark tell that it is in UTF-16.
-const TELLING: usize = 16;
-
-/// Text in UTF-16 as UTF-8, and UTF-8 without its byte order mark; all else as it is. Half a character becomes a
-/// replacement character, which is in no number.
-pub(crate) fn utf8(bytes: &[u8]) -> Cow<'_, [u8]> {
-    let Some(word) = utf16(bytes) else {
-        return Cow::Borrowed(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes));
-    };
-    let words = bytes.chunks(2).map(|pair| pair.try_into().map_or(u16::from(b'?'), word));
-    let text = char::decode_utf16(words).map(|c| c.unwrap_or(char::REPLACEMENT_CHARACTER));
-    let text: String = text.skip_while(|c| *c == '\u{feff}').collect();
-    Cow::Owned(text.into_bytes())
-}
-
-/// How two bytes are a word, if the bytes are UTF-16: by their mark, else by a beginning in ASCII.
-fn utf16(bytes: &[u8]) -> Option<fn([u8; 2]) -> u16> {
-    // Four bytes FF FE 0 0 are the mark of UTF-32.
-    if bytes.starts_with(b"\xff\xfe") && !bytes.starts_with(b"\xff\xfe\0\0") {
-        return Some(u16::from_le_bytes);
-    }
-    if bytes.starts_with(b"\xfe\xff") {
-        return Some(u16::from_be_bytes);
-    }
-    let begins = |high: usize| {
-        let mut words = bytes.chunks_exact(2).take(TELLING);
-        let plain = |byte: u8| byte.is_ascii_graphic() || byte.is_ascii_whitespace();
-        bytes.len() >= 4 && words.all(|word| word[high] == 0 && plain(word[1 - high]))
-    };
-    match (begins(1), begins(0)) {
-        (true, _) => Some(u16::from_le_bytes),
-        (_, true) => Some(u16::from_be_bytes),
-        _ => None,
-    }
-}
-
-/// Bytes as text, see `utf8`. What is not UTF-8 is replaced: it can only be in names and comments, or an error will
-/// show it.
-#[must_use]
-pub fn decode(bytes: &[u8]) -> Cow<'_, str> {
-    match utf8(bytes) {
-        Cow::Borrowed(bytes) => String::from_utf8_lossy(bytes),
-        Cow::Owned(bytes) => Cow::Owned(String::from_utf8_lossy(&bytes).into_owned()),
-    }
 }
 
 /// Lines with their numbers from 1, whichever of LF, CR LF and CR ends them.

@@ -1,6 +1,7 @@
 //! A table of points: one polyline, closed where the last point repeats the first.
 
 use nalgebra::Point3;
+use wirebend_error::ErrorRemedy;
 
 use super::Imported;
 use super::drawing::Drawing;
@@ -25,13 +26,13 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
         for (axis, &column) in columns.iter().enumerate() {
             point[axis] = table.value(source, row, column)?.ok_or_else(|| {
                 let found = table.rows[row].1.join(" ");
-                let help = "every row needs x, y and z; complete the row or delete it";
-                source.syntax(place.clone(), &found, "three numbers", help)
+                let remedy = ErrorRemedy::CorrectFile;
+                source.syntax(place.clone(), &found, "three numbers", remedy)
             })?;
         }
         if table.header.is_none() && table.rows[row].1.len() > columns.len() {
-            let help = "name the columns in a header line, as x,y,z";
-            return Err(source.syntax(place, &table.rows[row].1.join(" "), "three numbers", help));
+            let remedy = ErrorRemedy::NameColumns { columns: "x, y and z".to_owned() };
+            return Err(source.syntax(place, &table.rows[row].1.join(" "), "three numbers", remedy));
         }
         drawing.points.push(point);
         drawing.point_lines.push(table.rows[row].0);
@@ -68,6 +69,6 @@ fn columns(table: &Table<'_>, source: Source<'_>, drawing: &mut Drawing) -> Resu
         return Ok([0, 1, 2]);
     }
     let found = header.iter().map(|column| column.name.as_str()).collect::<Vec<_>>().join(", ");
-    let help = "name the columns x, y and z";
-    Err(source.syntax(super::Place::File, &found, "a header with x, y and z", help))
+    let remedy = ErrorRemedy::NameColumns { columns: "x, y and z".to_owned() };
+    Err(source.syntax(super::Location::File, &found, "a header with x, y and z", remedy))
 }

@@ -6,7 +6,6 @@ use wirebend_core::units::Length;
 /// The centreline of a wire as a polyline in mm.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Centreline {
-    /// Its points.
     pub points: Vec<Point3<f64>>,
     /// The corners (indices into the path) whose arc does not fit, so that it has a smaller radius
     /// here than on the machine; a fold back has none at all.

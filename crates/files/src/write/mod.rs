@@ -5,7 +5,6 @@
 mod centreline;
 mod glb;
 mod job_sheet;
-mod number;
 mod obj;
 mod pdf;
 mod svg;

@@ -5,8 +5,8 @@ use std::fmt::Write as _;
 use nalgebra::Point3;
 
 use super::centreline::Centreline;
-use super::number::fixed;
 use super::tube::{Swept, Tube};
+use crate::number::fixed;
 
 /// Writes wires (mm), each as a polyline and with `tube` also as an n-gon that is swept along it
 /// by parallel transport and closed by its two ends. Wires of less than two points are left out.

@@ -1,22 +1,23 @@
-//! What the program asks for.
+//! The calls of the program.
 
 use std::time::Duration;
 
 use wirebend_driver_api::{Axis, Batch, DriverError, Motion, Run, Sent};
 
-use super::making::{Hold, Making, Part};
-use super::protocol::{Phase, Protocol};
+use super::phase::Phase;
+use super::protocol::Protocol;
 use super::status::State;
+use super::wire_run::{Hold, Stage, WireRun};
 use crate::program::{digits, trimmed};
 use crate::settings::Homing;
 
 const HOLD: u8 = b'!';
 const RESUME: u8 = b'~';
 /// The farthest jog, units of the machine. No bender is longer.
-const FARTHEST_JOG: f64 = 10_000.0;
+const MAX_JOG: f64 = 10_000.0;
 
 impl Protocol {
-    /// `$H`, or a person's word that the axes stand at zero.
+    /// `$H`, or zero where the axes are, once a person has confirmed it.
     pub fn home(&mut self, now: Duration) -> Result<(), DriverError> {
         self.now = now;
         self.ready()?;
@@ -33,7 +34,7 @@ impl Protocol {
         }
         self.machine.homed = false;
         self.phase = Phase::Homing { since: now };
-        self.asking.pause(now);
+        self.poller.pause(now);
         self.feed();
         Ok(())
     }
@@ -42,32 +43,32 @@ impl Protocol {
     pub fn arm(&mut self, run: &Run, now: Duration) -> Result<(), DriverError> {
         self.now = now;
         self.ready()?;
-        self.cut = None;
+        self.interrupted = None;
         self.at_rest()?;
         self.has_axes()?;
         if !self.machine.homed {
-            let what = "nobody knows where the axes are";
+            let what = "it is not known where the axes are";
             return Err(DriverError::new("not-homed", what, "home the machine first"));
         }
         self.garbled = 0;
-        self.phase = Phase::Making(Box::new(Making::new(&self.settings, run)?));
+        self.phase = Phase::Running(Box::new(WireRun::new(&self.settings, run)?));
         Ok(())
     }
 
     pub fn send(&mut self, batch: &Batch, now: Duration) -> Result<Sent, DriverError> {
         self.now = now;
-        let Phase::Making(making) = &mut self.phase else {
+        let Phase::Running(run) = &mut self.phase else {
             let what = "the machine is not armed for a wire";
             return Err(DriverError::new("not-armed", what, "arm it first"));
         };
-        let sent = making.take(batch)?;
-        if making.hold == Hold::No {
-            self.go_on();
+        let sent = run.take(batch)?;
+        if run.hold == Hold::No {
+            self.send_next();
         }
         Ok(sent)
     }
 
-    /// One axis by an amount, as a jog: the controller refuses what is beyond its travel and can give it up.
+    /// One axis by an amount, as a grbl jog: the controller refuses targets beyond its travel and can cancel it.
     pub fn jog(&mut self, motion: Motion, now: Duration) -> Result<(), DriverError> {
         self.now = now;
         self.ready()?;
@@ -80,8 +81,8 @@ impl Protocol {
             Axis::Bend => (s.bend_axis, s.bend_units_per_deg, s.bend_rate_deg_per_min),
         };
         let by = motion.by * units;
-        if by.is_nan() || by.abs() > FARTHEST_JOG {
-            let what = format!("a jog by {} is too far; the most is {}", motion.by, FARTHEST_JOG / units);
+        if by.is_nan() || by.abs() > MAX_JOG {
+            let what = format!("a jog by {} is too far; the most is {}", motion.by, MAX_JOG / units);
             return Err(DriverError::new("jog", what, "jog in smaller parts"));
         }
         #[allow(clippy::cast_possible_truncation)] // at most 10000 with four digits
@@ -94,43 +95,43 @@ impl Protocol {
         let line = format!("$J=G91 G21 {}{number} F{}", letter.letter(), trimmed(rate * units));
         self.stream.take([line]);
         self.phase = Phase::Jogging { stopping: None };
-        self.asking.outdated();
+        self.poller.outdated();
         self.feed();
         Ok(())
     }
 
-    /// A feed hold: the axes slow down and keep their place.
+    /// A feed hold: the axes decelerate and keep their position.
     pub fn pause(&mut self, now: Duration) -> Result<(), DriverError> {
         self.now = now;
         match &mut self.phase {
-            Phase::Making(making)
-                if making.part != Part::Armed && matches!(making.hold, Hold::No | Hold::Asked) =>
+            Phase::Running(run)
+                if run.stage != Stage::Armed && matches!(run.hold, Hold::No | Hold::Asked) =>
             {
-                making.hold = Hold::Asked;
+                run.hold = Hold::Asked;
             }
             _ => return Err(DriverError::new("not-running", "nothing runs that could be held", "")),
         }
-        self.at_once(HOLD);
+        self.send_realtime(HOLD);
         Ok(())
     }
 
     pub fn resume(&mut self, now: Duration) -> Result<(), DriverError> {
         self.now = now;
         match &mut self.phase {
-            Phase::Making(making) if matches!(making.hold, Hold::Held | Hold::Resuming) => {
-                making.hold = Hold::Resuming;
+            Phase::Running(run) if matches!(run.hold, Hold::Held | Hold::Resuming) => {
+                run.hold = Hold::Resuming;
             }
             _ => return Err(DriverError::new("not-paused", "the machine does not hold", "pause it first")),
         }
-        self.at_once(RESUME);
+        self.send_realtime(RESUME);
         Ok(())
     }
 
-    /// At once, whatever goes on. A jog is given up, which keeps its place; all else is ended by a reset.
+    /// At once, in any phase. A jog is cancelled, which keeps the position; anything else is reset.
     pub fn stop(&mut self, now: Duration) -> Result<(), DriverError> {
         self.now = now;
         match self.phase {
-            Phase::Over => return Err(over()),
+            Phase::Closed => return Err(over()),
             Phase::Greeting(_) | Phase::Reading(_) => self.stop_first(),
             Phase::Jogging { stopping: None } => {
                 self.phase = Phase::Jogging { stopping: Some(now) };
@@ -141,16 +142,16 @@ impl Protocol {
         Ok(())
     }
 
-    /// Whether something new may begin. What was armed and not begun is given up for it.
+    /// Whether a new call may begin. A wire that was armed and not begun is dropped.
     fn ready(&mut self) -> Result<(), DriverError> {
         let busy = match &self.phase {
             Phase::Ready => return Ok(()),
-            Phase::Making(making) if making.is_armed_only() => {
+            Phase::Running(run) if run.is_armed_only() => {
                 self.phase = Phase::Ready;
                 return Ok(());
             }
-            Phase::Over => return Err(over()),
-            Phase::Mute => {
+            Phase::Closed => return Err(over()),
+            Phase::NotResponding => {
                 return Err(DriverError::new(
                     "silent",
                     "the machine does not answer",
@@ -160,7 +161,7 @@ impl Protocol {
             Phase::Greeting(_) | Phase::Reading(_) => "the machine has not answered yet",
             Phase::Homing { .. } => "the machine is homing",
             Phase::Jogging { .. } => "an axis moves",
-            Phase::Making(_) => "a wire is made",
+            Phase::Running(_) => "a job is running",
             Phase::Halting { .. } | Phase::Resetting(_) => "the machine is being stopped",
         };
         Err(DriverError::new("busy", busy, "wait until it is over, or stop it"))
@@ -179,7 +180,7 @@ impl Protocol {
 
     fn has_axes(&self) -> Result<(), DriverError> {
         let axes = self.machine.axes;
-        match self.settings.axes().into_iter().find(|(_, letter)| letter.place() >= axes) {
+        match self.settings.axes().into_iter().find(|(_, letter)| letter.index() >= axes) {
             None => Ok(()),
             Some((key, letter)) => {
                 let what = format!("'{key}' is {}; the machine reports {axes} axes", letter.letter());

@@ -16,16 +16,16 @@ use super::protocol::Protocol;
 use crate::Grbl;
 use model::{Build, Change, Controller, Record};
 
-#[path = "../../tests/pty/model/mod.rs"]
+#[path = "../../tests/all/pty/model/mod.rs"]
 #[allow(dead_code, unreachable_pub)] // tests over a cable use the rest
 mod model;
 
-/// A step of the model, and a last digit of its reports: what is nearer cannot be told from what was meant.
+/// A step of the model, and a last digit of its reports: what is nearer cannot be distinguished from what was meant.
 const TELLABLE: f64 = 1.0 / model::STEPS_PER_UNIT + 0.001;
 /// Half a step: what is nearer to that than this may be rounded either way.
 const ROUNDED: f64 = 0.5 / model::STEPS_PER_UNIT;
 /// No wire here takes so long.
-const MOST_MS: u64 = 60_000;
+const MAX_MS: u64 = 60_000;
 
 /// Of whole steps of the model.
 const BEND_DEG: f64 = 92.35;
@@ -59,7 +59,7 @@ impl Write for End {
     }
 }
 
-/// What is told of the wire until it is over, and what the machine has made, with one byte changed.
+/// What is reported of the wire until it is over, and what the machine has bent, with one byte changed.
 fn made(settings: &Value, change: Option<Change>) -> (Vec<Event>, Record) {
     let line = Rc::new(RefCell::new(Line::default()));
     let build = Build { steps_a_turn: 400, change, ..Build::default() };
@@ -67,12 +67,12 @@ fn made(settings: &Value, change: Option<Change>) -> (Vec<Event>, Record) {
     let mut protocol = Protocol::new(Rc::new(serde_json::from_value(settings.clone()).unwrap()));
     let mut told = Vec::new();
     controller.begin();
-    for ms in 0..MOST_MS {
+    for ms in 0..MAX_MS {
         let now = Duration::from_millis(ms);
         controller.turn();
         let bytes = std::mem::take(&mut line.borrow_mut().from);
         protocol.receive(&bytes, now);
-        protocol.pass(now);
+        protocol.tick(now);
         while let Some(event) = protocol.next_event() {
             match event {
                 Event::Connected { .. } => protocol.home(now).unwrap(),
@@ -117,7 +117,7 @@ fn displacement(change: &Change) -> Option<f64> {
     Some((value(&changed) - value(&change.line)).abs())
 }
 
-/// No wire that differs from its program is called made, and none is given up for what nobody can see.
+/// No wire that differs from its program is reported as finished, and none is given up for a difference that cannot be seen.
 fn wrong(settings: &Value, change: &Change) -> Option<String> {
     let (events, record) = made(settings, Some(change.clone()));
     let finished = events.last() == Some(&Event::Finished);

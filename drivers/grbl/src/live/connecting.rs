@@ -1,10 +1,11 @@
-//! From an open port to a machine that is known.
+//! From an open port to a machine whose version, settings and state are known.
 
 use std::time::Duration;
 
 use wirebend_driver_api::{DoneBy, DriverError, Event, HeadBy, ReferenceBy};
 
-use super::protocol::{Phase, Protocol};
+use super::phase::{Attempt, Greeting, Phase, Reading};
+use super::protocol::Protocol;
 use super::status::State;
 use crate::limits;
 use crate::settings::Homing;
@@ -17,50 +18,6 @@ const GIVE_UP_AFTER: Duration = Duration::from_secs(6);
 /// All settings are about 600 bytes: a twentieth of a second.
 const ANSWER_WITHIN: Duration = Duration::from_secs(2);
 const RESET: u8 = 0x18;
-
-/// What has been done so that it answers.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Tried {
-    Nothing,
-    /// An empty line and a question.
-    Nudge,
-    Reset,
-}
-
-/// Waiting for the controller to say that it is there.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Greeting {
-    since: Duration,
-    tried: Tried,
-    /// The empty line has been answered. Until then its answer could be taken for that of another line.
-    pub line_answered: bool,
-    /// The program has asked for a stop meanwhile.
-    pub stop: bool,
-}
-
-impl Greeting {
-    pub const fn at(since: Duration) -> Self {
-        Self { since, tried: Tried::Nothing, line_answered: false, stop: false }
-    }
-}
-
-/// What the controller is being asked.
-#[derive(Debug, Clone, Copy)]
-pub(super) enum Reading {
-    Build { since: Duration, stop: bool },
-    Settings { since: Duration, stop: bool },
-    State { since: Duration, stop: bool },
-}
-
-impl Reading {
-    const fn parts(self) -> (Duration, bool) {
-        match self {
-            Self::Build { since, stop } | Self::Settings { since, stop } | Self::State { since, stop } => {
-                (since, stop)
-            }
-        }
-    }
-}
 
 /// What a greeting says of what can be expected.
 #[derive(Debug, PartialEq, Eq)]
@@ -96,16 +53,16 @@ impl Protocol {
                 "see that it is the right port, that the machine has power, and that 'baud' is right (115200 \
                  for grbl); another firmware needs another driver",
             ));
-        } else if waited >= RESET_AFTER && greeting.tried < Tried::Reset {
-            greeting.tried = Tried::Reset;
-            self.at_once(RESET);
-        } else if waited >= NUDGE_AFTER && greeting.tried < Tried::Nudge {
-            greeting.tried = Tried::Nudge;
-            self.nudge(b"\n?");
+        } else if waited >= RESET_AFTER && greeting.attempt < Attempt::Reset {
+            greeting.attempt = Attempt::Reset;
+            self.send_realtime(RESET);
+        } else if waited >= NUDGE_AFTER && greeting.attempt < Attempt::EmptyLine {
+            greeting.attempt = Attempt::EmptyLine;
+            self.send_raw(b"\n?");
         }
     }
 
-    /// Something that only a controller that is awake says: the answer to an empty line, or a report.
+    /// A sign of a running controller: the answer to an empty line, or a status report.
     pub(super) fn found(&mut self) {
         let Phase::Greeting(greeting) = &mut self.phase else { return };
         match self.machine.state {
@@ -113,10 +70,12 @@ impl Protocol {
                 let stop = greeting.stop;
                 self.read(stop);
             }
-            // It moves, holds or sleeps, and whoever told it so is gone.
-            Some(state) if !matches!(state, State::Idle | State::Alarm) && greeting.tried < Tried::Reset => {
-                greeting.tried = Tried::Reset;
-                self.at_once(RESET);
+            // It moves, holds or sleeps on behalf of an earlier program.
+            Some(state)
+                if !matches!(state, State::Idle | State::Alarm) && greeting.attempt < Attempt::Reset =>
+            {
+                greeting.attempt = Attempt::Reset;
+                self.send_realtime(RESET);
             }
             _ => {}
         }
@@ -157,7 +116,7 @@ impl Protocol {
                 Reading::Settings { since, stop }
             }
             Reading::Settings { .. } | Reading::State { .. } => {
-                self.asking.begin();
+                self.poller.restart();
                 Reading::State { since, stop }
             }
         });
@@ -200,14 +159,14 @@ impl Protocol {
         }
         self.phase = Phase::Ready;
         let settings = self.machine.differences(&self.settings);
-        // A board that lost its power counts from where it stands, and an alarm can have been taken off by
-        // hand: only what this program has seen itself is a reference.
+        // A board that lost power counts from where it is, and an alarm may have been cleared by hand: only homing in this
+        // connection counts.
         self.machine.homed = false;
         self.event(Event::Connected {
             identity: self.machine.identity(),
             settings,
             homed: false,
-            going_on: None,
+            resume: None,
             reference: match self.settings.homing {
                 Homing::Switches => ReferenceBy::Machine,
                 Homing::None => ReferenceBy::Person,
@@ -224,9 +183,9 @@ impl Protocol {
     /// A stop before the machine is known.
     pub(super) fn stop_first(&mut self) {
         self.stream.clear();
-        self.forget_output();
-        self.at_once(RESET);
-        let greeting = Greeting { tried: Tried::Reset, stop: true, ..Greeting::at(self.now) };
+        self.discard_output();
+        self.send_realtime(RESET);
+        let greeting = Greeting { attempt: Attempt::Reset, stop: true, ..Greeting::at(self.now) };
         self.phase = Phase::Greeting(greeting);
     }
 }
@@ -243,7 +202,7 @@ fn other(name: &str) -> DriverError {
     DriverError::new(
         "other-firmware",
         format!("the machine says '{name}', which is not grbl 1.1 itself"),
-        "make a short wire first and watch it: this driver was written for grbl 1.1",
+        "bend a short wire first and watch it: this driver was written for grbl 1.1",
     )
 }
 

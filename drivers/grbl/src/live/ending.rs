@@ -1,13 +1,14 @@
-//! How things end: done, refused, alarmed, stopped, silent, unplugged.
+//! The end of a call or a connection: done, refused, alarm, stop, no answer, unplugged.
 
 use std::time::Duration;
 
 use wirebend_driver_api::{DriverError, Event};
 
-use super::cut::{Cut, Manner};
-use super::making::Part;
-use super::protocol::{Phase, Protocol};
+use super::interrupted::{InterruptedStep, StoppedBy};
+use super::phase::{Phase, Reset};
+use super::protocol::Protocol;
 use super::status::State;
+use super::wire_run::Stage;
 use crate::codes;
 
 const RESET: u8 = 0x18;
@@ -22,27 +23,17 @@ const HALT_WITHIN: Duration = Duration::from_secs(2);
 /// A reset takes a few ms; after an alarm the controller does nothing for half a second first
 /// (`report_alarm_message` in `report.c`).
 const GREET_WITHIN: Duration = Duration::from_secs(1);
-const MOST_RESETS: u32 = 4;
+const MAX_RESETS: u32 = 4;
 /// A greeting so soon after a reset was asked for is the answer to it, though another came first.
 const ECHO: Duration = Duration::from_secs(2);
 
-/// A reset that is under way.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Reset {
-    /// The program has asked for it, and is told when it is over.
-    pub stop: bool,
-    pub since: Duration,
-    pub tries: u32,
-    pub greeted: bool,
-}
-
 impl Protocol {
-    /// The axes are where their zero is.
+    /// Homing is done.
     pub(super) fn homed(&mut self) {
         self.phase = Phase::Ready;
-        self.machine.is_homed();
+        self.machine.set_homed();
         self.event(Event::Homed);
-        // From here on positions count from another place.
+        // Positions count from the new zero now.
         self.tell_position();
     }
 
@@ -64,11 +55,11 @@ impl Protocol {
         self.event(if stopping { Event::Stopped { homed: self.machine.homed } } else { Event::Jogged });
     }
 
-    /// The controller looks at this only while it jogs (`serial.c`), and ignores it before it has taken the
-    /// line of the jog. So it is said again for as long as a jog that is to stop may go on.
+    /// grbl accepts this only while it jogs (`serial.c`), and ignores it before it has taken the line of the jog. So it is
+    /// sent again until the jog has stopped.
     pub(super) fn cancel_jog(&mut self) {
         if matches!(self.phase, Phase::Jogging { stopping: Some(_) }) {
-            self.at_once(JOG_CANCEL);
+            self.send_realtime(JOG_CANCEL);
         }
     }
 
@@ -78,7 +69,6 @@ impl Protocol {
         }
     }
 
-    /// A line was refused.
     pub(super) fn refused(&mut self, code: u32, line: &str) {
         let (meaning, help) = codes::error(code);
         let name = if code == 0 { "error".to_owned() } else { format!("error {code}") };
@@ -86,7 +76,7 @@ impl Protocol {
         let error = DriverError::new(&format!("grbl-error-{code}"), what, help);
         match self.phase {
             Phase::Reading(_) => self.question_refused(error),
-            // None of it moves, and the lines behind it would not be what they were meant for.
+            // Nothing moves, and the lines behind it make no sense without it.
             Phase::Homing { .. } | Phase::Jogging { stopping: None } => {
                 self.fault(error);
                 self.stream.clear();
@@ -96,24 +86,24 @@ impl Protocol {
         }
     }
 
-    /// The run is over: told at once, then the machine slows down and is reset, which empties its buffers.
+    /// Ends the run: reports the fault at once, then decelerates and resets the machine, which empties its buffers.
     pub(super) fn fail(&mut self, error: DriverError) {
         match self.phase {
             Phase::Greeting(_) | Phase::Reading(_) => self.close(error),
             Phase::Ready => self.fault(error),
             // The first reason is the one that counts.
-            Phase::Halting { .. } | Phase::Resetting(_) | Phase::Mute | Phase::Over => {}
-            Phase::Homing { .. } | Phase::Jogging { .. } | Phase::Making(_) => {
+            Phase::Halting { .. } | Phase::Resetting(_) | Phase::NotResponding | Phase::Closed => {}
+            Phase::Homing { .. } | Phase::Jogging { .. } | Phase::Running(_) => {
                 self.fault(error);
-                self.cut(Manner::Gently);
+                self.interrupt(StoppedBy::FeedHold);
                 self.stream.clear();
-                self.at_once(HOLD);
+                self.send_realtime(HOLD);
                 self.phase = Phase::Halting { since: self.now };
             }
         }
     }
 
-    /// A report, asked for after the hold.
+    /// A status report after the feed hold.
     pub(super) fn halted(&mut self, state: State) {
         let moving = matches!(
             state,
@@ -130,20 +120,20 @@ impl Protocol {
 
     pub(super) fn halting_late(&mut self, since: Duration) {
         if self.now.saturating_sub(since) >= HALT_WITHIN {
-            self.cut = self.cut.map(Cut::in_motion);
+            self.interrupted = self.interrupted.map(InterruptedStep::in_motion);
             self.reset(false);
         }
     }
 
-    /// `ALARM:`, or 0 for an alarm that only a report has told of.
+    /// `ALARM:`, or 0 for an alarm that only a status report shows.
     pub(super) fn alarm(&mut self, code: u32) {
-        // Beyond the travel is known before anything moves; all others may have lost steps.
+        // Alarm 2 comes before anything moves; all others may have lost steps.
         if code != 2 {
             self.machine.homed = false;
         }
         self.machine.state = Some(State::Alarm);
         match self.phase {
-            Phase::Ready | Phase::Homing { .. } | Phase::Jogging { .. } | Phase::Making(_) => {}
+            Phase::Ready | Phase::Homing { .. } | Phase::Jogging { .. } | Phase::Running(_) => {}
             Phase::Halting { .. } => return self.reset(false),
             _ => return,
         }
@@ -152,7 +142,7 @@ impl Protocol {
             if code == 0 { (String::new(), "the machine is locked") } else { (format!(" {code}"), meaning) };
         let what = format!("alarm{name}: {meaning}");
         self.fault(DriverError::new(&format!("grbl-alarm-{code}"), what, help));
-        self.cut(Manner::Blindly);
+        self.interrupt(StoppedBy::Fault);
         if matches!(code, 3 | 6..=9) {
             // The controller resets by itself now. Another reset would be greeted a second time.
             self.stream.clear();
@@ -162,19 +152,21 @@ impl Protocol {
         }
     }
 
-    /// Halts the machine at once. While it moves, steps are lost, and it says so with an alarm.
+    /// Stops the machine at once with a soft reset. In motion it loses steps and raises an alarm.
     pub(super) fn reset(&mut self, stop: bool) {
         self.in_doubt();
         match (&self.phase, stop) {
-            // It was to slow down first.
-            (Phase::Halting { .. }, true) => self.cut = self.cut.map(Cut::in_motion),
-            _ if self.cut.is_none() => self.cut(Manner::AtOnce),
+            // It was still decelerating.
+            (Phase::Halting { .. }, true) => {
+                self.interrupted = self.interrupted.map(InterruptedStep::in_motion);
+            }
+            _ if self.interrupted.is_none() => self.interrupt(StoppedBy::Reset),
             _ => {}
         }
         let stop = stop || matches!(self.phase, Phase::Resetting(Reset { stop: true, .. }));
         self.stream.clear();
-        self.forget_output();
-        self.at_once(RESET);
+        self.discard_output();
+        self.send_realtime(RESET);
         self.machine.reset_at = Some(self.now);
         self.phase = Phase::Resetting(Reset { stop, since: self.now, tries: 1, greeted: false });
     }
@@ -187,7 +179,7 @@ impl Protocol {
         {
             reset.since = self.now;
             self.machine.reset_at = Some(self.now);
-            self.at_once(RESET);
+            self.send_realtime(RESET);
         }
     }
 
@@ -196,57 +188,56 @@ impl Protocol {
         if reset.greeted || self.now.saturating_sub(reset.since) < GREET_WITHIN {
             return;
         }
-        if reset.tries < MOST_RESETS {
+        if reset.tries < MAX_RESETS {
             (reset.tries, reset.since) = (reset.tries + 1, self.now);
             self.machine.reset_at = Some(self.now);
-            return self.at_once(RESET);
+            return self.send_realtime(RESET);
         }
         self.machine.homed = false;
         self.fault(DriverError::new(
             "no-stop",
-            format!("the machine has not answered {MOST_RESETS} resets; it may still be moving"),
+            format!("the machine has not answered {MAX_RESETS} resets; it may still be moving"),
             "cut its power",
         ));
-        self.phase = Phase::Mute;
+        self.phase = Phase::NotResponding;
     }
 
-    /// A greeting.
     pub(super) fn greeted(&mut self, name: &str) {
         let late = self.machine.reset_at.is_some_and(|at| self.now.saturating_sub(at) <= ECHO);
         let stop = match self.phase {
             Phase::Greeting(_) | Phase::Reading(_) => {
-                self.machine.met();
+                self.machine.has_greeted();
                 return self.greeted_first(name);
             }
-            Phase::Over => return,
+            Phase::Closed => return,
             Phase::Resetting(reset) => {
-                self.machine.began_anew(true);
+                self.machine.was_reset(true);
                 reset.stop
             }
-            Phase::Halting { .. } | Phase::Mute => {
-                self.machine.began_anew(false);
+            Phase::Halting { .. } | Phase::NotResponding => {
+                self.machine.was_reset(false);
                 self.machine.homed = false;
                 false
             }
             Phase::Ready if late => {
-                self.machine.began_anew(true);
-                return self.asking.begin();
+                self.machine.was_reset(true);
+                return self.poller.restart();
             }
-            Phase::Ready | Phase::Homing { .. } | Phase::Jogging { .. } | Phase::Making(_) => {
-                self.machine.began_anew(false);
+            Phase::Ready | Phase::Homing { .. } | Phase::Jogging { .. } | Phase::Running(_) => {
+                self.machine.was_reset(false);
                 self.machine.homed = false;
                 self.fault(DriverError::new(
                     "controller-reset",
-                    "the controller has started anew, and nobody told it to",
+                    "the controller has started anew, and no reset was sent",
                     "see whether its reset button was pressed, whether its power is strong enough, and whether \
                      motors disturb it; then home the machine",
                 ));
-                self.cut(Manner::Blindly);
+                self.interrupt(StoppedBy::Fault);
                 false
             }
         };
         self.stream.clear();
-        self.asking.begin();
+        self.poller.restart();
         self.phase = Phase::Resetting(Reset { stop, since: self.now, tries: 0, greeted: true });
     }
 
@@ -255,7 +246,7 @@ impl Protocol {
         let Phase::Resetting(reset) = self.phase else { return };
         self.machine.homed &= state == State::Idle;
         self.phase = Phase::Ready;
-        self.tell_cut();
+        self.report_interrupted();
         if reset.stop {
             self.event(Event::Stopped { homed: self.machine.homed });
         }
@@ -277,21 +268,21 @@ impl Protocol {
         if moving {
             self.reset(false);
         } else {
-            self.phase = Phase::Mute;
+            self.phase = Phase::NotResponding;
         }
     }
 
     /// The port is gone.
     pub fn unplugged(&mut self, now: Duration) {
         self.now = now;
-        if self.is_over() {
+        if self.is_closed() {
             return;
         }
         let what = "the port is gone: the machine was unplugged or switched off";
         self.close(DriverError::new(
             "unplugged",
             what,
-            "a controller that still has power goes on with what it was sent: cut its power, then connect again",
+            "a controller that still has power continues with what it was sent: cut its power, then connect again",
         ));
     }
 
@@ -306,18 +297,18 @@ impl Protocol {
         let in_doubt = self.in_doubt();
         self.machine.homed = false;
         self.stream.clear();
-        self.phase = Phase::Over;
+        self.phase = Phase::Closed;
         self.event(Event::Fault { error, in_doubt, disconnected: true });
     }
 
-    /// The step that is under way. Then the bend axis is somewhere on its way, which is not where the next
-    /// wire could start: the reference is lost for all purposes.
+    /// The running step. The bend axis has stopped somewhere within it, where no wire can start, so the machine must be
+    /// homed.
     fn in_doubt(&mut self) -> Option<u32> {
-        let Phase::Making(making) = &self.phase else { return None };
-        let step = match making.part {
-            Part::Step(n) => Some(n),
-            // The head is somewhere on its way.
-            Part::Turn => None,
+        let Phase::Running(run) = &self.phase else { return None };
+        let step = match run.stage {
+            Stage::Step(n) => Some(n),
+            // The head has stopped somewhere within its turn.
+            Stage::Turn => None,
             _ => return None,
         };
         self.machine.homed = false;

@@ -1,7 +1,7 @@
 //! From bytes to lines.
 
 /// The longest line that is kept. grbl's longest, a status report with everything, has about 150 bytes.
-const LONGEST: usize = 256;
+const MAX_LINE: usize = 256;
 
 /// A line from the machine.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -33,7 +33,7 @@ impl Incoming {
                 }
             } else if !self.overlong {
                 self.bytes.push(byte);
-                if self.bytes.len() > LONGEST {
+                if self.bytes.len() > MAX_LINE {
                     self.overlong = true;
                     lines.push(Line::Garbled(self.bytes[..64].escape_ascii().to_string()));
                     self.bytes.clear();

@@ -5,8 +5,8 @@ use std::time::Duration;
 
 use wirebend_driver_api::{SettingCheck, Step};
 
-use super::place::Standing;
-use super::status::{Place, State, Status};
+use super::displacement::ReportedPosition;
+use super::status::{Position, State, Status};
 use crate::program::trimmed;
 use crate::settings::{Homing, Settings};
 
@@ -26,18 +26,18 @@ pub(super) struct Machine {
     pub state: Option<State>,
     /// Whether the axes have been where their zero is, and nothing has happened since that makes it doubtful.
     pub homed: bool,
-    /// When it was last told to reset.
+    /// When it was last sent a reset.
     pub reset_at: Option<Duration>,
     /// How many axes it reports.
     pub axes: usize,
-    /// From the machine's zero to the program's, in its units, as it last told.
+    /// From the machine's zero to the program's, in its units, as it last reported.
     offset: Vec<f64>,
     /// The same before a reset that has taken G92 away: positions count from there until it is homed.
-    counted_from: Option<Vec<f64>>,
-    /// It counts anew, nobody knows from where, until it is homed.
+    offset_before_reset: Option<Vec<f64>>,
+    /// It counts anew, from an unknown place, until it is homed.
     lost: bool,
     /// Where it was last heard of.
-    place: Option<Place>,
+    reported: Option<Position>,
     position: Option<Step>,
 }
 
@@ -48,38 +48,38 @@ impl Machine {
         words.into_iter().flatten().collect::<Vec<_>>().join(", ")
     }
 
-    /// Forgets what a reset changes. A soft reset takes G92 away and keeps the position; one that nobody asked for may
+    /// Forgets what a reset changes. A soft reset takes G92 away and keeps the position; one that was not asked for may
     /// have been the board's own, or its power, after which it counts from zero (`main.c`).
-    pub fn began_anew(&mut self, asked_for: bool) {
+    pub fn was_reset(&mut self, asked_for: bool) {
         let offset = std::mem::take(&mut self.offset);
-        self.met();
+        self.has_greeted();
         if asked_for {
-            self.counted_from.get_or_insert(offset);
+            self.offset_before_reset.get_or_insert(offset);
         } else {
             self.lost = true;
         }
     }
 
-    /// It has greeted. Where it stands is told then, even where it was told before.
-    pub fn met(&mut self) {
+    /// It has greeted. Where it stands is reported then, even where it was reported before.
+    pub fn has_greeted(&mut self) {
         self.offset.clear();
-        (self.state, self.place, self.position) = (None, None, None);
+        (self.state, self.reported, self.position) = (None, None, None);
     }
 
     /// Its axes are where their zero is.
-    pub fn is_homed(&mut self) {
-        (self.homed, self.lost, self.counted_from) = (true, false, None);
+    pub fn set_homed(&mut self) {
+        (self.homed, self.lost, self.offset_before_reset) = (true, false, None);
     }
 
     /// Where the axes stood at the last report, counted as the controller reports it.
-    pub fn standing(&self, settings: &Settings) -> Option<Standing> {
-        let (Place::Machine(values) | Place::Work(values)) = self.place.as_ref()?;
+    pub fn reported(&self, settings: &Settings) -> Option<ReportedPosition> {
+        let (Position::Machine(values) | Position::Work(values)) = self.reported.as_ref()?;
         let (unit, digit) = if self.reports_inches() { (MM_PER_INCH, 1e-4) } else { (1.0, 1e-3) };
         let [feed, rotate, bend] = settings.axes().map(|(_, axis)| {
-            let steps = self.settings.get(&format!("$10{}", axis.place()));
-            (values.get(axis.place()), steps.and_then(|steps| steps.parse().ok()))
+            let steps = self.settings.get(&format!("$10{}", axis.index()));
+            (values.get(axis.index()), steps.and_then(|steps| steps.parse().ok()))
         });
-        Some(Standing {
+        Some(ReportedPosition {
             at: [feed.0? * unit, rotate.0? * unit, bend.0? * unit],
             steps: [feed.1, rotate.1, bend.1],
             digit: digit * unit,
@@ -91,43 +91,45 @@ impl Machine {
         if let Some(offset) = &status.offset {
             self.offset.clone_from(offset);
         }
-        let (Place::Machine(values) | Place::Work(values)) = &status.place;
+        let (Position::Machine(values) | Position::Work(values)) = &status.position;
         self.axes = values.len();
-        self.place = Some(status.place.clone());
+        self.reported = Some(status.position.clone());
     }
 
-    /// Where the axes are in mm and degrees, unless that was told already or nobody knows it.
+    /// Where the axes are in mm and degrees, unless that was reported already or is not known.
     pub fn moved_to(&mut self, settings: &Settings) -> Option<Step> {
         let position = self.position(settings)?;
         (self.position.replace(position) != Some(position)).then_some(position)
     }
 
-    /// Where the axes are in mm and degrees, unless nobody knows it. A reset that was asked for changes nothing of where it
+    /// Where the axes are in mm and degrees, unless that is not known. A reset that was asked for changes nothing of where it
     /// counts from.
     pub fn position(&self, settings: &Settings) -> Option<Step> {
         if self.lost {
             return None;
         }
-        let place = self.place.as_ref()?;
-        let (Place::Machine(values) | Place::Work(values)) = place;
-        // What is counted from another zero cannot be told without both zeros.
-        let unrelated =
-            self.counted_from.as_ref().is_some_and(|before| before.is_empty() || self.offset.is_empty());
-        if unrelated && matches!(place, Place::Work(_)) {
+        let reported = self.reported.as_ref()?;
+        let (Position::Machine(values) | Position::Work(values)) = reported;
+        // What is counted from another zero cannot be computed without both zeros.
+        let unrelated = self
+            .offset_before_reset
+            .as_ref()
+            .is_some_and(|before| before.is_empty() || self.offset.is_empty());
+        if unrelated && matches!(reported, Position::Work(_)) {
             return None;
         }
         let known = |offset: &[f64], at: usize| offset.get(at).copied().unwrap_or_default();
         // From what is reported to what positions count from.
-        let from = |at| match (place, &self.counted_from) {
-            (Place::Machine(_), None) => known(&self.offset, at),
-            (Place::Machine(_), Some(before)) => known(before, at),
-            (Place::Work(_), None) => 0.0,
-            (Place::Work(_), Some(before)) => known(before, at) - known(&self.offset, at),
+        let from = |at| match (reported, &self.offset_before_reset) {
+            (Position::Machine(_), None) => known(&self.offset, at),
+            (Position::Machine(_), Some(before)) => known(before, at),
+            (Position::Work(_), None) => 0.0,
+            (Position::Work(_), Some(before)) => known(before, at) - known(&self.offset, at),
         };
         let unit = if self.reports_inches() { MM_PER_INCH } else { 1.0 };
         let [feed, rotate, bend] = settings.axes().map(|(_, axis)| {
-            let place = axis.place();
-            values.get(place).map(|value| (value - from(place)) * unit)
+            let index = axis.index();
+            values.get(index).map(|value| (value - from(index)) * unit)
         });
         Some(Step {
             feed_mm: feed? / settings.feed_units_per_mm,

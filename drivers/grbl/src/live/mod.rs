@@ -1,22 +1,24 @@
 //! Live on grbl 1.1: a protocol without a port and a clock, and the session that gives it both.
 
-mod asking;
 mod calls;
 #[cfg(test)]
 mod changed;
 mod connecting;
-mod cut;
+mod displacement;
 mod ending;
 mod incoming;
+mod interrupted;
 mod machine;
-mod making;
-mod place;
+mod phase;
+mod polling;
 mod protocol;
 mod reply;
+mod running;
 mod status;
 mod stream;
 #[cfg(test)]
 mod tests;
+mod wire_run;
 
 use std::io;
 use std::rc::Rc;
@@ -57,7 +59,7 @@ impl Session {
         if written.is_err() {
             self.gone();
         }
-        if self.protocol.is_over() {
+        if self.protocol.is_closed() {
             self.line = None;
         }
         written
@@ -74,7 +76,7 @@ impl Session {
             Ok(bytes) => {
                 let now = self.now();
                 self.protocol.receive(&bytes, now);
-                self.protocol.pass(now);
+                self.protocol.tick(now);
                 // The fault that it reports is enough.
                 let _ = self.flush();
             }
@@ -123,7 +125,7 @@ impl MachineSession for Session {
     fn stop(&mut self) -> Result<(), DriverError> {
         let now = self.now();
         self.protocol.stop(now)?;
-        // Whoever hears that the stop was passed on lets go of the power switch: a fault later is too late.
+        // A user who reads that the stop was passed on lets go of the power switch: a fault later is too late.
         self.flush().map_err(|error| {
             let what = format!("the stop could not be sent to the machine: {error}");
             DriverError::new("stop-not-sent", what, "cut the machine's power")
@@ -142,7 +144,7 @@ impl MachineSession for Session {
 }
 
 impl Drop for Session {
-    /// Nobody would be there to stop what still moves.
+    /// No driver would be left to stop what still moves.
     fn drop(&mut self) {
         if let Some(line) = self.line.as_mut().filter(|_| self.protocol.is_moving()) {
             // A port that does not take it cannot be helped here.

@@ -1,4 +1,4 @@
-//! The conversation with the controller: bytes and time in, bytes and events out. No port, no clock.
+//! The protocol without port and clock: bytes and time in, bytes and events out.
 
 use std::collections::VecDeque;
 use std::rc::Rc;
@@ -6,47 +6,20 @@ use std::time::Duration;
 
 use wirebend_driver_api::{Direction, DriverError, Event};
 
-use super::asking::{Asking, Turn};
-use super::connecting::{Greeting, Reading};
-use super::cut::Cut;
-use super::ending::Reset;
 use super::incoming::{Incoming, Line};
+use super::interrupted::InterruptedStep;
 use super::machine::Machine;
-use super::making::{Hold, Making};
+use super::phase::{Greeting, Phase, Reading, Reset};
+use super::polling::{PollAction, StatusPoller};
 use super::reply::Reply;
 use super::status::{State, Status};
 use super::stream::Stream;
+use super::wire_run::Hold;
 use crate::settings::Settings;
 
-/// So many lines in one run may be none of grbl's. One or two are a spark; more are a bad cable.
-const MOST_GARBLED: u32 = 5;
+/// Garbled lines that one run may have: one or two are a disturbance, more are a bad cable.
+const MAX_GARBLED: u32 = 5;
 
-/// What goes on.
-#[derive(Debug)]
-pub(super) enum Phase {
-    /// Nothing has been heard that is grbl's.
-    Greeting(Greeting),
-    /// It is asked what it is.
-    Reading(Reading),
-    /// Connected, nothing goes on.
-    Ready,
-    /// It looks for its reference, or is told that it stands there.
-    Homing { since: Duration },
-    /// One axis moves; since when it is to stop.
-    Jogging { stopping: Option<Duration> },
-    /// A wire is made, or about to be.
-    Making(Box<Making>),
-    /// Something went wrong and it slows down, so that it can be reset without losing its place.
-    Halting { since: Duration },
-    /// It has been reset and is to greet.
-    Resetting(Reset),
-    /// It does not answer. It can still be told to stop.
-    Mute,
-    /// The port is closed, or about to be.
-    Over,
-}
-
-/// See the module.
 #[derive(Debug)]
 pub(crate) struct Protocol {
     pub(super) settings: Rc<Settings>,
@@ -56,11 +29,11 @@ pub(crate) struct Protocol {
     output: Vec<u8>,
     events: VecDeque<Event>,
     pub(super) stream: Stream,
-    pub(super) asking: Asking,
+    pub(super) poller: StatusPoller,
     pub(super) machine: Machine,
     pub(super) garbled: u32,
-    /// The step that an end has met in its middle, until the machine stands.
-    pub(super) cut: Option<Cut>,
+    /// The step that was interrupted, until the machine is at rest.
+    pub(super) interrupted: Option<InterruptedStep>,
 }
 
 impl Protocol {
@@ -74,19 +47,18 @@ impl Protocol {
             incoming: Incoming::default(),
             output: Vec::new(),
             events: VecDeque::new(),
-            asking: Asking::default(),
+            poller: StatusPoller::default(),
             machine: Machine::default(),
             garbled: 0,
-            cut: None,
+            interrupted: None,
         }
     }
 
-    /// Bytes have come.
     pub fn receive(&mut self, bytes: &[u8], now: Duration) {
         self.now = now;
         for line in self.incoming.lines(bytes) {
             match line {
-                _ if self.is_over() => return,
+                _ if self.is_closed() => return,
                 Line::Text(text) => self.line(&text),
                 Line::Garbled(text) => self.noise(&text),
             }
@@ -94,8 +66,7 @@ impl Protocol {
         self.feed();
     }
 
-    /// Time has passed.
-    pub fn pass(&mut self, now: Duration) {
+    pub fn tick(&mut self, now: Duration) {
         self.now = now;
         match self.phase {
             Phase::Greeting(_) => self.greeting_late(),
@@ -121,8 +92,8 @@ impl Protocol {
     }
 
     /// Whether the port is of no more use.
-    pub fn is_over(&self) -> bool {
-        matches!(self.phase, Phase::Over)
+    pub fn is_closed(&self) -> bool {
+        matches!(self.phase, Phase::Closed)
     }
 
     /// Whether something moves or may move of what this program has asked for.
@@ -131,7 +102,7 @@ impl Protocol {
             Phase::Homing { .. } | Phase::Jogging { .. } | Phase::Halting { .. } | Phase::Resetting(_) => {
                 true
             }
-            Phase::Making(making) => !making.is_armed_only(),
+            Phase::Running(run) => !run.is_armed_only(),
             _ => false,
         }
     }
@@ -173,7 +144,7 @@ impl Protocol {
             greeting.line_answered = true;
             return self.found();
         }
-        // An answer that nobody waits for is one of before a reset.
+        // Its answer is not awaited: it was sent before a reset.
         let Some(line) = self.stream.answered(self.now) else { return };
         match error {
             Some(code) => self.refused(code, &line),
@@ -184,7 +155,7 @@ impl Protocol {
     }
 
     fn report(&mut self, status: &Status) {
-        let counts = self.asking.answered() && self.stream.is_over();
+        let counts = self.poller.answered() && self.stream.is_empty();
         let state = status.state;
         let before = self.machine.state.replace(state);
         self.machine.reports(status);
@@ -195,21 +166,21 @@ impl Protocol {
             Phase::Reading(Reading::State { .. }) => self.connected(),
             Phase::Homing { .. } if rests => self.homed(),
             Phase::Jogging { .. } if rests => self.jogged(),
-            Phase::Homing { .. } | Phase::Jogging { .. } | Phase::Making(_)
+            Phase::Homing { .. } | Phase::Jogging { .. } | Phase::Running(_)
                 if counts && state == State::Alarm =>
             {
                 self.alarm(0);
             }
             Phase::Jogging { stopping: None } => self.watch_answer(state),
             Phase::Jogging { stopping: Some(_) } if state == State::Jog => self.cancel_jog(),
-            Phase::Making(_) => self.making(state, before, rests),
+            Phase::Running(_) => self.wire_reported(state, before, rests),
             Phase::Halting { .. } if counts => self.halted(state),
             Phase::Resetting(reset) if reset.greeted => self.settled(state),
             _ => {}
         }
     }
 
-    /// Tells where the axes are, where that is known and was not told.
+    /// Reports where the axes are, where that is known and was not reported.
     pub(super) fn tell_position(&mut self) {
         if let Some(position) = self.machine.moved_to(&self.settings) {
             self.event(Event::Position(position));
@@ -219,27 +190,27 @@ impl Protocol {
     /// A line that is none of grbl's.
     fn noise(&mut self, text: &str) {
         self.console(Direction::FromMachine, text);
-        // While a board starts it may write what it likes, at whatever speed.
+        // A boot loader may print anything, at any baud rate.
         if matches!(self.phase, Phase::Greeting(_)) {
             return;
         }
         self.garbled += 1;
         let what = format!("line {} that grbl does not write: '{text}'", self.garbled);
         let help = "see whether the USB cable is short, shielded, and away from motor cables";
-        if self.garbled <= MOST_GARBLED {
+        if self.garbled <= MAX_GARBLED {
             return self.event(Event::Warning(DriverError::new("garbled", what, help)));
         }
         self.garbled = 0;
         self.fail(DriverError::new("garbled", format!("too much noise on the line: {what}"), help));
     }
 
-    /// Hands over what the machine has room for. Nothing while it holds.
+    /// Sends the lines that the machine has room for; none while it holds.
     pub(super) fn feed(&mut self) {
-        if matches!(&self.phase, Phase::Making(making) if making.hold != Hold::No) {
+        if matches!(&self.phase, Phase::Running(run) if run.hold != Hold::No) {
             return;
         }
         while let Some(line) = self.stream.next(self.now) {
-            self.asking.outdated();
+            self.poller.outdated();
             self.console(Direction::ToMachine, &line);
             self.output.extend_from_slice(line.as_bytes());
             self.output.push(b'\n');
@@ -251,18 +222,18 @@ impl Protocol {
         let busy = match &self.phase {
             Phase::Ready => false,
             Phase::Jogging { .. }
-            | Phase::Making(_)
+            | Phase::Running(_)
             | Phase::Halting { .. }
             | Phase::Reading(Reading::State { .. })
             | Phase::Resetting(Reset { greeted: true, .. }) => true,
-            // The controller does not report while it looks for its switches.
-            Phase::Homing { .. } if self.stream.is_over() => true,
+            // grbl sends no reports while it homes.
+            Phase::Homing { .. } if self.stream.is_empty() => true,
             _ => return,
         };
-        match self.asking.turn(self.now, busy, self.stream.is_over()) {
-            Turn::Ask => self.output.push(b'?'),
-            Turn::Wait => {}
-            Turn::Silent => self.silent(),
+        match self.poller.next_action(self.now, busy, self.stream.is_empty()) {
+            PollAction::Ask => self.output.push(b'?'),
+            PollAction::Wait => {}
+            PollAction::Silent => self.silent(),
         }
     }
 
@@ -274,20 +245,20 @@ impl Protocol {
         self.event(Event::Console { direction, text: text.to_owned() });
     }
 
-    /// Sends a byte that the controller takes out of the stream and acts on at once.
-    pub(super) fn at_once(&mut self, byte: u8) {
-        self.asking.outdated();
+    /// Sends a real-time command, which grbl executes at once.
+    pub(super) fn send_realtime(&mut self, byte: u8) {
+        self.poller.outdated();
         self.console(Direction::ToMachine, &byte.escape_ascii().to_string());
         self.output.push(byte);
     }
 
-    /// Forgets what was not handed to the port yet.
-    pub(super) fn forget_output(&mut self) {
+    /// Discards bytes that were not written to the port yet.
+    pub(super) fn discard_output(&mut self) {
         self.output.clear();
     }
 
-    /// Sends bytes that belong to no line that waits for its answer.
-    pub(super) fn nudge(&mut self, bytes: &[u8]) {
+    /// Sends bytes whose answer is not awaited.
+    pub(super) fn send_raw(&mut self, bytes: &[u8]) {
         self.output.extend_from_slice(bytes);
     }
 }

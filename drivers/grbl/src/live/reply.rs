@@ -16,12 +16,14 @@ pub(crate) enum Reply {
     /// Answer to `?`.
     Status(Status),
     /// `$N=value`.
-    Setting { key: String, value: String },
+    Setting {
+        key: String,
+        value: String,
+    },
     /// `[…]`, without the brackets.
     Message(String),
     /// A line that the controller runs by itself when it starts.
     Startup,
-    /// None of these.
     Unknown,
 }
 

@@ -5,7 +5,7 @@
 pub(crate) enum State {
     Idle,
     Run,
-    /// Slowing down, or at rest and ready to go on.
+    /// Slowing down, or at rest and ready to resume.
     Hold {
         at_rest: bool,
     },
@@ -29,7 +29,7 @@ impl State {
             "Hold" => Self::Hold { at_rest: part == Some("0") },
             "Jog" => Self::Jog,
             "Alarm" => Self::Alarm,
-            // 0 closed and ready to go on, 1 open, 2 slowing down, 3 going on.
+            // 0 closed and ready to resume, 1 open, 2 slowing down, 3 resuming.
             "Door" => Self::Door { at_rest: matches!(part, Some("0" | "1")) },
             "Check" => Self::Check,
             "Home" => Self::Home,
@@ -56,18 +56,17 @@ impl State {
 
 /// Where the axes are, in the order of the machine, in its units.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Place {
+pub(crate) enum Position {
     /// `MPos`: from the machine's own zero.
     Machine(Vec<f64>),
     /// `WPos`: from the program's zero.
     Work(Vec<f64>),
 }
 
-/// A report.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Status {
     pub state: State,
-    pub place: Place,
+    pub position: Position,
     /// From the machine's zero to the program's: now and then only.
     pub offset: Option<Vec<f64>>,
 }
@@ -77,18 +76,18 @@ impl Status {
     pub fn of(report: &str) -> Option<Self> {
         let mut fields = report.split('|');
         let state = State::of(fields.next()?)?;
-        let (mut place, mut offset) = (None, None);
+        let (mut position, mut offset) = (None, None);
         for field in fields {
             let (name, values) = field.split_once(':').unwrap_or((field, ""));
             match name {
-                "MPos" => place = Some(Place::Machine(numbers(values)?)),
-                "WPos" => place = Some(Place::Work(numbers(values)?)),
+                "MPos" => position = Some(Position::Machine(numbers(values)?)),
+                "WPos" => position = Some(Position::Work(numbers(values)?)),
                 "WCO" => offset = Some(numbers(values)?),
                 // Buffers, rates, overrides and pins are not needed.
                 _ => {}
             }
         }
-        Some(Self { state, place: place?, offset })
+        Some(Self { state, position: position?, offset })
     }
 }
 
@@ -136,10 +135,10 @@ mod tests {
     fn both_kinds_of_position_are_read_with_fields_in_any_order() {
         let status = Status::of("Run|Bf:15,128|WCO:1.000,0.000,-3.000|WPos:0.000,1.500,2.000|Ov:100,100,100");
         let status = status.expect("a report");
-        assert_eq!(status.place, Place::Work(vec![0.0, 1.5, 2.0]));
+        assert_eq!(status.position, Position::Work(vec![0.0, 1.5, 2.0]));
         assert_eq!(status.offset, Some(vec![1.0, 0.0, -3.0]));
         let four = Status::of("Idle|MPos:1,2,3,4").expect("a report");
-        assert_eq!((four.place, four.offset), (Place::Machine(vec![1.0, 2.0, 3.0, 4.0]), None));
+        assert_eq!((four.position, four.offset), (Position::Machine(vec![1.0, 2.0, 3.0, 4.0]), None));
     }
 
     #[test]

@@ -56,7 +56,7 @@ impl Stream {
     }
 
     /// Whether every line was sent and answered.
-    pub fn is_over(&self) -> bool {
+    pub fn is_empty(&self) -> bool {
         self.waiting.is_empty() && self.sent.is_empty()
     }
 
@@ -101,9 +101,9 @@ mod tests {
         assert_eq!(stream.next(NOW), None);
         assert_eq!(stream.answered(NOW).as_deref(), Some("G21"));
         assert_eq!(stream.next(NOW).as_deref(), Some("G91"));
-        assert!(!stream.is_over());
+        assert!(!stream.is_empty());
         assert_eq!(stream.answered(NOW).as_deref(), Some("G91"));
-        assert!(stream.is_over());
+        assert!(stream.is_empty());
         assert_eq!(stream.answered(NOW), None);
     }
 

@@ -21,7 +21,7 @@ impl Conversation for Protocol {
     }
 
     fn pass(&mut self, now: Duration) {
-        self.pass(now);
+        self.tick(now);
     }
 
     fn unplugged(&mut self, now: Duration) {
@@ -114,7 +114,7 @@ fn session(cable: &Rc<RefCell<Cable>>) -> Session {
     Session { line: Some(line), protocol: begun(true, false), opened: Instant::now() }
 }
 
-/// A person who is told that the stop was passed on takes the hand off the power switch.
+/// A person who reads that the stop was passed on takes the hand off the power switch.
 #[test]
 fn a_stop_that_could_not_be_written_is_refused() {
     let cable = Rc::default();
@@ -123,7 +123,7 @@ fn a_stop_that_could_not_be_written_is_refused() {
     let error = session.stop().expect_err("nothing was written");
     assert_eq!(error.code, "stop-not-sent");
     assert!(error.message.contains("timed out") && error.help.contains("power"), "{error}");
-    // Whoever only listens is told, too, and no second stop looks as if it had been passed on.
+    // A caller that only listens hears it, too, and no second stop looks as if it had been passed on.
     let ends = |event: &Event| matches!(event, Event::Fault { error, disconnected: true, .. } if error.code == "unplugged");
     let events: Vec<Event> = std::iter::from_fn(|| session.poll().unwrap()).collect();
     assert_eq!(events.iter().filter(|event| ends(event)).count(), 1, "{events:?}");
@@ -200,11 +200,11 @@ fn begun(connected: bool, counting: bool) -> Protocol {
         for (at, line) in ["Grbl 1.1h ['$' for help]", "ok", "$32=0", "ok", idle].into_iter().enumerate() {
             let now = Duration::from_millis(at as u64);
             protocol.receive(format!("{line}\r\n").as_bytes(), now);
-            protocol.pass(now);
+            protocol.tick(now);
         }
         protocol.home(Duration::from_millis(10)).unwrap();
         protocol.receive(b"ok\r\n", Duration::from_millis(20));
-        protocol.pass(Duration::from_secs(2));
+        protocol.tick(Duration::from_secs(2));
         protocol.receive(format!("{idle}\r\n").as_bytes(), Duration::from_secs(2));
         assert!(std::iter::from_fn(|| protocol.next_event()).any(|event| event == Event::Homed));
         protocol.take_output();
@@ -229,7 +229,7 @@ proptest! {
                     drop(Conversation::call(&mut protocol, &serde_json::from_str(call).unwrap(), now));
                 }
             }
-            protocol.pass(now);
+            protocol.tick(now);
             while let Some(event) = protocol.next_event() {
                 prop_assert!(!over, "{event:?} after the end");
                 over = matches!(event, Event::Fault { disconnected: true, .. });
@@ -245,7 +245,7 @@ proptest! {
         // A jog is given up first; when that brings nothing it is reset within a second.
         let jog = sent.contains(&0x85);
         prop_assert!(jog || sent.contains(&0x18), "{:?}", sent);
-        protocol.pass(now + Duration::from_secs(1));
+        protocol.tick(now + Duration::from_secs(1));
         sent.append(&mut protocol.take_output());
         prop_assert!(sent.contains(&0x18), "{:?}", sent);
         let lines = sent.split(|byte| *byte == 0x18).skip(1).flatten();

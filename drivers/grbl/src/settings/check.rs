@@ -1,29 +1,30 @@
-//! Values that have the right shape and make no sense all the same.
+//! Values that have the right shape and make no sense anyway.
 
 use wirebend_driver_api::DriverError;
 
+use super::refusal::refuse;
 use super::{Settings, template};
 
-const LEAST_RATE: f64 = 0.01;
-const MOST_RATE: f64 = 100_000.0;
-const LEAST_UNITS: f64 = 0.0001;
-const MOST_UNITS: f64 = 10_000.0;
-const MOST_DECIMALS: u8 = 4;
+const MIN_RATE: f64 = 0.01;
+const MAX_RATE: f64 = 100_000.0;
+const MIN_UNITS: f64 = 0.0001;
+const MAX_UNITS: f64 = 10_000.0;
+const MAX_DECIMALS: u8 = 4;
 /// A bend of half a turn is 1800 moves then.
-const LEAST_ARC_DEG: f64 = 0.1;
-const MOST_ARC_DEG: f64 = 360.0;
-const MOST_DWELL_S: f64 = 60.0;
+const MIN_ARC_DEG: f64 = 0.1;
+const MAX_ARC_DEG: f64 = 360.0;
+const MAX_DWELL_S: f64 = 60.0;
 
 pub(super) fn check(settings: &Settings) -> Result<(), DriverError> {
     letters(settings)?;
     rates(settings)?;
-    within("pin_dwell_s", settings.pin_dwell_s, 0.0, MOST_DWELL_S)?;
-    within("arc_step_deg", settings.arc_step_deg, 0.0, MOST_ARC_DEG)?;
-    within("arc_dwell_s", settings.arc_dwell_s, 0.0, MOST_DWELL_S)?;
-    within("decimals", f64::from(settings.decimals), 0.0, f64::from(MOST_DECIMALS))?;
+    within("pin_dwell_s", settings.pin_dwell_s, 0.0, MAX_DWELL_S)?;
+    within("arc_step_deg", settings.arc_step_deg, 0.0, MAX_ARC_DEG)?;
+    within("arc_dwell_s", settings.arc_dwell_s, 0.0, MAX_DWELL_S)?;
+    within("decimals", f64::from(settings.decimals), 0.0, f64::from(MAX_DECIMALS))?;
     within("baud", f64::from(settings.baud), 300.0, 4_000_000.0)?;
     if settings.arc_step_deg > 0.0 {
-        within("arc_step_deg", settings.arc_step_deg, LEAST_ARC_DEG, MOST_ARC_DEG)?;
+        within("arc_step_deg", settings.arc_step_deg, MIN_ARC_DEG, MAX_ARC_DEG)?;
     }
     for (key, lines) in [
         ("pin_out", &settings.pin_out),
@@ -81,11 +82,11 @@ fn rates(settings: &Settings) -> Result<(), DriverError> {
         ),
     ];
     for (rate_key, rate, units_key, units) in axes {
-        within(rate_key, rate, LEAST_RATE, MOST_RATE)?;
-        within(units_key, units, LEAST_UNITS, MOST_UNITS)?;
-        if !(LEAST_RATE..=1e6).contains(&(rate * units)) {
+        within(rate_key, rate, MIN_RATE, MAX_RATE)?;
+        within(units_key, units, MIN_UNITS, MAX_UNITS)?;
+        if !(MIN_RATE..=1e6).contains(&(rate * units)) {
             let what = format!(
-                "'{rate_key}' is {} in units of the machine; it can be {LEAST_RATE} to 1000000",
+                "'{rate_key}' is {} in units of the machine; it can be {MIN_RATE} to 1000000",
                 rate * units
             );
             return Err(refuse(what, format!("see whether '{units_key}' is right")));
@@ -94,13 +95,9 @@ fn rates(settings: &Settings) -> Result<(), DriverError> {
     Ok(())
 }
 
-fn within(key: &str, value: f64, least: f64, most: f64) -> Result<(), DriverError> {
-    if (least..=most).contains(&value) {
+fn within(key: &str, value: f64, min: f64, max: f64) -> Result<(), DriverError> {
+    if (min..=max).contains(&value) {
         return Ok(());
     }
-    Err(refuse(format!("'{key}' is {value}"), format!("set it to {least} to {most}")))
-}
-
-pub(super) fn refuse(what: String, help: impl Into<String>) -> DriverError {
-    DriverError::new("settings", what, help)
+    Err(refuse(format!("'{key}' is {value}"), format!("set it to {min} to {max}")))
 }

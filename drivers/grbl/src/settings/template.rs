@@ -1,9 +1,9 @@
 //! Lines with placeholders, which people write and whose values come from designs: neither may become a
-//! command that nobody meant.
+//! command that was not meant.
 
 use wirebend_driver_api::DriverError;
 
-use super::check::refuse;
+use super::refusal::refuse;
 
 /// Placeholders of texts. They may stand in comments only: a name is no command.
 const TEXTS: [&str; 4] = ["name", "design", "job", "machine"];
@@ -13,13 +13,13 @@ const STOCK: &str = "stock_mm";
 /// What three decimals can show, up to what has room in a line, mm.
 const STOCK_MM: std::ops::RangeInclusive<f64> = 0.001..=9_999_999.0;
 /// The longest that a text becomes: a hash has 64 letters.
-pub(crate) const LONGEST_TEXT: usize = 64;
+pub(crate) const MAX_TEXT: usize = 64;
 /// The longest that a number becomes, such as 4294967295 or 123456.789.
-const LONGEST_NUMBER: usize = 12;
+const MAX_NUMBER: usize = 12;
 /// grbl keeps 79 characters of a line, comments and blanks left out (`LINE_BUFFER_SIZE` 80, `protocol.h`).
-const LONGEST_CODE: usize = 79;
+const MAX_CODE: usize = 79;
 /// What fits into grbl's receive buffer together with its end (`RX_BUFFER_SIZE` 128, `serial.h`).
-const LONGEST_LINE: usize = 126;
+const MAX_LINE: usize = 126;
 
 /// What the placeholders stand for.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,12 +39,12 @@ pub(crate) fn clean(text: &str) -> String {
     let kept = |c: char| {
         if c.is_ascii_alphanumeric() || " -_.,:+=/#'".contains(c) { c } else { '_' }
     };
-    text.chars().take(LONGEST_TEXT).map(kept).collect()
+    text.chars().take(MAX_TEXT).map(kept).collect()
 }
 
 impl Names {
     /// The lines of a block that was checked, by its key. Refuses the stock where it is no length: a 0 in its
-    /// place could move the machine to where nobody meant.
+    /// place could move the machine to where it was not meant to go.
     pub fn fill(&self, key: &str, block: &[String]) -> Result<Vec<String>, DriverError> {
         let stock = self.stock_mm.filter(|stock_mm| STOCK_MM.contains(stock_mm));
         let stock = stock.map(|stock_mm| format!("{stock_mm:.3}"));
@@ -135,7 +135,7 @@ fn measure(line: &str, placeholders: bool) -> Result<(), (String, &'static str)>
         }
         rest = &rest[1..];
     }
-    if code > LONGEST_CODE || all > LONGEST_LINE {
+    if code > MAX_CODE || all > MAX_LINE {
         return Err((
             format!("it can become {all} characters, {code} of them outside comments"),
             "grbl takes 126 of which 79 may be outside comments: make it two lines",
@@ -153,7 +153,7 @@ fn room(name: &str, comment: bool, placeholders: bool) -> Result<usize, (String,
         ));
     }
     if NUMBERS.contains(&name) {
-        return Ok(LONGEST_NUMBER);
+        return Ok(MAX_NUMBER);
     }
     if !TEXTS.contains(&name) {
         return Err((
@@ -162,7 +162,7 @@ fn room(name: &str, comment: bool, placeholders: bool) -> Result<usize, (String,
         ));
     }
     if comment {
-        return Ok(LONGEST_TEXT);
+        return Ok(MAX_TEXT);
     }
     Err((format!("{{{name}}} is a text and stands outside a comment"), "put it into a comment: (…) or ; …"))
 }

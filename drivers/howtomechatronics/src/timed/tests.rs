@@ -78,7 +78,7 @@ fn written(steps: &[Step]) -> String {
 }
 
 proptest! {
-    /// However the program divides a wire into batches, the machine is told what the file says.
+    /// However the program divides a wire into batches, the machine gets what the file has.
     #[test]
     fn what_is_sent_is_what_is_written(
         steps in prop::collection::vec(any_step(), 1..100),

@@ -101,7 +101,7 @@ fn a_left_handed_reader_gets_rotations_of_the_other_sign() {
     assert_eq!(dial, "45,0,90,5\n93,270,90,5\n146,,,\n");
 }
 
-/// Points have no rotation: they are the same wire whoever reads them.
+/// Points have no rotation: they are the same wire for every reader.
 #[test]
 fn points_do_not_depend_on_handedness() {
     let written = |hand: &str| rows("xyz-csv", 3, &json!({"handedness": hand}), &sample_job());

@@ -151,7 +151,7 @@ proptest! {
         }
     }
 
-    /// Who follows a table bends the wire that was designed, and not its mirror image.
+    /// A user who follows a table bends the wire that was designed, and not its mirror image.
     #[test]
     fn a_table_is_the_same_wire(job in any_job(), mut settings in any_settings()) {
         settings["lengths"] = json!("intersection");

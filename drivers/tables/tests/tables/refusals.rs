@@ -102,7 +102,7 @@ fn what_is_no_wire_is_refused() {
     }
 }
 
-/// Beyond 15 digits a float cannot tell neighbours apart, and the last digits would be invented.
+/// Beyond 15 digits a float cannot distinguish neighbours, and the last digits would be invented.
 #[test]
 fn more_digits_than_there_are_is_refused() {
     let job = job_of(2.0, &[(900_000.0, 0.0, 90.0), (900_000.0, 0.0, 0.0)]);

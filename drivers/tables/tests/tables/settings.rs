@@ -39,7 +39,7 @@ fn the_military_preset_counts_from_the_start() {
     assert_eq!(table("cumulative-csv", json!({"preset": "mil-d-9898"}), &corner()), expected);
 }
 
-/// The name says that the lengths are not those between tangents, so that nobody takes them for these.
+/// The name says that the lengths are not those between tangents, so that they are not taken for these.
 #[test]
 fn the_intersection_preset_measures_from_corner_to_corner() {
     let expected = "Lcorner_mm,R_deg,A_deg,CLR_mm\n\

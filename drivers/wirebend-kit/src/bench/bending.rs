@@ -1,7 +1,7 @@
 //! Letting the wire go: what the peg has pushed since it came out becomes an arc.
 
 use super::chain::Arc;
-use super::incident::Doubt;
+use super::incident::ModelWarning;
 use super::machine::Bench;
 
 impl Bench {
@@ -27,18 +27,18 @@ impl Bench {
         self.presses += 1;
         if leg.is_none() {
             let (out_mm, needed_mm) = (self.chain.length(), self.press.contact.clear_of_orbit());
-            self.doubts.push(Doubt::PegPastTip { bend, out_mm, needed_mm });
+            self.doubts.push(ModelWarning::PegPastTip { bend, out_mm, needed_mm });
             self.mark();
             return;
         }
         if placed >= std::f64::consts::PI {
-            self.doubts.push(Doubt::PastFoldBack { bend });
+            self.doubts.push(ModelWarning::PastFoldBack { bend });
         }
         self.press(bend, sign, placed);
         let contact_mm = self.press.leg(placed);
         let straight_mm = self.chain.straight_behind_arc();
         if contact_mm > straight_mm + 1e-9 {
-            self.doubts.push(Doubt::ShortLeg { bend, contact_mm, straight_mm });
+            self.doubts.push(ModelWarning::ShortLeg { bend, contact_mm, straight_mm });
         }
     }
 
@@ -59,7 +59,7 @@ impl Bench {
         let own = self.chain.take(wanted.min(same_bend));
         let more = self.chain.take(wanted - own.fibre);
         if more.was_bent {
-            self.doubts.push(Doubt::BendOverBend { bend });
+            self.doubts.push(ModelWarning::BendOverBend { bend });
         }
         let fibre = own.fibre + more.fibre;
         let stays = sign * self.press.released(self.press.angle_of(fibre));

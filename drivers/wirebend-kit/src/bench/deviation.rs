@@ -9,13 +9,13 @@ const NO_BEND_DEG: f64 = 0.01;
 /// Corners that turn by more show the plane of their bend. Degrees.
 const SHOWS_PLANE_DEG: f64 = 0.5;
 
-/// How far a wire is from its design, vertex by vertex. Differences are made minus designed.
+/// How far a wire is from its design, vertex by vertex. Differences are bent minus designed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Deviations {
     /// Which of the designed vertices are compared: all but those on a straight, which have no bend.
     pub vertices: Vec<usize>,
-    /// Distances with first vertex, first direction and plane of the first bend in place: what a person
-    /// sees who holds the wire by its start.
+    /// Distances with first vertex, first direction and plane of the first bend in place, as the wire looks when
+    /// it is held by its start.
     pub from_start_mm: Vec<f64>,
     /// Distances after the best turn and shift, without mirroring (least squares, Kabsch 1976).
     pub fitted_mm: Vec<f64>,
@@ -55,10 +55,7 @@ pub enum CompareError {
     },
     /// A designed vertex is not a place.
     #[error("vertex {vertex} of the design is not a finite place; correct it")]
-    NotFinite {
-        /// Which one.
-        vertex: usize,
-    },
+    NotFinite { vertex: usize },
 }
 
 impl Made {

@@ -6,14 +6,13 @@
 pub struct Incident {
     /// How many pulses had come, this one included.
     pub pulse: u64,
-    /// What happened.
-    pub what: Mishap,
+    pub what: Violation,
 }
 
-/// What a controller should never do. A motion that goes on being wrong is told once.
+/// What a controller should never do. A motion that stays wrong is reported once.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum Mishap {
+pub enum Violation {
     /// The feed moved with the peg not in.
     #[error("fed with the peg {}", standing(*.touching))]
     FedWithPeg {
@@ -32,7 +31,7 @@ pub enum Mishap {
         /// Where the bend axis stood.
         axis_deg: f64,
     },
-    /// The peg went in while it held the wire. The wire springs back all the same; a stop may have to.
+    /// The peg went in while it held the wire. The wire springs back anyway; a stop may have to.
     #[error("the peg went in under load with the bend axis at {axis_deg:.2} degrees")]
     PegInUnderLoad {
         /// Where the bend axis stood.
@@ -68,7 +67,7 @@ fn standing(touching: bool) -> &'static str {
 /// Where the model is weaker than usual. The controller is not to blame: the program is, or the profile.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum Doubt {
+pub enum ModelWarning {
     /// The tip lies within the peg's orbit, so that the peg ran past the wire and bent nothing.
     #[error(
         "bend {}: the peg runs past the end of the wire, of which {out_mm:.1} mm are out and \
@@ -83,7 +82,7 @@ pub enum Doubt {
         /// Wire that the peg would have met.
         needed_mm: f64,
     },
-    /// The peg touches the wire beyond its straight part. The bend was made as if that went on.
+    /// The peg touches the wire beyond its straight part. The bend was computed as if that continued.
     #[error(
         "bend {}: the peg meets the wire {contact_mm:.1} mm behind the bend, where only \
          {straight_mm:.1} mm are straight",

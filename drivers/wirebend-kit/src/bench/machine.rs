@@ -3,7 +3,7 @@
 use wirebend_driver_api::Axis;
 
 use super::chain::Chain;
-use super::incident::{Doubt, Incident, Mishap};
+use super::incident::{Incident, ModelWarning, Violation};
 use super::made::Made;
 use super::noise::{Draws, Noise};
 use super::press::{Compliance, Press};
@@ -59,7 +59,7 @@ pub struct Bench {
     head_limit_deg: f64,
     pub(super) draws: Option<Draws>,
     pub(super) chain: Chain,
-    pub(super) doubts: Vec<Doubt>,
+    pub(super) doubts: Vec<ModelWarning>,
     /// How many times the wire was pressed.
     pub(super) presses: usize,
     incidents: Vec<Incident>,
@@ -159,7 +159,7 @@ impl Bench {
                 let head_deg = self.head_deg();
                 let slack = self.head_limit_deg + self.scale.rotate_deg_per_step / 2.0;
                 if head_deg.abs() > slack && before.abs() <= slack {
-                    self.record(Mishap::HeadPastLimit { head_deg });
+                    self.record(Violation::HeadPastLimit { head_deg });
                 }
             }
             Axis::Bend => {
@@ -171,7 +171,7 @@ impl Bench {
                 let axis_deg = self.bend_axis_deg();
                 let slack = self.bend_limit_deg + self.scale.bend_deg_per_step / 2.0;
                 if axis_deg.abs() > slack && before.abs() <= slack {
-                    self.record(Mishap::BendPastLimit { axis_deg });
+                    self.record(Violation::BendPastLimit { axis_deg });
                 }
             }
         }
@@ -186,7 +186,7 @@ impl Bench {
             (Peg::Between | Peg::Out, Peg::In) => {
                 self.let_go();
                 if self.touches() {
-                    self.record(Mishap::PegInUnderLoad { axis_deg: self.bend_axis_deg() });
+                    self.record(Violation::PegInUnderLoad { axis_deg: self.bend_axis_deg() });
                 }
                 self.stroke = None;
             }
@@ -194,7 +194,7 @@ impl Bench {
         }
     }
 
-    /// The wire as it would be if it were let go and cut off at the nozzle now. The bench goes on.
+    /// The wire as it would be if it were let go and cut off at the nozzle now. The bench continues.
     #[must_use]
     pub fn made(&self) -> Made {
         let mut bench = self.clone();
@@ -227,13 +227,11 @@ impl Bench {
         steps(self.head_steps) * self.scale.rotate_deg_per_step
     }
 
-    /// Where the bend axis stands.
     #[must_use]
     pub fn bend_axis_deg(&self) -> f64 {
         steps(self.bend_steps) * self.scale.bend_deg_per_step
     }
 
-    /// Where the peg is.
     #[must_use]
     pub fn peg_at(&self) -> Peg {
         self.peg
@@ -257,14 +255,14 @@ impl Bench {
         self.motion = Some(Motion { axis, forward, steps: 1.0 });
         match (self.peg, axis) {
             (Peg::In, _) | (Peg::Out, Axis::Bend) => {}
-            (Peg::Between, Axis::Bend) => self.record(Mishap::BentWithPegBetween),
+            (Peg::Between, Axis::Bend) => self.record(Violation::BentWithPegBetween),
             (_, Axis::Feed) => {
                 self.let_go();
-                self.record(Mishap::FedWithPeg { touching: self.touches() });
+                self.record(Violation::FedWithPeg { touching: self.touches() });
             }
             (_, Axis::Rotate) => {
                 self.let_go();
-                self.record(Mishap::RotatedWithPeg { touching: self.touches() });
+                self.record(Violation::RotatedWithPeg { touching: self.touches() });
             }
         }
     }
@@ -280,7 +278,7 @@ impl Bench {
                 let by_mm = self.chain.feed(told + error) + error.min(0.0);
                 // A feed that only its error makes too short is no mistake of the controller.
                 if told < 0.0 && by_mm > 1e-6 {
-                    self.record(Mishap::PulledTooFar { by_mm });
+                    self.record(Violation::PulledTooFar { by_mm });
                 }
             }
             (Axis::Rotate, Some(draws)) => self.head_error_deg += draws.rotate_deg.next(),
@@ -299,7 +297,7 @@ impl Bench {
             Some(leg) if leg >= left - TOUCH => 1,
             Some(leg) if leg <= right + TOUCH => -1,
             Some(leg) => {
-                self.record(Mishap::PegIntoWire { axis_deg: self.bend_axis_deg() });
+                self.record(Violation::PegIntoWire { axis_deg: self.bend_axis_deg() });
                 if left - leg <= leg - right { 1 } else { -1 }
             }
         };
@@ -313,7 +311,7 @@ impl Bench {
         self.press.contact.leg_angle(at) > stroke.sign() * leg + TOUCH
     }
 
-    fn record(&mut self, what: Mishap) {
+    fn record(&mut self, what: Violation) {
         self.incidents.push(Incident { pulse: self.pulses, what });
     }
 }

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use nalgebra::{Rotation3, Vector3};
 
 use super::chain::{Arc, Chain};
-use super::incident::Doubt;
+use super::incident::ModelWarning;
 
 /// Below this turn the corner is the middle of the arc: the tangents are parallel. Radians.
 const STRAIGHT: f64 = 1e-9;
@@ -32,7 +32,7 @@ pub struct Made {
     pub(super) chain: Chain,
     /// From the neutral fibre of an arc out to its centreline.
     pub(super) off_centre: f64,
-    pub(super) doubts: Vec<Doubt>,
+    pub(super) doubts: Vec<ModelWarning>,
 }
 
 /// A turtle on the centreline.
@@ -80,7 +80,7 @@ impl Made {
 
     /// Where the model was weaker than usual.
     #[must_use]
-    pub fn doubts(&self) -> &[Doubt] {
+    pub fn warnings(&self) -> &[ModelWarning] {
         &self.doubts
     }
 

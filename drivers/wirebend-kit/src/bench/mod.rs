@@ -26,7 +26,7 @@
 //!
 //! The time, the servo, the homing switch; what the formed wire runs into; weight, friction, twist and the
 //! bow of straights. Only the part of the wire next to the nozzle meets the peg. Where that was not
-//! enough, [`Made::doubts`] says so.
+//! enough, [`Made::warnings`] says so.
 //!
 //! ```
 //! use wirebend_driver_api::Axis;
@@ -64,7 +64,7 @@ mod section;
 mod settings;
 
 pub use deviation::{CompareError, Deviations};
-pub use incident::{Doubt, Incident, Mishap};
+pub use incident::{Incident, ModelWarning, Violation};
 pub use machine::{Bench, Peg};
 pub use made::{Made, MadeBend};
 pub use noise::{ErrorTerm, Noise};

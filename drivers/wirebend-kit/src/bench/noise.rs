@@ -21,7 +21,6 @@ pub struct ErrorTerm {
 pub struct Noise {
     /// The same seed and the same pulses make the same wire.
     pub seed: u64,
-    /// Of each feed, in mm.
     pub feed_mm: ErrorTerm,
     /// Of each turn of the head, in degrees.
     pub rotate_deg: ErrorTerm,
@@ -50,7 +49,6 @@ impl Draw {
     }
 }
 
-/// All of them.
 #[derive(Debug, Clone)]
 pub(super) struct Draws {
     pub feed_mm: Draw,

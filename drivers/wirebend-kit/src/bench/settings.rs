@@ -45,11 +45,9 @@ impl Bender {
 /// its ultimate strength, which it keeps from there on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wire {
-    /// Diameter.
     pub diameter_mm: f64,
     /// Depth of the neutral fibre in a bend from its inner face, as a part of the diameter.
     pub k_factor: f64,
-    /// Young's modulus.
     pub youngs_modulus_gpa: f64,
     /// Stress at which it begins to yield.
     pub yield_strength_mpa: f64,
@@ -121,9 +119,7 @@ pub enum BenchError {
     /// A figure that cannot be.
     #[error("{what} is {value}, which should be {expected}; correct the profile")]
     Figure {
-        /// Which one.
         what: &'static str,
-        /// Its value.
         value: f64,
         /// What it should be.
         expected: &'static str,

@@ -1,4 +1,4 @@
-//! The firmware's `hal_host/host.h`, and what owns it. The only unsafe code of this driver.
+//! Bindings of the firmware's `hal_host/host.h`, and their owner. The only unsafe code of this driver.
 #![allow(unsafe_code)]
 
 use std::ptr::NonNull;
@@ -32,7 +32,7 @@ unsafe extern "C" {
     fn wb_host_stored(host: *mut RawHost, count: *mut usize) -> *mut u8;
 }
 
-/// Owns a controller of the C side.
+/// Owns a `struct wb_host`.
 #[derive(Debug)]
 pub(super) struct Host(NonNull<RawHost>);
 
@@ -40,7 +40,7 @@ pub(super) struct Host(NonNull<RawHost>);
 unsafe impl Send for Host {}
 
 impl Host {
-    /// `None` when there is no memory for it.
+    /// `None` when memory has run out.
     pub fn new() -> Option<Self> {
         // SAFETY: takes nothing; gives a new struct or null.
         NonNull::new(unsafe { wb_host_new() }).map(Self)

@@ -1,4 +1,4 @@
-//! The simulated controller: the firmware's own core, with a clock that only moves when it is told to.
+//! The simulated controller: the firmware's core with a virtual clock.
 
 mod ffi;
 
@@ -7,54 +7,52 @@ use wirebend_driver_api::Axis;
 use crate::protocol::Reset;
 use ffi::Host;
 
-/// Cycles of the controller's clock in a second.
+/// Clock of the controller, cycles per second.
 pub const HZ: u64 = 16_000_000;
-/// A byte on the line at 115200 baud, in cycles.
+/// Time of a byte at 115200 baud, cycles.
 pub const BYTE_CYCLES: u64 = 1360;
 
-/// Something that can be seen from outside.
+/// An event that can be observed from outside.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Seen {
-    /// When, in cycles from the first power on.
+pub struct Observation {
+    /// Cycles since the first power-on.
     pub at: u64,
-    /// What.
-    pub what: Sight,
+    pub what: Observed,
 }
 
-/// What can be seen of a controller.
+/// What can be observed of a controller.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Sight {
-    /// A pulse on a step pin, and the level of its direction pin.
+pub enum Observed {
     Pulse {
-        /// The axis.
+        /// Axis of the step pin.
         axis: Axis,
         /// Whether its direction pin is high.
         forward: bool,
     },
-    /// The servo of the peg gets pulses of this width, µs.
+    /// The servo of the peg gets another position.
     Peg {
-        /// The width, µs.
+        /// Pulse width of the servo, µs.
         width_us: u16,
     },
-    /// A byte on the line to the host.
+    /// A byte to the host.
     Sent(u8),
-    /// The motor drivers were turned on.
+    /// The motor drivers are turned on.
     MotorsOn,
-    /// The motor drivers were turned off.
+    /// The motor drivers are turned off.
     MotorsOff,
 }
 
-/// A controller.
+/// A simulated board.
 #[derive(Debug)]
 pub struct Controller {
     host: Host,
     now: u64,
-    /// Bytes on their way to it, with the time of their arrival and whether they come damaged.
+    /// Bytes on their way to it: time of arrival in cycles, byte, whether it is damaged.
     line: std::collections::VecDeque<(u64, u8, bool)>,
 }
 
 impl Controller {
-    /// A new board with nothing stored, and power on. `None` when there is no memory for it.
+    /// A new board with an empty EEPROM, just powered on. `None` when memory has run out.
     #[must_use]
     pub fn new() -> Option<Self> {
         let mut controller = Self { host: Host::new()?, now: 0, line: std::collections::VecDeque::new() };
@@ -62,26 +60,26 @@ impl Controller {
         Some(controller)
     }
 
-    /// Starts again; what is stored stays.
+    /// Resets it. The EEPROM stays.
     pub fn reset(&mut self, cause: Reset) {
         self.line.clear();
         self.host.reset(cause as u8);
     }
 
-    /// Counts the time from now on.
+    /// Restarts the clock at zero.
     pub fn restart_clock(&mut self) {
         self.line.clear();
         self.host.restart_clock();
         self.now = 0;
     }
 
-    /// The time, in cycles from the first power on.
+    /// Cycles since the first power-on.
     #[must_use]
     pub const fn now(&self) -> u64 {
         self.now
     }
 
-    /// Sends bytes to it, one after the other, after those that are on their way.
+    /// Sends bytes to it, after those that are on their way.
     pub fn send(&mut self, bytes: &[u8]) {
         for &byte in bytes {
             let free = self.line.back().map_or(self.now, |&(at, ..)| at).max(self.now);
@@ -89,27 +87,27 @@ impl Controller {
         }
     }
 
-    /// Bytes that have all come before its main loop looks at any of them, as when it is busy.
+    /// Delivers bytes all at once, as if its main loop had been busy.
     pub fn send_unseen(&mut self, bytes: &[u8]) {
         self.host.receive_all(bytes);
     }
 
-    /// The level of the pin of its switch from now on: high when pressed.
+    /// Sets the level of its switch's pin: high when pressed.
     pub fn set_switch(&mut self, high: bool) {
         self.host.switch(high);
     }
 
-    /// The contacts of its inputs from now on: whether that of the hold and that of the emergency stop is open.
+    /// Opens and closes the contacts of the hold input and of the emergency stop.
     pub fn set_inputs(&mut self, hold_open: bool, emergency_open: bool) {
         self.host.inputs(u8::from(hold_open) | u8::from(emergency_open) << 1);
     }
 
-    /// Lets time pass until `until`, or until something can be seen.
-    pub fn run(&mut self, until: u64) -> Option<Seen> {
+    /// Runs until `until`, in cycles, or until something can be observed.
+    pub fn run(&mut self, until: u64) -> Option<Observation> {
         loop {
             if let Some(event) = self.host.next() {
-                if let Some(what) = sight(event) {
-                    return Some(Seen { at: event.at, what });
+                if let Some(what) = observed(event) {
+                    return Some(Observation { at: event.at, what });
                 }
                 continue;
             }
@@ -120,33 +118,35 @@ impl Controller {
             {
                 self.host.receive(byte, damaged);
             } else if self.now >= until {
-                return self.host.next().and_then(|event| Some(Seen { at: event.at, what: sight(event)? }));
+                return self
+                    .host
+                    .next()
+                    .and_then(|event| Some(Observation { at: event.at, what: observed(event)? }));
             }
         }
     }
 
-    /// Power fails when so many more bytes are stored: the others are lost, until the next reset.
+    /// Lets the power fail after so many more stored bytes: later ones are lost, until the next reset.
     pub fn fail_after(&mut self, bytes: u32) {
         self.host.fail_after(bytes);
     }
 
-    /// The bytes that outlive power.
     pub fn stored(&mut self) -> &mut [u8] {
         self.host.stored()
     }
 }
 
-fn sight(event: ffi::RawEvent) -> Option<Sight> {
+fn observed(event: ffi::RawEvent) -> Option<Observed> {
     let axis = match event.value {
         0 => Axis::Feed,
         1 => Axis::Rotate,
         _ => Axis::Bend,
     };
     Some(match event.kind {
-        0 => Sight::Pulse { axis, forward: event.on != 0 },
-        1 => Sight::Peg { width_us: event.value },
-        2 => Sight::Sent(u8::try_from(event.value).ok()?),
-        _ if event.on != 0 => Sight::MotorsOn,
-        _ => Sight::MotorsOff,
+        0 => Observed::Pulse { axis, forward: event.on != 0 },
+        1 => Observed::Peg { width_us: event.value },
+        2 => Observed::Sent(u8::try_from(event.value).ok()?),
+        _ if event.on != 0 => Observed::MotorsOn,
+        _ => Observed::MotorsOff,
     })
 }

@@ -1,22 +1,22 @@
-//! The line to a controller: a session, numbered lines that are made once, requests that are repeated until
+//! The line to a controller: a session, numbered lines that are run once, requests that are repeated until
 //! their effect is seen, and a stop that is repeated until it is answered.
 //!
-//! Pure: bytes and times go in, bytes and news come out. Whatever the line does to the bytes, no line is made
-//! twice, none is made out of order, and none is reported as made that was not.
+//! Pure: bytes and times go in, bytes and news come out. Whatever the line does to the bytes, no line is run
+//! twice, none is run out of order, and none is reported as done that was not.
 
-mod ask;
 mod opening;
 mod queue;
+mod request;
 
 use std::time::Duration;
 
 use crate::protocol::{
-    Alarm, Heard, Lines, NO_SESSION, Refusal, Reset, STOP, State, Status, Versions, sealed,
+    Alarm, Lines, NO_SESSION, Refusal, ReplyFrame, Reset, STOP, State, Status, Versions, sealed,
 };
-pub use ask::Ask;
-use ask::Asks;
 use opening::{Greeting, Opening};
 use queue::Queue;
+pub use request::Request;
+use request::Requests;
 
 /// Time since any moment, always the same one.
 pub type Time = Duration;
@@ -34,12 +34,12 @@ const LOST_QUESTIONS: u32 = 5;
 
 /// What has become known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum News {
-    /// The session is open. `going_on` when it is one of before: lines taken and made in it.
+pub enum MachineEvent {
+    /// The session is open. `resumed` when it is one of before: lines taken and done in it.
     Open {
-        /// Lines taken and lines made.
-        going_on: Option<(u32, u32)>,
-        /// What the controller is, and how often it has started; a session that goes on was asked before.
+        /// Lines taken and lines done.
+        resumed: Option<(u32, u32)>,
+        /// What the controller is, and how often it has started; a session that is resumed was asked before.
         fresh: Option<(Versions, u32)>,
     },
     /// The controller has started, for this reason.
@@ -48,27 +48,22 @@ pub enum News {
     SessionLost,
     /// Lines up to this one are taken.
     Accepted(u32),
-    /// Lines up to this one are made.
+    /// Lines up to this one are done.
     Done(u32),
-    /// How it stands.
     Status(Status),
     /// A request has had its effect.
-    Answered(Ask),
-    /// A setting.
+    Answered(Request),
     Setting {
-        /// Its number.
         id: u8,
-        /// Its value.
         value: i32,
     },
     /// A command was refused: the letter, and why.
     Refused {
         /// The letter of the command.
         command: u8,
-        /// Why.
         error: Refusal,
         /// The request, where it was one.
-        ask: Option<Ask>,
+        ask: Option<Request>,
     },
     /// It has stopped, or holds.
     Alarm(Alarm),
@@ -76,14 +71,13 @@ pub enum News {
     Silent,
 }
 
-/// The line.
 #[derive(Debug)]
 pub struct Link {
     session: u16,
     lines: Lines,
     opening: Option<Opening>,
     queue: Queue,
-    asks: Asks,
+    requests: Requests,
     stopping: Option<Time>,
     heard_at: Time,
     queried_at: Time,
@@ -95,7 +89,7 @@ pub struct Link {
     lost: bool,
     silent: bool,
     out: Vec<u8>,
-    news: Vec<News>,
+    events: Vec<MachineEvent>,
 }
 
 impl Link {
@@ -108,7 +102,7 @@ impl Link {
             lines: Lines::default(),
             opening: Some(Opening::begin(id, resume, now + boot)),
             queue: Queue::default(),
-            asks: Asks::default(),
+            requests: Requests::default(),
             stopping: None,
             heard_at: now,
             queried_at: now,
@@ -117,7 +111,7 @@ impl Link {
             lost: false,
             silent: false,
             out: Vec::new(),
-            news: Vec::new(),
+            events: Vec::new(),
         }
     }
 
@@ -130,7 +124,7 @@ impl Link {
     /// Opens a new session: numbers begin anew, and whatever of the old one is on its way fails its seal.
     pub fn renew(&mut self, id: u16, now: Time) {
         self.queue = Queue::default();
-        self.asks = Asks::default();
+        self.requests = Requests::default();
         (self.lost, self.unanswered) = (false, None);
         self.opening = Some(Opening::anew(id, now));
     }
@@ -140,24 +134,24 @@ impl Link {
         self.queue.push(letter, numbers)
     }
 
-    /// Lines that were made and lines that were given.
+    /// Lines that are done and lines that were given.
     #[must_use]
     pub const fn progress(&self) -> (u32, u32) {
         self.queue.progress()
     }
 
-    /// Whether lines were sent that are not made, as far as is known.
+    /// Whether lines were sent that are not done, as far as is known.
     #[must_use]
     pub const fn is_outstanding(&self) -> bool {
         self.queue.is_outstanding()
     }
 
-    /// Asks for something that is no line.
-    pub fn ask(&mut self, ask: Ask) {
-        self.asks.push(ask);
+    /// Requests for something that is no line.
+    pub fn request(&mut self, request: Request) {
+        self.requests.push(request);
     }
 
-    /// Asks at once how it stands.
+    /// Requests at once how it stands.
     pub fn query(&mut self) {
         self.query_now = true;
     }
@@ -165,18 +159,18 @@ impl Link {
     /// Whether every request has had its effect.
     #[must_use]
     pub fn is_answered(&self) -> bool {
-        self.asks.is_empty()
+        self.requests.is_empty()
     }
 
     /// Stops the machine at once, and forgets what has not been sent.
     pub fn stop(&mut self, now: Time) {
         self.queue.forget();
-        self.asks = Asks::default();
+        self.requests = Requests::default();
         self.stopping = Some(now + STOP_EVERY);
         self.out.push(STOP);
     }
 
-    /// A hold, for when nobody will be there to hear whether it came.
+    /// A hold, for when no program will be there to hear whether it came.
     #[must_use]
     pub fn hold(&self) -> Vec<u8> {
         sealed("P", self.session)
@@ -192,7 +186,7 @@ impl Link {
     pub fn advance(&mut self, bytes: &[u8], now: Time) {
         for &byte in bytes {
             if let Some(line) = self.lines.feed(byte)
-                && let Some(heard) = Heard::of(&line, self.listening_to())
+                && let Some(heard) = ReplyFrame::of(&line, self.listening_to())
             {
                 (self.heard_at, self.silent, self.unanswered) = (now, false, None);
                 self.hear(heard, now);
@@ -207,37 +201,37 @@ impl Link {
     }
 
     /// What has become known since the last time.
-    pub fn take_news(&mut self) -> Vec<News> {
-        std::mem::take(&mut self.news)
+    pub fn take_events(&mut self) -> Vec<MachineEvent> {
+        std::mem::take(&mut self.events)
     }
 
     fn listening_to(&self) -> u16 {
         self.opening.as_ref().map_or(self.session, |opening| opening.session().unwrap_or(self.session))
     }
 
-    fn hear(&mut self, heard: Heard, now: Time) {
+    fn hear(&mut self, heard: ReplyFrame, now: Time) {
         if let Some(opening) = &mut self.opening {
             match opening.hear(&heard, now) {
-                Greeting::Open { session, going_on, fresh } => {
+                Greeting::Open { session, resumed, fresh } => {
                     (self.session, self.opening) = (session, None);
-                    let (last, done) = going_on.unwrap_or_default();
+                    let (last, done) = resumed.unwrap_or_default();
                     self.queue = Queue::after(last, done);
                     // How it stands is asked at once.
                     self.queried_at = now.saturating_sub(QUERY_EVERY);
-                    self.news.push(News::Open { going_on, fresh });
+                    self.events.push(MachineEvent::Open { resumed, fresh });
                 }
                 Greeting::Refused(error) => {
-                    self.news.push(News::Refused { command: b'S', error, ask: None });
+                    self.events.push(MachineEvent::Refused { command: b'S', error, ask: None });
                 }
                 Greeting::Wait => {}
             }
         }
         match heard {
-            Heard::Boot { reset, .. } => {
+            ReplyFrame::Boot { reset, .. } => {
                 self.lost = self.opening.is_none();
-                self.news.push(News::Boot(reset));
+                self.events.push(MachineEvent::Boot(reset));
             }
-            Heard::Alarm(alarm) => {
+            ReplyFrame::Alarm(alarm) => {
                 // Only this answers a STOP: a status may have been sent before it came.
                 if alarm == Alarm::Stop {
                     self.stopping = None;
@@ -245,30 +239,30 @@ impl Link {
                 self.alarmed(alarm);
             }
             _ if self.opening.is_some() || self.lost => {}
-            Heard::Refused { error: Refusal::NoSession, .. } => {
+            ReplyFrame::Refused { error: Refusal::NoSession, .. } => {
                 self.lost = true;
-                self.news.push(News::SessionLost);
+                self.events.push(MachineEvent::SessionLost);
             }
-            Heard::Refused { error, next, command } => self.refused(error, next, command, now),
-            Heard::Accepted { last } | Heard::Full { last } => {
-                let full = matches!(heard, Heard::Full { .. });
+            ReplyFrame::Refused { error, next, command } => self.refused(error, next, command, now),
+            ReplyFrame::Accepted { last } | ReplyFrame::Full { last } => {
+                let full = matches!(heard, ReplyFrame::Full { .. });
                 if let Some(last) = self.queue.accepted(last, full, now) {
-                    self.news.push(News::Accepted(last));
+                    self.events.push(MachineEvent::Accepted(last));
                 }
             }
-            Heard::Done { n } => self.done(n, now),
-            Heard::Status(status) => self.stands(status, now),
-            Heard::Value { id, value } => {
-                self.news.push(News::Setting { id, value });
-                self.news.extend(self.asks.value(id, value).map(News::Answered));
+            ReplyFrame::Done { n } => self.done(n, now),
+            ReplyFrame::Status(status) => self.stands(status, now),
+            ReplyFrame::Value { id, value } => {
+                self.events.push(MachineEvent::Setting { id, value });
+                self.events.extend(self.requests.value(id, value).map(MachineEvent::Answered));
             }
-            Heard::Open { .. } => {}
+            ReplyFrame::Open { .. } => {}
         }
     }
 
     fn done(&mut self, n: u32, now: Time) {
         if let Some(n) = self.queue.done(n, now) {
-            self.news.push(News::Done(n));
+            self.events.push(MachineEvent::Done(n));
         }
     }
 
@@ -278,28 +272,28 @@ impl Link {
         }
         // A report that was lost on its way is in the status too.
         if let Some(last) = self.queue.accepted(status.last, false, now) {
-            self.news.push(News::Accepted(last));
+            self.events.push(MachineEvent::Accepted(last));
         }
         self.done(status.done, now);
-        self.news.push(News::Status(status));
-        self.news.extend(self.asks.status(&status).map(News::Answered));
+        self.events.push(MachineEvent::Status(status));
+        self.events.extend(self.requests.status(&status).map(MachineEvent::Answered));
     }
 
     fn alarmed(&mut self, alarm: Alarm) {
         if !matches!(alarm, Alarm::HostLost | Alarm::HoldInput) {
             self.queue.alarmed();
         }
-        self.news.push(News::Alarm(alarm));
+        self.events.push(MachineEvent::Alarm(alarm));
     }
 
     fn refused(&mut self, error: Refusal, next: u32, command: Option<u8>, now: Time) {
         match (error, command) {
             (Refusal::Damaged | Refusal::Gap, _) => self.queue.go_back(next, now),
             (_, Some(command)) => {
-                let ask = self.asks.refused(command);
+                let ask = self.requests.refused(command);
                 // Else it answers a repetition of what has been answered.
                 if ask.is_some() || self.queue.refused(command, next) {
-                    self.news.push(News::Refused { command, error, ask });
+                    self.events.push(MachineEvent::Refused { command, error, ask });
                 }
             }
             (_, None) => {}
@@ -316,7 +310,7 @@ impl Link {
                 Ok(frame) => self.out.extend(frame.unwrap_or_default()),
                 Err(opening::NoAnswer) if !self.silent => {
                     self.silent = true;
-                    self.news.push(News::Silent);
+                    self.events.push(MachineEvent::Silent);
                 }
                 Err(opening::NoAnswer) => {}
             }
@@ -325,7 +319,7 @@ impl Link {
         if self.lost {
             return;
         }
-        if let Some(payload) = self.asks.due(now) {
+        if let Some(payload) = self.requests.due(now) {
             self.out.extend(sealed(&payload, self.session));
         }
         for payload in self.queue.due(now) {
@@ -339,12 +333,12 @@ impl Link {
             let (since, asked) = self.unanswered.unwrap_or((now, 0));
             self.unanswered = Some((since, asked + 1));
         }
-        // Only questions can go unanswered: nobody may have looked for a while.
+        // Only questions can go unanswered: the program may not have looked for a while.
         let gone =
             self.unanswered.is_some_and(|(since, asked)| now > since + LOST_AFTER && asked >= LOST_QUESTIONS);
         if gone && !self.silent {
             self.silent = true;
-            self.news.push(News::Silent);
+            self.events.push(MachineEvent::Silent);
         }
     }
 }

@@ -1,14 +1,14 @@
 //! From an open port to an open session.
 
 use super::Time;
-use crate::protocol::{Heard, NO_SESSION, Refusal, Versions, sealed};
+use crate::protocol::{NO_SESSION, Refusal, ReplyFrame, Versions, sealed};
 
 /// How often it is tried.
 const EVERY: Time = Time::from_millis(60);
 const PROBES: u32 = 6;
 const TRIES: u32 = 40;
 
-/// Nobody answers.
+/// There is no answer.
 #[derive(Debug)]
 pub(super) struct NoAnswer;
 
@@ -40,7 +40,7 @@ pub(super) struct Opening {
 /// What a frame means for the opening.
 pub(super) enum Greeting {
     Wait,
-    Open { session: u16, going_on: Option<(u32, u32)>, fresh: Option<(Versions, u32)> },
+    Open { session: u16, resumed: Option<(u32, u32)>, fresh: Option<(Versions, u32)> },
     Refused(Refusal),
 }
 
@@ -69,23 +69,25 @@ impl Opening {
         }
     }
 
-    pub fn hear(&mut self, heard: &Heard, now: Time) -> Greeting {
+    pub fn hear(&mut self, heard: &ReplyFrame, now: Time) -> Greeting {
         match (heard, &self.step) {
-            (Heard::Boot { .. }, _) => {
+            (ReplyFrame::Boot { .. }, _) => {
                 self.step = self.after_boot(true, now);
                 Greeting::Wait
             }
-            (Heard::Status(status), &Step::Probe { session, .. }) => {
-                Greeting::Open { session, going_on: Some((status.last, status.done)), fresh: None }
+            (ReplyFrame::Status(status), &Step::Probe { session, .. }) => {
+                Greeting::Open { session, resumed: Some((status.last, status.done)), fresh: None }
             }
-            (Heard::Refused { error: Refusal::NoSession, .. }, Step::Probe { .. }) => {
+            (ReplyFrame::Refused { error: Refusal::NoSession, .. }, Step::Probe { .. }) => {
                 self.step = Step::Open { tries: 0, at: now };
                 Greeting::Wait
             }
-            (&Heard::Open { id, last: 0, done: 0, versions, boots }, Step::Open { .. }) if id == self.id => {
-                Greeting::Open { session: id, going_on: None, fresh: Some((versions, boots)) }
+            (&ReplyFrame::Open { id, last: 0, done: 0, versions, boots }, Step::Open { .. })
+                if id == self.id =>
+            {
+                Greeting::Open { session: id, resumed: None, fresh: Some((versions, boots)) }
             }
-            (&Heard::Refused { error, command: Some(b'S'), .. }, Step::Open { .. }) => {
+            (&ReplyFrame::Refused { error, command: Some(b'S'), .. }, Step::Open { .. }) => {
                 Greeting::Refused(error)
             }
             _ => Greeting::Wait,

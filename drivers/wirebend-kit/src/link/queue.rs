@@ -5,28 +5,28 @@ use std::fmt::Write;
 
 use super::{PATIENCE, Time};
 
-/// Lines that may be on their way without an answer.
+/// Lines that may be unanswered at a time.
 const WINDOW: u32 = 4;
-/// Lines that the controller has room for. A line that it makes leaves room for one more, which is not counted on.
+/// Lines that the controller has room for; it may have room for one more while a line runs.
 const ROOM: u32 = 8;
-/// A full controller is tried again after so long; a line that it has made is a reason to try at once.
+/// How long to wait before trying a full controller again; a line that is done is a reason to try at once.
 const FULL: Time = Time::from_millis(200);
 
 #[derive(Debug, Default)]
 pub(super) struct Queue {
-    /// Lines that the controller has not taken, as far as is known; the first is `accepted + 1`.
+    /// Lines that are not known to be accepted; the first is `accepted + 1`.
     waiting: VecDeque<(u8, String)>,
     accepted: u32,
     done: u32,
-    /// The last that was sent since the last repetition.
+    /// The last line that was sent.
     sent: u32,
-    /// When to send again what was not answered.
+    /// When to repeat unanswered lines.
     again_at: Time,
     full: bool,
 }
 
 impl Queue {
-    /// Of a session in which lines were taken and made already.
+    /// For a session in which lines were accepted and done already.
     pub fn after(accepted: u32, done: u32) -> Self {
         Self { accepted, done, sent: accepted, ..Self::default() }
     }
@@ -49,19 +49,19 @@ impl Queue {
         self.sent > self.done || self.accepted > self.done
     }
 
-    /// Lines that were made, and lines that were taken.
+    /// Lines that are done, and lines that are accepted.
     pub const fn progress(&self) -> (u32, u32) {
         (self.done, self.accepted)
     }
 
-    /// What was not taken yet is not sent any more.
+    /// Drops lines that are not accepted.
     pub fn forget(&mut self) {
         self.waiting.clear();
         self.sent = self.accepted;
     }
 
-    /// An alarm is told: what was not taken before it is not sent any more. A search for the reference leaves the
-    /// alarm, and may have been asked for after what is told here.
+    /// An alarm was reported: lines that were not accepted before it are not sent any more. Homing clears the alarm, and may
+    /// have been requested after this report.
     pub fn alarmed(&mut self) {
         let homes = self.waiting.front().is_some_and(|&(letter, _)| letter == b'H');
         if !homes {
@@ -69,7 +69,7 @@ impl Queue {
         }
     }
 
-    /// The controller has taken every line up to this one; `None` when that is no news.
+    /// The controller has accepted every line up to this one; `None` when that was known.
     pub fn accepted(&mut self, last: u32, full: bool, now: Time) -> Option<u32> {
         self.full = full;
         if full {
@@ -88,9 +88,9 @@ impl Queue {
         Some(last)
     }
 
-    /// It has made every line up to this one.
+    /// Every line up to this one is done.
     pub fn done(&mut self, n: u32, now: Time) -> Option<u32> {
-        // What is made was taken, though the answer may have been lost.
+        // A line that is done was accepted, even if that answer was lost.
         self.accepted(n, false, now);
         (n > self.done && n <= self.accepted).then(|| {
             self.done = n;
@@ -98,7 +98,7 @@ impl Queue {
         })
     }
 
-    /// It expects this one next.
+    /// The controller expects this line next.
     pub fn go_back(&mut self, next: u32, now: Time) {
         if next > self.accepted && next <= self.given() {
             self.accepted(next - 1, false, now);
@@ -117,7 +117,7 @@ impl Queue {
         is_first
     }
 
-    /// The lines that are to be sent now.
+    /// The lines to send now.
     pub fn due(&mut self, now: Time) -> Vec<String> {
         let unanswered = self.sent > self.accepted || self.full;
         if unanswered && now >= self.again_at {
@@ -125,8 +125,8 @@ impl Queue {
             self.full = false;
         }
         let mut frames = Vec::new();
-        let most = (self.accepted + WINDOW).min(self.done + ROOM).min(self.given());
-        while !self.full && self.sent < most {
+        let max = (self.accepted + WINDOW).min(self.done + ROOM).min(self.given());
+        while !self.full && self.sent < max {
             frames.push(self.waiting[(self.sent - self.accepted) as usize].1.clone());
             self.sent += 1;
         }

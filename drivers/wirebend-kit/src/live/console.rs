@@ -7,10 +7,10 @@ use wirebend_driver_api::{Direction, Event};
 use crate::protocol::{Command, Reply, STOP};
 
 /// Of a longer line the beginning is shown.
-const LONGEST: usize = 128;
+const MAX_LINE: usize = 128;
 
 /// Both directions of a line. Questions for the status and their answers are left out: there are several a second, and what
-/// they tell is told otherwise.
+/// they report is reported otherwise.
 #[derive(Debug, Default)]
 pub(super) struct Console {
     heard: Vec<u8>,
@@ -22,7 +22,7 @@ impl Console {
         for &byte in bytes {
             if byte != b'\n' {
                 self.heard.push(byte);
-                self.heard.truncate(LONGEST);
+                self.heard.truncate(MAX_LINE);
                 continue;
             }
             let line = std::mem::take(&mut self.heard);
@@ -93,6 +93,6 @@ mod tests {
         let (mut console, mut events) = (Console::default(), VecDeque::new());
         console.hear(&vec![b'x'; 100_000], &mut events);
         console.hear(b"\n", &mut events);
-        assert_eq!(told(events)[0].1.len(), LONGEST);
+        assert_eq!(told(events)[0].1.len(), MAX_LINE);
     }
 }

@@ -1,40 +1,48 @@
-//! How things end: stopped, alarmed, lost, and how far the step was that an end has met in its middle.
+//! Stops, alarms and lost connections, and how much of the interrupted step is done.
 
 use std::time::Duration;
 
 use wirebend_driver_api::{DriverError, Event, Step};
 
 use super::fault;
-use super::machine::{Doing, Ending, Halt, Homing, Machine, session_id};
-use super::wire::Wire;
+use super::machine::{Activity, Ending, Halt, Homing, Machine, session_id};
+use super::wire_progress::WireProgress;
 use crate::protocol::{Alarm, Status};
 
-/// How long an end may wait for where the axes stand: an answer takes 20 ms on a line that is not disturbed, and longer where
-/// the computer is busy. Without it a person has to measure.
+/// How long to wait for the position of the axes: an answer takes 20 ms on a good line, longer on a busy computer. Without it a
+/// person has to measure.
 const STANDS_WITHIN: Duration = Duration::from_millis(1500);
 
 impl Machine {
     pub(super) fn alarmed(&mut self, alarm: Alarm, now: Duration) {
         if matches!(alarm, Alarm::HostLost | Alarm::HoldInput) {
-            return; // the status tells of the hold
+            return; // the status reports the hold
         }
-        match self.doing {
-            Doing::Homing(Homing::Stopping) => {
+        match self.activity {
+            Activity::Homing(Homing::Stopping) => {
                 self.renew(session_id(self.link.session()), now);
-                self.doing = Doing::Homing(Homing::Opening);
+                self.activity = Activity::Homing(Homing::Opening);
                 return;
             }
-            // Of before it took the line that leaves the alarm.
-            Doing::Homing(Homing::Opening | Homing::Placing | Homing::Searching { accepted: false, .. })
-                if self.halt != Halt::Asked =>
-            {
+            // From before it accepted the homing line, which clears the alarm.
+            Activity::Homing(
+                Homing::Opening | Homing::SettingHead | Homing::Searching { accepted: false, .. },
+            ) if self.halt != Halt::Requested => {
                 return;
             }
-            Doing::Connecting | Doing::Over => return,
+            Activity::Connecting | Activity::Closed => return,
             _ => {}
         }
-        let asked = self.halt == Halt::Asked;
-        if std::mem::replace(&mut self.halt, Halt::Told(alarm)) == Halt::Told(alarm) {
+        let asked = self.halt == Halt::Requested;
+        if std::mem::replace(&mut self.halt, Halt::Reported(alarm)) == Halt::Reported(alarm) {
+            return;
+        }
+        if let (Alarm::Stop, Some(ending)) = (alarm, &mut self.ending) {
+            // What ended first is not reported yet, and this stop has cancelled the query for the position.
+            if !ending.events.iter().any(|event| matches!(event, Event::Stopped { .. })) {
+                ending.events.push(Event::Stopped { homed: false });
+            }
+            self.link.query();
             return;
         }
         let in_doubt = self.in_doubt();
@@ -50,13 +58,13 @@ impl Machine {
             events.push(Event::Fault { error: fault::alarm(alarm), in_doubt, disconnected: false });
         }
         self.link.query();
-        // A switch that is hit, and power that is cut, may have moved what the controller has not.
+        // After a limit switch or a power cut the axes may not be where the controller counts.
         let counted = alarm == Alarm::Stop;
         self.ending = Some(Ending { events, wire, exact, counted, until: now + STANDS_WITHIN });
     }
 
-    /// Which step an end has met in its middle, and how far it was.
-    pub(super) fn tell_part(&mut self, status: Status) {
+    /// The interrupted step, and how much of it is done.
+    pub(super) fn report_part(&mut self, status: Status) {
         let per = [self.settings.feed_steps_per_mm, self.rotate_steps_per_deg()];
         let stands = self.in_units(status.position);
         let Some(Ending { wire: Some(wire), exact, counted, .. }) = &mut self.ending else { return };
@@ -77,28 +85,28 @@ impl Machine {
         }
     }
 
-    /// Tells of an end that waited for where the axes stand.
-    pub(super) fn tell_end(&mut self) {
+    /// Reports an end that waited for the position of the axes.
+    pub(super) fn report_ending(&mut self) {
         self.events.extend(self.ending.take().into_iter().flat_map(|ending| ending.events));
     }
 
     pub(super) fn in_doubt(&self) -> Option<u32> {
-        self.wire.as_ref().and_then(Wire::in_doubt)
+        self.wire.as_ref().and_then(WireProgress::in_doubt)
     }
 
-    /// What was begun is over; the machine has to be homed.
+    /// Drops the wire; the machine has to be homed.
     pub(super) fn give_up(&mut self) {
-        (self.doing, self.homed, self.wire, self.token) = (Doing::Nothing, false, None, None);
+        (self.activity, self.homed, self.wire, self.token) = (Activity::Idle, false, None, None);
     }
 
     pub(super) fn lose(&mut self, error: DriverError) {
-        if self.doing == Doing::Over {
+        if self.activity == Activity::Closed {
             return;
         }
-        self.tell_end();
+        self.report_ending();
         self.give_up();
-        self.doing = Doing::Over;
-        // It makes on what it has, until it misses whoever has sent it.
+        self.activity = Activity::Closed;
+        // It still runs its lines until it notices that the host is gone.
         self.report(Event::Fault { error, in_doubt: None, disconnected: true });
     }
 

@@ -1,4 +1,4 @@
-//! What a person is told when something is not as it should be.
+//! What a person reads when something is not as it should be.
 
 use wirebend_driver_api::{DriverError, SettingCheck};
 
@@ -29,7 +29,7 @@ pub(super) fn busy(what: &str, why: &str) -> DriverError {
     DriverError::new(
         "busy",
         format!("the machine cannot {what} now: {why}"),
-        "wait until it is at rest, or stop it",
+        "wait until it is idle, or stop it",
     )
 }
 
@@ -37,11 +37,11 @@ pub(super) fn gap(given: u32, n: u32) -> DriverError {
     DriverError::new("gap", format!("step {n} does not follow step {given}"), "send the steps in order")
 }
 
-pub(super) fn beyond(n: u32, what: &str, value: f64, most: f64, unit: &str) -> DriverError {
+pub(super) fn beyond(n: u32, what: &str, value: f64, max: f64, unit: &str) -> DriverError {
     let step = if n == 0 { String::new() } else { format!(" of step {n}") };
     DriverError::new(
         "beyond",
-        format!("the {what}{step} of {value:.3}{unit} is beyond the machine's {most:.3}{unit}"),
+        format!("the {what}{step} of {value:.3}{unit} is beyond the machine's {max:.3}{unit}"),
         "plan the design for this machine, or correct the limits in its profile",
     )
 }
@@ -104,15 +104,15 @@ pub(super) fn other_machine(found: u32, expected: u32) -> DriverError {
 pub(super) fn other_host() -> DriverError {
     DriverError::new(
         "other-session",
-        "the machine has lines of another session that it has not made",
+        "the machine has lines of another session that it has not run",
         "resume the job that they belong to, or press the reset button of the board, and connect again",
     )
 }
 
-pub(super) fn head_beyond(deg: f64, most: f64) -> DriverError {
+pub(super) fn head_beyond(deg: f64, max: f64) -> DriverError {
     DriverError::new(
         "head-beyond",
-        format!("the head stands {deg}° from its zero, and its cable allows {most}° either way"),
+        format!("the head stands {deg}° from its zero, and its cable allows {max}° either way"),
         "switch the motors off and turn it back by hand",
     )
 }
@@ -121,17 +121,17 @@ pub(super) fn restarted() -> DriverError {
     DriverError::new(
         "restarted",
         "the controller has started anew and does not know where its axes are",
-        "look at its power and its cable, home the machine, and say whether the step in doubt was made",
+        "look at its power and its cable, home the machine, and say whether the step in doubt was done",
     )
 }
 
 pub(super) fn refused(command: u8, error: Refusal, homing: bool) -> DriverError {
     let what = match command {
-        b'H' => "to search its reference",
+        b'H' => "to home",
         b'M' if homing => "to turn the head back",
         b'M' => "a step",
         b'S' => "a new session",
-        b'Z' => "the place of the head",
+        b'Z' => "the position of the head",
         _ => "a request",
     };
     let help = match error {
@@ -150,7 +150,7 @@ pub(super) fn alarm(alarm: Alarm) -> DriverError {
         Alarm::Limit => "see what turned the bend axis to its switch, then home the machine",
         Alarm::Homing => "look at the switch and its wires, and at the direction of the bend axis",
         Alarm::Emergency => {
-            "find out why it was pressed, release it, home the machine, and say whether the step in doubt was made"
+            "find out why it was pressed, release it, home the machine, and say whether the step in doubt was done"
         }
         Alarm::LatePulse => "lower the speeds in the profile, then home the machine",
         _ => "home the machine",
@@ -162,7 +162,7 @@ pub(super) fn stopped_unasked() -> DriverError {
     DriverError::new(
         "stopped",
         "a STOP has reached the machine that this program did not send",
-        "if nobody else did, the line is disturbed: use a shorter, shielded cable away from the motors' wires",
+        "if no other program did, the line is disturbed: use a shorter, shielded cable away from the motors' wires",
     )
 }
 
@@ -170,7 +170,7 @@ pub(super) fn host_lost() -> DriverError {
     DriverError::new(
         "host-lost",
         "the machine has heard nothing for a second and holds after its step",
-        "look at the cable, then let it go on",
+        "look at the cable, then resume",
     )
 }
 
@@ -178,7 +178,7 @@ pub(super) fn hold_input() -> DriverError {
     DriverError::new(
         "hold-input",
         "the hold input of the machine is open: it slows down and holds",
-        "close the door or release the feed hold, see that nobody is at the machine, then let it go on",
+        "close the door or release the feed hold, check that no one is at the machine, then resume",
     )
 }
 

@@ -1,4 +1,4 @@
-//! The machine as the program sees it: what it is asked, and what it reports. Knows no port and no clock.
+//! The machine without port and clock: bytes and times in, bytes and events out.
 
 use std::collections::{BTreeMap, VecDeque};
 use std::hash::{BuildHasher, Hasher, RandomState};
@@ -8,74 +8,72 @@ use std::time::Duration;
 use wirebend_driver_api::Event;
 
 use super::console::Console;
-use super::wire::{Token, Wire};
+use super::wire_progress::{Token, WireProgress};
 use crate::link::Link;
 use crate::protocol::{Alarm, Refusal, SETTINGS, Status, Versions};
 use crate::settings::Settings;
 
-/// 0 and 65535 are nobody's.
+/// 0 and 65535 are not sessions.
 const LAST_SESSION: u16 = 0xFFFE;
 
-/// What it is busy with.
+/// What the machine is doing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Doing {
+pub(super) enum Activity {
     /// Until the controller's settings are known.
     Connecting,
-    Nothing,
+    Idle,
     Homing(Homing),
-    /// Until the session of a wire is open, and the controller knows where the head stands.
+    /// Until the session of a wire is open and the controller has the position of the head.
     Arming,
-    Making,
-    /// Until this line is made.
+    /// A wire is being bent.
+    Running,
+    /// Until this line is done.
     Jogging(u32),
-    Writing,
-    /// The port is of no use any more.
-    Over,
+    StoringSettings,
+    /// The connection is over.
+    Closed,
 }
 
-/// From a request to a machine that knows where its axes are.
+/// The parts of homing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Homing {
-    /// What the controller was busy with is stopped.
+    /// Stopping what the controller was doing.
     Stopping,
+    /// Opening a new session.
     Opening,
-    /// Until the controller counts the head from where it stands.
-    Placing,
-    Searching {
-        line: u32,
-        accepted: bool,
-    },
-    /// Until a status tells where the head stands.
-    Asking,
-    /// The head goes back to zero.
-    Returning {
-        line: u32,
-    },
+    /// Sending the controller the position of the head.
+    SettingHead,
+    /// Homing to the switch.
+    Searching { line: u32, accepted: bool },
+    /// Waiting for a status with the position of the head.
+    ReadingHead,
+    /// Turning the head back to zero.
+    Returning { line: u32 },
 }
 
-/// What has ended everything, until the machine is homed.
+/// Whether a stop or an alarm holds until the machine is homed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Halt {
     No,
-    /// A person has asked for a stop.
-    Asked,
-    /// It was told.
-    Told(Alarm),
+    /// The program has asked for a stop.
+    Requested,
+    /// An alarm was reported to the program.
+    Reported(Alarm),
 }
 
-/// From where the controller counts the head.
+/// Whether the controller's count of the head is still that of the wire.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Counts {
-    /// As it does: nobody knows whether it has started since the wire before.
-    Itself,
-    /// It has not started since the wire of the program's token began.
+pub(super) enum HeadReference {
+    /// The controller may have been reset since the wire before.
+    Unknown,
+    /// It was not reset since the wire of the token began.
     Kept,
-    /// It has started since it was told where the head stands.
+    /// It was reset since it was given the position of the head.
     Lost,
 }
 
-impl Counts {
-    /// Once it is known whether it has started since the wire of a token began.
+impl HeadReference {
+    /// `same`: whether the controller is known not to have been reset since the wire of a token began.
     pub const fn since(self, same: Option<bool>) -> Self {
         match (self, same) {
             (Self::Lost, _) | (_, Some(false)) => Self::Lost,
@@ -85,47 +83,46 @@ impl Counts {
     }
 }
 
-/// An end that is told as soon as the controller says where its axes stand, or when it does not say so in time.
+/// The end of a wire or an alarm, reported as soon as the controller sends its position, or after a timeout without it.
 #[derive(Debug)]
 pub(super) struct Ending {
     pub events: Vec<Event>,
-    /// The wire that it has ended.
-    pub wire: Option<Wire>,
-    /// Whether its axes were at rest before, and stand exactly where they are said to.
+    /// The wire that was running.
+    pub wire: Option<WireProgress>,
+    /// The axes were at rest before, so the reported position is exact.
     pub exact: bool,
-    /// Whether its axes stand where the controller counts.
+    /// The controller's count is right: no switch was hit and no power was lost.
     pub counted: bool,
     pub until: Duration,
 }
 
-/// A controller, and what was made of it.
+/// The state of the connection.
 pub(super) struct Machine {
     pub(super) settings: Rc<Settings>,
     pub(super) link: Link,
     pub(super) console: Console,
     pub(super) events: VecDeque<Event>,
-    pub(super) doing: Doing,
+    pub(super) activity: Activity,
     pub(super) token: Option<Token>,
     pub(super) versions: Option<Versions>,
-    /// The machine that its firmware must be built for.
+    /// The machine that the firmware must be built for.
     pub(super) built_for: u32,
     /// How often the controller has started.
     pub(super) boots: u32,
     /// The controller's settings as far as they were read; nothing where it says that they are damaged.
     pub(super) read: [Option<i32>; SETTINGS.len()],
-    /// Values that it would not take.
+    /// Values that the controller has refused.
     pub(super) unwritten: BTreeMap<u8, (i32, Refusal)>,
     pub(super) status: Option<Status>,
     pub(super) told: Option<[i32; 3]>,
-    pub(super) head: Counts,
-    /// Where it stands, as the program has said with the search for the reference that begins, steps.
+    pub(super) head: HeadReference,
+    /// Position of the head that the program gave for homing, steps.
     pub(super) head_at: Option<i32>,
     pub(super) homed: bool,
     pub(super) held: bool,
     pub(super) halt: Halt,
-    /// What has ended everything, and is told with where the axes stand.
     pub(super) ending: Option<Ending>,
-    pub(super) wire: Option<Wire>,
+    pub(super) wire: Option<WireProgress>,
 }
 
 impl Machine {
@@ -144,7 +141,7 @@ impl Machine {
             link,
             console: Console::default(),
             events: VecDeque::new(),
-            doing: Doing::Connecting,
+            activity: Activity::Connecting,
             token,
             versions: None,
             boots: 0,
@@ -152,7 +149,7 @@ impl Machine {
             unwritten: BTreeMap::new(),
             status: None,
             told: None,
-            head: Counts::Itself,
+            head: HeadReference::Unknown,
             head_at: None,
             homed: false,
             held: false,
@@ -176,12 +173,12 @@ impl Machine {
         self.events.push_back(event);
     }
 
-    /// What is sent when nobody will be there any more.
-    pub fn farewell(&self) -> Vec<u8> {
+    /// The frame to send before the port is closed: a feed hold.
+    pub fn last_hold(&self) -> Vec<u8> {
         self.link.hold()
     }
 
-    /// Whether the controller has lines that it has not made.
+    /// Whether the controller has lines that are not done.
     pub fn is_moving(&self) -> bool {
         self.link.is_outstanding()
     }
@@ -192,7 +189,7 @@ impl Machine {
     }
 }
 
-/// One that neither this program nor another is likely to have taken before, and never that of before.
+/// A random id that no other program is likely to have used; never the one before.
 pub(super) fn session_id(before: Option<u16>) -> u16 {
     let random = RandomState::new().build_hasher().finish();
     let id = u16::try_from(1 + random % u64::from(LAST_SESSION)).unwrap_or(1);

@@ -1,15 +1,15 @@
-//! Live: the machine without a port, the ports, and the session that puts them together.
+//! Live: the machine without a port, the ports, and the session that joins them.
 
-mod asked;
+mod calls;
 mod console;
 mod ending;
 mod fault;
-mod hearing;
+mod incoming;
 mod machine;
-mod port;
 mod ports;
 mod simulated;
-mod wire;
+mod transport;
+mod wire_progress;
 
 use std::rc::Rc;
 use std::time::{Duration, Instant};
@@ -18,9 +18,9 @@ use wirebend_driver_api::{ArmedReply, Batch, DriverError, Event, MachineSession,
 
 use crate::settings::Settings;
 use machine::Machine;
-use port::{Port, Serial};
 pub(crate) use ports::ports;
-use simulated::{Pace, Simulated};
+use simulated::{Simulated, SimulationSpeed};
+use transport::{Serial, Transport};
 
 /// What the firmware speaks.
 const BAUD: u32 = 115_200;
@@ -31,29 +31,28 @@ const LAST_STOP: Duration = Duration::from_millis(300);
 /// How long one poll may let a simulated machine run on.
 const POLL: Duration = Duration::from_millis(20);
 
-/// A connection.
 pub(crate) struct Session {
-    /// Nothing once the port is gone or of no use.
-    port: Option<Box<dyn Port>>,
+    /// None once the port is gone.
+    port: Option<Box<dyn Transport>>,
     machine: Machine,
 }
 
 impl Session {
     pub fn open(name: &str, resume: Option<&str>, settings: &Rc<Settings>) -> Result<Self, DriverError> {
         let pace = pace(name)?;
-        let port: Box<dyn Port> = match pace {
+        let port: Box<dyn Transport> = match pace {
             Some(pace) => Box::new(Simulated::new(pace, settings)?),
             None => Box::new(Serial { line: serial::open(name, BAUD)?, opened: Instant::now() }),
         };
         let mut machine = Machine::new(Rc::clone(settings), resume, port.now());
         if pace.is_some() {
-            // It has no pins: what it was compiled for is as good as any.
+            // It has no pins, so any machine will do.
             machine.built_for = simulated::FIRMWARE_MACHINE;
         }
         Ok(Self { port: Some(port), machine })
     }
 
-    /// A call, and what it sends.
+    /// Runs a call and sends its bytes.
     fn call<T>(
         &mut self,
         work: impl FnOnce(&mut Machine, Duration) -> Result<T, DriverError>,
@@ -77,7 +76,7 @@ impl Session {
         self.machine.unplugged();
     }
 
-    /// What has come, and what follows from it.
+    /// Reads bytes and handles them.
     fn listen(&mut self) {
         let Some(port) = &mut self.port else { return };
         let Ok(bytes) = port.read() else { return self.lost() };
@@ -86,14 +85,14 @@ impl Session {
         for warning in port.warnings() {
             self.machine.report(Event::Warning(warning));
         }
-        if self.machine.has_made()
+        if self.machine.has_finished()
             && let Some(made) = port.made()
         {
             self.machine.report(made);
         }
         self.machine.settle();
         self.flush();
-        if self.machine.is_over() {
+        if self.machine.is_closed() {
             self.port = None;
         }
     }
@@ -104,14 +103,14 @@ fn gone() -> DriverError {
 }
 
 /// `sim`, `sim:10` or `sim:max`; `None` for another port.
-fn pace(name: &str) -> Result<Option<Pace>, DriverError> {
+fn pace(name: &str) -> Result<Option<SimulationSpeed>, DriverError> {
     let Some(rest) = name.strip_prefix(SIMULATED) else { return Ok(None) };
     match rest.strip_prefix(':') {
-        None if rest.is_empty() => Ok(Some(Pace::Times(1.0))),
+        None if rest.is_empty() => Ok(Some(SimulationSpeed::Times(1.0))),
         None => Ok(None),
-        Some("max") => Ok(Some(Pace::Free)),
+        Some("max") => Ok(Some(SimulationSpeed::Unlimited)),
         Some(times) => match times.parse::<f64>() {
-            Ok(times) if (0.01..=10_000.0).contains(&times) => Ok(Some(Pace::Times(times))),
+            Ok(times) if (0.01..=10_000.0).contains(&times) => Ok(Some(SimulationSpeed::Times(times))),
             _ => Err(DriverError::new(
                 "no-port",
                 format!("'{name}' is no simulated machine"),
@@ -132,7 +131,7 @@ impl MachineSession for Session {
 
     fn arm(&mut self, run: &Run) -> Result<ArmedReply, DriverError> {
         let port = self.port.as_mut().ok_or_else(gone)?;
-        // The rest of a wire is made in the machine that it is in.
+        // The rest of a wire stays in the simulated machine.
         if run.after == 0 && run.fed_mm == 0.0 && run.rotate_at_deg == 0.0 {
             port.load(run.bench.as_deref())?;
         }
@@ -179,7 +178,7 @@ impl MachineSession for Session {
                 return Ok(Some(event));
             }
             self.listen();
-            // A simulated machine is looked at until something happens, or it has caught up with the clock.
+            // A simulated machine runs until something happens, or it has caught up with the clock.
             let more = self.port.as_ref().is_some_and(|port| port.has_more());
             if !more || begun.elapsed() >= POLL {
                 return Ok(self.machine.take_event());
@@ -199,14 +198,14 @@ impl Session {
 }
 
 impl Drop for Session {
-    /// Nothing moves on after the port is closed: the machine slows down and holds, so that a job can be gone on
-    /// with. If that does not reach it, it holds by itself after its step.
+    /// Nothing moves after the port is closed: the machine decelerates and holds, so that the job can be resumed. If the
+    /// command does not arrive, the machine holds by itself after its step.
     fn drop(&mut self) {
         self.see_stop_through();
         if let Some(port) = &mut self.port
             && self.machine.is_moving()
         {
-            let _ = port.write(&self.machine.farewell());
+            let _ = port.write(&self.machine.last_hold());
         }
     }
 }

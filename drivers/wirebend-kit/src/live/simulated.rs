@@ -5,29 +5,29 @@ use std::time::{Duration, Instant};
 
 use wirebend_driver_api::{Axis, Bench as BenchFigures, BenchBender, BenchWire, DriverError, Event, Spread};
 
-use super::port::Port;
+use super::transport::Transport;
 use crate::bench::{Bench, BenchError, Bender, Compliance, ErrorTerm, Noise, Peg, Scale, Wire};
-use crate::controller::{Controller, HZ, Seen, Sight};
-use crate::link::{Ask, Link, News};
+use crate::controller::{Controller, HZ, Observation, Observed};
+use crate::link::{Link, MachineEvent, Request};
 use crate::protocol::{Machine, Reset};
 use crate::settings::{Settings, expected};
 
 /// The machine of which build.rs compiles the first settings.
 pub(super) const FIRMWARE_MACHINE: u32 = Machine::WirebendKit as u32;
 
-/// How its time goes.
+/// How fast its clock runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Pace {
-    /// So many times as fast as a clock.
+pub(crate) enum SimulationSpeed {
+    /// A multiple of real time.
     Times(f64),
-    /// As fast as it can be computed.
-    Free,
+    /// As fast as the computer allows.
+    Unlimited,
 }
 
-/// Time that one reading lets pass at most: in between it is spoken with, however fast it is and however rarely it is looked at.
+/// The most time that one read lets pass: frames go both ways in between, at any speed and however rarely it is polled.
 const SLICE: Duration = Duration::from_millis(1);
-/// What a computer that was busy with something else misses of the clock is not made up for beyond this.
-const MOST_BEHIND: Duration = Duration::from_millis(200);
+/// A busy computer falls behind the clock; more than this is not made up for.
+const MAX_BEHIND: Duration = Duration::from_millis(200);
 /// Where the bend axis stands when the power comes on: anywhere, but not at zero.
 const BEND_AT_DEG: f64 = -30.0;
 /// How far the bend axis may press its switch, degrees.
@@ -35,10 +35,9 @@ const BEYOND_SWITCH_DEG: f64 = 2.0;
 /// How far the drawn wire may be from its arcs, mm.
 const CENTRELINE_TOLERANCE_MM: f64 = 0.05;
 
-/// The machine.
 pub(super) struct Simulated {
     controller: Controller,
-    pace: Pace,
+    pace: SimulationSpeed,
     /// When its time was `now`, by the clock; it is behind the clock where it could not be computed as fast.
     seen_at: Instant,
     now: Duration,
@@ -55,21 +54,21 @@ pub(super) struct Simulated {
     told: usize,
 }
 
-impl Port for Simulated {
+impl Transport for Simulated {
     fn now(&self) -> Duration {
         self.now
     }
 
     fn read(&mut self) -> io::Result<Vec<u8>> {
         self.now += match self.pace {
-            Pace::Times(times) => {
+            SimulationSpeed::Times(times) => {
                 let behind = self.seen_at.elapsed();
-                let passed = behind.min(MOST_BEHIND);
+                let passed = behind.min(MAX_BEHIND);
                 let slice = passed.mul_f64(times).min(SLICE);
                 self.seen_at += behind.saturating_sub(passed) + slice.div_f64(times);
                 slice
             }
-            Pace::Free => SLICE,
+            SimulationSpeed::Unlimited => SLICE,
         };
         let until = cycles(self.now);
         while let Some(seen) = self.controller.run(until) {
@@ -85,8 +84,8 @@ impl Port for Simulated {
 
     fn has_more(&self) -> bool {
         match self.pace {
-            Pace::Times(times) => self.seen_at.elapsed().mul_f64(times) >= SLICE,
-            Pace::Free => true,
+            SimulationSpeed::Times(times) => self.seen_at.elapsed().mul_f64(times) >= SLICE,
+            SimulationSpeed::Unlimited => true,
         }
     }
 
@@ -122,7 +121,7 @@ fn cycles(time: Duration) -> u64 {
 
 impl Simulated {
     /// A machine that was flashed and set up as the profile says, and has just been given power.
-    pub fn new(pace: Pace, settings: &Settings) -> Result<Self, DriverError> {
+    pub fn new(pace: SimulationSpeed, settings: &Settings) -> Result<Self, DriverError> {
         let memory =
             || DriverError::new("memory", "there is no memory for a simulated machine", "close something");
         let mut controller = Controller::new().ok_or_else(memory)?;
@@ -200,9 +199,9 @@ impl Simulated {
         self.controller.set_switch(pressed != self.switch_closes);
     }
 
-    fn saw(&mut self, seen: Seen) {
+    fn saw(&mut self, seen: Observation) {
         match seen.what {
-            Sight::Pulse { axis, forward } => {
+            Observed::Pulse { axis, forward } => {
                 let forward = forward != self.inverted[index(axis)];
                 if axis == Axis::Bend {
                     self.bend += if forward { 1 } else { -1 };
@@ -212,13 +211,13 @@ impl Simulated {
                     bench.step(axis, forward);
                 }
             }
-            Sight::Peg { width_us } => {
+            Observed::Peg { width_us } => {
                 if let Some(bench) = &mut self.bench {
                     bench.peg(if width_us == self.peg_out_us { Peg::Out } else { Peg::In });
                 }
             }
-            Sight::Sent(byte) => self.sent.push(byte),
-            Sight::MotorsOn | Sight::MotorsOff => {}
+            Observed::Sent(byte) => self.sent.push(byte),
+            Observed::MotorsOn | Observed::MotorsOff => {}
         }
     }
 }
@@ -234,11 +233,11 @@ const fn index(axis: Axis) -> usize {
 /// Stores settings as a person would: over the line.
 fn set_up(controller: &mut Controller, values: &[i32]) {
     let mut link = Link::new(1, None, Duration::from_millis(100), Duration::ZERO);
-    link.ask(Ask::LoadDefaults);
+    link.request(Request::LoadDefaults);
     // In a second round those are taken that depend on one another.
     for _ in 0..2 {
         for (id, &value) in (1_u8..).zip(values) {
-            link.ask(Ask::Write(id, value));
+            link.request(Request::Write(id, value));
         }
     }
     let mut now = Duration::ZERO;
@@ -247,9 +246,9 @@ fn set_up(controller: &mut Controller, values: &[i32]) {
         controller.send(&link.take_bytes());
         let mut sent = Vec::new();
         while let Some(seen) = controller.run(cycles(now)) {
-            sent.extend(if let Sight::Sent(byte) = seen.what { Some(byte) } else { None });
+            sent.extend(if let Observed::Sent(byte) = seen.what { Some(byte) } else { None });
         }
         link.advance(&sent, now);
-        let _: Vec<News> = link.take_news();
+        let _: Vec<MachineEvent> = link.take_events();
     }
 }

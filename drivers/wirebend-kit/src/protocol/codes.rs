@@ -2,7 +2,7 @@
 //!
 //! Made by `cargo xtask generate` from firmware/protocol/codes.csv and settings.csv: change those.
 
-/// What the controller is asked.
+/// A request of the host.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Command {
@@ -10,30 +10,30 @@ pub enum Command {
     Session = b'S',
     /// Asks for the status.
     Query = b'Q',
-    /// Line n: feeds, then rotates, then bends; in steps, each from where it stands, the bend from zero and back to it.
+    /// Line n: feeds, rotates, then bends. All in steps: feed and rotation are relative, the bend goes from zero to its angle and back.
     Move = b'M',
-    /// Line n: lets the bend axis find its switch and go to zero.
+    /// Line n: homes the bend axis, then moves it to zero.
     Home = b'H',
     /// Line n: the peg in (0) or out (1).
     Peg = b'K',
-    /// Slows down and holds.
+    /// Feed hold: slows down and holds.
     Pause = b'P',
     /// Leaves the hold.
-    GoOn = b'G',
-    /// Says where the head stands; at rest only.
+    Resume = b'G',
+    /// Sets the position of the head; only when idle.
     Head = b'Z',
-    /// Asks for a setting.
+    /// Reads a setting.
     ReadSetting = b'C',
-    /// Changes a setting and stores it; at rest only.
+    /// Writes a setting and stores it; only when idle.
     WriteSetting = b'W',
-    /// Stores the settings that were compiled in, and answers with the first; at rest only.
+    /// Stores the compiled-in settings, and answers with the first; only when idle.
     LoadDefaults = b'L',
-    /// Turns the motor drivers off, at rest only: the machine has to be homed again.
+    /// Turns the motor drivers off; only when idle. Home the machine afterwards.
     Release = b'R',
 }
 
 impl Command {
-    /// The one with this code.
+    /// The variant with this code.
     #[must_use]
     pub const fn of(code: u8) -> Option<Self> {
         Some(match code {
@@ -43,7 +43,7 @@ impl Command {
             b'H' => Self::Home,
             b'K' => Self::Peg,
             b'P' => Self::Pause,
-            b'G' => Self::GoOn,
+            b'G' => Self::Resume,
             b'Z' => Self::Head,
             b'C' => Self::ReadSetting,
             b'W' => Self::WriteSetting,
@@ -54,32 +54,32 @@ impl Command {
     }
 }
 
-/// What it answers, and what it says unasked.
+/// A frame of the controller: an answer, or a report.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Reply {
-    /// Has started; sealed with 65535.
+    /// The controller has started. Sealed with 65535.
     Boot = b'b',
-    /// The session with this id is open; sealed with 65535.
+    /// The session with this id is open. Sealed with 65535.
     Open = b'o',
-    /// Every line up to this number is taken; so many more fit.
+    /// Every line up to this number is accepted; so many more fit.
     Accepted = b'a',
-    /// Every line up to this number is made, or was forgotten by an alarm.
+    /// Every line up to this number is done, or was dropped by an alarm.
     Done = b'd',
-    /// No room for the line: to be sent again.
+    /// No room for the line: send it again.
     Full = b'f',
-    /// Not taken; the number that is expected next; the code of the letter that was refused or 0 for a line that cannot be read. Sealed with 65535 when it was a session.
+    /// Refused, with an error; the number that is expected next; the code of the letter that was refused, or 0 for a line that cannot be read. Sealed with 65535 when it answers a session command.
     Refused = b'e',
-    /// How it stands; positions in steps; peg 0 in, 1 out, 2 unknown.
+    /// The status: positions in steps; peg 0 in, 1 out, 2 unknown.
     Status = b't',
     /// A setting.
     Value = b'v',
-    /// Has stopped with this alarm; also the answer to STOP.
+    /// Stopped with this alarm; also the answer to STOP.
     Alarm = b'x',
 }
 
 impl Reply {
-    /// The one with this code.
+    /// The variant with this code.
     #[must_use]
     pub const fn of(code: u8) -> Option<Self> {
         Some(match code {
@@ -97,38 +97,38 @@ impl Reply {
     }
 }
 
-/// Why it does not do what it was asked.
+/// Why a command is refused.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Refusal {
-    /// Possible only at rest.
+    /// Possible only when idle.
     NotIdle = 1,
-    /// Not of the form or out of the range that it must have.
+    /// Wrong format or out of range.
     Range = 2,
     /// An alarm is latched: home the machine.
     InAlarm = 3,
     /// No such command or setting.
     Unknown = 4,
-    /// The bend axis has not found its switch.
+    /// The machine is not homed.
     NotHomed = 5,
-    /// Beyond the range of the axis.
+    /// Beyond the soft limit of the axis.
     SoftLimit = 6,
     /// The stored settings are damaged or of another version: nothing moves.
     Settings = 7,
-    /// The line came damaged: to be sent again from the next number.
+    /// The line came damaged: send it again from the next number.
     Damaged = 8,
     /// The number is not the next one.
     Gap = 9,
     /// No session is open.
     NoSession = 10,
-    /// The hold input is open: close it and go on.
+    /// The hold input is open: close it, then resume.
     HoldInput = 11,
     /// The emergency stop is pressed: release it first.
     Emergency = 12,
 }
 
 impl Refusal {
-    /// The one with this code.
+    /// The variant with this code.
     #[must_use]
     pub const fn of(code: u8) -> Option<Self> {
         Some(match code {
@@ -148,27 +148,27 @@ impl Refusal {
         })
     }
 
-    /// For a person.
+    /// The text for a user.
     #[must_use]
     pub const fn meaning(self) -> &'static str {
         match self {
-            Self::NotIdle => "possible only at rest",
-            Self::Range => "not of the form or out of the range that it must have",
+            Self::NotIdle => "possible only when idle",
+            Self::Range => "wrong format or out of range",
             Self::InAlarm => "an alarm is latched: home the machine",
             Self::Unknown => "no such command or setting",
-            Self::NotHomed => "the bend axis has not found its switch",
-            Self::SoftLimit => "beyond the range of the axis",
+            Self::NotHomed => "the machine is not homed",
+            Self::SoftLimit => "beyond the soft limit of the axis",
             Self::Settings => "the stored settings are damaged or of another version: nothing moves",
-            Self::Damaged => "the line came damaged: to be sent again from the next number",
+            Self::Damaged => "the line came damaged: send it again from the next number",
             Self::Gap => "the number is not the next one",
             Self::NoSession => "no session is open",
-            Self::HoldInput => "the hold input is open: close it and go on",
+            Self::HoldInput => "the hold input is open: close it, then resume",
             Self::Emergency => "the emergency stop is pressed: release it first",
         }
     }
 }
 
-/// Why it has stopped.
+/// Why the controller has stopped or holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Alarm {
@@ -176,24 +176,24 @@ pub enum Alarm {
     None = 0,
     /// Stopped by the STOP byte.
     Stop = 1,
-    /// The switch of the bend axis was hit.
+    /// The switch of the bend axis was pressed, or its wire is broken.
     Limit = 2,
-    /// The switch was not found within its travel and time.
+    /// Homing failed: the switch was not found within its travel and time, or sticks.
     Homing = 3,
-    /// The controller hung and was started again by its watchdog.
+    /// The controller hung and its watchdog restarted it.
     Watchdog = 4,
-    /// No valid frame for a second: holds after the running line; left by go-on.
+    /// No valid frame for a second: holds after the running line; left by resume.
     HostLost = 5,
     /// A step pulse came too late.
     LatePulse = 6,
     /// The emergency stop is pressed, or its sense wire is broken.
     Emergency = 7,
-    /// The hold input is open: holds, and is left by go-on once it is closed.
+    /// The hold input is open: holds; close it, then resume.
     HoldInput = 8,
 }
 
 impl Alarm {
-    /// The one with this code.
+    /// The variant with this code.
     #[must_use]
     pub const fn of(code: u8) -> Option<Self> {
         Some(match code {
@@ -210,63 +210,63 @@ impl Alarm {
         })
     }
 
-    /// For a person.
+    /// The text for a user.
     #[must_use]
     pub const fn meaning(self) -> &'static str {
         match self {
             Self::None => "none",
             Self::Stop => "stopped by the STOP byte",
-            Self::Limit => "the switch of the bend axis was hit",
-            Self::Homing => "the switch was not found within its travel and time",
-            Self::Watchdog => "the controller hung and was started again by its watchdog",
-            Self::HostLost => "no valid frame for a second: holds after the running line; left by go-on",
+            Self::Limit => "the switch of the bend axis was pressed, or its wire is broken",
+            Self::Homing => "homing failed: the switch was not found within its travel and time, or sticks",
+            Self::Watchdog => "the controller hung and its watchdog restarted it",
+            Self::HostLost => "no valid frame for a second: holds after the running line; left by resume",
             Self::LatePulse => "a step pulse came too late",
             Self::Emergency => "the emergency stop is pressed, or its sense wire is broken",
-            Self::HoldInput => "the hold input is open: holds, and is left by go-on once it is closed",
+            Self::HoldInput => "the hold input is open: holds; close it, then resume",
         }
     }
 }
 
-/// What it does.
+/// What the controller is doing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
 pub enum State {
-    /// At rest.
+    /// No line runs or waits.
     Idle = 0,
-    /// Makes a line.
-    Running = 1,
+    /// Runs a line.
+    Run = 1,
     /// Holds.
-    Held = 2,
+    Hold = 2,
     /// An alarm is latched.
     Alarm = 3,
 }
 
 impl State {
-    /// The one with this code.
+    /// The variant with this code.
     #[must_use]
     pub const fn of(code: u8) -> Option<Self> {
         Some(match code {
             0 => Self::Idle,
-            1 => Self::Running,
-            2 => Self::Held,
+            1 => Self::Run,
+            2 => Self::Hold,
             3 => Self::Alarm,
             _ => return None,
         })
     }
 
-    /// For a person.
+    /// The text for a user.
     #[must_use]
     pub const fn meaning(self) -> &'static str {
         match self {
-            Self::Idle => "at rest",
-            Self::Running => "makes a line",
-            Self::Held => "holds",
+            Self::Idle => "no line runs or waits",
+            Self::Run => "runs a line",
+            Self::Hold => "holds",
             Self::Alarm => "an alarm is latched",
         }
     }
 }
 
-/// Why it has started.
+/// Why the controller has started.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Reset {
@@ -281,7 +281,7 @@ pub enum Reset {
 }
 
 impl Reset {
-    /// The one with this code.
+    /// The variant with this code.
     #[must_use]
     pub const fn of(code: u8) -> Option<Self> {
         Some(match code {
@@ -293,7 +293,7 @@ impl Reset {
         })
     }
 
-    /// For a person.
+    /// The text for a user.
     #[must_use]
     pub const fn meaning(self) -> &'static str {
         match self {
@@ -305,7 +305,7 @@ impl Reset {
     }
 }
 
-/// The machine that a firmware was built for: its pins, and its first settings.
+/// The machine that a firmware was built for: its pins and its default settings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Machine {
@@ -316,7 +316,7 @@ pub enum Machine {
 }
 
 impl Machine {
-    /// The one with this code.
+    /// The variant with this code.
     #[must_use]
     pub const fn of(code: u8) -> Option<Self> {
         Some(match code {
@@ -326,7 +326,7 @@ impl Machine {
         })
     }
 
-    /// For a person.
+    /// The text for a user.
     #[must_use]
     pub const fn meaning(self) -> &'static str {
         match self {
@@ -348,44 +348,44 @@ impl Machine {
 /// A setting of the controller.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Setting {
-    /// Its number on the line.
+    /// Its id in frames.
     pub id: u8,
-    /// Its name.
+    /// As in profiles and messages.
     pub name: &'static str,
-    /// Its unit.
+    /// Unit of its value.
     pub unit: &'static str,
-    /// The least that it may be.
-    pub least: i32,
-    /// The most that it may be.
-    pub most: i32,
+    /// Smallest allowed value.
+    pub min: i32,
+    /// Largest allowed value.
+    pub max: i32,
 }
 
 /// Every setting, in order of their numbers, which count from 1.
 pub const SETTINGS: [Setting; 26] = [
-    Setting { id: 1, name: "feed_steps_per_m", unit: "steps/m", least: 1000, most: 1_000_000 },
-    Setting { id: 2, name: "rotate_steps_per_rev", unit: "steps/rev", least: 200, most: 1_000_000 },
-    Setting { id: 3, name: "bend_steps_per_rev", unit: "steps/rev", least: 200, most: 1_000_000 },
-    Setting { id: 4, name: "feed_rate", unit: "steps/s", least: 31, most: 8000 },
-    Setting { id: 5, name: "rotate_rate", unit: "steps/s", least: 31, most: 8000 },
-    Setting { id: 6, name: "bend_rate", unit: "steps/s", least: 31, most: 8000 },
-    Setting { id: 7, name: "feed_acceleration", unit: "steps/s²", least: 1000, most: 400_000 },
-    Setting { id: 8, name: "rotate_acceleration", unit: "steps/s²", least: 1000, most: 400_000 },
-    Setting { id: 9, name: "bend_acceleration", unit: "steps/s²", least: 1000, most: 400_000 },
-    Setting { id: 10, name: "feed_most", unit: "steps", least: 1000, most: 10_000_000 },
-    Setting { id: 11, name: "rotate_limit", unit: "steps", least: 100, most: 10_000_000 },
-    Setting { id: 12, name: "bend_limit", unit: "steps", least: 100, most: 1_000_000 },
-    Setting { id: 13, name: "near_side", unit: "steps", least: 1, most: 100_000 },
-    Setting { id: 14, name: "back_off", unit: "steps", least: 0, most: 100_000 },
-    Setting { id: 15, name: "peg_in_us", unit: "µs", least: 512, most: 2500 },
-    Setting { id: 16, name: "peg_out_us", unit: "µs", least: 512, most: 2500 },
-    Setting { id: 17, name: "peg_time_ms", unit: "ms", least: 20, most: 5000 },
-    Setting { id: 18, name: "home_position", unit: "steps", least: -1_000_000, most: 1_000_000 },
-    Setting { id: 19, name: "home_fast_rate", unit: "steps/s", least: 31, most: 8000 },
-    Setting { id: 20, name: "home_slow_rate", unit: "steps/s", least: 31, most: 8000 },
-    Setting { id: 21, name: "home_back_off", unit: "steps", least: 1, most: 100_000 },
-    Setting { id: 22, name: "home_travel", unit: "steps", least: 100, most: 1_000_000 },
-    Setting { id: 23, name: "home_time_ms", unit: "ms", least: 1000, most: 600_000 },
-    Setting { id: 24, name: "inverted", unit: "bits", least: 0, most: 15 },
-    Setting { id: 25, name: "release_s", unit: "s", least: 0, most: 36_000 },
-    Setting { id: 26, name: "inputs", unit: "bits", least: 0, most: 3 },
+    Setting { id: 1, name: "feed_steps_per_m", unit: "steps/m", min: 1000, max: 1_000_000 },
+    Setting { id: 2, name: "rotate_steps_per_rev", unit: "steps/rev", min: 200, max: 1_000_000 },
+    Setting { id: 3, name: "bend_steps_per_rev", unit: "steps/rev", min: 200, max: 1_000_000 },
+    Setting { id: 4, name: "feed_rate", unit: "steps/s", min: 31, max: 8000 },
+    Setting { id: 5, name: "rotate_rate", unit: "steps/s", min: 31, max: 8000 },
+    Setting { id: 6, name: "bend_rate", unit: "steps/s", min: 31, max: 8000 },
+    Setting { id: 7, name: "feed_acceleration", unit: "steps/s²", min: 1000, max: 400_000 },
+    Setting { id: 8, name: "rotate_acceleration", unit: "steps/s²", min: 1000, max: 400_000 },
+    Setting { id: 9, name: "bend_acceleration", unit: "steps/s²", min: 1000, max: 400_000 },
+    Setting { id: 10, name: "feed_most", unit: "steps", min: 1000, max: 10_000_000 },
+    Setting { id: 11, name: "rotate_limit", unit: "steps", min: 100, max: 10_000_000 },
+    Setting { id: 12, name: "bend_limit", unit: "steps", min: 100, max: 1_000_000 },
+    Setting { id: 13, name: "near_side", unit: "steps", min: 1, max: 100_000 },
+    Setting { id: 14, name: "back_off", unit: "steps", min: 0, max: 100_000 },
+    Setting { id: 15, name: "peg_in_us", unit: "µs", min: 512, max: 2500 },
+    Setting { id: 16, name: "peg_out_us", unit: "µs", min: 512, max: 2500 },
+    Setting { id: 17, name: "peg_time_ms", unit: "ms", min: 20, max: 5000 },
+    Setting { id: 18, name: "home_position", unit: "steps", min: -1_000_000, max: 1_000_000 },
+    Setting { id: 19, name: "home_fast_rate", unit: "steps/s", min: 31, max: 8000 },
+    Setting { id: 20, name: "home_slow_rate", unit: "steps/s", min: 31, max: 8000 },
+    Setting { id: 21, name: "home_back_off", unit: "steps", min: 1, max: 100_000 },
+    Setting { id: 22, name: "home_travel", unit: "steps", min: 100, max: 1_000_000 },
+    Setting { id: 23, name: "home_time_ms", unit: "ms", min: 1000, max: 600_000 },
+    Setting { id: 24, name: "inverted", unit: "bits", min: 0, max: 15 },
+    Setting { id: 25, name: "release_s", unit: "s", min: 0, max: 36_000 },
+    Setting { id: 26, name: "inputs", unit: "bits", min: 0, max: 3 },
 ];

@@ -5,7 +5,7 @@ pub const NO_SESSION: u16 = 0xFFFF;
 /// The byte that stops the machine at once.
 pub const STOP: u8 = 0x80;
 /// Nothing of the controller is longer.
-const LONGEST: usize = 128;
+const MAX_LINE: usize = 128;
 
 /// CRC-16 of polynomial 0x8408, least significant bit first, starting from the seed.
 fn checksum(seed: u16, payload: &[u8]) -> u16 {
@@ -36,7 +36,6 @@ pub struct Lines {
 /// A line of the controller whose form is that of a frame.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Line {
-    /// What it says.
     pub payload: String,
     checksum: u16,
 }
@@ -53,7 +52,7 @@ impl Lines {
     /// Takes a byte; a line when it ends one. What is no frame is passed over.
     pub fn feed(&mut self, byte: u8) -> Option<Line> {
         if byte != b'\n' {
-            self.poisoned |= !byte.is_ascii_graphic() || self.text.len() == LONGEST;
+            self.poisoned |= !byte.is_ascii_graphic() || self.text.len() == MAX_LINE;
             if !self.poisoned {
                 self.text.push(byte);
             }

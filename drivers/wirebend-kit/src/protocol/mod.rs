@@ -6,7 +6,7 @@ mod reply;
 
 pub use codes::{Alarm, Command, Machine, Refusal, Reply, Reset, SETTINGS, Setting, State};
 pub use frame::{Line, Lines, NO_SESSION, STOP, sealed};
-pub use reply::{Heard, Status, Versions};
+pub use reply::{ReplyFrame, Status, Versions};
 
 /// The version of the protocol that this driver speaks.
 pub const VERSION: u32 = 1;

@@ -6,7 +6,6 @@ use super::frame::{Line, NO_SESSION};
 /// How the controller stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Status {
-    /// What it does.
     pub state: State,
     /// Why it has stopped or holds.
     pub alarm: Alarm,
@@ -14,7 +13,7 @@ pub struct Status {
     pub position: [i32; 3],
     /// Lines that it has taken.
     pub last: u32,
-    /// Lines that it has made.
+    /// Lines that it has done.
     pub done: u32,
     /// Whether the peg is out; `None` when it does not know.
     pub peg_out: Option<bool>,
@@ -27,7 +26,6 @@ pub struct Status {
 /// What a controller is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Versions {
-    /// Version of its protocol.
     pub protocol: u32,
     /// Version of its firmware, 100 for 1.0.
     pub firmware: u32,
@@ -37,25 +35,21 @@ pub struct Versions {
 
 /// A frame of the controller.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Heard {
+pub enum ReplyFrame {
     /// It has started.
     Boot {
-        /// What it is.
         versions: Versions,
-        /// Why.
         reset: Reset,
         /// How often it has started.
         boots: u32,
     },
     /// A session is open.
     Open {
-        /// Its id.
         id: u16,
         /// Lines that it has taken in it.
         last: u32,
-        /// Lines that it has made in it.
+        /// Lines that it has done in it.
         done: u32,
-        /// What it is.
         versions: Versions,
         /// How often it has started.
         boots: u32,
@@ -65,7 +59,7 @@ pub enum Heard {
         /// The last of them.
         last: u32,
     },
-    /// Lines are made.
+    /// Lines are done.
     Done {
         /// The last of them.
         n: u32,
@@ -75,29 +69,23 @@ pub enum Heard {
         /// The last that was taken.
         last: u32,
     },
-    /// Something was refused.
     Refused {
-        /// Why.
         error: Refusal,
         /// The number of the line that it expects.
         next: u32,
         /// The letter of the command; `None` for a line that it could not read.
         command: Option<u8>,
     },
-    /// Its status.
     Status(Status),
-    /// A setting.
     Value {
-        /// Its number.
         id: u8,
-        /// Its value.
         value: i32,
     },
     /// It has stopped.
     Alarm(Alarm),
 }
 
-impl Heard {
+impl ReplyFrame {
     /// What a line says; `None` when it is not sealed with this session, nor of those that belong to none.
     #[must_use]
     pub fn of(line: &Line, session: u16) -> Option<Self> {

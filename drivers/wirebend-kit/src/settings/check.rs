@@ -9,12 +9,12 @@ impl Settings {
     /// Refuses what the firmware would refuse.
     pub(crate) fn check(&self) -> Result<(), DriverError> {
         for (value, setting) in expected(self).into_iter().zip(SETTINGS) {
-            if !(setting.least..=setting.most).contains(&value) {
+            if !(setting.min..=setting.max).contains(&value) {
                 return Err(wrong(
                     setting.name,
                     &format!(
                         "comes to {value} {}; the firmware takes {} to {}",
-                        setting.unit, setting.least, setting.most
+                        setting.unit, setting.min, setting.max
                     ),
                 ));
             }
@@ -43,7 +43,7 @@ impl Settings {
                 self.home_back_off_deg <= self.home_travel_deg,
                 "home_back_off_deg",
                 format!(
-                    "is {}°, more than a whole search of {}°",
+                    "is {}°, more than a whole homing move of {}°",
                     self.home_back_off_deg, self.home_travel_deg
                 ),
             ),

@@ -76,16 +76,16 @@ pub struct Settings {
     /// Where the bend axis stands at the edge of its switch, degrees; the sign says on which side it is.
     #[schemars(range(min = -180, max = 180))]
     pub home_position_deg: f64,
-    /// Speed of the first search for the switch, degrees/s.
+    /// Speed of the first homing move, to the switch, degrees/s.
     #[schemars(range(min = 0.1, max = 1000))]
     pub home_fast_rate_deg_per_s: f64,
-    /// Speed of the second search, degrees/s.
+    /// Speed of the second homing move, degrees/s.
     #[schemars(range(min = 0.1, max = 1000))]
     pub home_slow_rate_deg_per_s: f64,
-    /// Way back from the switch between the searches, degrees.
+    /// Way back from the switch between the homing moves, degrees.
     #[schemars(range(min = 0.1, max = 90))]
     pub home_back_off_deg: f64,
-    /// Longest way of a search, degrees.
+    /// Longest way of a homing move, degrees.
     #[schemars(range(min = 1, max = 720))]
     pub home_travel_deg: f64,
     /// Longest time of homing, s.
@@ -102,7 +102,7 @@ pub struct Settings {
     pub release_after_s: u32,
     /// Whether a contact for a door or a feed hold is wired (A1): open, the machine slows down and holds.
     pub hold_input: bool,
-    /// Whether a sense contact of the emergency stop is wired (A0): open, everything ends, and no step counts as made.
+    /// Whether a sense contact of the emergency stop is wired (A0): open, everything ends, and no step counts as done.
     pub emergency_input: bool,
     /// Whether the switch closes when it is pressed. The published one opens, so that a broken wire is noticed.
     pub switch_closes: bool,

@@ -10,9 +10,7 @@ use crate::protocol::SETTINGS;
 pub(crate) struct Difference {
     /// Index into `SETTINGS`.
     index: usize,
-    /// What it says.
     pub machine: i32,
-    /// What is expected.
     pub expected: i32,
 }
 
@@ -129,8 +127,8 @@ impl Difference {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::controller::{Controller, Sight};
-    use crate::link::{Ask, Link, News};
+    use crate::controller::{Controller, Observed};
+    use crate::link::{Link, MachineEvent, Request};
     use std::time::Duration;
 
     /// A board that takes the settings that were compiled in needs no change for the shipped profile.
@@ -138,25 +136,25 @@ mod tests {
     fn the_shipped_settings_are_those_of_the_firmware() {
         let mut controller = Controller::new().unwrap();
         let mut link = Link::new(7, None, Duration::from_millis(100), Duration::ZERO);
-        link.ask(Ask::LoadDefaults);
-        (1..=SETTINGS.len()).for_each(|id| link.ask(Ask::Read(u8::try_from(id).unwrap())));
+        link.request(Request::LoadDefaults);
+        (1..=SETTINGS.len()).for_each(|id| link.request(Request::Read(u8::try_from(id).unwrap())));
         let mut values = [0; SETTINGS.len()];
         for ms in 1..3000_u64 {
             controller.send(&link.take_bytes());
             let mut bytes = Vec::new();
             while let Some(seen) = controller.run(ms * 16_000) {
-                bytes.extend(if let Sight::Sent(byte) = seen.what { Some(byte) } else { None });
+                bytes.extend(if let Observed::Sent(byte) = seen.what { Some(byte) } else { None });
             }
             link.advance(&bytes, Duration::from_millis(ms));
-            for news in link.take_news() {
-                if let News::Setting { id, value } = news {
+            for event in link.take_events() {
+                if let MachineEvent::Setting { id, value } = event {
                     values[usize::from(id) - 1] = value;
                 }
             }
         }
         assert_eq!(differences(&Settings::default(), &values), []);
         for (value, setting) in expected(&Settings::default()).into_iter().zip(SETTINGS) {
-            assert!((setting.least..=setting.most).contains(&value), "{}: {value}", setting.name);
+            assert!((setting.min..=setting.max).contains(&value), "{}: {value}", setting.name);
         }
     }
 }

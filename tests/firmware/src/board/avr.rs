@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used)] // a test may stop at what cannot be
 
-use super::{Board, MS, Reset, Seen, What};
+use super::{Board, MS, Observation, Reset, What};
 use crate::{PinChange, Port, Ram, ResetCause, Uno, firmware};
 
 /// Step and direction pins of port D, by axis: those of `firmware/machines/wirebend-kit.h`.
@@ -21,9 +21,7 @@ const SERVO_TOLERANCE_US: u64 = 8;
 /// switch has to follow it.
 const LOOK_EVERY: u64 = MS;
 
-/// The board.
 pub struct Avr {
-    /// Its chip.
     pub uno: Uno,
     /// Cycles at which each step pulse and the servo's pulse began, and each direction was set.
     risen: [u64; 3],
@@ -64,15 +62,15 @@ impl Board for Avr {
         self.uno.send(bytes);
     }
 
-    fn run(&mut self, until: u64) -> Vec<Seen> {
+    fn run(&mut self, until: u64) -> Vec<Observation> {
         let mut seen = Vec::new();
         while seen.is_empty() && self.uno.cycle() < until {
             self.uno.run_until(until.min(self.uno.cycle() + LOOK_EVERY)).unwrap();
             for change in self.uno.pins() {
-                seen.extend(self.changed(change).map(|what| Seen { at: change.cycle, what }));
+                seen.extend(self.changed(change).map(|what| Observation { at: change.cycle, what }));
             }
             seen.extend(
-                self.uno.received().into_iter().map(|(at, byte)| Seen { at, what: What::Byte(byte) }),
+                self.uno.received().into_iter().map(|(at, byte)| Observation { at, what: What::Byte(byte) }),
             );
             seen.sort_by_key(|seen| seen.at);
         }
@@ -134,7 +132,7 @@ impl Avr {
         }
     }
 
-    /// Tells of a width when it is another than that of the pulse before.
+    /// Reports a width when it is another than that of the pulse before.
     fn peg_changed(&mut self, cycle: u64, level: bool) -> Option<What> {
         if level {
             self.peg_risen = Some(cycle);

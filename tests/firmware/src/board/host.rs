@@ -3,9 +3,9 @@
 #![allow(clippy::unwrap_used)] // a test may stop at what cannot be
 
 use wirebend_driver_api::Axis;
-use wirebend_driver_wirebend_kit::controller::{Controller, Sight};
+use wirebend_driver_wirebend_kit::controller::{Controller, Observed};
 
-use super::{BEND, Board, Reset, Seen, What};
+use super::{BEND, Board, Observation, Reset, What};
 
 /// The core, started anew.
 pub struct Host(Controller);
@@ -32,9 +32,9 @@ impl Board for Host {
         self.0.send(bytes);
     }
 
-    fn run(&mut self, until: u64) -> Vec<Seen> {
+    fn run(&mut self, until: u64) -> Vec<Observation> {
         let seen = self.0.run(until);
-        seen.map(|seen| Seen { at: seen.at, what: what(seen.what) }).into_iter().collect()
+        seen.map(|seen| Observation { at: seen.at, what: what(seen.what) }).into_iter().collect()
     }
 
     fn set_switch(&mut self, high: bool) {
@@ -58,9 +58,9 @@ impl Board for Host {
     }
 }
 
-fn what(sight: Sight) -> What {
+fn what(sight: Observed) -> What {
     match sight {
-        Sight::Pulse { axis, forward } => {
+        Observed::Pulse { axis, forward } => {
             let axis = match axis {
                 Axis::Feed => 0,
                 Axis::Rotate => 1,
@@ -68,9 +68,9 @@ fn what(sight: Sight) -> What {
             };
             What::Pulse { axis, forward }
         }
-        Sight::Peg { width_us } => What::Servo { width_us },
-        Sight::Sent(byte) => What::Byte(byte),
-        Sight::MotorsOn => What::Motors(true),
-        Sight::MotorsOff => What::Motors(false),
+        Observed::Peg { width_us } => What::Servo { width_us },
+        Observed::Sent(byte) => What::Byte(byte),
+        Observed::MotorsOn => What::Motors(true),
+        Observed::MotorsOff => What::Motors(false),
     }
 }

@@ -19,16 +19,12 @@ pub const BEND: usize = 2;
 pub enum What {
     /// A step pulse has begun, with its direction pin high or low.
     Pulse {
-        /// Which.
         axis: usize,
         /// Its direction, as the motor sees it.
         forward: bool,
     },
     /// The servo gets pulses of another width from now on, µs. The board shows it when the first one is over.
-    Servo {
-        /// The width.
-        width_us: u16,
-    },
+    Servo { width_us: u16 },
     /// A byte to the host is over.
     Byte(u8),
     /// The motor drivers are on or off.
@@ -37,16 +33,13 @@ pub enum What {
 
 /// Something seen, and when, in cycles since the first power-on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Seen {
-    /// When.
+pub struct Observation {
     pub at: u64,
-    /// What.
     pub what: What,
 }
 
 /// A controller in virtual time.
 pub trait Board {
-    /// In messages.
     const NAME: &'static str;
     /// A new one, nothing stored, its power just switched on.
     fn new() -> Self;
@@ -56,15 +49,13 @@ pub trait Board {
     fn send(&mut self, bytes: &[u8]);
     /// Lets time pass until a cycle or until something is seen; what was seen, in order. Empty when the cycle is
     /// reached and nothing more is to be seen.
-    fn run(&mut self, until: u64) -> Vec<Seen>;
+    fn run(&mut self, until: u64) -> Vec<Observation>;
     /// The level of the pin of the switch.
     fn set_switch(&mut self, high: bool);
     /// Whether the contacts of the hold input and of the emergency stop's sense are open.
     fn set_inputs(&mut self, hold_open: bool, emergency_open: bool);
-    /// A reset with this cause.
     fn reset(&mut self, cause: Reset);
     /// Bytes that outlive power.
     fn stored(&mut self) -> Vec<u8>;
-    /// Replaces them.
     fn store(&mut self, bytes: &[u8]);
 }

@@ -11,7 +11,7 @@ pub trait Behind: Send + 'static {
     /// Lets so many cycles pass.
     ///
     /// # Errors
-    /// When it cannot go on; the port closes then.
+    /// When it cannot continue; the port closes then.
     fn run_for(&mut self, cycles: u64) -> Result<(), UnoError>;
 
     /// Puts bytes on the wire to it, as soon as those before are over.
@@ -23,7 +23,7 @@ pub trait Behind: Send + 'static {
     /// What it has sent since the last call.
     fn take_sent(&mut self) -> Vec<u8>;
 
-    /// Somebody has opened its port, which resets a board as the Uno.
+    /// A program has opened its port, which resets a board as the Uno.
     fn reset_by_port(&mut self);
 }
 

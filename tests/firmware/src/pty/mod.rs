@@ -59,14 +59,14 @@ impl Uno {
     /// Runs this controller in a thread, its serial line on a pseudo-terminal.
     ///
     /// # Errors
-    /// When the terminal cannot be made.
+    /// When the terminal cannot be created.
     pub fn on_pty(self, options: Options) -> Result<OnPty, UnoError> {
         OnPty::new(self, options)
     }
 }
 
 impl OnPty {
-    /// Resets the controller; who has opened the port keeps it open.
+    /// Resets the controller; a program that has opened the port keeps it open.
     ///
     /// # Errors
     /// As [`Self::with`].
@@ -79,7 +79,7 @@ impl<B: Behind> OnPty<B> {
     /// Runs a controller in a thread, its serial line on a pseudo-terminal.
     ///
     /// # Errors
-    /// When the terminal cannot be made.
+    /// When the terminal cannot be created.
     pub fn new(board: B, options: Options) -> Result<Self, UnoError> {
         let failed = |why| UnoError::Terminal { doing: "making a folder for the port", why };
         let folder = tempfile::tempdir().map_err(failed)?;
@@ -112,13 +112,13 @@ impl<B: Behind> OnPty<B> {
         what: impl FnOnce(&mut B) -> T + Send + 'static,
     ) -> Result<T, UnoError> {
         let (done, answer) = channel();
-        // Nobody listens any more when the caller's thread has ended, which is nobody's loss.
+        // There is no listener any more when the caller's thread has ended, which does no harm.
         let work = Box::new(move |board: &mut B| drop(done.send(what(board))));
         self.command(Command::With(work))?;
         answer.recv().map_err(|_| UnoError::Ended)
     }
 
-    /// Pulls the cable: who has opened the port loses it. The controller goes on running, as one with a supply of
+    /// Pulls the cable: a program that has opened the port loses it. The controller keeps running, as one with a supply of
     /// its own does; what it sends is lost.
     ///
     /// # Errors
@@ -132,14 +132,14 @@ impl<B: Behind> OnPty<B> {
     /// Plugs the cable in again: the port is there to be opened.
     ///
     /// # Errors
-    /// When the controller has ended or the terminal cannot be made; [`Self::stop`] says why.
+    /// When the controller has ended or the terminal cannot be created; [`Self::stop`] says why.
     pub fn plug_in(&self) -> Result<(), UnoError> {
         let (done, answer) = channel();
         self.command(Command::PlugIn(done))?;
         answer.recv().map_err(|_| UnoError::Ended)
     }
 
-    /// Ends the thread and gives the controller back, with all that nobody has taken of it.
+    /// Ends the thread and gives the controller back, with all of it that was not taken.
     ///
     /// # Errors
     /// When the program of the controller crashed, or the terminal failed.

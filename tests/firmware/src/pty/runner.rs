@@ -8,7 +8,7 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, TryRecvError};
 use std::time::{Duration, Instant};
 
 use super::behind::Behind;
-use super::terminal::{Happened, Terminal};
+use super::terminal::{Happened, Seen, Terminal};
 use super::{Options, Pace};
 use crate::error::UnoError;
 use crate::uno::HZ;
@@ -36,7 +36,7 @@ pub(super) struct Runner<B> {
     connections: Arc<AtomicU64>,
     /// None while it is unplugged.
     terminal: Option<Terminal>,
-    /// The terminal before: somebody may just be opening it under the name that the port had.
+    /// The terminal before: a program may just be opening it under the name that the port had.
     retired: Option<Terminal>,
     /// How many have it open.
     users: u64,
@@ -73,8 +73,11 @@ impl<B: Behind> Runner<B> {
     /// Until the owner lets go of it.
     pub(super) fn run(mut self) -> Result<B, UnoError> {
         loop {
-            self.who_came_and_went()?;
-            self.carry_in()?;
+            let seen = self.terminal.as_ref().map(Terminal::look).transpose()?.unwrap_or_default();
+            self.who_came_and_went(seen)?;
+            if seen.bytes {
+                self.carry_in()?;
+            }
             self.board.run_for(SLICE)?;
             self.carry_out()?;
             if !self.obey_in_time()? {
@@ -83,9 +86,9 @@ impl<B: Behind> Runner<B> {
         }
     }
 
-    fn who_came_and_went(&mut self) -> Result<(), UnoError> {
+    fn who_came_and_went(&mut self, seen: Seen) -> Result<(), UnoError> {
         let Some(terminal) = &self.terminal else { return Ok(()) };
-        let mut happened = terminal.happened()?;
+        let mut happened = if seen.happened { terminal.happened()? } else { Vec::new() };
         if self.users == 0
             && happened.is_empty()
             && let Some(retired) = &self.retired
@@ -112,10 +115,11 @@ impl<B: Behind> Runner<B> {
             }
         }
         if used && let Some(terminal) = &self.terminal {
-            // Events that are alike are told as one, and that of a close before it is over: the terminal knows.
-            self.users = if terminal.is_left()? { 0 } else { self.users.max(1) };
+            // Events that are alike are reported as one, and that of a close before it is over: the terminal knows.
+            let left = if happened.is_empty() { seen.left } else { terminal.look()?.left };
+            self.users = if left { 0 } else { self.users.max(1) };
         }
-        // A terminal that somebody has opened again meanwhile is left to him.
+        // A terminal that a program has opened again meanwhile is left to it.
         if used && self.users == 0 {
             // What was written before it was closed still goes out.
             while self.take_in()? > 0 {}
@@ -139,7 +143,7 @@ impl<B: Behind> Runner<B> {
         Ok(count)
     }
 
-    /// Bytes for a port that nobody has open are lost, as on a real one.
+    /// Bytes for a port that is not open are lost, as on a real one.
     fn carry_out(&mut self) -> Result<(), UnoError> {
         let sent = self.board.take_sent();
         let Some(terminal) = self.terminal.as_ref().filter(|_| self.users > 0) else { return Ok(()) };
@@ -204,7 +208,7 @@ impl<B: Behind> Runner<B> {
                 done
             }
         };
-        // Nobody waits for the answer when the owner's thread has ended.
+        // No caller waits for the answer when the owner's thread has ended.
         let _ = done.send(());
         Ok(())
     }

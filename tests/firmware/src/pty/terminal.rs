@@ -22,6 +22,17 @@ pub(super) enum Happened {
     Closed,
 }
 
+/// What a look at a terminal shows.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Seen {
+    /// It was opened or closed.
+    pub(super) happened: bool,
+    /// Everybody has closed it who had opened it.
+    pub(super) left: bool,
+    /// There are bytes to read.
+    pub(super) bytes: bool,
+}
+
 /// The controller's end of a pseudo-terminal.
 pub(super) struct Terminal {
     master: OwnedFd,
@@ -35,7 +46,7 @@ fn failed(doing: &'static str) -> impl Fn(Errno) -> UnoError {
 }
 
 impl Terminal {
-    /// A terminal that nobody has opened, with `link` leading to it in place of an older one.
+    /// A terminal that was not opened, with `link` leading to it in place of an older one.
     pub(super) fn new(link: &Path) -> Result<Self, UnoError> {
         let making = failed("making a pseudo-terminal");
         let master =
@@ -87,16 +98,21 @@ impl Terminal {
         }
     }
 
-    /// Whether everybody has closed it who had opened it.
-    pub(super) fn is_left(&self) -> Result<bool, UnoError> {
-        let mut wanted = [PollFd::new(&self.master, PollFlags::empty())];
+    pub(super) fn look(&self) -> Result<Seen, UnoError> {
+        let mut wanted = [PollFd::new(&self.master, PollFlags::IN), PollFd::new(&self.watch, PollFlags::IN)];
         match poll(&mut wanted, Some(&Timespec::default())) {
-            Ok(_) | Err(Errno::INTR) => Ok(wanted[0].revents().contains(PollFlags::HUP)),
-            Err(why) => Err(failed("watching a pseudo-terminal")(why)),
+            Ok(_) | Err(Errno::INTR) => {}
+            Err(why) => return Err(failed("watching a pseudo-terminal")(why)),
         }
+        let [terminal, watch] = wanted.map(|one| one.revents());
+        Ok(Seen {
+            happened: watch.contains(PollFlags::IN),
+            left: terminal.contains(PollFlags::HUP),
+            bytes: terminal.contains(PollFlags::IN),
+        })
     }
 
-    /// Bytes that are there, at most as many as fit; none at all when nobody has it open.
+    /// Bytes that are there, at most as many as fit; none at all when it is not open.
     pub(super) fn read(&self, room: &mut [u8]) -> Result<usize, UnoError> {
         match rustix::io::read(&self.master, room) {
             Ok(count) => Ok(count),

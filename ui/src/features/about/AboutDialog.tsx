@@ -1,11 +1,12 @@
 import { useEffect, useState } from "react";
 import type { AboutResponse } from "../../generated/responses";
 import { platform } from "../../platform";
-import { Dialog } from "../../shared/Dialog";
-import { count } from "../../shared/format";
-import { TextInput } from "../../shared/inputs";
-import { told } from "../../state/problems";
-import { useUi } from "../../state/ui";
+import { TextInput } from "../../shared/controls/inputs";
+import { count } from "../../shared/figures/format";
+import { Dialog } from "../../shared/layers/Dialog";
+import { Scrolls } from "../../shared/lists/Scrolls";
+import { told } from "../../state/asking/problems";
+import { useUi } from "../../state/window/ui";
 import "./about.css";
 
 /** What this program is, and what it is made of. */
@@ -27,7 +28,7 @@ function About({ onClose }: { readonly onClose: () => void }) {
             <Pair name="Version" value={about.version} />
             <Pair name="Licence" value={about.licence} />
             <Pair name="Driver interface" value={about.driver_interface} />
-            <Pair name="Your own folder" value={about.own_folder ?? "There is none on this computer."} />
+            <Pair name="Your own folder" value={about.own_folder ?? "None on this computer."} />
           </dl>
           {about.packages.length > 0 && <Packages packages={about.packages} />}
         </>
@@ -52,8 +53,13 @@ function Packages({ packages }: { readonly packages: AboutResponse["packages"] }
   return (
     <div className="stack">
       <h3 className="about-heading">Made with {count(packages.length, "package")} of others</h3>
-      <TextInput aria-label="Filter packages" placeholder="Filter by name or licence" value={filter} onChange={(event) => setFilter(event.currentTarget.value)} />
-      <div className="about-packages" tabIndex={0} role="region" aria-label="Packages">
+      <TextInput
+        aria-label="Filter packages"
+        placeholder="Filter by name or licence"
+        value={filter}
+        onChange={(event) => setFilter(event.currentTarget.value)}
+      />
+      <Scrolls className="about-packages" label="Packages">
         <table>
           <thead>
             <tr>
@@ -73,7 +79,7 @@ function Packages({ packages }: { readonly packages: AboutResponse["packages"] }
           </tbody>
         </table>
         {fit.length === 0 && <p className="muted">No package fits the filter.</p>}
-      </div>
+      </Scrolls>
     </div>
   );
 }

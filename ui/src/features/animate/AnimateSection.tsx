@@ -1,13 +1,13 @@
 import { useEffect } from "react";
-import { Section } from "../../shared/Section";
-import { useDesign } from "../../state/design";
-import { makeProgram, useProgram, useStale } from "../../state/program";
-import { useUi } from "../../state/ui";
+import { useDesign } from "../../state/design/design";
+import { makeProgram, useProgram, useStale } from "../../state/program/program";
+import { useUi } from "../../state/window/ui";
+import { Section } from "../panel/Section";
 import { Generate } from "./Generate";
-import { phrase } from "./steps";
 import { Player } from "./Player";
 import { Shown } from "./Shown";
 import { StepTable } from "./StepTable";
+import { phrase } from "./steps";
 import "./animate.css";
 
 /** How long the design has to be left alone before the program is made anew, ms. */
@@ -34,12 +34,12 @@ export function AnimateSection() {
   );
 
   function header(): string {
-    if (asking) return "making the program…";
+    if (asking) return "generating…";
     if (some && stale) return "design changed";
     if (program) return phrase(program.wires, program.without);
     if (problem) return "no program";
     const wires = check?.wires ?? [];
-    return wires.length > 0 && wires.every(({ time_s }) => time_s !== null) ? phrase(wires, 0) : "not made yet";
+    return wires.length > 0 && wires.every(({ time_s }) => time_s !== null) ? phrase(wires, 0) : "not generated yet";
   }
 }
 
@@ -49,6 +49,7 @@ function Updates() {
   const { vertices, edges, state } = useDesign();
   const stale = useStale();
   const made = useProgram((program) => program.basis !== null);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: each change of the design begins the rest anew
   useEffect(() => {
     if (!open || (made && !stale) || edges.size === 0) return;
     const timer = window.setTimeout(() => void makeProgram(), REST_MS);

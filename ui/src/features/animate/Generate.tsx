@@ -1,8 +1,8 @@
-import { Button } from "../../shared/Button";
-import { Line } from "../../shared/Line";
-import { useDesign } from "../../state/design";
-import { makeProgram, useProgram, useStale } from "../../state/program";
-import { useUi } from "../../state/ui";
+import { Button } from "../../shared/controls/Button";
+import { Line } from "../../shared/lists/Line";
+import { useDesign } from "../../state/design/design";
+import { makeProgram, useProgram, useStale } from "../../state/program/program";
+import { useUi } from "../../state/window/ui";
 
 /** Whether the program is that of the design, and how it is made. */
 export function Generate() {
@@ -19,7 +19,12 @@ export function Generate() {
   if (!made && !asking && (problem || program)) {
     return (
       <ul>
-        <Line tone="error" what="There is no program for this design" sub={problem ?? "No wire can be made of it as it is: Check says why."} action={toCheck} />
+        <Line
+          tone="error"
+          what="No program for this design"
+          sub={problem ?? "It cannot be bent as it is. Check shows why."}
+          action={toCheck}
+        />
       </ul>
     );
   }
@@ -29,8 +34,14 @@ export function Generate() {
     <div className="stack">
       {(!made || stale) && (
         <div className="row">
-          <span className="grow muted">{made ? "The design has changed since." : "From the design to the steps of the machine."}</span>
-          <Button kind="primary" why={empty ? "Draw or open something first." : asking ? "The program is being made." : null} onClick={() => void makeProgram()}>
+          <span className="grow muted">
+            {made ? "The design has changed since." : "Generates the machine's steps from the design."}
+          </span>
+          <Button
+            kind="primary"
+            why={empty ? "Draw or open a design first." : asking ? "The program is being generated." : null}
+            onClick={() => void makeProgram()}
+          >
             {made ? "Update" : "Generate"}
           </Button>
         </div>
@@ -39,8 +50,8 @@ export function Generate() {
         <ul>
           <Line
             tone="warning"
-            what="Shown as far as it goes"
-            sub={program.without > 0 ? "Some wires have no program." : "The machine cannot make all of it."}
+            what="Partial program"
+            sub={program.without > 0 ? "Some wires have no program." : "The machine cannot bend all of it."}
             action={toCheck}
           />
         </ul>

@@ -1,12 +1,12 @@
 import { useId } from "react";
-import { Button } from "../../shared/Button";
-import { count, percent, time } from "../../shared/format";
-import { Slider, Select } from "../../shared/inputs";
-import { NumberField } from "../../shared/NumberField";
-import { useLengths } from "../../shared/unit";
-import { machineSeconds, screenSeconds, type Speeds } from "../../state/clock";
-import { back, forward, reset, scrub, setSpeed, SPEED, useSpeeds } from "../../state/player";
-import { chooseWire, showDesignAgain, togglePlay, usePlayback, useProgram } from "../../state/program";
+import { Button } from "../../shared/controls/Button";
+import { Select, Slider } from "../../shared/controls/inputs";
+import { NumberField } from "../../shared/controls/NumberField";
+import { count, percent, time } from "../../shared/figures/format";
+import { useLengths } from "../../shared/figures/unit";
+import { machineSeconds, type Speeds, screenSeconds } from "../../state/program/clock";
+import { back, forward, reset, SPEED, scrub, setSpeed, useSpeeds } from "../../state/program/player";
+import { chooseWire, showDesignAgain, togglePlay, usePlayback, useProgram } from "../../state/program/program";
 import { shownSpeeds, spoken } from "./steps";
 
 const NAMES: readonly (readonly [keyof Speeds, string])[] = [
@@ -16,7 +16,7 @@ const NAMES: readonly (readonly [keyof Speeds, string])[] = [
   ["all", "All ×"],
 ];
 
-const LIVE = "A machine is making the wire.";
+const LIVE = "A machine is bending the wire.";
 
 /** Playing, sliding, speeds. */
 export function Player() {
@@ -38,13 +38,24 @@ export function Player() {
           aria-label="Wire"
           value={String(wire)}
           onChoose={(chosen) => chooseWire(Number(chosen))}
-          choices={program.wires.map((each, index) => ({ value: String(index), label: `Wire ${index + 1} · ${count(each.steps.length, "step")}`, why }))}
+          choices={program.wires.map((each, index) => ({
+            value: String(index),
+            label: `Wire ${index + 1} · ${count(each.steps.length, "step")}`,
+            why,
+          }))}
         />
       )}
       <div className="row animate-transport">
-        <Button icon="reset" aria-label="To the beginning" title="To the beginning" why={why} onClick={reset} />
+        <Button icon="reset" aria-label="Go to start" title="Go to start" why={why} onClick={reset} />
         <Button icon="previous" aria-label="Step back" title="Step back" why={why} onClick={back} />
-        <Button kind="primary" icon={playing ? "pause" : "play"} aria-label={playing ? "Pause" : "Play"} title={playing ? "Pause (Space)" : "Play (Space)"} why={why} onClick={togglePlay} />
+        <Button
+          kind="primary"
+          icon={playing ? "pause" : "play"}
+          aria-label={playing ? "Pause" : "Play"}
+          title={playing ? "Pause (Space)" : "Play (Space)"}
+          why={why}
+          onClick={togglePlay}
+        />
         <Button icon="next" aria-label="Step forward" title="Step forward" why={why} onClick={forward} />
         <span className="grow animate-figures">
           <span>{percent(total > 0 ? step / total : 0)}</span>
@@ -53,17 +64,34 @@ export function Player() {
           </span>
         </span>
       </div>
-      <Slider label="Position in the program" value={step} min={0} max={total} step={0.01} text={spoken(one, Math.min(Math.floor(step), total - 1), length)} onChange={scrub} />
-      <div className="animate-speeds" role="group" aria-label="Speed of what is shown">
+      <Slider
+        label="Position in the program"
+        value={step}
+        min={0}
+        max={total}
+        step={0.01}
+        text={spoken(one, Math.min(Math.floor(step), total - 1), length)}
+        onChange={scrub}
+      />
+      <fieldset className="animate-speeds" aria-label="Playback speed">
         {NAMES.map(([key, name]) => (
           <div key={key} className="animate-speed">
-            <NumberField label={`${name} speed`} prefix={name} kind="number" value={speeds[key]} min={SPEED.least} max={SPEED.most} onCommit={(value) => setSpeed(key, value)} aria-describedby={`${id}-${key}`} />
-            <span id={`${id}-${key}`} className="muted small" title={shown[key] ? "How fast it goes in the view" : undefined}>
+            <NumberField
+              label={`${name} speed`}
+              prefix={name}
+              kind="number"
+              value={speeds[key]}
+              min={SPEED.least}
+              max={SPEED.most}
+              onCommit={(value) => setSpeed(key, value)}
+              aria-describedby={`${id}-${key}`}
+            />
+            <span id={`${id}-${key}`} className="muted small" title={shown[key] ? "Playback speed" : undefined}>
               {shown[key]}
             </span>
           </div>
         ))}
-      </div>
+      </fieldset>
       <div className="row">
         <span className="grow muted small">plays in {time(screenSeconds(seconds, 0, speeds))}</span>
         {played && !live && (

@@ -1,16 +1,17 @@
+import { errorText } from "../../platform/error_text";
 import type { Shown as ShownName } from "../../scene/interface";
-import { Segmented } from "../../shared/inputs";
-import { useLengths } from "../../shared/unit";
-import { chooseShown, usePlayback, useProgram } from "../../state/program";
+import { Segmented } from "../../shared/controls/inputs";
+import { useLengths } from "../../shared/figures/unit";
+import { chooseShown, usePlayback, useProgram } from "../../state/program/program";
 import { worst } from "./steps";
 
-/** The wire as it is designed, as the machine makes it, or both. */
+/** The wire as it is designed, as the machine bends it, or both. */
 export function Shown() {
   const { made, askingMade, wire, program } = useProgram();
   const shown = usePlayback((playback) => playback.shown);
   const { unit, said } = useLengths();
   const told = program?.wires[wire]?.steps.every((step) => step.told !== null) ?? false;
-  const why = told ? null : "The wire is not compensated, so that nobody knows how it is made: see Check.";
+  const why = told ? null : "This wire has no compensated program. See Check.";
   const off = worst(made, wire, unit);
   return (
     <div className="stack">
@@ -30,11 +31,15 @@ export function Shown() {
         </p>
       )}
       <p className="muted small" aria-live="polite">
-        {askingMade ? "Bending it…" : off ? `${off}, ${made?.by_machine ? "on the simulated machine" : "by formulas alone: this machine is not simulated"}` : "“As made” works out what the machine makes of it."}
+        {askingMade
+          ? "Simulating…"
+          : off
+            ? `${off}, ${made?.by_machine ? "on the simulated machine" : "calculated: this machine has no simulator"}`
+            : "“As made” simulates how the machine bends it."}
       </p>
       {made?.notes.map((note) => (
         <p key={note.code + note.message} className="muted small">
-          {said(note.message)}
+          {said(errorText(note))}
         </p>
       ))}
     </div>

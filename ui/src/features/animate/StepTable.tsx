@@ -1,16 +1,16 @@
 import { type KeyboardEvent, useEffect, useId, useRef } from "react";
-import { Rows, type RowsHandle } from "../../shared/Rows";
-import { useLengths } from "../../shared/unit";
-import { stepOf } from "../../state/clock";
-import { useDesign } from "../../state/design";
-import { goTo, usePlayback, useProgram } from "../../state/program";
+import { useLengths } from "../../shared/figures/unit";
+import { Rows, type RowsHandle } from "../../shared/lists/Rows";
+import { useDesign } from "../../state/design/design";
+import { stepOf } from "../../state/program/clock";
+import { goTo, usePlayback, useProgram } from "../../state/program/program";
 import { namedSteps, spoken, stepRow } from "./steps";
 
 /** px. */
 const ROW = 38;
 const HEIGHT = ROW * 7;
 
-/** Every step: as designed, and under it what the machine is told. */
+/** Every step: as designed, and under it what is sent to the machine. */
 export function StepTable() {
   const { program, wire } = useProgram();
   const { unit, name, length } = useLengths();
@@ -27,7 +27,14 @@ export function StepTable() {
   if (!program || !one) return null;
   const named = new Set(namedSteps(check?.diagnostics ?? [], program.wires.length));
   const keys = (event: KeyboardEvent) => {
-    const moves: Partial<Record<string, number>> = { ArrowDown: current + 1, ArrowUp: current - 1, PageDown: current + 6, PageUp: current - 6, Home: 0, End: total - 1 };
+    const moves: Partial<Record<string, number>> = {
+      ArrowDown: current + 1,
+      ArrowUp: current - 1,
+      PageDown: current + 6,
+      PageUp: current - 6,
+      Home: 0,
+      End: total - 1,
+    };
     const to = moves[event.key];
     if (to === undefined) return;
     event.preventDefault();
@@ -35,6 +42,7 @@ export function StepTable() {
     void goTo(Math.min(Math.max(to, 0), total - 1));
   };
   return (
+    // biome-ignore lint/a11y/noStaticElementInteractions: the keys are those of the list in it, which has the focus
     <div className="step-table" onKeyDown={keys}>
       <div className="step-row step-head" aria-hidden="true">
         <span>Step</span>
@@ -54,6 +62,8 @@ export function StepTable() {
           const row = stepRow(one, index, unit);
           if (!row) return null;
           return (
+            // biome-ignore lint/a11y/useFocusableInteractive: the list has the focus, and names the option by aria-activedescendant
+            // biome-ignore lint/a11y/useKeyWithClickEvents: the list hears the keys
             <div
               key={index}
               id={`${id}-${index}`}
@@ -66,6 +76,7 @@ export function StepTable() {
                 {row.number}
               </span>
               {row.designed.map((figure, part) => (
+                // biome-ignore lint/suspicious/noArrayIndexKey: feed, rotate, bend: always these three
                 <span key={part} className="step-figure" aria-hidden="true">
                   {figure}
                   <small>{row.told?.[part] ?? ""}</small>
@@ -76,7 +87,7 @@ export function StepTable() {
           );
         }}
       />
-      <p className="muted small">As designed; in grey what the machine is told.</p>
+      <p className="muted small">As designed; in grey what is sent to the machine.</p>
     </div>
   );
 }

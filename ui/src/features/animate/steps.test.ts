@@ -2,6 +2,7 @@ import { describe, expect, it } from "vitest";
 import type { DiagnosticReport, MadeResponse, PlayedWire } from "../../generated/responses";
 import { namedSteps, phrase, shownSpeeds, spoken, stepRow, worst } from "./steps";
 
+const pose: PlayedWire["steps"][number]["pose"] = { turn: [0, 0, 0, 1], bend_axis: [0, 0, 1], bend_deg: 0 };
 const wire: PlayedWire = {
   bend_axis: [0, 0, 1],
   corners_mm: [
@@ -16,16 +17,31 @@ const wire: PlayedWire = {
       seconds: [0.3, 0, 14.9, 5],
       vertex: 1,
       edges: [0],
+      pose,
+      moments: [],
     },
-    { designed: { feed_mm: 35, rotate_deg: 0, bend_deg: 0 }, told: null, seconds: [0.3, 0, 0, 0], vertex: 2, edges: [1] },
+    {
+      designed: { feed_mm: 35, rotate_deg: 0, bend_deg: 0 },
+      told: null,
+      seconds: [0.3, 0, 0, 0],
+      vertex: 2,
+      edges: [1],
+      pose,
+      moments: [],
+    },
   ],
   stock_mm: 470,
   time_s: 20.5,
 };
 
 describe("stepRow", () => {
-  it("shows what is designed and told, a dash where nothing turns, and counts from 1", () => {
-    expect(stepRow(wire, 0, "mm")).toEqual({ number: 1, designed: ["35.0", "–", "−90.0"], told: ["33.9", "–", "−112.4"], vertex: 1 });
+  it("shows what is designed and sent, a dash where nothing turns, and counts from 1", () => {
+    expect(stepRow(wire, 0, "mm")).toEqual({
+      number: 1,
+      designed: ["35.0", "–", "−90.0"],
+      told: ["33.9", "–", "−112.4"],
+      vertex: 1,
+    });
     expect(stepRow(wire, 1, "mm")?.told).toBeNull();
     expect(stepRow(wire, 2, "mm")).toBeNull();
   });
@@ -41,7 +57,13 @@ describe("spoken", () => {
   });
 });
 
-const error = (step: number | null, severity: DiagnosticReport["severity"] = "error"): DiagnosticReport => ({ code: "x", help: "", message: "", severity, step });
+const error = (step: number | null, severity: DiagnosticReport["severity"] = "error"): DiagnosticReport => ({
+  code: "edge_too_short",
+  help: "",
+  message: "",
+  severity,
+  step,
+});
 
 describe("namedSteps", () => {
   it("takes each error's step once", () => {
@@ -55,7 +77,11 @@ describe("namedSteps", () => {
 
 describe("worst", () => {
   it("says how far the worst vertex is off", () => {
-    const made: MadeResponse = { by_machine: true, notes: [], wires: [{ corners_mm: [], wire_mm: [], deviations_mm: [0.01, 0.0762], worst_mm: 0.0762 }] };
+    const made: MadeResponse = {
+      by_machine: true,
+      notes: [],
+      wires: [{ corners_mm: [], poses: [], wire_mm: [], deviations_mm: [0.01, 0.0762], worst_mm: 0.0762 }],
+    };
     expect(worst(made, 0, "mm")).toBe("worst vertex 0.08 mm");
     expect(worst(made, 0, "inch")).toBe("worst vertex 0.0030 in");
     expect(worst(null, 0, "mm")).toBeNull();
@@ -67,7 +93,7 @@ describe("phrase", () => {
     expect(phrase([{ time_s: 3130 }], 0)).toBe("52:10");
     expect(phrase([{ time_s: 60 }, { time_s: 61 }], 1)).toBe("2 wires · 2:01 · 1 without a program");
     expect(phrase([], 1)).toBe("no program: see Check");
-    expect(phrase([], 0)).toBe("nothing to make");
+    expect(phrase([], 0)).toBe("no steps");
   });
 });
 
@@ -75,8 +101,16 @@ describe("shownSpeeds", () => {
   // The published machine: 110.2 mm/s, 131.3°/s, 15.1°/s.
   const rates = [110.2, 131.3, 15.1] as const;
   it("multiplies the machine's own speeds, in the unit that is shown", () => {
-    expect(shownSpeeds(rates, { feed: 1, rotate: 1, bend: 4, all: 1 }, "mm")).toEqual({ feed: "110.2 mm/s", rotate: "131.3°/s", bend: "60.4°/s" });
-    expect(shownSpeeds(rates, { feed: 1, rotate: 1, bend: 4, all: 2 }, "inch")).toEqual({ feed: "8.677 in/s", rotate: "262.6°/s", bend: "120.8°/s" });
+    expect(shownSpeeds(rates, { feed: 1, rotate: 1, bend: 4, all: 1 }, "mm")).toEqual({
+      feed: "110.2 mm/s",
+      rotate: "131.3°/s",
+      bend: "60.4°/s",
+    });
+    expect(shownSpeeds(rates, { feed: 1, rotate: 1, bend: 4, all: 2 }, "inch")).toEqual({
+      feed: "8.677 in/s",
+      rotate: "262.6°/s",
+      bend: "120.8°/s",
+    });
   });
 
   it("says nothing of a machine that is not known", () => {

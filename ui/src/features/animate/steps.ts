@@ -1,8 +1,17 @@
 /** The steps of a wire as a table, and what is said of them. */
 
 import type { DiagnosticReport, MadeResponse, PlayedWire } from "../../generated/responses";
-import { angle, count, lengthNumber, number, speed, time, type DisplayUnit } from "../../shared/format";
-import type { Speeds } from "../../state/clock";
+import {
+  angle,
+  count,
+  type DisplayUnit,
+  deviation,
+  lengthNumber,
+  number,
+  speed,
+  time,
+} from "../../shared/figures/format";
+import type { Speeds } from "../../state/program/clock";
 
 type Motion = PlayedWire["steps"][number]["designed"];
 
@@ -47,7 +56,9 @@ export function spoken(wire: PlayedWire, index: number, shown: (mm: number) => s
 /** Steps that a diagnostic names, each once, ascending. Only for a design of one wire is it known whose steps they are. */
 export function namedSteps(diagnostics: readonly DiagnosticReport[], wires: number): readonly number[] {
   if (wires !== 1) return [];
-  const steps = diagnostics.flatMap(({ step, severity }) => (severity === "error" && typeof step === "number" ? [step] : []));
+  const steps = diagnostics.flatMap(({ step, severity }) =>
+    severity === "error" && typeof step === "number" ? [step] : [],
+  );
   return [...new Set(steps)].toSorted((a, b) => a - b);
 }
 
@@ -55,12 +66,12 @@ export function namedSteps(diagnostics: readonly DiagnosticReport[], wires: numb
 export function worst(made: MadeResponse | null, wire: number, unit: DisplayUnit): string | null {
   const mm = made?.wires[wire]?.worst_mm;
   if (mm === undefined) return null;
-  return unit === "inch" ? `worst vertex ${number(mm / 25.4, 4)} in` : `worst vertex ${number(mm, 2)} mm`;
+  return `worst vertex ${deviation(mm, unit)}`;
 }
 
 /** The header of the section: time of all wires, or what there is instead. */
 export function phrase(wires: readonly { readonly time_s: number | null }[], without: number): string {
-  if (wires.length === 0) return without > 0 ? "no program: see Check" : "nothing to make";
+  if (wires.length === 0) return without > 0 ? "no program: see Check" : "no steps";
   const known = wires.every(({ time_s }) => time_s !== null);
   const seconds = wires.reduce((all, { time_s }) => all + (time_s ?? 0), 0);
   const parts = wires.length > 1 ? [count(wires.length, "wire")] : [];
@@ -70,7 +81,11 @@ export function phrase(wires: readonly { readonly time_s: number | null }[], wit
 }
 
 /** How fast each axis goes in the view: the machine's speeds (feed in mm/s, the others in degrees/s) times what they are multiplied by. Nothing is known where `rates` is null. */
-export function shownSpeeds(rates: readonly [number, number, number] | null, speeds: Speeds, unit: DisplayUnit): Readonly<Partial<Record<keyof Speeds, string>>> {
+export function shownSpeeds(
+  rates: readonly [number, number, number] | null,
+  speeds: Speeds,
+  unit: DisplayUnit,
+): Readonly<Partial<Record<keyof Speeds, string>>> {
   if (!rates) return {};
   const [feed, rotate, bend] = rates;
   return {

@@ -1,12 +1,12 @@
 import { useEffect } from "react";
-import { count, sentence } from "../../shared/format";
-import { Checkbox } from "../../shared/inputs";
-import { Line } from "../../shared/Line";
-import { Section } from "../../shared/Section";
-import { useDesign } from "../../state/design";
-import { needFixes } from "../../state/fixes";
-import { useUi } from "../../state/ui";
-import { setAnnotations, useView } from "../../state/view";
+import { Checkbox } from "../../shared/controls/inputs";
+import { count, sentence } from "../../shared/figures/format";
+import { Line } from "../../shared/lists/Line";
+import { useDesign } from "../../state/design/design";
+import { needFixes } from "../../state/design/fixes";
+import { useUi } from "../../state/window/ui";
+import { setAnnotations, useView } from "../../state/window/view";
+import { Section } from "../panel/Section";
 import { isCompensated } from "../viewport/marks";
 import { GroupLine } from "./GroupLine";
 import { fineOf, groupsOf, phraseOf } from "./texts";
@@ -32,9 +32,9 @@ export function CheckSection() {
     <>
       <Section id="check" title="Check" phrase={phrase} tone={tone}>
         {vertices.size === 0 ? (
-          <p className="muted">As soon as there is an edge, the machine's limits are checked with every change.</p>
+          <p className="muted">Draw an edge. Every change is then checked against the machine's limits.</p>
         ) : !state?.machine ? (
-          <p className="muted">Choose a machine in the bar at the top: its limits are what is checked.</p>
+          <p className="muted">Choose a machine in the top bar. The design is checked against its limits.</p>
         ) : (
           <>
             <ul className="check-list">
@@ -45,7 +45,9 @@ export function CheckSection() {
                 <Line key={text} tone="fine" what={text} />
               ))}
               {check?.limits_unknown && <Line tone="warning" what={sentence(check.limits_unknown)} />}
-              {check && isCompensated(check) && <Line tone="info" what="Whether it meets the machine or itself is not checked" />}
+              {check && isCompensated(check) && (
+                <Line tone="info" what="Collisions with the machine or with the wire itself are not checked" />
+              )}
             </ul>
             <Checkbox checked={annotations} onChange={setAnnotations}>
               Annotations in the view
@@ -54,7 +56,9 @@ export function CheckSection() {
         )}
       </Section>
       <p className="visually-hidden" aria-live="polite">
-        {check && vertices.size > 0 ? `Check: ${phrase}${check.wires.length > 1 ? `, ${count(check.wires.length, "wire")}` : ""}` : ""}
+        {check && vertices.size > 0
+          ? `Check: ${phrase}${check.wires.length > 1 ? `, ${count(check.wires.length, "wire")}` : ""}`
+          : ""}
       </p>
     </>
   );

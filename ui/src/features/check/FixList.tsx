@@ -1,11 +1,11 @@
 import { useRef, useState } from "react";
-import { Button } from "../../shared/Button";
-import { count, LIMITS_ONLY, money, signed, time } from "../../shared/format";
-import { useInSight } from "../../shared/sight";
-import { useLengths } from "../../shared/unit";
-import { useDesign } from "../../state/design";
-import { applyFix, showFix, useFixes } from "../../state/fixes";
 import type { Fix } from "../../generated/responses";
+import { Button } from "../../shared/controls/Button";
+import { count, LIMITS_ONLY, money, signed, time } from "../../shared/figures/format";
+import { useLengths } from "../../shared/figures/unit";
+import { useInSight } from "../../shared/lists/sight";
+import { useDesign } from "../../state/design/design";
+import { applyFix, showFix, useFixes } from "../../state/design/fixes";
 import { totals } from "./totals";
 
 /** What changes, in a line: "+601.4 mm · +$1.20 · +2:10". */
@@ -14,7 +14,9 @@ function useChange(): (fix: Fix) => string {
   return ({ change, errors_after }) => {
     const parts = [
       change.length_mm !== null && Math.abs(change.length_mm) >= 0.05 && signed(change.length_mm, length),
-      change.cost !== null && Math.abs(change.cost) >= 0.005 && signed(change.cost, (value) => money(value, change.currency)),
+      change.cost !== null &&
+        Math.abs(change.cost) >= 0.005 &&
+        signed(change.cost, (value) => money(value, change.currency)),
       change.time_s !== null && Math.abs(change.time_s) >= 0.5 && signed(change.time_s, time),
       afterwards(change, errors_after),
     ];
@@ -23,11 +25,12 @@ function useChange(): (fix: Fix) => string {
 }
 
 /** Without a route there are no figures, and what is wrong along it is not known before there is one. */
-const isFirst = ({ length_mm, stock_mm, time_s, cost }: Fix["change"]): boolean => length_mm === null && stock_mm === null && time_s === null && cost === null;
+const isFirst = ({ length_mm, stock_mm, time_s, cost }: Fix["change"]): boolean =>
+  length_mm === null && stock_mm === null && time_s === null && cost === null;
 
 function afterwards(change: Fix["change"], errors: number): string {
   if (errors === 0) return `then ${LIMITS_ONLY}`;
-  return isFirst(change) ? `then there is a wire, with ${count(errors, "error")} along it` : `then ${count(errors, "error")}`;
+  return isFirst(change) ? `gives a wire with ${count(errors, "error")}` : `then ${count(errors, "error")}`;
 }
 
 /** Before and after, while a fix is shown in the view. */
@@ -48,7 +51,12 @@ function Figures({ fix }: { readonly fix: Fix }) {
       </tr>
     );
   };
-  if (isFirst(change)) return <p className="muted small">Stock, time and cost in all are known once there is a wire within the machine's limits.</p>;
+  if (isFirst(change))
+    return (
+      <p className="muted small">
+        Totals of stock, time and cost are shown once the wires are within the machine's limits.
+      </p>
+    );
   const errors = check?.diagnostics.filter(({ severity }) => severity === "error").length ?? 0;
   return (
     <table className="before-after">
@@ -74,7 +82,7 @@ function Figures({ fix }: { readonly fix: Fix }) {
   );
 }
 
-/** Changes that would mend it, each tried on a copy before: shown in the view, and made with one click that undo takes back. */
+/** Changes that would fix it, each tried on a copy before: shown in the view, and made with one click that undo takes back. */
 export function FixList({ fixes }: { readonly fixes: readonly Fix[] }) {
   const { shown, of } = useFixes();
   const check = useDesign((design) => design.check);
@@ -84,7 +92,12 @@ export function FixList({ fixes }: { readonly fixes: readonly Fix[] }) {
   const box = useRef<HTMLUListElement>(null);
   useInSight(box, true);
   // A fix is of the design as it was looked at: the second click of a double one would make it again of another one.
-  const why = made !== null && fixes.includes(made) ? "The fix is being made." : of !== check ? "The design has changed since." : null;
+  const why =
+    made !== null && fixes.includes(made)
+      ? "The fix is being applied."
+      : of !== check
+        ? "The design has changed since."
+        : null;
   const apply = async (fix: Fix) => {
     const before = useDesign.getState().state;
     setMade(fix);
@@ -96,6 +109,7 @@ export function FixList({ fixes }: { readonly fixes: readonly Fix[] }) {
       {fixes.map((fix, index) => {
         const now = shown === fix;
         return (
+          // biome-ignore lint/suspicious/noArrayIndexKey: the fixes of a finding come and go together
           <li key={index} className="fix">
             <div className="fix-title">{said(fix.title)}</div>
             <div className="muted">{change(fix)}</div>

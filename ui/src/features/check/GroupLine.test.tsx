@@ -7,10 +7,10 @@ const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(async () => {}), 
 vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
 
 import type { DiagnosticReport, Fix, LiveCheck } from "../../generated/responses";
-import { useDesign } from "../../state/design";
-import { useFixes } from "../../state/fixes";
-import { useSelection } from "../../state/selection";
-import { useUi } from "../../state/ui";
+import { useDesign } from "../../state/design/design";
+import { useFixes } from "../../state/design/fixes";
+import { useSelection } from "../../state/design/selection";
+import { useUi } from "../../state/window/ui";
 import { GroupLine } from "./GroupLine";
 
 Object.assign(globalThis, { IS_REACT_ACT_ENVIRONMENT: true });
@@ -18,7 +18,13 @@ Object.assign(globalThis, { IS_REACT_ACT_ENVIRONMENT: true });
 let host: HTMLElement;
 let root: Root;
 
-const report = (code: string, more: Partial<DiagnosticReport> = {}): DiagnosticReport => ({ code, severity: "error", message: code, help: "", ...more });
+const report = (code: DiagnosticReport["code"], more: Partial<DiagnosticReport> = {}): DiagnosticReport => ({
+  code,
+  severity: "error",
+  message: code,
+  help: "",
+  ...more,
+});
 const short = report("edge_too_short", { edge: 7, edges: [7] });
 const fix = {
   title: "Move vertex 3",
@@ -41,7 +47,8 @@ afterEach(() => {
   host.remove();
 });
 
-const show = (reports: DiagnosticReport[]) => act(() => root.render(<GroupLine group={{ key: "x", severity: "error", reports }} />));
+const show = (reports: DiagnosticReport[]) =>
+  act(() => root.render(<GroupLine group={{ key: "x", severity: "error", reports }} />));
 const button = (text: string): HTMLButtonElement => {
   const found = [...host.querySelectorAll("button")].find(({ textContent }) => textContent === text);
   if (!found) throw new Error(`no button ${text}`);
@@ -84,7 +91,15 @@ describe("a line of the checks", () => {
   });
 
   it("selects the smaller parts of several", () => {
-    useDesign.setState({ edges: new Map([[1, 2], [2, 3], [8, 9]].map(([a = 0, b = 0], id) => [id, { id, a, b }])) });
+    useDesign.setState({
+      edges: new Map(
+        [
+          [1, 2],
+          [2, 3],
+          [8, 9],
+        ].map(([a = 0, b = 0], id) => [id, { id, a, b }]),
+      ),
+    });
     show([report("several_wires", { value: 2 })]);
     act(() => button("Select the smaller").click());
     expect([...useSelection.getState().vertices]).toEqual([8, 9]);

@@ -1,16 +1,16 @@
 import { useEffect, useRef, useState } from "react";
 import type { DiagnosticReport } from "../../generated/responses";
-import { Button } from "../../shared/Button";
-import { Mark } from "../../shared/Mark";
-import { useLengths } from "../../shared/unit";
-import { useDesign } from "../../state/design";
-import { fixesOf, useFixes } from "../../state/fixes";
-import { highlight, select } from "../../state/selection";
-import { frame } from "../../state/view";
+import { Button } from "../../shared/controls/Button";
+import { useLengths } from "../../shared/figures/unit";
+import { Mark } from "../../shared/lists/Mark";
+import { useDesign } from "../../state/design/design";
+import { fixesOf, useFixes } from "../../state/design/fixes";
+import { highlight, select } from "../../state/design/selection";
+import { frame } from "../../state/window/view";
 import { placesOf } from "../viewport/marks";
 import { FixList } from "./FixList";
-import { wayOut } from "./ways";
 import { figuresOf, type Group, sourceOf, TONES, titleOf, valueText, whatOf } from "./texts";
+import { wayOut } from "./ways";
 
 /** More places than these are not listed one by one. */
 const MOST = 40;
@@ -48,7 +48,10 @@ function usePointing(reports: readonly DiagnosticReport[]) {
 function Member({ report }: { readonly report: DiagnosticReport }) {
   const [open, setOpen] = useState(false);
   const { unit, said } = useLengths();
-  const fixes = fixesOf(report, useFixes((store) => store.fixes));
+  const fixes = fixesOf(
+    report,
+    useFixes((store) => store.fixes),
+  );
   const pointing = usePointing([report]);
   return (
     <li {...pointing.line}>
@@ -97,10 +100,17 @@ export function GroupLine({ group }: { readonly group: Group }) {
           said(titleOf(group))
         )}
       </div>
-      <div className="line-sub" title={sourceOf(group)}>{said(figuresOf(group, unit))}</div>
+      <div className="line-sub" title={sourceOf(group)}>
+        {said(figuresOf(group, unit))}
+      </div>
       {action && (
         <div className="line-action">
-          <Button kind="link" aria-expanded={folds ? open : undefined} title={way?.title} onClick={() => (folds ? setOpen(!open) : way ? way.go() : show(reports))}>
+          <Button
+            kind="link"
+            aria-expanded={folds ? open : undefined}
+            title={way?.title}
+            onClick={() => (folds ? setOpen(!open) : way ? way.go() : show(reports))}
+          >
             {folds && open ? "Close" : action}
           </Button>
         </div>
@@ -111,6 +121,7 @@ export function GroupLine({ group }: { readonly group: Group }) {
           {!single && (
             <ul className="members">
               {reports.slice(0, MOST).map((report, index) => (
+                // biome-ignore lint/suspicious/noArrayIndexKey: the findings of a check come and go together
                 <Member key={index} report={report} />
               ))}
               {reports.length > MOST && <li className="muted">and {reports.length - MOST} more</li>}

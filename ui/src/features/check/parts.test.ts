@@ -6,7 +6,9 @@ const edges = (...ends: [number, number][]) => ({ edges: new Map(ends.map(([a, b
 describe("the smaller parts", () => {
   it("are all but the one with the most edges, each vertex once", () => {
     // A triangle with a tail, a chain whose halves are joined last, and a single edge.
-    const { vertices, edges: found } = smallerParts(edges([1, 2], [10, 11], [2, 3], [12, 13], [3, 1], [3, 4], [20, 21], [11, 12]));
+    const { vertices, edges: found } = smallerParts(
+      edges([1, 2], [10, 11], [2, 3], [12, 13], [3, 1], [3, 4], [20, 21], [11, 12]),
+    );
     expect(vertices.toSorted((a, b) => a - b)).toEqual([10, 11, 12, 13, 20, 21]);
     expect(found.toSorted((a, b) => a - b)).toEqual([1, 3, 6, 7]);
   });

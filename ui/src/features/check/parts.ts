@@ -17,7 +17,10 @@ export function smallerParts({ edges }: Pick<SceneDesign, "edges">): Part {
     for (const vertex of [a, b, ...(joins?.vertices ?? [])]) parts.set(vertex, part);
   }
   const each = [...new Set(parts.values())];
-  const largest = each.reduce<Part | null>((most, part) => (most && most.edges.length >= part.edges.length ? most : part), null);
+  const largest = each.reduce<Part | null>(
+    (most, part) => (most && most.edges.length >= part.edges.length ? most : part),
+    null,
+  );
   const rest = each.filter((part) => part !== largest);
   return { vertices: rest.flatMap(({ vertices }) => vertices), edges: rest.flatMap((part) => part.edges) };
 }

@@ -14,44 +14,94 @@ const short = (edge: number, value: number): DiagnosticReport => ({
   message: `edge ${edge} is ${value} mm long`,
   help: "make it longer",
 });
-const odd: DiagnosticReport = { code: "no_euler_path", severity: "error", vertices: [4, 5], value: 22, limit: 2, message: "22 vertices are odd", help: "travel 11 edges twice" };
-const near: DiagnosticReport = { code: "bend_near_limit", severity: "warning", vertex: 17, value: -151.3, limit: -155, unit: "deg", message: "close", help: "leave it" };
-const wire: WireFigures = { bends: 7, cost: 1, stock_cost: 2, currency: "USD", length_mm: 100, mass_g: 1, stock_mm: 120, time_s: 10, route: [0, 1] };
-const check = (diagnostics: DiagnosticReport[], wires: WireFigures[] = [wire]): LiveCheck => ({ feasible: !diagnostics.some(({ severity }) => severity === "error"), diagnostics, wires, limits_unknown: null });
+const odd: DiagnosticReport = {
+  code: "no_euler_path",
+  severity: "error",
+  vertices: [4, 5],
+  value: 22,
+  limit: 2,
+  message: "22 vertices are odd",
+  help: "double 11 edges",
+};
+const near: DiagnosticReport = {
+  code: "bend_near_limit",
+  severity: "warning",
+  vertex: 17,
+  value: -151.3,
+  limit: -155,
+  unit: "deg",
+  message: "close",
+  help: "leave it",
+};
+const wire: WireFigures = {
+  bends: 7,
+  cost: 1,
+  stock_cost: 2,
+  currency: "USD",
+  length_mm: 100,
+  mass_g: 1,
+  stock_mm: 120,
+  time_s: 10,
+  route: [0, 1],
+};
+const check = (diagnostics: DiagnosticReport[], wires: WireFigures[] = [wire]): LiveCheck => ({
+  feasible: !diagnostics.some(({ severity }) => severity === "error"),
+  diagnostics,
+  wires,
+  limits_unknown: null,
+});
 
 describe("the list of checks", () => {
   const all = check([odd, short(3, 19.4), short(8, 17.9), near]);
   const groups = groupsOf(all);
 
   it("has one line for what is of a kind", () => {
-    expect(groups.map(titleOf)).toEqual(["22 odd vertices: no single wire", "2 edges too short", "Bend at vertex 17 close to the limit"]);
+    expect(groups.map(titleOf)).toEqual([
+      "22 odd vertices: no single wire",
+      "2 edges too short",
+      "Bend at vertex 17 close to the limit",
+    ]);
   });
 
   it("names the worst value, its limit and where that comes from", () => {
     expect(groups.map((group) => figuresOf(group, "mm"))).toEqual([
-      "Travel 11 edges twice",
+      "Double 11 edges",
       "least 17.9 mm, limit 25.0 mm \u00b7 the head needs room",
       "\u2212151.3°, limit \u2212155.0°",
     ]);
   });
 
   it("takes the smallest of what is close to a least, though it is above it", () => {
-    const close = (edge: number, value: number): DiagnosticReport => ({ ...short(edge, value), code: "edge_near_limit", severity: "warning" });
+    const close = (edge: number, value: number): DiagnosticReport => ({
+      ...short(edge, value),
+      code: "edge_near_limit",
+      severity: "warning",
+    });
     const [group] = groupsOf(check([close(1, 26.1), close(2, 25.4), close(3, 26)]));
     expect(group && figuresOf(group, "mm")).toMatch(/^least 25\.4 mm/);
   });
 
   it("says what it does not know in the words that came", () => {
-    expect(whatOf({ code: "brand_new", severity: "error", message: "the spool is empty", help: "" })).toBe("The spool is empty");
+    expect(whatOf({ code: "stock_too_long", severity: "error", message: "the spool is empty", help: "" })).toBe(
+      "The spool is empty",
+    );
   });
 
   it("says values in the unit that is shown", () => {
-    expect([valueText(25.4, "mm", "inch"), valueText(90, "deg", "inch"), valueText(3, null, "mm"), valueText(null, "mm", "mm")]).toEqual(["1.000 in", "90.0°", "3", null]);
+    expect([
+      valueText(25.4, "mm", "inch"),
+      valueText(90, "deg", "inch"),
+      valueText(3, null, "mm"),
+      valueText(null, "mm", "mm"),
+    ]).toEqual(["1.000 in", "90.0°", "3", null]);
   });
 
   it("counts each place in its phrase", () => {
     expect(phraseOf(all, true, false)).toEqual({ phrase: "3 to fix", tone: "error" });
-    expect(phraseOf(check([near]), true, false)).toEqual({ phrase: "1 to look at; no collision check", tone: "warning" });
+    expect(phraseOf(check([near]), true, false)).toEqual({
+      phrase: "1 to look at; no collision check",
+      tone: "warning",
+    });
     expect(phraseOf(check([]), true, false)).toEqual({ phrase: "in limits; no collision check", tone: "fine" });
     expect(phraseOf(null, false, false).phrase).toBe("no machine chosen");
     expect(phraseOf(check([]), true, true).phrase).toBe("nothing to check yet");

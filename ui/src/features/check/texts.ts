@@ -1,10 +1,14 @@
-import type { DiagnosticReport, LiveCheck } from "../../generated/responses";
-import { angle, count, type DisplayUnit, length, number, sentence } from "../../shared/format";
-import type { Tone } from "../../shared/Mark";
+import type { DiagnosticCode, DiagnosticReport, LiveCheck } from "../../generated/responses";
+import { angle, count, type DisplayUnit, length, number, sentence } from "../../shared/figures/format";
+import type { Tone } from "../../shared/lists/Mark";
 import { isCompensated } from "../viewport/marks";
 
 /** A measured value or a limit with its unit; null where there is none. */
-export function valueText(value: number | null | undefined, unit: string | null | undefined, shown: DisplayUnit): string | null {
+export function valueText(
+  value: number | null | undefined,
+  unit: string | null | undefined,
+  shown: DisplayUnit,
+): string | null {
   if (value === null || value === undefined) return null;
   if (unit === "mm") return length(value, shown);
   if (unit === "deg") return angle(value);
@@ -13,29 +17,69 @@ export function valueText(value: number | null | undefined, unit: string | null 
 
 type Place = Pick<DiagnosticReport, "vertex" | "edge" | "edges" | "value">;
 
-/** How one and how several of a kind are named. What is not here is named by its own message. */
-const NAMES: Readonly<Record<string, { one(report: Place): string; many(count: string): string }>> = {
-  no_euler_path: { one: ({ value }) => `${number(value ?? 0, 0)} odd vertices: no single wire`, many: (n) => `${n} parts that no single wire runs through` },
+/** How one and how several of a kind are named in a line of the list; null: its own message names it. */
+type Title = { one(report: Place): string; many(count: string): string } | null;
+
+/** A title for every kind of finding: one that is new does not compile before it is decided how it is named. */
+const TITLES: Readonly<Record<DiagnosticCode, Title>> = {
+  no_euler_path: {
+    one: ({ value }) => `${number(value ?? 0, 0)} odd vertices: no single wire`,
+    many: (n) => `${n} parts that no single wire runs through`,
+  },
   edge_too_short: { one: (r) => `${edgeName(r)} too short`, many: (n) => `${n} edges too short` },
-  edge_near_limit: { one: (r) => `${edgeName(r)} close to the shortest`, many: (n) => `${n} edges close to the shortest` },
-  feed_too_short: { one: (r) => `${edgeName(r)}: feed too short`, many: (n) => `${n} feeds too short after compensation` },
-  feed_near_limit: { one: (r) => `${edgeName(r)}: feed close to the shortest`, many: (n) => `${n} feeds close to the shortest` },
+  edge_near_limit: {
+    one: (r) => `${edgeName(r)} close to the shortest`,
+    many: (n) => `${n} edges close to the shortest`,
+  },
+  feed_too_short: {
+    one: (r) => `${edgeName(r)}: feed too short`,
+    many: (n) => `${n} feeds too short after compensation`,
+  },
+  feed_near_limit: {
+    one: (r) => `${edgeName(r)}: feed close to the shortest`,
+    many: (n) => `${n} feeds close to the shortest`,
+  },
   feed_too_long: { one: (r) => `${edgeName(r)}: feed too long`, many: (n) => `${n} feeds too long` },
-  arcs_overlap: { one: (r) => `${edgeName(r)} too short for the bends at its ends`, many: (n) => `${n} edges too short for the bends at their ends` },
+  arcs_overlap: {
+    one: (r) => `${edgeName(r)} too short for the bends at its ends`,
+    many: (n) => `${n} edges too short for the bends at their ends`,
+  },
   bend_too_sharp: { one: (r) => `Bend${at(r)} too sharp`, many: (n) => `${n} bends too sharp` },
   bend_near_limit: { one: (r) => `Bend${at(r)} close to the limit`, many: (n) => `${n} bends close to the limit` },
-  bend_out_of_reach: { one: (r) => `Bend${at(r)} out of reach of the axis`, many: (n) => `${n} bends out of reach of the axis` },
+  bend_out_of_reach: {
+    one: (r) => `Bend${at(r)} out of reach of the axis`,
+    many: (n) => `${n} bends out of reach of the axis`,
+  },
   bend_too_small: { one: (r) => `Bend${at(r)} too small`, many: (n) => `${n} bends too small` },
   fold_back: { one: (r) => `The wire folds back${at(r)}`, many: (n) => `The wire folds back at ${n} places` },
-  bend_in_scatter: { one: (r) => `Bend${at(r)} smaller than bends scatter`, many: (n) => `${n} bends smaller than bends scatter` },
-  corner_not_made: { one: (r) => `Corner${at(r)} gentler than the axis resolves`, many: (n) => `${n} corners gentler than the axis resolves` },
-  rotation_out_of_range: { one: (r) => `The head would have to turn too far${at(r)}`, many: (n) => `The head would have to turn too far at ${n} places` },
-  coincident_vertices: { one: (r) => `Vertices lie on each other${at(r)}`, many: (n) => `${n} pairs of vertices lie on each other` },
+  bend_in_scatter: {
+    one: (r) => `Bend${at(r)} smaller than bends scatter`,
+    many: (n) => `${n} bends smaller than bends scatter`,
+  },
+  corner_not_made: {
+    one: (r) => `Corner${at(r)} gentler than the axis resolves`,
+    many: (n) => `${n} corners gentler than the axis resolves`,
+  },
+  rotation_out_of_range: {
+    one: (r) => `The head would have to turn too far${at(r)}`,
+    many: (n) => `The head would have to turn too far at ${n} places`,
+  },
+  coincident_vertices: {
+    one: (r) => `Vertices lie on each other${at(r)}`,
+    many: (n) => `${n} pairs of vertices lie on each other`,
+  },
   isolated_vertex: { one: (r) => `Vertex ${r.vertex ?? "?"} has no edge`, many: (n) => `${n} vertices have no edge` },
   zero_length_edge: { one: (r) => `${edgeName(r)} has no length`, many: (n) => `${n} edges have no length` },
   parallel_edges: { one: (r) => `${edgeName(r)} lies on another`, many: (n) => `${n} edges lie on others` },
-  several_wires: { one: ({ value }) => `The parts are not connected: ${count(value ?? 0, "wire")}`, many: (n) => `${n} designs of several wires` },
+  several_wires: {
+    one: ({ value }) => `The parts are not connected: ${count(value ?? 0, "wire")}`,
+    many: (n) => `${n} designs of several wires`,
+  },
   doubled_edge: { one: (r) => `${edgeName(r)} is laid twice`, many: (n) => `${n} edges are laid twice` },
+  no_edges: null,
+  route_refused: null,
+  stock_too_long: null,
+  wire_does_not_fit: null,
 };
 
 function edgeName({ edge, edges }: Place): string {
@@ -65,7 +109,7 @@ export function groupsOf(check: LiveCheck): Group[] {
 
 /** One diagnostic in a line. */
 export function whatOf(report: DiagnosticReport): string {
-  return NAMES[report.code]?.one(report) ?? sentence(report.message);
+  return TITLES[report.code]?.one(report) ?? sentence(report.message);
 }
 
 /** A group in a line. */
@@ -73,7 +117,10 @@ export function titleOf({ reports }: Group): string {
   const [first] = reports;
   if (!first) return "";
   if (reports.length === 1) return whatOf(first);
-  return NAMES[first.code]?.many(number(reports.length, 0)) ?? `${sentence(first.message)} (${count(reports.length, "place")})`;
+  return (
+    TITLES[first.code]?.many(number(reports.length, 0)) ??
+    `${sentence(first.message)} (${count(reports.length, "place")})`
+  );
 }
 
 /** Whether the limit is a least: an error is below it, what is close to it is above. */
@@ -90,6 +137,9 @@ function worstOf(reports: readonly DiagnosticReport[]): DiagnosticReport | undef
   return reports.toSorted((a, b) => size(a) - size(b))[0];
 }
 
+/** Findings whose value is a length that is fed. */
+const OF_FEEDS: ReadonlySet<DiagnosticCode> = new Set(["feed_too_short", "feed_near_limit", "feed_too_long"]);
+
 /** The grey line: value, limit and where the limit comes from. */
 export function figuresOf({ reports }: Group, unit: DisplayUnit): string {
   const worst = worstOf(reports);
@@ -98,7 +148,7 @@ export function figuresOf({ reports }: Group, unit: DisplayUnit): string {
   if (!worst.unit) return sentence(worst.help);
   const [value, limit] = [valueText(worst.value, worst.unit, unit), valueText(worst.limit, worst.unit, unit)];
   const which = reports.length === 1 ? "" : isLeast(worst) ? "least " : "most ";
-  const what = worst.code.startsWith("feed_") ? "fed " : "";
+  const what = OF_FEEDS.has(worst.code) ? "fed " : "";
   const parts = [value && `${what}${which}${value}`, limit && `limit ${limit}`];
   const figures = parts.filter(Boolean).join(", ");
   if (!figures) return sentence(worst.help);
@@ -112,7 +162,11 @@ export function sourceOf({ reports }: Group): string | undefined {
   return worstOf(reports)?.limit_source ?? undefined;
 }
 
-export const TONES: Readonly<Record<DiagnosticReport["severity"], Tone>> = { error: "error", warning: "warning", info: "info" };
+export const TONES: Readonly<Record<DiagnosticReport["severity"], Tone>> = {
+  error: "error",
+  warning: "warning",
+  info: "info",
+};
 
 /** How many diagnostics of a severity there are: places, not lines of the list. */
 function many(check: LiveCheck, severity: DiagnosticReport["severity"]): number {
@@ -123,7 +177,11 @@ function many(check: LiveCheck, severity: DiagnosticReport["severity"]): number 
 const NOT_CHECKED = "no collision check";
 
 /** The state of the checks in a phrase. */
-export function phraseOf(check: LiveCheck | null, machine: boolean, empty: boolean): { phrase: string; tone: Tone | null } {
+export function phraseOf(
+  check: LiveCheck | null,
+  machine: boolean,
+  empty: boolean,
+): { phrase: string; tone: Tone | null } {
   if (empty) return { phrase: "nothing to check yet", tone: null };
   if (!machine) return { phrase: "no machine chosen", tone: null };
   if (!check) return { phrase: "not checked", tone: null };
@@ -131,14 +189,17 @@ export function phraseOf(check: LiveCheck | null, machine: boolean, empty: boole
   if (errors > 0) return { phrase: `${errors} to fix`, tone: "error" };
   const warnings = many(check, "warning");
   if (warnings > 0) return { phrase: `${warnings} to look at; ${NOT_CHECKED}`, tone: "warning" };
-  return check.feasible ? { phrase: `in limits; ${NOT_CHECKED}`, tone: "fine" } : { phrase: "cannot be made", tone: "error" };
+  return check.feasible
+    ? { phrase: `in limits; ${NOT_CHECKED}`, tone: "fine" }
+    : { phrase: "cannot be made", tone: "error" };
 }
 
 /** What was checked and is fine: only what the figures show to have been checked, of all wires. */
 export function fineOf(check: LiveCheck): string[] {
   const { wires, diagnostics } = check;
   if (wires.length === 0) return [];
-  const free = (...codes: string[]) => !diagnostics.some(({ code, severity }) => severity !== "info" && codes.includes(code));
+  const free = (...codes: DiagnosticCode[]) =>
+    !diagnostics.some(({ code, severity }) => severity !== "info" && codes.includes(code));
   const routed = wires.every(({ length_mm }) => length_mm !== null);
   const fine: string[] = [];
   if (routed && free("no_euler_path", "route_refused")) {
@@ -148,7 +209,8 @@ export function fineOf(check: LiveCheck): string[] {
   const bends = wires.reduce((sum, wire) => sum + (wire.bends ?? 0), 0);
   if (free("edge_too_short", "edge_near_limit", "arcs_overlap", "zero_length_edge")) fine.push("Edges long enough");
   if (free("feed_too_short", "feed_near_limit", "feed_too_long")) fine.push("Feeds within the machine's limits");
-  if (free("bend_too_sharp", "bend_near_limit", "bend_out_of_reach", "bend_too_small", "fold_back")) fine.push(`${count(bends, "bend")} within reach`);
+  if (free("bend_too_sharp", "bend_near_limit", "bend_out_of_reach", "bend_too_small", "fold_back"))
+    fine.push(`${count(bends, "bend")} within reach`);
   if (free("rotation_out_of_range")) fine.push("Rotation within the head's limits");
   if (free("stock_too_long")) fine.push("Stock fits the machine");
   if (free("wire_does_not_fit")) fine.push("Wire fits the machine");

@@ -1,10 +1,10 @@
-/** Where to go with a problem that no change of the design mends by itself. */
+/** Where to go with a problem that no change of the design fixes by itself. */
 
-import { run } from "../../state/commands";
-import { useDesign } from "../../state/design";
-import { select } from "../../state/selection";
-import { useUi } from "../../state/ui";
-import { frame } from "../../state/view";
+import { useDesign } from "../../state/design/design";
+import { select } from "../../state/design/selection";
+import { run } from "../../state/window/commands";
+import { useUi } from "../../state/window/ui";
+import { frame } from "../../state/window/view";
 import { smallerParts } from "./parts";
 
 interface WayOut {
@@ -25,15 +25,23 @@ function selectSmaller(): void {
 export function wayOut(code: string, stencil: boolean): WayOut | null {
   switch (code) {
     case "wire_does_not_fit":
-      return { label: "Choose a wire", title: "Wires that fit the machine, and machines that take this wire", go: toMachine };
+      return {
+        label: "Choose a wire",
+        title: "Wires that fit the machine, and machines that take this wire",
+        go: toMachine,
+      };
     case "stock_too_long":
       return { label: "Machines", title: "Another machine may hold longer stock", go: toMachine };
     case "no_edges":
       return stencil
-        ? { label: "Trace", title: "Place vertices on the stencil, click by click", go: () => run("tool-trace") }
-        : { label: "Draw", title: "Draw edges on a plane, click by click", go: () => run("tool-draw") };
+        ? { label: "Trace", title: "Place vertices on the stencil with clicks", go: () => run("tool-trace") }
+        : { label: "Draw", title: "Draw edges on a plane with clicks", go: () => run("tool-draw") };
     case "several_wires":
-      return { label: "Select the smaller", title: "All parts but the largest: delete them, or connect them with C", go: selectSmaller };
+      return {
+        label: "Select the smaller",
+        title: "All parts but the largest: delete them, or connect them with C",
+        go: selectSmaller,
+      };
     default:
       return null;
   }

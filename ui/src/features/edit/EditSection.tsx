@@ -1,11 +1,11 @@
 import { useMemo } from "react";
-import { count } from "../../shared/format";
-import { Part, Section } from "../../shared/Section";
-import { useLengths } from "../../shared/unit";
-import { useDesign } from "../../state/design";
-import { edgesOf, isEmpty, useSelection, verticesOf } from "../../state/selection";
+import { count } from "../../shared/figures/format";
+import { useLengths } from "../../shared/figures/unit";
+import { useDesign } from "../../state/design/design";
+import { lengthOf } from "../../state/design/geometry";
+import { edgesOf, isEmpty, useSelection, verticesOf } from "../../state/design/selection";
+import { Part, Section } from "../panel/Section";
 import { AddVertex } from "./AddVertex";
-import { lengthOf } from "./geometry";
 import { Operations } from "./Operations";
 import { Position } from "./Position";
 import { Route } from "./Route";
@@ -19,9 +19,17 @@ function Selected() {
   const text = useMemo(() => {
     if (isEmpty(selection)) return null;
     const [vertices, edges] = [verticesOf(selection, design), edgesOf(selection, design)];
-    return [count(vertices.length, "vertex", "vertices"), count(edges.length, "edge"), edges.length > 0 && length(lengthOf(edges, design))].filter(Boolean).join(" · ");
+    return [
+      count(vertices.length, "vertex", "vertices"),
+      count(edges.length, "edge"),
+      edges.length > 0 && length(lengthOf(edges, design)),
+    ]
+      .filter(Boolean)
+      .join(" · ");
   }, [selection, design, length]);
-  return <p role="status">{text ?? <span className="muted">Nothing is selected. Click in the view, or drag a box.</span>}</p>;
+  return (
+    <p role="status">{text ?? <span className="muted">Nothing selected. Click in the view, or drag a box.</span>}</p>
+  );
 }
 
 /** What is selected, in figures that can be typed over, and what can be done with it. */

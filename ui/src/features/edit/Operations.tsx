@@ -1,10 +1,10 @@
 import type { ReactNode } from "react";
-import { Button } from "../../shared/Button";
-import { Icon } from "../../shared/icons";
-import { run, useWhyNot, whyNot } from "../../state/commands";
-import { type CommandId, keyOf } from "../../state/keys";
-import { detach, selectedEdges } from "../../state/operations";
-import { type OperationName, useUi } from "../../state/ui";
+import { Button } from "../../shared/controls/Button";
+import { Icon } from "../../shared/controls/icons";
+import { detach, selectedEdges } from "../../state/design/operations";
+import { run, useWhyNot, whyNot } from "../../state/window/commands";
+import { type CommandId, keyOf } from "../../state/window/keys";
+import { type OperationName, useUi } from "../../state/window/ui";
 import { ArrayForm, ScaleForm } from "./copies";
 import { ExtrudeForm, MergeForm, MirrorForm, RoundForm, SplitForm, StraightenForm } from "./forms";
 
@@ -33,7 +33,12 @@ function Operation({ name, label, form }: (typeof FORMS)[number]) {
   const open = useUi((ui) => ui.operation === name);
   return (
     <div className="operation" id={`operation-${name}`}>
-      <button type="button" className="operation-head" aria-expanded={open} onClick={() => useUi.getState().showOperation(open ? null : name)}>
+      <button
+        type="button"
+        className="operation-head"
+        aria-expanded={open}
+        onClick={() => useUi.getState().showOperation(open ? null : name)}
+      >
         <Icon name={open ? "down" : "right"} size={12} />
         <span className="grow">{label}</span>
         <span className="muted">{keyOf(name)}</span>
@@ -54,7 +59,12 @@ export function Operations() {
         <Now command="connect" label="Connect" />
         <Now command="duplicate" label="Duplicate" />
         <Now command="delete" label="Delete" />
-        <Button small why={whyNot("delete") ?? noEdges} title="Give the selected edges vertices of their own: two wires that touch" onClick={() => void detach()}>
+        <Button
+          small
+          why={whyNot("delete") ?? noEdges}
+          title="Detach the selected edges: two wires that touch"
+          onClick={() => void detach()}
+        >
           Detach
         </Button>
       </div>

@@ -1,14 +1,14 @@
 import { useState } from "react";
 import type { Axis, Vec3 } from "../../scene/interface";
-import { Button } from "../../shared/Button";
-import { Checkbox } from "../../shared/inputs";
-import { NumberField } from "../../shared/NumberField";
-import { run } from "../../state/commands";
-import { useDesign } from "../../state/design";
-import { moveBy, place, support } from "../../state/operations";
-import { useSelection, verticesOf } from "../../state/selection";
-import { useView } from "../../state/view";
-import { AXES, axisIndex } from "./geometry";
+import { Button } from "../../shared/controls/Button";
+import { Checkbox } from "../../shared/controls/inputs";
+import { NumberField } from "../../shared/controls/NumberField";
+import { useDesign } from "../../state/design/design";
+import { AXES, axisIndex } from "../../state/design/geometry";
+import { moveBy, place, support } from "../../state/design/operations";
+import { useSelection, verticesOf } from "../../state/design/selection";
+import { run } from "../../state/window/commands";
+import { useView } from "../../state/window/view";
 
 function with_(at: Vec3, axis: Axis, value: number): Vec3 {
   const changed: [number, number, number] = [...at];
@@ -17,7 +17,17 @@ function with_(at: Vec3, axis: Axis, value: number): Vec3 {
 }
 
 /** X, Y and Z in a row. `onEnter` is given the place as it was read just now. */
-export function PlaceFields({ at, change, label, onEnter }: { readonly at: Vec3; readonly change: (at: Vec3) => void; readonly label: string; readonly onEnter?: (at: Vec3) => void }) {
+export function PlaceFields({
+  at,
+  change,
+  label,
+  onEnter,
+}: {
+  readonly at: Vec3;
+  readonly change: (at: Vec3) => void;
+  readonly label: string;
+  readonly onEnter?: (at: Vec3) => void;
+}) {
   return (
     <div className="three">
       {AXES.map((axis) => (
@@ -43,13 +53,13 @@ function MoveBy() {
       <div className="row">
         <Button
           className="grow"
-          why={still ? "Type how far first" : null}
+          why={still ? "Type a distance first" : null}
           onClick={() => {
             void moveBy(by);
             setBy([0, 0, 0]);
           }}
         >
-          Move by this
+          Move
         </Button>
       </div>
     </>
@@ -73,7 +83,16 @@ export function Position() {
   const supports = ids.filter((id) => design.vertices.get(id)?.support).length;
   return (
     <>
-      {vertex ? <PlaceFields key={vertex.id} at={vertex.at} label={`Vertex ${vertex.id}`} change={(at) => void place(vertex.id, at)} /> : <MoveBy />}
+      {vertex ? (
+        <PlaceFields
+          key={vertex.id}
+          at={vertex.at}
+          label={`Vertex ${vertex.id}`}
+          change={(at) => void place(vertex.id, at)}
+        />
+      ) : (
+        <MoveBy />
+      )}
       <div className="row">
         <span className="muted grow">Move with the pointer along</span>
         {AXES.map((axis) => (
@@ -83,7 +102,7 @@ export function Position() {
         ))}
       </div>
       <Checkbox checked={supports === ids.length} onChange={(fixed) => void support(fixed)}>
-        {ids.length === 1 ? "Support: the design holds this vertex fixed" : `Supports: ${supports} of ${ids.length} are fixed`}
+        {ids.length === 1 ? "Support: this vertex is held fixed" : `Supports: ${supports} of ${ids.length} are fixed`}
       </Checkbox>
     </>
   );

@@ -1,7 +1,7 @@
-import { Button } from "../../shared/Button";
-import { count } from "../../shared/format";
-import { edit, useDesign } from "../../state/design";
-import { edgesOf, useSelection, verticesOf } from "../../state/selection";
+import { Button } from "../../shared/controls/Button";
+import { count } from "../../shared/figures/format";
+import { edit, useDesign } from "../../state/design/design";
+import { edgesOf, useSelection, verticesOf } from "../../state/design/selection";
 
 /** Where the wire starts, and which edges are laid twice so that one wire can cover the rest. */
 export function Route() {
@@ -17,7 +17,9 @@ export function Route() {
   return (
     <div className="stack">
       <div className="row wrap">
-        <span className="grow">{state.start === null ? "Starts where it is best" : `Starts at vertex ${state.start}`}</span>
+        <span className="grow">
+          {state.start === null ? "Starts at the best vertex" : `Starts at vertex ${state.start}`}
+        </span>
         {state.start !== null && (
           <Button small onClick={() => void edit({ edit: "start", vertex: null })}>
             Anywhere
@@ -25,22 +27,32 @@ export function Route() {
         )}
         <Button
           small
-          why={vertices.size === 0 ? "There is nothing in the design yet" : ids.length === 1 ? (one === state.start ? "It starts there" : null) : "Select one vertex first"}
+          why={
+            vertices.size === 0
+              ? "The design is empty"
+              : ids.length === 1
+                ? one === state.start
+                  ? "The wire starts there already"
+                  : null
+                : "Select one vertex first"
+          }
           onClick={() => one !== undefined && void edit({ edit: "start", vertex: one })}
         >
           Start at the selected
         </Button>
       </div>
       <div className="row wrap">
-        <span className="grow">{doubled.size === 0 ? "No edge is laid twice" : `${count(doubled.size, "edge")} laid twice`}</span>
+        <span className="grow">
+          {doubled.size === 0 ? "No edge is doubled" : `${count(doubled.size, "edge")} doubled`}
+        </span>
         {doubled.size > 0 && (
           <Button small onClick={() => void edit({ edit: "doublings", edges: [] })}>
-            None twice
+            None doubled
           </Button>
         )}
         <Button
           small
-          why={edges.length === 0 ? "Select edges first" : others.length === 0 ? "They are laid twice already" : null}
+          why={edges.length === 0 ? "Select edges first" : others.length === 0 ? "They are doubled already" : null}
           onClick={() => void edit({ edit: "doublings", edges: [...doubled, ...others] })}
         >
           Double the selected

@@ -1,13 +1,16 @@
+// biome-ignore-all lint/a11y/useSemanticElements: of thousands of rows those in sight are there, which <table> would lay out by itself
+// biome-ignore-all lint/a11y/useFocusableInteractive: it is a table and no grid: the focus goes to what is in its cells
+
 import { type KeyboardEvent, type MouseEvent, useEffect, useMemo, useRef } from "react";
-import { NumberField } from "../../shared/NumberField";
-import { Rows, type RowsHandle } from "../../shared/Rows";
-import { useLengths } from "../../shared/unit";
-import { useDesign } from "../../state/design";
-import { place } from "../../state/operations";
-import { highlight, select, useSelection } from "../../state/selection";
-import { frame } from "../../state/view";
+import { NumberField } from "../../shared/controls/NumberField";
+import { useLengths } from "../../shared/figures/unit";
+import { Rows, type RowsHandle } from "../../shared/lists/Rows";
+import { useDesign } from "../../state/design/design";
+import { AXES, axisIndex, degrees } from "../../state/design/geometry";
+import { place } from "../../state/design/operations";
+import { highlight, select, useSelection } from "../../state/design/selection";
+import { frame } from "../../state/window/view";
 import { marksOf } from "../viewport/marks";
-import { AXES, axisIndex, degrees } from "./geometry";
 
 const ROW = 30;
 const HEIGHT = 300;
@@ -28,13 +31,13 @@ export function VertexTable() {
   const rows = useRef<RowsHandle>(null);
   const list = useMemo(() => [...design.vertices.values()].sort((a, b) => a.id - b.id), [design.vertices]);
   const wrong = useMemo(() => marksOf(design.check).odd, [design.check]);
-  const degree = useMemo(() => degrees(design), [design.edges]);
+  const degree = useMemo(() => degrees(design.edges), [design.edges]);
   const places = useMemo(() => new Map(list.map(({ id }, index) => [id, index])), [list]);
   const only = selected.size === 1 ? [...selected][0] : undefined;
+  // biome-ignore lint/correctness/useExhaustiveDependencies: only a new selection moves the list, not every change of a place
   useEffect(() => {
     const index = only === undefined ? undefined : places.get(only);
     if (index !== undefined) rows.current?.reveal(index);
-    // Only a new selection moves the list, not every change of a place.
   }, [only]);
   return (
     <div role="table" aria-label="Vertices" aria-rowcount={list.length + 1} className="vertices">
@@ -87,7 +90,12 @@ export function VertexTable() {
                   }}
                 >
                   {id}
-                  {vertex.support && <span className="muted" title="Support"> ▪</span>}
+                  {vertex.support && (
+                    <span className="muted" title="Support">
+                      {" "}
+                      ▪
+                    </span>
+                  )}
                 </button>
               </span>
               {AXES.map((axis) => (

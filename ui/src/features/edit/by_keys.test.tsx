@@ -5,20 +5,24 @@ import { beforeEach, describe, expect, it, vi } from "vitest";
 const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(async () => {}), listen: vi.fn() }));
 vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
 
-import { useDesign } from "../../state/design";
-import { select, useSelection } from "../../state/selection";
+import { place } from "../../shared/testing";
+import { useDesign } from "../../state/design/design";
+import { select, useSelection } from "../../state/design/selection";
 import { AddVertex } from "./AddVertex";
 import { VertexTable } from "./VertexTable";
-import { place } from "../../shared/testing";
 
 const at = place();
 
 beforeEach(() => {
   platform.ask.mockReset().mockReturnValue(new Promise(() => {}));
-  useDesign.setState({ vertices: new Map([3, 5].map((id) => [id, { id, at: [id, 0, 0], support: false }])), edges: new Map() });
+  useDesign.setState({
+    vertices: new Map([3, 5].map((id) => [id, { id, at: [id, 0, 0], support: false }])),
+    edges: new Map(),
+  });
 });
 
-const press = (on: Element | undefined | null, init: KeyboardEventInit) => act(() => void on?.dispatchEvent(new KeyboardEvent("keydown", { bubbles: true, cancelable: true, ...init })));
+const press = (on: Element | undefined | null, init: KeyboardEventInit) =>
+  act(() => void on?.dispatchEvent(new KeyboardEvent("keydown", { bubbles: true, cancelable: true, ...init })));
 
 describe("without a pointer", () => {
   it("a vertex is added where its figures say, with the one that was typed last", async () => {
@@ -37,7 +41,13 @@ describe("without a pointer", () => {
     press(fields[2], { key: "Enter" });
     await act(async () => {});
     const edits = platform.ask.mock.calls.filter(([name]) => name === "edit").map(([, { request }]) => request);
-    expect(edits).toEqual([{ edit: "several", label: "add vertex", edits: [{ edit: "paste", vertices: [{ at_mm: [12.5, -3, 40], support: false }], edges: [] }] }]);
+    expect(edits).toEqual([
+      {
+        edit: "several",
+        label: "add vertex",
+        edits: [{ edit: "paste", vertices: [{ at_mm: [12.5, -3, 40], support: false }], edges: [] }],
+      },
+    ]);
   });
 
   it("several vertices are selected in the table, in the order in which they are to be connected", () => {

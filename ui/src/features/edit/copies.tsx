@@ -1,13 +1,13 @@
 import { useState } from "react";
 import type { Axis, Vec3 } from "../../scene/interface";
-import { Field } from "../../shared/Field";
-import { Segmented } from "../../shared/inputs";
-import { NumberField } from "../../shared/NumberField";
-import { useDesign } from "../../state/design";
-import { array, largest, selectedVertices, transform } from "../../state/operations";
-import { useSelection } from "../../state/selection";
+import { Field } from "../../shared/controls/Field";
+import { Segmented } from "../../shared/controls/inputs";
+import { NumberField } from "../../shared/controls/NumberField";
+import { useDesign } from "../../state/design/design";
+import { AXES, axisIndex, boundsOf, rotation, scaling, translation } from "../../state/design/geometry";
+import { array, largest, selectedVertices, transform } from "../../state/design/operations";
+import { useSelection } from "../../state/design/selection";
 import { AxisField, Do } from "./forms";
-import { AXES, axisIndex, boundsOf, rotation, scaling, translation } from "./geometry";
 
 type Kind = "step" | "turn";
 type About = "origin" | "middle";
@@ -28,11 +28,18 @@ export function ArrayForm() {
   const [about, setAbout] = useState<About>("origin");
   const make = () => {
     const middle = boundsOf(selectedVertices(), useDesign.getState())?.centre ?? [0, 0, 0];
-    void array(kind === "step" ? translation(by) : rotation(axis, deg, about === "origin" ? [0, 0, 0] : middle, along), count);
+    void array(
+      kind === "step" ? translation(by) : rotation(axis, deg, about === "origin" ? [0, 0, 0] : middle, along),
+      count,
+    );
   };
   return (
     <>
-      <Field label="Copies">{({ id }) => <NumberField id={id} kind="whole" label="Copies" value={count} min={1} max={1000} onCommit={setCount} />}</Field>
+      <Field label="Copies">
+        {({ id }) => (
+          <NumberField id={id} kind="whole" label="Copies" value={count} min={1} max={1000} onCommit={setCount} />
+        )}
+      </Field>
       <Field label="Each">
         {() => (
           <Segmented<Kind>
@@ -65,9 +72,15 @@ export function ArrayForm() {
       ) : (
         <>
           <AxisField label="About" value={axis} onChoose={setAxis} />
-          <Field label="Through">{() => <Segmented<About> label="The axis goes through" choices={ABOUT} value={about} onChoose={setAbout} />}</Field>
-          <Field label="By">{({ id }) => <NumberField id={id} kind="angle" label="By" value={deg} onCommit={setDeg} />}</Field>
-          <Field label="And along">{({ id }) => <NumberField id={id} label="And along the axis" value={along} onCommit={setAlong} />}</Field>
+          <Field label="Through">
+            {() => <Segmented<About> label="The axis goes through" choices={ABOUT} value={about} onChoose={setAbout} />}
+          </Field>
+          <Field label="By">
+            {({ id }) => <NumberField id={id} kind="angle" label="By" value={deg} onCommit={setDeg} />}
+          </Field>
+          <Field label="And along">
+            {({ id }) => <NumberField id={id} label="And along the axis" value={along} onCommit={setAlong} />}
+          </Field>
         </>
       )}
       <Do command="array" onDo={make}>
@@ -91,11 +104,29 @@ export function ScaleForm() {
   };
   return (
     <>
-      <Field label="Size" hint={now ? `Along ${now.axis.toUpperCase()}, the largest side.` : "Select more than one vertex to scale."}>
-        {({ id }) => <NumberField id={id} label="Size" value={now && now.size * factor} min={0.001} onCommit={(mm) => now && setFactor(mm / now.size)} why={now ? null : "Nothing is selected that has a size"} />}
+      <Field
+        label="Size"
+        hint={now ? `Along ${now.axis.toUpperCase()}, the largest side.` : "Select more than one vertex to scale."}
+      >
+        {({ id }) => (
+          <NumberField
+            id={id}
+            label="Size"
+            value={now && now.size * factor}
+            min={0.001}
+            onCommit={(mm) => now && setFactor(mm / now.size)}
+            why={now ? null : "The selection has no size"}
+          />
+        )}
       </Field>
-      <Field label="Factor">{({ id }) => <NumberField id={id} kind="number" label="Factor" value={factor} min={1e-4} max={1e4} onCommit={setFactor} />}</Field>
-      <Field label="About">{() => <Segmented<About> label="What stays where it is" choices={ABOUT} value={about} onChoose={setAbout} />}</Field>
+      <Field label="Factor">
+        {({ id }) => (
+          <NumberField id={id} kind="number" label="Factor" value={factor} min={1e-4} max={1e4} onCommit={setFactor} />
+        )}
+      </Field>
+      <Field label="About">
+        {() => <Segmented<About> label="Fixed point" choices={ABOUT} value={about} onChoose={setAbout} />}
+      </Field>
       <Do command="scale" onDo={make}>
         Scale
       </Do>

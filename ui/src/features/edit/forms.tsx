@@ -1,19 +1,27 @@
 import { type ReactNode, useState } from "react";
 import type { Axis } from "../../scene/interface";
-import { Button } from "../../shared/Button";
-import { Field } from "../../shared/Field";
-import { Checkbox, Segmented, Select } from "../../shared/inputs";
-import { NumberField } from "../../shared/NumberField";
-import { useWhyNot } from "../../state/commands";
-import { useDesign } from "../../state/design";
-import type { CommandId } from "../../state/keys";
-import { extrude, merge, mirror, round, selectedVertices, split, straighten } from "../../state/operations";
-import { AXES, axisIndex, boundsOf } from "./geometry";
+import { Button } from "../../shared/controls/Button";
+import { Field } from "../../shared/controls/Field";
+import { Checkbox, Segmented, Select } from "../../shared/controls/inputs";
+import { NumberField } from "../../shared/controls/NumberField";
+import { useDesign } from "../../state/design/design";
+import { AXES, axisIndex, boundsOf } from "../../state/design/geometry";
+import { extrude, merge, mirror, round, selectedVertices, split, straighten } from "../../state/design/operations";
+import { useWhyNot } from "../../state/window/commands";
+import type { CommandId } from "../../state/window/keys";
 
-export const AXIS_CHOICES = AXES.map((axis) => ({ value: axis, label: axis.toUpperCase() }));
+const AXIS_CHOICES = AXES.map((axis) => ({ value: axis, label: axis.toUpperCase() }));
 
 /** The button of a form: what it does, or why it cannot. */
-export function Do({ command, onDo, children }: { readonly command: CommandId; readonly onDo: () => void; readonly children: ReactNode }) {
+export function Do({
+  command,
+  onDo,
+  children,
+}: {
+  readonly command: CommandId;
+  readonly onDo: () => void;
+  readonly children: ReactNode;
+}) {
   const why = useWhyNot(command);
   return (
     <div className="row end">
@@ -25,16 +33,30 @@ export function Do({ command, onDo, children }: { readonly command: CommandId; r
   );
 }
 
-export function AxisField({ label, value, onChoose }: { readonly label: string; readonly value: Axis; readonly onChoose: (axis: Axis) => void }) {
-  return <Field label={label}>{() => <Segmented label={label} choices={AXIS_CHOICES} value={value} onChoose={onChoose} />}</Field>;
+export function AxisField({
+  label,
+  value,
+  onChoose,
+}: {
+  readonly label: string;
+  readonly value: Axis;
+  readonly onChoose: (axis: Axis) => void;
+}) {
+  return (
+    <Field label={label}>
+      {() => <Segmented label={label} choices={AXIS_CHOICES} value={value} onChoose={onChoose} />}
+    </Field>
+  );
 }
 
 export function SplitForm() {
   const [at, setAt] = useState(0.5);
   return (
     <>
-      <Field label="At" hint="Of the edge, from its first vertex.">
-        {({ id }) => <NumberField id={id} kind="percent" label="At" value={at} min={0.001} max={0.999} onCommit={setAt} />}
+      <Field label="At" hint="Measured along the edge from its first vertex.">
+        {({ id }) => (
+          <NumberField id={id} kind="percent" label="At" value={at} min={0.001} max={0.999} onCommit={setAt} />
+        )}
       </Field>
       <Do command="split" onDo={() => void split(at)}>
         Split
@@ -52,7 +74,7 @@ export function MergeForm() {
           <Select
             {...ids}
             choices={[
-              { value: "centre", label: "In the middle of all" },
+              { value: "centre", label: "At the centre of all" },
               { value: "first", label: "At the one selected first" },
               { value: "last", label: "At the one selected last" },
             ]}
@@ -101,7 +123,7 @@ export function MirrorForm() {
             {...ids}
             choices={[
               { value: "origin", label: "Through the origin" },
-              { value: "middle", label: "Through the middle of the selection" },
+              { value: "middle", label: "Through the centre of the selection" },
               { value: "side", label: "Along the near side of the selection" },
             ]}
             value={through}
@@ -110,7 +132,7 @@ export function MirrorForm() {
         )}
       </Field>
       <Checkbox checked={copy} onChange={setCopy}>
-        Keep the original: add the image
+        Keep the original and add the mirror image
       </Checkbox>
       <Do command="mirror" onDo={() => void mirror(axis, planeAt(), copy)}>
         Mirror
@@ -123,7 +145,7 @@ export function StraightenForm() {
   const [tolerance, setTolerance] = useState(1);
   return (
     <>
-      <Field label="Tolerance" hint="How far a vertex may be from the straight line.">
+      <Field label="Tolerance" hint="Largest distance of a vertex from the straight line.">
         {({ id }) => <NumberField id={id} label="Tolerance" value={tolerance} min={0} onCommit={setTolerance} />}
       </Field>
       <Do command="straighten" onDo={() => void straighten(tolerance)}>
@@ -138,10 +160,10 @@ export function RoundForm() {
   const [step, setStep] = useState(15);
   return (
     <>
-      <Field label="Tolerance" hint="How far the chain may be from its arcs.">
+      <Field label="Tolerance" hint="Largest distance between the chain and its arcs.">
         {({ id }) => <NumberField id={id} label="Tolerance" value={tolerance} min={0} onCommit={setTolerance} />}
       </Field>
-      <Field label="Step" hint="What the wire is bent at each vertex of an arc, at most.">
+      <Field label="Step" hint="Largest bend angle at each vertex of an arc.">
         {({ id }) => <NumberField id={id} kind="angle" label="Step" value={step} min={1} max={90} onCommit={setStep} />}
       </Field>
       <Do command="round" onDo={() => void round(tolerance, step)}>

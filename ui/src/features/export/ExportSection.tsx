@@ -1,14 +1,14 @@
 import { useEffect } from "react";
-import { Button } from "../../shared/Button";
-import { Field } from "../../shared/Field";
-import { Icon } from "../../shared/icons";
-import { Line } from "../../shared/Line";
-import { Part, Section } from "../../shared/Section";
-import { useDesign } from "../../state/design";
-import { chooseFormat, chosenFormat, loadFormats, useExports } from "../../state/exports";
-import { useFiles } from "../../state/files";
-import { useMachines } from "../../state/machines";
-import { useUi } from "../../state/ui";
+import { Button } from "../../shared/controls/Button";
+import { Field } from "../../shared/controls/Field";
+import { Icon } from "../../shared/controls/icons";
+import { Line } from "../../shared/lists/Line";
+import { useDesign } from "../../state/design/design";
+import { chooseFormat, chosenFormat, loadFormats, useExports } from "../../state/files/exports";
+import { useFiles } from "../../state/files/files";
+import { useMachines } from "../../state/machine/machines";
+import { useUi } from "../../state/window/ui";
+import { Part, Section } from "../panel/Section";
 import { FormatSettings } from "./FormatSettings";
 import { grouped } from "./groups";
 import { Later } from "./Later";
@@ -25,19 +25,36 @@ export function ExportSection() {
   const opened = useFiles((files) => files.opened);
   const empty = useDesign((design) => design.edges.size === 0);
   const format = chosenFormat(store);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: a changed profile may offer other formats
   useEffect(() => {
     if (open && machine) void loadFormats();
   }, [open, machine, changes]);
   return (
-    <Section id="export" title="Export" phrase={format?.name ?? (store.problem ? "nothing can be written" : machine ? "files for machines and people" : "no machine chosen")}>
+    <Section
+      id="export"
+      title="Export"
+      phrase={
+        format?.name ??
+        (store.problem ? "nothing to export" : machine ? "files for machines and people" : "no machine chosen")
+      }
+    >
       {store.problem && (
         <ul>
-          <Line tone="error" what="It is not known what can be written" sub={store.problem} action={<Button kind="link" onClick={() => void loadFormats()}>Ask again</Button>} />
+          <Line
+            tone="error"
+            what="Could not list the export formats"
+            sub={store.problem}
+            action={
+              <Button kind="link" onClick={() => void loadFormats()}>
+                Ask again
+              </Button>
+            }
+          />
         </ul>
       )}
       {store.problems.map((problem) => (
         <ul key={problem}>
-          <Line tone="warning" what="A driver could not be asked" sub={problem} />
+          <Line tone="warning" what="A driver did not answer" sub={problem} />
         </ul>
       ))}
       {store.formats && format && <Formats />}
@@ -45,14 +62,14 @@ export function ExportSection() {
         <>
           <FormatSettings format={format} />
           {empty ? (
-            <p className="muted">As soon as there is an edge, what would be written of it is shown here.</p>
+            <p className="muted">Draw an edge to see a preview of the file here.</p>
           ) : (
             <>
               <Preview format={format} />
               <WriteFile key={`${opened} ${format.id}`} format={format} />
             </>
           )}
-          <Part title="To go on later">
+          <Part title="To continue later">
             <Later />
           </Part>
         </>

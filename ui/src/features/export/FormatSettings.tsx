@@ -1,12 +1,12 @@
 import type { FormatEntry } from "../../generated/responses";
-import { Button } from "../../shared/Button";
-import { useDesign } from "../../state/design";
-import { useMachines } from "../../state/machines";
-import { setSettings, settingsOf, useExports } from "../../state/exports";
+import { Button } from "../../shared/controls/Button";
+import { count } from "../../shared/figures/format";
+import { useDesign } from "../../state/design/design";
+import { setSettings, settingsOf, useExports } from "../../state/files/exports";
+import { useMachines } from "../../state/machine/machines";
 import { Fold } from "../machine/Fold";
 import { SettingsForm } from "../machine/settings/SettingsForm";
 import { changedKeys } from "../machine/settings/values";
-import { count } from "../../shared/format";
 
 /** What can be set for this one export, over what the machine's profile says. */
 export function FormatSettings({ format }: { readonly format: FormatEntry }) {
@@ -24,14 +24,29 @@ export function FormatSettings({ format }: { readonly format: FormatEntry }) {
   const ofMachine = format.driver !== null && format.driver === driver;
   const title = ofMachine ? `All settings of the driver (${fields})` : "Settings of this export";
   const changes = count(changed, "change");
-  const phrase = ofMachine ? (changed > 0 ? changes : "") : changed > 0 ? `${changes} from the profile` : count(fields, "setting");
+  const phrase = ofMachine
+    ? changed > 0
+      ? changes
+      : ""
+    : changed > 0
+      ? `${changes} from the profile`
+      : count(fields, "setting");
   return (
     <Fold key={format.id} title={title} phrase={phrase}>
-      {ofMachine && <p className="muted small">They are those of the machine, and its profile says them. What is changed here is for this file alone.</p>}
-      <SettingsForm idPrefix={`export-${format.id}`} schema={schema} values={values} onChange={(changedTo) => setSettings(format.id, changedTo)} />
+      {ofMachine && (
+        <p className="muted small">
+          These values come from the machine's profile. Changes here apply to this file only.
+        </p>
+      )}
+      <SettingsForm
+        idPrefix={`export-${format.id}`}
+        schema={schema}
+        values={values}
+        onChange={(changedTo) => setSettings(format.id, changedTo)}
+      />
       {changed > 0 && (
         <div className="row end">
-          <Button onClick={() => setSettings(format.id, format.settings)}>As the profile says</Button>
+          <Button onClick={() => setSettings(format.id, format.settings)}>Reset to profile</Button>
         </div>
       )}
     </Fold>
@@ -39,9 +54,13 @@ export function FormatSettings({ format }: { readonly format: FormatEntry }) {
 }
 
 /** What is not set has the default of the schema. */
-function withDefaults(schema: { readonly properties?: object }, values: Readonly<Record<string, unknown>>): Readonly<Record<string, unknown>> {
+function withDefaults(
+  schema: { readonly properties?: object },
+  values: Readonly<Record<string, unknown>>,
+): Readonly<Record<string, unknown>> {
   const all = Object.entries(schema.properties ?? {}).flatMap(([key, property]: [string, unknown]) => {
-    const given = typeof property === "object" && property !== null && "default" in property ? property.default : undefined;
+    const given =
+      typeof property === "object" && property !== null && "default" in property ? property.default : undefined;
     return given === undefined ? [] : [[key, given] as const];
   });
   return { ...Object.fromEntries(all), ...values };

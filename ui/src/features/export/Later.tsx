@@ -1,8 +1,8 @@
-import { Button } from "../../shared/Button";
-import { useDesign } from "../../state/design";
-import { saveAs, saveJob, saveWireframe } from "../../state/files";
+import { Button } from "../../shared/controls/Button";
+import { useDesign } from "../../state/design/design";
+import { saveAs, saveJob, saveWireframe } from "../../state/files/files";
 
-/** What is kept to go on with: the document, and the job. */
+/** What is kept to resume with: the document, and the job. */
 export function Later() {
   const empty = useDesign((design) => design.edges.size === 0);
   return (
@@ -11,14 +11,17 @@ export function Later() {
         <Button icon="save" onClick={() => void saveAs()}>
           Document…
         </Button>
-        <Button icon="wire" why={empty ? "There is nothing in the design." : null} onClick={() => void saveWireframe()}>
+        <Button icon="wire" why={empty ? "The design is empty." : null} onClick={() => void saveWireframe()}>
           Wireframe…
         </Button>
-        <Button icon="file" why={empty ? "There is nothing in the design." : null} onClick={() => void saveJob()}>
+        <Button icon="file" why={empty ? "The design is empty." : null} onClick={() => void saveJob()}>
           Job…
         </Button>
       </div>
-      <p className="muted small">The document keeps everything that can be edited. The wireframe is an OBJ of lines for other programs. The job is sealed: programs and profiles as they are now, to be made on a machine.</p>
+      <p className="muted small">
+        The document keeps everything that can be edited. The wireframe is an OBJ file of lines for other programs. The
+        job is a fixed copy of the programs and profiles as they are now, ready to run on a machine.
+      </p>
     </div>
   );
 }

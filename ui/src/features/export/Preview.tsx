@@ -1,12 +1,13 @@
 import { useEffect } from "react";
 import type { FormatEntry } from "../../generated/responses";
-import { Button } from "../../shared/Button";
-import { Checkbox } from "../../shared/inputs";
-import { Line } from "../../shared/Line";
-import { useLengths } from "../../shared/unit";
-import { useDesign } from "../../state/design";
-import { preview, setDespiteErrors, useExports } from "../../state/exports";
-import { useUi } from "../../state/ui";
+import { errorText } from "../../platform/error_text";
+import { Button } from "../../shared/controls/Button";
+import { Checkbox } from "../../shared/controls/inputs";
+import { useLengths } from "../../shared/figures/unit";
+import { Line } from "../../shared/lists/Line";
+import { useDesign } from "../../state/design/design";
+import { preview, setDespiteErrors, useExports } from "../../state/files/exports";
+import { useUi } from "../../state/window/ui";
 import { bytes } from "./groups";
 
 /** How long nothing has to change before it is asked for, ms. */
@@ -18,12 +19,24 @@ export function Preview({ format }: { readonly format: FormatEntry }) {
   const { vertices, edges, state, check } = useDesign();
   const showSection = useUi((ui) => ui.showSection);
   const { said } = useLengths();
+  // biome-ignore lint/correctness/useExhaustiveDependencies: what is written depends on all of these
   useEffect(() => {
     const timer = window.setTimeout(() => void preview(), REST_MS);
     return () => window.clearTimeout(timer);
-  }, [format, settings, despiteErrors, vertices, edges, state?.machine, state?.material, state?.doublings, state?.start]);
+  }, [
+    format,
+    settings,
+    despiteErrors,
+    vertices,
+    edges,
+    state?.machine,
+    state?.material,
+    state?.doublings,
+    state?.start,
+  ]);
   const mine = shown?.format === format.id ? shown : null;
-  const infeasible = format.program && (mine?.refused?.errors || mine?.seen?.feasible === false || check?.feasible === false);
+  const infeasible =
+    format.program && (mine?.refused?.errors || mine?.seen?.feasible === false || check?.feasible === false);
   return (
     <div className="stack" aria-busy={previewing}>
       {infeasible && (
@@ -31,8 +44,8 @@ export function Preview({ format }: { readonly format: FormatEntry }) {
           <ul>
             <Line
               tone="error"
-              what="The machine cannot make this"
-              sub="The checks object. It is written only when you say so."
+              what="The machine cannot bend this"
+              sub="Check found errors. Confirm to write the file anyway."
               action={
                 <Button kind="link" onClick={() => showSection("check")}>
                   Check
@@ -41,35 +54,39 @@ export function Preview({ format }: { readonly format: FormatEntry }) {
             />
           </ul>
           <Checkbox checked={despiteErrors} onChange={setDespiteErrors}>
-            Write it all the same
+            Write it anyway
           </Checkbox>
         </div>
       )}
       {mine?.refused && !(mine.refused.errors && infeasible) && (
         <ul>
-          <Line tone="error" what="It cannot be written" sub={said(mine.refused.message)} />
+          <Line tone="error" what="The file cannot be written" sub={said(mine.refused.message)} />
         </ul>
       )}
       {mine?.seen?.notes.map((note) => (
         <p key={note.code + note.message} className="muted small">
-          {said(note.message)}
+          {said(errorText(note))}
         </p>
       ))}
       {mine?.seen?.beginnings.map((beginning, index) => (
+        // biome-ignore lint/suspicious/noArrayIndexKey: the files of a format have no other name
         <figure key={index} className="preview">
           <figcaption className="muted small">
             {mine.seen && mine.seen.beginnings.length > 1 ? `File ${index + 1} · ` : ""}
             {bytes(mine.seen?.bytes[index] ?? 0)}
-            {beginning === null ? " · nothing to read here: open the file" : ""}
+            {beginning === null ? " · binary file: no preview" : ""}
           </figcaption>
           {beginning !== null && (
-            <pre className="selectable" tabIndex={0} aria-label="First lines">
-              {beginning}
-            </pre>
+            <section aria-label="First lines">
+              {/* biome-ignore lint/a11y/noNoninteractiveTabindex: it scrolls, also by keys */}
+              <pre className="selectable" tabIndex={0}>
+                {beginning}
+              </pre>
+            </section>
           )}
         </figure>
       ))}
-      {!mine && <p className="muted small">{previewing ? "Looking what would be written…" : " "}</p>}
+      {!mine && <p className="muted small">{previewing ? "Preparing the preview…" : " "}</p>}
     </div>
   );
 }

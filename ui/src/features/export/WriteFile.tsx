@@ -1,14 +1,14 @@
 import { useEffect, useRef, useState } from "react";
 import type { FormatEntry } from "../../generated/responses";
 import { platform, Refused } from "../../platform";
-import { Button } from "../../shared/Button";
-import { Field } from "../../shared/Field";
-import { TextInput } from "../../shared/inputs";
-import { Line } from "../../shared/Line";
-import { useLengths } from "../../shared/unit";
-import { useDesign } from "../../state/design";
-import { useExports, write } from "../../state/exports";
-import { told } from "../../state/problems";
+import { Button } from "../../shared/controls/Button";
+import { Field } from "../../shared/controls/Field";
+import { TextInput } from "../../shared/controls/inputs";
+import { useLengths } from "../../shared/figures/unit";
+import { Line } from "../../shared/lists/Line";
+import { told } from "../../state/asking/problems";
+import { useDesign } from "../../state/design/design";
+import { useExports, write } from "../../state/files/exports";
 import { beside, fileName } from "./groups";
 
 /** Where the file goes, and writing it. A file that is there is replaced only when a person says so. */
@@ -36,7 +36,9 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
     }
   };
   const browse = async (thenWrite: boolean) => {
-    const picked = await told(platform.pickSave(fileName(state?.name ?? "", format), { name: format.name, extensions: [format.extension] }));
+    const picked = await told(
+      platform.pickSave(fileName(state?.name ?? "", format), { name: format.name, extensions: [format.extension] }),
+    );
     if (picked === null) return;
     setTyped(picked);
     setAgreed(picked);
@@ -44,11 +46,12 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
     if (thenWrite) await go(picked, true);
   };
   const refused = preview?.format === format.id ? preview.refused : null;
-  const why = busy ? "It is being written." : refused ? said(refused.message) : null;
+  const why = busy ? "The file is being written." : refused ? said(refused.message) : null;
   const done = written?.format === format.id ? written.files : [];
   const answer = useRef<HTMLDivElement>(null);
   const [before] = useState(written);
   const previewed = preview?.format === format.id;
+  // biome-ignore lint/correctness/useExhaustiveDependencies: a preview that arrives moves it
   useEffect(() => {
     // It may come below what is seen of the panel, and a preview that arrives after it moves it down again.
     if (written && written !== before) void answer.current?.scrollIntoView({ block: "nearest" });
@@ -76,8 +79,8 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
           <ul>
             <Line
               tone="error"
-              what={problem.exists ? "There is such a file" : "It was not written"}
-              sub={problem.exists ? "It is kept unless you say that it may be replaced." : said(problem.message)}
+              what={problem.exists ? "The file exists already" : "The file was not written"}
+              sub={problem.exists ? "Confirm to replace it." : said(problem.message)}
               action={
                 problem.exists && (
                   <Button kind="link" onClick={() => void go(path, true)}>

@@ -1,6 +1,7 @@
 /** What can be written, by what it is for. */
 
 import type { FormatEntry } from "../../generated/responses";
+import { number } from "../../shared/figures/format";
 
 export interface Group {
   readonly title: string;
@@ -26,7 +27,10 @@ export function grouped(formats: readonly FormatEntry[], driver: string | null):
 export function fileName(design: string, { id, extension }: Pick<FormatEntry, "id" | "extension">): string {
   // Papers of one design lie beside each other.
   const paper = id === "job-sheet" ? "-sheet" : id.startsWith("template-") ? "-template" : "";
-  const stem = design.replace(/\.(wirebend|wbjob)$/i, "").trim().replace(/[/\\:*?"<>|]+/g, "-");
+  const stem = design
+    .replace(/\.(wirebend|wbjob)$/i, "")
+    .trim()
+    .replace(/[/\\:*?"<>|]+/g, "-");
   return `${stem === "" ? "design" : stem}${paper}.${extension}`;
 }
 
@@ -39,5 +43,5 @@ export function beside(path: string | null, name: string): string {
 /** "12 B", "3.4 kB", "1.2 MB". */
 export function bytes(many: number): string {
   if (many < 1000) return `${many} B`;
-  return many < 1e6 ? `${(many / 1e3).toFixed(1)} kB` : `${(many / 1e6).toFixed(1)} MB`;
+  return many < 1e6 ? `${number(many / 1e3)} kB` : `${number(many / 1e6)} MB`;
 }

@@ -1,14 +1,30 @@
 import { type ReactNode, useId, useState } from "react";
-import { Icon } from "../../shared/icons";
+import { Icon } from "../../shared/controls/icons";
 
-/** A part of a section that is open or not, with a phrase that tells its state while it is not. */
-export function Fold({ title, phrase, start = false, children }: { readonly title: string; readonly phrase?: ReactNode; readonly start?: boolean; readonly children: ReactNode }) {
+/** A part of a section that is open or not, with a phrase that shows its state while it is not. */
+export function Fold({
+  title,
+  phrase,
+  start = false,
+  children,
+}: {
+  readonly title: string;
+  readonly phrase?: ReactNode;
+  readonly start?: boolean;
+  readonly children: ReactNode;
+}) {
   const [open, setOpen] = useState(start);
   const id = useId();
   return (
     <div className="fold">
       <h3>
-        <button type="button" className="fold-head" aria-expanded={open} aria-controls={open ? id : undefined} onClick={() => setOpen(!open)}>
+        <button
+          type="button"
+          className="fold-head"
+          aria-expanded={open}
+          aria-controls={open ? id : undefined}
+          onClick={() => setOpen(!open)}
+        >
           <Icon name={open ? "down" : "right"} size={12} />
           <span className="fold-title">{title}</span>
           <span className="fold-phrase">{phrase}</span>

@@ -1,15 +1,15 @@
 import { useEffect } from "react";
-import { count } from "../../shared/format";
-import { Section } from "../../shared/Section";
-import { useUnit } from "../../shared/unit";
-import { useDesign } from "../../state/design";
-import { needMachines, useMachines } from "../../state/machines";
-import { Drivers, waits } from "./Drivers";
-import { misfit } from "./fit";
+import { count } from "../../shared/figures/format";
+import { useUnit } from "../../shared/figures/unit";
+import { useDesign } from "../../state/design/design";
+import { needMachines, useMachines } from "../../state/machine/machines";
+import { Section } from "../panel/Section";
+import { misfit } from "./choosing/fit";
+import { MachineList } from "./choosing/MachineList";
+import { Materials } from "./choosing/Materials";
+import { Drivers, waits } from "./drivers/Drivers";
 import { Fold } from "./Fold";
-import { MachineList } from "./MachineList";
-import { Materials } from "./Materials";
-import { ThisMachine } from "./ThisMachine";
+import { ThisMachine } from "./profile/ThisMachine";
 import "./machine.css";
 
 /** Machine, wire, settings, drivers. */
@@ -42,7 +42,10 @@ export function MachineSection() {
       <Fold title="Wire" phrase={wire?.name ?? material ?? "none chosen"}>
         <Materials />
       </Fold>
-      <Fold title="Drivers" phrase={waiting > 0 ? `${waiting} not accepted` : drivers ? count(drivers.drivers.length, "driver") : ""}>
+      <Fold
+        title="Drivers"
+        phrase={waiting > 0 ? `${waiting} not accepted` : drivers ? count(drivers.drivers.length, "driver") : ""}
+      >
         <Drivers />
       </Fold>
     </Section>

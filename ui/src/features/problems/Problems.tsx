@@ -1,8 +1,8 @@
 import { useEffect } from "react";
-import { Button } from "../../shared/Button";
-import { Mark } from "../../shared/Mark";
-import { useLengths } from "../../shared/unit";
-import { dismiss, type Problem, useProblems } from "../../state/problems";
+import { Button } from "../../shared/controls/Button";
+import { useLengths } from "../../shared/figures/unit";
+import { Mark } from "../../shared/lists/Mark";
+import { dismiss, type Problem, useProblems } from "../../state/asking/problems";
 import "./problems.css";
 
 /** News goes by itself; what is wrong stays until it was read. */

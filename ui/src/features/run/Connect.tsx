@@ -1,15 +1,15 @@
 import { useEffect, useState } from "react";
-import { Button } from "../../shared/Button";
-import { Field } from "../../shared/Field";
-import { Select } from "../../shared/inputs";
-import { Line } from "../../shared/Line";
-import { useLengths } from "../../shared/unit";
-import { useDesign } from "../../state/design";
-import { connect, isOpen, loadPorts, useRun } from "../../state/run";
-import { worded } from "../../state/wording";
-import { Ended } from "./Ended";
+import { errorText } from "../../platform/error_text";
+import { Button } from "../../shared/controls/Button";
+import { Field } from "../../shared/controls/Field";
+import { Select } from "../../shared/controls/inputs";
+import { useLengths } from "../../shared/figures/unit";
+import { Line } from "../../shared/lists/Line";
+import { useDesign } from "../../state/design/design";
+import { connect, isOpen, loadPorts, useRun } from "../../state/machine/run";
 import { guess, portPhrase } from "./phrases";
-import { interruptedPhrase } from "./records";
+import { Ended } from "./records/Ended";
+import { interruptedPhrase } from "./records/records";
 
 /** Choosing a port, and connecting: the first time, or again after the machine has failed. */
 export function Connect() {
@@ -24,16 +24,28 @@ export function Connect() {
   }, [machine]);
   const known = ports ?? [];
   const port = known.find(({ name }) => name === chosen)?.name ?? guess(known);
-  const why = !machine ? "Choose a machine first." : ordering ? "The machine is being connected." : known.length === 0 ? (portProblem ?? "There is no port.") : port === null ? "Choose a port." : null;
+  const why = !machine
+    ? "Choose a machine first."
+    : ordering
+      ? "The machine is being connected."
+      : known.length === 0
+        ? (portProblem ?? "There is no port.")
+        : port === null
+          ? "Choose a port."
+          : null;
   const simulated = known.find(({ name }) => name === port)?.simulated ?? false;
-  // Of a session that has failed what went wrong, and what became of its wire, is told elsewhere in the section.
+  // Of a session that has failed what went wrong, and what became of its wire, is shown elsewhere in the section.
   const again = isOpen(state);
   return (
     <div className="stack">
       {!again && state?.problem && (
         <div role="alert">
           <ul>
-            <Line tone="error" what="The machine failed" sub={<span className="lines">{said(worded(state.problem))}</span>} />
+            <Line
+              tone="error"
+              what="The machine failed"
+              sub={<span className="lines">{said(errorText(state.problem))}</span>}
+            />
           </ul>
         </div>
       )}
@@ -51,17 +63,29 @@ export function Connect() {
               value={port ?? ""}
               onChoose={setChosen}
               choices={[
-                ...(port === null ? [{ value: "", label: ports === null ? "looking…" : known.length === 0 ? "none" : "choose" }] : []),
+                ...(port === null
+                  ? [{ value: "", label: ports === null ? "looking…" : known.length === 0 ? "none" : "choose" }]
+                  : []),
                 ...known.map((each) => ({ value: each.name, label: portPhrase(each) })),
               ]}
             />
-            <Button icon="reset" aria-label="Look for ports again" title="Look for ports again" why={machine ? null : "Choose a machine first."} onClick={() => void loadPorts()} />
+            <Button
+              icon="reset"
+              aria-label="Look for ports again"
+              title="Look for ports again"
+              why={machine ? null : "Choose a machine first."}
+              onClick={() => void loadPorts()}
+            />
           </span>
         )}
       </Field>
       {portProblem && (
         <ul>
-          <Line tone={known.length > 0 ? "warning" : "info"} what={known.length > 0 ? "A driver could not be asked" : "There is no port for this machine"} sub={portProblem} />
+          <Line
+            tone={known.length > 0 ? "warning" : "info"}
+            what={known.length > 0 ? "A driver could not be asked" : "There is no port for this machine"}
+            sub={portProblem}
+          />
         </ul>
       )}
       <div className="row end">

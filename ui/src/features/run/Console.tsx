@@ -1,9 +1,9 @@
 import { useEffect, useMemo, useRef, useState } from "react";
-import { Button } from "../../shared/Button";
-import { count } from "../../shared/format";
-import { TextInput } from "../../shared/inputs";
-import { asText, filtered } from "../../state/console";
-import { clearConsole, useRun } from "../../state/run";
+import { Button } from "../../shared/controls/Button";
+import { TextInput } from "../../shared/controls/inputs";
+import { count } from "../../shared/figures/format";
+import { asText, filtered } from "../../state/machine/console";
+import { clearConsole, useRun } from "../../state/machine/run";
 import { Fold } from "../machine/Fold";
 
 /** px from the end at which new lines still scroll along. */
@@ -26,6 +26,7 @@ function Lines() {
   const box = useRef<HTMLDivElement>(null);
   const atEnd = useRef(true);
   const shown = useMemo(() => filtered(lines, filter), [lines, filter]);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: new lines make it longer
   useEffect(() => {
     if (atEnd.current && box.current) box.current.scrollTop = box.current.scrollHeight;
   }, [shown]);
@@ -38,7 +39,12 @@ function Lines() {
   return (
     <div className="stack">
       <div className="row">
-        <TextInput aria-label="Filter lines" placeholder="Filter" value={filter} onChange={(event) => setFilter(event.currentTarget.value)} />
+        <TextInput
+          aria-label="Filter lines"
+          placeholder="Filter"
+          value={filter}
+          onChange={(event) => setFilter(event.currentTarget.value)}
+        />
         <Button small icon="copy" why={none} onClick={() => void copy()}>
           {copied ? "Copied" : "Copy"}
         </Button>
@@ -51,6 +57,7 @@ function Lines() {
         className="console selectable"
         role="log"
         aria-label="Lines to and from the machine"
+        // biome-ignore lint/a11y/noNoninteractiveTabindex: it scrolls, also by keys
         tabIndex={0}
         onScroll={(event) => {
           const { scrollTop, scrollHeight, clientHeight } = event.currentTarget;
@@ -59,13 +66,19 @@ function Lines() {
       >
         {shown.map((line) => (
           <div key={line.id} className={line.toMachine ? "to-machine" : undefined}>
-            <span className="console-way" aria-label={line.toMachine ? "to the machine" : "from the machine"} role="img">
+            <span
+              className="console-way"
+              aria-label={line.toMachine ? "to the machine" : "from the machine"}
+              role="img"
+            >
               {line.toMachine ? "›" : "‹"}
             </span>
             {line.text}
           </div>
         ))}
-        {shown.length === 0 && <div className="muted">{lines.length === 0 ? "Nothing was said yet." : "No line fits the filter."}</div>}
+        {shown.length === 0 && (
+          <div className="muted">{lines.length === 0 ? "Nothing was said yet." : "No line fits the filter."}</div>
+        )}
       </div>
     </div>
   );

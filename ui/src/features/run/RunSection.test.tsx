@@ -5,13 +5,13 @@ import { afterEach, beforeEach, expect, it, vi } from "vitest";
 const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(async () => {}), listen: vi.fn() }));
 vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
 
-import { Dialog, DialogHead } from "../../shared/Dialog";
-import { useRun } from "../../state/run";
-import { useUi } from "../../state/ui";
+import { Dialog, DialogHead } from "../../shared/layers/Dialog";
+import { place } from "../../shared/testing";
+import { useRun } from "../../state/machine/run";
+import { machineState } from "../../state/testing";
+import { useUi } from "../../state/window/ui";
 import { RunSection } from "./RunSection";
 import { SessionStop } from "./StopButton";
-import { machineState } from "../../state/testing";
-import { place } from "../../shared/testing";
 
 const at = place();
 
@@ -45,12 +45,31 @@ it("stops the machine out of any dialog, which makes STOP in the top bar inert, 
   at.show(about);
   expect(at.host.querySelector("dialog .stop-button")).toBeNull();
   act(() => useRun.setState({ state: machineState("homing") }));
-  act(() => void at.host.querySelector("dialog .stop-button")?.dispatchEvent(new PointerEvent("pointerdown", { button: 0, bubbles: true })));
+  act(
+    () =>
+      void at.host
+        .querySelector("dialog .stop-button")
+        ?.dispatchEvent(new PointerEvent("pointerdown", { button: 0, bubbles: true })),
+  );
   expect(platform.stop).toHaveBeenCalledOnce();
 });
 
-it("tells of a wire that was interrupted before anything is connected, and of none that is made", () => {
-  const run = { id: "1", name: "House", machine: "wirebend-kit", wire: 0, steps: 10, made: 3, interruptions: 1, material: null, problem: null, started: null, ended: null, job_hash: null, worst_deviation_mm: null };
+it("reports a wire that was interrupted before anything is connected, and none that is finished", () => {
+  const run = {
+    id: "1",
+    name: "House",
+    machine: "wirebend-kit",
+    wire: 0,
+    steps: 10,
+    made: 3,
+    interruptions: 1,
+    material: null,
+    problem: null,
+    started: null,
+    ended: null,
+    job_hash: null,
+    worst_deviation_mm: null,
+  };
   useRun.setState({ state: null, runs: [{ ...run, outcome: "finished" }] });
   at.show(<RunSection />);
   expect(at.host.textContent).not.toContain("interrupted");

@@ -1,22 +1,22 @@
 import { useEffect } from "react";
-import { Section } from "../../shared/Section";
-import { useUnitStore } from "../../shared/unit";
-import { dismissAll, tell } from "../../state/problems";
-import { isOpen, loadRuns, takeUp, useRun } from "../../state/run";
+import { dismissAll, tell } from "../../state/asking/problems";
+import { isOpen, loadRuns, takeUp, useRun } from "../../state/machine/run";
+import { Section } from "../panel/Section";
 import { phrase } from "./buttons";
+import { Manual } from "./by_hand/Manual";
 import { Connect } from "./Connect";
 import { Console } from "./Console";
-import { Manual } from "./Manual";
-import { QuestionDialog } from "./QuestionDialog";
-import { interruptedPhrase, unfinishedOf } from "./records";
-import { Runs } from "./Runs";
+import { QuestionDialog } from "./questions/QuestionDialog";
+import { Runs } from "./records/Runs";
+import { interruptedPhrase, unfinishedOf } from "./records/records";
 import { Session } from "./Session";
 import { Wire } from "./Wire";
 import "./run.css";
+import { useUnits } from "../../state/window/units";
 
 const INTERRUPTED = "interrupted";
 
-/** The machine itself: connecting, moving, making. */
+/** The machine itself: connecting, moving, bending. */
 export function RunSection() {
   const state = useRun((run) => run.state);
   const interrupted = useRun(({ state, runs }) => state === null && unfinishedOf(runs).length > 0);
@@ -24,17 +24,22 @@ export function RunSection() {
     void (async () => {
       await Promise.all([takeUp(), loadRuns()]);
       const { state, runs } = useRun.getState();
-      const told = interruptedPhrase(runs, useUnitStore.getState().unit);
+      const told = interruptedPhrase(runs, useUnits.getState().unit);
       // The section may be out of sight, and the wire is still in the machine.
       if (state === null && told) tell("warning", `${told.what}. ${told.sub}`, INTERRUPTED);
     })();
   }, []);
   const connected = isOpen(state);
   useEffect(() => {
-    // From here on the machine's own section tells of its wire.
+    // From here on the machine's own section shows its wire.
     if (connected) dismissAll(INTERRUPTED);
   }, [connected]);
-  const tone = state?.phase === "failed" ? "error" : state?.phase === "stopped" || state?.unfinished || interrupted ? "warning" : null;
+  const tone =
+    state?.phase === "failed"
+      ? "error"
+      : state?.phase === "stopped" || state?.unfinished || interrupted
+        ? "warning"
+        : null;
   return (
     <>
       <Section id="run" title="Run" phrase={phrase(state)} tone={tone}>

@@ -1,15 +1,15 @@
-import { Button } from "../../shared/Button";
-import { Line } from "../../shared/Line";
-import { useLengths } from "../../shared/unit";
-import { useDesign } from "../../state/design";
-import { useMachines } from "../../state/machines";
-import { order } from "../../state/run";
-import type { MachineState } from "../../state/operator";
-import { worded } from "../../state/wording";
+import { errorText } from "../../platform/error_text";
+import { Button } from "../../shared/controls/Button";
+import { useLengths } from "../../shared/figures/unit";
+import { Line } from "../../shared/lists/Line";
+import { useDesign } from "../../state/design/design";
+import { useMachines } from "../../state/machine/machines";
+import type { MachineState } from "../../state/machine/operator";
+import { order } from "../../state/machine/run";
 import { buttons, doingPhrase } from "./buttons";
 import { useProspect } from "./prospect";
 
-/** Who is connected, how it stands, homing, and parting. */
+/** Which machine is connected, how it stands, homing, and disconnecting. */
 export function Session({ state }: { readonly state: MachineState }) {
   const designed = useDesign((design) => design.state?.machine ?? null);
   const machines = useMachines((store) => store.machines);
@@ -29,17 +29,31 @@ export function Session({ state }: { readonly state: MachineState }) {
       {state.problem && (
         <div role="alert">
           <ul>
-            <Line tone="error" what={state.phase === "failed" ? "The machine failed" : "That did not work"} sub={<span className="lines">{said(worded(state.problem))}</span>} />
+            <Line
+              tone="error"
+              what={state.phase === "failed" ? "The machine failed" : "That did not work"}
+              sub={<span className="lines">{said(errorText(state.problem))}</span>}
+            />
           </ul>
         </div>
       )}
       {other && (
         <ul>
-          <Line tone="warning" what={`The design is for ${name(designed)}`} sub={`${name(state.machine)} is connected. Disconnect it to connect the other one.`} />
+          <Line
+            tone="warning"
+            what={`The design is for ${name(designed)}`}
+            sub={`${name(state.machine)} is connected. Disconnect it to connect the other one.`}
+          />
         </ul>
       )}
       <div className="row">
-        <Button className="grow" icon="home" kind={all.next === "home" ? "primary" : "plain"} why={all.home} onClick={() => void order({ order: "home" })}>
+        <Button
+          className="grow"
+          icon="home"
+          kind={all.next === "home" ? "primary" : "plain"}
+          why={all.home}
+          onClick={() => void order({ order: "home" })}
+        >
           Home
         </Button>
         <Button className="grow" why={all.disconnect} onClick={() => void order({ order: "disconnect" })}>

@@ -1,4 +1,4 @@
-import { isOpen, stop, useRun } from "../../state/run";
+import { isOpen, stop, useRun } from "../../state/machine/run";
 import "./stop.css";
 
 /** Stops the machine the moment it is pressed. There as long as a machine is connected. */
@@ -8,7 +8,7 @@ export function StopButton() {
     <button
       type="button"
       className="stop-button"
-      // Without a machine it is grey, and pressing it stops whatever there is all the same.
+      // Without a machine it is grey, and pressing it stops whatever there is anyway.
       aria-disabled={!open || undefined}
       title={open ? "Stops the machine at once" : "No machine is connected"}
       aria-keyshortcuts="Control+Space"

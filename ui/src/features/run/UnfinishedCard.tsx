@@ -1,24 +1,33 @@
 import { useState } from "react";
-import { Button } from "../../shared/Button";
-import { Mark } from "../../shared/Mark";
-import { order } from "../../state/run";
-import type { Unfinished } from "../../state/operator";
+import { Button } from "../../shared/controls/Button";
+import { Mark } from "../../shared/lists/Mark";
+import type { Unfinished } from "../../state/machine/operator";
+import { order } from "../../state/machine/run";
 import type { RunButtons } from "./buttons";
 import { unfinishedPhrase } from "./phrases";
 
-/** A wire that was interrupted: going on with it, or giving it up. */
-export function UnfinishedCard({ unfinished, all, accept }: { readonly unfinished: Unfinished; readonly all: RunButtons; readonly accept: boolean }) {
+/** A wire that was interrupted: resuming it, or giving it up. */
+export function UnfinishedCard({
+  unfinished,
+  all,
+  accept,
+}: {
+  readonly unfinished: Unfinished;
+  readonly all: RunButtons;
+  readonly accept: boolean;
+}) {
   const [leaving, setLeaving] = useState(false);
   const { job_hash, wire, name, resumable } = unfinished;
   // The first wire of a design is nearly always its only one.
   const which = wire > 0 ? `${name ? `“${name}”, ` : ""}wire ${wire + 1}` : name ? `“${name}”` : "A wire";
   return (
-    <div className="unfinished stack" role="group" aria-label="Interrupted wire">
+    <fieldset className="unfinished stack" aria-label="Interrupted wire">
       <p>
-        <Mark tone="warning" />{" "}
-        <strong>{which} was interrupted</strong>
+        <Mark tone="warning" /> <strong>{which} was interrupted</strong>
       </p>
-      <p className="muted">{leaving ? "Once it is given up, nobody can go on with it. Nothing moves for it." : unfinishedPhrase(unfinished)}</p>
+      <p className="muted">
+        {leaving ? "Once it is given up, it cannot be resumed. Nothing moves for it." : unfinishedPhrase(unfinished)}
+      </p>
       <div className="row end">
         {leaving ? (
           <>
@@ -33,13 +42,17 @@ export function UnfinishedCard({ unfinished, all, accept }: { readonly unfinishe
               Give up…
             </Button>
             {resumable && (
-              <Button kind="primary" why={all.resumeRun} onClick={() => void order({ order: "resume-run", job_hash, wire, accept_settings: accept })}>
+              <Button
+                kind="primary"
+                why={all.resumeRun}
+                onClick={() => void order({ order: "resume-run", job_hash, wire, accept_settings: accept })}
+              >
                 Resume…
               </Button>
             )}
           </>
         )}
       </div>
-    </div>
+    </fieldset>
   );
 }

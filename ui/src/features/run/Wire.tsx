@@ -1,17 +1,17 @@
 import { useState } from "react";
-import { Button } from "../../shared/Button";
-import { Bar, Select } from "../../shared/inputs";
-import { Part } from "../../shared/Section";
-import { useLengths } from "../../shared/unit";
-import { useDesign } from "../../state/design";
-import { useOtherWire } from "../../state/program";
-import { order } from "../../state/run";
-import type { MachineState } from "../../state/operator";
+import { Button } from "../../shared/controls/Button";
+import { Bar, Select } from "../../shared/controls/inputs";
+import { useLengths } from "../../shared/figures/unit";
+import { useDesign } from "../../state/design/design";
+import { isInWire, type MachineState } from "../../state/machine/operator";
+import { order } from "../../state/machine/run";
+import { useOtherWire } from "../../state/program/program";
+import { Part } from "../panel/Section";
 import { buttons } from "./buttons";
 import { Differing } from "./Differing";
-import { Ended } from "./Ended";
 import { progressPhrase } from "./phrases";
 import { useProspect } from "./prospect";
+import { Ended } from "./records/Ended";
 import { UnfinishedCard } from "./UnfinishedCard";
 
 /** Arming, starting, pausing a wire of the design. */
@@ -24,22 +24,37 @@ export function Wire({ state }: { readonly state: MachineState }) {
   const all = buttons(state, useProspect());
   const wires = check?.wires ?? [];
   const wire = Math.min(chosen, Math.max(wires.length - 1, 0));
-  const needsAccept = state.settings.some(({ matters }) => matters) && !accept ? "The machine is set otherwise than its profile says: see below." : null;
+  const needsAccept =
+    state.settings.some(({ matters }) => matters) && !accept
+      ? "The machine is set otherwise than its profile says: see below."
+      : null;
   const whyNot = all.arm ?? needsAccept;
-  const under = state.phase === "making" || state.phase === "holding";
+  const under = isInWire(state.phase);
   const stock = wires[wire]?.stock_mm;
   return (
-    <Part title="Wire" aside={typeof stock === "number" && !under ? <span className="muted small">load {long(stock)} of wire</span> : undefined}>
+    <Part
+      title="Wire"
+      aside={
+        typeof stock === "number" && !under ? (
+          <span className="muted small">load {long(stock)} of wire</span>
+        ) : undefined
+      }
+    >
       {wires.length > 1 && (
         <Select
-          aria-label="Wire to make"
+          aria-label="Wire to bend"
           value={String(wire)}
           onChoose={(index) => setChosen(Number(index))}
-          choices={wires.map((each, index) => ({ value: String(index), label: `Wire ${index + 1}${each.length_mm === null ? "" : ` · ${length(each.length_mm)}`}` }))}
+          choices={wires.map((each, index) => ({
+            value: String(index),
+            label: `Wire ${index + 1}${each.length_mm === null ? "" : ` · ${length(each.length_mm)}`}`,
+          }))}
         />
       )}
       {state.unfinished && !under && <UnfinishedCard unfinished={state.unfinished} all={all} accept={accept} />}
-      {state.settings.length > 0 && <Differing settings={state.settings} why={all.writeSettings} accept={accept} onAccept={setAccept} />}
+      {state.settings.length > 0 && (
+        <Differing settings={state.settings} why={all.writeSettings} accept={accept} onAccept={setAccept} />
+      )}
       {state.wire && under && (
         <div className="stack">
           <Bar done={state.wire.made} of={state.wire.of} label="Wire" />
@@ -70,15 +85,23 @@ export function Wire({ state }: { readonly state: MachineState }) {
             why={all.pause.why}
             onClick={() => void order({ order: all.pause.order })}
           >
-            {all.pause.order === "pause" ? "Pause" : "Go on"}
+            {all.pause.order === "pause" ? "Pause" : "Resume"}
           </Button>
         ) : (
-          <Button className="grow" icon="play" kind={all.next === "start" ? "primary" : "plain"} why={all.start} onClick={() => void order({ order: "start" })}>
+          <Button
+            className="grow"
+            icon="play"
+            kind={all.next === "start" ? "primary" : "plain"}
+            why={all.start}
+            onClick={() => void order({ order: "start" })}
+          >
             Start
           </Button>
         )}
       </div>
-      {all.noWire && (state.phase === "ready" || state.phase === "moving") && <p className="muted small">{all.noWire}</p>}
+      {all.noWire && (state.phase === "ready" || state.phase === "moving") && (
+        <p className="muted small">{all.noWire}</p>
+      )}
       {!under && <Ended />}
     </Part>
   );

@@ -1,6 +1,6 @@
-/** Which of the machine's buttons can be used, and why the others cannot: by what the operator says that it can be told. */
+/** Which of the machine's buttons can be used, and why the others cannot, as the machine's state says. */
 
-import type { MachineState, OrderName, Phase } from "../../state/operator";
+import { type Because, isInWire, type MachineState, type OrderName, type Phase } from "../../state/machine/operator";
 
 /** Why it cannot be used; null where it can. */
 type Why = string | null;
@@ -19,7 +19,7 @@ export interface RunButtons {
   readonly noWire: Why;
   readonly start: Why;
   readonly disarm: Why;
-  /** One button that pauses or goes on. */
+  /** One button that pauses or resumes. */
   readonly pause: { readonly order: "pause" | "resume"; readonly why: Why };
   readonly jog: Why;
   readonly resumeRun: Why;
@@ -27,85 +27,101 @@ export interface RunButtons {
   readonly replay: Why;
   readonly writeSettings: Why;
   readonly disconnect: Why;
-  /** The button that goes on from here. */
+  /** The button that leads on from here. */
   readonly next: "connect" | "home" | "arm" | "start" | "pause" | "resume" | null;
 }
 
-/** Why something has to wait in a phase. */
-const WAIT: Readonly<Record<Phase, string>> = {
+/** Why an order is not possible now. */
+const BECAUSE: Readonly<Record<Because, string>> = {
   connecting: "The machine is being connected.",
-  connected: "Home the machine first.",
+  "not-homed": "Home the machine first.",
   homing: "The machine is homing.",
-  ready: "Arm a wire first.",
   moving: "The machine is being moved.",
-  armed: "A wire is armed: start or disarm it first.",
-  making: "A wire is being made.",
+  "no-wire-armed": "Arm a wire first.",
+  "wire-armed": "A wire is armed: start or disarm it first.",
+  "no-wire-under-way": "No wire is being bent.",
+  "wire-under-way": "A wire is being bent.",
   holding: "The machine holds in the middle of a wire.",
   stopping: "STOP was sent. Waiting until the machine confirms that it stands.",
-  stopped: "The machine was stopped: home it first.",
   failed: "The machine failed: connect it again.",
-  closed: "Connect a machine first.",
+  "not-connected": "Connect a machine first.",
+  unable: "This machine cannot do that.",
+  busy: "Wait until the machine is done.",
+  "question-open": "Answer the question first.",
 };
 
-/** Phases in which an order is being carried out all the time. */
-const AT_WORK: ReadonlySet<Phase> = new Set(["connecting", "homing", "moving", "making", "holding", "stopping"]);
+/** The same of what a machine's driver cannot do, where there is more to say. */
+const UNABLE: Readonly<Partial<Record<OrderName, string>>> = {
+  pause: "This machine cannot pause.",
+  "write-settings": "This machine's settings cannot be written from here.",
+};
 
-/** Phases in which only what the machine can do stands against an order. */
-const AT_REST: ReadonlySet<Phase> = new Set(["connected", "ready", "stopped"]);
+function whyNot(state: MachineState | null, order: OrderName): Why {
+  if (!state) return BECAUSE["not-connected"];
+  const because = state.cannot.find((refused) => refused.order === order)?.because;
+  if (because === undefined) return null;
+  return (because === "unable" && UNABLE[order]) || BECAUSE[because];
+}
 
 export function buttons(state: MachineState | null, prospect: Prospect): RunButtons {
-  const phase = state?.phase ?? "closed";
-  const wait = state?.question ? "Answer the question first." : state?.busy && !AT_WORK.has(phase) ? "Wait until the machine is done." : null;
-  const why = (order: OrderName, reason = WAIT[phase]): Why => (state?.can.includes(order) ? null : (wait ?? reason));
-  const holds = phase === "holding";
-  const noWire = !prospect.program ? "There is no program to make: see Check." : prospect.feasible ? null : "The machine cannot make the design: see Check.";
+  const why = (order: OrderName): Why => whyNot(state, order);
+  const noWire = !prospect.program
+    ? "There is no program to run: see Check."
+    : prospect.feasible
+      ? null
+      : "The machine cannot make the design: see Check.";
+  const pause = state?.phase === "holding" ? "resume" : "pause";
   return {
     home: why("home"),
     arm: why("arm") ?? noWire,
     noWire,
-    start: why("start", phase === "connected" || phase === "stopped" || phase === "ready" ? "Arm a wire first." : WAIT[phase]),
-    disarm: why("disarm", "No wire is armed."),
-    pause: { order: holds ? "resume" : "pause", why: why(holds ? "resume" : "pause", phase === "making" ? "This machine cannot pause." : "No wire is being made.") },
+    start: why("start"),
+    disarm: why("disarm"),
+    pause: { order: pause, why: why(pause) },
     jog: why("jog"),
     resumeRun: why("resume-run"),
     abandon: why("abandon"),
     replay: why("replay"),
-    writeSettings: why("write-settings", AT_REST.has(phase) ? "This machine's settings cannot be written from here." : WAIT[phase]),
+    writeSettings: why("write-settings"),
     disconnect: why("disconnect"),
-    next: next(phase, state, noWire === null),
+    next: next(state?.phase ?? "closed", (order) => why(order) === null, noWire === null),
   };
 }
 
-function next(phase: Phase, state: MachineState | null, wire: boolean): RunButtons["next"] {
+/** `can`: whether that order is possible now; `wire`: whether there is one to arm. */
+function next(phase: Phase, can: (order: OrderName) => boolean, wire: boolean): RunButtons["next"] {
   switch (phase) {
     case "closed":
     case "failed":
       return "connect";
     case "connected":
     case "stopped":
-      return state?.can.includes("home") ? "home" : wire ? "arm" : null;
+      return can("home") ? "home" : wire ? "arm" : null;
     case "ready":
       return wire ? "arm" : null;
     case "armed":
       return "start";
     case "making":
-      return state?.can.includes("pause") ? "pause" : null;
+      return can("pause") ? "pause" : null;
     case "holding":
       return "resume";
-    default:
+    case "connecting":
+    case "homing":
+    case "moving":
+    case "stopping":
       return null;
   }
 }
 
 /** How the machine stands, in a word or two. */
-export const PHASES: Readonly<Record<Phase, string>> = {
+const PHASES: Readonly<Record<Phase, string>> = {
   connecting: "connecting",
   connected: "not homed",
   homing: "homing",
   ready: "homed",
   moving: "moving",
   armed: "armed",
-  making: "making a wire",
+  making: "bending a wire",
   holding: "holding",
   stopping: "stopping",
   stopped: "stopped, not homed",
@@ -113,7 +129,7 @@ export const PHASES: Readonly<Record<Phase, string>> = {
   closed: "not connected",
 };
 
-/** How it stands, and what it does within that; who is asked has to answer first. */
+/** How it stands, and what it does within that; a user who is asked has to answer first. */
 export function doingPhrase({ phase, doing, question }: Pick<MachineState, "phase" | "doing" | "question">): string {
   return question ? "waits for an answer" : (doing ?? PHASES[phase]);
 }
@@ -123,11 +139,6 @@ export function phrase(state: MachineState | null): string {
   if (!state || state.phase === "closed") return "not connected";
   const who = state.simulated ? "simulated machine" : (state.port ?? state.machine);
   const { wire } = state;
-  if (wire && (state.phase === "making" || state.phase === "holding")) return `${PHASES[state.phase]} · ${wire.made} of ${wire.of} made`;
+  if (wire && isInWire(state.phase)) return `${PHASES[state.phase]} · ${wire.made} of ${wire.of} done`;
   return `${who} · ${state.phase === "stopped" ? "stopped" : PHASES[state.phase]}`;
-}
-
-/** Whether something moves, or may move without being asked again. */
-export function isUnderWay(phase: Phase): boolean {
-  return ["homing", "moving", "making", "holding", "stopping"].includes(phase);
 }

@@ -1,9 +1,17 @@
 import { describe, expect, it } from "vitest";
 import type { PortEntry } from "../../generated/responses";
-import type { Unfinished, WireRun, WireState } from "../../state/operator";
+import type { Unfinished, WireRun, WireState } from "../../state/machine/operator";
 import { endedPhrase, guess, movePhrase, portPhrase, progressPhrase, unfinishedPhrase } from "./phrases";
 
-const port = (name: string, given: Partial<PortEntry> = {}): PortEntry => ({ name, description: "", usb: null, drivers: ["wirebend-kit"], likely_for: [], simulated: false, ...given });
+const port = (name: string, given: Partial<PortEntry> = {}): PortEntry => ({
+  name,
+  description: "",
+  usb: null,
+  drivers: ["wirebend-kit"],
+  likely_for: [],
+  simulated: false,
+  ...given,
+});
 const SIM = port("sim", { simulated: true, description: "simulated machine, in real time" });
 const UNO = port("/dev/ttyACM0", { description: "Arduino Uno", likely_for: ["wirebend-kit"] });
 
@@ -22,37 +30,87 @@ describe("ports", () => {
 });
 
 describe("wires", () => {
-  const unfinished = (made: number, in_doubt: Unfinished["in_doubt"] = null): Unfinished => ({ id: "1", job_hash: "", name: "House", wire: 0, port: "sim", started: "", made, of: 31, in_doubt, resumable: true });
-
-  it("tells how far one is", () => {
-    const wire: WireState = { wire: 0, made: 14, done_by: "machine", sent: 16, of: 31, elapsed_s: 130, remaining_s: 65, job_hash: "", name: "House" };
-    expect(progressPhrase(wire)).toBe("14 of 31 steps made · 2:10, 1:05 left");
-    // Nobody knows whether they are made.
-    expect(progressPhrase({ ...wire, done_by: "clock" })).toBe("14 of 31 steps by the clock · 2:10, 1:05 left");
-    expect(unfinishedPhrase(unfinished(14))).toBe("Step 14 of 31 is made.");
-    expect(unfinishedPhrase(unfinished(14, [15, 15]))).toBe("Step 14 of 31 is made. Step 15 was sent: before the wire goes on, the machine or you say what became of it.");
-    expect(unfinishedPhrase(unfinished(0, [1, 3]))).toBe("No step of 31 is made. Steps 1 to 3 were sent: before the wire goes on, the machine or you say what became of them.");
-    expect(unfinishedPhrase({ ...unfinished(0), resumable: false })).toMatch(/cannot be gone on with/);
+  const unfinished = (made: number, in_doubt: Unfinished["in_doubt"] = null): Unfinished => ({
+    id: "1",
+    job_hash: "",
+    name: "House",
+    wire: 0,
+    port: "sim",
+    started: "",
+    made,
+    of: 31,
+    in_doubt,
+    resumable: true,
   });
 
-  const run: WireRun = { id: "1", resume: null, stock_mm: 700, stopped_by: null, standstill: null, wire: 0, outcome: "made", made: 31, done_by: "machine", steps: 31, in_doubt: null, stopped_in: null, elapsed_s: 192, problem: null, deviations_mm: [0.02, 0.08] };
+  it("says how far one is", () => {
+    const wire: WireState = {
+      wire: 0,
+      made: 14,
+      done_by: "machine",
+      sent: 16,
+      of: 31,
+      in_step: 0,
+      elapsed_s: 130,
+      remaining_s: 65,
+      job_hash: "",
+      name: "House",
+    };
+    expect(progressPhrase(wire)).toBe("14 of 31 steps done · 2:10, 1:05 left");
+    // It is not known whether they are done.
+    expect(progressPhrase({ ...wire, done_by: "clock" })).toBe("14 of 31 steps by the clock · 2:10, 1:05 left");
+    expect(unfinishedPhrase(unfinished(14))).toBe("Step 14 of 31 is done.");
+    expect(unfinishedPhrase(unfinished(14, [15, 15]))).toBe(
+      "Step 14 of 31 is done. Step 15 was sent: before the wire resumes, the machine or you say what became of it.",
+    );
+    expect(unfinishedPhrase(unfinished(0, [1, 3]))).toBe(
+      "No step of 31 is done. Steps 1 to 3 were sent: before the wire resumes, the machine or you say what became of them.",
+    );
+    expect(unfinishedPhrase({ ...unfinished(0), resumable: false })).toMatch(/cannot be resumed/);
+  });
 
-  it("tells what became of one", () => {
-    expect(endedPhrase(run, "mm")).toEqual({ tone: "fine", what: "The wire is made, in 3:12", sub: "Worst vertex 0.08 mm from the design." });
+  const run: WireRun = {
+    id: "1",
+    resume: null,
+    stock_mm: 700,
+    stopped_by: null,
+    standstill: null,
+    wire: 0,
+    outcome: "made",
+    made: 31,
+    done_by: "machine",
+    steps: 31,
+    in_doubt: null,
+    stopped_in: null,
+    elapsed_s: 192,
+    problem: null,
+    deviations_mm: [0.02, 0.08],
+  };
+
+  it("says what became of one", () => {
+    expect(endedPhrase(run, "mm")).toEqual({
+      tone: "fine",
+      what: "The wire is finished, in 3:12",
+      sub: "Worst vertex 0.08 mm from the design.",
+    });
     expect(endedPhrase({ ...run, deviations_mm: null }, "mm").sub).toBeNull();
     expect(endedPhrase({ ...run, outcome: "stopped", made: 14 }, "mm").what).toBe("Stopped after step 14 of 31");
-    expect(endedPhrase({ ...run, outcome: "stopped", standstill: "confirmed", made: 14 }, "mm").what).toBe("Stopped after step 14 of 31");
+    expect(endedPhrase({ ...run, outcome: "stopped", standstill: "confirmed", made: 14 }, "mm").what).toBe(
+      "Stopped after step 14 of 31",
+    );
     expect(endedPhrase({ ...run, outcome: "sent", done_by: "clock" }, "mm")).toMatchObject({
       what: "All 31 steps are sent",
-      sub: "The machine does not say whether it made them: look at the wire.",
+      sub: "The machine does not report whether it ran them: look at the wire.",
     });
-    // Whoever reads "stopped" lets go of the power switch.
+    // A user who reads "stopped" lets go of the power switch.
     expect(endedPhrase({ ...run, outcome: "stopped", standstill: "not-confirmed", made: 14 }, "mm")).toMatchObject({
       tone: "error",
       what: "Not confirmed that the machine stands, after step 14 of 31",
       sub: "Cut the power of the machine, then look at it and at the wire.",
     });
-    expect(endedPhrase({ ...run, outcome: "failed", made: 3, problem: { code: "line", message: "The line is cut." } }, "mm")).toMatchObject({ tone: "error", sub: "The line is cut." });
+    expect(
+      endedPhrase({ ...run, outcome: "failed", made: 3, problem: { code: "line", message: "The line is cut." } }, "mm"),
+    ).toMatchObject({ tone: "error", sub: "The line is cut." });
   });
 });
 

@@ -1,11 +1,10 @@
 /** What is said of ports, wires and moves. */
 
 import type { PortEntry } from "../../generated/responses";
-import { angle, asShown, type DisplayUnit, length, time } from "../../shared/format";
-import type { Tone } from "../../shared/Mark";
-import { worded } from "../../state/wording";
-import type { Move, Unfinished, WireRun, WireState } from "../../state/operator";
-import { deviation } from "./records";
+import { errorText } from "../../platform/error_text";
+import { angle, asShown, type DisplayUnit, deviation, length, time } from "../../shared/figures/format";
+import type { Tone } from "../../shared/lists/Mark";
+import type { Move, Unfinished, WireRun, WireState } from "../../state/machine/operator";
 
 /** "/dev/ttyACM0 · Arduino Uno · probably this one". */
 export function portPhrase({ name, description, usb, likely_for, simulated }: PortEntry): string {
@@ -20,28 +19,31 @@ export function guess(ports: readonly PortEntry[]): string | null {
   return (likely ?? ports.find(({ simulated }) => simulated))?.name ?? null;
 }
 
-/** "14 of 31 steps made · 2:10, 1:05 left"; by the clock where the machine does not say what it makes. */
+/** "14 of 31 steps done · 2:10, 1:05 left"; by the clock where the machine does not report what it has done. */
 export function progressPhrase({ made, done_by, of, elapsed_s, remaining_s }: WireState): string {
-  return `${made} of ${of} steps ${done_by === "machine" ? "made" : "by the clock"} · ${time(elapsed_s)}, ${time(remaining_s)} left`;
+  return `${made} of ${of} steps ${done_by === "machine" ? "done" : "by the clock"} · ${time(elapsed_s)}, ${time(remaining_s)} left`;
 }
 
 function doubtful(steps: readonly [number, number] | null | undefined): string {
   if (!steps) return "";
   const [first, last] = steps;
   const sent = first === last ? `Step ${first} was sent` : `Steps ${first} to ${last} were sent`;
-  return ` ${sent}: before the wire goes on, the machine or you say what became of ${first === last ? "it" : "them"}.`;
+  return ` ${sent}: before the wire resumes, the machine or you say what became of ${first === last ? "it" : "them"}.`;
 }
 
-/** "Step 14 of 31 is made. Step 15 was sent: before the wire goes on, the machine or you say what became of it." */
+/** "Step 14 of 31 is done. Step 15 was sent: before the wire resumes, the machine or you say what became of it." */
 export function unfinishedPhrase({ made, of, in_doubt, resumable }: Unfinished): string {
-  if (!resumable) return "Its record is damaged, so that nobody knows how far it came: it cannot be gone on with.";
-  return `${made === 0 ? "No step" : `Step ${made}`} of ${of} is made.${doubtful(in_doubt)}`;
+  if (!resumable) return "Its record is damaged, so that it is not known how far it came: it cannot be resumed.";
+  return `${made === 0 ? "No step" : `Step ${made}`} of ${of} is done.${doubtful(in_doubt)}`;
 }
 
 /** What became of a wire. */
-export function endedPhrase(run: WireRun, unit: DisplayUnit): { readonly tone: Tone; readonly what: string; readonly sub: string | null } {
+export function endedPhrase(
+  run: WireRun,
+  unit: DisplayUnit,
+): { readonly tone: Tone; readonly what: string; readonly sub: string | null } {
   const { outcome, made, steps, elapsed_s, problem, deviations_mm, standstill } = run;
-  const sub = problem ? asShown(worded(problem), unit) : null;
+  const sub = problem ? asShown(errorText(problem), unit) : null;
   if (standstill && standstill !== "confirmed") {
     const what = `Not confirmed that the machine stands, after step ${made} of ${steps}`;
     return { tone: "error", what, sub: "Cut the power of the machine, then look at it and at the wire." };
@@ -50,14 +52,22 @@ export function endedPhrase(run: WireRun, unit: DisplayUnit): { readonly tone: T
     case "made": {
       const worst = deviations_mm ? Math.max(0, ...deviations_mm) : null;
       const off = worst === null ? null : `Worst vertex ${deviation(worst, unit)} from the design.`;
-      return { tone: "fine", what: `The wire is made, in ${time(elapsed_s)}`, sub: sub ?? off };
+      return { tone: "fine", what: `The wire is finished, in ${time(elapsed_s)}`, sub: sub ?? off };
     }
     case "made-before":
-      return { tone: "fine", what: "The wire was made before", sub };
+      return { tone: "fine", what: "The wire was finished before", sub };
     case "sent":
-      return { tone: "warning", what: `All ${steps} steps are sent`, sub: sub ?? "The machine does not say whether it made them: look at the wire." };
+      return {
+        tone: "warning",
+        what: `All ${steps} steps are sent`,
+        sub: sub ?? "The machine does not report whether it ran them: look at the wire.",
+      };
     case "stopped":
-      return { tone: "warning", what: `Stopped after step ${made} of ${steps}`, sub: sub ?? "Home the machine, then go on with the wire or give it up." };
+      return {
+        tone: "warning",
+        what: `Stopped after step ${made} of ${steps}`,
+        sub: sub ?? "Home the machine, then resume the wire or give it up.",
+      };
     case "failed":
       return { tone: "error", what: `Failed after step ${made} of ${steps}`, sub };
     case "abandoned":

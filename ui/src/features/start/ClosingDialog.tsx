@@ -1,7 +1,7 @@
-import { Button } from "../../shared/Button";
-import { Dialog } from "../../shared/Dialog";
-import { useClosing } from "../../state/closing";
-import type { Phase } from "../../state/operator";
+import { Button } from "../../shared/controls/Button";
+import { Dialog } from "../../shared/layers/Dialog";
+import { useClosing } from "../../state/files/closing";
+import type { Phase } from "../../state/machine/operator";
 
 const DOES: Partial<Readonly<Record<Phase, string>>> = {
   homing: "The machine is homing.",
@@ -31,8 +31,9 @@ export function ClosingDialog() {
       }
     >
       <p>
-        {does ?? "A wire is being made."} {does === undefined ? "The machine" : "It"} stops at once, and has to be homed before it moves again.
-        {does === undefined && " How far the wire has come is on record."}
+        {does ?? "A wire is being bent."} {does === undefined ? "The machine" : "It"} stops at once, and has to be homed
+        before it moves again.
+        {does === undefined && " The progress of the wire is recorded."}
       </p>
     </Dialog>
   );

@@ -1,5 +1,5 @@
-import { Icon } from "../../shared/icons";
-import { useFiles } from "../../state/files";
+import { Icon } from "../../shared/controls/icons";
+import { useFiles } from "../../state/files/files";
 import "./start.css";
 
 /** Shown while a file is held over the window, and while one is read. */

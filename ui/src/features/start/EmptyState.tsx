@@ -1,9 +1,9 @@
-import { Button } from "../../shared/Button";
-import { useByHand } from "../../state/by_hand";
-import { run } from "../../state/commands";
-import { useDesign } from "../../state/design";
-import { openExample, useFiles } from "../../state/files";
-import { useView } from "../../state/view";
+import { Button } from "../../shared/controls/Button";
+import { useDesign } from "../../state/design/design";
+import { openExample, useFiles } from "../../state/files/files";
+import { useByHand } from "../../state/machine/by_hand";
+import { run } from "../../state/window/commands";
+import { useView } from "../../state/window/view";
 import { useNeededExamples } from "./examples";
 import { Picture } from "./Picture";
 import "./start.css";
@@ -32,7 +32,7 @@ function Cards() {
   );
 }
 
-/** What there is to do while the design is empty. It goes as soon as there is something to see, or a tool is taken up. */
+/** What there is to do while the design is empty. It goes as soon as there is something to see, or a tool is chosen. */
 export function EmptyState() {
   const empty = useDesign(({ vertices, stencil, state }) => state !== null && vertices.size === 0 && stencil === null);
   const drawing = useView(({ tool }) => tool !== "select");
@@ -42,7 +42,9 @@ export function EmptyState() {
   return (
     <div className="start" aria-busy={busy !== null}>
       <h2>Drop a model or a drawing here</h2>
-      <p className="muted">STL, OBJ, PLY, 3MF or glTF to trace on or to bend along its edges; SVG and DXF drawings; tables of bends.</p>
+      <p className="muted">
+        STL, OBJ, PLY, 3MF or glTF to trace on or to bend along its edges; SVG and DXF drawings; tables of bends.
+      </p>
       <div className="row">
         <Button kind="primary" icon="folder" onClick={() => run("open")}>
           Open…

@@ -1,6 +1,6 @@
-import { Dialog } from "../../shared/Dialog";
-import { openExample } from "../../state/files";
-import { useUi } from "../../state/ui";
+import { Dialog } from "../../shared/layers/Dialog";
+import { openExample } from "../../state/files/files";
+import { useUi } from "../../state/window/ui";
 import { useNeededExamples } from "./examples";
 import { Picture } from "./Picture";
 import "./start.css";
@@ -16,7 +16,7 @@ function Gallery({ close }: { readonly close: () => void }) {
   const examples = useNeededExamples();
   return (
     <Dialog title="Examples" wide onClose={close}>
-      {!examples && <p className="muted">Reading the examples…</p>}
+      {!examples && <p className="muted">Loading examples…</p>}
       <ul className="gallery">
         {examples?.map((example) => (
           <li key={example.id}>

@@ -2,17 +2,20 @@
 import { act } from "react";
 import { expect, it, vi } from "vitest";
 
-vi.mock("../../platform", () => ({ platform: { ask: vi.fn(), stop: vi.fn(), listen: vi.fn() }, Refused: class Refused extends Error {} }));
+vi.mock("../../platform", () => ({
+  platform: { ask: vi.fn(), stop: vi.fn(), listen: vi.fn() },
+  Refused: class Refused extends Error {},
+}));
 
 import { place } from "../../shared/testing";
-import { useDesign } from "../../state/design";
-import { useHints } from "../../state/hints";
+import { useDesign } from "../../state/design/design";
 import { designState } from "../../state/testing";
+import { useHints } from "../../state/window/hints";
 import { Hints } from "./Hints";
 
 const at = place();
 
-it("asks for a shape until there is one, and goes on to the machine then", () => {
+it("asks for a shape until there is one, and continues with the machine then", () => {
   useHints.setState({ step: 0 });
   useDesign.setState({ state: designState(), vertices: new Map(), stencil: null });
   at.show(<Hints />);

@@ -1,7 +1,7 @@
 import { useEffect, useLayoutEffect, useRef, useState } from "react";
-import { Button } from "../../shared/Button";
-import { useDesign } from "../../state/design";
-import { dismissHints, goToHint, useHints } from "../../state/hints";
+import { Button } from "../../shared/controls/Button";
+import { useDesign } from "../../state/design/design";
+import { dismissHints, goToHint, useHints } from "../../state/window/hints";
 import "./start.css";
 
 interface Hint {
@@ -13,17 +13,37 @@ interface Hint {
 }
 
 const HINTS: readonly Hint[] = [
-  { title: "Bring a shape", text: "Trace on a model, draw on a plane, or open a drawing. Each tool has a key; ? lists them all.", beside: ".toolbar", side: "right" },
-  { title: "Choose the machine and the wire", text: "They decide what can be bent. They stay in sight up here, and can be changed at any time.", beside: ".top-made", side: "below" },
-  { title: "See what has to be fixed", text: "Check tells what the machine cannot make and why. Click a line to see the place; a fix shows what it would change.", beside: "#section-check", side: "left" },
-  { title: "Take it to the machine", text: "Animate plays the bending, Export writes the program, Run moves the machine. STOP is always at the top right: Ctrl Space.", beside: "#section-run", side: "left" },
+  {
+    title: "Bring a shape",
+    text: "Trace on a model, draw on a plane, or open a drawing. Each tool has a key; ? lists them all.",
+    beside: ".toolbar",
+    side: "right",
+  },
+  {
+    title: "Choose the machine and the wire",
+    text: "They set what can be bent. Both stay here in the top bar and can be changed at any time.",
+    beside: ".top-made",
+    side: "below",
+  },
+  {
+    title: "See what has to be fixed",
+    text: "Check lists what the machine cannot bend and why. Click a line to see the place. Each fix shows what it would change.",
+    beside: "#section-check",
+    side: "left",
+  },
+  {
+    title: "Take it to the machine",
+    text: "Animate plays the bending, Export writes files, Run moves the machine. STOP is always at the top right: Ctrl Space.",
+    beside: "#section-run",
+    side: "left",
+  },
 ];
 
-/** Four steps of a first look around: beside what they are about, in nobody's way. */
+/** Four steps of a first look around: beside what they are about, out of the way. */
 export function Hints() {
   const step = useHints((hints) => hints.step);
   const ready = useDesign(({ state }) => state !== null);
-  // Who has brought a shape needs not be told to.
+  // A user who has brought a shape needs no hint for it.
   const brought = useDesign(({ vertices, stencil }) => vertices.size > 0 || stencil !== null);
   useEffect(() => {
     if (step === 0 && brought) goToHint(1);
@@ -46,7 +66,10 @@ function Bubble({ hint, step }: { readonly hint: Hint; readonly step: number }) 
         left: { left: from.left - own.width - 12, top: from.top },
         below: { left: from.left, top: from.bottom + 10 },
       }[hint.side];
-      setAt({ left: Math.max(8, Math.min(wanted.left, window.innerWidth - own.width - 8)), top: Math.max(8, Math.min(wanted.top, window.innerHeight - own.height - 8)) });
+      setAt({
+        left: Math.max(8, Math.min(wanted.left, window.innerWidth - own.width - 8)),
+        top: Math.max(8, Math.min(wanted.top, window.innerHeight - own.height - 8)),
+      });
     };
     place();
     const watch = new ResizeObserver(place);
@@ -55,7 +78,13 @@ function Bubble({ hint, step }: { readonly hint: Hint; readonly step: number }) 
   }, [hint]);
   const last = step === HINTS.length - 1;
   return (
-    <div ref={bubble} className={`hint ${hint.side}`} role="note" aria-label="First steps" style={at ? { left: at.left, top: at.top } : { visibility: "hidden" }}>
+    <div
+      ref={bubble}
+      className={`hint ${hint.side}`}
+      role="note"
+      aria-label="First steps"
+      style={at ? { left: at.left, top: at.top } : { visibility: "hidden" }}
+    >
       <strong>{hint.title}</strong>
       <p>{hint.text}</p>
       <div className="row">

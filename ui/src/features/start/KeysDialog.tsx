@@ -1,6 +1,6 @@
-import { Dialog } from "../../shared/Dialog";
-import { KEYS } from "../../state/keys";
-import { useUi } from "../../state/ui";
+import { Dialog } from "../../shared/layers/Dialog";
+import { KEYS } from "../../state/window/keys";
+import { useUi } from "../../state/window/ui";
 
 const GROUPS = ["Tools", "View", "Edit", "File", "Machine", "Help"] as const;
 

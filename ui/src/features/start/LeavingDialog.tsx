@@ -1,7 +1,7 @@
-import { Button } from "../../shared/Button";
-import { Dialog } from "../../shared/Dialog";
-import { useDesign } from "../../state/design";
-import { useFiles } from "../../state/files";
+import { Button } from "../../shared/controls/Button";
+import { Dialog } from "../../shared/layers/Dialog";
+import { useDesign } from "../../state/design/design";
+import { useFiles } from "../../state/files/files";
 
 /** Asked before a design is closed or replaced that no file has. */
 export function LeavingDialog() {
@@ -22,7 +22,7 @@ export function LeavingDialog() {
         </>
       }
     >
-      <p>It has changes that no file has. Without saving they are gone.</p>
+      <p>It has unsaved changes. They are lost if you do not save.</p>
     </Dialog>
   );
 }

@@ -1,8 +1,9 @@
 import { useState } from "react";
-import { Button } from "../../shared/Button";
-import { count } from "../../shared/format";
-import { Icon } from "../../shared/icons";
-import { useDesign } from "../../state/design";
+import { errorText } from "../../platform/error_text";
+import { Button } from "../../shared/controls/Button";
+import { Icon } from "../../shared/controls/icons";
+import { count } from "../../shared/figures/format";
+import { useDesign } from "../../state/design/design";
 import "./start.css";
 
 /** What was merged, ignored or assumed while the file was read: one quiet line, more on demand. */
@@ -14,8 +15,8 @@ export function OpenNotes() {
     <div className="open-notes">
       {open && (
         <ul>
-          {notes.map(({ code, message }) => (
-            <li key={code + message}>{message}</li>
+          {notes.map((note) => (
+            <li key={note.code + note.message}>{errorText(note)}</li>
           ))}
         </ul>
       )}

@@ -2,16 +2,17 @@ import { useEffect, useState } from "react";
 import type { DesignInput, LengthUnit } from "../../generated/requests";
 import type { LookResponse } from "../../generated/responses";
 import { platform } from "../../platform";
-import { Button } from "../../shared/Button";
-import { Dialog } from "../../shared/Dialog";
-import { Field } from "../../shared/Field";
-import { count, roughly } from "../../shared/format";
-import { Checkbox, Select } from "../../shared/inputs";
-import { NumberField } from "../../shared/NumberField";
-import { useLengths } from "../../shared/unit";
-import { useDesign } from "../../state/design";
-import { baseName, isDrawing, openAs, type Opening, type Use, useFiles } from "../../state/files";
-import { told } from "../../state/problems";
+import { errorText } from "../../platform/error_text";
+import { Button } from "../../shared/controls/Button";
+import { Field } from "../../shared/controls/Field";
+import { Checkbox, Select } from "../../shared/controls/inputs";
+import { NumberField } from "../../shared/controls/NumberField";
+import { count, roughly } from "../../shared/figures/format";
+import { useLengths } from "../../shared/figures/unit";
+import { Dialog } from "../../shared/layers/Dialog";
+import { told } from "../../state/asking/problems";
+import { useDesign } from "../../state/design/design";
+import { baseName, isDrawing, type Opening, openAs, type Use, useFiles } from "../../state/files/files";
 import { likeness } from "./likeness";
 
 const UNITS: readonly { value: LengthUnit; label: string }[] = [
@@ -22,7 +23,7 @@ const UNITS: readonly { value: LengthUnit; label: string }[] = [
 ];
 
 const USES: readonly { use: Use; title: string; text: string }[] = [
-  { use: "stencil", title: "Trace on it", text: "The surface is a stencil: you draw the wire on it." },
+  { use: "stencil", title: "Trace on it", text: "The surface becomes a stencil to draw the wire on." },
   { use: "edges", title: "Bend along its edges", text: "The edges of its faces become the wireframe." },
   { use: "both", title: "Both", text: "Its edges as the wireframe, its surface as the stencil." },
 ];
@@ -58,7 +59,9 @@ function Asking({ opening }: { readonly opening: Opening }) {
   useEffect(() => {
     let current = true;
     const timer = setTimeout(() => {
-      void told(platform.ask("look", { design: JSON.parse(asked) as DesignInput })).then((seen) => current && seen && setLook(seen));
+      void told(platform.ask("look", { design: JSON.parse(asked) as DesignInput })).then(
+        (seen) => current && seen && setLook(seen),
+      );
     }, 150);
     return () => {
       current = false;
@@ -85,20 +88,31 @@ function Asking({ opening }: { readonly opening: Opening }) {
         <>
           <Button onClick={close}>Cancel</Button>
           <Button kind="primary" data-first why={busy ? "Reading the file" : null} onClick={() => void submit()}>
-            {chosen === "stencil" && filled ? "Put it into this design" : "Open"}
+            {chosen === "stencil" && filled ? "Add to this design" : "Open"}
           </Button>
         </>
       }
     >
       <p className="muted">
-        {[look.faces > 0 && `${roughly(look.faces)} faces`, look.edges > 0 && `${count(look.edges, "edge")}, ${count(look.vertices, "vertex", "vertices")}`].filter(Boolean).join(" · ") || "Nothing is in it."}
+        {[
+          look.faces > 0 && `${roughly(look.faces)} faces`,
+          look.edges > 0 && `${count(look.edges, "edge")}, ${count(look.vertices, "vertex", "vertices")}`,
+        ]
+          .filter(Boolean)
+          .join(" · ") || "The file is empty."}
       </p>
       {opening.look.asks_units && (
-        <Field label="Unit" hint="This format does not say what its numbers measure.">
+        <Field label="Unit" hint="This format does not state its unit.">
           {(ids) => <Select {...ids} choices={UNITS} value={units} onChoose={setUnits} />}
         </Field>
       )}
-      {opening.look.seen !== "document" && <Field label="Scale">{({ id }) => <NumberField id={id} kind="number" label="Scale" value={scale} min={1e-6} max={1e6} onCommit={setScale} />}</Field>}
+      {opening.look.seen !== "document" && (
+        <Field label="Scale">
+          {({ id }) => (
+            <NumberField id={id} kind="number" label="Scale" value={scale} min={1e-6} max={1e6} onCommit={setScale} />
+          )}
+        </Field>
+      )}
       {size && (
         <p className="opening-size" role="status">
           <strong>
@@ -114,22 +128,30 @@ function Asking({ opening }: { readonly opening: Opening }) {
               <legend>Layers</legend>
               <div className="layers">
                 {opening.look.layers.map((name) => (
-                  <Checkbox key={name} checked={layers.includes(name)} onChange={(on) => setLayers(on ? [...layers, name] : layers.filter((other) => other !== name))}>
+                  <Checkbox
+                    key={name}
+                    checked={layers.includes(name)}
+                    onChange={(on) => setLayers(on ? [...layers, name] : layers.filter((other) => other !== name))}
+                  >
                     {name}
                   </Checkbox>
                 ))}
               </div>
-              <p className="muted small">{layers.length === 0 ? "None is chosen: all that are not hidden are read." : "Only these are read."}</p>
+              <p className="muted small">
+                {layers.length === 0 ? "None chosen: all visible ones are read." : "Only these are read."}
+              </p>
             </fieldset>
           )}
           <Field label="Tolerance" hint={`How far straight edges may be from a drawn curve, ${name}.`}>
-            {({ id }) => <NumberField id={id} label="Tolerance" value={tolerance} min={0.001} max={100} onCommit={setTolerance} />}
+            {({ id }) => (
+              <NumberField id={id} label="Tolerance" value={tolerance} min={0.001} max={100} onCommit={setTolerance} />
+            )}
           </Field>
         </>
       )}
       {surface && purpose === "design" && (
         <fieldset className="uses">
-          <legend className="muted">What becomes of its surface</legend>
+          <legend className="muted">Use of the surface</legend>
           {USES.map(({ use: value, title, text }) => (
             <label key={value} className="use">
               <input type="radio" name="use" checked={use === value} onChange={() => setUse(value)} />
@@ -143,8 +165,8 @@ function Asking({ opening }: { readonly opening: Opening }) {
       )}
       {look.notes.length > 0 && (
         <ul className="muted small">
-          {look.notes.map(({ code, message }) => (
-            <li key={code + message}>{message}</li>
+          {look.notes.map((note) => (
+            <li key={note.code + note.message}>{errorText(note)}</li>
           ))}
         </ul>
       )}

@@ -1,8 +1,8 @@
 import { useState } from "react";
-import { Button } from "../../shared/Button";
-import { ago, count } from "../../shared/format";
-import { Mark } from "../../shared/Mark";
-import { discard, restore, useFiles } from "../../state/files";
+import { Button } from "../../shared/controls/Button";
+import { ago, count } from "../../shared/figures/format";
+import { Mark } from "../../shared/lists/Mark";
+import { discard, restore, useFiles } from "../../state/files/files";
 import "./start.css";
 
 /** Offers designs that were open when the program or the computer stopped. */
@@ -14,7 +14,9 @@ export function Unsaved() {
     <section className="unsaved" aria-label="Unsaved designs">
       <div className="row">
         <Mark tone="warning" />
-        <h2 className="grow">{unsaved.length === 1 ? "A design was not saved" : `${unsaved.length} designs were not saved`}</h2>
+        <h2 className="grow">
+          {unsaved.length === 1 ? "A design was not saved" : `${unsaved.length} designs were not saved`}
+        </h2>
         <Button kind="quiet" small onClick={() => setLater(true)}>
           Later
         </Button>

@@ -2,9 +2,9 @@ import { useEffect } from "react";
 import { create } from "zustand";
 import type { ExampleEntry } from "../../generated/responses";
 import { platform } from "../../platform";
-import { told } from "../../state/problems";
+import { told } from "../../state/asking/problems";
 
-export const useExamples = create<{ readonly examples: readonly ExampleEntry[] | null }>()(() => ({ examples: null }));
+const useExamples = create<{ readonly examples: readonly ExampleEntry[] | null }>()(() => ({ examples: null }));
 
 let asked = false;
 

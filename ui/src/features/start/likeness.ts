@@ -15,7 +15,7 @@ const THINGS: readonly (readonly [number, string])[] = [
 /** What something of this longest side, in mm, is about as large as; null beyond what helps. */
 export function likeness(mm: number): string | null {
   if (!(mm > 0)) return null;
-  if (mm < 3) return "smaller than a pea: is the unit right?";
+  if (mm < 3) return "smaller than a pea: check the unit";
   const [, thing] = THINGS.find(([most]) => mm <= most) ?? [];
-  return thing ?? "larger than a car: is the unit right?";
+  return thing ?? "larger than a car: check the unit";
 }

@@ -12,7 +12,12 @@ const YAW = 32;
 const PITCH = 24;
 
 /** Lines in mm, z up, as a picture of `width` by `height` with a margin; far ones first. Looked at from the front where nothing is deep. */
-export function project(lines: readonly (readonly [Vec3, Vec3])[], width: number, height: number, margin = 8): PictureLine[] {
+export function project(
+  lines: readonly (readonly [Vec3, Vec3])[],
+  width: number,
+  height: number,
+  margin = 8,
+): PictureLine[] {
   const turn = (deg: number) => [Math.cos((deg * Math.PI) / 180), Math.sin((deg * Math.PI) / 180)] as const;
   const [cy, sy] = turn(YAW);
   const [cp, sp] = turn(PITCH);
@@ -39,5 +44,7 @@ export function project(lines: readonly (readonly [Vec3, Vec3])[], width: number
     height / 2 + (py - y.low - y.size / 2) * scale,
   ];
   const near = (point: readonly [number, number, number]) => (depth.size > 0 ? (point[2] - depth.low) / depth.size : 1);
-  return all.map(([a, b]) => ({ from: place(a), to: place(b), near: (near(a) + near(b)) / 2 })).sort((a, b) => a.near - b.near);
+  return all
+    .map(([a, b]) => ({ from: place(a), to: place(b), near: (near(a) + near(b)) / 2 }))
+    .sort((a, b) => a.near - b.near);
 }

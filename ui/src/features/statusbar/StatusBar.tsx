@@ -1,14 +1,14 @@
 import { useMemo } from "react";
-import { count } from "../../shared/format";
-import { Icon } from "../../shared/icons";
-import { Bar } from "../../shared/inputs";
-import { Mark } from "../../shared/Mark";
-import { useUnit } from "../../shared/unit";
-import { useDesign } from "../../state/design";
-import { useProblems } from "../../state/problems";
-import { useUi } from "../../state/ui";
-import { useWork } from "../../state/work";
-import { lengthOf } from "../edit/geometry";
+import { Icon } from "../../shared/controls/icons";
+import { Bar } from "../../shared/controls/inputs";
+import { count } from "../../shared/figures/format";
+import { useUnit } from "../../shared/figures/unit";
+import { Mark } from "../../shared/lists/Mark";
+import { useProblems } from "../../state/asking/problems";
+import { useWork } from "../../state/asking/work";
+import { useDesign } from "../../state/design/design";
+import { lengthOf } from "../../state/design/geometry";
+import { useUi } from "../../state/window/ui";
 import { checksPhrase, figures, savedPhrase, workPhrase } from "./figures";
 import "./statusbar.css";
 
@@ -22,6 +22,7 @@ export function StatusBar() {
   const saved = savedPhrase(state);
   const drawn = useMemo(() => lengthOf(edges.keys(), { vertices, edges }), [vertices, edges]);
   return (
+    // biome-ignore lint/a11y/useAriaPropsSupportedByRole: it belongs to the body, and is a landmark with a name
     <footer className="status-bar" aria-label="Status">
       <dl className="status-figures">
         {figures(check, drawn, unit).map(({ name, value, title }) => (
@@ -34,13 +35,18 @@ export function StatusBar() {
       <Underway />
       {saved.warning && (
         <span className="status-part warning" role="alert" title={saved.warning}>
-          <Icon name="warning" /> changes are not kept safe: save
+          <Icon name="warning" /> changes are not backed up: save now
         </span>
       )}
       <span className="status-part">{saved.text}</span>
       {messages > 0 && <span className="status-part">{count(messages, "message")}</span>}
       {checks && (
-        <button type="button" className={`status-part status-checks ${checks.tone}`} title="Show the checks" onClick={() => showSection("check")}>
+        <button
+          type="button"
+          className={`status-part status-checks ${checks.tone}`}
+          title="Show the checks"
+          onClick={() => showSection("check")}
+        >
           <Mark tone={checks.tone} />
           <span>{checks.text}</span>
         </button>
@@ -49,7 +55,7 @@ export function StatusBar() {
   );
 }
 
-/** Long work that is going on. */
+/** Long work that is under way. */
 function Underway() {
   const works = useWork((store) => store.works);
   const work = [...works.values()].findLast(({ stage, of }) => stage !== "" || of > 0);

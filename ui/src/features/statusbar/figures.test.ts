@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { DiagnosticReport, LiveCheck, WireFigures } from "../../generated/responses";
-import type { DesignState } from "../../state/design";
+import type { DesignState } from "../../state/design/design";
 import { designState } from "../../state/testing";
 import { checksPhrase, figures, savedPhrase, workPhrase } from "./figures";
 
@@ -17,16 +17,31 @@ const wire = (given: Partial<WireFigures> = {}): WireFigures => ({
   ...given,
 });
 
-const check = (wires: WireFigures[], diagnostics: DiagnosticReport[] = [], feasible = true): LiveCheck => ({ wires, diagnostics, feasible, limits_unknown: null });
+const check = (wires: WireFigures[], diagnostics: DiagnosticReport[] = [], feasible = true): LiveCheck => ({
+  wires,
+  diagnostics,
+  feasible,
+  limits_unknown: null,
+});
 const values = (all: ReturnType<typeof figures>) => all.map(({ value }) => value);
 
 describe("figures", () => {
   it("shows one wire", () => {
-    expect(values(figures(check([wire()]), 11_220, "mm"))).toEqual(["11\u202f821.4 mm", "12.22 m", "176", "52:10", "$23.50"]);
+    expect(values(figures(check([wire()]), 11_220, "mm"))).toEqual([
+      "11\u202f821.4 mm",
+      "12.22 m",
+      "176",
+      "52:10",
+      "$23.50",
+    ]);
   });
 
   it("adds wires up, and does not show a sum that is not one", () => {
-    const all = figures(check([wire({ length_mm: 100, time_s: 60, currency: "EUR" }), wire({ length_mm: 50.5, time_s: null })]), 150, "mm");
+    const all = figures(
+      check([wire({ length_mm: 100, time_s: 60, currency: "EUR" }), wire({ length_mm: 50.5, time_s: null })]),
+      150,
+      "mm",
+    );
     expect(values(all).slice(0, 1)).toEqual(["150.5 mm"]);
     expect(values(all).slice(3)).toEqual(["–", "–"]);
     expect(all[0]?.title).toBe("Designed length of all 2 wires, doubled edges counted twice");
@@ -40,8 +55,12 @@ describe("figures", () => {
 const state = (given: Partial<DesignState>): DesignState => designState({ file: "/there/bunny.wirebend", ...given });
 
 describe("figures of a design without a route", () => {
-  it("tells how long its wire is at least", () => {
-    const all = figures(check([wire({ length_mm: null, stock_mm: null, time_s: null, cost: null, bends: null })]), 1218.24, "mm");
+  it("says how long its wire is at least", () => {
+    const all = figures(
+      check([wire({ length_mm: null, stock_mm: null, time_s: null, cost: null, bends: null })]),
+      1218.24,
+      "mm",
+    );
     expect(values(all)).toEqual(["≥ 1\u202f218.2 mm", "–", "–", "–", "–"]);
     expect(values(figures(null, 25.4, "inch"))[0]).toBe("≥ 1.000 in");
   });
@@ -52,17 +71,29 @@ describe("savedPhrase", () => {
     expect(savedPhrase(state({})).text).toBe("saved");
     expect(savedPhrase(state({ changed: true })).text).toBe("unsaved changes");
     expect(savedPhrase(state({ file: null })).text).toBe("not saved yet");
-    expect(savedPhrase(state({ unkept: "the disk is full" })).warning).toBe("the disk is full");
+    const unkept = { code: "not-kept", message: "the disk is full", remedies: [{ remedy: "save-design" as const }] };
+    expect(savedPhrase(state({ unkept })).warning).toBe("The disk is full. Save the design.");
   });
 });
 
-const found = (severity: DiagnosticReport["severity"]): DiagnosticReport => ({ code: "x", help: "", message: "", severity });
+const found = (severity: DiagnosticReport["severity"]): DiagnosticReport => ({
+  code: "edge_too_short",
+  help: "",
+  message: "",
+  severity,
+});
 
 describe("checksPhrase", () => {
   it("counts what has to be fixed, then what is worth a look", () => {
-    expect(checksPhrase(check([], [found("error"), found("warning"), found("error")], false))).toEqual({ text: "2 to fix", tone: "error" });
+    expect(checksPhrase(check([], [found("error"), found("warning"), found("error")], false))).toEqual({
+      text: "2 to fix",
+      tone: "error",
+    });
     expect(checksPhrase(check([], [found("warning"), found("info")]))).toEqual({ text: "1 warning", tone: "warning" });
-    expect(checksPhrase(check([], [found("info")]))).toEqual({ text: "within the machine's limits; collisions not checked", tone: "fine" });
+    expect(checksPhrase(check([], [found("info")]))).toEqual({
+      text: "within the machine's limits; collisions not checked",
+      tone: "fine",
+    });
     expect(checksPhrase(null)).toBeNull();
   });
 

@@ -1,8 +1,18 @@
 /** The figures of all wires together, as the status bar shows them. */
 
 import type { LiveCheck, WireFigures } from "../../generated/responses";
-import type { DesignState } from "../../state/design";
-import { count, type DisplayUnit, LIMITS_ONLY, length, longLength, money, number, time } from "../../shared/format";
+import { errorText } from "../../platform/error_text";
+import {
+  count,
+  type DisplayUnit,
+  LIMITS_ONLY,
+  length,
+  longLength,
+  money,
+  number,
+  time,
+} from "../../shared/figures/format";
+import type { DesignState } from "../../state/design/design";
 
 export interface Figure {
   readonly name: string;
@@ -33,12 +43,45 @@ export function figures(check: LiveCheck | null, drawn: number, unit: DisplayUni
   const several = wires.length > 1 ? ` of all ${wires.length} wires` : "";
   return [
     routed === null && drawn > 0
-      ? { name: "Wire", value: `≥ ${length(drawn, unit)}`, title: "Every edge once: how many are laid twice is known once there is a wire" }
-      : { name: "Wire", value: shown(routed, (mm) => length(mm, unit)), title: `Designed length${several}, doubled edges counted twice` },
-    { name: "Stock", value: shown(sum(wires, (wire) => wire.stock_mm), (mm) => longLength(mm, unit)), title: `Wire to load${several}: all feeds and the tail` },
-    { name: "Bends", value: shown(sum(wires, (wire) => wire.bends), (many) => number(many, 0)), title: `Bends${several}` },
-    { name: "Time", value: shown(sum(wires, (wire) => wire.time_s), time), title: `Estimated time on the machine${several}` },
-    { name: "Cost", value: shown(cost, (value) => money(value, wires[0]?.currency ?? null)), title: `Price of the wire that is fed${several}; of the stock, with the tail that cannot be fed: ${shown(stockCost, (value) => money(value, wires[0]?.currency ?? null))}` },
+      ? {
+          name: "Wire",
+          value: `≥ ${length(drawn, unit)}`,
+          title: "Every edge once. Doubled edges are added once there is a wire",
+        }
+      : {
+          name: "Wire",
+          value: shown(routed, (mm) => length(mm, unit)),
+          title: `Designed length${several}, doubled edges counted twice`,
+        },
+    {
+      name: "Stock",
+      value: shown(
+        sum(wires, (wire) => wire.stock_mm),
+        (mm) => longLength(mm, unit),
+      ),
+      title: `Wire to load${several}: all feeds and the unusable tail`,
+    },
+    {
+      name: "Bends",
+      value: shown(
+        sum(wires, (wire) => wire.bends),
+        (many) => number(many, 0),
+      ),
+      title: `Bends${several}`,
+    },
+    {
+      name: "Time",
+      value: shown(
+        sum(wires, (wire) => wire.time_s),
+        time,
+      ),
+      title: `Estimated time on the machine${several}`,
+    },
+    {
+      name: "Cost",
+      value: shown(cost, (value) => money(value, wires[0]?.currency ?? null)),
+      title: `Price of the wire that is fed${several}; of the stock, with the unusable tail: ${shown(stockCost, (value) => money(value, wires[0]?.currency ?? null))}`,
+    },
   ];
 }
 
@@ -46,11 +89,13 @@ export function figures(check: LiveCheck | null, drawn: number, unit: DisplayUni
 export function savedPhrase(state: DesignState | null): { readonly text: string; readonly warning: string | null } {
   if (!state) return { text: "", warning: null };
   const text = state.changed ? "unsaved changes" : state.file === null ? "not saved yet" : "saved";
-  return { text, warning: state.unkept };
+  return { text, warning: state.unkept ? errorText(state.unkept) : null };
 }
 
 /** "3 to fix", "2 to look at", "within the machine's limits; collisions not checked"; null before the first answer. */
-export function checksPhrase(check: LiveCheck | null): { readonly text: string; readonly tone: "error" | "warning" | "fine" } | null {
+export function checksPhrase(
+  check: LiveCheck | null,
+): { readonly text: string; readonly tone: "error" | "warning" | "fine" } | null {
   if (!check) return null;
   const of = (severity: string) => check.diagnostics.filter((diagnostic) => diagnostic.severity === severity).length;
   const [errors, warnings] = [of("error"), of("warning")];
@@ -62,22 +107,22 @@ export function checksPhrase(check: LiveCheck | null): { readonly text: string; 
 
 /** What long work is called, by what was asked for. */
 const ASKS: Readonly<Record<string, string>> = {
-  program: "Making the program",
+  program: "Generating the program",
   made: "Bending on the simulated machine",
   compare: "Comparing machines",
-  exports: "Asking what can be written",
-  export: "Making the file",
+  exports: "Listing export formats",
+  export: "Writing the file",
   "save-wireframe": "Writing the wireframe",
   "save-job": "Writing the job",
   open: "Opening",
   look: "Reading",
   "open-example": "Opening",
   "put-stencil": "Reading the stencil",
-  drivers: "Asking drivers",
-  "machine-view": "Asking the driver",
-  fixes: "Looking for ways to mend it",
+  drivers: "Loading drivers",
+  "machine-view": "Loading the driver",
+  fixes: "Searching for fixes",
   ports: "Looking for ports",
-  order: "Asking the machine",
+  order: "Reading the machine",
   connect: "Connecting",
 };
 

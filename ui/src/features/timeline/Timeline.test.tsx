@@ -2,13 +2,16 @@
 import { act } from "react";
 import { expect, it, vi } from "vitest";
 
-vi.mock("../../platform", () => ({ platform: { ask: vi.fn(), stop: vi.fn(), listen: vi.fn() }, Refused: class Refused extends Error {} }));
+vi.mock("../../platform", () => ({
+  platform: { ask: vi.fn(), stop: vi.fn(), listen: vi.fn() },
+  Refused: class Refused extends Error {},
+}));
 
 import type { PlayedWire } from "../../generated/responses";
 import type { Played } from "../../scene/interface";
 import { place } from "../../shared/testing";
-import { useByHand } from "../../state/by_hand";
-import { useProgram } from "../../state/program";
+import { useByHand } from "../../state/machine/by_hand";
+import { useProgram } from "../../state/program/program";
 import { Timeline } from "./Timeline";
 
 const at = place();
@@ -18,15 +21,35 @@ const step: PlayedWire["steps"][number] = {
   seconds: [1, 0, 0, 0],
   vertex: null,
   edges: [],
+  pose: { turn: [0, 0, 0, 1], bend_axis: [0, 0, 1], bend_deg: 0 },
+  moments: [],
 };
 const wire: PlayedWire = { bend_axis: [0, 0, 1], corners_mm: [], steps: [step], stock_mm: null, time_s: 1 };
-const byHand: Played = { steps: [], path: [], made: null, bodies: [], wireDiameter: 2, orbitOffset: 0 };
+const byHand: Played = {
+  steps: [],
+  designed: { corners: [], poses: [] },
+  made: null,
+  bodies: [],
+  wireDiameter: 2,
+  orbitOffset: 0,
+  pegTop: 0,
+};
 
-it("tells that the view shows moves by hand, and goes back from there", () => {
-  useProgram.setState({ program: { job_hash: "a1", diameter_mm: 3, feasible: true, machine: "kit", material: "al", wires: [wire], without: 0 } });
+it("says that the view shows moves by hand, and goes back from there", () => {
+  useProgram.setState({
+    program: {
+      job_hash: "a1",
+      diameter_mm: 3,
+      feasible: true,
+      machine: "kit",
+      material: "al",
+      wires: [wire],
+      without: 0,
+    },
+  });
   at.show(<Timeline />);
   expect(at.host.textContent).toContain("step 1 / 1");
-  act(() => useByHand.setState({ moves: [{ move: "feed", mm: 10 }], played: byHand }));
+  act(() => useByHand.setState({ moves: 1, played: byHand }));
   expect(at.host.textContent).toContain("1 move by hand, not this program");
   expect(at.host.textContent).not.toContain("step 1 / 1");
   act(() => at.host.querySelector<HTMLButtonElement>('[aria-label="Back to the design"]')?.click());

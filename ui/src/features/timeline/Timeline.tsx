@@ -1,18 +1,26 @@
 import type { KeyboardEvent } from "react";
-import { Button } from "../../shared/Button";
-import { count, number, percent, time } from "../../shared/format";
-import { useLengths } from "../../shared/unit";
-import { hideByHand, useByHand } from "../../state/by_hand";
-import { machineSeconds, stepOf } from "../../state/clock";
-import { useDesign } from "../../state/design";
-import { back, forward, reset, scrub, useSpeeds } from "../../state/player";
-import { goTo, makeProgram, showDesignAgain, togglePlay, usePlayback, useProgram, useStale } from "../../state/program";
-import { useRun } from "../../state/run";
+import { Button } from "../../shared/controls/Button";
+import { count, number, percent, time } from "../../shared/figures/format";
+import { useLengths } from "../../shared/figures/unit";
+import { useDesign } from "../../state/design/design";
+import { hideByHand, useByHand } from "../../state/machine/by_hand";
+import { useRun } from "../../state/machine/run";
+import { machineSeconds, stepOf } from "../../state/program/clock";
+import { back, forward, reset, scrub, useSpeeds } from "../../state/program/player";
+import {
+  goTo,
+  makeProgram,
+  showDesignAgain,
+  togglePlay,
+  usePlayback,
+  useProgram,
+  useStale,
+} from "../../state/program/program";
 import { namedSteps, spoken } from "../animate/steps";
 import { Track } from "./Track";
 import "./timeline.css";
 
-const LIVE = "A machine is making the wire.";
+const LIVE = "A machine is bending the wire.";
 
 /** The program under the view; nothing without one. */
 export function Timeline() {
@@ -23,25 +31,36 @@ export function Timeline() {
   const speeds = useSpeeds();
   const { length } = useLengths();
   const check = useDesign((design) => design.check);
-  const byHand = useByHand(({ played, moves }) => (played ? moves.length : null));
+  const byHand = useByHand(({ played, moves }) => (played ? moves : null));
   const one = program?.wires[wire];
   if (!program || !one) return null;
   const total = one.steps.length;
   const why = live ? LIVE : null;
   const at = Math.max(stepOf(total, step), 0);
+  const moveOf = (key: string): (() => void) | null => {
+    switch (key) {
+      case "ArrowRight":
+      case "ArrowUp":
+        return forward;
+      case "ArrowLeft":
+      case "ArrowDown":
+        return back;
+      case "PageUp":
+        return () => void goTo(Math.min(Math.floor(step) + 10, total));
+      case "PageDown":
+        return () => void goTo(Math.max(Math.ceil(step) - 10, 0));
+      case "Home":
+        return reset;
+      case "End":
+        return () => void goTo(total);
+      case " ":
+        return togglePlay;
+      default:
+        return null;
+    }
+  };
   const keys = (event: KeyboardEvent) => {
-    const moves: Partial<Record<string, () => void>> = {
-      ArrowRight: forward,
-      ArrowUp: forward,
-      ArrowLeft: back,
-      ArrowDown: back,
-      PageUp: () => void goTo(Math.min(Math.floor(step) + 10, total)),
-      PageDown: () => void goTo(Math.max(Math.ceil(step) - 10, 0)),
-      Home: reset,
-      End: () => void goTo(total),
-      " ": togglePlay,
-    };
-    const move = moves[event.key];
+    const move = moveOf(event.key);
     if (!move || event.ctrlKey || event.altKey || event.metaKey) return;
     event.preventDefault();
     event.stopPropagation();
@@ -50,7 +69,14 @@ export function Timeline() {
   return (
     <section className="timeline" aria-label="Timeline">
       <Button icon="previous" aria-label="Step back" title="Step back" why={why} onClick={back} />
-      <Button kind="primary" icon={playing ? "pause" : "play"} aria-label={playing ? "Pause" : "Play"} title={playing ? "Pause (Space)" : "Play (Space)"} why={why} onClick={togglePlay} />
+      <Button
+        kind="primary"
+        icon={playing ? "pause" : "play"}
+        aria-label={playing ? "Pause" : "Play"}
+        title={playing ? "Pause (Space)" : "Play (Space)"}
+        why={why}
+        onClick={togglePlay}
+      />
       <Button icon="next" aria-label="Step forward" title="Step forward" why={why} onClick={forward} />
       <Track
         value={step}
@@ -64,25 +90,45 @@ export function Timeline() {
       {byHand === null ? (
         <>
           <span className="timeline-step">
-            {live ? (inDoubt ? "stopped · " : "making · ") : ""}step {at + 1} / {total} · {percent(total > 0 ? step / total : 0)}
+            {live ? (inDoubt ? "stopped · " : "bending · ") : ""}step {at + 1} / {total} ·{" "}
+            {percent(total > 0 ? step / total : 0)}
           </span>
-          <span className="timeline-time muted">{time(machineSeconds(one.steps.map((each) => each.seconds), step))}</span>
+          <span className="timeline-time muted">
+            {time(
+              machineSeconds(
+                one.steps.map((each) => each.seconds),
+                step,
+              ),
+            )}
+          </span>
         </>
       ) : (
         <span className="timeline-step muted">{count(byHand, "move")} by hand, not this program</span>
       )}
       {stale && !live ? (
-        <Button small why={asking ? "The program is being made." : null} title="The design has changed since the program was made" onClick={() => void makeProgram()}>
+        <Button
+          small
+          why={asking ? "The program is being generated." : null}
+          title="The design has changed since the program was made"
+          onClick={() => void makeProgram()}
+        >
           Update
         </Button>
       ) : live || byHand !== null ? null : (
-        <span className="timeline-speeds muted" title="How many times as fast as the machine it is played: set under Animate">
-          feed ×{number(speeds.feed * speeds.all, digits(speeds.feed * speeds.all))} · bend ×{number(speeds.bend * speeds.all, digits(speeds.bend * speeds.all))} · rotate ×
+        <span className="timeline-speeds muted" title="Playback speed relative to the machine. Set it under Animate">
+          feed ×{number(speeds.feed * speeds.all, digits(speeds.feed * speeds.all))} · bend ×
+          {number(speeds.bend * speeds.all, digits(speeds.bend * speeds.all))} · rotate ×
           {number(speeds.rotate * speeds.all, digits(speeds.rotate * speeds.all))}
         </span>
       )}
       {((played && !live) || byHand !== null) && (
-        <Button kind="quiet" icon="close" aria-label="Back to the design" title="Back to the design" onClick={played ? showDesignAgain : hideByHand} />
+        <Button
+          kind="quiet"
+          icon="close"
+          aria-label="Back to the design"
+          title="Back to the design"
+          onClick={played ? showDesignAgain : hideByHand}
+        />
       )}
     </section>
   );

@@ -24,7 +24,13 @@ export function Track({
     <span className="track" style={{ "--share": share } as Record<string, number>}>
       <span className="track-line" aria-hidden="true" />
       {ticks.map((step) => (
-        <span key={step} className="track-tick" style={{ "--at": (step + 0.5) / Math.max(of, 1) } as Record<string, number>} title={`Step ${step + 1}: see Check`} aria-hidden="true" />
+        <span
+          key={step}
+          className="track-tick"
+          style={{ "--at": (step + 0.5) / Math.max(of, 1) } as Record<string, number>}
+          title={`Step ${step + 1}: see Check`}
+          aria-hidden="true"
+        />
       ))}
       <input
         type="range"

@@ -1,17 +1,17 @@
 import { Fragment } from "react";
-import { Icon, type IconName } from "../../shared/icons";
-import { Tooltip } from "../../shared/Tooltip";
-import { run, useWhyNot } from "../../state/commands";
-import { type CommandId, keyOf } from "../../state/keys";
-import { useView } from "../../state/view";
 import type { Tool } from "../../scene/interface";
+import { Icon, type IconName } from "../../shared/controls/icons";
+import { Tooltip } from "../../shared/layers/Tooltip";
+import { run, useWhyNot } from "../../state/window/commands";
+import { type CommandId, keyOf } from "../../state/window/keys";
+import { useView } from "../../state/window/view";
 import "./toolbar.css";
 
 interface Entry {
   readonly command: CommandId;
   readonly icon: IconName;
   readonly label: string;
-  /** A tool stays until another is taken up. */
+  /** A tool stays until another is chosen. */
   readonly tool?: Tool;
 }
 
@@ -32,7 +32,7 @@ const GROUPS: readonly (readonly Entry[])[] = [
   [{ command: "keys", icon: "help", label: "Keys" }],
 ];
 
-function Tool({ command, icon, label, tool }: Entry) {
+function ToolButton({ command, icon, label, tool }: Entry) {
   const now = useView((view) => view.tool);
   const why = useWhyNot(command);
   const keys = keyOf(command);
@@ -58,9 +58,9 @@ export function Toolbar() {
     <div className="toolbar" role="toolbar" aria-label="Tools" aria-orientation="vertical">
       {GROUPS.map((group, index) => (
         <Fragment key={group[0]?.command}>
-          {index > 0 && <div className="toolbar-rule" role="separator" />}
+          {index > 0 && <hr className="toolbar-rule" />}
           {group.map((entry) => (
-            <Tool key={entry.command} {...entry} />
+            <ToolButton key={entry.command} {...entry} />
           ))}
         </Fragment>
       ))}

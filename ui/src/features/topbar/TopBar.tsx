@@ -1,13 +1,13 @@
-import { Button } from "../../shared/Button";
+import { Button } from "../../shared/controls/Button";
+import { useUnit } from "../../shared/figures/unit";
 import { Guard } from "../../shared/Guard";
-import { MenuBar } from "../../shared/Menu";
-import { Tooltip } from "../../shared/Tooltip";
-import { useDesign } from "../../state/design";
-import { run, useWhyNot } from "../../state/commands";
-import { keyOf } from "../../state/keys";
-import { useUnit } from "../../shared/unit";
-import { MachinePicker } from "../machine/MachinePicker";
-import { MaterialPicker } from "../machine/MaterialPicker";
+import { MenuBar } from "../../shared/layers/Menu";
+import { Tooltip } from "../../shared/layers/Tooltip";
+import { useDesign } from "../../state/design/design";
+import { run, useWhyNot } from "../../state/window/commands";
+import { keyOf } from "../../state/window/keys";
+import { MachinePicker } from "../machine/choosing/MachinePicker";
+import { MaterialPicker } from "../machine/choosing/MaterialPicker";
 import { StopButton } from "../run/StopButton";
 import { menus } from "./menus";
 import "./topbar.css";
@@ -15,15 +15,16 @@ import "./topbar.css";
 function Back({ command }: { readonly command: "undo" | "redo" }) {
   const state = useDesign((design) => design.state);
   const why = useWhyNot(command);
-  const label = `${command === "undo" ? "Undo" : "Redo"} ${(command === "undo" ? state?.undo : state?.redo) ?? ""}`.trim();
+  const label =
+    `${command === "undo" ? "Undo" : "Redo"} ${(command === "undo" ? state?.undo : state?.redo) ?? ""}`.trim();
   return (
-    <Tooltip text={why ?? label} keys={keyOf(command)} side="below">
+    <Tooltip text={why ?? label} keys={keyOf(command)} side="bottom">
       <Button kind="quiet" icon={command} aria-label={label} why={why} onClick={() => run(command)} />
     </Tooltip>
   );
 }
 
-/** What is open, the menus, and what the wire is made with: never out of sight. */
+/** What is open, the menus, and what the wire is bent with: never out of sight. */
 export function TopBar() {
   const state = useDesign((design) => design.state);
   const unit = useUnit();

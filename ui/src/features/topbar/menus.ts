@@ -1,12 +1,12 @@
-import type { DisplayUnit } from "../../shared/format";
-import type { MenuItem } from "../../shared/Menu";
-import { useUnitStore } from "../../shared/unit";
-import { run, whyNot } from "../../state/commands";
-import { useDesign } from "../../state/design";
-import { clearRecent, openPath, useFiles } from "../../state/files";
-import { type CommandId, keyOf } from "../../state/keys";
-import { type Theme, useUi } from "../../state/ui";
-import { useView } from "../../state/view";
+import type { DisplayUnit } from "../../shared/figures/format";
+import type { MenuItem } from "../../shared/layers/Menu";
+import { useDesign } from "../../state/design/design";
+import { clearRecent, openPath, useFiles } from "../../state/files/files";
+import { run, whyNot } from "../../state/window/commands";
+import { type CommandId, keyOf } from "../../state/window/keys";
+import { type Theme, useUi } from "../../state/window/ui";
+import { useUnits } from "../../state/window/units";
+import { useView } from "../../state/window/view";
 
 const RULE: MenuItem = { kind: "rule" };
 
@@ -16,14 +16,18 @@ function item(label: string, command: CommandId): MenuItem {
 
 function recent(): MenuItem {
   const entries = useFiles.getState().recent;
-  if (entries.length === 0) return { kind: "menu", label: "Open recent", items: [], why: "Nothing was open before" };
+  if (entries.length === 0) return { kind: "menu", label: "Open recent", items: [], why: "No recent files" };
   const items: MenuItem[] = entries.map(({ name, path, there }) => ({
     kind: "item",
     label: name,
     why: there ? null : `${path} is no longer there`,
     run: () => void openPath(path),
   }));
-  return { kind: "menu", label: "Open recent", items: [...items, RULE, { kind: "item", label: "Clear the list", run: () => void clearRecent() }] };
+  return {
+    kind: "menu",
+    label: "Open recent",
+    items: [...items, RULE, { kind: "item", label: "Clear the list", run: () => void clearRecent() }],
+  };
 }
 
 const file = (): MenuItem[] => [
@@ -67,9 +71,21 @@ function editing(): MenuItem[] {
 
 function viewing(): MenuItem[] {
   const { theme, setTheme, setUnit } = useUi.getState();
-  const shown = useUnitStore.getState().unit;
-  const themed = (value: Theme, label: string): MenuItem => ({ kind: "item", label, checked: theme === value, radio: true, run: () => setTheme(value) });
-  const unit = (value: DisplayUnit, label: string): MenuItem => ({ kind: "item", label, checked: shown === value, radio: true, run: () => setUnit(value) });
+  const shown = useUnits.getState().unit;
+  const themed = (value: Theme, label: string): MenuItem => ({
+    kind: "item",
+    label,
+    checked: theme === value,
+    radio: true,
+    run: () => setTheme(value),
+  });
+  const unit = (value: DisplayUnit, label: string): MenuItem => ({
+    kind: "item",
+    label,
+    checked: shown === value,
+    radio: true,
+    run: () => setUnit(value),
+  });
   return [
     item("Front", "view-front"),
     item("Right", "view-right"),
@@ -80,12 +96,21 @@ function viewing(): MenuItem[] {
     item("Frame all", "frame-all"),
     RULE,
     { kind: "item", label: "Annotations", checked: useView.getState().annotations, run: () => run("annotations") },
-    { kind: "menu", label: "Theme", items: [themed("system", "As the system"), themed("dark", "Dark"), themed("light", "Light")] },
+    {
+      kind: "menu",
+      label: "Theme",
+      items: [themed("system", "As the system"), themed("dark", "Dark"), themed("light", "Light")],
+    },
     { kind: "menu", label: "Lengths", items: [unit("mm", "Millimetres"), unit("inch", "Inches")] },
   ];
 }
 
-const help = (): MenuItem[] => [item("Keys", "keys"), item("First steps", "hints"), RULE, item("About WireBend-kit", "about")];
+const help = (): MenuItem[] => [
+  item("Keys", "keys"),
+  item("First steps", "hints"),
+  RULE,
+  item("About WireBend-kit", "about"),
+];
 
 export const menus = [
   { label: "File", items: file },

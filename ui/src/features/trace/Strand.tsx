@@ -1,23 +1,30 @@
-import { Button } from "../../shared/Button";
-import { count } from "../../shared/format";
-import { useDesign } from "../../state/design";
-import { useView } from "../../state/view";
+import { Button } from "../../shared/controls/Button";
+import { count } from "../../shared/figures/format";
+import { useDesign } from "../../state/design/design";
+import { useView } from "../../state/window/view";
 
 /** How the strand stands that is being drawn, and how it is ended. */
 export function Strand() {
   const { tool, strand, handle } = useView();
   const stencil = useDesign((design) => design.stencil);
-  if (tool === "select") return <p className="muted">Take up one of the two, then click in the view: each click places a vertex.</p>;
+  if (tool === "select")
+    return <p className="muted">Choose one of the two tools, then click in the view. Each click places a vertex.</p>;
   if (strand === null) {
     return (
       <p className="muted" role="status">
-        {tool === "draw" ? "Click on the plane to begin a strand; Shift keeps it to steps of 15°." : stencil ? "Click on the stencil to begin a strand." : "Click to begin a strand. Without a stencil it goes on the ground."}
+        {tool === "draw"
+          ? "Click on the plane to begin a strand; Shift keeps it to steps of 15°."
+          : stencil
+            ? "Click on the stencil to begin a strand."
+            : "Click to begin a strand. Without a stencil it lies on the ground plane."}
       </p>
     );
   }
   return (
     <div className="row wrap" role="status">
-      <span className="muted small">Type a length and Enter for an edge as long as that, towards the pointer.</span>
+      <span className="muted small">
+        Type a length and press Enter to place an edge of that length towards the pointer.
+      </span>
       <span className="grow">{count(strand, "edge")} drawn</span>
       <Button
         onClick={() => {

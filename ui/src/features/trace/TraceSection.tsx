@@ -1,14 +1,14 @@
-import { Button } from "../../shared/Button";
-import { Field } from "../../shared/Field";
-import { count, percent, roughly } from "../../shared/format";
-import { Checkbox, Segmented, Slider } from "../../shared/inputs";
-import { NumberField } from "../../shared/NumberField";
-import { Part, Section } from "../../shared/Section";
-import { run } from "../../state/commands";
-import { edit, useDesign } from "../../state/design";
-import { keyOf } from "../../state/keys";
-import { chooseTool, type PlaneName, SNAP_KINDS, toggleSnap, useView } from "../../state/view";
 import type { SnapKind } from "../../scene/interface";
+import { Button } from "../../shared/controls/Button";
+import { Field } from "../../shared/controls/Field";
+import { Checkbox, Segmented, Slider } from "../../shared/controls/inputs";
+import { NumberField } from "../../shared/controls/NumberField";
+import { count, percent, roughly } from "../../shared/figures/format";
+import { edit, useDesign } from "../../state/design/design";
+import { run } from "../../state/window/commands";
+import { keyOf } from "../../state/window/keys";
+import { chooseTool, type PlaneName, SNAP_KINDS, toggleSnap, useView } from "../../state/window/view";
+import { Part, Section } from "../panel/Section";
 import { Strand } from "./Strand";
 
 const SNAPS: Readonly<Record<SnapKind, string>> = {
@@ -27,7 +27,9 @@ function Stencil() {
   if (!stencil) {
     return (
       <div className="stack">
-        <p className="muted">A stencil is a model to trace a wireframe on. It is looked at, never bent.</p>
+        <p className="muted">
+          A stencil is a model to trace a wireframe on. It is for reference only and is never bent.
+        </p>
         <div className="row">
           <Button icon="folder" onClick={() => run("open-stencil")}>
             Open stencil…
@@ -39,10 +41,21 @@ function Stencil() {
   return (
     <div className="stack">
       <Field label="Opacity">
-        {() => <Slider label="Opacity of the stencil" value={stencilOpacity} min={0.05} onChange={(value) => useView.setState({ stencilOpacity: value })} text={percent(stencilOpacity)} />}
+        {() => (
+          <Slider
+            label="Opacity of the stencil"
+            value={stencilOpacity}
+            min={0.05}
+            onChange={(value) => useView.setState({ stencilOpacity: value })}
+            text={percent(stencilOpacity)}
+          />
+        )}
       </Field>
       <div className="row wrap">
-        <Button icon={stencilShown ? "shown" : "hidden"} onClick={() => useView.setState({ stencilShown: !stencilShown })}>
+        <Button
+          icon={stencilShown ? "shown" : "hidden"}
+          onClick={() => useView.setState({ stencilShown: !stencilShown })}
+        >
           {stencilShown ? "Hide" : "Show"}
         </Button>
         <Button icon="folder" onClick={() => run("open-stencil")}>
@@ -62,7 +75,9 @@ export function TraceSection() {
   const { tool, snapKinds, grid, reach, plane, planeOffset } = useView();
   const name = useDesign((design) => design.state?.stencil ?? null);
   const triangles = stencil ? stencil.triangles.length / 3 : 0;
-  const phrase = stencil ? `${name ? `${name} · ` : ""}${roughly(triangles)} ${triangles === 1 ? "triangle" : "triangles"}` : "no stencil";
+  const phrase = stencil
+    ? `${name ? `${name} · ` : ""}${roughly(triangles)} ${triangles === 1 ? "triangle" : "triangles"}`
+    : "no stencil";
   return (
     <Section id="trace" title="Trace" phrase={phrase}>
       <Part title="Stencil" aside={stencil && <span className="muted">{count(triangles, "triangle")}</span>}>
@@ -70,10 +85,20 @@ export function TraceSection() {
       </Part>
       <Part title="Strand">
         <div className="row wrap">
-          <Button icon="trace" pressed={tool === "trace"} onClick={() => chooseTool("trace")} title={`Trace (${keyOf("tool-trace")})`}>
+          <Button
+            icon="trace"
+            pressed={tool === "trace"}
+            onClick={() => chooseTool("trace")}
+            title={`Trace (${keyOf("tool-trace")})`}
+          >
             Trace
           </Button>
-          <Button icon="draw" pressed={tool === "draw"} onClick={() => chooseTool("draw")} title={`Draw on a plane (${keyOf("tool-draw")})`}>
+          <Button
+            icon="draw"
+            pressed={tool === "draw"}
+            onClick={() => chooseTool("draw")}
+            title={`Draw on a plane (${keyOf("tool-draw")})`}
+          >
             Draw on a plane
           </Button>
         </div>
@@ -94,7 +119,16 @@ export function TraceSection() {
                 />
               )}
             </Field>
-            <Field label="Offset">{({ id }) => <NumberField id={id} label="Offset of the plane" value={planeOffset} onCommit={(mm) => useView.setState({ planeOffset: mm })} />}</Field>
+            <Field label="Offset">
+              {({ id }) => (
+                <NumberField
+                  id={id}
+                  label="Offset of the plane"
+                  value={planeOffset}
+                  onCommit={(mm) => useView.setState({ planeOffset: mm })}
+                />
+              )}
+            </Field>
           </>
         )}
       </Part>
@@ -105,15 +139,36 @@ export function TraceSection() {
               key={kind}
               checked={snapKinds.has(kind)}
               onChange={() => toggleSnap(kind)}
-              why={(kind === "surface" || kind.startsWith("stencil")) && !stencil ? "There is no stencil" : null}
+              why={(kind === "surface" || kind.startsWith("stencil")) && !stencil ? "No stencil" : null}
             >
               {SNAPS[kind]}
             </Checkbox>
           ))}
         </div>
-        <Field label="Grid">{({ id }) => <NumberField id={id} label="Grid" value={grid} min={0.1} max={1000} onCommit={(mm) => useView.setState({ grid: mm })} />}</Field>
-        <Field label="Reach" hint="How near the pointer has to be, in pixels.">
-          {({ id }) => <NumberField id={id} kind="whole" label="Reach" value={reach} min={4} max={60} onCommit={(px) => useView.setState({ reach: px })} />}
+        <Field label="Grid">
+          {({ id }) => (
+            <NumberField
+              id={id}
+              label="Grid"
+              value={grid}
+              min={0.1}
+              max={1000}
+              onCommit={(mm) => useView.setState({ grid: mm })}
+            />
+          )}
+        </Field>
+        <Field label="Reach" hint="Snap distance of the pointer, in pixels.">
+          {({ id }) => (
+            <NumberField
+              id={id}
+              kind="whole"
+              label="Reach"
+              value={reach}
+              min={4}
+              max={60}
+              onCommit={(px) => useView.setState({ reach: px })}
+            />
+          )}
         </Field>
       </Part>
     </Section>

@@ -1,18 +1,18 @@
-import type { SnapKind } from "../../scene/interface";
-import { count } from "../../shared/format";
-import { useLengths } from "../../shared/unit";
-import { useByHand } from "../../state/by_hand";
-import { useDesign } from "../../state/design";
-import { usePlayback } from "../../state/program";
-import { useView } from "../../state/view";
-import { distance } from "../edit/geometry";
-import { Mark } from "../../shared/Mark";
 import { useMemo } from "react";
+import type { SnapKind } from "../../scene/interface";
+import { count } from "../../shared/figures/format";
+import { useLengths } from "../../shared/figures/unit";
+import { Mark } from "../../shared/lists/Mark";
+import { useDesign } from "../../state/design/design";
+import { distance } from "../../state/design/geometry";
+import { useByHand } from "../../state/machine/by_hand";
+import { usePlayback } from "../../state/program/program";
+import { useView } from "../../state/window/view";
 import { marksOf } from "./marks";
 import "./viewport.css";
 
 /** What a click would snap to, as it is named before the click. */
-export const SNAP_NAMES: Readonly<Record<SnapKind, string>> = {
+const SNAP_NAMES: Readonly<Record<SnapKind, string>> = {
   vertex: "Vertex",
   "stencil-vertex": "Corner of the stencil",
   "stencil-edge": "Edge of the stencil",
@@ -34,7 +34,8 @@ export function HoverCard() {
   let title = "";
   let sub = "";
   let verdict = null;
-  const at = (place: readonly [number, number, number]) => `x ${bare(place[0])}   y ${bare(place[1])}   z ${bare(place[2])} ${name}`;
+  const at = (place: readonly [number, number, number]) =>
+    `x ${bare(place[0])}   y ${bare(place[1])}   z ${bare(place[2])} ${name}`;
   if (hovered.kind === "vertex") {
     const vertex = vertices.get(hovered.id);
     if (!vertex) return null;

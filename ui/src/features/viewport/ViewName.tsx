@@ -1,6 +1,6 @@
-import { type CommandId, keyOf } from "../../state/keys";
-import { run } from "../../state/commands";
-import { useView } from "../../state/view";
+import { run } from "../../state/window/commands";
+import { type CommandId, keyOf } from "../../state/window/keys";
+import { useView } from "../../state/window/view";
 import "./viewport.css";
 
 const SIDES: readonly (readonly [CommandId, string])[] = [
@@ -15,9 +15,15 @@ export function ViewName() {
   const free = name === "Parallel" ? name : "Perspective";
   const views = [...SIDES, ["view-perspective", free] as const];
   return (
-    <div className="view-name" role="group" aria-label="View">
+    <fieldset className="view-name" aria-label="View">
       {views.map(([command, label]) => (
-        <button key={command} type="button" aria-pressed={name === label} title={command === "view-perspective" ? "Perspective or parallel" : undefined} onClick={() => run(command)}>
+        <button
+          key={command}
+          type="button"
+          aria-pressed={name === label}
+          title={command === "view-perspective" ? "Perspective or parallel" : undefined}
+          onClick={() => run(command)}
+        >
           <span className="view-key" aria-hidden="true">
             {keyOf(command)}
           </span>
@@ -30,6 +36,6 @@ export function ViewName() {
         </span>
         Frame
       </button>
-    </div>
+    </fieldset>
   );
 }

@@ -1,8 +1,10 @@
 import { useEffect, useRef, useState } from "react";
 import type { Viewport as Scene } from "../../scene/viewport";
-import { begun } from "../../state/opening";
-import { tell } from "../../state/problems";
-import { useView } from "../../state/view";
+import { lengthFormat } from "../../shared/figures/format";
+import { tell } from "../../state/asking/problems";
+import { begun } from "../../state/files/beginning";
+import { useUnits } from "../../state/window/units";
+import { useView } from "../../state/window/view";
 import { listenerOf } from "./listener";
 import { show } from "./showing";
 import "./viewport.css";
@@ -18,11 +20,18 @@ export function Viewport() {
     void Promise.all([import("../../scene/viewport"), begun()]).then(([{ Viewport: View }]) => {
       if (gone || !host.current) return;
       try {
-        scene = new View(host.current, listenerOf(), { label: "View of the design. Keys: question mark lists them." });
+        scene = new View(host.current, listenerOf(), {
+          label: "View of the design. Keys: question mark lists them.",
+          lengths: lengthFormat(useUnits.getState().unit),
+        });
       } catch (error) {
         const why = error instanceof Error ? error.message : String(error);
         setWrong(why);
-        tell("error", `The view cannot be shown: ${why}. Update the graphics driver, or start the program with software rendering.`, "view");
+        tell(
+          "error",
+          `The view cannot be shown: ${why}. Update the graphics driver, or start the program with software rendering.`,
+          "view",
+        );
         return;
       }
       end = show(scene);
@@ -37,7 +46,11 @@ export function Viewport() {
   }, []);
   return (
     <div ref={host} className="viewport">
-      {wrong && <p className="viewport-wrong muted">The view cannot be shown. Everything else works: use the lists in the panel.</p>}
+      {wrong && (
+        <p className="viewport-wrong muted">
+          The view cannot be shown. Everything else works: use the lists in the panel.
+        </p>
+      )}
     </div>
   );
 }

@@ -4,16 +4,31 @@ import { beforeEach, describe, expect, it, vi } from "vitest";
 const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(async () => {}), listen: vi.fn() }));
 vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
 
-import { type DesignState, useDesign } from "../../state/design";
-import { useView } from "../../state/view";
+import { type DesignState, useDesign } from "../../state/design/design";
+import { useView } from "../../state/window/view";
 import { drawOf, endOf, listenerOf, strokeOf } from "./listener";
 
-describe("the strand that is told in the panel", () => {
+describe("the strand that is shown in the panel", () => {
   const state = { machine: null, next: [0, 0] } as unknown as DesignState;
   const made = {
-    change: { state, stencil: false, gone_vertices: [], gone_edges: [], edges: [{ id: 0, a: 0, b: 1 }], vertices: [0, 1].map((id) => ({ id, at_mm: [id, 0, 0], support: false })) },
+    change: {
+      state,
+      stencil: false,
+      gone_vertices: [],
+      gone_edges: [],
+      edges: [{ id: 0, a: 0, b: 1 }],
+      vertices: [0, 1].map((id) => ({ id, at_mm: [id, 0, 0], support: false })),
+    },
   };
-  const stroke = { from: null, through: [[0, 0, 0], [1, 0, 0]], to: null, split: null } as const;
+  const stroke = {
+    from: null,
+    through: [
+      [0, 0, 0],
+      [1, 0, 0],
+    ],
+    to: null,
+    split: null,
+  } as const;
   beforeEach(() => {
     useDesign.setState({ vertices: new Map(), edges: new Map(), state });
     useView.setState({ strand: null });
@@ -37,18 +52,42 @@ describe("the strand that is told in the panel", () => {
 
 describe("a stroke", () => {
   it("becomes one change", () => {
-    expect(drawOf({ from: 3, through: [[1, 2, 3]], to: null })).toEqual({ edit: "draw", from: 3, through_mm: [[1, 2, 3]], to: null });
+    expect(drawOf({ from: 3, through: [[1, 2, 3]], to: null })).toEqual({
+      edit: "draw",
+      from: 3,
+      through_mm: [[1, 2, 3]],
+      to: null,
+    });
   });
 
-  it("goes on from its last new vertex, and is over at one that was there", () => {
-    expect(endOf({ from: null, through: [[0, 0, 0], [1, 0, 0]], to: null }, [58, 57])).toBe(58);
+  it("continues from its last new vertex, and is over at one that was there", () => {
+    expect(
+      endOf(
+        {
+          from: null,
+          through: [
+            [0, 0, 0],
+            [1, 0, 0],
+          ],
+          to: null,
+        },
+        [58, 57],
+      ),
+    ).toBe(58);
     expect(endOf({ from: 3, through: [[1, 0, 0]], to: 4 }, [58])).toBeNull();
     expect(endOf({ from: 3, through: [[1, 0, 0]], to: null }, [])).toBeNull();
   });
 
   it("from an edge splits it first, as one thing to undo, and begins at the new vertex", () => {
-    const { request, ends } = strokeOf({ from: null, through: [[1, 0, 0]], to: null, split: { edge: 7, at: 0.25, end: "from" } }, 60);
-    expect(request).toEqual({ edit: "several", label: "draw", edits: [{ edit: "split", edge: 7, at: 0.25 }, drawOf({ from: 60, through: [[1, 0, 0]], to: null })] });
+    const { request, ends } = strokeOf(
+      { from: null, through: [[1, 0, 0]], to: null, split: { edge: 7, at: 0.25, end: "from" } },
+      60,
+    );
+    expect(request).toEqual({
+      edit: "several",
+      label: "draw",
+      edits: [{ edit: "split", edge: 7, at: 0.25 }, drawOf({ from: 60, through: [[1, 0, 0]], to: null })],
+    });
     expect(endOf(ends, [60, 61])).toBe(61);
   });
 
@@ -58,8 +97,11 @@ describe("a stroke", () => {
     expect(endOf(ends, [60])).toBeNull();
   });
 
-  it("that only splits an edge goes on from there", () => {
-    const { request, ends } = strokeOf({ from: null, through: [], to: null, split: { edge: 7, at: 0.5, end: "from" } }, 60);
+  it("that only splits an edge continues from there", () => {
+    const { request, ends } = strokeOf(
+      { from: null, through: [], to: null, split: { edge: 7, at: 0.5, end: "from" } },
+      60,
+    );
     expect(request).toEqual({ edit: "split", edge: 7, at: 0.5 });
     expect(endOf(ends, [60])).toBe(60);
   });

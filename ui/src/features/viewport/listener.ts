@@ -1,35 +1,48 @@
 import type { EditRequest } from "../../generated/requests";
 import type { Moved, SceneListener, Stroke } from "../../scene/interface";
-import { checkDesign, edit, useDesign } from "../../state/design";
-import { select } from "../../state/selection";
-import { settled } from "../../state/turns";
-import { useView } from "../../state/view";
+import { checkDesign, edit, useDesign } from "../../state/design/design";
+import { select } from "../../state/design/selection";
+import { settled } from "../../state/design/turns";
+import { useView } from "../../state/window/view";
 
 /** The stroke as a change. */
-export function drawOf({ from, through, to }: Pick<Stroke, "from" | "through" | "to">): Extract<EditRequest, { edit: "draw" }> {
+export function drawOf({
+  from,
+  through,
+  to,
+}: Pick<Stroke, "from" | "through" | "to">): Extract<EditRequest, { edit: "draw" }> {
   return { edit: "draw", from, through_mm: through.map((at) => [...at] as [number, number, number]), to };
 }
 
-/** The vertex that a strand goes on from: where it ends, or its last new one. Ids ascend as they are given out. */
-export function endOf({ to, through, from }: Pick<Stroke, "from" | "through" | "to">, added: readonly number[]): number | null {
+/** The vertex that a strand continues from: where it ends, or its last new one. Ids ascend as they are given out. */
+export function endOf(
+  { to, through, from }: Pick<Stroke, "from" | "through" | "to">,
+  added: readonly number[],
+): number | null {
   if (to !== null) return null;
   return through.length > 0 ? (added.toSorted((a, b) => a - b).at(-1) ?? null) : from;
 }
 
 /** A stroke as one change, and its ends; an edge is split first where it begins or ends on one. `next` is the id that a new vertex gets. */
-export function strokeOf({ from, through, to, split }: Stroke, next: number): { request: EditRequest; ends: Pick<Stroke, "from" | "through" | "to"> } {
+export function strokeOf(
+  { from, through, to, split }: Stroke,
+  next: number,
+): { request: EditRequest; ends: Pick<Stroke, "from" | "through" | "to"> } {
   if (!split) return { request: drawOf({ from, through, to }), ends: { from, through, to } };
   const ends = split.end === "from" ? { from: next, through, to } : { from, through, to: next };
   const splits: EditRequest = { edit: "split", edge: split.edge, at: split.at };
-  // One that only splits an edge goes on from there.
+  // One that only splits an edge continues from there.
   const draws = through.length > 0 || (ends.from !== null && ends.to !== null);
-  return { request: draws ? { edit: "several", label: "draw", edits: [splits, drawOf(ends)] } : splits, ends: draws ? ends : { from: next, through, to: null } };
+  return {
+    request: draws ? { edit: "several", label: "draw", edits: [splits, drawOf(ends)] } : splits,
+    ends: draws ? ends : { from: next, through, to: null },
+  };
 }
 
 /** How many strands have ended: what was on its way for one of them opens none. */
 let ended = 0;
 
-/** Makes the stroke; the id of the vertex that the strand goes on from, null where it is over. */
+/** Makes the stroke; the id of the vertex that the strand continues from, null where it is over. */
 async function stroke(asked: Stroke): Promise<number | null> {
   const before = ended;
   // What is still on its way may take the next id.
@@ -39,13 +52,17 @@ async function stroke(asked: Stroke): Promise<number | null> {
   const { request, ends } = strokeOf(asked, state.next[0]);
   const change = await edit(request);
   if (!change) return null;
-  const drawn = request.edit === "split" ? 0 : change.edges.filter(({ id }) => !edges.has(id)).length - (asked.split ? 1 : 0);
-  const next = endOf(ends, change.vertices.filter(({ id }) => !vertices.has(id)).map(({ id }) => id));
+  const drawn =
+    request.edit === "split" ? 0 : change.edges.filter(({ id }) => !edges.has(id)).length - (asked.split ? 1 : 0);
+  const next = endOf(
+    ends,
+    change.vertices.filter(({ id }) => !vertices.has(id)).map(({ id }) => id),
+  );
   if (before === ended) useView.setState(({ strand }) => ({ strand: next === null ? null : (strand ?? 0) + drawn }));
   return next;
 }
 
-/** What is done with what the view tells. */
+/** What is done with what the view reports. */
 export function listenerOf(): SceneListener {
   return {
     selected: ({ vertices, edges }) => select(vertices, edges),
@@ -63,7 +80,10 @@ export function listenerOf(): SceneListener {
 }
 
 async function dropped(moved: readonly Moved[]): Promise<void> {
-  const made = await edit({ edit: "place", positions: moved.map(({ vertex, at }) => ({ vertex, at_mm: [...at] as [number, number, number] })) });
+  const made = await edit({
+    edit: "place",
+    positions: moved.map(({ vertex, at }) => ({ vertex, at_mm: [...at] as [number, number, number] })),
+  });
   if (made) return;
   // Refused: the view is given what is there, so that it shows no places that nothing has.
   useDesign.setState(({ vertices }) => ({ vertices: new Map(vertices) }));

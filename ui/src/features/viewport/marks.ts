@@ -1,5 +1,5 @@
 import type { DiagnosticReport, LiveCheck } from "../../generated/responses";
-import type { SceneDesign, SceneLabel, SceneMarks, Verdict, Vec3 } from "../../scene/interface";
+import type { SceneDesign, SceneLabel, SceneMarks, Vec3, Verdict } from "../../scene/interface";
 
 /** What a diagnostic is about: of a step it names both, the vertex of its bend and the edges of its feed. */
 const ABOUT_EDGES: ReadonlySet<string> = new Set([
@@ -27,8 +27,13 @@ const ABOUT_VERTICES: ReadonlySet<string> = new Set([
 ]);
 
 /** The vertices and edges that a diagnostic is about. */
-export function placesOf(report: Pick<DiagnosticReport, "code" | "vertex" | "vertices" | "edge" | "edges">): { vertices: number[]; edges: number[] } {
-  const all = (one: number | null | undefined, many: readonly number[] | undefined) => [...new Set([...(one === null || one === undefined ? [] : [one]), ...(many ?? [])])];
+export function placesOf(report: Pick<DiagnosticReport, "code" | "vertex" | "vertices" | "edge" | "edges">): {
+  vertices: number[];
+  edges: number[];
+} {
+  const all = (one: number | null | undefined, many: readonly number[] | undefined) => [
+    ...new Set([...(one === null || one === undefined ? [] : [one]), ...(many ?? [])]),
+  ];
   const [vertices, edges] = [all(report.vertex, report.vertices), all(report.edge, report.edges)];
   if (ABOUT_EDGES.has(report.code) && edges.length > 0) return { vertices: [], edges };
   if (ABOUT_VERTICES.has(report.code) && vertices.length > 0) return { vertices, edges: [] };
@@ -40,7 +45,7 @@ function worse(marks: Map<number, Verdict>, id: number, verdict: Verdict): void 
 }
 
 /**
- * Whether every wire went through all of the checks: without a route nobody has looked at bends and rotations, and what is not named
+ * Whether every wire went through all of the checks: without a route no check has looked at bends and rotations, and what is not named
  * is not known to be fine. Stock is known of compensated wires alone.
  */
 export function isCompensated({ wires }: LiveCheck): boolean {
@@ -70,7 +75,11 @@ export function marksOf(check: LiveCheck | null): SceneMarks {
 const MOST_LABELS = 60;
 
 /** What is written on in the view: the figure that is wrong, where it is wrong; errors first. `figure` says a measured value. */
-export function labelsOf(check: LiveCheck | null, { vertices, edges }: SceneDesign, figure: (report: DiagnosticReport) => string | null): SceneLabel[] {
+export function labelsOf(
+  check: LiveCheck | null,
+  { vertices, edges }: SceneDesign,
+  figure: (report: DiagnosticReport) => string | null,
+): SceneLabel[] {
   const labels: SceneLabel[] = [];
   const at = (report: DiagnosticReport): Vec3 | null => {
     const places = placesOf(report);

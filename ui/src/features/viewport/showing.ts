@@ -1,19 +1,24 @@
 import type { DiagnosticReport } from "../../generated/responses";
 import type { Viewport as Scene } from "../../scene/viewport";
+import { lengthFormat } from "../../shared/figures/format";
+import { useDesign } from "../../state/design/design";
+import { useSelection } from "../../state/design/selection";
+import { useFiles } from "../../state/files/files";
+import { useByHand } from "../../state/machine/by_hand";
+import { usePlayback } from "../../state/program/program";
+import { shownTheme, systemTheme } from "../../state/window/theme";
+import { useUi } from "../../state/window/ui";
+import { useUnits } from "../../state/window/units";
+import { planeOf, useView } from "../../state/window/view";
 import { valueText } from "../check/texts";
-import { useUnitStore } from "../../shared/unit";
-import { useByHand } from "../../state/by_hand";
-import { useDesign } from "../../state/design";
-import { useFiles } from "../../state/files";
-import { shownTheme } from "../../state/opening";
-import { usePlayback } from "../../state/program";
-import { useSelection } from "../../state/selection";
-import { useUi } from "../../state/ui";
-import { planeOf, useView } from "../../state/view";
 import { labelsOf, marksOf } from "./marks";
 
 /** Calls `apply` now and whenever what `pick` gives has changed. */
-function follow<S>(store: { getState(): S; subscribe(hear: (state: S) => void): () => void }, pick: (state: S) => readonly unknown[], apply: (state: S) => void): () => void {
+function follow<S>(
+  store: { getState(): S; subscribe(hear: (state: S) => void): () => void },
+  pick: (state: S) => readonly unknown[],
+  apply: (state: S) => void,
+): () => void {
   let before: readonly unknown[] | null = null;
   const look = (state: S) => {
     const now = pick(state);
@@ -32,13 +37,15 @@ const isShownOnMachine = (): boolean => usePlayback.getState().played !== null |
 export function show(scene: Scene): () => void {
   const labels = () => {
     const { check, vertices, edges } = useDesign.getState();
-    const { unit } = useUnitStore.getState();
+    const { unit } = useUnits.getState();
     const figure = (report: DiagnosticReport) => (report.unit ? valueText(report.value, report.unit, unit) : null);
-    scene.setLabels(useView.getState().annotations && !isShownOnMachine() ? labelsOf(check, { vertices, edges }, figure) : []);
+    scene.setLabels(
+      useView.getState().annotations && !isShownOnMachine() ? labelsOf(check, { vertices, edges }, figure) : [],
+    );
   };
   // Whether a design was opened that has not been framed yet.
   let justOpened = false;
-  // Whoever begins to draw on nothing has chosen the view: it does not turn to the first edge.
+  // A user who begins to draw on nothing has chosen the view: it does not turn to the first edge.
   const drawsOnNothing = () => {
     const { vertices, stencil } = useDesign.getState();
     if (vertices.size > 0 || stencil !== null) return;
@@ -46,44 +53,104 @@ export function show(scene: Scene): () => void {
     scene.frame();
   };
   const theme = () => scene.setTheme(shownTheme(useUi.getState().theme));
-  const system = window.matchMedia("(prefers-color-scheme: light)");
+  const system = systemTheme();
   system.addEventListener("change", theme);
   const ends = [
     () => system.removeEventListener("change", theme),
-    follow(useDesign, ({ vertices, edges }) => [vertices, edges], (design) => scene.setDesign(design)),
-    follow(useDesign, ({ check }) => [check], ({ check }) => scene.setMarks(marksOf(check))),
+    follow(
+      useDesign,
+      ({ vertices, edges }) => [vertices, edges],
+      (design) => scene.setDesign(design),
+    ),
+    follow(
+      useDesign,
+      ({ check }) => [check],
+      ({ check }) => scene.setMarks(marksOf(check)),
+    ),
     follow(useDesign, ({ check, vertices }) => [check, vertices], labels),
-    follow(useDesign, ({ stencil }) => [stencil], ({ stencil }) => scene.setStencil(stencil)),
-    follow(useSelection, ({ vertices, edges }) => [vertices, edges], (selection) => scene.setSelection(selection)),
-    follow(useSelection, ({ highlight }) => [highlight], ({ highlight }) => scene.setHighlight(highlight.vertices, highlight.edges)),
-    follow(useView, ({ tool }) => [tool], ({ tool }) => {
-      scene.setTool(tool);
-      if (tool !== "select") drawsOnNothing();
-    }),
-    follow(useView, ({ snapKinds, grid, reach }) => [snapKinds, grid, reach], ({ snapKinds, grid, reach }) => scene.setSnap({ kinds: snapKinds, grid, reach })),
-    follow(useView, ({ tool, plane, planeOffset }) => [tool, plane, planeOffset], ({ plane, planeOffset }) => scene.setPlane(planeOf(plane, planeOffset))),
-    follow(useView, ({ stencilShown, stencilOpacity }) => [stencilShown, stencilOpacity], (view) => scene.setStencilShown(view.stencilShown, view.stencilOpacity)),
-    follow(useView, ({ preview }) => [preview], ({ preview }) => scene.setPreview(preview)),
+    follow(
+      useDesign,
+      ({ stencil }) => [stencil],
+      ({ stencil }) => scene.setStencil(stencil),
+    ),
+    follow(
+      useSelection,
+      ({ vertices, edges }) => [vertices, edges],
+      (selection) => scene.setSelection(selection),
+    ),
+    follow(
+      useSelection,
+      ({ highlight }) => [highlight],
+      ({ highlight }) => scene.setHighlight(highlight.vertices, highlight.edges),
+    ),
+    follow(
+      useView,
+      ({ tool }) => [tool],
+      ({ tool }) => {
+        scene.setTool(tool);
+        if (tool !== "select") drawsOnNothing();
+      },
+    ),
+    follow(
+      useView,
+      ({ snapKinds, grid, reach }) => [snapKinds, grid, reach],
+      ({ snapKinds, grid, reach }) => scene.setSnap({ kinds: snapKinds, grid, reach }),
+    ),
+    follow(
+      useView,
+      ({ tool, plane, planeOffset }) => [tool, plane, planeOffset],
+      ({ plane, planeOffset }) => scene.setPlane(planeOf(plane, planeOffset)),
+    ),
+    follow(
+      useView,
+      ({ stencilShown, stencilOpacity }) => [stencilShown, stencilOpacity],
+      (view) => scene.setStencilShown(view.stencilShown, view.stencilOpacity),
+    ),
+    follow(
+      useView,
+      ({ preview }) => [preview],
+      ({ preview }) => scene.setPreview(preview),
+    ),
     follow(useView, ({ annotations }) => [annotations], labels),
-    follow(useUnitStore, ({ unit }) => [unit], ({ unit }) => {
-      scene.setUnits(unit);
-      labels();
-    }),
+    follow(
+      useUnits,
+      ({ unit }) => [unit],
+      ({ unit }) => {
+        scene.setLengths(lengthFormat(unit));
+        labels();
+      },
+    ),
     follow(useUi, (ui) => [ui.theme], theme),
-    follow(usePlayback, ({ played }) => [played], ({ played }) => {
-      scene.play(played ?? useByHand.getState().played);
-      labels();
-    }),
-    follow(usePlayback, ({ played, step, shown }) => [played, step, shown], ({ played, step, shown }) => {
-      if (played) scene.setTime(step, shown);
-    }),
-    follow(useByHand, ({ played }) => [played], ({ played, step }) => {
-      if (usePlayback.getState().played) return;
-      scene.play(played);
-      if (played) scene.setTime(step, "designed");
-      labels();
-    }),
-    follow(usePlayback, ({ played, live, step }) => [played, live, live ? step : 0], ({ live, step }) => scene.setProgress(live ? Math.floor(step) : null)),
+    follow(
+      usePlayback,
+      ({ played }) => [played],
+      ({ played }) => {
+        scene.play(played ?? useByHand.getState().played);
+        labels();
+      },
+    ),
+    follow(
+      usePlayback,
+      ({ played, step, shown }) => [played, step, shown],
+      ({ played, step, shown }) => {
+        if (played) scene.setTime(step, shown);
+      },
+    ),
+    follow(
+      useByHand,
+      ({ played }) => [played],
+      ({ played }) => {
+        if (usePlayback.getState().played) return;
+        scene.play(played);
+        if (played) scene.setTime(played.steps.length, "designed");
+        labels();
+      },
+    ),
+    follow(
+      usePlayback,
+      ({ played, live, step }) => [played, live, live ? step : 0],
+      ({ live, step }) => scene.setProgress(live ? Math.floor(step) : null),
+    ),
     useFiles.subscribe(({ opened }, before) => {
       // What is opened comes after this, in the same turn of the design's store.
       if (opened !== before.opened) justOpened = true;

@@ -85,8 +85,8 @@ fn a_quarter_circle_of_weights_is_one() {
         assert!(nalgebra::center(&pair[0], &pair[1]).coords.norm() > 10.0 - 0.01);
     }
     // Whoever has less room hears so before it is used up.
-    let most = points.len() - 1;
-    assert_eq!(spline.flatten(mm(0.01), most), Err(SplineError::TooManyPoints { most }));
+    let max_points = points.len() - 1;
+    assert_eq!(spline.flatten(mm(0.01), max_points), Err(SplineError::TooManyPoints { max_points }));
 }
 
 proptest! {

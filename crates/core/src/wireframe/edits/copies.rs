@@ -12,7 +12,7 @@ use super::{EditError, check_listed, placement};
 use crate::units::Length;
 
 /// The most vertices that one array may add.
-const LARGEST_ARRAY: u64 = 1_000_000;
+const MAX_ARRAY_VERTICES: usize = 1_000_000;
 
 /// The reflection in a plane through `point`.
 pub(super) fn reflection(point: Point3<f64>, normal: Unit<Vector3<f64>>) -> Affine3<f64> {
@@ -68,8 +68,8 @@ pub(super) fn array(
     count: u32,
     weld: Length,
 ) -> Result<(), EditError> {
-    if u64::from(count) * vertices.len() as u64 > LARGEST_ARRAY {
-        return Err(EditError::ArrayCount(count));
+    if (count as usize).saturating_mul(vertices.len()) > MAX_ARRAY_VERTICES {
+        return Err(EditError::ArrayCount { copies: count, max: MAX_ARRAY_VERTICES });
     }
     let mut last = vertices.to_vec();
     for _ in 0..count {

@@ -8,7 +8,7 @@ use super::super::graph::{Edge, VertexId};
 use super::{EditError, topology};
 
 /// The most vertices that are drawn at once.
-const LARGEST_PIECE: usize = 1_000_000;
+const MAX_DRAWN: usize = 1_000_000;
 
 /// A chain of edges from a vertex that is there, if any, through new ones, to one that is there, if any.
 pub(super) fn strand(
@@ -17,8 +17,8 @@ pub(super) fn strand(
     through: &[Point3<f64>],
     to: Option<VertexId>,
 ) -> Result<(), EditError> {
-    if through.len() > LARGEST_PIECE {
-        return Err(EditError::TooMuch(through.len()));
+    if through.len() > MAX_DRAWN {
+        return Err(EditError::TooMuch { count: through.len(), max: MAX_DRAWN });
     }
     let mut last = from;
     for &position in through {
@@ -30,7 +30,7 @@ pub(super) fn strand(
     }
     match (last, to) {
         (Some(last), Some(to)) => topology::connect(draft, last, to),
-        (None, None) => Err(EditError::Nothing),
+        (None, None) => Err(EditError::EmptyStrand),
         _ => Ok(()),
     }
 }
@@ -41,13 +41,13 @@ pub(super) fn piece(
     vertices: &[Vertex],
     edges: &[(usize, usize)],
 ) -> Result<(), EditError> {
-    if vertices.len() > LARGEST_PIECE || edges.len() > LARGEST_PIECE {
-        return Err(EditError::TooMuch(vertices.len().max(edges.len())));
+    if vertices.len() > MAX_DRAWN || edges.len() > MAX_DRAWN {
+        return Err(EditError::TooMuch { count: vertices.len().max(edges.len()), max: MAX_DRAWN });
     }
     let ids: Vec<VertexId> =
         vertices.iter().map(|&vertex| draft.add_vertex(vertex)).collect::<Result<_, _>>()?;
     let id =
-        |place: usize| ids.get(place).copied().ok_or(EditError::NoPlace { place, count: vertices.len() });
+        |index: usize| ids.get(index).copied().ok_or(EditError::NotInPiece { index, count: vertices.len() });
     for &(a, b) in edges {
         let edge = Edge { a: id(a)?, b: id(b)? };
         if edge.a == edge.b {

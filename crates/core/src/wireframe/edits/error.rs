@@ -6,78 +6,86 @@ use crate::units::{Angle, Length};
 /// Why an edit cannot be made. The wireframe is untouched.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum EditError {
-    /// A vertex, an edge end or a position is wrong.
+    /// A vertex does not exist, a position is out of range, or no ids are left.
     #[error(transparent)]
     Wireframe(#[from] WireframeError),
-    /// An edge is not there.
+    /// An edge does not exist.
     #[error("there is no edge {0}")]
     NoEdge(EdgeId),
-    /// A vertex is listed twice.
+    /// A vertex is listed more than once.
     #[error("vertex {0} is listed twice")]
     Repeated(VertexId),
-    /// An edge from a vertex to itself.
+    /// An edge would join a vertex with itself.
     #[error("vertex {0} cannot be connected to itself")]
     Loop(VertexId),
-    /// An edge is listed twice.
+    /// An edge is listed more than once.
     #[error("edge {0} is listed twice")]
     RepeatedEdge(EdgeId),
-    /// Fewer than two edges for a chain.
-    #[error("a chain takes at least 2 edges, {0} given")]
+    /// A chain of fewer than two edges.
+    #[error("a chain of {0} edges; it has at least 2")]
     ChainCount(usize),
-    /// More than two edges of a chain at a vertex.
-    #[error("the edges are no chain: {edges} of them meet at vertex {vertex}; leave all but 2 out there")]
+    /// More than two edges of a chain meet at a vertex.
+    #[error("{edges} edges of the chain meet at vertex {vertex}; at most 2 do")]
     Branched {
-        /// Where.
+        /// The vertex where they meet.
         vertex: VertexId,
-        /// How many.
+        /// How many edges of the chain meet there.
         edges: usize,
     },
-    /// A chain in several parts.
-    #[error("the edges are no chain: edge {0} does not hang together with the others")]
+    /// A chain in several parts: this edge is not connected to those before it.
+    #[error("edge {0} is not connected to the rest of the chain")]
     BrokenChain(EdgeId),
-    /// A chain without ends.
-    #[error("the edges are a closed loop: leave one of them out, so that the chain has two ends, which stay")]
+    /// A chain that is a closed loop, so that it has no ends to hold fixed.
+    #[error("the chain is a closed loop")]
     ClosedChain,
-    /// A step that does not divide an arc.
-    #[error("an arc is divided by steps of more than 0° and at most 180°: {0:.3} is none")]
+    /// The step along an arc is not more than 0° and at most 180°.
+    #[error("a step of {0:.3} along an arc; it is more than 0° and at most 180°")]
     ArcStep(Angle),
-    /// The shortest edge leaves nothing of an arc.
-    #[error(
-        "an arc of radius {radius:.2} cannot be made of edges of at least {least_edge:.2}: give a shorter one, or a smaller tolerance"
-    )]
+    /// An arc is too small for two edges of the shortest length that was asked for.
+    #[error("an arc of radius {radius:.2} is too small for edges of {min_edge:.2}")]
     SmallArc {
-        /// Of the arc.
+        /// Radius of the arc.
         radius: Length,
-        /// What was asked for.
-        least_edge: Length,
+        /// The shortest edge that was asked for.
+        min_edge: Length,
     },
-    /// The two vertices are joined already.
+    /// Two vertices are already joined by an edge.
     #[error("vertices {0} and {1} are connected already")]
     Connected(VertexId, VertexId),
-    /// A split outside the edge.
-    #[error("an edge is split between its ends: {0} is not more than 0 and less than 1")]
+    /// A split that is not between the ends of its edge: more than 0 and less than 1.
+    #[error("a split at {0} of the edge; it is more than 0 and less than 1")]
     SplitAt(f64),
     /// Fewer than two vertices to merge.
-    #[error("merging takes at least 2 vertices, {0} given")]
+    #[error("{0} vertices to merge; it takes at least 2")]
     MergeCount(usize),
-    /// A transform that flattens or is not finite.
-    #[error("the transform is not invertible: it would flatten the wireframe")]
+    /// A transform that is not finite, or that would flatten the wireframe.
+    #[error("the transform is not invertible")]
     Singular,
-    /// A strand that goes nowhere.
-    #[error("a strand takes a vertex to begin at or a point to go through")]
-    Nothing,
-    /// More than can be drawn at once.
-    #[error("{0} vertices or edges are too many: at most 1 000 000 can be added at once")]
-    TooMuch(usize),
-    /// A pasted edge names a vertex that is not in the piece.
-    #[error("an edge of the piece ends at its vertex {place}, but it has {count}, counted from 0")]
-    NoPlace {
-        /// What it names.
-        place: usize,
-        /// How many there are.
+    /// A strand with neither a vertex to begin at nor a point to go through.
+    #[error("the strand is empty")]
+    EmptyStrand,
+    /// More vertices or edges than can be added at once.
+    #[error("{count} vertices or edges at once; at most {max}")]
+    TooMuch {
+        /// How many would be added.
+        count: usize,
+        /// How many may be.
+        max: usize,
+    },
+    /// An edge of a piece ends at a vertex that the piece does not have.
+    #[error("an edge of the piece ends at its vertex {index}; it has {count}, counted from 0")]
+    NotInPiece {
+        /// The index that the edge names, from 0.
+        index: usize,
+        /// How many vertices the piece has.
         count: usize,
     },
-    /// More copies than fit.
-    #[error("an array of {0} copies is too large: at most 1 000 000 vertices can be added at once")]
-    ArrayCount(u32),
+    /// An array whose copies have more vertices than can be added at once.
+    #[error("an array of {copies} copies; at most {max} vertices can be added at once")]
+    ArrayCount {
+        /// How many copies were asked for.
+        copies: u32,
+        /// How many vertices all copies together may have.
+        max: usize,
+    },
 }

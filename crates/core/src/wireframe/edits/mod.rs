@@ -173,7 +173,7 @@ pub enum Edit {
         /// has two edges or more.
         step: Angle,
         /// No edge of an arc is shorter; there are fewer then.
-        least_edge: Length,
+        min_edge: Length,
     },
 }
 
@@ -212,8 +212,8 @@ impl Edit {
             Self::SetSupport { vertices, support } => placement::set_support(&mut draft, vertices, *support)?,
             Self::Detach { edges } => detach::detach(&mut draft, edges)?,
             Self::Straighten { edges, tolerance } => smoothing::straighten(&mut draft, edges, *tolerance)?,
-            Self::Round { edges, tolerance, step, least_edge } => {
-                smoothing::round(&mut draft, edges, *tolerance, *step, *least_edge)?;
+            Self::Round { edges, tolerance, step, min_edge } => {
+                smoothing::round(&mut draft, edges, *tolerance, *step, *min_edge)?;
             }
             Self::Weld { tolerance } => return Ok(wireframe.weld(*tolerance).0),
         }

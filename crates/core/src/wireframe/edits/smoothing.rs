@@ -10,7 +10,7 @@ use crate::curve::{Piece, fit_arcs, simplify};
 use crate::units::{Angle, Length};
 
 /// The most edges that a chain is drawn anew with.
-const MOST_EDGES: u32 = 1_000_000;
+const MAX_EDGES: u32 = 1_000_000;
 
 /// Takes out the vertices within `tolerance` of a straight line. Those that carry other edges go onto the line.
 pub(super) fn straighten(draft: &mut Draft, edges: &[EdgeId], tolerance: Length) -> Result<(), EditError> {
@@ -65,13 +65,13 @@ fn put_on_line(
 }
 
 /// Draws a chain as the lines and arcs that it is within `tolerance`, with a vertex on an arc at every `step` or
-/// less often, so that no edge of an arc is shorter than `least_edge`.
+/// less often, so that no edge of an arc is shorter than `min_edge`.
 pub(super) fn round(
     draft: &mut Draft,
     edges: &[EdgeId],
     tolerance: Length,
     step: Angle,
-    least_edge: Length,
+    min_edge: Length,
 ) -> Result<(), EditError> {
     if step <= Angle::ZERO || step > Angle::HALF_TURN {
         return Err(EditError::ArcStep(step));
@@ -84,7 +84,7 @@ pub(super) fn round(
             drawn.push(match piece {
                 Piece::Line { from, to } => ((first + from, first + to), Vec::new()),
                 Piece::Arc { from, to, centre, axis, radius, sweep } => {
-                    let count = edges_of_arc(radius, sweep, step, least_edge)?;
+                    let count = edges_of_arc(radius, sweep, step, min_edge)?;
                     let start = chain.points[first + from] - centre;
                     let turned = |k: u32| {
                         let angle = sweep.rad() * f64::from(k) / f64::from(count);
@@ -102,19 +102,22 @@ pub(super) fn round(
 }
 
 /// How many edges an arc is made of: two at least.
-fn edges_of_arc(radius: Length, sweep: Angle, step: Angle, least_edge: Length) -> Result<u32, EditError> {
+fn edges_of_arc(radius: Length, sweep: Angle, step: Angle, min_edge: Length) -> Result<u32, EditError> {
     let edge = |count: f64| 2.0 * radius.mm() * (sweep.rad() / (2.0 * count)).sin();
     // A step that divides the arc evenly does so in spite of rounding.
     let wanted = (sweep.rad() / step.rad() - 1e-9).ceil().max(2.0);
-    let half = (least_edge.mm() / (2.0 * radius.mm())).min(1.0);
+    let half = (min_edge.mm() / (2.0 * radius.mm())).min(1.0);
     let fitting = if half > 0.0 { (sweep.rad() / (2.0 * half.asin()) + 1e-9).floor() } else { wanted };
     let count = wanted.min(fitting);
-    if count < 2.0 || edge(count) < least_edge.mm() * (1.0 - 1e-6) {
-        return Err(EditError::SmallArc { radius, least_edge });
+    if count < 2.0 || edge(count) < min_edge.mm() * (1.0 - 1e-6) {
+        return Err(EditError::SmallArc { radius, min_edge });
     }
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // two or more; it saturates
     let count = count as u32;
-    if count > MOST_EDGES { Err(EditError::TooMuch(count as usize)) } else { Ok(count) }
+    if count > MAX_EDGES {
+        return Err(EditError::TooMuch { count: count as usize, max: MAX_EDGES as usize });
+    }
+    Ok(count)
 }
 
 /// The places where a chain is divided: its ends, and the inner ones that have to stay.

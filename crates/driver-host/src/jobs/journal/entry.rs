@@ -2,13 +2,13 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use wirebend_driver_api::{DoneBy, DriverError, GoingOn, Step};
+use wirebend_driver_api::{DoneBy, DriverError, ResumeState, Step};
 
 use crate::session::StoppedBy;
 
-/// The version of the format; a journal of a later one is refused. Since 2 there are [`What::Standstill`] and
-/// [`What::NotTaken`]. Since 3 there are [`What::PartMade`] and [`What::Part`], and the steps after the one that a
-/// [`What::Fault`] names were not begun.
+/// The version of the format; a journal of a later one is refused. Since 2 there are [`EntryKind::Standstill`] and
+/// [`EntryKind::NotTaken`]. Since 3 there are [`EntryKind::PartMade`] and [`EntryKind::Part`], and the steps after the one that a
+/// [`EntryKind::Fault`] names were not begun.
 pub const VERSION: u32 = 3;
 
 /// A line of a journal.
@@ -16,35 +16,33 @@ pub const VERSION: u32 = 3;
 pub struct Entry {
     /// When, as the caller writes times: for people.
     pub at: String,
-    /// What happened.
     #[serde(flatten)]
-    pub what: What,
+    pub what: EntryKind,
 }
 
-/// What happened.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "record", rename_all = "kebab-case")]
-pub enum What {
-    /// The first line: what is to be made, of what, on which machine.
+pub enum EntryKind {
+    /// The first line: what is to be bent, of what, on which machine.
     Job(Heading),
     /// The machine has answered.
     Connected {
         /// What it says that it is.
         identity: String,
         /// Where it is in the wire, when it still is in it.
-        #[serde(default)]
-        going_on: Option<GoingOn>,
+        #[serde(default, rename = "going_on")]
+        resume: Option<ResumeState>,
     },
     /// A person has confirmed, and the machine is ready.
     Armed {
         /// What the driver calls the machine's session.
         #[serde(default)]
         token: Option<String>,
-        /// How many steps were made before.
+        /// How many steps were done before.
         after: u32,
         /// The machine still is in the session of before, with the steps that it has taken.
-        #[serde(default)]
-        going_on: bool,
+        #[serde(default, rename = "going_on")]
+        resumed: bool,
     },
     /// Steps are about to be sent. On the disk before they are.
     Intent {
@@ -63,18 +61,15 @@ pub enum What {
         /// The last that it has taken.
         after: u32,
     },
-    /// A step has been made.
-    Done {
-        /// Which.
-        n: u32,
-    },
+    /// A step is done.
+    Done { n: u32 },
     /// The machine holds.
     Paused,
-    /// The machine goes on.
+    /// The machine resumes.
     Resumed,
     /// The machine was stopped.
     Stopped {
-        /// Who brought it about; absent when the machine stopped by itself or at a button of its own.
+        /// What caused it; absent when the machine stopped by itself or at a button of its own.
         #[serde(default)]
         by: Option<StoppedBy>,
     },
@@ -86,10 +81,9 @@ pub enum What {
     },
     /// The machine, its line or its driver failed.
     Fault {
-        /// What happened.
         error: DriverError,
-        /// The step of which the driver does not know whether it was made; those after it were not begun. Without it, all
-        /// that were sent and not reported are in doubt: the machine may have gone on without the driver.
+        /// The step of which the driver does not know whether it was done; those after it were not begun. Without it, all
+        /// that were sent and not reported are in doubt: the machine may have continued without the driver.
         #[serde(default)]
         in_doubt: Option<u32>,
     },
@@ -104,61 +98,55 @@ pub enum What {
         #[serde(default)]
         exact: bool,
     },
-    /// So much of the first step in doubt is in the wire: the machine could tell, or a person has measured it. The rest of
-    /// it is made, and its bend from the beginning.
+    /// So much of the first step in doubt is in the wire: the machine has counted it, or a person has measured it. The rest of
+    /// it follows, with its bend from the beginning.
     Part {
-        /// Which.
         n: u32,
         /// How much of it is fed, in the machine's signs.
         feed_mm: f64,
         /// How much of it is turned, in the machine's signs.
         rotate_deg: f64,
-        /// Who has said so.
+        /// Whether the machine or a person has said so.
         by: ToldBy,
     },
-    /// A person has looked whether a step in doubt was made.
+    /// A person has looked whether a step in doubt was done.
     Decided {
         /// The first in doubt.
         n: u32,
-        /// Whether it was. If not, those after it were not either: steps are made in order.
+        /// Whether it was. If not, those after it were not either: steps are run in order.
         made: bool,
     },
-    /// A person takes back what they have said of a step, and of those after it. Nothing was made since.
-    TakenBack {
-        /// Which.
-        n: u32,
-    },
+    /// A person takes back what they have said of a step, and of those after it. Nothing was bent since.
+    TakenBack { n: u32 },
     /// What came out, as far as it is known.
     Made {
-        /// Corners of the wire as a simulated machine made it, mm.
+        /// Corners of the wire as a simulated machine bent it, mm.
         #[serde(default)]
         corners_mm: Vec<[f64; 3]>,
         /// How far each corner is from the design, mm.
         #[serde(default)]
         deviations_mm: Option<Vec<f64>>,
     },
-    /// The wire is made.
+    /// The wire is finished.
     Finished,
     /// A person has given the wire up.
     Abandoned,
 }
 
-/// Who has said how much of a step is made.
+/// Whether the machine or a person has said how much of a step is done.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum ToldBy {
     /// The machine, for axes that were at rest when it was stopped.
     Machine,
-    /// A person.
     Person,
 }
 
-/// What is to be made, of what, on which machine.
+/// What is to be bent, of what, on which machine.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Heading {
     /// Version of the format.
     pub version: u32,
-    /// Hash of the job.
     pub job_hash: String,
     /// Hash of the design that it was planned from.
     pub design_hash: String,
@@ -172,7 +160,6 @@ pub struct Heading {
     pub machine: String,
     /// Id of the driver.
     pub driver: String,
-    /// Version of the driver.
     pub driver_version: String,
     /// The port that the machine is at.
     pub port: String,
@@ -181,10 +168,10 @@ pub struct Heading {
     /// Wire that has to be put in, mm.
     #[serde(default)]
     pub stock_mm: Option<f64>,
-    /// Who says that a step is made.
+    /// What reports that a step is done.
     #[serde(default)]
     pub done_by: DoneBy,
-    /// How long each step is reckoned to take, s; empty where nobody has reckoned it.
+    /// How long each step is reckoned to take, s; empty where there is no estimate.
     #[serde(default)]
     pub estimates_s: Vec<f64>,
 }

@@ -8,68 +8,81 @@ mod tests;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use wirebend_error::{ErrorCode, ErrorRemedy};
 use wirebend_journal::{Lines, Log, LogError};
 
-use super::account::Account;
-pub use entry::{Entry, Heading, ToldBy, What};
+use super::journal_state::JournalState;
+pub use entry::{Entry, EntryKind, Heading, ToldBy};
 pub use reading::Written;
+use reading::Wrong;
 
 /// Why a journal cannot be used.
 #[derive(Debug, thiserror::Error)]
 pub enum JournalError {
     /// There is one already.
-    #[error("there is a journal {} already: take up the wire that it tells of, or give it up", path.display())]
-    Exists {
-        /// The file.
-        path: PathBuf,
-    },
-    /// Another program, or another window of this one, makes the wire.
-    #[error("the journal {} is in use: another program, or another window of this one, makes this wire: wait until it is made, or stop it there", path.display())]
-    InUse {
-        /// The file.
-        path: PathBuf,
-    },
+    #[error("there is a journal {} already", path.display())]
+    Exists { path: PathBuf },
+    /// Another program, or another window of this one, bends the wire.
+    #[error("the journal {} is in use: another program, or another window of this one, bends this wire", path.display())]
+    InUse { path: PathBuf },
     /// It has not one whole line.
-    #[error("the journal {} tells of no job: nothing was sent to a machine, and it can be deleted", path.display())]
-    Empty {
-        /// The file.
-        path: PathBuf,
-    },
+    #[error("the journal {} names no job: nothing was sent to a machine", path.display())]
+    Empty { path: PathBuf },
     /// A line was changed, or says what cannot be.
     #[error(
-        "line {line} of the journal {} is damaged: {what}; what was made cannot be told from it: look at the wire, home the machine and begin anew",
+        "line {line} of the journal {} is damaged: {what}; it does not show which steps are done",
         path.display()
     )]
     Damaged {
-        /// The file.
         path: PathBuf,
         /// Which line, from 1.
         line: usize,
-        /// What is wrong.
         what: String,
+        /// A later program has written it.
+        newer: bool,
     },
     /// What was to be written contradicts what is there.
     #[error("this cannot be written down: {what}")]
-    Impossible {
-        /// Why.
-        what: String,
-    },
+    Impossible { what: String },
     /// Writing failed before: what is in the file is not sure any more.
-    #[error("the journal {} could not be written before: open it again", path.display())]
-    Broken {
-        /// The file.
-        path: PathBuf,
-    },
+    #[error("the journal {} could not be written before", path.display())]
+    Broken { path: PathBuf },
     /// The system refuses.
     #[error("the journal {} cannot be {doing}: {cause}", path.display())]
     Io {
-        /// The file.
         path: PathBuf,
         /// What was tried.
         doing: &'static str,
-        /// Why not.
         cause: io::Error,
     },
+}
+
+impl JournalError {
+    /// A name that stays the same while the wording may change.
+    #[must_use]
+    pub const fn code(&self) -> ErrorCode {
+        match self {
+            Self::Exists { .. } => ErrorCode::JournalExists,
+            Self::InUse { .. } => ErrorCode::JournalInUse,
+            Self::Empty { .. } => ErrorCode::JournalEmpty,
+            Self::Damaged { .. } => ErrorCode::JournalDamaged,
+            Self::Impossible { .. } => ErrorCode::JournalImpossible,
+            Self::Broken { .. } | Self::Io { .. } => ErrorCode::JournalIo,
+        }
+    }
+
+    /// What can be done about it.
+    #[must_use]
+    pub fn remedies(&self) -> Vec<ErrorRemedy> {
+        match self {
+            Self::InUse { .. } => vec![ErrorRemedy::Wait, ErrorRemedy::Stop],
+            Self::Damaged { newer: true, .. } => vec![ErrorRemedy::UpdateProgram],
+            Self::Damaged { .. } => vec![ErrorRemedy::LookAtWire, ErrorRemedy::Home, ErrorRemedy::BeginAnew],
+            Self::Broken { .. } | Self::Io { .. } => vec![ErrorRemedy::CheckDisk],
+            Self::Exists { .. } | Self::Empty { .. } => vec![ErrorRemedy::BeginAnew],
+            Self::Impossible { .. } => Vec::new(),
+        }
+    }
 }
 
 impl From<LogError> for JournalError {
@@ -78,7 +91,7 @@ impl From<LogError> for JournalError {
             LogError::Exists { path } => Self::Exists { path },
             LogError::InUse { path } => Self::InUse { path },
             LogError::Empty { path } => Self::Empty { path },
-            LogError::Damaged { path, line, what } => Self::Damaged { path, line, what },
+            LogError::Damaged { path, line, what } => Self::Damaged { path, line, what, newer: false },
             LogError::Broken { path } => Self::Broken { path },
             LogError::Io { path, doing, cause } => Self::Io { path, doing, cause },
         }
@@ -100,14 +113,13 @@ impl Journal {
     /// [`JournalError::Exists`], [`JournalError::Io`].
     pub fn create(path: &Path, heading: Heading, at: String) -> Result<Self, JournalError> {
         let heading = Heading { version: entry::VERSION, ..heading };
-        let first = Entry { at, what: What::Job(heading) };
-        let account =
-            reading::counted(None, &first.what).map_err(|what| JournalError::Impossible { what })?;
+        let first = Entry { at, what: EntryKind::Job(heading) };
+        let state = reading::counted(None, &first.what).map_err(|what| JournalError::Impossible { what })?;
         let log = Log::create(path, &body(&first)?)?;
-        Ok(Self { log, written: Written { entries: vec![first], account, torn: false } })
+        Ok(Self { log, written: Written { entries: vec![first], state, torn: false } })
     }
 
-    /// Takes a journal up again. A last line that was not written to its end is taken away.
+    /// Opens a journal again to append to it. A last line that was not written to its end is taken away.
     ///
     /// # Errors
     /// [`JournalError`]; the whole lines of the file are as they were then.
@@ -117,7 +129,7 @@ impl Journal {
         Ok(Self { log, written })
     }
 
-    /// Reads a journal without taking it up: another process may be writing it.
+    /// Reads a journal without opening it for writing: another process may be writing it.
     ///
     /// # Errors
     /// [`JournalError::Empty`], [`JournalError::Damaged`], [`JournalError::Io`].
@@ -125,7 +137,7 @@ impl Journal {
         understood(path, &Log::read(path)?)
     }
 
-    /// Whether somebody writes it: the wire is being made, by this program or another.
+    /// Whether it is open for writing: the wire is being bent, by this program or another.
     #[must_use]
     pub fn is_in_use(path: &Path) -> bool {
         Log::is_in_use(path)
@@ -137,18 +149,18 @@ impl Journal {
     /// [`JournalError::Impossible`] when it contradicts what is there: nothing is written. [`JournalError::Io`]
     /// when the disk is full or gone: from then on [`JournalError::Broken`].
     pub fn add(&mut self, entry: Entry) -> Result<(), JournalError> {
-        let account = reading::counted(Some(self.written.account.clone()), &entry.what)
+        let state = reading::counted(Some(self.written.state.clone()), &entry.what)
             .map_err(|what| JournalError::Impossible { what })?;
         self.log.add(&body(&entry)?)?;
-        self.written.account = account;
+        self.written.state = state;
         self.written.entries.push(entry);
         Ok(())
     }
 
     /// What it comes to.
     #[must_use]
-    pub const fn account(&self) -> &Account {
-        &self.written.account
+    pub const fn state(&self) -> &JournalState {
+        &self.written.state
     }
 
     /// What happened, in order.
@@ -157,7 +169,6 @@ impl Journal {
         &self.written.entries
     }
 
-    /// The file.
     #[must_use]
     pub fn path(&self) -> &Path {
         self.log.path()
@@ -165,7 +176,8 @@ impl Journal {
 }
 
 fn understood(path: &Path, lines: &Lines) -> Result<Written, JournalError> {
-    let damaged = |(line, what)| JournalError::Damaged { path: path.to_owned(), line, what };
+    let damaged =
+        |Wrong { line, what, newer }| JournalError::Damaged { path: path.to_owned(), line, what, newer };
     Written::of(lines).map_err(damaged)
 }
 

@@ -2,8 +2,8 @@
 
 use wirebend_journal::Lines;
 
-use super::entry::{Entry, VERSION, What};
-use crate::jobs::account::Account;
+use super::entry::{Entry, EntryKind, VERSION};
+use crate::jobs::journal_state::JournalState;
 
 /// A journal that has been read.
 #[derive(Debug, Clone, PartialEq)]
@@ -11,37 +11,51 @@ pub struct Written {
     /// What happened, in order.
     pub entries: Vec<Entry>,
     /// What that comes to.
-    pub account: Account,
+    pub state: JournalState,
     /// The last line was not written to its end, and counts for nothing: what it says had not happened yet when
     /// it was being written, or was not known to have.
     pub torn: bool,
 }
 
+/// What is wrong with a journal.
+#[derive(Debug)]
+pub(super) struct Wrong {
+    /// The line, from 1.
+    pub line: usize,
+    pub what: String,
+    /// A later program has written it.
+    pub newer: bool,
+}
+
 impl Written {
-    /// Counts the entries; or gives the line, from 1, and what is wrong with it.
-    pub(super) fn of(lines: &Lines) -> Result<Self, (usize, String)> {
+    /// Counts the entries.
+    pub(super) fn of(lines: &Lines) -> Result<Self, Wrong> {
         let mut entries: Vec<Entry> = Vec::new();
-        let mut account = None;
+        let mut state = None;
         for (index, body) in lines.entries.iter().enumerate() {
-            let damaged = |what| (index + 1, what);
+            let damaged = |what| Wrong { line: index + 1, what, newer: false };
             let entry: Entry = serde_json::from_str(body)
                 .map_err(|error| damaged(format!("its entry cannot be read: {error}")))?;
-            account = Some(counted(account, &entry.what).map_err(damaged)?);
+            if let (None, EntryKind::Job(heading)) = (&state, &entry.what)
+                && heading.version > VERSION
+            {
+                let what = format!("it is of version {}, this program knows {VERSION}", heading.version);
+                return Err(Wrong { line: index + 1, what, newer: true });
+            }
+            state = Some(counted(state, &entry.what).map_err(damaged)?);
             entries.push(entry);
         }
-        let account = account.ok_or_else(|| (1, "there is no line".to_owned()))?;
-        Ok(Self { entries, account, torn: lines.torn })
+        let state =
+            state.ok_or_else(|| Wrong { line: 1, what: "there is no line".to_owned(), newer: false })?;
+        Ok(Self { entries, state, torn: lines.torn })
     }
 }
 
-/// The account after one more entry.
-pub(super) fn counted(account: Option<Account>, what: &What) -> Result<Account, String> {
-    match (account, what) {
-        (None, What::Job(heading)) if heading.version > VERSION => {
-            Err(format!("it is of version {}, this program knows {VERSION}: update it", heading.version))
-        }
-        (None, What::Job(heading)) => Ok(Account::new(heading.clone())),
+/// The state after one more entry.
+pub(super) fn counted(state: Option<JournalState>, what: &EntryKind) -> Result<JournalState, String> {
+    match (state, what) {
+        (None, EntryKind::Job(heading)) => Ok(JournalState::new(heading.clone())),
         (None, _) => Err("a journal begins with its job".to_owned()),
-        (Some(mut account), what) => account.count(what).map(|()| account),
+        (Some(mut state), what) => state.count(what).map(|()| state),
     }
 }

@@ -5,61 +5,62 @@ use std::path::PathBuf;
 
 use tempfile::TempDir;
 use wirebend_driver_api::Step;
+use wirebend_error::ErrorRemedy;
 
 use super::entry::VERSION;
 use super::*;
-use crate::jobs::Standing;
+use crate::jobs::JobState;
 
 fn heading() -> Heading {
     Heading { job_hash: "5a".repeat(32), name: "cube \"é\"\n".into(), steps: 4, ..Heading::default() }
 }
 
-fn entry(what: What) -> Entry {
+fn entry(what: EntryKind) -> Entry {
     Entry { at: "2026-05-01T09:30:00Z".into(), what }
 }
 
 /// All of a wire, with everything that can happen to one.
-fn story() -> Vec<What> {
+fn story() -> Vec<EntryKind> {
     let error = wirebend_driver_api::DriverError::new("unplugged", "the port is gone", "plug it in");
     vec![
-        What::Connected { identity: "kit 1.0".into(), going_on: None },
-        What::Armed { token: Some("17".into()), after: 0, going_on: false },
-        What::Intent { from: 1, to: 3 },
-        What::Accepted { n: 3 },
-        What::Done { n: 1 },
-        What::Paused,
-        What::Resumed,
-        What::Fault { error: error.clone(), in_doubt: None },
-        What::Stopped { by: None },
-        What::Standstill { confirmed: false },
-        What::Connected { identity: "kit 1.0".into(), going_on: None },
-        What::Decided { n: 2, made: true },
-        What::Decided { n: 3, made: true },
-        What::TakenBack { n: 3 },
-        What::Decided { n: 3, made: false },
-        What::Armed { token: None, after: 2, going_on: false },
-        What::Intent { from: 3, to: 4 },
-        What::PartMade { n: 3, made: Some(Step { feed_mm: 4.25, ..Step::default() }), exact: false },
-        What::Stopped { by: None },
-        What::Part { n: 3, feed_mm: 4.25, rotate_deg: 0.0, by: ToldBy::Person },
-        What::Armed { token: None, after: 2, going_on: false },
-        What::Intent { from: 3, to: 4 },
+        EntryKind::Connected { identity: "kit 1.0".into(), resume: None },
+        EntryKind::Armed { token: Some("17".into()), after: 0, resumed: false },
+        EntryKind::Intent { from: 1, to: 3 },
+        EntryKind::Accepted { n: 3 },
+        EntryKind::Done { n: 1 },
+        EntryKind::Paused,
+        EntryKind::Resumed,
+        EntryKind::Fault { error: error.clone(), in_doubt: None },
+        EntryKind::Stopped { by: None },
+        EntryKind::Standstill { confirmed: false },
+        EntryKind::Connected { identity: "kit 1.0".into(), resume: None },
+        EntryKind::Decided { n: 2, made: true },
+        EntryKind::Decided { n: 3, made: true },
+        EntryKind::TakenBack { n: 3 },
+        EntryKind::Decided { n: 3, made: false },
+        EntryKind::Armed { token: None, after: 2, resumed: false },
+        EntryKind::Intent { from: 3, to: 4 },
+        EntryKind::PartMade { n: 3, made: Some(Step { feed_mm: 4.25, ..Step::default() }), exact: false },
+        EntryKind::Stopped { by: None },
+        EntryKind::Part { n: 3, feed_mm: 4.25, rotate_deg: 0.0, by: ToldBy::Person },
+        EntryKind::Armed { token: None, after: 2, resumed: false },
+        EntryKind::Intent { from: 3, to: 4 },
         // Those after the one that it names were not begun.
-        What::Fault { error, in_doubt: Some(3) },
-        What::Decided { n: 3, made: false },
-        What::Armed { token: None, after: 2, going_on: false },
-        What::Intent { from: 3, to: 4 },
-        What::Done { n: 3 },
-        What::Done { n: 4 },
-        What::Made { corners_mm: vec![[0.1, -2.5, 1e-9]], deviations_mm: Some(vec![0.25]) },
-        What::Finished,
+        EntryKind::Fault { error, in_doubt: Some(3) },
+        EntryKind::Decided { n: 3, made: false },
+        EntryKind::Armed { token: None, after: 2, resumed: false },
+        EntryKind::Intent { from: 3, to: 4 },
+        EntryKind::Done { n: 3 },
+        EntryKind::Done { n: 4 },
+        EntryKind::Made { corners_mm: vec![[0.1, -2.5, 1e-9]], deviations_mm: Some(vec![0.25]) },
+        EntryKind::Finished,
     ]
 }
 
 fn written(count: usize) -> (TempDir, PathBuf) {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("wire-0.journal");
-    let mut journal = Journal::create(&path, heading(), entry(What::Finished).at).unwrap();
+    let mut journal = Journal::create(&path, heading(), entry(EntryKind::Finished).at).unwrap();
     for what in story().into_iter().take(count) {
         journal.add(entry(what)).unwrap();
     }
@@ -73,8 +74,8 @@ fn what_is_written_is_read() {
     let whats: Vec<_> = read.entries.iter().skip(1).map(|entry| entry.what.clone()).collect();
     assert_eq!(whats, story());
     assert!(!read.torn);
-    assert_eq!((read.account.done, read.account.standing), (4, Standing::Finished));
-    assert_eq!(read.account.heading, Heading { version: VERSION, ..heading() });
+    assert_eq!((read.state.done, read.state.standing), (4, JobState::Finished));
+    assert_eq!(read.state.heading, Heading { version: VERSION, ..heading() });
     // Other programs can read it, too: every line is JSON.
     for line in String::from_utf8(fs::read(path).unwrap()).unwrap().lines() {
         let line: serde_json::Value = serde_json::from_str(line).unwrap();
@@ -88,7 +89,7 @@ fn two_processes_do_not_make_the_same_wire() {
     let first = Journal::open(&path).unwrap();
     assert!(matches!(Journal::open(&path), Err(JournalError::InUse { .. })));
     assert!(matches!(Journal::create(&path, heading(), String::new()), Err(JournalError::Exists { .. })));
-    assert_eq!(Journal::read(&path).unwrap().entries.len(), 3, "whoever only looks may");
+    assert_eq!(Journal::read(&path).unwrap().entries.len(), 3, "reading alone is allowed");
     drop(first);
     Journal::open(&path).unwrap();
 }
@@ -98,7 +99,7 @@ fn what_contradicts_the_journal_is_not_written() {
     let (_folder, path) = written(2);
     let mut journal = Journal::open(&path).unwrap();
     let before = fs::read(&path).unwrap();
-    let error = journal.add(entry(What::Done { n: 1 })).unwrap_err();
+    let error = journal.add(entry(EntryKind::Done { n: 1 })).unwrap_err();
     assert!(matches!(error, JournalError::Impossible { .. }), "{error}");
     assert_eq!(fs::read(&path).unwrap(), before);
 }
@@ -106,11 +107,12 @@ fn what_contradicts_the_journal_is_not_written() {
 #[test]
 fn a_journal_of_a_later_program_is_left_alone() {
     let (_folder, path) = written(0);
-    let later = entry(What::Job(Heading { version: VERSION + 1, ..heading() }));
+    let later = entry(EntryKind::Job(Heading { version: VERSION + 1, ..heading() }));
     fs::remove_file(&path).unwrap();
     Log::create(&path, &body(&later).unwrap()).unwrap();
-    let error = Journal::open(&path).unwrap_err().to_string();
-    assert!(error.contains(&format!("version {}", VERSION + 1)) && error.contains("update"), "{error}");
+    let error = Journal::open(&path).unwrap_err();
+    assert!(error.to_string().contains(&format!("version {}", VERSION + 1)), "{error}");
+    assert_eq!(error.remedies(), [ErrorRemedy::UpdateProgram]);
 }
 
 /// A line whose hash fits and whose entry makes no sense is named as well.

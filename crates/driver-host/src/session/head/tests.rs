@@ -4,7 +4,6 @@ use wirebend_driver_api::DriverError;
 
 use super::*;
 
-/// What is on the disk.
 #[derive(Clone, Default)]
 struct Disk(Arc<Mutex<(Vec<HeadPlace>, bool)>>);
 
@@ -30,7 +29,7 @@ fn connected(head: HeadBy) -> Event {
         identity: String::new(),
         settings: Vec::new(),
         homed: false,
-        going_on: None,
+        resume: None,
         reference: ReferenceBy::Machine,
         done_by: wirebend_driver_api::DoneBy::Machine,
         head,
@@ -88,7 +87,7 @@ fn the_range_is_kept_before_the_steps_are_sent() {
     assert_eq!(disk.last(), HeadPlace::At(-60.0));
 }
 
-/// A report of the machine at rest tells where it stands; one of before, when it turned, does not.
+/// A report of the machine at rest shows where it stands; one of before, when it turned, does not.
 #[test]
 fn after_a_stop_it_stands_where_the_machine_says() {
     let (mut head, disk) = making(&[90.0]);
@@ -106,7 +105,7 @@ fn what_the_machine_has_forgotten_it_is_told() {
     let (mut head, disk) = head(HeadBy::Program, HeadPlace::At(90.0));
     assert_eq!(head.homes(ReferenceBy::Machine).unwrap(), Some(90.0));
     assert_eq!(disk.last(), HeadPlace::Between(0.0, 90.0), "it is turned back now");
-    // Before it has found its reference its positions count from who knows where.
+    // Before it is homed, its positions count from an unknown place.
     hears(&mut head, &[position(0.0), STOPPED]);
     assert_eq!(disk.last(), HeadPlace::Between(0.0, 90.0));
     let error = head.homes(ReferenceBy::Machine).unwrap_err();
@@ -165,7 +164,7 @@ fn what_was_refused_was_not_turned() {
     assert_eq!(disk.last(), HeadPlace::At(-45.0));
 }
 
-/// A disk that is full: nothing is turned of which nobody would know later.
+/// A disk that is full: nothing is turned that would not be known later.
 #[test]
 fn what_cannot_be_kept_is_not_turned() {
     let (mut full, disk) = making(&[]);
@@ -173,7 +172,7 @@ fn what_cannot_be_kept_is_not_turned() {
     let error = full.jogs(Motion { axis: Axis::Rotate, by: 10.0 }).unwrap_err();
     assert!(matches!(error, SessionError::HeadNotKept { .. }), "{error}");
     assert_eq!(full.place, HeadPlace::At(0.0));
-    // What does not turn the head goes on.
+    // What does not turn the head still works.
     full.jogs(Motion { axis: Axis::Feed, by: 10.0 }).unwrap();
 }
 
@@ -189,7 +188,7 @@ fn a_head_that_is_zeroed_elsewhere_keeps_its_account() {
     assert_eq!(disk.last(), HeadPlace::At(60.0));
 }
 
-/// A sum of turns is seldom exactly nothing, and nobody can turn a head by the rest by hand.
+/// A sum of turns is seldom exactly nothing, and the rest is too small to turn a head by hand.
 #[test]
 fn what_a_person_reads_as_zero_is_zero() {
     assert!(HeadPlace::At(0.04).is_zero() && HeadPlace::At(-0.04).is_zero());

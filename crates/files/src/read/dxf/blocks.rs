@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use nalgebra::{Affine3, Point3, Translation3};
 
 use super::super::drawing::Drawing;
-use super::super::error::{Place, ReadError};
+use super::super::error::{Location, ReadError};
 use super::super::note::NoteKind;
 use super::super::outline::Pen;
 use super::super::text::excerpt;
@@ -13,14 +13,14 @@ use super::entity::{Insert, Shape};
 use super::skin::Skin;
 
 /// How deep blocks may hold blocks.
-const DEEPEST: usize = 64;
+const MAX_DEPTH: usize = 64;
 /// The layer whose entities in a block are on the layer that the block is put in on.
 const BYBLOCK: &str = "0";
 
 /// A shape, on a layer.
 #[derive(Debug)]
 pub(super) struct Entity {
-    pub(super) place: Place,
+    pub(super) place: Location,
     /// In lower case.
     pub(super) layer: String,
     /// Why it is not drawn wherever it is, if so.
@@ -130,14 +130,14 @@ impl<'a> Plotter<'a> {
         drawing
     }
 
-    fn meet(&mut self, place: &Place) -> Result<(), ReadError> {
+    fn meet(&mut self, place: &Location) -> Result<(), ReadError> {
         self.met += 1;
         self.pen.source.room_within(place.clone(), self.met, "blocks and entities of blocks")
     }
 
     fn insert(
         &mut self,
-        place: &Place,
+        place: &Location,
         insert: &'a Insert,
         map: &Affine3<f64>,
         layer: &'a str,
@@ -157,9 +157,9 @@ impl<'a> Plotter<'a> {
             let (place, name) = (place.clone(), excerpt(&insert.block));
             return Err(ReadError::Loop { file: file(), place, what: "block", name });
         }
-        if self.open.len() == DEEPEST {
+        if self.open.len() == MAX_DEPTH {
             let (place, what) = (place.clone(), "blocks in blocks are");
-            return Err(ReadError::TooDeep { file: file(), place, what, limit: DEEPEST });
+            return Err(ReadError::TooDeep { file: file(), place, what, limit: MAX_DEPTH });
         }
         self.open.push(&insert.block);
         let to_base = Translation3::from(-block.base.coords);

@@ -140,7 +140,7 @@ impl Mesh {
 /// Where the polyline of a mesh stands.
 pub(super) struct Head<'a> {
     pub(super) source: super::Source<'a>,
-    pub(super) place: super::Place,
+    pub(super) place: super::Location,
 }
 
 fn grid(rows: usize, columns: usize, closed: [bool; 2]) -> Vec<Face> {

@@ -11,7 +11,7 @@ use wirebend_core::curve::Spline;
 pub(super) enum Ends {
     /// The directions at the start and at the end, as far as they are known.
     Open([Option<Vector3<f64>>; 2]),
-    /// The last point goes on to the first.
+    /// The last point continues to the first.
     Closed,
 }
 

@@ -25,12 +25,13 @@ use self::pairs::{BINARY, Pairs};
 use self::record::{Record, Records};
 use super::Imported;
 use super::drawing::Drawing;
-use super::error::{Place, ReadError};
+use super::error::{Location, ReadError};
 use super::format::Format;
 use super::note::NoteKind;
 use super::options::ReadOptions;
 use super::outline::{Outline, Pen};
 use super::text::{Source, decode, lines};
+use wirebend_error::ErrorRemedy;
 
 /// Whether the bytes begin as every binary file does.
 pub(super) fn is_binary(bytes: &[u8]) -> bool {
@@ -98,9 +99,9 @@ fn unit_mm(value: i64) -> Option<f64> {
 struct Scan<'a> {
     source: Source<'a>,
     /// The section, in upper case, and where it began.
-    section: Option<(String, Place)>,
+    section: Option<(String, Location)>,
     unit_mm: Option<f64>,
-    /// Whether the person says the unit, so that one that nobody knows is no error.
+    /// Whether the user gave the unit, so that an unknown one in the file is no error.
     unit_given: bool,
     content: Content,
     /// The block that is open: its name and itself.
@@ -178,9 +179,9 @@ impl<'a> Scan<'a> {
             if let (Some(_), Some(value)) = (variable, pairs.next()) {
                 let unit = unit_mm(value.whole(self.source)?);
                 if unit.is_none() && !self.unit_given {
-                    let help = "choose the unit yourself when importing";
+                    let remedy = ErrorRemedy::ChooseUnit;
                     let (place, expected) = (value.place.clone(), "a unit from 1 to 16, 21 or 0 for none");
-                    return Err(self.source.syntax(place, &value.text(), expected, help));
+                    return Err(self.source.syntax(place, &value.text(), expected, remedy));
                 }
                 self.unit_mm = unit.filter(|unit| *unit > 0.0);
             }
@@ -282,7 +283,7 @@ impl Polyline {
         Ok(())
     }
 
-    /// What is wrong first is told, if it is drawn.
+    /// The first error is reported if its entity is drawn.
     fn broken(&mut self, error: ReadError) {
         if !matches!(self.entity.shape, Shape::Broken(_)) {
             self.entity.shape = Shape::broken(error);

@@ -2,14 +2,16 @@
 
 use std::borrow::Cow;
 
-use super::super::error::{Place, ReadError};
+use wirebend_error::ErrorRemedy;
+
+use super::super::error::{Location, ReadError};
 use super::super::text::{Source, excerpt, lines};
 
 /// What every binary file begins with.
 pub(super) const BINARY: &[u8] = b"AutoCAD Binary DXF\r\n\x1a\0";
 
 const EXPECTED: &str = "a group code, which is a whole number from -5 to 1071";
-const HELP: &str = "correct the line or export the file again";
+const HELP: ErrorRemedy = ErrorRemedy::CorrectFile;
 
 /// A value: text from a text file, whatever it means; what the code says from a binary one.
 #[derive(Debug, Clone)]
@@ -19,11 +21,10 @@ pub(super) enum Value<'a> {
     Whole(i64),
 }
 
-/// One group.
 #[derive(Debug, Clone)]
 pub(super) struct Pair<'a> {
     /// Of the value.
-    pub(super) place: Place,
+    pub(super) place: Location,
     pub(super) code: i32,
     pub(super) value: Value<'a>,
 }
@@ -37,7 +38,6 @@ impl Pair<'_> {
         }
     }
 
-    /// A finite number.
     pub(super) fn real(&self, source: Source<'_>) -> Result<f64, ReadError> {
         let number = match &self.value {
             Value::Text(text) => text.trim().parse().ok(),
@@ -48,7 +48,6 @@ impl Pair<'_> {
         number.filter(|number: &f64| number.is_finite()).ok_or_else(|| self.no(source, "finite number"))
     }
 
-    /// A whole number.
     pub(super) fn whole(&self, source: Source<'_>) -> Result<i64, ReadError> {
         let number = match &self.value {
             Value::Text(text) => text.trim().parse().ok(),
@@ -106,16 +105,16 @@ fn text_pair<'a>(
         if code.trim().is_empty() && lines.all(|(_, line)| line.trim().is_empty()) {
             return Ok(None);
         }
-        return Err(source.syntax(Place::Line(line), code, EXPECTED, HELP));
+        return Err(source.syntax(Location::Line(line), code, EXPECTED, HELP));
     };
     if !(-5..=1071).contains(&number) {
-        return Err(source.syntax(Place::Line(line), code, EXPECTED, HELP));
+        return Err(source.syntax(Location::Line(line), code, EXPECTED, HELP));
     }
     let Some((line, value)) = lines.next() else {
         let announced = format!("a value of group {number} has to follow");
-        return Err(source.truncated(Place::Line(line), announced, "the file ends".into()));
+        return Err(source.truncated(Location::Line(line), announced, "the file ends".into()));
     };
-    Ok(Some(Pair { place: Place::Line(line), code: number, value: Value::Text(value.into()) }))
+    Ok(Some(Pair { place: Location::Line(line), code: number, value: Value::Text(value.into()) }))
 }
 
 struct Binary<'a> {
@@ -130,7 +129,7 @@ impl<'a> Binary<'a> {
         let Some(bytes) = self.bytes.get(self.at..end) else {
             let left = self.bytes.len().saturating_sub(self.at);
             let announced = format!("{count} bytes of a group have to follow");
-            return Err(source.truncated(Place::Byte(self.at), announced, format!("there are {left}")));
+            return Err(source.truncated(Location::Byte(self.at), announced, format!("there are {left}")));
         };
         self.at = end;
         Ok(bytes)
@@ -145,13 +144,13 @@ impl<'a> Binary<'a> {
     }
 
     fn code(&mut self, source: Source<'_>) -> Result<i32, ReadError> {
-        let place = Place::Byte(self.at);
+        let place = Location::Byte(self.at);
         let code = if self.wide { self.whole(2, source)? } else { i64::from(self.take(1, source)?[0]) };
         // One byte of 255 announces two bytes, for the codes from 1000 on.
         let code = if !self.wide && code == 255 { self.whole(2, source)? } else { code };
         match i32::try_from(code) {
             Ok(code) if (-5..=1071).contains(&code) => Ok(code),
-            _ => Err(source.syntax(place, &code.to_string(), EXPECTED, "export the file again")),
+            _ => Err(source.syntax(place, &code.to_string(), EXPECTED, ErrorRemedy::ExportAgain)),
         }
     }
 
@@ -160,7 +159,7 @@ impl<'a> Binary<'a> {
             return Ok(None);
         }
         let code = self.code(source)?;
-        let place = Place::Byte(self.at);
+        let place = Location::Byte(self.at);
         let value = match code {
             10..=59 | 110..=149 | 210..=239 | 460..=469 | 1010..=1059 => {
                 let bits = self.whole(8, source)?;

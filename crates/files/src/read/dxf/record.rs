@@ -3,8 +3,9 @@
 use std::borrow::Cow;
 
 use nalgebra::{Matrix3, Point3, Vector3};
+use wirebend_error::ErrorRemedy;
 
-use super::super::error::{Place, ReadError};
+use super::super::error::{Location, ReadError};
 use super::super::text::Source;
 use super::pairs::{Pair, Pairs};
 
@@ -12,7 +13,7 @@ use super::pairs::{Pair, Pairs};
 #[derive(Debug)]
 pub(super) struct Record<'a> {
     pub(super) source: Source<'a>,
-    pub(super) place: Place,
+    pub(super) place: Location,
     pub(super) kind: String,
     pub(super) pairs: Vec<Pair<'a>>,
 }
@@ -34,8 +35,8 @@ impl<'a> Records<'a> {
                 Some(pair) if pair.code == 0 => break Some(pair),
                 Some(pair) => {
                     let found = format!("{} {}", pair.code, pair.text());
-                    let help = "check that this is a DXF file; DWG files have to be saved as DXF";
-                    return Err(source.syntax(pair.place, &found, "0 SECTION", help));
+                    let remedy = ErrorRemedy::ExportAs { form: "DXF".to_owned() };
+                    return Err(source.syntax(pair.place, &found, "0 SECTION", remedy));
                 }
                 None => break None,
             }
@@ -93,7 +94,7 @@ impl Record<'_> {
     pub(super) fn lacks(&self, code: i32) -> ReadError {
         let found = format!("{} without group {code}", self.kind);
         let expected = format!("a value of group {code}");
-        self.source.syntax(self.place.clone(), &found, expected, "export the file again")
+        self.source.syntax(self.place.clone(), &found, expected, ErrorRemedy::ExportAgain)
     }
 
     /// The point whose x has the code; y and z follow by tens, z is 0 if absent.
@@ -108,12 +109,12 @@ impl Record<'_> {
         let [x, y, z] = [210, 220, 230].map(|code| self.real(code));
         let extrusion = Vector3::new(x?.unwrap_or(0.0), y?.unwrap_or(0.0), z?.unwrap_or(1.0));
         let Some(z) = extrusion.try_normalize(1e-12) else {
-            let help = "export the file again";
+            let remedy = ErrorRemedy::ExportAgain;
             return Err(self.source.syntax(
                 self.place.clone(),
                 "0, 0, 0",
                 "an extrusion with a length",
-                help,
+                remedy,
             ));
         };
         let close = z.x.abs() < 1.0 / 64.0 && z.y.abs() < 1.0 / 64.0;

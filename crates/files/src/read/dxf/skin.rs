@@ -4,7 +4,7 @@ use std::collections::{HashMap, HashSet};
 
 use nalgebra::{Affine3, Point3};
 
-use super::super::error::{Place, ReadError};
+use super::super::error::{Location, ReadError};
 use super::super::note::NoteKind;
 use super::super::outline::Pen;
 use super::faces::Faces;
@@ -22,7 +22,7 @@ impl Skin {
     pub(super) fn add(
         &mut self,
         pen: &mut Pen<'_>,
-        place: &Place,
+        place: &Location,
         faces: &Faces,
         map: &Affine3<f64>,
     ) -> Result<(), ReadError> {
@@ -61,7 +61,7 @@ impl Skin {
         Ok(())
     }
 
-    fn corner(&mut self, pen: &mut Pen<'_>, place: &Place, point: Point3<f64>) -> Result<u32, ReadError> {
+    fn corner(&mut self, pen: &mut Pen<'_>, place: &Location, point: Point3<f64>) -> Result<u32, ReadError> {
         // Adding zero makes -0 and 0 the same bits.
         let bits = [point.x, point.y, point.z].map(|c| (c + 0.0).to_bits());
         if let Some(&index) = self.corners.get(&bits) {

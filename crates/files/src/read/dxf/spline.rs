@@ -2,6 +2,7 @@
 
 use nalgebra::Point3;
 use wirebend_core::curve::Spline;
+use wirebend_error::ErrorRemedy;
 
 use super::super::error::ReadError;
 use super::super::note::NoteKind;
@@ -39,7 +40,7 @@ pub(super) fn shape(record: &Record<'_>) -> Result<Shape, ReadError> {
     let degree = usize::try_from(degree).unwrap_or_default();
     let spline = Spline::new(degree, knots, control, weights).map_err(|error| {
         let expected = "degree, knots and control points that fit together";
-        source.refused(record.place.clone(), &error, expected, "export the file again")
+        source.refused(record.place.clone(), &error, expected, ErrorRemedy::ExportAgain)
     })?;
     // The first point that the curve has, which is not always a control point.
     let start = spline.start();

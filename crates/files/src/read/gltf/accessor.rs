@@ -1,13 +1,14 @@
 //! Numbers out of buffers, each range checked before anything is made for it.
 
 use nalgebra::Point3;
+use wirebend_error::ErrorRemedy;
 
 use super::super::beside::Beside;
-use super::super::error::{Place, ReadError};
+use super::super::error::{Location, ReadError};
 use super::super::text::Source;
 use super::file::{Accessor, EMBEDDED, Root, embedded};
 
-const HELP: &str = "export the file again";
+const HELP: ErrorRemedy = ErrorRemedy::ExportAgain;
 
 /// The buffers of a file, decoded when they are first used.
 pub(super) struct Data<'a> {
@@ -42,7 +43,7 @@ impl<'a> Data<'a> {
     pub(super) fn get<T>(&self, list: &'a [T], index: usize, what: &'static str) -> Result<&'a T, ReadError> {
         list.get(index).ok_or_else(|| ReadError::Index {
             file: self.source.name.to_owned(),
-            place: Place::File,
+            place: Location::File,
             found: index.to_string(),
             what,
             have: format!("they count from 0 and there are {}", list.len()),
@@ -62,7 +63,7 @@ impl<'a> Data<'a> {
             None => Ok(points),
             Some(k) => Err(ReadError::Number {
                 file: self.source.name.to_owned(),
-                place: Place::Item("vertex", k),
+                place: Location::Item("vertex", k),
                 found: format!("{:?}", points[k].coords.as_slice()),
                 expected: "finite position",
             }),
@@ -74,7 +75,7 @@ impl<'a> Data<'a> {
         let component = self.get(&self.root.accessors, index, "accessor")?.component_type;
         if !matches!(component, 5121 | 5123 | 5125) {
             let expected = "indices of type 5121, 5123 or 5125";
-            let place = Place::Item("accessor", index);
+            let place = Location::Item("accessor", index);
             return Err(self.source.syntax(place, &component.to_string(), expected, HELP));
         }
         let numbers = self.numbers(index, "SCALAR", 1)?;
@@ -83,7 +84,7 @@ impl<'a> Data<'a> {
         if let Some(bad) = bad {
             return Err(ReadError::Index {
                 file: self.source.name.to_owned(),
-                place: Place::Item("accessor", index),
+                place: Location::Item("accessor", index),
                 found: bad.to_string(),
                 what: "vertex",
                 have: format!("they count from 0 and there are {have}"),
@@ -97,7 +98,7 @@ impl<'a> Data<'a> {
     fn numbers(&mut self, index: usize, shape: &str, width: usize) -> Result<Vec<f64>, ReadError> {
         let root = self.root;
         let accessor: &Accessor = self.get(&root.accessors, index, "accessor")?;
-        let place = Place::Item("accessor", index);
+        let place = Location::Item("accessor", index);
         if accessor.shape != shape {
             return Err(self.source.syntax(place, &accessor.shape, format!("type {shape}"), HELP));
         }
@@ -139,7 +140,7 @@ impl<'a> Data<'a> {
         count: usize,
         layout: Layout,
     ) -> Result<Vec<f64>, ReadError> {
-        let (root, place) = (self.root, Place::Item("accessor", accessor));
+        let (root, place) = (self.root, Location::Item("accessor", accessor));
         let view = self.get(&root.buffer_views, view, "buffer view")?;
         let Some(size) = size(layout.component) else {
             let expected = "a component type from 5120 to 5126";
@@ -174,8 +175,13 @@ impl<'a> Data<'a> {
             }
             (None, Some(binary)) if index == 0 => Ok(binary),
             (None, _) => {
-                let place = Place::Item("buffer", index);
-                Err(self.source.syntax(place, "no bytes", "bytes in the file", "export as .glb"))
+                let place = Location::Item("buffer", index);
+                Err(self.source.syntax(
+                    place,
+                    "no bytes",
+                    "bytes in the file",
+                    ErrorRemedy::ExportAs { form: ".glb".to_owned() },
+                ))
             }
         }
     }
@@ -205,7 +211,7 @@ fn size(component: u32) -> Option<usize> {
 
 /// One component, as many bytes as it has. A normalized whole number is a share of its largest value.
 fn number(bytes: &[u8], layout: Layout) -> f64 {
-    let share = |value: f64, most: f64| if layout.normalized { (value / most).max(-1.0) } else { value };
+    let share = |value: f64, max: f64| if layout.normalized { (value / max).max(-1.0) } else { value };
     match (layout.component, bytes) {
         (5120, &[a]) => share(a.cast_signed().into(), 127.0),
         (5121, &[a]) => share(a.into(), 255.0),

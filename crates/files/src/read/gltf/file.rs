@@ -3,11 +3,12 @@
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
 use serde::Deserialize;
+use wirebend_error::ErrorRemedy;
 
-use super::super::error::{Place, ReadError};
+use super::super::error::{Location, ReadError};
 use super::super::text::{Source, utf8};
 
-const DAMAGED: &str = "export or download the file again";
+const DAMAGED: ErrorRemedy = ErrorRemedy::ExportAgain;
 
 /// The parts of the JSON that say where geometry is.
 #[derive(Debug, Default, Deserialize)]
@@ -116,7 +117,7 @@ pub(super) struct Buffer {
 pub(super) fn open<'a>(bytes: &'a [u8], source: Source<'_>) -> Result<(Root, Option<&'a [u8]>), ReadError> {
     let (json, binary) = if bytes.starts_with(b"glTF") { chunks(bytes, source)? } else { (bytes, None) };
     let root = serde_json::from_slice(&utf8(json)).map_err(|error| {
-        source.refused(Place::Line(error.line()), &error, "a glTF object as JSON", DAMAGED)
+        source.refused(Location::Line(error.line()), &error, "a glTF object as JSON", DAMAGED)
     })?;
     Ok((root, binary))
 }
@@ -129,28 +130,33 @@ fn word(bytes: &[u8], at: usize) -> Option<u32> {
 fn chunks<'a>(bytes: &'a [u8], source: Source<'_>) -> Result<(&'a [u8], Option<&'a [u8]>), ReadError> {
     let version = word(bytes, 4).unwrap_or_default();
     if bytes.len() >= 12 && version != 2 {
-        let help = "save it as glTF 2.0";
-        return Err(source.syntax(Place::Byte(4), &version.to_string(), "version 2 of binary glTF", help));
+        let remedy = ErrorRemedy::ExportAs { form: "glTF 2.0".to_owned() };
+        return Err(source.syntax(
+            Location::Byte(4),
+            &version.to_string(),
+            "version 2 of binary glTF",
+            remedy,
+        ));
     }
     let (mut at, mut json, mut binary) = (12, None, None);
     while json.is_none() || at < bytes.len() {
         let (Some(length), Some(kind)) = (word(bytes, at), word(bytes, at + 4)) else {
             let announced = "a chunk has 8 bytes and what they announce".to_owned();
             let left = format!("there are {}", bytes.len().saturating_sub(at));
-            return Err(source.truncated(Place::Byte(at.min(bytes.len())), announced, left));
+            return Err(source.truncated(Location::Byte(at.min(bytes.len())), announced, left));
         };
         let begin = at + 8;
         let end = begin.saturating_add(length as usize);
         let Some(chunk) = bytes.get(begin..end) else {
             let left = format!("there are {}", bytes.len() - begin);
-            return Err(source.truncated(Place::Byte(at), format!("a chunk of {length} bytes"), left));
+            return Err(source.truncated(Location::Byte(at), format!("a chunk of {length} bytes"), left));
         };
         match (&kind.to_le_bytes(), json, binary) {
             (b"JSON", None, _) => json = Some(chunk),
             (b"BIN\0", Some(_), None) => binary = Some(chunk),
             (_, None, _) => {
                 return Err(source.syntax(
-                    Place::Byte(at),
+                    Location::Byte(at),
                     "another chunk",
                     "JSON in the first chunk",
                     DAMAGED,
@@ -169,7 +175,7 @@ pub(super) const EMBEDDED: &str = "data:";
 
 /// The bytes of a buffer that are written into the JSON, as they stand behind [`EMBEDDED`].
 pub(super) fn embedded(data: &str, buffer: usize, source: Source<'_>) -> Result<Vec<u8>, ReadError> {
-    let place = Place::Item("buffer", buffer);
+    let place = Location::Item("buffer", buffer);
     let decoded = data.split_once(";base64,").and_then(|(_, text)| BASE64_STANDARD.decode(text.trim()).ok());
     decoded.ok_or_else(|| source.syntax(place, data, "a data address with base64", DAMAGED))
 }

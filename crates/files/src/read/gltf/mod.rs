@@ -15,14 +15,15 @@ use self::file::{Node, Primitive, open};
 use super::Imported;
 use super::beside::Beside;
 use super::drawing::Drawing;
-use super::error::{Place, ReadError};
+use super::error::{Location, ReadError};
 use super::format::Format;
 use super::note::NoteKind;
 use super::options::ReadOptions;
 use super::text::{Source, excerpt};
+use wirebend_error::ErrorRemedy;
 
 /// How deep nodes may hold nodes.
-const DEEPEST: usize = 256;
+const MAX_DEPTH: usize = 256;
 const METRE_MM: f64 = 1e3;
 
 /// Extensions that change no position, by how their names begin, and the one that only makes numbers smaller.
@@ -40,14 +41,19 @@ const HARMLESS: &[&str] = &[
 pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> Result<Imported, ReadError> {
     let (root, binary) = open(bytes, source)?;
     if root.asset.version.split('.').next() != Some("2") {
-        let help = "save it as glTF 2.0";
-        return Err(source.syntax(Place::File, &root.asset.version, "asset version 2.0", help));
+        let remedy = ErrorRemedy::ExportAs { form: "glTF 2.0".to_owned() };
+        return Err(source.syntax(Location::File, &root.asset.version, "asset version 2.0", remedy));
     }
     let harmless = |name: &&String| HARMLESS.iter().any(|begin| name.starts_with(begin));
     if let Some(name) = root.extensions_required.iter().find(|name| !harmless(name)) {
         let what = format!("a model that requires {}", excerpt(name));
-        let help = "export it without compression and extensions";
-        return Err(ReadError::Unsupported { file: source.name.to_owned(), place: Place::File, what, help });
+        let remedy = ErrorRemedy::ExportWithout { part: "compression and extensions".to_owned() };
+        return Err(ReadError::Unsupported {
+            file: source.name.to_owned(),
+            place: Location::File,
+            what,
+            remedy: Box::new(remedy),
+        });
     }
     let mut drawing = Drawing { unit_mm: Some(METRE_MM), ..Drawing::default() };
     drawing.notes.add(NoteKind::AxisUp, 1);
@@ -96,7 +102,7 @@ struct Walk<'a> {
 
 impl Walk<'_> {
     fn node(&mut self, index: usize, map: &Affine3<f64>) -> Result<(), ReadError> {
-        let (source, root, place) = (self.data.source, self.data.root, Place::Item("node", index));
+        let (source, root, place) = (self.data.source, self.data.root, Location::Item("node", index));
         source.room_within(place.clone(), self.met, "nodes, with those within")?;
         self.met += 1;
         let node = self.data.get(&root.nodes, index, "node")?;
@@ -104,8 +110,8 @@ impl Walk<'_> {
         if self.open.contains(&index) {
             return Err(ReadError::Loop { file, place, what: "node", name: index.to_string() });
         }
-        if self.open.len() == DEEPEST {
-            return Err(ReadError::TooDeep { file, place, what: "nodes in nodes are", limit: DEEPEST });
+        if self.open.len() == MAX_DEPTH {
+            return Err(ReadError::TooDeep { file, place, what: "nodes in nodes are", limit: MAX_DEPTH });
         }
         let map = map * own_map(node);
         if let Some(mesh) = node.mesh {
@@ -113,7 +119,7 @@ impl Walk<'_> {
             for primitive in &self.data.get(&root.meshes, mesh, "mesh")?.primitives {
                 source.room_within(place.clone(), self.met, "nodes and primitives, with those within")?;
                 self.met += 1;
-                self.primitive(primitive, &map, &Place::Item("mesh", mesh))?;
+                self.primitive(primitive, &map, &Location::Item("mesh", mesh))?;
             }
         }
         self.open.push(index);
@@ -126,7 +132,7 @@ impl Walk<'_> {
         &mut self,
         primitive: &Primitive,
         map: &Affine3<f64>,
-        place: &Place,
+        place: &Location,
     ) -> Result<(), ReadError> {
         let source = self.data.source;
         let Some(&positions) = primitive.attributes.get("POSITION") else {
@@ -155,7 +161,13 @@ impl Walk<'_> {
     }
 
     /// What the corners are in order of, by the format's codes.
-    fn shapes(&mut self, mode: u32, order: &[u32], mirrored: bool, place: &Place) -> Result<(), ReadError> {
+    fn shapes(
+        &mut self,
+        mode: u32,
+        order: &[u32],
+        mirrored: bool,
+        place: &Location,
+    ) -> Result<(), ReadError> {
         let edges = &mut self.drawing.edges;
         let left_over = match mode {
             0 => {
@@ -198,7 +210,7 @@ impl Walk<'_> {
                     place.clone(),
                     &found,
                     expected,
-                    "export the file again",
+                    ErrorRemedy::ExportAgain,
                 ));
             }
         };

@@ -26,12 +26,13 @@ use self::tree::{Tree, parse};
 use self::walk::{Context, Walk};
 use super::Imported;
 use super::drawing::Drawing;
-use super::error::{Place, ReadError};
+use super::error::{Location, ReadError};
 use super::format::Format;
 use super::note::NoteKind;
 use super::options::ReadOptions;
 use super::outline::Pen;
 use super::text::{Source, decode};
+use wirebend_error::ErrorRemedy;
 
 /// Reads all shapes that are not hidden.
 pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> Result<Imported, ReadError> {
@@ -40,9 +41,9 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
     let tree = Tree::new(&document, source)?;
     let root = document.root_element();
     if root.tag_name().name() != "svg" {
-        let help = "check that this is an SVG file";
-        let place = Place::Line(1);
-        return Err(source.syntax(place, root.tag_name().name(), "an svg element around all others", help));
+        let remedy = ErrorRemedy::CheckRightFile;
+        let place = Location::Line(1);
+        return Err(source.syntax(place, root.tag_name().name(), "an svg element around all others", remedy));
     }
     let sheet = Sheet::of(&tree, root, options)?;
     let mut drawing = Drawing { unit_mm: sheet.unit_mm, ..Drawing::default() };

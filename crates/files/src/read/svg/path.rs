@@ -1,5 +1,9 @@
 //! The data of a path element: all its commands, arcs as arcs.
+//!
+//! `svgtypes` splits the text into commands. Its `SimplifyingPathParser` would also resolve relative and smooth ones, but
+//! makes cubics of arcs, within 0.1 of whatever unit the file has: a circle of 5 mm would be bent 0.1 mm off.
 
+use kurbo::{Arc, SvgArc};
 use nalgebra::{Affine3, Point3, Rotation3, Vector3};
 use svgtypes::{PathParser, PathSegment};
 use wirebend_core::curve::{EllipticArc, Spline};
@@ -106,44 +110,34 @@ impl Path {
     }
 }
 
-/// From the two ends of an arc to its centre, as SVG says in its notes on the implementation (F.6.5, F.6.6): radii of
-/// 0 are a straight line, radii that are too short are stretched.
+/// Shorter than this, `kurbo` takes the distance between the ends of an arc for zero where it divides by its square.
+const MIN_CHORD: f64 = 1e-100;
+
+/// The arc of a path from its two ends, whose centre `kurbo` works out: radii of 0 are a straight line, radii that are too
+/// short are stretched.
 pub(super) fn arc(
     from: Point3<f64>,
     to: Point3<f64>,
     radii: [f64; 2],
     rotation_deg: f64,
-    large: bool,
-    positive: bool,
+    large_arc: bool,
+    sweep: bool,
 ) -> Piece {
-    let [rx, ry] = radii.map(f64::abs);
-    if from == to || rx == 0.0 || ry == 0.0 {
-        return Piece::Line(to);
-    }
-    let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), rotation_deg.to_radians());
-    let half = turn.inverse() * ((from - to) / 2.0);
-    let reach = (half.x / rx).hypot(half.y / ry);
-    let stretch = reach.max(1.0);
-    let (rx, ry) = (rx * stretch, ry * stretch);
-    // On the unit circle: the middle of the chord is 0, its ends are ± `chord`.
-    let chord = Vector3::new(half.x / rx, half.y / ry, 0.0);
-    let away = (1.0 / chord.norm_squared() - 1.0).max(0.0).sqrt();
-    let side = if large == positive { -1.0 } else { 1.0 };
-    let centre = Vector3::new(chord.y, -chord.x, 0.0) * (side * away);
-    let (first, last) = (chord - centre, -chord - centre);
-    let start = first.y.atan2(first.x);
-    let mut sweep = (last.y.atan2(last.x) - start).rem_euclid(std::f64::consts::TAU);
-    if !positive {
-        sweep -= std::f64::consts::TAU;
-    }
-    let middle = nalgebra::center(&from, &to);
-    let u = turn * (Vector3::x() * rx);
-    let v = turn * (Vector3::y() * ry);
-    let (start, sweep) = (Angle::from_rad(start), Angle::from_rad(sweep));
-    match (start, sweep) {
+    let ends = SvgArc {
+        from: kurbo::Point::new(from.x, from.y),
+        to: kurbo::Point::new(to.x, to.y),
+        radii: kurbo::Vec2::new(radii[0], radii[1]),
+        x_rotation: rotation_deg.to_radians(),
+        large_arc,
+        sweep,
+    };
+    let has_length = (to - from).norm() >= MIN_CHORD;
+    let Some(arc) = has_length.then(|| Arc::from_svg_arc(&ends)).flatten() else { return Piece::Line(to) };
+    let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), arc.x_rotation);
+    let [u, v] = [Vector3::x() * arc.radii.x, Vector3::y() * arc.radii.y].map(|axis| turn * axis);
+    match (Angle::from_rad(arc.start_angle), Angle::from_rad(arc.sweep_angle)) {
         (Ok(start), Ok(sweep)) => {
-            let centre = middle + u * centre.x + v * centre.y;
-            Piece::Arc(EllipticArc { centre, u, v, start, sweep }, to)
+            Piece::Arc(EllipticArc { centre: flat(arc.center.x, arc.center.y), u, v, start, sweep }, to)
         }
         // Radii that leave the finite numbers.
         _ => Piece::Line(flat(f64::NAN, f64::NAN)),

@@ -3,13 +3,18 @@
 //! Selectors of elements, classes and ids are understood, also within and directly within others; the stronger rule wins
 //! (CSS 2.1, 6.4). What depends on more, such as `:hover` or the width of a window, is counted where it would hide
 //! something.
+//!
+//! `simplecss` 0.2.2, which `usvg` reads style sheets with, would give wire that a drawing hides: it skips `@media screen { … }`, ends a list of declarations at the first value that it does not know
+//! (`font: 12px/1.5 serif; display: none`), and ends names at the letters U+0080 to U+00ED (`.gerät`). It does not tell
+//! which rules it has left out, so nothing could be counted, and it tries each selector on each element, with every
+//! combination of the elements around it: a small file could keep it busy for ever.
 
 use std::collections::HashMap;
 use std::rc::Rc;
 
 use roxmltree::{Document, Node, NodeId};
 
-/// The properties that are looked at, and of those that hide something the values that there are.
+/// The properties that are read; for those that can hide an element, their valid values.
 const LOOKED_AT: &[(&str, Option<&[&str]>)] = &[
     ("display", Some(DISPLAYS)),
     ("visibility", Some(&["visible", "hidden", "collapse", "inherit", "initial", "unset"])),
@@ -52,15 +57,15 @@ const DISPLAYS: &[&str] = &[
     "initial",
     "unset",
 ];
-/// How often rules are compared with elements: a hundred rules for each of twenty thousand elements. Of programs that
+/// How many comparisons of rules with elements are made: a hundred rules for each of twenty thousand elements. Of programs that
 /// draw, an element has a class or two with a rule each.
-const MOST_COMPARED: usize = 2_000_000;
+const MAX_COMPARISONS: usize = 2_000_000;
 /// How many selectors a drawing may have.
-const MOST_RULES: usize = 100_000;
-/// How deep blocks for screens may stand in such blocks.
-const DEEPEST: usize = 8;
+const MAX_RULES: usize = 100_000;
+/// How deep `@media screen` blocks may be nested.
+const MAX_DEPTH: usize = 8;
 
-/// A property and its value, and whether it says that it is important.
+/// A property with its value, and whether it is `!important`.
 #[derive(Debug, Clone)]
 struct Declaration {
     name: &'static str,
@@ -68,7 +73,7 @@ struct Declaration {
     important: bool,
 }
 
-/// What is said in order between `{` and `}`, or in a style attribute.
+/// The declarations between `{` and `}`, or in a style attribute, in order.
 fn declarations(text: &str) -> impl Iterator<Item = Declaration> {
     text.split(';').filter_map(|pair| {
         let (name, value) = pair.split_once(':')?;
@@ -76,7 +81,7 @@ fn declarations(text: &str) -> impl Iterator<Item = Declaration> {
         let &(name, values) = LOOKED_AT.iter().find(|(known, _)| *known == name)?;
         let (value, mark) = value.split_once('!').unwrap_or((value, ""));
         let value = value.trim().to_owned();
-        // What has no meaning counts as not written.
+        // An invalid value is ignored.
         let known = values.is_none_or(|values| values.iter().any(|known| value.eq_ignore_ascii_case(known)));
         let value = if values.is_some() { value.to_ascii_lowercase() } else { value };
         let important = mark.trim().eq_ignore_ascii_case("important");
@@ -84,7 +89,7 @@ fn declarations(text: &str) -> impl Iterator<Item = Declaration> {
     })
 }
 
-/// The same without what a later one outweighs.
+/// The same without declarations that a later one overrides.
 fn last_of_each(text: &str) -> Vec<Declaration> {
     let mut last: Vec<Declaration> = Vec::new();
     for said in declarations(text) {
@@ -100,7 +105,7 @@ struct Simple {
     element: Option<String>,
     classes: Vec<String>,
     ids: Vec<String>,
-    /// Whether the one before is the parent, and not any element around.
+    /// Whether the element before must be the parent, and not just an ancestor.
     child: bool,
 }
 
@@ -135,7 +140,7 @@ impl Simple {
     }
 }
 
-/// By what a rule is found, of the element that it is for.
+/// The key by which the rules for an element are found.
 #[derive(Debug, PartialEq, Eq, Hash)]
 enum Key<'a> {
     Id(&'a str),
@@ -172,20 +177,20 @@ impl Rule {
         }
     }
 
-    /// Whether it is for an element; counts what it is compared with.
-    fn fits(&self, node: Node<'_, '_>, compared: &mut usize) -> bool {
+    /// Whether it is for an element; counts the comparisons.
+    fn fits(&self, node: Node<'_, '_>, comparisons: &mut usize) -> bool {
         let Some((last, around)) = self.path.split_last() else { return false };
-        *compared += effort(node);
+        *comparisons += effort(node);
         let mut child = last.child;
         if !last.fits(node) {
             return false;
         }
         let mut outer = node.parent_element();
         for simple in around.iter().rev() {
-            // The nearest that fits will do, but for parents of parents, which no drawing has.
+            // The nearest match is enough, except for child combinators further out, which drawings do not use.
             let found = std::iter::successors(outer, Node::parent_element)
                 .take(if child { 1 } else { usize::MAX })
-                .inspect(|node| *compared += effort(*node))
+                .inspect(|node| *comparisons += effort(*node))
                 .find(|node| simple.fits(*node));
             let Some(found) = found else { return false };
             child = simple.child;
@@ -195,21 +200,21 @@ impl Rule {
     }
 }
 
-/// How much it is to compare a rule with an element: a long list of classes is looked through each time.
+/// The cost of comparing a rule with an element: a long list of classes is searched each time.
 fn effort(node: Node<'_, '_>) -> usize {
     1 + node.attribute("class").map_or(0, str::len) / 64
 }
 
-/// What the styles of a drawing say of its elements, sheets and attributes weighed against each other.
+/// The computed properties of the elements, from style sheets and style attributes.
 #[derive(Debug, Default)]
 pub(super) struct Styles {
     said: HashMap<NodeId, Vec<(&'static str, String)>>,
-    /// Rules that hide something, of which nobody knows what.
+    /// Rules that hide something and whose selectors or conditions are not understood.
     pub(super) misunderstood: usize,
 }
 
 impl Styles {
-    /// None where comparing all rules with all elements would never end.
+    /// `None` if comparing all rules with all elements would take too long.
     pub(super) fn of(document: &Document<'_>) -> Option<Self> {
         let mut styles = Self::default();
         let mut rules = Vec::new();
@@ -225,7 +230,7 @@ impl Styles {
                 styles.misunderstood += 1;
             }
         }
-        if rules.len() > MOST_RULES {
+        if rules.len() > MAX_RULES {
             return None;
         }
         styles.weigh(document, &rules)?;
@@ -253,7 +258,7 @@ impl Styles {
                 continue;
             }
             // One more than there may be is enough to refuse them.
-            for selector in head.split(',').take((MOST_RULES + 1).saturating_sub(rules.len())) {
+            for selector in head.split(',').take((MAX_RULES + 1).saturating_sub(rules.len())) {
                 match path(selector) {
                     Some(path) => rules.push(Rule { path, said: said.clone() }),
                     None => self.misunderstood += usize::from(hides(said.iter())),
@@ -264,7 +269,7 @@ impl Styles {
 
     /// Rules under a condition.
     fn block(&mut self, head: &str, body: &str, depth: usize, rules: &mut Vec<Rule>) {
-        if matches!(head, "@media screen" | "@media all") && depth < DEEPEST {
+        if matches!(head, "@media screen" | "@media all") && depth < MAX_DEPTH {
             self.rules(body, depth + 1, rules);
             return;
         }
@@ -278,17 +283,17 @@ impl Styles {
         for (order, rule) in rules.iter().enumerate() {
             by_key.entry(rule.key()).or_default().push(order);
         }
-        let mut compared = 0;
+        let mut comparisons = 0;
         for node in document.descendants().filter(Node::is_element) {
             let classes = node.attribute("class").unwrap_or_default().split_whitespace().map(Key::Class);
             let id = node.attribute("id").unwrap_or_default();
             let others = [Key::Any, Key::Element(node.tag_name().name()), Key::Id(id)];
             let mut fitting: Vec<usize> = Vec::new();
             for order in others.into_iter().chain(classes).filter_map(|key| by_key.get(&key)).flatten() {
-                if compared > MOST_COMPARED {
+                if comparisons > MAX_COMPARISONS {
                     return None;
                 }
-                if rules[*order].fits(node, &mut compared) {
+                if rules[*order].fits(node, &mut comparisons) {
                     fitting.push(*order);
                 }
             }

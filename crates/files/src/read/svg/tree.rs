@@ -3,20 +3,19 @@
 use std::collections::HashMap;
 
 use roxmltree::{Document, Error, Node, ParsingOptions};
+use wirebend_error::ErrorRemedy;
 
-use super::super::error::{Place, ReadError};
+use super::super::error::{Location, ReadError};
 use super::super::text::{LIMIT, Source};
 use super::style::Styles;
 
 /// How many bytes entities may become.
-const MOST_EXPANDED: usize = 64 << 20;
+const MAX_EXPANDED: usize = 64 << 20;
 /// How many entities a file may declare; programs that draw declare a dozen.
-const MOST_ENTITIES: usize = 256;
+const MAX_ENTITIES: usize = 256;
 /// How many attributes an element may have, by their equals signs; those of a path or a style are a few.
-const MOST_EQUALS: usize = 10_000;
-const HELP: &str = "export the file again as plain SVG, or correct the line";
+const MAX_EQUALS_SIGNS: usize = 10_000;
 
-/// The elements.
 pub(super) struct Tree<'a, 'input> {
     pub(super) source: Source<'a>,
     pub(super) document: &'a Document<'input>,
@@ -32,19 +31,24 @@ pub(super) struct Tree<'a, 'input> {
 /// [`ReadError::Syntax`] with the line, [`ReadError::TooMany`].
 pub(super) fn parse<'input>(text: &'input str, source: Source<'_>) -> Result<Document<'input>, ReadError> {
     let references = text.bytes().filter(|byte| *byte == b'&').count();
-    if expanded(text).is_none_or(|most| most.saturating_mul(references) > MOST_EXPANDED) {
+    if expanded(text).is_none_or(|longest| longest.saturating_mul(references) > MAX_EXPANDED) {
         let (file, what) = (source.name.to_owned(), "a text that entities make so long".to_owned());
-        return Err(ReadError::Unsupported { file, place: Place::File, what, help: HELP });
+        return Err(ReadError::Unsupported {
+            file,
+            place: Location::File,
+            what,
+            remedy: Box::new(plain_svg()),
+        });
     }
     // The parser compares each attribute of an element with all before it.
-    let most = text.split('<').map(|tag| tag.bytes().filter(|byte| *byte == b'=').count()).max();
-    if most.is_some_and(|most| most > MOST_EQUALS) {
+    let max = text.split('<').map(|tag| tag.bytes().filter(|byte| *byte == b'=').count()).max();
+    if max.is_some_and(|max| max > MAX_EQUALS_SIGNS) {
         let what = "attributes of one element";
         return Err(ReadError::TooMany {
             file: source.name.to_owned(),
-            place: Place::File,
+            place: Location::File,
             what,
-            limit: MOST_EQUALS,
+            limit: MAX_EQUALS_SIGNS,
         });
     }
     let nodes_limit = u32::try_from(LIMIT).unwrap_or(u32::MAX);
@@ -52,11 +56,11 @@ pub(super) fn parse<'input>(text: &'input str, source: Source<'_>) -> Result<Doc
     Document::parse_with_options(text, options).map_err(|error| match error {
         Error::NodesLimitReached => {
             let file = source.name.to_owned();
-            ReadError::TooMany { file, place: Place::File, what: "elements", limit: LIMIT }
+            ReadError::TooMany { file, place: Location::File, what: "elements", limit: LIMIT }
         }
         error => {
-            let place = Place::Line(error.pos().row as usize);
-            source.refused(place, &error, "an XML text with an svg element", HELP)
+            let place = Location::Line(error.pos().row as usize);
+            source.refused(place, &error, "an XML text with an svg element", plain_svg())
         }
     })
 }
@@ -75,7 +79,7 @@ fn expanded(text: &str) -> Option<usize> {
             // The parser stops a reference that holds more.
             nested = 256;
         }
-        if k == MOST_ENTITIES {
+        if k == MAX_ENTITIES {
             return None;
         }
     }
@@ -89,8 +93,13 @@ impl<'a, 'input> Tree<'a, 'input> {
         let Some(styles) = Styles::of(document) else {
             let (file, what) =
                 (source.name.to_owned(), "a style sheet of so many rules for so many elements".to_owned());
-            let help = "export the file again without style sheets";
-            return Err(ReadError::Unsupported { file, place: Place::File, what, help });
+            let remedy = ErrorRemedy::ExportWithout { part: "style sheets".to_owned() };
+            return Err(ReadError::Unsupported {
+                file,
+                place: Location::File,
+                what,
+                remedy: Box::new(remedy),
+            });
         };
         let elements = document.descendants().filter(Node::is_element);
         // Of elements with one id the first has it.
@@ -105,19 +114,24 @@ impl<'a, 'input> Tree<'a, 'input> {
     }
 
     /// The line where an element begins.
-    pub(super) fn place(&self, node: Node<'_, '_>) -> Place {
-        Place::Line(self.lines.partition_point(|&begin| begin <= node.range().start))
+    pub(super) fn place(&self, node: Node<'_, '_>) -> Location {
+        Location::Line(self.lines.partition_point(|&begin| begin <= node.range().start))
     }
 
     /// A wrong value of an attribute.
     pub(super) fn refuse(&self, node: Node<'_, '_>, name: &str, what: &str) -> ReadError {
         let found = node.attribute(name).unwrap_or_default();
         let expected = format!("another value of {name} ({what})");
-        self.source.syntax(self.place(node), found, expected, HELP)
+        self.source.syntax(self.place(node), found, expected, plain_svg())
     }
 
-    pub(super) fn unsupported(&self, node: Node<'_, '_>, what: &str, help: &'static str) -> ReadError {
+    pub(super) fn unsupported(&self, node: Node<'_, '_>, what: &str, remedy: ErrorRemedy) -> ReadError {
         let (file, place) = (self.source.name.to_owned(), self.place(node));
-        ReadError::Unsupported { file, place, what: what.to_owned(), help }
+        ReadError::Unsupported { file, place, what: what.to_owned(), remedy: Box::new(remedy) }
     }
+}
+
+/// What an editor of drawings writes without its own additions.
+fn plain_svg() -> ErrorRemedy {
+    ErrorRemedy::ExportAs { form: "plain SVG".to_owned() }
 }

@@ -6,6 +6,7 @@ use std::str::FromStr as _;
 use nalgebra::{Affine3, Translation3};
 use roxmltree::{Node, NodeId};
 use svgtypes::Transform;
+use wirebend_error::ErrorRemedy;
 
 use super::super::error::ReadError;
 use super::super::note::NoteKind;
@@ -23,7 +24,7 @@ const XLINK: &str = "http://www.w3.org/1999/xlink";
 /// So many bytes of a path take as long to read again as an element does.
 const BYTES_OF_ELEMENT: usize = 64;
 /// How deep elements may hold elements.
-const DEEPEST: usize = 256;
+const MAX_DEPTH: usize = 256;
 
 /// What elements have from those around them.
 #[derive(Debug, Clone)]
@@ -43,7 +44,6 @@ impl Context {
     }
 }
 
-/// Draws elements.
 pub(super) struct Walk<'a, 'input> {
     tree: &'a Tree<'a, 'input>,
     pub(super) pen: Pen<'a>,
@@ -138,9 +138,14 @@ impl<'a, 'input> Walk<'a, 'input> {
 
     /// What holds for the elements in an element.
     fn within(&self, node: Node<'a, 'input>, context: &Context) -> Result<Context, ReadError> {
-        if context.depth == DEEPEST {
+        if context.depth == MAX_DEPTH {
             let (file, place) = (self.tree.source.name.to_owned(), self.tree.place(node));
-            return Err(ReadError::TooDeep { file, place, what: "elements in elements are", limit: DEEPEST });
+            return Err(ReadError::TooDeep {
+                file,
+                place,
+                what: "elements in elements are",
+                limit: MAX_DEPTH,
+            });
         }
         Ok(Context { depth: context.depth + 1, ..context.clone() })
     }
@@ -164,8 +169,8 @@ impl<'a, 'input> Walk<'a, 'input> {
     fn context(&self, node: Node<'a, 'input>, around: &Context) -> Result<Context, ReadError> {
         let mut context = around.clone();
         if self.tree.styles.moves(node) || node.has_attribute("transform-origin") {
-            let help = "write it as an attribute transform without origin, as plain SVG has it";
-            return Err(self.tree.unsupported(node, "a transform of a style, or with an origin,", help));
+            let remedy = ErrorRemedy::ExportAs { form: "plain SVG".to_owned() };
+            return Err(self.tree.unsupported(node, "a transform of a style, or with an origin,", remedy));
         }
         if let Some(text) = node.attribute("transform") {
             let transform = Transform::from_str(text);
@@ -252,8 +257,13 @@ impl<'a, 'input> Walk<'a, 'input> {
         if self.open.contains(&target.id()) {
             return Err(ReadError::Loop { file, place, what: "element", name: excerpt(href) });
         }
-        if context.depth == DEEPEST {
-            return Err(ReadError::TooDeep { file, place, what: "elements in elements are", limit: DEEPEST });
+        if context.depth == MAX_DEPTH {
+            return Err(ReadError::TooDeep {
+                file,
+                place,
+                what: "elements in elements are",
+                limit: MAX_DEPTH,
+            });
         }
         let at = |name, along| length(self.tree, node, name, context.page, along);
         let (x, y) = (at("x", Along::Width)?, at("y", Along::Height)?);

@@ -16,27 +16,28 @@ use zip::ZipArchive;
 use self::part::{Part, Use, parse};
 use super::Imported;
 use super::drawing::Drawing;
-use super::error::{Place, ReadError};
+use super::error::{Location, ReadError};
 use super::format::Format;
 use super::note::NoteKind;
 use super::options::ReadOptions;
 use super::text::{Source, decode, excerpt};
+use wirebend_error::ErrorRemedy;
 
 /// How many bytes a package may hold once it is unpacked: as large a file as is read of a mesh.
-const MOST_UNPACKED: u64 = 512 << 20;
+const MAX_UNPACKED: u64 = 512 << 20;
 /// How deep objects may hold objects.
-const DEEPEST: usize = 64;
+const MAX_DEPTH: usize = 64;
 /// Where the model is if the package does not say.
 const USUAL_PART: &str = "3D/3dmodel.model";
 
 /// Reads the objects that are built, each where it is put.
 pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> Result<Imported, ReadError> {
     let archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| {
-        let help = "export or download the file again";
-        source.refused(Place::File, &error, "a 3MF package, which is a zip archive", help)
+        let remedy = ErrorRemedy::ExportAgain;
+        source.refused(Location::File, &error, "a 3MF package, which is a zip archive", remedy)
     })?;
     let mut package =
-        Package { archive, source, left: MOST_UNPACKED, parts: HashMap::new(), drawing: Drawing::default() };
+        Package { archive, source, left: MAX_UNPACKED, parts: HashMap::new(), drawing: Drawing::default() };
     let first = package.first_part()?;
     let model = package.take_part(&first)?;
     package.drawing.unit_mm = Some(model.unit_mm);
@@ -75,8 +76,8 @@ impl Package<'_> {
         let Some(index) = index else { return Ok(None) };
         let refuse = |message: &str| {
             let found = format!("{name}: {message}");
-            let help = "export or download the file again, without a password";
-            self.source.refused(Place::File, &found, "a part that can be unpacked", help)
+            let remedy = ErrorRemedy::ExportWithout { part: "a password".to_owned() };
+            self.source.refused(Location::File, &found, "a part that can be unpacked", remedy)
         };
         let file = self.archive.by_index(index).map_err(|error| refuse(&error.to_string()))?;
         let mut bytes = Vec::new();
@@ -84,7 +85,7 @@ impl Package<'_> {
         file.take(self.left + 1).read_to_end(&mut bytes).map_err(|error| refuse(&error.to_string()))?;
         let Some(left) = self.left.checked_sub(bytes.len() as u64) else {
             let file = self.source.name.to_owned();
-            return Err(ReadError::TooLarge { file, bytes: MOST_UNPACKED + 1, limit: MOST_UNPACKED });
+            return Err(ReadError::TooLarge { file, bytes: MAX_UNPACKED + 1, limit: MAX_UNPACKED });
         };
         self.left = left;
         Ok(Some(bytes))
@@ -116,8 +117,8 @@ impl Package<'_> {
 
     fn take_part(&mut self, name: &str) -> Result<Part, ReadError> {
         let Some(bytes) = self.unpack(name)? else {
-            let (found, help) = (format!("no part {name}"), "check that this is a 3MF file with a model");
-            return Err(self.source.syntax(Place::File, &found, "a package with a model", help));
+            let (found, remedy) = (format!("no part {name}"), ErrorRemedy::CheckRightFile);
+            return Err(self.source.syntax(Location::File, &found, "a package with a model", remedy));
         };
         let inner = format!("{} ({name})", self.source.name);
         parse(&decode(&bytes), Source { name: &inner }, &mut self.drawing.notes)
@@ -153,9 +154,9 @@ impl Assembly<'_> {
             let (place, name) = (put.place.clone(), put.object.to_string());
             return Err(ReadError::Loop { file: file(), place, what: "object", name });
         }
-        if self.open.len() == DEEPEST {
+        if self.open.len() == MAX_DEPTH {
             let (place, what) = (put.place.clone(), "objects in objects are");
-            return Err(ReadError::TooDeep { file: file(), place, what, limit: DEEPEST });
+            return Err(ReadError::TooDeep { file: file(), place, what, limit: MAX_DEPTH });
         }
         // Taken out while it is worked on, since the objects within are looked up in the same place.
         let object = self.package.parts.get_mut(&part).and_then(|part| part.objects.remove(&put.object));
@@ -177,7 +178,7 @@ impl Assembly<'_> {
         Ok(())
     }
 
-    fn mesh(&mut self, object: &part::Object, map: &Affine3<f64>, place: &Place) -> Result<(), ReadError> {
+    fn mesh(&mut self, object: &part::Object, map: &Affine3<f64>, place: &Location) -> Result<(), ReadError> {
         let (source, drawing) = (self.package.source, &mut self.package.drawing);
         source.room(place.clone(), drawing.points.len() + object.points.len(), "vertices")?;
         source.room(place.clone(), drawing.faces.len() + object.triangles.len(), "triangles")?;

@@ -6,17 +6,18 @@ use std::collections::HashMap;
 use nalgebra::{Affine3, Matrix4, Point3};
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
+use wirebend_error::ErrorRemedy;
 
-use super::super::error::{Place, ReadError};
+use super::super::error::{Location, ReadError};
 use super::super::note::{NoteKind, Notes};
 use super::super::text::{Source, excerpt};
 
-const HELP: &str = "export the model again";
+const HELP: ErrorRemedy = ErrorRemedy::ExportAgain;
 
 /// An object put in, perhaps one of another part.
 #[derive(Debug)]
 pub(super) struct Use {
-    pub(super) place: Place,
+    pub(super) place: Location,
     /// The part that holds the object, if it is another one.
     pub(super) path: Option<String>,
     pub(super) object: u32,
@@ -32,7 +33,6 @@ pub(super) struct Object {
     pub(super) components: Vec<Use>,
 }
 
-/// A model part.
 #[derive(Debug, Default)]
 pub(super) struct Part {
     /// The unit of all its lengths, in mm.
@@ -91,7 +91,7 @@ struct Scan<'a> {
 }
 
 impl Scan<'_> {
-    fn place(&self) -> Place {
+    fn place(&self) -> Location {
         let (from, lines) = self.counted.get();
         let passed = self.text.get(from..self.at).unwrap_or_default();
         let lines = lines + passed.matches('\n').count();
@@ -100,7 +100,7 @@ impl Scan<'_> {
         // The element stands behind the white space before it.
         let rest = self.text.get(at..).unwrap_or_default();
         let blank = &rest[..rest.len() - rest.trim_start().len()];
-        Place::Line(lines + blank.matches('\n').count() + 1)
+        Location::Line(lines + blank.matches('\n').count() + 1)
     }
 
     fn element(&mut self, element: &BytesStart<'_>, notes: &mut Notes) -> Result<(), ReadError> {
@@ -217,7 +217,7 @@ impl Scan<'_> {
 
     /// Does not look for the line unless it has to.
     fn room(&self, count: usize, what: &'static str) -> Result<(), ReadError> {
-        self.source.room(Place::File, count, what).or_else(|_| self.source.room(self.place(), count, what))
+        self.source.room(Location::File, count, what).or_else(|_| self.source.room(self.place(), count, what))
     }
 
     /// An index of a vertex that stands before, from 0.

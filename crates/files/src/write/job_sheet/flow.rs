@@ -1,4 +1,4 @@
-//! Text that goes on from page to page.
+//! Text that continues from page to page.
 
 use super::{Canvas, Pen, Type, letters};
 
@@ -7,7 +7,6 @@ const MARGIN: f64 = 15.0;
 /// For what stands under each page, in mm.
 const FOOT: f64 = 8.0;
 
-/// Small letters.
 pub(super) const SMALL: Type = Type { size: 2.9, bold: false, grey: 0.3 };
 
 /// Pages that are filled from above.
@@ -54,7 +53,6 @@ impl Flow {
         self.y = self.paper[1] - MARGIN;
     }
 
-    /// Stays white.
     pub fn gap(&mut self, height: f64) {
         self.y -= height;
     }

@@ -4,9 +4,9 @@ mod flow;
 mod picture;
 mod steps;
 
-use super::number::fixed;
 use super::pdf::{Canvas, Paper, Pdf, Pen, Type, document, letters};
 use super::svg::PictureWire;
+use crate::number::fixed;
 use flow::{Flow, SMALL};
 
 /// What stands on a job sheet. Nothing is looked up or computed for it, the date included.
@@ -16,19 +16,16 @@ pub struct JobSheet {
     pub title: String,
     /// The day, as it shall be read.
     pub date: Option<String>,
-    /// Hash of the design.
     pub design_hash: String,
     /// Hash of the job, where there is one.
     pub job_hash: Option<String>,
     /// Whether the machine can make it.
     pub feasible: bool,
-    /// The machine.
     pub machine: String,
     /// The wire in it.
     pub material: String,
     /// What the plan was made with.
     pub figures: Vec<Figure>,
-    /// The wires.
     pub wires: Vec<SheetWire>,
     /// What the checks say.
     pub findings: Vec<Finding>,
@@ -41,31 +38,25 @@ pub struct JobSheet {
 /// A figure of a machine or of a wire.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Figure {
-    /// What it is.
     pub name: String,
     /// Its value with its unit.
     pub value: String,
-    /// Where it is from.
     pub source: String,
 }
 
-/// One wire.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct SheetWire {
-    /// How it looks.
     pub picture: PictureWire,
     /// What it takes: names and values with their units.
     pub facts: Vec<(String, String)>,
-    /// Its steps.
     pub steps: Vec<SheetStep>,
 }
 
 /// A step: feed in mm, rotation and bend in degrees.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SheetStep {
-    /// As designed.
     pub designed: [f64; 3],
-    /// As told to the machine, in its signs; none where it could not be compensated.
+    /// As sent to the machine, in its signs; none if it could not be compensated.
     pub told: Option<[f64; 3]>,
 }
 
@@ -76,9 +67,7 @@ pub struct Finding {
     pub severity: &'static str,
     /// What it is about.
     pub code: String,
-    /// What it is.
     pub message: String,
-    /// What to do.
     pub help: String,
 }
 
@@ -118,12 +107,12 @@ fn head(flow: &mut Flow, sheet: &JobSheet) {
     flow.text(&format!("{}  ·  {}", sheet.machine, sheet.material), Type::new(3.6));
     let job = match &sheet.job_hash {
         Some(hash) => format!("job {}", short(hash)),
-        None => "planned now, no job yet".to_owned(),
+        None => "plan, not a job yet".to_owned(),
     };
     flow.text(&format!("design {}  ·  {job}", short(&sheet.design_hash)), SMALL);
     if !sheet.feasible {
         flow.gap(1.0);
-        flow.text("This cannot be made as it is: see what the checks say.", Type::new(3.8).bold());
+        flow.text("This cannot be bent as it is. See the checks.", Type::new(3.8).bold());
     }
     flow.gap(3.0);
 }
@@ -169,7 +158,7 @@ fn checks(flow: &mut Flow, sheet: &JobSheet) {
 
 /// Name, value, and source in as many lines as it needs.
 fn figures(flow: &mut Flow, sheet: &JobSheet) {
-    flow.heading("What it was planned with", 10.0);
+    flow.heading("Planned with", 10.0);
     let kind = Type::new(3.0);
     for Figure { name, value, source } in &sheet.figures {
         let width = flow.width();
@@ -194,7 +183,7 @@ fn numbered(heading: &str, index: usize, count: usize) -> String {
     if count > 1 { format!("{heading}: wire {} of {count}", index + 1) } else { heading.to_owned() }
 }
 
-/// So much of a hash that nobody confuses two.
+/// The beginning of a hash, long enough to tell designs apart.
 fn short(hash: &str) -> String {
     hash.chars().take(12).collect()
 }

@@ -5,14 +5,14 @@ use super::{Pen, SheetStep, Type, fixed};
 
 const ROW: f64 = 4.4;
 const LETTERS: Type = Type { size: 3.0, bold: false, grey: 0.0 };
-/// Where the columns end, as fractions of the width: number, three as designed, three as told, and what has run.
+/// Where the columns end, as fractions of the width: number, three as designed, three as sent to the machine, and the length fed so far.
 const ENDS: [f64; 8] = [0.06, 0.20, 0.33, 0.46, 0.61, 0.74, 0.87, 1.0];
 const NAMES: [&str; 8] = ["n", "feed mm", "rotate °", "bend °", "feed mm", "rotate °", "bend °", "run mm"];
 
 /// Every step, with the names of the columns on each page.
 pub(super) fn table(flow: &mut Flow, heading: &str, steps: &[SheetStep]) {
     flow.heading(heading, 2.0 * ROW + 6.0);
-    flow.text("Feed, then rotate, then bend. Rotations and bends that the machine is told are in its own signs; what has run is the wire that has been fed after the step.", SMALL);
+    flow.text("Feed, then rotate, then bend. Rotations and bends as sent to the machine are in its own signs. Run: the wire fed by the end of the step.", SMALL);
     flow.gap(1.0);
     names(flow);
     let mut run = 0.0;
@@ -44,7 +44,7 @@ fn names(flow: &mut Flow) {
     let [left, bottom, right, _] = flow.take(2.0 * ROW);
     let kind = LETTERS.bold();
     let at = |end: f64| left + (right - left) * end - 1.0;
-    for (group, first, last) in [("as designed", 0, 3), ("as told to the machine", 3, 6)] {
+    for (group, first, last) in [("as designed", 0, 3), ("as sent to the machine", 3, 6)] {
         flow.page().text_to([at(ENDS[last]), bottom + ROW + 1.0], group, SMALL);
         flow.page().line(
             [at(ENDS[first]) + 3.0, bottom + ROW],

@@ -24,10 +24,8 @@ pub enum Paper {
 }
 
 impl Paper {
-    /// Every size.
     pub const ALL: [Self; 2] = [Self::A4, Self::Letter];
 
-    /// Its name.
     #[must_use]
     pub const fn id(self) -> &'static str {
         match self {
@@ -46,10 +44,8 @@ impl Paper {
     }
 }
 
-/// A PDF file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Pdf {
-    /// Its bytes.
     pub bytes: Vec<u8>,
     /// How many pages it has.
     pub pages: usize,

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::super::number::fixed;
+use crate::number::short;
 
 pub(super) const PAPER: &str = "#ffffff";
 pub(super) const INK: &str = "#18212b";
@@ -20,7 +20,6 @@ pub(super) struct Page {
     text: String,
 }
 
-/// How text stands.
 #[derive(Clone, Copy)]
 pub(super) struct Type {
     pub(super) size: f64,
@@ -125,8 +124,7 @@ impl Page {
 
 /// A coordinate with two decimals, without zeros at the end.
 pub(super) fn px(value: f64) -> String {
-    let text = fixed(value, 2);
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    short(value, 2)
 }
 
 /// Text inside XML; what XML cannot hold becomes a replacement character.
@@ -145,17 +143,4 @@ pub(crate) fn escape(text: &str) -> String {
         }
     }
     escaped
-}
-
-/// A whole number with thin spaces between its thousands.
-pub(super) fn thousands(text: &str) -> String {
-    let (whole, rest) = text.split_at(text.find('.').unwrap_or(text.len()));
-    let mut grouped = String::new();
-    for (k, digit) in whole.chars().enumerate() {
-        if k > 0 && (whole.len() - k).is_multiple_of(3) && whole.len() > 4 {
-            grouped.push('\u{2009}');
-        }
-        grouped.push(digit);
-    }
-    grouped + rest
 }

@@ -111,10 +111,10 @@ pub(super) fn list(page: &mut Page, marks: &[Mark], layout: &Layout) {
 }
 
 /// A text in lines that fit, broken between words; the last one is cut.
-fn wrap(text: &str, kind: Type, width: f64, most: usize) -> Vec<String> {
+fn wrap(text: &str, kind: Type, width: f64, max_lines: usize) -> Vec<String> {
     let mut lines: Vec<String> = vec![String::new()];
     for word in text.split_whitespace() {
-        let full = lines.len() == most;
+        let full = lines.len() == max_lines;
         if let Some(line) = lines.last_mut() {
             let longer = if line.is_empty() { word.to_owned() } else { format!("{line} {word}") };
             if line.is_empty() || full || kind.width(&longer) <= width {

@@ -28,7 +28,6 @@ pub struct Picture {
     pub length: Length,
     /// How many bends they have.
     pub bends: usize,
-    /// The wires.
     pub wires: Vec<PictureWire>,
     /// The same wires as they were bent, thin and behind; each its points in mm.
     pub trials: Vec<Vec<Point3<f64>>>,
@@ -42,10 +41,8 @@ pub struct Picture {
     pub height_px: u32,
 }
 
-/// One wire of a picture.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct PictureWire {
-    /// Its path.
     pub points: Vec<Point3<f64>>,
     /// The segments (k joins points k and k + 1) that lie on an edge that is laid twice: both passes.
     pub doubled: Vec<usize>,
@@ -54,9 +51,7 @@ pub struct PictureWire {
 /// Something to fix, with its place.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mark {
-    /// Where.
     pub at: MarkAt,
-    /// How bad.
     pub severity: Severity,
     /// What, in a few words.
     pub label: String,
@@ -65,7 +60,6 @@ pub struct Mark {
 /// The place of a mark.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum MarkAt {
-    /// A vertex.
     Vertex(Point3<f64>),
     /// An edge, from one end to the other.
     Edge(Point3<f64>, Point3<f64>),
@@ -76,7 +70,6 @@ pub enum MarkAt {
 pub enum Severity {
     /// The machine cannot.
     Error,
-    /// Worth a look.
     Warning,
 }
 

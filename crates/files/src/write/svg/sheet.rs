@@ -1,9 +1,9 @@
 //! What stands around the drawing: title block, scale bar, axes.
 
-use super::element::{AMBER, BLUE, GREY, INK, Page, RED, RULE, Type, px, thousands};
+use super::element::{AMBER, BLUE, GREY, INK, Page, RED, RULE, Type, px};
 use super::view::{Area, Projection};
 use super::{Picture, Severity, View};
-use crate::write::number::fixed;
+use crate::number::{fixed, thousands};
 
 const MARGIN: f64 = 28.0;
 const BLOCK: f64 = 76.0;
@@ -11,9 +11,7 @@ const FOOT: f64 = 44.0;
 const LIST: f64 = 250.0;
 const GAP: f64 = 34.0;
 
-/// Where things go.
 pub(super) struct Layout {
-    /// The wires.
     pub(super) drawing: Area,
     /// What is to be fixed; none when there is nothing, or no room.
     pub(super) list: Option<Area>,
@@ -46,7 +44,7 @@ pub(super) fn title_block(page: &mut Page, picture: &Picture, layout: &Layout) {
     }
     let doubled: usize = picture.wires.iter().map(|wire| wire.doubled.len()).sum();
     if doubled > 0 {
-        figures.push(("Laid twice", format!("{} ═", doubled.div_ceil(2)), BLUE));
+        figures.push(("Doubled", format!("{} ═", doubled.div_ceil(2)), BLUE));
     }
     if !picture.trials.is_empty() {
         figures.push(("As bent", format!("{} ∿", picture.trials.len()), AMBER));

@@ -56,27 +56,27 @@ impl Projection {
     /// `None` when there is no finite point. A single point is put in the middle.
     pub(crate) fn fit(view: View, points: impl Iterator<Item = Point3<f64>>, area: Area) -> Option<Self> {
         let axes = view.axes();
-        let mut least = [f64::INFINITY; 3];
-        let mut most = [f64::NEG_INFINITY; 3];
+        let mut min = [f64::INFINITY; 3];
+        let mut max = [f64::NEG_INFINITY; 3];
         for point in points.filter(is_finite) {
             for k in 0..3 {
                 let along = axes[k].dot(&point.coords);
-                least[k] = least[k].min(along);
-                most[k] = most[k].max(along);
+                min[k] = min[k].min(along);
+                max[k] = max[k].max(along);
             }
         }
-        if least[0] > most[0] {
+        if min[0] > max[0] {
             return None;
         }
         let size = [area[2] - area[0], area[3] - area[1]];
-        let fits = |k: usize| size[k] / (most[k] - least[k]).max(1e-6);
+        let fits = |k: usize| size[k] / (max[k] - min[k]).max(1e-6);
         Some(Self {
             view,
             scale: fits(0).min(fits(1)).min(1e4),
             axes,
-            centre: [f64::midpoint(least[0], most[0]), f64::midpoint(least[1], most[1])],
+            centre: [f64::midpoint(min[0], max[0]), f64::midpoint(min[1], max[1])],
             middle: [f64::midpoint(area[0], area[2]), f64::midpoint(area[1], area[3])],
-            depth: [least[2], most[2]],
+            depth: [min[2], max[2]],
         })
     }
 

@@ -19,7 +19,6 @@ pub enum Layer {
 }
 
 impl Layer {
-    /// Every layer.
     pub const ALL: [Self; 3] = [Self::Centreline, Self::Wire, Self::Text];
 
     /// Its name in files.
@@ -36,11 +35,9 @@ impl Layer {
 /// A part of a drawing.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Shape {
-    /// A straight line.
     Line([Point; 2]),
     /// A part of a circle.
     Arc {
-        /// Its centre.
         centre: Point,
         /// Its radius in mm.
         radius: f64,
@@ -49,9 +46,7 @@ pub enum Shape {
         /// How far it goes in rad, counter-clockwise where it is above zero.
         sweep: f64,
     },
-    /// A circle.
     Circle {
-        /// Its centre.
         centre: Point,
         /// Its radius in mm.
         radius: f64,
@@ -64,7 +59,6 @@ pub enum Shape {
         at: Point,
         /// The size of its letters in mm; capitals are 0.72 of it high.
         size: f64,
-        /// What it says.
         text: String,
     },
 }
@@ -72,7 +66,6 @@ pub enum Shape {
 /// A drawing at 1:1.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Drawing {
-    /// Its title.
     pub title: String,
     /// Its shapes, in the order in which the wire goes.
     pub shapes: Vec<(Layer, Shape)>,
@@ -145,7 +138,6 @@ pub(crate) fn shift(shapes: &mut [(Layer, Shape)], by: Point) {
     }
 }
 
-/// A point of a circle.
 pub(crate) fn on_circle(centre: Point, radius: f64, angle: f64) -> Point {
     let (sin, cos) = angle.sin_cos();
     [centre[0] + radius * cos, centre[1] + radius * sin]

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::drawing::{Drawing, Layer, Point, Shape};
-use crate::write::number::fixed;
+use crate::number::fixed;
 
 /// Capitals of a font are so much of its size high; DXF counts their height.
 const CAPITALS: f64 = 0.72;

@@ -18,8 +18,8 @@ pub use pages::{TooManyPages, template_pdf};
 pub use svg::template_svg;
 
 use super::centreline::{Piece, pieces};
-use super::number::fixed;
 use super::pdf::letters::cut;
+use crate::number::short;
 use drawing::{Point, bounds, shift};
 use plane::View;
 
@@ -80,7 +80,7 @@ pub fn template(template: &Template) -> Drawing {
     if drawing.tightened > 0 {
         let tightened = drawing.tightened;
         lines.push(format!(
-            "{tightened} bends are drawn tighter than the machine makes them: too short sides"
+            "{tightened} bends are drawn tighter than the machine bends them: their sides are too short"
         ));
     }
     caption(&mut drawing.shapes, &lines, [0.0, top + GAP - 5.0]);
@@ -160,6 +160,5 @@ fn marks(shapes: &mut Vec<(Layer, Shape)>, pieces: &[Piece], view: &View, diamet
 
 /// A number with up to three decimals.
 fn figure(value: f64) -> String {
-    let text = fixed(value, 3);
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    short(value, 3)
 }

@@ -8,8 +8,8 @@ use crate::write::pdf::{Canvas, Paper, Pdf, Pen, Type, document, letters};
 const MARGIN: f64 = 10.0;
 /// For the ruler and the page's name under it, in mm.
 const FOOT: f64 = 14.0;
-/// As many pages nobody glues together.
-const MOST_PAGES: usize = 400;
+/// More pages than anybody glues together.
+const MAX_PAGES: usize = 400;
 /// How far chords may leave a curve where it is asked on which page it is, in mm; also how wide lines are.
 const INK: f64 = 0.2;
 const DASHES: &[f64] = &[6.0, 1.0, 1.0, 1.0];
@@ -17,10 +17,10 @@ const SHORT: &[f64] = &[1.5, 1.5];
 
 /// A drawing that is too large to be printed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error("at 1:1 it takes more than {most} pages; write template-svg or template-dxf for a plotter instead")]
+#[error("at 1:1 it takes more than {max} pages")]
 pub struct TooManyPages {
     /// How many there may be.
-    pub most: usize,
+    pub max: usize,
 }
 
 /// Writes a template as PDF, on paper that stands upright or lies, whichever takes fewer pages. The first page is an
@@ -33,10 +33,10 @@ pub fn template_pdf(drawing: &Drawing, paper: Paper) -> Result<Pdf, TooManyPages
     let [short, long] = paper.size_mm();
     let tiled = [[short, long], [long, short]].map(|size| {
         let window = [size[0] - 2.0 * MARGIN, size[1] - 2.0 * MARGIN - FOOT];
-        Tiling::new(drawing, window, INK, MOST_PAGES).map(|tiling| (size, tiling))
+        Tiling::new(drawing, window, INK, MAX_PAGES).map(|tiling| (size, tiling))
     });
     let fewest = tiled.into_iter().flatten().min_by_key(|(_, tiling)| tiling.used.len());
-    let (size, tiling) = fewest.ok_or(TooManyPages { most: MOST_PAGES })?;
+    let (size, tiling) = fewest.ok_or(TooManyPages { max: MAX_PAGES })?;
     let mut pages = vec![overview(drawing, &tiling, paper.size_mm())];
     pages.extend(tiling.used.iter().map(|&tile| page(drawing, &tiling, tile, size)));
     Ok(document(&format!("{}: template 1:1", drawing.title), pages))

@@ -59,11 +59,11 @@ pub(super) fn of_flat(path: &[Point3<f64>], tolerance: Length, straight: Angle) 
         return None;
     }
     // Folded straight back, a wire has turned to no side.
-    let least = straight.rad().abs().max(1e-6).sin();
+    let min = straight.rad().abs().max(1e-6).sin();
     let turn = path.windows(3).find_map(|three| {
         let axis =
             (three[1] - three[0]).try_normalize(0.0)?.cross(&(three[2] - three[1]).try_normalize(0.0)?);
-        (axis.norm() > least).then(|| axis.dot(&normal))
+        (axis.norm() > min).then(|| axis.dot(&normal))
     });
     View::from(if turn.unwrap_or_default() < 0.0 { -normal } else { normal })
 }

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::drawing::{Drawing, Layer, Point, Shape, on_circle};
-use crate::write::number::fixed;
+use crate::number::short;
 use crate::write::svg::escape;
 
 /// Around the drawing, in mm.
@@ -105,6 +105,5 @@ fn ruler(text: &mut String, y: f64) {
 
 /// A length with five decimals at most: a hundredth of a micrometre.
 fn mm(value: f64) -> String {
-    let text = fixed(value, 5);
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    short(value, 5)
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::drawing::{Bounds, Drawing, Point};
 
-/// How far a page goes on beyond the one before it, in mm.
+/// How far a page continues beyond the one before it, in mm.
 pub(super) const OVERLAP: f64 = 10.0;
 
 /// A page by its row from the top and its column from the left, both from 0.
@@ -23,9 +23,9 @@ pub(super) struct Tiling {
 }
 
 impl Tiling {
-    /// Divides a drawing for windows of a size, larger than the overlap. `None` when more pages than `most` have
+    /// Divides a drawing for windows of a size, larger than the overlap. `None` when more pages than `max_pages` have
     /// something on them.
-    pub fn new(drawing: &Drawing, window: [f64; 2], chord: f64, most: usize) -> Option<Self> {
+    pub fn new(drawing: &Drawing, window: [f64; 2], chord: f64, max_pages: usize) -> Option<Self> {
         let [left, bottom, right, top] = drawing.bounds();
         let columns = count(right - left, window[0])?;
         let rows = count(top - bottom, window[1])?;
@@ -33,7 +33,7 @@ impl Tiling {
         for (_, shape) in &drawing.shapes {
             for pair in shape.points(chord).windows(2) {
                 tiling.mark(pair[0], pair[1], chord);
-                if tiling.used.len() > most {
+                if tiling.used.len() > max_pages {
                     return None;
                 }
             }
@@ -62,10 +62,10 @@ impl Tiling {
     /// Marks the pages that a line passes, with the ink of its width.
     fn mark(&mut self, from: Point, to: Point, ink: f64) {
         let length = (to[0] - from[0]).hypot(to[1] - from[1]);
-        let least = (self.window[0].min(self.window[1]) - OVERLAP).max(1.0);
+        let min_side = (self.window[0].min(self.window[1]) - OVERLAP).max(1.0);
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
         // from 1, and a drawing has few pages
-        let parts = (length / least).ceil().clamp(1.0, 1e6) as u32;
+        let parts = (length / min_side).ceil().clamp(1.0, 1e6) as u32;
         let at = |k: u32| {
             let along = f64::from(k) / f64::from(parts);
             [from[0] + (to[0] - from[0]) * along, from[1] + (to[1] - from[1]) * along]
@@ -87,11 +87,11 @@ impl Tiling {
     }
 
     /// The columns (axis 0) or rows (1) that may show what is so far from the corner; one more to both sides.
-    fn range(&self, axis: usize, least: f64, most: f64) -> std::ops::RangeInclusive<u32> {
+    fn range(&self, axis: usize, min: f64, max: f64) -> std::ops::RangeInclusive<u32> {
         let (step, count) = (self.window[axis] - OVERLAP, [self.columns, self.rows][axis]);
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // within the count
         let at = |value: f64| (value / step).floor().clamp(0.0, f64::from(count - 1)) as u32;
-        at(least - self.window[axis])..=at(most + step)
+        at(min - self.window[axis])..=at(max + step)
     }
 }
 
@@ -106,9 +106,9 @@ fn count(length: f64, window: f64) -> Option<u32> {
 /// ACM Transactions on Graphics 3, 1984).
 fn crosses(from: Point, to: Point, [left, bottom, right, top]: Bounds) -> bool {
     let (mut begin, mut end) = (0.0_f64, 1.0_f64);
-    for (from, to, least, most) in [(from[0], to[0], left, right), (from[1], to[1], bottom, top)] {
+    for (from, to, min, max) in [(from[0], to[0], left, right), (from[1], to[1], bottom, top)] {
         let along = to - from;
-        for (room, along) in [(from - least, -along), (most - from, along)] {
+        for (room, along) in [(from - min, -along), (max - from, along)] {
             if along == 0.0 {
                 if room < 0.0 {
                     return false;

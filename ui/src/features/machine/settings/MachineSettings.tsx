@@ -1,10 +1,10 @@
 import { useMemo, useState } from "react";
 import type { MachineViewResponse } from "../../../generated/responses";
 import { platform } from "../../../platform";
-import { Button } from "../../../shared/Button";
-import { Line } from "../../../shared/Line";
-import { count } from "../../../shared/format";
-import { profilesChanged } from "../../../state/machines";
+import { Button } from "../../../shared/controls/Button";
+import { count } from "../../../shared/figures/format";
+import { Line } from "../../../shared/lists/Line";
+import { profilesChanged } from "../../../state/machine/machines";
 import { SettingsForm } from "./SettingsForm";
 import { changedKeys, ownKeys, sourceOf, sourcePhrase, toWrite, type Values, valuesOf } from "./values";
 
@@ -19,7 +19,7 @@ export function MachineSettings({ view }: { readonly view: MachineViewResponse }
   const changed = new Set(changedKeys(before, after));
   // The generated type does not say that a driver that cannot be asked has none.
   const schema = view.settings_schema as object | null;
-  if (!schema) return <p className="muted">The driver cannot be asked what can be set.</p>;
+  if (!schema) return <p className="muted">The driver does not list its settings.</p>;
   const write = async (settings: Values) => {
     setBusy(true);
     setProblem(null);
@@ -42,19 +42,24 @@ export function MachineSettings({ view }: { readonly view: MachineViewResponse }
   const busyWhy = busy ? "The profile is being written." : null;
   return (
     <div className="stack">
-      {view.shipped && <p className="muted">This profile comes with the program and cannot be changed. Copy it to your profiles to set it up for your machine.</p>}
+      {view.shipped && (
+        <p className="muted">
+          This profile comes with the program and is read-only. Copy it to your profiles to adapt it to your machine.
+        </p>
+      )}
       <SettingsForm
         idPrefix={`machine-${view.id}`}
         schema={schema}
         values={after}
         onChange={setEdited}
-        why={view.shipped ? "It comes with the program: copy it to your profiles first." : null}
+        why={view.shipped ? "This profile comes with the program. Copy it to your profiles first." : null}
         below={below}
         onBack={(key) => void write(toWrite(before, before, own, key))}
       />
       {!view.shipped && (
         <div className="settings-save stack">
           {problem && (
+            // biome-ignore lint/a11y/noNoninteractiveTabindex: it scrolls, also by keys
             <div role="alert" className="settings-problem" tabIndex={0}>
               <ul>
                 <Line tone="error" what="The settings were not saved" sub={problem} />
@@ -66,7 +71,7 @@ export function MachineSettings({ view }: { readonly view: MachineViewResponse }
               {changed.size > 0 ? `${count(changed.size, "change")} not saved` : ""}
             </span>
             <Button
-              why={busyWhy ?? (changed.size === 0 ? "Nothing was changed." : null)}
+              why={busyWhy ?? (changed.size === 0 ? "Nothing changed." : null)}
               onClick={() => {
                 setEdited(null);
                 setProblem(null);
@@ -74,7 +79,11 @@ export function MachineSettings({ view }: { readonly view: MachineViewResponse }
             >
               Revert
             </Button>
-            <Button kind="primary" why={busyWhy ?? (changed.size === 0 ? "Nothing was changed." : null)} onClick={() => void write(toWrite(before, after, own))}>
+            <Button
+              kind="primary"
+              why={busyWhy ?? (changed.size === 0 ? "Nothing changed." : null)}
+              onClick={() => void write(toWrite(before, after, own))}
+            >
               Save
             </Button>
           </div>

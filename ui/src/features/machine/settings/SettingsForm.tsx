@@ -24,7 +24,7 @@ const TEMPLATES = {
 
 const WIDGETS = { SelectWidget: Choose, CheckboxWidget: Check };
 
-/** What can be set, by the schema of whoever takes it. A null is as if it were not there, but for choices that have it. */
+/** What can be set, by the schema of what takes it. A null is as if it were not there, but for choices that have it. */
 export function SettingsForm({
   idPrefix,
   schema,
@@ -52,7 +52,10 @@ export function SettingsForm({
   });
   const back = useCallback((key: string) => current.current?.(key), []);
   const context: FormContext = { why: why ?? null, below: below ?? {}, onBack: back };
-  const given = useMemo(() => Object.fromEntries(Object.entries(values).filter(([, value]) => value !== null)), [values]);
+  const given = useMemo(
+    () => Object.fromEntries(Object.entries(values).filter(([, value]) => value !== null)),
+    [values],
+  );
   return (
     <Form
       className="settings-form"

@@ -20,7 +20,11 @@ describe("formSchema", () => {
       Case: {
         oneOf: [
           { const: "upper", description: "FEED", type: "string" },
-          { const: "as-they-are", description: "As they are in the file, which is not changed in any way.", type: "string" },
+          {
+            const: "as-they-are",
+            description: "As they are in the file, which is not changed in any way.",
+            type: "string",
+          },
         ],
       },
       Letter: { enum: ["X", "Y"], type: "string" },
@@ -41,30 +45,38 @@ describe("formSchema", () => {
   const properties = formSchema(schema).properties as Record<string, Record<string, unknown>>;
 
   it("follows references and keeps what is said where they are", () => {
-    expect(properties["case"]).toMatchObject({ title: "Case", default: "upper", description: "How commands are spelled." });
-    expect(properties["case"]?.["oneOf"]).toEqual([
+    expect(properties.case).toMatchObject({
+      title: "Case",
+      default: "upper",
+      description: "How commands are spelled.",
+    });
+    expect(properties.case?.oneOf).toEqual([
       { const: "upper", title: "upper · FEED" },
       { const: "as-they-are", title: "as they are" },
     ]);
   });
 
   it("makes a choice of what may be left open", () => {
-    expect(properties["mark"]?.["oneOf"]).toEqual([
+    expect(properties.mark?.oneOf).toEqual([
       { const: null, title: "not set" },
       { const: "X", title: "X" },
       { const: "Y", title: "Y" },
     ]);
-    expect((properties["header"]?.["oneOf"] as unknown[]).length).toBe(3);
+    expect(properties.header?.oneOf).toHaveLength(3);
     // Without a type the form shows the schema itself instead of a field.
-    expect([properties["mark"], properties["header"], properties["case"]].map((one) => one?.["type"])).toEqual(["string", "string", "string"]);
-    expect(properties["decimals"]).toMatchObject({ type: "integer", nullable: true, minimum: 0, maximum: 9 });
-    expect(properties["decimals"]).not.toHaveProperty("default");
+    expect([properties.mark, properties.header, properties.case].map((one) => one?.type)).toEqual([
+      "string",
+      "string",
+      "string",
+    ]);
+    expect(properties.decimals).toMatchObject({ type: "integer", nullable: true, minimum: 0, maximum: 9 });
+    expect(properties.decimals).not.toHaveProperty("default");
   });
 
   it("leaves lists and given titles as they are, and ends where a schema refers to itself", () => {
-    expect(properties["pin_out"]).toMatchObject({ type: "array", items: { type: "string" }, default: ["M5"] });
-    expect(properties["paper"]?.["title"]).toBe("Paper");
-    expect(JSON.stringify(properties["tree"]).length).toBeLessThan(1000);
+    expect(properties.pin_out).toMatchObject({ type: "array", items: { type: "string" }, default: ["M5"] });
+    expect(properties.paper?.title).toBe("Paper");
+    expect(JSON.stringify(properties.tree).length).toBeLessThan(1000);
   });
 
   it("has no fields for what is no schema", () => {

@@ -7,9 +7,10 @@ type Schema = Record<string, unknown>;
 /** A schema that refers to itself is cut off here. */
 const DEEPEST = 6;
 
-const isObject = (value: unknown): value is Schema => typeof value === "object" && value !== null && !Array.isArray(value);
+const isObject = (value: unknown): value is Schema =>
+  typeof value === "object" && value !== null && !Array.isArray(value);
 const listed = (value: unknown): Schema[] => (Array.isArray(value) ? value.filter(isObject) : []);
-const isNull = (schema: Schema): boolean => schema["type"] === "null";
+const isNull = (schema: Schema): boolean => schema.type === "null";
 
 /** Units at the end of a key, longest first, and how they are written. */
 const UNITS: readonly (readonly [string, string])[] = [
@@ -33,7 +34,10 @@ const UNITS: readonly (readonly [string, string])[] = [
 /** "bend_rate_deg_per_s" is "Bend rate" in "°/s". */
 export function worded(key: string): { readonly title: string; readonly unit: string } {
   const [end, unit] = UNITS.find(([suffix]) => key.endsWith(suffix) && key.length > suffix.length) ?? ["", ""];
-  const words = key.slice(0, key.length - end.length).replace(/[_-]+/g, " ").trim();
+  const words = key
+    .slice(0, key.length - end.length)
+    .replace(/[_-]+/g, " ")
+    .trim();
   return { title: words.charAt(0).toUpperCase() + words.slice(1), unit };
 }
 
@@ -44,7 +48,7 @@ export function formSchema(schema: unknown): RJSFSchema {
 }
 
 function resolved(schema: Schema, root: Schema): Schema {
-  const reference = schema["$ref"];
+  const reference = schema.$ref;
   if (typeof reference !== "string") return schema;
   const { $ref: _, ...own } = schema;
   const path = reference.replace(/^#\//, "").split("/");
@@ -56,7 +60,7 @@ function prepared(given: Schema, root: Schema, depth: number): Schema {
   if (depth > DEEPEST) return {};
   let schema = resolved(given, root);
   let nullable = false;
-  const choices = listed(schema["anyOf"]);
+  const choices = listed(schema.anyOf);
   const real = choices.filter((choice) => !isNull(choice));
   const [only] = real;
   if (choices.length > real.length && real.length === 1 && only) {
@@ -77,22 +81,22 @@ function prepared(given: Schema, root: Schema, depth: number): Schema {
     return { ...own, type: "string", oneOf: consts };
   }
   const result: Schema = { ...schema };
-  delete result["$defs"];
+  delete result.$defs;
   if (nullable) {
-    result["nullable"] = true;
-    if (result["default"] === null) delete result["default"];
+    result.nullable = true;
+    if (result.default === null) delete result.default;
   }
   const { properties, items, additionalProperties } = schema;
   if (isObject(properties)) {
-    result["properties"] = Object.fromEntries(
+    result.properties = Object.fromEntries(
       Object.entries(properties).map(([key, property]) => {
         const one = isObject(property) ? prepared(property, root, depth + 1) : {};
-        return [key, { ...one, title: typeof one["title"] === "string" ? one["title"] : worded(key).title }];
+        return [key, { ...one, title: typeof one.title === "string" ? one.title : worded(key).title }];
       }),
     );
   }
-  if (isObject(items)) result["items"] = prepared(items, root, depth + 1);
-  if (isObject(additionalProperties)) result["additionalProperties"] = prepared(additionalProperties, root, depth + 1);
+  if (isObject(items)) result.items = prepared(items, root, depth + 1);
+  if (isObject(additionalProperties)) result.additionalProperties = prepared(additionalProperties, root, depth + 1);
   return result;
 }
 
@@ -106,10 +110,11 @@ function choice(value: unknown, description: unknown): Schema {
 /** The values to choose from; null where there are none to choose from. */
 function constants(schema: Schema, nullable: boolean): Schema[] | null {
   const none: Schema[] = nullable ? [{ const: null, title: "not set" }] : [];
-  if (Array.isArray(schema["enum"])) return [...none, ...schema["enum"].map((value) => choice(value, null))];
-  const choices = listed(schema["oneOf"]);
-  if (choices.length > 0 && choices.every((one) => "const" in one)) return [...none, ...choices.map((one) => choice(one["const"], one["description"]))];
-  if (schema["type"] === "boolean" && nullable) {
+  if (Array.isArray(schema.enum)) return [...none, ...schema.enum.map((value) => choice(value, null))];
+  const choices = listed(schema.oneOf);
+  if (choices.length > 0 && choices.every((one) => "const" in one))
+    return [...none, ...choices.map((one) => choice(one.const, one.description))];
+  if (schema.type === "boolean" && nullable) {
     return [...none, { const: true, title: "yes" }, { const: false, title: "no" }];
   }
   return null;

@@ -2,17 +2,17 @@ import type {
   ArrayFieldItemTemplateProps,
   ArrayFieldTemplateProps,
   FieldTemplateProps,
-  IconButtonProps,
   ObjectFieldTemplateProps,
   WrapIfAdditionalTemplateProps,
 } from "@rjsf/utils";
 import { ADDITIONAL_PROPERTY_FLAG } from "@rjsf/utils";
-import { Button } from "../../../shared/Button";
-import { TextInput } from "../../../shared/inputs";
+import { Button } from "../../../shared/controls/Button";
+import { TextInput } from "../../../shared/controls/inputs";
 import { worded } from "./schema";
 import type { FormContext } from "./widgets";
 
-const contextOf = (props: { registry: { formContext: unknown } }): FormContext => props.registry.formContext as FormContext;
+const contextOf = (props: { registry: { formContext: unknown } }): FormContext =>
+  props.registry.formContext as FormContext;
 
 /** A label, the control, and under it what it means and where its value comes from. */
 export function FieldOf(props: FieldTemplateProps) {
@@ -41,7 +41,7 @@ export function FieldOf(props: FieldTemplateProps) {
             {below.phrase}
             {below.back && (
               <Button kind="link" onClick={() => onBack(String(key))}>
-                use the parent’s
+                use the inherited value
               </Button>
             )}
           </span>
@@ -68,11 +68,18 @@ export function ObjectOf({ properties, onAddProperty, schema, title, ...props }:
 }
 
 /** A field whose key a person gives. */
-export function Named({ id, label, children, onKeyRenameBlur, onRemoveProperty, ...props }: WrapIfAdditionalTemplateProps) {
+function Named({ id, label, children, onKeyRenameBlur, onRemoveProperty, ...props }: WrapIfAdditionalTemplateProps) {
   const why = contextOf(props).why;
   return (
     <div className="settings-item">
-      <TextInput aria-label="Key" id={`${id}-key`} defaultValue={label} readOnly={why !== null} title={why ?? undefined} onBlur={onKeyRenameBlur} />
+      <TextInput
+        aria-label="Key"
+        id={`${id}-key`}
+        defaultValue={label}
+        readOnly={why !== null}
+        title={why ?? undefined}
+        onBlur={onKeyRenameBlur}
+      />
       {children}
       <Button kind="quiet" small icon="trash" aria-label={`Remove ${label}`} why={why} onClick={onRemoveProperty} />
     </div>
@@ -102,11 +109,17 @@ export function ItemOf({ children, buttonsProps, index, ...props }: ArrayFieldIt
   return (
     <div className="settings-item">
       <div className="grow">{children}</div>
-      <Button kind="quiet" small icon="up" aria-label={`Move ${index + 1} up`} why={why ?? (hasMoveUp ? null : "It is the first.")} onClick={onMoveUpItem} />
+      <Button
+        kind="quiet"
+        small
+        icon="up"
+        aria-label={`Move ${index + 1} up`}
+        why={why ?? (hasMoveUp ? null : "It is the first.")}
+        onClick={onMoveUpItem}
+      />
       <Button kind="quiet" small icon="trash" aria-label={`Remove ${index + 1}`} why={why} onClick={onRemoveItem} />
     </div>
   );
 }
 
 export const Nothing = () => null;
-export const NoButton = (_: IconButtonProps) => null;

@@ -2,7 +2,12 @@ import { describe, expect, it } from "vitest";
 import type { SettingValue } from "../../../generated/responses";
 import { changedKeys, ownKeys, sameValue, sourceOf, sourcePhrase, toWrite, valuesOf } from "./values";
 
-const setting = (key: string, value: unknown, set_by: string | null = null, line: number | null = null): SettingValue => ({
+const setting = (
+  key: string,
+  value: unknown,
+  set_by: string | null = null,
+  line: number | null = null,
+): SettingValue => ({
   key,
   value: value as SettingValue["value"],
   set_by,
@@ -40,7 +45,11 @@ describe("toWrite", () => {
   const own = ownKeys(SETTINGS, "my-kit");
 
   it("keeps what the profile sets, adds what was changed, and leaves the rest to its parent", () => {
-    expect(toWrite(before, { ...before, decimals: 4 }, own)).toEqual({ baud: 115200, expected: { $110: 500 }, decimals: 4 });
+    expect(toWrite(before, { ...before, decimals: 4 }, own)).toEqual({
+      baud: 115200,
+      expected: { $110: 500 },
+      decimals: 4,
+    });
   });
 
   it("takes back what is to be the parent's again", () => {

@@ -14,7 +14,8 @@ export function valuesOf(settings: readonly SettingValue[]): Values {
     let at = all;
     for (const part of path) {
       const next = at[part];
-      const inner: Record<string, unknown> = typeof next === "object" && next !== null && !Array.isArray(next) ? { ...next } : {};
+      const inner: Record<string, unknown> =
+        typeof next === "object" && next !== null && !Array.isArray(next) ? { ...next } : {};
       at[part] = inner;
       at = inner;
     }
@@ -60,6 +61,8 @@ export function changedKeys(before: Values, after: Values): readonly string[] {
 export function toWrite(before: Values, after: Values, own: ReadonlySet<string>, back: string | null = null): Values {
   const changed = new Set(changedKeys(before, after));
   return Object.fromEntries(
-    Object.entries(after).filter(([key, value]) => key !== back && value !== undefined && (own.has(key) || changed.has(key))),
+    Object.entries(after).filter(
+      ([key, value]) => key !== back && value !== undefined && (own.has(key) || changed.has(key)),
+    ),
   );
 }

@@ -1,7 +1,7 @@
 import type { BaseInputTemplateProps, RJSFSchema, WidgetProps } from "@rjsf/utils";
-import { Button } from "../../../shared/Button";
-import { Select, TextInput } from "../../../shared/inputs";
-import { NumberField } from "../../../shared/NumberField";
+import { Button } from "../../../shared/controls/Button";
+import { Select, TextInput } from "../../../shared/controls/inputs";
+import { NumberField } from "../../../shared/controls/NumberField";
 import { sameValue } from "./values";
 
 /** What is said under a field of the outermost object: where its value comes from. */
@@ -44,8 +44,15 @@ export function Input(props: BaseInputTemplateProps) {
           {...(typeof maximum === "number" ? { max: maximum } : {})}
           onCommit={(number) => onChange(number)}
         />
-        {schema["nullable"] === true && typeof value === "number" && !why && (
-          <Button kind="quiet" small icon="close" aria-label={`Do not set ${label}`} title="Do not set" onClick={() => onChange(undefined)} />
+        {schema.nullable === true && typeof value === "number" && !why && (
+          <Button
+            kind="quiet"
+            small
+            icon="close"
+            aria-label={`Do not set ${label}`}
+            title="Do not set"
+            onClick={() => onChange(undefined)}
+          />
         )}
       </span>
     );
@@ -79,7 +86,10 @@ export function Choose(props: WidgetProps) {
       title={why ?? undefined}
       value={String(at)}
       onChoose={(chosen) => onChange(all[Number(chosen)]?.value)}
-      choices={[...(at < 0 ? [{ value: "-1", label: "not set" }] : []), ...all.map((option, index) => ({ value: String(index), label: option.label }))]}
+      choices={[
+        ...(at < 0 ? [{ value: "-1", label: "not set" }] : []),
+        ...all.map((option, index) => ({ value: String(index), label: option.label })),
+      ]}
     />
   );
 }

@@ -1,0 +1,81 @@
+//! Everything that a front end may ask, declared once; the workspace that a window works with.
+//!
+//! A front end (the command line, the window) creates a [`Command`], runs it, and shows the [`Response`]; or it asks a [`Workspace`] with a [`Request`]. They are enums
+//! without a wildcard to hide behind: a new command does not compile until every front end shows its response. A front end
+//! knows this crate alone.
+
+#![allow(clippy::missing_errors_doc, clippy::must_use_candidate, reason = "not published")]
+
+mod asking;
+mod error;
+mod places;
+mod requests;
+mod workspace;
+
+pub use error::ApiError;
+pub use places::Places;
+pub use requests::{COMMANDS, Command, REQUESTS, Request, Response, request_schemas, response_schemas};
+pub use workspace::*;
+
+pub use wirebend_editor::{
+    DesignState, DesignView, EdgeView, EditRequest, Editor, EditorError, Fix, FixChange, FixPreview,
+    LiveCheck, MergePlace, Moved, PastedVertex, Placed, Unsaved, VertexView, ViewChange, WireFigures,
+};
+pub use wirebend_operation::by_hand::{JogRequest, JogResponse, ReplayRequest};
+pub use wirebend_operation::machine_settings::{MachineSettingsRequest, MachineSettingsResponse};
+pub use wirebend_operation::ports::{PortEntry, PortsRequest, PortsResponse};
+pub use wirebend_operation::runs::{
+    RunEntry, RunsExportRequest, RunsExportResponse, RunsRequest, RunsResponse, RunsShowRequest,
+    RunsShowResponse,
+};
+pub use wirebend_operation::{
+    Answer, Cancellation, ConnectRequest, Decided, Decision, Doubt, FrontEnd, HeadAsked, HeadProblem,
+    LeftBecause, LiveProblem, MachineEvent, MachineState, Move, MovesFile, Observer, OperationError,
+    Operator, OperatorError, OperatorEvent, OperatorListener, Order, OrderName, Outcome, PartInWire, Phase,
+    Prompt, Question, QuestionKind, Record, RunHow, RunOutcome, RunRequest, RunResponse, StoppedIn, ToldBy,
+    Unfinished, Wait, WireRun, WireState, Wish,
+};
+pub use wirebend_planning::catalogue::{
+    MachineEntry, MachinesRequest, MachinesResponse, MaterialEntry, MaterialsRequest, MaterialsResponse,
+};
+pub use wirebend_planning::choices::PlanChoices;
+pub use wirebend_planning::compare::{
+    Change, CompareRequest, CompareResponse, Findings, MachineSide, OtherSide, WireDiagnostic, WireStep,
+};
+pub use wirebend_planning::design::{DesignInput, Input};
+pub use wirebend_planning::drivers::{
+    DriverCheckRequest, DriverCheckResponse, DriverEntry, DriverState, DriverTrustRequest,
+    DriverTrustResponse, DriversRequest, DriversResponse, RuleReport,
+};
+pub use wirebend_planning::dump::{DumpRequest, DumpResponse};
+pub use wirebend_planning::error::{DriverProblem, ErrorKind, PlanningError, StencilFileError};
+pub use wirebend_planning::export::{ExportFormat, ExportRequest, ExportResponse};
+pub use wirebend_planning::import::{ImportRequest, ImportResponse};
+pub use wirebend_planning::installation::{DriverFolders, Installation};
+pub use wirebend_planning::output::Output;
+pub use wirebend_planning::plan::{CheckRequest, CheckResponse, PlanRequest, PlanResponse};
+pub use wirebend_planning::profiles::check::{FileVerdict, ProfileCheckRequest, ProfileCheckResponse};
+pub use wirebend_planning::profiles::explain::{
+    AncestorReport, OverriddenReport, ProfileExplainRequest, ProfileExplainResponse, ValueReport,
+};
+pub use wirebend_planning::profiles::new::{ProfileNewRequest, ProfileNewResponse, ProfilePlace};
+pub use wirebend_planning::profiles::springback::{SamplePlace, SpringbackReport, SpringbackSample};
+pub use wirebend_planning::program::ProgramKind;
+pub use wirebend_planning::progress::{NoProgress, Progress};
+pub use wirebend_planning::report::{
+    CompensatedReport, DiagnosticCode, DiagnosticReport, JobStep, NoteReport, PartOfStep, PlanReport,
+    ProgramReport, RemedyReport, RouteReport, SeverityName, WireReport, WireframeReport, shown_deg,
+};
+pub use wirebend_planning::simulate::{
+    GapReport, SimulateRequest, SimulateResponse, SimulationModel, VertexReport,
+};
+pub use wirebend_planning::stage::StageName;
+
+pub use wirebend_driver_host::api::{Capability, DoneBy, SettingCheck, Usb};
+pub use wirebend_driver_host::{
+    CHILD_COMMAND, Snapshot, Standstill, StopHandle, StopOutcome, StoppedBy, WireProgress, child_main,
+};
+pub use wirebend_error::{ErrorCode, ErrorRemedy, InputName, ProblemReport, RunTarget};
+pub use wirebend_files::number;
+pub use wirebend_files::read::{Format, Handedness, LengthUnit};
+pub use wirebend_profile::Kind as ProfileKind;

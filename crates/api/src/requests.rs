@@ -1,0 +1,284 @@
+//! The table of everything that can be asked. A row: what it is for, its name, what it needs, what it gives, the function, and its
+//! name in JSON.
+
+use schemars::JsonSchema;
+use schemars::generate::SchemaSettings;
+use serde::{Deserialize, Serialize};
+use serde_json::value::RawValue;
+use wirebend_operation::{by_hand, machine_settings, ports, run, runs};
+use wirebend_planning::{catalogue, compare, drivers, dump, export, import, plan, profiles};
+
+use crate::workspace::{self, ApiErrorReport, Work, Workspace};
+use crate::{
+    ApiError, CheckRequest, CheckResponse, CompareRequest, CompareResponse, DriverCheckRequest,
+    DriverCheckResponse, DriverTrustRequest, DriverTrustResponse, DriversRequest, DriversResponse,
+    DumpRequest, DumpResponse, ExportRequest, ExportResponse, FrontEnd, ImportRequest, ImportResponse,
+    Installation, JogRequest, JogResponse, LiveCheck, MachineSettingsRequest, MachineSettingsResponse,
+    MachinesRequest, MachinesResponse, MaterialsRequest, MaterialsResponse, OperatorEvent, PlanRequest,
+    PlanResponse, PortsRequest, PortsResponse, ProfileCheckRequest, ProfileCheckResponse,
+    ProfileExplainRequest, ProfileExplainResponse, ProfileNewRequest, ProfileNewResponse, ReplayRequest,
+    RunRequest, RunResponse, RunsExportRequest, RunsExportResponse, RunsRequest, RunsResponse,
+    RunsShowRequest, RunsShowResponse, SimulateRequest, SimulateResponse,
+};
+
+macro_rules! requests {
+    (
+        command { $($(#[$c_doc:meta])* $c_name:ident($c_request:ty) -> $c_response:ty = $c_run:path, $c_word:literal;)* }
+        both { $($(#[$b_doc:meta])* $b_name:ident($b_request:ty) -> $b_response:ty = $b_run:path, $b_word:literal;)* }
+        window { $($(#[$w_doc:meta])* $w_name:ident($w_request:ty) -> $w_response:ty = $w_run:path, $w_word:literal;)* }
+    ) => {
+        /// What can be asked without anything being open: all that it works on is named in it.
+        #[derive(Debug, Clone, Deserialize, JsonSchema)]
+        #[serde(tag = "command", rename_all = "kebab-case")]
+        pub enum Command {
+            $($(#[$c_doc])* $c_name($c_request),)*
+            $($(#[$b_doc])* $b_name($b_request),)*
+        }
+
+        /// What a command gives.
+        #[derive(Debug, Clone, Serialize)]
+        #[serde(untagged)]
+        pub enum Response {
+            $($(#[$c_doc])* $c_name(Box<$c_response>),)*
+            $($(#[$b_doc])* $b_name(Box<$b_response>),)*
+        }
+
+        /// What a window can ask of its workspace.
+        #[derive(Debug, Clone, Deserialize, JsonSchema)]
+        #[serde(tag = "ask", rename_all = "kebab-case")]
+        pub enum Request {
+            $($(#[$w_doc])* $w_name($w_request),)*
+            $($(#[$b_doc])* $b_name($b_request),)*
+        }
+
+        /// The names of the commands.
+        pub const COMMANDS: &[&str] = &[$($c_word,)* $($b_word,)*];
+
+        /// The names of what a window can ask.
+        pub const REQUESTS: &[&str] = &[$($w_word,)* $($b_word,)*];
+
+        impl Command {
+            /// Runs it. The kind of an error gives the exit status.
+            pub fn run(
+                &self,
+                installation: &Installation,
+                front_end: &dyn FrontEnd,
+            ) -> Result<Response, ApiError> {
+                match self {
+                    $(Self::$c_name(request) => {
+                        let _span = tracing::info_span!($c_word).entered();
+                        Ok(Response::$c_name(Box::new($c_run(installation, request, front_end)?)))
+                    })*
+                    $(Self::$b_name(request) => {
+                        let _span = tracing::info_span!($b_word).entered();
+                        Ok(Response::$b_name(Box::new($b_run(installation, request, front_end)?)))
+                    })*
+                }
+            }
+        }
+
+        impl Request {
+            pub(crate) fn answer(&self, workspace: &Workspace) -> Result<Box<RawValue>, ApiError> {
+                match self {
+                    $(Self::$w_name(request) => {
+                        let _span = tracing::info_span!($w_word).entered();
+                        json(&$w_run(workspace, request, &workspace.reporter($w_word))?)
+                    })*
+                    $(Self::$b_name(request) => {
+                        let _span = tracing::info_span!($b_word).entered();
+                        json(&$b_run(&workspace.installation(), request, &workspace.reporter($b_word))?)
+                    })*
+                }
+            }
+        }
+
+        /// For every command its name and the JSON Schema of what `--json` prints.
+        #[must_use]
+        pub fn response_schemas() -> Vec<(&'static str, serde_json::Value)> {
+            vec![$(($c_word, schema_of::<$c_response>()),)* $(($b_word, schema_of::<$b_response>()),)*]
+        }
+
+        /// The JSON Schemas of what a window can ask, of the answers and of the events: objects with a key for each
+        /// name, and names for the files.
+        #[must_use]
+        pub fn request_schemas() -> [(&'static str, serde_json::Value); 3] {
+            let settings = SchemaSettings::draft2020_12();
+            let mut requests = settings.clone().for_deserialize().into_generator();
+            let mut responses = settings.for_serialize().into_generator();
+            let asked = vec![
+                $(($w_word, requests.subschema_for::<$w_request>()),)*
+                $(($b_word, requests.subschema_for::<$b_request>()),)*
+            ];
+            let answered = vec![
+                $(($w_word, responses.subschema_for::<$w_response>()),)*
+                $(($b_word, responses.subschema_for::<$b_response>()),)*
+            ];
+            let mut events = SchemaSettings::draft2020_12().for_serialize().into_generator();
+            let told = vec![
+                ("refusal", events.subschema_for::<ApiErrorReport>()),
+                ("work", events.subschema_for::<Work>()),
+                ("operator", events.subschema_for::<OperatorEvent>()),
+            ];
+            [
+                ("asks.requests", object("Requests", &asked, &requests.take_definitions(true))),
+                ("asks.responses", object("Responses", &answered, &responses.take_definitions(true))),
+                ("asks.events", object("Events", &told, &events.take_definitions(true))),
+            ]
+        }
+    };
+}
+
+requests! {
+    command {
+        /// Says whether a library keeps the rules for drivers.
+        DriverCheck(DriverCheckRequest) -> DriverCheckResponse = drivers::check, "driver-check";
+        /// Reads a file and makes a `.wirebend` document of it.
+        Import(ImportRequest) -> ImportResponse = import::import, "import";
+        /// Says what a machine cannot make of a wireframe, and why.
+        Check(CheckRequest) -> CheckResponse = plan::check, "check";
+        /// Takes a wireframe through the whole pipeline to a job.
+        Plan(PlanRequest) -> PlanResponse = plan::plan, "plan";
+        /// Plans a wireframe for several machines and says what changes.
+        Compare(CompareRequest) -> CompareResponse = compare::compare, "compare";
+        /// Writes what a machine, another program or a person reads.
+        Export(ExportRequest) -> ExportResponse = export::export, "export";
+        /// Simulates a job.
+        Simulate(SimulateRequest) -> SimulateResponse = wirebend_operation::simulate::simulate, "simulate";
+        /// Bends the wires of a job on its machine.
+        Run(RunRequest) -> RunResponse = run::run, "run";
+        /// Moves a machine by hand.
+        Jog(JogRequest) -> JogResponse = by_hand::jog, "jog";
+        /// Replays recorded moves.
+        Replay(ReplayRequest) -> JogResponse = by_hand::replay, "replay";
+        /// Compares a machine's settings with its profile, or writes them.
+        MachineSettings(MachineSettingsRequest) -> MachineSettingsResponse = machine_settings::machine_settings, "machine-settings";
+        /// Writes the record of a run to a file.
+        RunsExport(RunsExportRequest) -> RunsExportResponse = runs::export, "runs-export";
+        /// Shows the value of one stage.
+        Dump(DumpRequest) -> DumpResponse = dump::dump, "dump";
+        /// Says whether profile files can be used.
+        ProfileCheck(ProfileCheckRequest) -> ProfileCheckResponse = profiles::check::check, "profile-check";
+        /// Writes a profile that inherits from a known one.
+        ProfileNew(ProfileNewRequest) -> ProfileNewResponse = profiles::new::new, "profile-new";
+    }
+    both {
+        /// Lists the machines.
+        Machines(MachinesRequest) -> MachinesResponse = catalogue::machines, "machines";
+        /// Lists the materials.
+        Materials(MaterialsRequest) -> MaterialsResponse = catalogue::materials, "materials";
+        /// Lists the drivers.
+        Drivers(DriversRequest) -> DriversResponse = drivers::drivers, "drivers";
+        /// Trusts a driver library, as it is now.
+        DriverTrust(DriverTrustRequest) -> DriverTrustResponse = drivers::trust, "driver-trust";
+        /// Lists the ports that a machine can be at.
+        Ports(PortsRequest) -> PortsResponse = ports::ports, "ports";
+        /// Lists the runs.
+        Runs(RunsRequest) -> RunsResponse = runs::list, "runs";
+        /// Shows the record of a run.
+        RunsShow(RunsShowRequest) -> RunsShowResponse = runs::show, "runs-show";
+        /// Says which file and line set each value of a profile.
+        ProfileExplain(ProfileExplainRequest) -> ProfileExplainResponse = profiles::explain::explain, "profile-explain";
+    }
+    window {
+        /// What a window needs when it opens.
+        Start(workspace::Start) -> workspace::Started = Workspace::start, "start";
+        /// What this program is.
+        About(workspace::AboutRequest) -> workspace::AboutResponse = Workspace::about, "about";
+        /// The examples.
+        Examples(workspace::ExamplesRequest) -> workspace::ExamplesResponse = Workspace::examples, "examples";
+        /// Looks into a file before it is opened.
+        Look(workspace::LookRequest) -> workspace::LookResponse = Workspace::look, "look";
+        /// Begins an empty design.
+        New(workspace::NewDesign) -> workspace::DesignOpened = Workspace::new_design, "new";
+        /// Opens a file as the design.
+        Open(workspace::OpenDesign) -> workspace::DesignOpened = Workspace::open_design, "open";
+        /// Opens an example.
+        OpenExample(workspace::OpenExample) -> workspace::DesignOpened = Workspace::open_example, "open-example";
+        /// Restores a design that was open when the program stopped.
+        Restore(workspace::RestoreUnsaved) -> workspace::DesignOpened = Workspace::restore, "restore";
+        /// Throws away a design that was open when the program stopped.
+        Discard(workspace::DiscardUnsaved) -> workspace::Started = Workspace::discard, "discard";
+        /// Empties the list of what was open before.
+        ClearRecent(workspace::ClearRecent) -> workspace::Started = Workspace::clear_recent, "clear-recent";
+        /// Saves the design.
+        Save(workspace::SaveDesign) -> workspace::DesignOpened = Workspace::save, "save";
+        /// Closes the design without saving.
+        Close(workspace::CloseDesign) -> workspace::DesignOpened = Workspace::close, "close";
+        /// Puts the surface of a file into the design.
+        PutStencil(workspace::PutStencil) -> workspace::EditMade = Workspace::put_stencil, "put-stencil";
+        /// Makes a change.
+        Edit(workspace::EditDesign) -> workspace::EditMade = Workspace::edit, "edit";
+        /// Undoes the last change.
+        Undo(workspace::Undo) -> workspace::EditMade = Workspace::undo, "undo";
+        /// Does again what was undone last.
+        Redo(workspace::Redo) -> workspace::EditMade = Workspace::redo, "redo";
+        /// Checks the design on its machine.
+        Check(workspace::CheckDesign) -> LiveCheck = Workspace::check, "check";
+        /// What would fix what the checks say, each tried beforehand.
+        Fixes(workspace::FixesRequest) -> workspace::FixesResponse = Workspace::fixes, "fixes";
+        /// The program of the design, as it is played.
+        Program(workspace::ProgramRequest) -> workspace::ProgramResponse = Workspace::program, "program";
+        /// The design as the machine bends it.
+        Made(workspace::MadeRequest) -> workspace::MadeResponse = Workspace::made, "made";
+        /// The design on other machines.
+        Compare(workspace::CompareDesign) -> CompareResponse = Workspace::compare, "compare";
+        /// What can be written for the machine.
+        Exports(workspace::ExportsRequest) -> workspace::ExportsResponse = Workspace::exports, "exports";
+        /// Writes the design, or shows what would be written.
+        Export(workspace::ExportDesign) -> workspace::ExportPreview = Workspace::export, "export";
+        /// Writes the wireframe for other programs.
+        SaveWireframe(workspace::SaveWireframe) -> workspace::SavedWireframe = Workspace::save_wireframe, "save-wireframe";
+        /// Writes the job.
+        SaveJob(workspace::SaveJob) -> workspace::SavedJob = Workspace::save_job, "save-job";
+        /// One machine.
+        MachineView(workspace::MachineViewRequest) -> workspace::MachineViewResponse = Workspace::machine_view, "machine-view";
+        /// Writes a profile of the person's own that inherits from a machine.
+        CopyMachine(workspace::CopyMachine) -> ProfileNewResponse = Workspace::copy_machine, "copy-machine";
+        /// Changes the driver's settings in a profile of the person's own.
+        ChangeSettings(workspace::ChangeSettings) -> workspace::SettingsChanged = Workspace::change_settings, "change-settings";
+        /// Connects the machine.
+        Connect(workspace::ConnectMachine) -> workspace::MachineNow = Workspace::connect, "connect";
+        /// Says what the machine is to do.
+        Order(workspace::OrderMachine) -> workspace::MachineNow = Workspace::order, "order";
+        /// Answers what the machine's operator asks.
+        Answer(workspace::AnswerMachine) -> workspace::MachineNow = Workspace::answer_machine, "answer";
+        /// How the machine stands.
+        MachineState(workspace::MachineStateRequest) -> workspace::MachineNow = Workspace::machine_state, "machine-state";
+        /// The wire that moves by hand have bent.
+        ByHand(workspace::ByHandRequest) -> workspace::ByHandResponse = Workspace::by_hand, "by-hand";
+        /// The moves that were recorded.
+        Recorded(workspace::RecordedRequest) -> workspace::Recorded = Workspace::recorded, "recorded";
+        /// Forgets the moves that were recorded.
+        ClearRecording(workspace::ClearRecording) -> workspace::Recorded = Workspace::clear_recording, "clear-recording";
+        /// Writes the moves that were recorded.
+        SaveRecording(workspace::SaveRecording) -> workspace::SavedRecording = Workspace::save_recording, "save-recording";
+    }
+}
+
+/// The JSON Schema of a value as it is written.
+fn schema_of<T: JsonSchema>() -> serde_json::Value {
+    let settings = SchemaSettings::draft2020_12().for_serialize();
+    settings.into_generator().into_root_schema_for::<T>().to_value()
+}
+
+fn object(
+    title: &str,
+    keys: &[(&str, schemars::Schema)],
+    definitions: &serde_json::Map<String, serde_json::Value>,
+) -> serde_json::Value {
+    let names: Vec<&str> = keys.iter().map(|(name, _)| *name).collect();
+    let properties: serde_json::Map<String, serde_json::Value> =
+        keys.iter().map(|(name, schema)| ((*name).to_owned(), schema.clone().to_value())).collect();
+    serde_json::json!({
+        "title": title,
+        "type": "object",
+        "properties": properties,
+        "required": names,
+        "additionalProperties": false,
+        "$defs": definitions,
+    })
+}
+
+fn json<T: Serialize>(value: &T) -> Result<Box<RawValue>, ApiError> {
+    Ok(serde_json::value::to_raw_value(value)?)
+}

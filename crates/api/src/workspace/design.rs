@@ -1,0 +1,266 @@
+//! The open design: opening, editing, checking, saving.
+
+use std::path::PathBuf;
+use wirebend_planning::PlanningError;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use wirebend_error::ProblemReport;
+use wirebend_files::document::DocumentError;
+
+use super::{RecentEntry, Workspace, empty};
+use crate::{
+    ApiError, DesignInput, DesignView, EditRequest, Editor, Fix, Input, LiveCheck, Moved, Progress, Unsaved,
+    ViewChange,
+};
+use wirebend_planning::report::NoteReport;
+
+/// What a window needs when it opens.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct Start {}
+
+/// What there is when a window opens.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct Started {
+    /// The version of the program.
+    pub version: String,
+    /// The open design.
+    pub design: DesignView,
+    /// Designs that were open when the program or the computer stopped, last changed first.
+    pub unsaved: Vec<Unsaved>,
+    /// What was open before.
+    pub recent: Vec<RecentEntry>,
+    /// What a person should know at once, such as profiles of theirs that cannot be used.
+    pub warnings: Vec<ProblemReport>,
+}
+
+/// Begins an empty design.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct NewDesign {
+    /// Its machine; absent, that of the design before.
+    pub machine: Option<String>,
+}
+
+/// Opens a file as the design: a wireframe, a drawing, a program, or a stencil to trace on.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct OpenDesign {
+    /// The file and how to read it.
+    pub design: DesignInput,
+}
+
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct OpenExample {
+    pub id: String,
+}
+
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct DesignOpened {
+    pub design: DesignView,
+    /// What was merged, ignored or assumed while reading.
+    pub notes: Vec<NoteReport>,
+    /// What was open before.
+    pub recent: Vec<RecentEntry>,
+}
+
+/// Puts the surface of a file into the design, to trace on.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct PutStencil {
+    /// The file and how to read it.
+    pub design: DesignInput,
+}
+
+/// What a change made of the design.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct EditMade {
+    /// What is to be drawn anew; null where there was nothing to undo or to redo.
+    pub change: Option<ViewChange>,
+    /// What was merged, ignored or assumed while reading.
+    pub notes: Vec<NoteReport>,
+}
+
+/// Makes a change.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct EditDesign {
+    pub request: EditRequest,
+}
+
+/// Undoes the last change.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct Undo {}
+
+/// Does again what was undone last.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct Redo {}
+
+/// Saves the design as a `.wirebend` document.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct SaveDesign {
+    /// Where; absent, where it was opened or saved before.
+    pub path: Option<PathBuf>,
+}
+
+/// Checks the design on its machine, with some vertices elsewhere than they are.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct CheckDesign {
+    /// Vertices that are being dragged.
+    #[serde(default)]
+    pub moved: Vec<Moved>,
+}
+
+/// Asks what would fix what the checks say.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct FixesRequest {}
+
+/// What would fix what the checks say.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct FixesResponse {
+    /// In the order of the diagnostics, the best of each first.
+    pub fixes: Vec<Fix>,
+}
+
+/// Closes the design; what is not saved is gone. An empty one takes its place.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct CloseDesign {}
+
+/// Restores a design that was open when the program or the computer stopped.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct RestoreUnsaved {
+    pub journal: PathBuf,
+}
+
+/// Throws away a design that was open when the program or the computer stopped.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct DiscardUnsaved {
+    pub journal: PathBuf,
+}
+
+/// Empties the list of what was open before.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct ClearRecent {}
+
+impl Workspace {
+    pub(crate) fn start(&self, _: &Start, _: &dyn Progress) -> Result<Started, ApiError> {
+        let (unsaved, mut warnings) =
+            self.keep_in().map(|folder| Editor::unsaved(&folder)).unwrap_or_default();
+        warnings.extend(self.installation().refused_profiles().iter().map(ProblemReport::from));
+        Ok(Started {
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            design: self.open().view(),
+            unsaved,
+            recent: self.recent(),
+            warnings,
+        })
+    }
+
+    pub(crate) fn new_design(&self, asked: &NewDesign, _: &dyn Progress) -> Result<DesignOpened, ApiError> {
+        let editor = match &asked.machine {
+            Some(machine) => Editor::new(&self.installation(), Some(machine), self.keep_in().as_deref())?,
+            None => empty(&self.installation(), self.places(), self.open().state().machine)?,
+        };
+        self.replace(editor, Vec::new())
+    }
+
+    pub(crate) fn open_design(
+        &self,
+        asked: &OpenDesign,
+        progress: &dyn Progress,
+    ) -> Result<DesignOpened, ApiError> {
+        let before = self.open().state();
+        let machine = before.machine.as_deref().map(|machine| (machine, before.material.as_deref()));
+        let (editor, notes) = Editor::open_for(
+            &self.installation(),
+            &asked.design,
+            machine,
+            None,
+            self.keep_in().as_deref(),
+            progress,
+        )?;
+        if let Input::File(path) = &asked.design.input {
+            self.remember(path);
+        }
+        self.replace(editor, notes)
+    }
+
+    pub(crate) fn put_stencil(
+        &self,
+        asked: &PutStencil,
+        progress: &dyn Progress,
+    ) -> Result<EditMade, ApiError> {
+        let (stencil, notes) = asked.design.stencil(progress)?;
+        let change = self.open().put_stencil(stencil)?;
+        Ok(EditMade { change: Some(change), notes })
+    }
+
+    pub(crate) fn edit(&self, asked: &EditDesign, _: &dyn Progress) -> Result<EditMade, ApiError> {
+        let change = self.open().edit(&self.installation(), &asked.request)?;
+        if let EditRequest::Machine { machine, .. } = &asked.request {
+            self.remember_machine(machine);
+        }
+        Ok(EditMade { change: Some(change), notes: Vec::new() })
+    }
+
+    pub(crate) fn undo(&self, _: &Undo, _: &dyn Progress) -> Result<EditMade, ApiError> {
+        Ok(EditMade { change: self.open().undo()?, notes: Vec::new() })
+    }
+
+    pub(crate) fn redo(&self, _: &Redo, _: &dyn Progress) -> Result<EditMade, ApiError> {
+        Ok(EditMade { change: self.open().redo()?, notes: Vec::new() })
+    }
+
+    pub(crate) fn check(&self, asked: &CheckDesign, _: &dyn Progress) -> Result<LiveCheck, ApiError> {
+        Ok(self.open().check(&self.installation(), &asked.moved)?)
+    }
+
+    pub(crate) fn fixes(&self, _: &FixesRequest, _: &dyn Progress) -> Result<FixesResponse, ApiError> {
+        let app = self.installation();
+        // The user keeps dragging meanwhile.
+        let unmended = self.open().unmended(&app)?;
+        Ok(FixesResponse { fixes: unmended.fixes(&app)? })
+    }
+
+    pub(crate) fn save(&self, asked: &SaveDesign, _: &dyn Progress) -> Result<DesignOpened, ApiError> {
+        let mut open = self.open();
+        let path = open.save(asked.path.as_deref())?;
+        self.remember(&path);
+        Ok(DesignOpened { design: open.view(), notes: Vec::new(), recent: self.recent() })
+    }
+
+    pub(crate) fn close(&self, _: &CloseDesign, progress: &dyn Progress) -> Result<DesignOpened, ApiError> {
+        self.new_design(&NewDesign { machine: None }, progress)
+    }
+
+    pub(crate) fn restore(&self, asked: &RestoreUnsaved, _: &dyn Progress) -> Result<DesignOpened, ApiError> {
+        self.replace(Editor::restore(&asked.journal)?, Vec::new())
+    }
+
+    pub(crate) fn discard(
+        &self,
+        asked: &DiscardUnsaved,
+        progress: &dyn Progress,
+    ) -> Result<Started, ApiError> {
+        // Only what is offered can be thrown away: a window names no other file.
+        let offered = self.keep_in().map(|folder| Editor::unsaved(&folder).0).unwrap_or_default();
+        if let Some(unsaved) = offered.iter().find(|unsaved| unsaved.journal == asked.journal) {
+            std::fs::remove_file(&unsaved.journal).map_err(|error| {
+                PlanningError::Document(DocumentError::Save {
+                    path: unsaved.journal.display().to_string(),
+                    error,
+                })
+            })?;
+        }
+        self.start(&Start {}, progress)
+    }
+
+    pub(crate) fn clear_recent(&self, _: &ClearRecent, progress: &dyn Progress) -> Result<Started, ApiError> {
+        self.forget_recent();
+        self.start(&Start {}, progress)
+    }
+
+    /// Puts another design on the workspace; the one before is closed.
+    pub(crate) fn replace(&self, editor: Editor, notes: Vec<NoteReport>) -> Result<DesignOpened, ApiError> {
+        let design = editor.view();
+        let before = std::mem::replace(&mut *self.open(), editor);
+        before.close();
+        Ok(DesignOpened { design, notes, recent: self.recent() })
+    }
+}

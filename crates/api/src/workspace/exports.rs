@@ -1,0 +1,248 @@
+//! What can be written of the open design for its machine, and writing it.
+
+use std::path::PathBuf;
+use wirebend_planning::PlanningError;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
+
+use super::Workspace;
+use crate::{
+    ApiError, ExportFormat, ExportRequest, Input, PlanChoices, PlanRequest, ProblemReport, Progress,
+};
+use wirebend_planning::design::DesignInput;
+use wirebend_planning::import::wireframe_obj;
+use wirebend_planning::output::Output;
+use wirebend_planning::report::NoteReport;
+
+/// How much of a file is shown before it is written, in lines.
+const PREVIEW_LINES: usize = 40;
+
+/// Asks what can be written for the machine of the open design.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct ExportsRequest {}
+
+/// A format to choose.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct FormatEntry {
+    /// What `--format` takes.
+    pub id: String,
+    pub name: String,
+    /// How the names of its files end, without the dot.
+    pub extension: String,
+    /// The driver that writes it; null for what the program writes itself.
+    pub driver: Option<String>,
+    /// Whether it is the machine's own or one that its profile lists.
+    pub of_machine: bool,
+    /// Whether a machine runs it: then it is not written for a design that cannot be made.
+    pub program: bool,
+    /// The JSON Schema of its settings; null where it has none.
+    pub settings_schema: Option<Value>,
+    /// The settings that the machine's profile has.
+    pub settings: Map<String, Value>,
+}
+
+/// What can be written.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct ExportsResponse {
+    /// The machine's own first, then what its profile lists, then the rest.
+    pub formats: Vec<FormatEntry>,
+    /// Drivers that could not be asked, and why.
+    pub problems: Vec<ProblemReport>,
+}
+
+/// Writes the open design, or shows what would be written.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct ExportDesign {
+    pub format: String,
+    /// Its settings, over those of the machine's profile.
+    #[serde(default)]
+    pub settings: Map<String, Value>,
+    /// Whether to write a program although a check says that it cannot be made.
+    #[serde(default)]
+    pub despite_errors: bool,
+    /// Where it goes; absent, its beginning is returned.
+    pub output: Option<Output>,
+}
+
+/// A file, or the beginning of what it would be.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct ExportPreview {
+    pub format: String,
+    /// Whether the machine can make it.
+    pub feasible: bool,
+    /// What was assumed or left out.
+    pub notes: Vec<NoteReport>,
+    /// The files that were written.
+    pub files: Vec<PathBuf>,
+    /// Of each file that would be written its first lines; null of one that is no text.
+    pub beginnings: Vec<Option<String>>,
+    pub bytes: Vec<usize>,
+}
+
+/// Plans the open design and writes the job.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct SaveJob {
+    pub output: Output,
+    /// Whether to write a job although a check says that it cannot be made.
+    #[serde(default)]
+    pub despite_errors: bool,
+}
+
+/// A job that was written.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct SavedJob {
+    pub file: PathBuf,
+    pub job_hash: String,
+}
+
+/// Writes the wireframe of the open design as an OBJ, which other programs edit.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct SaveWireframe {
+    pub output: Output,
+}
+
+/// A wireframe that was written.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct SavedWireframe {
+    pub file: PathBuf,
+}
+
+impl Workspace {
+    /// The open design as a command takes it.
+    pub(crate) fn as_input(&self) -> Result<DesignInput, ApiError> {
+        let opened = self.copy();
+        let stem = opened.name.strip_suffix(".wirebend").unwrap_or(&opened.name);
+        let input = Input::Bytes { name: format!("{stem}.wirebend"), bytes: opened.document.to_bytes()? };
+        Ok(DesignInput { input, ..DesignInput::file(PathBuf::new()) })
+    }
+
+    pub(crate) fn exports(
+        &self,
+        _: &ExportsRequest,
+        progress: &dyn Progress,
+    ) -> Result<ExportsResponse, ApiError> {
+        let app = self.installation();
+        let machine = self.open().state().machine;
+        let machine = machine.ok_or_else(|| PlanningError::NoMachine { known: app.machine_ids() })?;
+        let profile = app.library.machine(&machine)?.profile;
+        let own = profile.driver.id.clone().unwrap_or_default();
+        let listed: Vec<String> =
+            profile.export.native.iter().chain(profile.export.formats.iter().flatten()).cloned().collect();
+        progress.stage("asking drivers");
+        let mut formats = Vec::new();
+        let mut problems = Vec::new();
+        if let Err(error) = app.driver(&own) {
+            problems.push(ProblemReport::from(&error));
+        }
+        for driver in app.all_drivers()? {
+            let described = driver.description();
+            let is_own = described.id == own;
+            for format in &described.formats {
+                // What is compensated is for the machine that its driver belongs to.
+                let of_another = format.content == wirebend_driver_host::api::Content::Machine && !is_own;
+                if of_another || formats.iter().any(|entry: &FormatEntry| entry.id == format.id) {
+                    continue;
+                }
+                let settings = profile.driver.settings.clone().filter(|_| is_own).unwrap_or_default();
+                formats.push(FormatEntry {
+                    id: format.id.clone(),
+                    name: format.name.clone(),
+                    extension: format.extensions.first().cloned().unwrap_or_default(),
+                    driver: Some(described.id.clone()),
+                    of_machine: is_own || listed.contains(&format.id),
+                    program: format.program,
+                    settings_schema: Some(described.settings_schema.clone()),
+                    settings,
+                });
+            }
+        }
+        formats.extend(ExportFormat::ALL.map(|format| FormatEntry {
+            id: format.id().to_owned(),
+            name: format.name().to_owned(),
+            extension: format.extension().to_owned(),
+            driver: None,
+            of_machine: listed.iter().any(|id| id == format.id()),
+            program: false,
+            settings_schema: format.settings_schema(),
+            settings: Map::new(),
+        }));
+        let place =
+            |entry: &FormatEntry| listed.iter().position(|id| *id == entry.id).unwrap_or(listed.len());
+        formats.sort_by_key(|entry| (place(entry), !entry.of_machine));
+        Ok(ExportsResponse { formats, problems })
+    }
+
+    pub(crate) fn export(
+        &self,
+        asked: &ExportDesign,
+        progress: &dyn Progress,
+    ) -> Result<ExportPreview, ApiError> {
+        let request = ExportRequest {
+            design: self.as_input()?,
+            choices: PlanChoices::default(),
+            format: Some(asked.format.clone()),
+            settings: asked.settings.clone(),
+            output: asked.output.clone(),
+            despite_errors: asked.despite_errors,
+        };
+        let written = wirebend_planning::export::export(&self.installation(), &request, progress)?;
+        let begins = |bytes: &Vec<u8>| {
+            let text = std::str::from_utf8(bytes).ok()?;
+            let lines: Vec<&str> = text.lines().take(PREVIEW_LINES).collect();
+            Some(lines.join("\n"))
+        };
+        Ok(ExportPreview {
+            format: written.format,
+            feasible: written.feasible,
+            notes: written.notes,
+            beginnings: written.contents.iter().map(begins).collect(),
+            bytes: written.contents.iter().map(Vec::len).collect(),
+            files: written.files,
+        })
+    }
+
+    pub(crate) fn save_job(&self, asked: &SaveJob, progress: &dyn Progress) -> Result<SavedJob, ApiError> {
+        let request = PlanRequest {
+            design: self.as_input()?,
+            choices: PlanChoices::default(),
+            output: Some(asked.output.clone()),
+            make_job: false,
+            despite_errors: asked.despite_errors,
+        };
+        let planned = wirebend_planning::plan::plan(&self.installation(), &request, progress)?;
+        match (planned.output, planned.job_hash) {
+            (Some(file), Some(job_hash)) => Ok(SavedJob { file, job_hash }),
+            _ => {
+                Err(PlanningError::NotFeasible { machine: planned.machine, report: Box::new(planned.report) }
+                    .into())
+            }
+        }
+    }
+
+    pub(crate) fn save_wireframe(
+        &self,
+        asked: &SaveWireframe,
+        _: &dyn Progress,
+    ) -> Result<SavedWireframe, ApiError> {
+        let text = wireframe_obj(&self.copy().document)?;
+        Ok(SavedWireframe { file: asked.output.save(&text)? })
+    }
+
+    /// The job of the open design, as a run takes it.
+    pub(crate) fn job(&self, despite_errors: bool, progress: &dyn Progress) -> Result<Input, ApiError> {
+        let (_, planned) = self.planned(progress)?;
+        let report = || Box::new(planned.report());
+        if !planned.feasible() && !despite_errors {
+            let machine = planned.setup.machine_id().to_owned();
+            return Err(PlanningError::NotFeasible { machine, report: report() }.into());
+        }
+        let unreached =
+            || PlanningError::StageNotReached { stage: crate::StageName::Compensated, report: report() };
+        let job = planned.job()?.ok_or_else(unreached)?;
+        let name = &planned.opened.name;
+        let stem = name.strip_suffix(".wirebend").unwrap_or(name);
+        Ok(Input::Bytes { name: format!("{stem}.wbjob"), bytes: job.to_bytes()? })
+    }
+}

@@ -1,0 +1,115 @@
+//! A look into a file before it is opened: what it is, and how large in which unit.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use wirebend_files::read::Format;
+
+use super::Workspace;
+use crate::{ApiError, DesignInput, Progress};
+use wirebend_planning::job::{is_job, open_job};
+use wirebend_planning::report::NoteReport;
+
+/// What to look into.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct LookRequest {
+    /// The file and how it would be read.
+    pub design: DesignInput,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Seen {
+    /// A document of this program, taken as it is.
+    Document,
+    /// Lines to bend.
+    Wireframe,
+    /// A surface to trace on.
+    Stencil,
+    /// A surface, and lines.
+    Both,
+    /// A job, which is run and not edited.
+    Job,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct LookResponse {
+    pub name: String,
+    pub format: String,
+    pub seen: Seen,
+    /// Whether units and scale are open: the format does not say them.
+    pub asks_units: bool,
+    /// Its size in x, y and z as it would be read, mm; null where there is nothing.
+    pub size_mm: Option<[f64; 3]>,
+    /// Vertices of its lines.
+    pub vertices: usize,
+    /// Its lines.
+    pub edges: usize,
+    /// Faces of its surface.
+    pub faces: usize,
+    /// The layers of a drawing, hidden ones included.
+    pub layers: Vec<String>,
+    /// What would be merged, ignored or assumed.
+    pub notes: Vec<NoteReport>,
+}
+
+impl Workspace {
+    pub(crate) fn look(
+        &self,
+        asked: &LookRequest,
+        progress: &dyn Progress,
+    ) -> Result<LookResponse, ApiError> {
+        let (name, bytes) = asked.design.input.load()?;
+        if is_job(&name, &bytes) {
+            // One that is damaged, or of another version, is reported as that.
+            open_job(&name, &bytes)?;
+            let none = LookResponse {
+                name,
+                format: "wbjob".to_owned(),
+                seen: Seen::Job,
+                asks_units: false,
+                size_mm: None,
+                vertices: 0,
+                edges: 0,
+                faces: 0,
+                layers: Vec::new(),
+                notes: Vec::new(),
+            };
+            return Ok(none);
+        }
+        progress.stage("reading");
+        let opened = asked.design.open_bytes(name, &bytes)?;
+        let document = &opened.document;
+        let stencil = document.embedded_stencil();
+        let (lines, surface) = (document.wireframe.edge_count() > 0, stencil.is_some());
+        let points = document.wireframe.vertices().map(|(_, vertex)| vertex.position);
+        let corners = stencil.into_iter().flat_map(|stencil| stencil.vertices().iter().copied());
+        let bounds = points.chain(corners).fold(None, |bounds: Option<[[f64; 3]; 2]>, point| {
+            let at: [f64; 3] = point.coords.into();
+            let [low, high] = bounds.unwrap_or([at, at]);
+            let pick = |a: [f64; 3], of: fn(f64, f64) -> f64| [0, 1, 2].map(|k| of(a[k], at[k]));
+            Some([pick(low, f64::min), pick(high, f64::max)])
+        });
+        Ok(LookResponse {
+            format: opened.format.to_string(),
+            seen: match (opened.format, lines, surface) {
+                (Format::Wirebend, ..) => Seen::Document,
+                (_, true, true) => Seen::Both,
+                (_, false, true) => Seen::Stencil,
+                _ => Seen::Wireframe,
+            },
+            asks_units: asks_units(opened.format),
+            size_mm: bounds.map(|[low, high]| [0, 1, 2].map(|k| high[k] - low[k])),
+            vertices: document.wireframe.vertex_count(),
+            edges: document.wireframe.edge_count(),
+            faces: stencil.map_or(0, |stencil| stencil.faces().len()),
+            layers: opened.layers,
+            notes: opened.notes,
+            name: opened.name,
+        })
+    }
+}
+
+/// Meshes and bare coordinates do not say their unit; drawings, documents, programs, 3MF and glTF do.
+const fn asks_units(format: Format) -> bool {
+    matches!(format, Format::Obj | Format::Stl | Format::Ply | Format::Xyz)
+}

@@ -1,0 +1,109 @@
+//! Moves by hand: done, recorded, replayed, refused.
+
+use serde_json::{Value, json};
+
+use super::runs::Shop;
+use crate::{Ran, assert_fits};
+
+fn jog(shop: &Shop, words: &[&str]) -> Ran {
+    shop.run(&[&["jog", "-m", "wirebend-kit", "--port", "sim:max"], words].concat())
+}
+
+#[test]
+fn moves_are_made_recorded_and_replayed() {
+    let shop = Shop::cube();
+    let made = jog(
+        &shop,
+        &["--yes", "--json", "--record", "a.wbmoves", "home", "f", "10", "b", "45", "r", "-90", "f", "-5"],
+    );
+    let made = made.ended(0).json();
+    assert_fits("jog", &made);
+    let moves = json!([
+        {"move": "home"},
+        {"move": "feed", "mm": 10.0},
+        {"move": "bend", "deg": 45.0},
+        {"move": "rotate", "deg": -90.0},
+        {"move": "feed", "mm": -5.0},
+    ]);
+    assert_eq!((&made["made"], &made["of"]), (&moves, &json!(5)));
+    let file = shop.path().join("a.wbmoves");
+    let recorded: Value = serde_json::from_slice(&std::fs::read(&file).unwrap()).unwrap();
+    assert_eq!((&recorded["moves"], &recorded["machine"]), (&moves, &json!("wirebend-kit")));
+
+    let again = shop.run(&["replay", "a.wbmoves", "--port", "sim:max", "--yes", "--json"]).ended(0).json();
+    assert_fits("replay", &again);
+    assert_eq!(again["made"], moves);
+    let said = shop.run(&["replay", "a.wbmoves", "--port", "sim:max"]).ended(2).err;
+    assert!(said.contains("--yes") && said.contains("rotate -90°"), "{said}");
+    // What is there is not written over, and nothing moves before that is known.
+    jog(&shop, &["--yes", "--record", "a.wbmoves", "f", "1"]).ended(2);
+}
+
+#[test]
+fn a_recording_is_for_its_machine() {
+    let shop = Shop::cube();
+    jog(&shop, &["--yes", "--record", "a.wbmoves", "f", "10"]).ended(0);
+    let file = shop.path().join("a.wbmoves");
+    let text = std::fs::read_to_string(&file).unwrap();
+    shop.run(&["profile", "new", "my-kit", "--from", "wirebend-kit", "--kind", "machine", "--name", "Mine"])
+        .ended(0);
+    let replay =
+        |more: &[&str]| shop.run(&[&["replay", "a.wbmoves", "--port", "sim:max", "--yes"], more].concat());
+    // Said by name, it is replayed elsewhere, and a person hears of it.
+    let said = replay(&["--machine", "my-kit"]).ended(0).err;
+    assert!(said.contains("recorded on 'wirebend-kit', not on 'my-kit'"), "{said}");
+    // The machine's profile is not what it was.
+    let hash: Value = serde_json::from_str(&text).unwrap();
+    let other = text.replace(hash["profile_hash"].as_str().unwrap(), &"0".repeat(64));
+    std::fs::write(&file, other).unwrap();
+    let said = replay(&[]).ended(2).err;
+    assert!(said.contains("before the profile of 'wirebend-kit' was changed"), "{said}");
+    replay(&["--machine", "wirebend-kit"]).ended(0);
+}
+
+#[test]
+fn what_is_no_recording_is_refused_with_its_place() {
+    let shop = Shop::cube();
+    jog(&shop, &["--yes", "--record", "a.wbmoves", "f", "10"]).ended(0);
+    let good = std::fs::read_to_string(shop.path().join("a.wbmoves")).unwrap();
+    for (text, said) in [
+        ("no JSON".to_owned(), "no recording"),
+        ("{}".to_owned(), "\"wbmoves\""),
+        (good.replace("\"version\": 1", "\"version\": 9"), "newer"),
+        (good.replace("\"mm\"", "\"inch\""), "line"),
+        (good.replace("10.0", "1e999"), "out of range"),
+    ] {
+        std::fs::write(shop.path().join("b.wbmoves"), &text).unwrap();
+        let ran = shop.run(&["replay", "b.wbmoves", "--port", "sim:max", "--yes"]).ended(3);
+        assert!(ran.err.contains(said), "{said}: {}", ran.err);
+    }
+}
+
+#[test]
+fn what_is_no_move_is_refused_before_anything_is_connected() {
+    let shop = Shop::cube();
+    for words in [&["--yes", "f"][..], &["--yes", "x", "1"], &["--yes", "b", "ten"]] {
+        jog(&shop, words).ended(2);
+    }
+    let said = jog(&shop, &["f", "10"]).ended(2).err;
+    assert!(said.contains("--yes") && said.contains("feed 10 mm"), "{said}");
+    let said =
+        shop.run(&["jog", "-m", "pensa-diwire-pro", "--port", "/dev/null", "--yes", "f", "1"]).ended(2).err;
+    assert!(said.contains("writes files"), "{said}");
+    let said = shop.run(&["jog", "-m", "nobody", "--port", "sim", "--yes", "f", "1"]).ended(2).err;
+    assert!(said.contains("nobody"), "{said}");
+}
+
+/// A machine says no in the middle: what was done is reported and recorded, the rest is not done.
+#[test]
+fn what_was_made_before_a_refusal_is_told() {
+    let shop = Shop::cube();
+    let words = ["--yes", "--json", "--record", "a.wbmoves", "f", "10", "b", "170", "f", "10"];
+    let made = jog(&shop, &words).ended(5).json();
+    assert_fits("jog", &made);
+    assert_eq!(made["made"], json!([{"move": "feed", "mm": 10.0}]));
+    assert!(made["problem"]["message"].as_str().unwrap().contains("155"), "{made}");
+    let recorded: Value =
+        serde_json::from_slice(&std::fs::read(shop.path().join("a.wbmoves")).unwrap()).unwrap();
+    assert_eq!(recorded["moves"], made["made"]);
+}

@@ -1,0 +1,29 @@
+//! A machine on the command line: wires that are run, stopped and resumed, and moves by hand.
+
+#[cfg(target_os = "linux")]
+mod asked;
+#[cfg(target_os = "linux")]
+mod bench;
+#[cfg(target_os = "linux")]
+mod bender;
+#[cfg(target_os = "linux")]
+mod board;
+#[cfg(target_os = "linux")]
+mod board_limits;
+mod by_hand;
+#[cfg(target_os = "linux")]
+mod heads;
+mod interrupted;
+#[cfg(target_os = "linux")]
+mod lost;
+#[cfg(target_os = "linux")]
+mod random_stops;
+mod runs;
+#[cfg(target_os = "linux")]
+mod silent;
+#[cfg(target_os = "linux")]
+mod still_moving;
+#[cfg(target_os = "linux")]
+mod stop;
+#[cfg(target_os = "linux")]
+mod zeroed;

@@ -1,0 +1,82 @@
+//! The names of findings.
+
+use std::fmt;
+
+macro_rules! codes {
+    ($($(#[$doc:meta])* $name:ident = $text:literal,)*) => {
+        /// The name of a kind of finding. It stays the same while figures and wording change, so that files, scripts
+        /// and front ends can rely on it.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+        pub enum Code { $($(#[$doc])* $name,)* }
+
+        impl Code {
+            /// Every code, those of the drawing first.
+            pub const ALL: &'static [Self] = &[$(Self::$name,)*];
+
+            /// The code as files and the command line spell it: lower case with underscores.
+            #[must_use]
+            pub const fn as_str(self) -> &'static str {
+                match self { $(Self::$name => $text,)* }
+            }
+        }
+    };
+}
+
+codes! {
+    /// An edge has no length, so that the wire has no direction along it.
+    ZeroLengthEdge = "zero_length_edge",
+    /// Two edges join the same two vertices.
+    ParallelEdges = "parallel_edges",
+    /// Two vertices lie within the weld tolerance of each other but are not merged.
+    CoincidentVertices = "coincident_vertices",
+    /// A vertex has no edge, so that no wire passes through it.
+    IsolatedVertex = "isolated_vertex",
+    /// The wireframe is not connected: it takes several wires.
+    SeveralWires = "several_wires",
+    /// The wireframe has no edge to bend.
+    NoEdges = "no_edges",
+    /// No single wire runs through every edge once.
+    NoEulerPath = "no_euler_path",
+    /// The wanted start or the accepted doubled edges do not fit the wireframe, or it is too large to route.
+    RouteRefused = "route_refused",
+    /// A designed edge is shorter than the machine's shortest.
+    EdgeTooShort = "edge_too_short",
+    /// A designed edge is less than 5 % longer than the machine's shortest.
+    EdgeNearLimit = "edge_near_limit",
+    /// A bend is beyond the machine's largest.
+    BendTooSharp = "bend_too_sharp",
+    /// A bend is less than 5 % below the machine's largest.
+    BendNearLimit = "bend_near_limit",
+    /// With springback and setback added, the bend axis or the peg cannot reach a bend.
+    BendOutOfReach = "bend_out_of_reach",
+    /// A bend is so small that the peg would stop before it crosses the wire's axis.
+    BendTooSmall = "bend_too_small",
+    /// A bend is smaller than the scatter of the machine's bends.
+    BendInScatter = "bend_in_scatter",
+    /// A corner is smaller than the bend axis resolves, so that the wire goes straight on.
+    CornerNotMade = "corner_not_made",
+    /// The wire folds back on itself.
+    FoldBack = "fold_back",
+    /// The wire runs along an edge more than once.
+    DoubledEdge = "doubled_edge",
+    /// A feed is shorter than the machine's shortest once arcs are compensated.
+    FeedTooShort = "feed_too_short",
+    /// A compensated feed is less than 5 % longer than the machine's shortest.
+    FeedNearLimit = "feed_near_limit",
+    /// The arcs of the bends at both ends of an edge overlap.
+    ArcsOverlap = "arcs_overlap",
+    /// A single feed is longer than the machine can feed at once, or than its stock.
+    FeedTooLong = "feed_too_long",
+    /// The head cannot turn to where a bend needs it.
+    RotationOutOfRange = "rotation_out_of_range",
+    /// The wire and its unusable tail need more stock than the machine holds.
+    StockTooLong = "stock_too_long",
+    /// The wire is too thick or too thin for the machine.
+    WireDoesNotFit = "wire_does_not_fit",
+}
+
+impl fmt::Display for Code {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.as_str())
+    }
+}

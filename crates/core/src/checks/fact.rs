@@ -1,0 +1,348 @@
+//! What a finding says, as figures.
+
+use super::code::Code;
+use super::limit::{Limit, LimitSource, Quantity, ReachLimit, Sourced};
+use crate::bend::PathError;
+use crate::route::RouteError;
+use crate::units::{Angle, Length};
+use crate::wireframe::{EdgeId, VertexId};
+
+/// What a finding says, beyond how bad it is and where.
+///
+/// Each variant belongs to one [`Code`]; where a code has several, they differ in what was measured. Bends are signed as
+/// the schedule makes them, or magnitudes where no side is chosen yet.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Fact {
+    /// An edge of the drawing has no length.
+    ZeroLengthEdge {
+        /// The edge.
+        edge: EdgeId,
+        /// The vertices that it joins.
+        ends: [VertexId; 2],
+        /// Its length: zero but for rounding.
+        length: Length,
+    },
+    /// The vertices of the route are no path that a wire can follow.
+    NoPath(PathError),
+    /// Two edges join the same two vertices.
+    ParallelEdges {
+        /// The edges, the one that was drawn first foremost.
+        edges: [EdgeId; 2],
+        /// The vertices that both join.
+        ends: [VertexId; 2],
+    },
+    /// Two vertices lie on each other but are not merged.
+    CoincidentVertices {
+        /// The vertices, the one with the lower id foremost.
+        vertices: [VertexId; 2],
+        /// How far they are apart.
+        distance: Length,
+        /// Up to this distance vertices are taken to be meant as one.
+        tolerance: Length,
+    },
+    /// A vertex has no edge.
+    IsolatedVertex {
+        /// The vertex.
+        vertex: VertexId,
+    },
+    /// The wireframe is not connected.
+    SeveralWires {
+        /// How many wires it takes.
+        wires: usize,
+    },
+    /// The wireframe has no edges.
+    NoEdges,
+    /// Too many vertices have an odd number of edges.
+    NoEulerPath {
+        /// How many vertices are odd.
+        odd: usize,
+        /// How many may be: the two ends of an open wire, none of a closed one.
+        allowed: usize,
+    },
+    /// There is no route as it was asked for.
+    RouteRefused(RouteError),
+    /// The wire runs along an edge more than once.
+    DoubledEdge {
+        /// The edge.
+        edge: EdgeId,
+        /// How many times the wire runs along it, two or more.
+        passes: usize,
+    },
+    /// A designed edge, or a straight of several, is shorter than the machine's shortest.
+    EdgeTooShort {
+        /// Designed length.
+        length: Length,
+        /// The shortest that the machine can make.
+        limit: Sourced<Length>,
+    },
+    /// A designed edge, or a straight of several, is hardly longer than the machine's shortest.
+    EdgeNearLimit {
+        /// Designed length.
+        length: Length,
+        /// The shortest that the machine can make.
+        limit: Sourced<Length>,
+    },
+    /// A compensated feed is shorter than the machine's shortest.
+    FeedTooShort {
+        /// Length as designed, from vertex to vertex.
+        designed: Length,
+        /// Length to feed after compensation.
+        feed: Length,
+        /// The shortest feed of the machine.
+        limit: Sourced<Length>,
+    },
+    /// A compensated feed is hardly longer than the machine's shortest.
+    FeedNearLimit {
+        /// Length as designed, from vertex to vertex.
+        designed: Length,
+        /// Length to feed after compensation.
+        feed: Length,
+        /// The shortest feed of the machine.
+        limit: Sourced<Length>,
+    },
+    /// A feed is longer than the machine can feed at once.
+    FeedTooLong {
+        /// Length as designed, from vertex to vertex.
+        designed: Length,
+        /// Length to feed after compensation.
+        feed: Length,
+        /// The longest feed of the machine.
+        limit: Sourced<Length>,
+    },
+    /// A single feed is longer than what can be used of the machine's stock.
+    FeedLongerThanStock {
+        /// Length as designed, from vertex to vertex.
+        designed: Length,
+        /// Length to feed after compensation.
+        feed: Length,
+        /// The longest stock less its unusable tail; the source is that of the stock.
+        limit: Sourced<Length>,
+    },
+    /// The arcs of the bends at both ends of an edge need more than its length.
+    ArcsOverlap {
+        /// Designed length of the edge.
+        designed: Length,
+        /// What the arcs take of it, from corner to tangent point.
+        needed: Length,
+        /// Centreline radius of the bends.
+        bend_radius: Length,
+    },
+    /// The wire needs more stock than the machine holds.
+    StockTooLong {
+        /// All feeds and the tail.
+        needed: Length,
+        /// The end of the stock that cannot be fed.
+        tail: Length,
+        /// The longest stock of the machine.
+        limit: Sourced<Length>,
+    },
+    /// A bend is beyond the machine's largest.
+    BendTooSharp {
+        /// The bend.
+        bend: Angle,
+        /// Which bend this is.
+        of: BendOf,
+        /// The largest bend to this side, with its sign.
+        limit: Sourced<Angle>,
+    },
+    /// A bend is hardly smaller than the machine's largest.
+    BendNearLimit {
+        /// The bend.
+        bend: Angle,
+        /// The largest bend to this side, with its sign.
+        limit: Sourced<Angle>,
+    },
+    /// The bend axis or the peg cannot reach a bend that is within the machine's limits.
+    BendOutOfReach {
+        /// The bend.
+        bend: Angle,
+        /// Which bend this is.
+        of: BendOf,
+        /// The largest bend that can be reached to this side, as a magnitude.
+        max: Angle,
+        /// What ends the reach.
+        reach: ReachLimit,
+    },
+    /// The peg would have to stop before it crosses the wire's axis.
+    BendTooSmall {
+        /// The bend.
+        bend: Angle,
+    },
+    /// A bend is smaller than the scatter of the machine's bends, so that it may come out to either side.
+    BendInScatter {
+        /// The bend, as a magnitude.
+        bend: Angle,
+        /// How far bends scatter, as one standard deviation.
+        scatter: Sourced<Angle>,
+    },
+    /// A corner is smaller than the bend axis resolves.
+    CornerNotMade {
+        /// Where it is.
+        vertex: VertexId,
+        /// The change of direction.
+        corner: Angle,
+        /// A change of direction up to this is not bent.
+        straight: Angle,
+    },
+    /// The wire folds straight back: a bend of 180°.
+    FoldBack {
+        /// The largest bend to the side that is taken, with its sign.
+        limit: Sourced<Angle>,
+    },
+    /// A bend is so close to 180° that feeds cannot be compensated for its corner.
+    FoldBackNotCompensated {
+        /// The bend.
+        bend: Angle,
+    },
+    /// The head cannot turn to where a bend needs it.
+    RotationOutOfRange {
+        /// The angle nearest to zero at which the bend could be made; others are half a turn apart.
+        wanted: Angle,
+        /// The lowest and the highest angle of the head.
+        range: [Angle; 2],
+        /// Where the limit comes from that `wanted` is beyond.
+        source: String,
+    },
+    /// The wire is thinner or thicker than the machine takes.
+    WireDoesNotFit {
+        /// Diameter of the wire.
+        diameter: Length,
+        /// The thinnest and the thickest wire of the machine.
+        range: [Length; 2],
+        /// Where the limit comes from that the wire is beyond.
+        source: String,
+    },
+}
+
+/// Which bend a finding is about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BendOf {
+    /// The bend that the route makes at a step.
+    Step,
+    /// The gentlest of all bends between two edges of a vertex, where there is no route yet.
+    Vertex,
+}
+
+impl Fact {
+    /// The name of this kind of finding.
+    #[must_use]
+    pub const fn code(&self) -> Code {
+        match self {
+            Self::ZeroLengthEdge { .. } | Self::NoPath(_) => Code::ZeroLengthEdge,
+            Self::ParallelEdges { .. } => Code::ParallelEdges,
+            Self::CoincidentVertices { .. } => Code::CoincidentVertices,
+            Self::IsolatedVertex { .. } => Code::IsolatedVertex,
+            Self::SeveralWires { .. } => Code::SeveralWires,
+            Self::NoEdges => Code::NoEdges,
+            Self::NoEulerPath { .. } => Code::NoEulerPath,
+            Self::RouteRefused(_) => Code::RouteRefused,
+            Self::DoubledEdge { .. } => Code::DoubledEdge,
+            Self::EdgeTooShort { .. } => Code::EdgeTooShort,
+            Self::EdgeNearLimit { .. } => Code::EdgeNearLimit,
+            Self::FeedTooShort { .. } => Code::FeedTooShort,
+            Self::FeedNearLimit { .. } => Code::FeedNearLimit,
+            Self::FeedTooLong { .. } | Self::FeedLongerThanStock { .. } => Code::FeedTooLong,
+            Self::ArcsOverlap { .. } => Code::ArcsOverlap,
+            Self::StockTooLong { .. } => Code::StockTooLong,
+            Self::BendTooSharp { .. } => Code::BendTooSharp,
+            Self::BendNearLimit { .. } => Code::BendNearLimit,
+            Self::BendOutOfReach { .. } => Code::BendOutOfReach,
+            Self::BendTooSmall { .. } => Code::BendTooSmall,
+            Self::BendInScatter { .. } => Code::BendInScatter,
+            Self::CornerNotMade { .. } => Code::CornerNotMade,
+            Self::FoldBack { .. } | Self::FoldBackNotCompensated { .. } => Code::FoldBack,
+            Self::RotationOutOfRange { .. } => Code::RotationOutOfRange,
+            Self::WireDoesNotFit { .. } => Code::WireDoesNotFit,
+        }
+    }
+
+    /// What was measured or counted; `None` where the finding has no figure.
+    #[must_use]
+    pub const fn measured(&self) -> Option<Quantity> {
+        Some(match self {
+            Self::ZeroLengthEdge { length, .. }
+            | Self::EdgeTooShort { length, .. }
+            | Self::EdgeNearLimit { length, .. }
+            | Self::CoincidentVertices { distance: length, .. }
+            | Self::FeedTooShort { feed: length, .. }
+            | Self::FeedNearLimit { feed: length, .. }
+            | Self::FeedTooLong { feed: length, .. }
+            | Self::FeedLongerThanStock { feed: length, .. }
+            | Self::ArcsOverlap { designed: length, .. }
+            | Self::StockTooLong { needed: length, .. }
+            | Self::WireDoesNotFit { diameter: length, .. } => Quantity::Length(*length),
+            Self::BendTooSharp { bend, .. }
+            | Self::BendNearLimit { bend, .. }
+            | Self::BendOutOfReach { bend, .. }
+            | Self::BendTooSmall { bend }
+            | Self::BendInScatter { bend, .. }
+            | Self::CornerNotMade { corner: bend, .. }
+            | Self::FoldBackNotCompensated { bend }
+            | Self::RotationOutOfRange { wanted: bend, .. } => Quantity::Angle(*bend),
+            Self::FoldBack { .. } => Quantity::Angle(Angle::HALF_TURN),
+            Self::SeveralWires { wires: count }
+            | Self::NoEulerPath { odd: count, .. }
+            | Self::DoubledEdge { passes: count, .. } => Quantity::Count(*count),
+            Self::NoEdges => Quantity::Count(0),
+            Self::NoPath(_)
+            | Self::ParallelEdges { .. }
+            | Self::IsolatedVertex { .. }
+            | Self::RouteRefused(_) => return None,
+        })
+    }
+
+    /// The limit that [`Fact::measured`] is held against; `None` where there is none.
+    #[must_use]
+    pub fn limit(&self) -> Option<Limit<'_>> {
+        Some(match self {
+            Self::CoincidentVertices { tolerance, .. } => {
+                Limit { value: Quantity::Length(*tolerance), source: LimitSource::WeldTolerance }
+            }
+            Self::NoEulerPath { allowed, .. } => {
+                Limit { value: Quantity::Count(*allowed), source: LimitSource::EulerPath }
+            }
+            Self::EdgeTooShort { limit, .. }
+            | Self::EdgeNearLimit { limit, .. }
+            | Self::FeedTooShort { limit, .. }
+            | Self::FeedNearLimit { limit, .. }
+            | Self::FeedTooLong { limit, .. }
+            | Self::FeedLongerThanStock { limit, .. }
+            | Self::StockTooLong { limit, .. } => {
+                Limit { value: Quantity::Length(limit.value), source: LimitSource::Stated(&limit.source) }
+            }
+            Self::ArcsOverlap { needed, bend_radius, .. } => {
+                Limit { value: Quantity::Length(*needed), source: LimitSource::BendRadius(*bend_radius) }
+            }
+            Self::BendTooSharp { limit, .. }
+            | Self::BendNearLimit { limit, .. }
+            | Self::BendInScatter { scatter: limit, .. }
+            | Self::FoldBack { limit } => {
+                Limit { value: Quantity::Angle(limit.value), source: LimitSource::Stated(&limit.source) }
+            }
+            Self::BendOutOfReach { max, reach, .. } => {
+                Limit { value: Quantity::Angle(*max), source: LimitSource::Reach(reach) }
+            }
+            Self::CornerNotMade { straight, .. } => {
+                Limit { value: Quantity::Angle(*straight), source: LimitSource::AxisResolution }
+            }
+            Self::RotationOutOfRange { wanted, range: [min, max], source } => {
+                let limit = if *wanted < Angle::ZERO { min } else { max };
+                Limit { value: Quantity::Angle(*limit), source: LimitSource::Stated(source) }
+            }
+            Self::WireDoesNotFit { diameter, range: [min, max], source } => {
+                let limit = if diameter < min { min } else { max };
+                Limit { value: Quantity::Length(*limit), source: LimitSource::Stated(source) }
+            }
+            Self::ZeroLengthEdge { .. }
+            | Self::NoPath(_)
+            | Self::ParallelEdges { .. }
+            | Self::IsolatedVertex { .. }
+            | Self::SeveralWires { .. }
+            | Self::NoEdges
+            | Self::RouteRefused(_)
+            | Self::DoubledEdge { .. }
+            | Self::BendTooSmall { .. }
+            | Self::FoldBackNotCompensated { .. } => return None,
+        })
+    }
+}

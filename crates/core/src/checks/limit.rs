@@ -1,0 +1,75 @@
+//! Figures of findings, and the limits that they are held against.
+
+use std::fmt;
+
+use crate::units::{Angle, Length};
+
+/// A figure of a machine with where it comes from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sourced<T> {
+    /// The figure.
+    pub value: T,
+    /// Where it comes from, for a person to read: the text of a profile or a driver, passed on as it is.
+    pub source: String,
+}
+
+/// A figure of a finding, in the unit of its type.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Quantity {
+    /// A length.
+    Length(Length),
+    /// An angle.
+    Angle(Angle),
+    /// A number of vertices, wires or passes.
+    Count(usize),
+}
+
+impl fmt::Display for Quantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Length(length) => length.fmt(f),
+            Self::Angle(angle) => angle.fmt(f),
+            Self::Count(count) => count.fmt(f),
+        }
+    }
+}
+
+/// What ends the reach of a bend.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ReachLimit {
+    /// The end of the bend axis.
+    Axis {
+        /// Where the axis would have to go, signed as the bend.
+        needed: Angle,
+        /// How far it goes to either side.
+        travel: Sourced<Angle>,
+    },
+    /// The peg slips off the wire before the bend is pressed with its springback.
+    Peg,
+}
+
+/// A limit that a measured value is held against.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limit<'a> {
+    /// Its value, of the same kind as the measured one.
+    pub value: Quantity,
+    /// Where it comes from.
+    pub source: LimitSource<'a>,
+}
+
+/// Where a limit comes from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum LimitSource<'a> {
+    /// From a machine's figures: the text that came with the figure.
+    Stated(&'a str),
+    /// Within the weld tolerance vertices are taken to be meant as one.
+    WeldTolerance,
+    /// Euler: a walk that uses every edge once has odd vertices only at its two ends.
+    EulerPath,
+    /// Bends of this centreline radius take so much of an edge.
+    BendRadius(Length),
+    /// The reach of the bend axis or of the peg.
+    Reach(&'a ReachLimit),
+    /// Half of what the bend axis resolves.
+    AxisResolution,
+}

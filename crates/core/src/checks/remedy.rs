@@ -1,0 +1,107 @@
+//! What a person can do about a finding.
+
+use crate::route::Doubling;
+use crate::units::{Angle, Length};
+use crate::wireframe::{Component, EdgeId, Wireframe};
+
+/// A way to remove the cause of a finding, with the figures that it needs. Where it applies is the location of the
+/// finding. A front end has words for each, and offers what it can do of them.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Remedy {
+    /// Leave the design as it is: it can be bent.
+    Leave,
+    /// Leave two vertices apart where two wires are meant to touch.
+    LeaveTouching,
+    /// Leave room for the wires that run side by side along an edge.
+    LeaveRoom,
+    /// Tie the wires that run side by side along an edge.
+    TieWires,
+    /// Draw edges.
+    DrawEdges,
+    /// Take the edges of a model's faces.
+    TakeFaceEdges,
+    /// Delete the edge.
+    DeleteEdge,
+    /// Delete one of two edges between the same vertices: an edge that the wire has to pass twice needs no second one.
+    DeleteParallelEdge,
+    /// Merge the vertices into one.
+    MergeVertices,
+    /// Connect the vertex to another one.
+    ConnectVertex,
+    /// Delete the vertex.
+    DeleteVertex,
+    /// Connect the parts of the design, so that one wire can run through all of them.
+    ConnectParts,
+    /// Bend a wire for each part of the design.
+    BendEachPart,
+    /// Double edges: let the wire run along them once more. No other choice adds less length.
+    DoubleEdges {
+        /// The edges, in order of id.
+        edges: Vec<EdgeId>,
+        /// The length that they add to the wire.
+        added: Length,
+        /// The length of all edges of the wire without them.
+        design: Length,
+    },
+    /// Have the edges found whose doubling adds the least length.
+    FindDoubling,
+    /// Add or delete edges until at most two vertices are odd.
+    ReduceOddVertices,
+    /// Start the wire at the vertex.
+    StartAtVertex,
+    /// Start or end the wire at the vertex.
+    EndAtVertex,
+    /// Start the wire at another vertex.
+    ChooseStart,
+    /// Leave the start of the wire open.
+    LeaveStartOpen,
+    /// Divide the design into several wires.
+    SplitDesign,
+    /// Divide the edge among two wires.
+    SplitEdge,
+    /// Lengthen the edge; by at least so much where that is known.
+    LengthenEdge {
+        /// How much it lacks.
+        by: Option<Length>,
+    },
+    /// Shorten the straight part.
+    ShortenStraight,
+    /// Put a bend into the straight part.
+    AddBend,
+    /// Scale the design up.
+    ScaleUp,
+    /// Scale the design down.
+    ScaleDown,
+    /// Open the angle between the two edges, so that the bend is smaller.
+    OpenAngle,
+    /// Open the angle between two edges of the vertex, so that a wire can pass from one to the other.
+    OpenAngleOfTwo,
+    /// Keep the bend below a magnitude.
+    KeepBendBelow {
+        /// The largest bend that can be reached.
+        max: Angle,
+    },
+    /// Make the bend larger.
+    EnlargeBend,
+    /// Put the edges into one line, so that there is no bend.
+    Straighten,
+    /// Make the bends at the ends of the edge smaller.
+    EaseBends,
+    /// Turn the plane of the bend.
+    TurnBendPlane,
+    /// Choose another material.
+    ChooseMaterial,
+    /// Choose another machine.
+    ChooseMachine,
+    /// Choose a machine whose head turns farther.
+    ChooseMachineWithRotation,
+}
+
+impl Remedy {
+    /// The remedy of a doubling that has been found for a wire.
+    pub(crate) fn double(doubling: &Doubling, wireframe: &Wireframe, component: &Component) -> Self {
+        let edges = component.edges.iter();
+        let design = edges.map(|&edge| wireframe.edge_length(edge)).sum();
+        Self::DoubleEdges { edges: doubling.edges.clone(), added: doubling.added, design }
+    }
+}

@@ -1,0 +1,126 @@
+//! Time, mass, cost, and what errors do.
+
+use nalgebra::Point3;
+use wirebend_core::bend::{Step, program_of_path};
+use wirebend_core::compensate::{
+    BendModel, CompensatedProgram, Compensation, FeedModel, PegGeometry, Springback, compensate,
+};
+use wirebend_core::estimate::{TimeModel, WireModel};
+use wirebend_core::schedule::ScheduledProgram;
+use wirebend_core::simulate::{ErrorModel, ErrorReport, ErrorTerm, SimulationInput, fractions, simulate};
+
+use crate::physics::document::Document;
+use crate::physics::{deg, mm};
+
+pub fn claims(page: &mut Document) {
+    times(page);
+    wire(page);
+    errors(page);
+}
+
+/// The published bender with its wire.
+fn published() -> Compensation {
+    Compensation {
+        feed: Some(FeedModel::new(mm(1.5), mm(3.0), 0.3)),
+        bend: BendModel {
+            springback: Some(Springback::Constant(deg(10.23))),
+            setback: Some(PegGeometry::new(mm(20.4), mm(12.0), mm(3.0), mm(4.675)).unwrap()),
+            axis_limit: None,
+        },
+    }
+}
+
+fn times(page: &mut Document) {
+    let [feed, rotate, bend] = page.sentence("The published rates are {} mm/s, {}°/s and {}°/s.");
+    let [fixed, edges, angle, one, minutes, seconds] = page.sentence(
+        "t_bend is {} s, fitted on the published cube of {} edges: a bend of {}° takes {} s, the cube {}:{}, as published.",
+    );
+    let model = TimeModel {
+        feed_mm_per_s: feed.value,
+        rotate_deg_per_s: rotate.value,
+        bend_deg_per_s: bend.value,
+        fixed_per_bend_s: fixed.value,
+    };
+    let right_angle = published().bend.command(deg(angle.value)).unwrap();
+    one.is(model.bend_seconds(right_angle));
+    // Its sides are 30 mm; the plane changes twice, by a right angle each time.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few edges
+    let edges = edges.value as usize;
+    let bends = (0..edges - 1).map(|k| Step {
+        feed: mm(30.0),
+        rotate: deg(if k == 2 || k == 4 { 90.0 } else { 0.0 }),
+        bend: deg(angle.value),
+    });
+    let steps: Vec<Step> = bends.chain([Step { feed: mm(30.0), ..Step::default() }]).collect();
+    let program = compensate(&ScheduledProgram { steps, head: Vec::new() }, &published()).unwrap();
+    let took = model.seconds(&program);
+    // In whole seconds.
+    assert!((took - (60.0 * minutes.value + seconds.value)).abs() < 0.5, "{took} s");
+}
+
+fn wire(page: &mut Document) {
+    let [diameter, density, mass, cost, price] = page
+        .sentence("A metre of aluminium wire of {} mm ({} kg/m³) weighs {} g and costs {} USD at {} USD/mm.");
+    let wire = WireModel {
+        diameter: mm(diameter.value),
+        density_kg_per_m3: density.value,
+        price_per_mm: Some(price.value),
+    };
+    mass.is(wire.mass_g(mm(1000.0)));
+    cost.is(wire.cost(mm(1000.0)).unwrap());
+}
+
+/// A wire through points, bent with errors on a machine that compensates nothing.
+fn bent(points: &[[f64; 3]], errors: &ErrorModel, runs: u32) -> ErrorReport {
+    let path: Vec<_> = points.iter().map(|&point| Point3::from(point)).collect();
+    let (start, program) = program_of_path(&path, deg(0.001)).unwrap();
+    let trial = SimulationInput {
+        start,
+        design: &path,
+        fractions: &fractions(&path, program.spans.clone()),
+        passes: &[],
+        program: &CompensatedProgram::from_job_steps(program.steps),
+        compensation: &Compensation::default(),
+    };
+    simulate(&trial, errors, runs, 7, |_| ()).unwrap()
+}
+
+fn errors(page: &mut Document) {
+    let [percent] = page.sentence("the radius that holds {} % of all runs");
+    let [sigma, mean, radius, of_runs] = page.sentence(
+        "Four feeds in a row with σ = {} mm: the end is off by {} mm on average, and by less than {} mm in {} % of all runs.",
+    );
+    assert!((percent.value - of_runs.value).abs() < f64::EPSILON);
+    // A normal distribution with the standard deviation of four feeds: its mean distance, and what 95 % of it lies within.
+    let deviation = sigma.value * 4_f64.sqrt();
+    mean.is(deviation * (2.0 / std::f64::consts::PI).sqrt());
+    radius.is(1.959_964 * deviation);
+    let along = [[0., 0., 0.], [60., 0., 0.], [120., 1., 0.], [180., 0., 0.], [240., 1., 0.]];
+    let term = |bias, sigma| ErrorTerm { bias, sigma };
+    let report =
+        bent(&along, &ErrorModel { feed_mm: term(0.0, sigma.value), ..ErrorModel::default() }, 20_000);
+    let end = report.deviations.last().unwrap();
+    assert!(
+        (end.mean.mm() - mean.value).abs() < 0.02 && (end.radius_95.mm() - radius.value).abs() < 0.05,
+        "{end:?}"
+    );
+
+    let [bend, too_large, leg, swung] =
+        page.sentence("A bend of {}° that comes out {}° too large swings a leg of {} mm by {} mm.");
+    assert!((bend.value - 90.0).abs() < f64::EPSILON);
+    let corner = [[0., 0., 0.], [100., 0., 0.], [100., leg.value, 0.]];
+    let report =
+        bent(&corner, &ErrorModel { bend_deg: term(too_large.value, 0.0), ..ErrorModel::default() }, 1);
+    swung.is(report.deviations.last().unwrap().mean.mm());
+
+    let [length, bow, shorter] =
+        page.sentence("A straight part of {} mm with a bow of {} (rise over length) is {} mm shorter.");
+    let straight = [[0., 0., 0.], [length.value, 0., 0.]];
+    let report = bent(&straight, &ErrorModel { curvature: term(bow.value, 0.0), ..ErrorModel::default() }, 1);
+    shorter.is(report.deviations.last().unwrap().mean.mm());
+}
+
+#[test]
+fn times_and_errors_are_what_the_page_says() {
+    claims(&mut Document::read());
+}

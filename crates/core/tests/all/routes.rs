@@ -1,0 +1,219 @@
+//! Routes: every edge is used, no cheaper doubling exists, and the wire does not fold back without need.
+
+use std::collections::BTreeMap;
+
+use nalgebra::Point3;
+use proptest::prelude::*;
+use wirebend_core::route::{Route, RouteError, RouteOptions, doubling, route};
+use wirebend_core::units::Angle;
+use wirebend_core::wireframe::{Component, EdgeId, Vertex, VertexId, Wireframe};
+
+fn wireframe(points: &[[f64; 3]], edges: &[(usize, usize)]) -> Wireframe {
+    let mut w = Wireframe::new();
+    let ids: Vec<VertexId> =
+        points.iter().map(|&p| w.add_vertex(Vertex::at(Point3::from(p))).unwrap()).collect();
+    for &(a, b) in edges {
+        w.add_edge(ids[a], ids[b]).unwrap();
+    }
+    w
+}
+
+fn cube() -> Wireframe {
+    let corner = |k: usize| [k & 1, k >> 1 & 1, k >> 2 & 1].map(|bit| if bit == 1 { 30.0 } else { 0.0 });
+    let points: Vec<_> = (0..8).map(corner).collect();
+    let edges: Vec<_> =
+        (0..8_usize).flat_map(|a| [1, 2, 4].map(|bit| (a, a | bit))).filter(|(a, b)| a != b).collect();
+    wireframe(&points, &edges)
+}
+
+/// A route uses each edge as often as it is asked for, in one unbroken walk.
+fn assert_covers(w: &Wireframe, component: &Component, found: &Route, doubled: &[EdgeId]) {
+    let mut wanted: BTreeMap<EdgeId, usize> = BTreeMap::new();
+    for &edge in component.edges.iter().chain(doubled) {
+        *wanted.entry(edge).or_default() += 1;
+    }
+    let mut used: BTreeMap<EdgeId, usize> = BTreeMap::new();
+    for t in &found.traversals {
+        let pass = used.entry(t.edge).or_default();
+        *pass += 1;
+        assert_eq!(t.again, *pass > 1);
+        let edge = w.edge(t.edge).unwrap();
+        assert!((edge.a, edge.b) == (t.from, t.to) || (edge.b, edge.a) == (t.from, t.to));
+    }
+    assert_eq!(used, wanted);
+    assert!(found.traversals.windows(2).all(|pair| pair[0].to == pair[1].from));
+}
+
+fn fold_backs(found: &Route) -> usize {
+    found.traversals.windows(2).filter(|pair| pair[0].edge == pair[1].edge).count()
+}
+
+#[test]
+fn a_cube_needs_three_doubled_edges_and_no_fold_back() {
+    let w = cube();
+    let component = w.components().remove(0);
+    let odd = w.odd_vertices(&component, &[]);
+    let none = RouteOptions::default();
+    assert_eq!(route(&w, &component, &none), Err(RouteError::Odd { odd, closed: false }));
+    let open = doubling(&w, &component, None, false, 1500).unwrap();
+    assert_eq!((open.edges.len(), open.added.mm()), (3, 90.0));
+    let closed = doubling(&w, &component, None, true, 1500).unwrap();
+    assert_eq!((closed.edges.len(), closed.added.mm()), (4, 120.0));
+    for (doubled, closed) in [(open.edges, false), (closed.edges, true)] {
+        let options = RouteOptions { doubled: doubled.clone(), closed, ..RouteOptions::default() };
+        let found = route(&w, &component, &options).unwrap();
+        assert_covers(&w, &component, &found, &doubled);
+        assert_eq!(fold_backs(&found), 0);
+        assert_eq!(found.vertices().first() == found.vertices().last(), closed);
+        assert_eq!(route(&w, &component, &options).unwrap(), found, "the same on every run");
+    }
+}
+
+#[test]
+fn a_person_chooses_where_the_wire_starts() {
+    let w = cube();
+    let component = w.components().remove(0);
+    for start in component.vertices.clone() {
+        let doubled = doubling(&w, &component, Some(start), false, 1500).unwrap().edges;
+        let options = RouteOptions { doubled, start: Some(start), ..RouteOptions::default() };
+        let found = route(&w, &component, &options).unwrap();
+        assert_eq!(found.vertices()[0], start);
+        assert_eq!(found.reversed().vertices().last(), Some(&start));
+        assert_covers(&w, &component, &found.reversed(), &options.doubled);
+    }
+}
+
+#[test]
+fn starts_and_doublings_that_do_not_fit_are_refused_by_name() {
+    let w = wireframe(
+        &[[0.; 3], [9., 0., 0.], [9., 9., 0.], [50., 0., 0.], [60., 0., 0.]],
+        &[(0, 1), (1, 2), (3, 4)],
+    );
+    let component = w.components().remove(0);
+    let start = |v| RouteOptions { start: Some(VertexId(v)), ..RouteOptions::default() };
+    assert_eq!(
+        route(&w, &component, &start(1)),
+        Err(RouteError::Start { start: VertexId(1), ends: (VertexId(0), VertexId(2)) })
+    );
+    assert_eq!(route(&w, &component, &start(3)), Err(RouteError::StartElsewhere(VertexId(3))));
+    let other = RouteOptions { doubled: vec![EdgeId(2)], ..RouteOptions::default() };
+    assert_eq!(route(&w, &component, &other), Err(RouteError::DoubledElsewhere(EdgeId(2))));
+    assert_eq!(route(&w, &Component::default(), &RouteOptions::default()), Err(RouteError::NoEdges));
+    let cube = cube();
+    let refused = doubling(&cube, &cube.components()[0], None, true, 7);
+    assert_eq!(refused, Err(RouteError::TooManyOdd { odd: 8, max: 7 }));
+}
+
+#[test]
+fn a_dead_end_is_the_only_place_where_the_wire_folds_back() {
+    // A square with a tail at two of its corners: closed, both tails are gone along twice.
+    let square =
+        [[0., 0., 0.], [30., 0., 0.], [30., 30., 0.], [0., 30., 0.], [-30., -30., 0.], [60., 60., 0.]];
+    let w = wireframe(&square, &[(0, 1), (1, 2), (2, 3), (3, 0), (0, 4), (2, 5)]);
+    let component = w.components().remove(0);
+    let doubled = doubling(&w, &component, None, true, 1500).unwrap().edges;
+    assert_eq!(doubled, [EdgeId(4), EdgeId(5)]);
+    let options = RouteOptions { doubled, closed: true, ..RouteOptions::default() };
+    let found = route(&w, &component, &options).unwrap();
+    // One of the two is where the wire begins and ends.
+    assert_eq!(fold_backs(&found), 1);
+}
+
+#[test]
+fn sharp_bends_are_avoided_where_the_edges_can_be_paired_otherwise() {
+    // Two long thin loops through one vertex: crossing over bends by 20°, turning round by 160°.
+    let far = |deg: f64| [100.0 * deg.to_radians().cos(), 100.0 * deg.to_radians().sin(), 0.0];
+    let w = wireframe(
+        &[[0.; 3], far(-10.0), far(10.0), far(170.0), far(190.0)],
+        &[(0, 1), (1, 2), (2, 0), (0, 3), (3, 4), (4, 0)],
+    );
+    let component = w.components().remove(0);
+    let limit = Some(Angle::from_deg(155.0).unwrap());
+    let found = route(&w, &component, &RouteOptions { max_bend: limit, ..RouteOptions::default() }).unwrap();
+    for pair in found.traversals.windows(2) {
+        let (one, next) = (w.direction(pair[0].edge, pair[0].from), w.direction(pair[1].edge, pair[1].from));
+        assert!(one.unwrap().angle(&next.unwrap()).to_degrees() < 155.0);
+    }
+}
+
+/// A program settles the walk: along an edge twice where it goes back.
+#[test]
+fn a_walk_through_vertices_is_a_route() {
+    let w = wireframe(&[[0.; 3], [10., 0., 0.], [10., 10., 0.], [0., 10., 0.]], &[(0, 1), (1, 2), (2, 0)]);
+    let walk = [0, 1, 2, 0, 1].map(VertexId);
+    let found = Route::through(&w, &walk).unwrap();
+    assert_eq!(found.vertices(), walk);
+    assert_eq!(found.traversals.iter().map(|t| t.again).collect::<Vec<_>>(), [false, false, false, true]);
+    assert_covers(&w, &w.components()[0], &found, &[found.traversals[3].edge]);
+    assert_eq!(Route::through(&w, &[VertexId(0), VertexId(3)]), None, "no edge joins them");
+}
+
+#[test]
+fn a_hub_with_more_edges_than_can_be_paired_is_refused() {
+    let rim = |k: usize| {
+        let turn = f64::from(u32::try_from(k).unwrap()) / 400.0 * std::f64::consts::TAU;
+        [100.0 * turn.cos(), 100.0 * turn.sin(), 0.0]
+    };
+    let points: Vec<_> = std::iter::once([0.0; 3]).chain((0..400).map(rim)).collect();
+    let triangles = (0..200).flat_map(|k| [(0, 2 * k + 1), (2 * k + 1, 2 * k + 2), (2 * k + 2, 0)]);
+    let w = wireframe(&points, &triangles.collect::<Vec<_>>());
+    let refused = route(&w, &w.components()[0], &RouteOptions::default());
+    assert_eq!(refused, Err(RouteError::TooManyEnds { vertex: VertexId(0), ends: 400, max: 200 }));
+}
+
+/// Connected graphs with a few vertices, some edges parallel.
+fn any_wireframe(max_edges: usize) -> impl Strategy<Value = Wireframe> {
+    let points = prop::collection::vec(prop::array::uniform3(-100.0..100.0_f64), 2..9);
+    let extra = prop::collection::vec((0..100_usize, 0..100_usize), 0..max_edges);
+    (points, extra, prop::collection::vec(0..100_usize, 8)).prop_map(|(points, extra, tree)| {
+        let n = points.len();
+        let mut edges: Vec<_> = (1..n).map(|k| (tree[k - 1] % k, k)).collect();
+        edges.extend(extra.into_iter().map(|(a, b)| (a % n, b % n)).filter(|(a, b)| a != b));
+        wireframe(&points, &edges)
+    })
+}
+
+/// The least length of edges that leaves no more than `allowed` odd vertices, over all subsets.
+fn min_by_trying(w: &Wireframe, component: &Component, allowed: usize, start: Option<VertexId>) -> f64 {
+    let mut min = f64::INFINITY;
+    for subset in 0..1_u32 << component.edges.len() {
+        let chosen: Vec<EdgeId> =
+            (0..component.edges.len()).filter(|k| subset >> k & 1 == 1).map(|k| component.edges[k]).collect();
+        let odd = w.odd_vertices(component, &chosen);
+        let starts = start.is_none_or(|start| odd.is_empty() || odd.contains(&start));
+        if odd.len() <= allowed && starts {
+            min = min.min(chosen.iter().map(|&e| w.edge_length(e).mm()).sum());
+        }
+    }
+    min
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(120))]
+
+    #[test]
+    fn no_doubling_is_shorter(w in any_wireframe(5), closed: bool, start in prop::option::of(0..8_u32)) {
+        let component = w.components().remove(0);
+        let start = start.map(VertexId).filter(|v| component.vertices.contains(v));
+        let found = doubling(&w, &component, start, closed, 1500).unwrap();
+        let min = min_by_trying(&w, &component, if closed { 0 } else { 2 }, start.filter(|_| !closed));
+        prop_assert!((found.added.mm() - min).abs() < 1e-4, "{} for {min}", found.added.mm());
+    }
+
+    #[test]
+    fn a_route_covers_every_edge_and_folds_back_only_at_dead_ends(
+        w in any_wireframe(14), closed: bool, start in prop::option::of(0..8_u32), limit in 60.0..180.0_f64,
+    ) {
+        let component = w.components().remove(0);
+        let start = start.map(VertexId).filter(|v| component.vertices.contains(v));
+        let doubled = doubling(&w, &component, start, closed, 1500).unwrap().edges;
+        let max_bend = Some(Angle::from_deg(limit).unwrap());
+        let options = RouteOptions { doubled: doubled.clone(), start, closed, max_bend };
+        let found = route(&w, &component, &options).unwrap();
+        assert_covers(&w, &component, &found, &doubled);
+        prop_assert!(start.is_none() || found.vertices().first().copied() == start);
+        for pair in found.traversals.windows(2).filter(|pair| pair[0].edge == pair[1].edge) {
+            prop_assert_eq!(w.incident(pair[0].to).len(), 1, "folded back where other edges meet");
+        }
+    }
+}

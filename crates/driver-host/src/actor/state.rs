@@ -1,0 +1,342 @@
+//! What the threads of an actor share, and what follows from it: values only.
+
+use std::collections::BTreeSet;
+
+use wirebend_driver_api::{ReferenceBy, Step};
+
+use super::{ActorOrder, NotTaken, Wish};
+use crate::session::{Because, OrderName, Orders, Phase, Snapshot, StopHandle, StopOutcome};
+
+/// Whether there still is an actor.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Life {
+    Open,
+    /// Its thread is to end.
+    Closing,
+    Ended,
+}
+
+/// How a machine and its actor stand.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ActorView {
+    /// What the machine is in.
+    pub phase: Phase,
+    /// An order was given and is not done.
+    pub busy: bool,
+    /// Which orders are taken now, and why the others are not.
+    pub orders: Orders,
+    /// No machine is there: its driver computes one.
+    pub simulated: bool,
+    /// What it says that it is; `None` before it has answered.
+    pub identity: Option<String>,
+    /// Where its axes are, in the machine's signs.
+    pub position: Option<Step>,
+}
+
+/// What the threads share.
+#[derive(Debug)]
+pub(super) struct ActorState<O> {
+    /// What the session said last; where there is none, what is known without.
+    view: ActorView,
+    /// Something was changed, and the thread has not reported it.
+    pub changed: bool,
+    pub order: Option<O>,
+    /// A person is asked.
+    pub question_open: bool,
+    pub wish: Option<Wish>,
+    pub stops: Stops,
+    pub life: Life,
+}
+
+/// The stops of a machine.
+#[derive(Debug, Default)]
+pub(super) struct Stops {
+    /// By what it is stopped; `None` where no machine is connected.
+    pub handle: Option<StopHandle>,
+    /// One was asked for before there was anything to stop.
+    pub wanted: bool,
+    /// One came while the order was carried out: what is left of that moves nothing.
+    pub in_order: bool,
+    /// How many are on their way.
+    pub under_way: u32,
+    /// How many a snapshot has to know of: one that knows less is older than the last.
+    known: u64,
+    /// How the last one went, until that is taken.
+    pub outcome: Option<StopOutcome>,
+}
+
+impl<O: ActorOrder> ActorState<O> {
+    /// A machine that is being connected.
+    pub fn connecting() -> Self {
+        Self {
+            view: ActorView {
+                phase: Phase::Connecting,
+                busy: true,
+                orders: without_session(Phase::Connecting),
+                simulated: false,
+                identity: None,
+                position: None,
+            },
+            changed: true,
+            order: None,
+            question_open: false,
+            wish: None,
+            stops: Stops::default(),
+            life: Life::Open,
+        }
+    }
+
+    pub const fn phase(&self) -> Phase {
+        self.view.phase
+    }
+
+    pub const fn busy(&self) -> bool {
+        self.view.busy
+    }
+
+    pub fn view(&self) -> ActorView {
+        let orders = match self.none() {
+            Some(because) => Orders::none(because),
+            None => self.view.orders.clone(),
+        };
+        ActorView { busy: self.view.busy && self.life != Life::Ended, orders, ..self.view.clone() }
+    }
+
+    /// Why no order at all is taken.
+    fn none(&self) -> Option<Because> {
+        if self.life == Life::Ended {
+            Some(Because::NotConnected)
+        } else if self.question_open {
+            Some(Because::QuestionOpen)
+        } else {
+            // What is under way says more of why something has to wait than that it has to.
+            (self.view.busy && !self.view.phase.is_under_way()).then_some(Because::Busy)
+        }
+    }
+
+    /// Takes an order, if it makes sense now.
+    pub fn take_order(&mut self, order: O) -> Result<(), NotTaken> {
+        let name = order.name();
+        if let Some(because) = self.why_not(&order) {
+            return Err(NotTaken { order: name, because, phase: self.view.phase });
+        }
+        match name {
+            OrderName::Pause => self.wish = Some(Wish::Pause),
+            OrderName::Resume => self.wish = Some(Wish::Resume),
+            _ => (self.order, self.view.busy, self.changed) = (Some(order), true, true),
+        }
+        Ok(())
+    }
+
+    fn why_not(&self, order: &O) -> Option<Because> {
+        let why = self.view.orders.why_not(order.name());
+        // What begins with homing needs none before.
+        let why = why.filter(|why| *why != Because::NotHomed || !order.homes_first());
+        match (self.none(), why) {
+            // That the machine is in the wrong phase for it says more than that it has to wait.
+            (Some(Because::Busy), Some(why)) if why != Because::Unable => Some(why),
+            (none, why) => none.or(why),
+        }
+    }
+
+    /// A machine can be stopped by this from here on.
+    pub fn can_be_stopped(&mut self, handle: &StopHandle) {
+        (self.stops.handle, self.stops.known) = (Some(handle.clone()), 0);
+    }
+
+    /// A stop is on its way: after `before` of them.
+    pub fn stop_begins(&mut self, before: u64) {
+        self.stops.under_way += 1;
+        (self.stops.known, self.stops.in_order) = (before + 1, true);
+        // What was ordered before was ordered of a machine that had not been stopped.
+        (self.order, self.wish) = (None, None);
+        self.enter(Phase::Stopping);
+        self.changed = true;
+    }
+
+    /// How the machine stands, as its session says while an order is carried out. What has changed while nothing was ordered
+    /// counts when the thread has seen to it: [`ActorState::rest`].
+    pub fn publish(&mut self, snapshot: &Snapshot) {
+        self.view.position = snapshot.position.or(self.view.position);
+        // What is left of an order after a stop moves nothing: nothing but the stop is under way.
+        let over = self.stops.in_order && snapshot.phase.is_under_way() && snapshot.phase != Phase::Stopping;
+        if !self.view.busy || over || self.is_stale(snapshot) {
+            return;
+        }
+        self.changed |= self.view.phase != snapshot.phase;
+        self.take(snapshot);
+    }
+
+    /// The order is done, if there was one, and the machine at rest: as its session says, or failed where there is none.
+    pub fn rest(&mut self, snapshot: Option<&Snapshot>) {
+        // Another order may have come while it was at rest.
+        self.view.busy = self.order.is_some();
+        (self.wish, self.stops.wanted) = (None, false);
+        // What is older than a stop counts once that is over.
+        self.stops.in_order = snapshot.is_some_and(|snapshot| self.is_stale(snapshot));
+        match snapshot {
+            Some(_) if self.stops.in_order => {}
+            Some(snapshot) => self.take(snapshot),
+            None => self.enter(Phase::Failed),
+        }
+    }
+
+    /// Whether a snapshot is older than the last stop.
+    const fn is_stale(&self, snapshot: &Snapshot) -> bool {
+        snapshot.stops < self.stops.known
+    }
+
+    fn take(&mut self, snapshot: &Snapshot) {
+        self.view.phase = snapshot.phase;
+        self.view.orders.clone_from(&snapshot.orders);
+        // Before it has answered it has said nothing of itself.
+        if snapshot.phase != Phase::Connecting {
+            self.view.simulated = snapshot.simulated;
+            self.view.identity = Some(snapshot.identity.clone());
+        }
+    }
+
+    /// A phase of which no session says anything: there is none, or it does not know of it yet.
+    pub fn enter(&mut self, phase: Phase) {
+        (self.view.phase, self.view.orders) = (phase, without_session(phase));
+    }
+
+    /// The thread is at its end.
+    pub fn end(&mut self, phase: Phase) {
+        (self.life, self.stops.handle, self.order) = (Life::Ended, None, None);
+        (self.question_open, self.changed) = (false, true);
+        self.enter(phase);
+    }
+}
+
+/// What can be ordered where no driver can do anything.
+fn without_session(phase: Phase) -> Orders {
+    Orders::of(phase, &BTreeSet::new(), ReferenceBy::default())
+}
+
+#[cfg(test)]
+mod tests {
+    use wirebend_driver_api::Capability;
+
+    use super::*;
+
+    /// An order, and whether it begins with homing.
+    #[derive(Debug, PartialEq)]
+    struct Order(OrderName, bool);
+
+    impl ActorOrder for Order {
+        fn name(&self) -> OrderName {
+            self.0
+        }
+
+        fn homes_first(&self) -> bool {
+            self.1
+        }
+    }
+
+    fn snapshot(phase: Phase, stops: u64) -> Snapshot {
+        let abilities = [Capability::Home, Capability::Jog].into_iter().collect();
+        let orders = Orders::of(phase, &abilities, ReferenceBy::Machine);
+        Snapshot {
+            phase,
+            simulated: false,
+            identity: "kit".to_owned(),
+            position: None,
+            wire: None,
+            orders,
+            stops,
+        }
+    }
+
+    fn at_rest(phase: Phase) -> ActorState<Order> {
+        let mut state = ActorState::connecting();
+        state.rest(Some(&snapshot(phase, 0)));
+        state
+    }
+
+    fn why_not(state: &mut ActorState<Order>, order: OrderName) -> Option<Because> {
+        state.take_order(Order(order, false)).err().map(|refused| refused.because)
+    }
+
+    /// Were it still to be carried out, a machine would move because of what was said before it was stopped.
+    #[test]
+    fn a_stop_throws_away_what_was_ordered() {
+        let mut state = at_rest(Phase::Ready);
+        assert_eq!(why_not(&mut state, OrderName::Home), None);
+        state.wish = Some(Wish::Resume);
+        state.stop_begins(0);
+        assert_eq!((state.order.take(), state.wish, state.phase()), (None, None, Phase::Stopping));
+        assert_eq!(why_not(&mut state, OrderName::Home), Some(Because::Stopping));
+    }
+
+    /// A person puts their hands in the machine by what they read.
+    #[test]
+    fn what_was_seen_before_a_stop_does_not_count_after_it() {
+        let mut state = at_rest(Phase::Ready);
+        assert_eq!(why_not(&mut state, OrderName::Home), None);
+        state.publish(&snapshot(Phase::Homing, 0));
+        assert_eq!(state.phase(), Phase::Homing);
+        state.stop_begins(0);
+        state.publish(&snapshot(Phase::Homing, 0));
+        assert_eq!(state.phase(), Phase::Stopping, "it was seen before the stop");
+        state.publish(&snapshot(Phase::Stopped, 1));
+        assert_eq!((state.phase(), state.busy()), (Phase::Stopped, true));
+        state.publish(&snapshot(Phase::Moving, 1));
+        assert_eq!(state.phase(), Phase::Stopped, "what is left of the order moves nothing");
+        assert_eq!(why_not(&mut state, OrderName::Home), Some(Because::Busy));
+        state.stop_begins(1);
+        state.rest(Some(&snapshot(Phase::Stopped, 1)));
+        assert_eq!(state.phase(), Phase::Stopping, "there is another stop");
+        state.rest(Some(&snapshot(Phase::Stopped, 2)));
+        assert_eq!((state.phase(), state.busy()), (Phase::Stopped, false));
+        assert_eq!(why_not(&mut state, OrderName::Home), None);
+    }
+
+    #[test]
+    fn one_order_is_carried_out_at_a_time() {
+        let mut state = at_rest(Phase::Ready);
+        assert_eq!(why_not(&mut state, OrderName::Home), None);
+        assert_eq!(why_not(&mut state, OrderName::Jog), Some(Because::Busy));
+        // What says more of it comes first.
+        assert_eq!(why_not(&mut state, OrderName::Start), Some(Because::NoWireArmed));
+        assert_eq!(state.view().orders.why_not(OrderName::Jog), Some(Because::Busy));
+        state.publish(&snapshot(Phase::Homing, 0));
+        assert_eq!(state.view().orders.why_not(OrderName::Jog), Some(Because::Homing));
+        assert_eq!(why_not(&mut state, OrderName::Jog), Some(Because::Homing));
+    }
+
+    #[test]
+    fn nothing_is_taken_while_a_person_is_asked_nor_after_the_end() {
+        let mut state = at_rest(Phase::Ready);
+        state.question_open = true;
+        assert_eq!(why_not(&mut state, OrderName::Home), Some(Because::QuestionOpen));
+        state.end(Phase::Closed);
+        assert_eq!(why_not(&mut state, OrderName::Home), Some(Because::NotConnected));
+        assert_eq!(state.view().orders, Orders::none(Because::NotConnected));
+    }
+
+    #[test]
+    fn what_begins_with_homing_needs_none_before() {
+        let mut state = at_rest(Phase::Connected);
+        assert_eq!(why_not(&mut state, OrderName::Jog), Some(Because::NotHomed));
+        assert_eq!(state.take_order(Order(OrderName::Jog, true)), Ok(()));
+        assert_eq!(state.order, Some(Order(OrderName::Jog, true)));
+    }
+
+    /// They are for the order that is being carried out.
+    #[test]
+    fn pausing_and_resuming_wait_for_no_order() {
+        for (phase, order, wish) in [
+            (Phase::Making, OrderName::Pause, Wish::Pause),
+            (Phase::Holding, OrderName::Resume, Wish::Resume),
+        ] {
+            let mut state = ActorState::<Order>::connecting();
+            let mut snapshot = snapshot(phase, 0);
+            let abilities = [Capability::Pause, Capability::Resume].into_iter().collect();
+            snapshot.orders = Orders::of(phase, &abilities, ReferenceBy::Machine);
+            state.publish(&snapshot);
+            assert_eq!(why_not(&mut state, order), None);
+            assert_eq!((state.wish, state.order.is_none(), state.busy()), (Some(wish), true, true));
+        }
+    }
+}

@@ -1,0 +1,47 @@
+//! What is to be bent, and whether it fits to a journal.
+
+use std::time::Duration;
+
+use wirebend_driver_api::{Run, Step};
+
+use super::error::JobError;
+use super::journal::Heading;
+
+#[derive(Debug, Clone, PartialEq)]
+pub struct WireJob {
+    /// The wire; `after` and `rotate_at_deg` are filled in from the journal.
+    pub run: Run,
+    /// All of its steps, in the machine's signs.
+    pub steps: Vec<Step>,
+    /// How long each is estimated to take; may be empty.
+    pub estimates: Vec<Duration>,
+}
+
+impl WireJob {
+    /// Whether it is what a journal is of, and can be sent.
+    pub(super) fn fits(&self, heading: &Heading) -> Result<(), JobError> {
+        let run = &self.run;
+        let number = |wire: usize| wire.saturating_add(1).to_string();
+        let pairs = [
+            ("job", heading.job_hash.clone(), run.job_hash.clone()),
+            ("number", number(heading.wire), number(run.wire)),
+            ("number of steps", heading.steps.to_string(), run.steps.to_string()),
+            ("machine", heading.machine.clone(), run.machine.clone()),
+        ];
+        if let Some((what, journal, job)) = pairs.into_iter().find(|(_, journal, job)| journal != job) {
+            return Err(JobError::OtherWire { what, journal, job });
+        }
+        if usize::try_from(run.steps) != Ok(self.steps.len()) {
+            let what = format!("the wire has {} steps, and {} are there", run.steps, self.steps.len());
+            return Err(JobError::Steps { what });
+        }
+        let finite =
+            |step: &Step| [step.feed_mm, step.rotate_deg, step.bend_deg].iter().all(|v| v.is_finite());
+        match self.steps.iter().position(|step| !finite(step)) {
+            Some(at) => {
+                Err(JobError::Steps { what: format!("step {} has a value that is no number", at + 1) })
+            }
+            None => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,13 @@
+//! The integration tests of this crate, one binary for all.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // a test may stop at what cannot be
+
+mod isolation;
+mod jobs;
+mod killed;
+mod permission;
+mod permits;
+mod refused;
+mod sessions;
+mod stop_line;
+mod trust;

@@ -1,0 +1,35 @@
+//! A person who says yes to every question.
+
+use wirebend_driver_api::Run;
+use wirebend_driver_host::jobs::{JobError, JobRun};
+use wirebend_driver_host::{Armed, Permit, PermitKind, Session, SessionError};
+
+pub fn yes(session: &mut Session, kind: PermitKind) -> Permit {
+    let confirmation = session.ask(kind).confirm();
+    session.permit(confirmation).unwrap()
+}
+
+pub fn home(session: &mut Session) -> Result<(), SessionError> {
+    let permit = yes(session, PermitKind::ByHand);
+    session.home(&permit)
+}
+
+pub fn arm(session: &mut Session, run: Run) -> Result<Armed, SessionError> {
+    let permit = yes(session, PermitKind::Wire);
+    session.arm(run, permit)
+}
+
+pub fn arm_by_hand(session: &mut Session) -> Result<Armed, SessionError> {
+    let permit = yes(session, PermitKind::ByHand);
+    session.arm_by_hand(&permit)
+}
+
+pub fn write_settings(session: &mut Session) -> Result<(), SessionError> {
+    let permit = yes(session, PermitKind::Settings);
+    session.write_settings(permit)
+}
+
+pub fn start(run: &mut JobRun) -> Result<(), JobError> {
+    let permit = yes(run.session(), PermitKind::Wire);
+    run.start(permit)
+}

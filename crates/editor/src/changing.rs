@@ -1,0 +1,97 @@
+//! From a request to the exact difference that it makes to a document.
+
+use wirebend_core::units::Length;
+use wirebend_core::wireframe::{Delta, EdgeId, VertexId};
+use wirebend_files::document::{Document, DocumentChange, ProfileSnapshot};
+
+use super::EditRequest;
+use crate::EditorError;
+use wirebend_planning::Installation;
+use wirebend_planning::design::default_weld_mm;
+use wirebend_planning::machine::Setup;
+
+/// The difference that a request makes; none where it is so already.
+pub(super) fn change(
+    document: &Document,
+    app: &Installation,
+    request: &EditRequest,
+) -> Result<Option<DocumentChange>, EditorError> {
+    let weld = Length::from_mm(default_weld_mm()).unwrap_or_default();
+    if let Some(edits) = request.of_wireframe(weld)? {
+        let mut scratch = document.wireframe.clone();
+        let mut delta = Delta::none(&document.wireframe);
+        for edit in &edits {
+            delta = delta.then(&scratch.apply(edit).map_err(EditorError::from)?);
+        }
+        return Ok(Some(DocumentChange::of_edit(document, delta)));
+    }
+    Ok(match request {
+        EditRequest::Doublings { edges } => {
+            let missing = edges.iter().find(|&&edge| document.wireframe.edge(EdgeId(edge)).is_none());
+            if let Some(&edge) = missing {
+                return Err(EditorError::NoEdge(edge));
+            }
+            document.set_doublings(edges.iter().copied().map(EdgeId).collect())
+        }
+        EditRequest::Start { vertex } => {
+            let start = vertex.map(VertexId);
+            if let Some(missing) = start.filter(|&id| document.wireframe.vertex(id).is_none()) {
+                return Err(EditorError::NoVertex(missing.0));
+            }
+            document.set_start(start)
+        }
+        EditRequest::Machine { machine, material } => {
+            let (machine, material) = snapshots(&app.setup(machine, material.as_deref())?)?;
+            let parts = [document.set_machine(machine), document.set_material(material)];
+            parts.into_iter().flatten().reduce(DocumentChange::and)
+        }
+        EditRequest::Notes { text } => document.set_notes(text.clone()),
+        EditRequest::Units { units } => document.set_units(*units),
+        EditRequest::RemoveStencil {} => document.set_stencil(None),
+        EditRequest::Several { edits, .. } => Some(several(document, app, edits)?),
+        _ => None,
+    })
+}
+
+/// The difference that changes nothing.
+pub(super) fn unchanged(document: &Document) -> DocumentChange {
+    DocumentChange::of_wireframe(Delta::none(&document.wireframe))
+}
+
+/// Changes one after the other as one.
+fn several(
+    document: &Document,
+    app: &Installation,
+    requests: &[EditRequest],
+) -> Result<DocumentChange, EditorError> {
+    let mut last = document.clone();
+    let mut delta = Delta::none(&document.wireframe);
+    for request in requests {
+        if let Some(change) = change(&last, app, request)? {
+            last.commit(&change).map_err(EditorError::from)?;
+            delta = delta.then(&change.wireframe);
+        }
+    }
+    let parts = [
+        document.set_stencil(last.stencil),
+        document.set_machine(last.machine),
+        document.set_material(last.material),
+        document.set_doublings(last.doublings),
+        document.set_start(last.start),
+        document.set_pins(last.pins),
+        document.set_notes(last.notes),
+        document.set_units(last.units),
+    ];
+    Ok(parts.into_iter().flatten().fold(DocumentChange::of_wireframe(delta), DocumentChange::and))
+}
+
+/// A machine and its wire as a document keeps them.
+pub(super) fn snapshots(
+    setup: &Setup,
+) -> Result<(Option<ProfileSnapshot>, Option<ProfileSnapshot>), EditorError> {
+    let snapshot = |id: &str, snapshot| Some(ProfileSnapshot { id: id.to_owned(), snapshot });
+    Ok((
+        snapshot(setup.machine_id(), serde_json::to_value(&setup.machine)?),
+        snapshot(setup.material_id(), serde_json::to_value(&setup.material)?),
+    ))
+}

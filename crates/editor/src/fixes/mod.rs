@@ -1,0 +1,272 @@
+//! What can be done about what the checks say: edits that were tried, with what they change.
+//!
+//! A file for each kind of trouble proposes edits. Every one is made on a copy of the design and planned; a person is
+//! offered only what fixes it.
+
+mod bends;
+mod cuts;
+mod drawing;
+mod lengths;
+mod preview;
+mod scale;
+mod starts;
+mod trials;
+mod verdict;
+mod wires;
+
+use std::collections::BTreeSet;
+use std::rc::Rc;
+
+use schemars::JsonSchema;
+use serde::Serialize;
+use wirebend_core::checks::{Code, Diagnostic, Severity};
+use wirebend_core::plan::WirePlan;
+use wirebend_files::document::Document;
+
+use super::check::{LiveCheck, WireFigures};
+use super::{EditRequest, Editor};
+use crate::EditorError;
+pub use preview::FixPreview;
+use trials::{Trial, Trials};
+use wirebend_planning::Installation;
+use wirebend_planning::machine::Setup;
+use wirebend_planning::report::DiagnosticReport;
+
+/// The most fixes for one diagnostic.
+const MOST_FOR_ONE: usize = 3;
+/// The most fixes for a design.
+const MOST_FIXES: usize = 60;
+
+/// Something that fixes what a check says. Lengths in mm.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct Fix {
+    /// What it fixes, as [`Editor::check`] says it.
+    pub mends: DiagnosticReport,
+    /// For a button: "Double 13 edges (+102.0 mm)", "Move vertex 41 by 3.2 mm".
+    pub title: String,
+    pub edit: EditRequest,
+    pub change: FixChange,
+    /// How many errors there are afterwards.
+    pub errors_after: usize,
+    /// Whether the machine can make the design afterwards.
+    pub feasible_after: bool,
+    /// What to draw before it is done.
+    pub preview: FixPreview,
+}
+
+/// Sums over all wires of the design afterwards, less those of before. Null where one of them is not known, as
+/// without a route.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct FixChange {
+    /// Designed length, mm.
+    pub length_mm: Option<f64>,
+    /// Stock to load, mm.
+    pub stock_mm: Option<f64>,
+    /// Time on the machine, s.
+    pub time_s: Option<f64>,
+    /// Price of the designed length.
+    pub cost: Option<f64>,
+    /// Of the cost.
+    pub currency: Option<String>,
+    /// Errors. A wire that had no route was not checked for bends: its errors show once it has one.
+    pub errors: i64,
+    pub warnings: i64,
+}
+
+/// An edit that may fix something.
+#[derive(Debug, Clone, PartialEq)]
+struct Candidate {
+    title: String,
+    edit: EditRequest,
+}
+
+/// What a check said, of one wire or of the design as a whole.
+#[derive(Clone, Copy)]
+struct Finding<'a> {
+    diagnostic: &'a Diagnostic,
+    wire: Option<&'a WirePlan>,
+}
+
+impl Editor {
+    /// What can be done about the errors and warnings of the design on its machine, in the order of
+    /// [`Editor::check`]: up to 3 fixes each, and 60 in all, with fewer for each where there are many. For each, those
+    /// come first that leave the fewest errors, then those that add the least wire. Nothing is changed.
+    ///
+    /// A fix corrects what it is for, at its place, and brings no more errors than there were, those aside that could
+    /// not be seen before for want of a route. At most 200 edits are tried, fewer of a design that takes long to plan.
+    /// Where there is much to fix, what is said last may be left without a fix.
+    ///
+    /// # Errors
+    /// [`EditorError::Planning`] where none is chosen.
+    pub fn fixes(&mut self, app: &Installation) -> Result<Vec<Fix>, EditorError> {
+        self.unmended(app)?.fixes(app)
+    }
+
+    /// What [`Editor::fixes`] needs of the design, so that the design is free while it searches.
+    pub fn unmended(&mut self, app: &Installation) -> Result<Unmended, EditorError> {
+        let (names, setup) = self.take_setup(app)?;
+        let found = Unmended { document: self.planned_part(), setup: setup.clone() };
+        self.setup = Some((names, setup));
+        Ok(found)
+    }
+}
+
+/// A design that is searched for what would fix it.
+pub struct Unmended {
+    document: Document,
+    setup: Setup,
+}
+
+impl Unmended {
+    pub fn fixes(self, app: &Installation) -> Result<Vec<Fix>, EditorError> {
+        fixes(self.document, app, &self.setup)
+    }
+}
+
+/// An edit that fixes something, with the design after it.
+type Mending = (Candidate, Rc<Trial>);
+
+fn fixes(document: Document, app: &Installation, setup: &Setup) -> Result<Vec<Fix>, EditorError> {
+    let (base, mut trials) = Trials::begin(document, app, setup)?;
+    let findings = base.findings();
+    let mut to_mend = to_mend(&findings);
+    let neediest = scale::neediest(&findings, &to_mend, &trials.document().wireframe);
+    // Where there are more than can be tried, what fixes most is not to be left out.
+    to_mend.sort_by_key(|&k| neediest.is_none_or(|(neediest, _)| k != neediest));
+    let mut mending: Vec<(usize, Vec<Mending>)> = Vec::new();
+    for (done, &k) in to_mend.iter().enumerate() {
+        trials.share(to_mend.len() - done);
+        let factor = neediest.filter(|(neediest, _)| k == *neediest);
+        let scaled = factor.and_then(|(_, factor)| scale::up(factor, &mut trials));
+        let others = candidates(findings[k], &findings, &mut trials);
+        let all = scaled.into_iter().chain(others);
+        mending.push((k, mend(findings[k].diagnostic, all, &base, &mut trials)));
+    }
+    // Where there is no room for three each, there is one for as many as can be.
+    let room =
+        |rank: usize| mending.iter().map(|(_, some)| some.len().min(rank)).sum::<usize>() <= MOST_FIXES;
+    let each = (1..=MOST_FOR_ONE).rev().find(|&rank| room(rank)).unwrap_or(1);
+    let ranked =
+        mending.into_iter().flat_map(|(k, some)| some.into_iter().take(each).map(move |one| (k, one)));
+    let mut chosen: Vec<(usize, Mending)> = ranked.take(MOST_FIXES).collect();
+    chosen.sort_by_key(|(k, _)| *k);
+    let made = chosen.into_iter().map(|(k, (candidate, trial))| Fix {
+        mends: base.check.diagnostics[k].clone(),
+        preview: FixPreview::of(trials.document(), &candidate.edit, &trial.change),
+        title: candidate.title,
+        edit: candidate.edit,
+        change: FixChange::between(&base, &trial),
+        errors_after: trial.errors(),
+        feasible_after: trial.check.feasible,
+    });
+    Ok(made.collect())
+}
+
+/// The findings that are worth a fix. Of an edge that is travelled twice some are said twice, and count once.
+fn to_mend(findings: &[Finding]) -> Vec<usize> {
+    let mut said = BTreeSet::new();
+    let new = |finding: &Finding| {
+        let location = &finding.diagnostic.location;
+        location.edges.is_empty() || said.insert((finding.diagnostic.code(), location.edges.clone()))
+    };
+    let is_new: Vec<bool> = findings.iter().map(new).collect();
+    let worth = |&k: &usize| findings[k].diagnostic.severity != Severity::Info && is_new[k];
+    (0..findings.len()).filter(worth).collect()
+}
+
+/// What fixes a finding, best first.
+fn mend(
+    diagnostic: &Diagnostic,
+    candidates: impl Iterator<Item = Candidate>,
+    base: &Trial,
+    trials: &mut Trials,
+) -> Vec<Mending> {
+    let mut offered: Vec<Mending> = Vec::new();
+    for candidate in candidates {
+        let tried = trials.of(&candidate.edit);
+        let good = tried.filter(|trial| verdict::mends(base, trial, diagnostic));
+        if let Some(trial) = good.filter(|_| offered.iter().all(|(other, _)| *other != candidate)) {
+            offered.push((candidate, trial));
+        }
+    }
+    let length = |trial: &Trial| sum(&trial.check, |wire| wire.length_mm).unwrap_or(f64::INFINITY);
+    offered
+        .sort_by(|(_, a), (_, b)| a.errors().cmp(&b.errors()).then_with(|| length(a).total_cmp(&length(b))));
+    offered
+}
+
+/// What may fix a finding, most natural first.
+fn candidates(finding: Finding, all: &[Finding], trials: &mut Trials) -> Vec<Candidate> {
+    let mut found = Vec::new();
+    match finding.diagnostic.code() {
+        Code::ZeroLengthEdge | Code::ParallelEdges | Code::CoincidentVertices | Code::IsolatedVertex => {
+            found.extend(drawing::candidates(finding, all, trials.document()));
+        }
+        Code::RouteRefused => found.extend(starts::anywhere(finding, trials.document())),
+        Code::NoEulerPath => found.extend(wires::candidates(finding, trials)),
+        Code::EdgeTooShort
+        | Code::EdgeNearLimit
+        | Code::FeedTooShort
+        | Code::FeedNearLimit
+        | Code::ArcsOverlap => found.extend(lengths::candidates(finding, trials)),
+        Code::BendNearLimit | Code::BendInScatter | Code::CornerNotMade => {
+            found.extend(bends::moves(finding, trials));
+        }
+        Code::BendTooSharp | Code::BendOutOfReach | Code::BendTooSmall => {
+            found.extend(bends::moves(finding, trials));
+            found.extend(cuts::at_step(finding));
+            found.extend(starts::elsewhere(finding, trials));
+        }
+        Code::FoldBack if finding.diagnostic.is_error() => {
+            found.extend(starts::elsewhere(finding, trials));
+            found.extend(cuts::at_step(finding));
+            found.extend(bends::moves(finding, trials));
+            found.extend(wires::apart(finding, trials.document()));
+        }
+        Code::RotationOutOfRange => {
+            found.extend(starts::elsewhere(finding, trials));
+            found.extend(cuts::at_step(finding));
+        }
+        Code::StockTooLong => {
+            found.extend(cuts::into_equal_parts(finding, trials));
+            found.extend(scale::down(finding, trials));
+        }
+        Code::FeedTooLong => {
+            found.extend(cuts::within_step(finding, trials.document()));
+            found.extend(scale::down(finding, trials));
+        }
+        Code::FoldBack | Code::SeveralWires | Code::NoEdges | Code::DoubledEdge | Code::WireDoesNotFit => {}
+    }
+    found
+}
+
+impl FixChange {
+    fn between(before: &Trial, after: &Trial) -> Self {
+        let change = |figure: fn(&WireFigures) -> Option<f64>| {
+            Some(sum(&after.check, figure)? - sum(&before.check, figure)?)
+        };
+        let count = |trial: &Trial| {
+            let (errors, warnings) = (trial.errors(), trial.warnings());
+            (i64::try_from(errors).unwrap_or(i64::MAX), i64::try_from(warnings).unwrap_or(i64::MAX))
+        };
+        let (then, now) = (count(before), count(after));
+        Self {
+            length_mm: change(|wire| wire.length_mm),
+            stock_mm: change(|wire| wire.stock_mm),
+            time_s: change(|wire| wire.time_s),
+            cost: change(|wire| wire.cost),
+            currency: after.check.wires.iter().find_map(|wire| wire.currency.clone()),
+            errors: now.0 - then.0,
+            warnings: now.1 - then.1,
+        }
+    }
+}
+
+fn sum(check: &LiveCheck, figure: fn(&WireFigures) -> Option<f64>) -> Option<f64> {
+    check.wires.iter().map(figure).sum()
+}
+
+/// A length for a button.
+fn shown_mm(length: f64) -> String {
+    if length < 0.95 { format!("{length:.2} mm") } else { format!("{length:.1} mm") }
+}

@@ -1,0 +1,63 @@
+//! For what depends on where the wire begins: another start.
+
+use wirebend_core::plan::WirePlan;
+use wirebend_core::wireframe::VertexId;
+use wirebend_files::document::Document;
+
+use super::super::EditRequest;
+use super::trials::Trials;
+use super::{Candidate, Finding};
+
+/// The most starts that are tried of a wire that may begin anywhere.
+const MOST_STARTS: usize = 24;
+
+/// No start, where the chosen one is refused.
+pub(super) fn anywhere(finding: Finding, document: &Document) -> Vec<Candidate> {
+    let here = |start: VertexId| {
+        finding.wire.is_some_and(|wire| wire.component.vertices.binary_search(&start).is_ok())
+    };
+    let clear =
+        Candidate { title: "Start at the best vertex".to_owned(), edit: EditRequest::Start { vertex: None } };
+    document.start.filter(|&start| here(start)).map(|_| clear).into_iter().collect()
+}
+
+/// The start with the fewest errors, where that is fewer than there are.
+pub(super) fn elsewhere(finding: Finding, trials: &mut Trials) -> Option<Candidate> {
+    let wire = finding.wire?;
+    // There is one start: that of another wire is not taken away.
+    let of_another = trials.document().start.filter(|id| wire.component.vertices.binary_search(id).is_err());
+    if of_another.is_some() {
+        return None;
+    }
+    let mut best: Option<(usize, Candidate)> = None;
+    for start in possible(trials.document(), wire, finding.diagnostic.location.vertices.first().copied()) {
+        let candidate = Candidate {
+            title: format!("Start at vertex {start}"),
+            edit: EditRequest::Start { vertex: Some(start.0) },
+        };
+        let Some(trial) = trials.of(&candidate.edit) else { continue };
+        if best.as_ref().is_none_or(|(errors, _)| trial.errors() < *errors) {
+            best = Some((trial.errors(), candidate));
+        }
+    }
+    let (errors, candidate) = best?;
+    (errors < trials.errors()).then_some(candidate)
+}
+
+/// Where a wire may begin: at an odd vertex, and where there is none at any.
+fn possible(document: &Document, wire: &WirePlan, foremost: Option<VertexId>) -> Vec<VertexId> {
+    let odd = document.wireframe.odd_vertices(&wire.component, &wire.doubled);
+    let Some(route) = &wire.route else { return Vec::new() };
+    let walk = route.vertices();
+    let first = walk.first().copied();
+    let mut starts: Vec<VertexId> = if odd.is_empty() {
+        let every = walk.len().div_ceil(MOST_STARTS - 1).max(1);
+        foremost.into_iter().chain(walk.into_iter().step_by(every)).collect()
+    } else {
+        odd
+    };
+    let mut seen = std::collections::BTreeSet::new();
+    starts.retain(|id| Some(*id) != first && seen.insert(*id));
+    starts.truncate(MOST_STARTS);
+    starts
+}

@@ -1,0 +1,193 @@
+//! Edits tried on a copy of the design.
+
+use std::rc::Rc;
+
+use wirebend_core::checks::{Diagnostic, Severity};
+use wirebend_core::plan::{Machine, WirePlan};
+use wirebend_files::document::{Document, DocumentChange};
+
+use super::super::check::LiveCheck;
+use super::super::{EditRequest, changing};
+use super::Finding;
+use crate::EditorError;
+use wirebend_planning::PlanChoices;
+use wirebend_planning::design::Opened;
+use wirebend_planning::machine::Setup;
+use wirebend_planning::{Installation, NoProgress};
+
+/// The most edits that are tried.
+const MOST_TRIALS: usize = 200;
+/// What one finding may try however many there are.
+const LEAST_SHARE: usize = 4;
+/// The most work that trials take together, in units of about a millisecond.
+const MOST_WORK: usize = 1500;
+/// So many edges are planned in a unit, and so many odd vertices matched, whose time grows with their cube: 400 of
+/// them take a third of a second.
+const EDGES_A_UNIT: usize = 200;
+const ODD_A_UNIT: usize = 60;
+
+/// The design after an edit, or as it is.
+pub(super) struct Trial {
+    /// What the edit changes.
+    pub change: DocumentChange,
+    pub check: LiveCheck,
+    pub wires: Vec<WirePlan>,
+    /// What is not said of a wire.
+    pub design: Vec<Diagnostic>,
+}
+
+impl Trial {
+    /// All that the checks said, in the order of `check`.
+    pub fn findings(&self) -> Vec<Finding<'_>> {
+        let of_design = self.design.iter().map(|diagnostic| Finding { diagnostic, wire: None });
+        let of_wires = self.wires.iter().flat_map(|wire| {
+            wire.diagnostics.iter().map(move |diagnostic| Finding { diagnostic, wire: Some(wire) })
+        });
+        let mut all: Vec<Finding> = of_design.chain(of_wires).collect();
+        all.sort_by_key(|finding| finding.diagnostic.severity);
+        all
+    }
+
+    pub fn diagnostics(&self) -> impl Iterator<Item = &Diagnostic> {
+        self.design.iter().chain(self.wires.iter().flat_map(|wire| &wire.diagnostics))
+    }
+
+    pub fn errors(&self) -> usize {
+        self.diagnostics().filter(|diagnostic| diagnostic.is_error()).count()
+    }
+
+    pub fn warnings(&self) -> usize {
+        self.diagnostics().filter(|diagnostic| diagnostic.severity == Severity::Warning).count()
+    }
+}
+
+/// Tries edits, each once, until enough were tried.
+pub(super) struct Trials<'a> {
+    document: Document,
+    app: &'a Installation,
+    setup: &'a Setup,
+    /// What was tried; none where the edit or the plan was refused.
+    tried: Vec<(EditRequest, Option<Rc<Trial>>)>,
+    /// How many errors the design has.
+    errors: usize,
+    /// What a trial takes, and what is left.
+    work: usize,
+    left: usize,
+    /// How many edits may have been tried when the present finding is done.
+    until: usize,
+}
+
+impl<'a> Trials<'a> {
+    /// The design as it is, and the trials of it.
+    pub fn begin(
+        document: Document,
+        app: &'a Installation,
+        setup: &'a Setup,
+    ) -> Result<(Trial, Self), EditorError> {
+        let change = changing::unchanged(&document);
+        let base = plan(document.clone(), change, setup)?;
+        let odd = |wire: &WirePlan| document.wireframe.odd_vertices(&wire.component, &[]).len();
+        let matched: usize = base.wires.iter().map(|wire| (odd(wire) / ODD_A_UNIT).pow(3)).sum();
+        let work = 1 + document.wireframe.edge_count() / EDGES_A_UNIT + matched;
+        let errors = base.errors();
+        Ok((
+            base,
+            Self {
+                document,
+                app,
+                setup,
+                tried: Vec::new(),
+                errors,
+                work,
+                left: MOST_WORK,
+                until: MOST_TRIALS,
+            },
+        ))
+    }
+
+    /// The design as it is.
+    pub fn document(&self) -> &Document {
+        &self.document
+    }
+
+    /// How many errors it has.
+    pub fn errors(&self) -> usize {
+        self.errors
+    }
+
+    /// The machine with its wire.
+    pub fn machine(&self) -> &Machine {
+        &self.setup.model
+    }
+
+    /// What the wire of a length costs.
+    pub fn price(&self, length: wirebend_core::units::Length) -> Option<String> {
+        let cost = self.setup.model.wire.cost(length)?;
+        Some(format!("{cost:.2} {}", self.setup.currency.as_deref()?))
+    }
+
+    /// What is left is for so many findings: the next takes no more than its share, and a few where that is less.
+    pub fn share(&mut self, findings: usize) {
+        let share = (MOST_TRIALS - self.tried.len()) / findings.max(1);
+        self.until = MOST_TRIALS.min(self.tried.len() + share.max(LEAST_SHARE));
+    }
+
+    /// The design after an edit; none where it cannot be made, or enough was tried.
+    pub fn of(&mut self, edit: &EditRequest) -> Option<Rc<Trial>> {
+        if let Some((_, trial)) = self.tried.iter().find(|(tried, _)| tried == edit) {
+            return trial.clone();
+        }
+        if self.tried.len() >= self.until || self.left == 0 {
+            return None;
+        }
+        self.left = self.left.saturating_sub(self.work);
+        let trial = self.try_edit(edit).map(Rc::new);
+        self.tried.push((edit.clone(), trial.clone()));
+        trial
+    }
+
+    fn try_edit(&self, edit: &EditRequest) -> Option<Trial> {
+        let change = changing::change(&self.document, self.app, edit).ok().flatten()?;
+        let mut document = self.document.clone();
+        document.commit(&change).ok()?;
+        plan(document, change, self.setup).ok()
+    }
+}
+
+fn plan(document: Document, change: DocumentChange, setup: &Setup) -> Result<Trial, EditorError> {
+    let opened = Opened::of(String::new(), document);
+    let planned = Installation::plan_with(opened, setup.clone(), &PlanChoices::default(), &NoProgress)?;
+    Ok(Trial { change, check: LiveCheck::of(&planned), wires: planned.wires, design: planned.design })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_more_is_tried_than_told_and_nothing_twice() {
+        let app = Installation::new(&[]).unwrap();
+        let setup = app.setup("wirebend-kit", None).unwrap();
+        let mut document = Document::new(wirebend_core::wireframe::Wireframe::new());
+        let strand = EditRequest::Draw {
+            from: None,
+            through_mm: vec![[0.0; 3], [60.0, 0.0, 0.0], [60.0, 60.0, 0.0]],
+            to: None,
+        };
+        let change = changing::change(&document, &app, &strand).unwrap().unwrap();
+        document.commit(&change).unwrap();
+        let (_, mut trials) = Trials::begin(document, &app, &setup).unwrap();
+        let moved = |by: u32| EditRequest::Move { vertices: vec![2], by_mm: [0.0, f64::from(by), 0.0] };
+        // Three findings: a third each, then half of what is left.
+        for (findings, most) in [(3, 66), (2, 133), (1, 200)] {
+            trials.share(findings);
+            for _ in 0..2 {
+                let made = (1..=300).filter(|&by| trials.of(&moved(by)).is_some()).count();
+                assert_eq!(made, most);
+            }
+        }
+        trials.share(50);
+        assert!(trials.of(&moved(301)).is_none());
+        assert!(trials.of(&moved(1)).is_some(), "what was tried is known");
+    }
+}

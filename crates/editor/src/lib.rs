@@ -1,0 +1,297 @@
+//! The open design: what a person works on, its history, and the journal by which it outlives the program.
+//!
+//! A front end draws [`Editor::view`], sends an [`EditRequest`] when a person has done something, and asks
+//! [`Editor::check`] while they are dragging. Every change is on the disk before it is answered, or the answer says that
+//! it is not.
+
+#![allow(clippy::missing_errors_doc, clippy::must_use_candidate, reason = "not published")]
+
+mod changing;
+mod check;
+mod error;
+mod fixes;
+mod history;
+mod keeping;
+mod request;
+mod resolving;
+mod view;
+
+use std::path::{Path, PathBuf};
+
+use wirebend_core::wireframe::Wireframe;
+use wirebend_error::ProblemReport;
+use wirebend_files::document::{Document, DocumentChange, StencilSource, save_atomically};
+
+pub use check::{LiveCheck, Moved, WireFigures};
+pub use error::EditorError;
+pub use fixes::{Fix, FixChange, FixPreview};
+use history::{Done, History};
+use keeping::Keeping;
+pub use keeping::Unsaved;
+pub use request::{EditRequest, MergePlace, PastedVertex, Placed};
+pub use view::{DesignState, DesignView, EdgeView, VertexView, ViewChange};
+
+use wirebend_planning::design::{DesignInput, Opened};
+use wirebend_planning::machine::Setup;
+use wirebend_planning::output::file_name;
+use wirebend_planning::report::NoteReport;
+use wirebend_planning::{Installation, Progress};
+
+/// A machine, and the wire in it unless it is the machine's own.
+type Names = (String, Option<String>);
+
+/// What a new design is called.
+const UNTITLED: &str = "untitled";
+
+/// The open design.
+#[derive(Debug)]
+pub struct Editor {
+    document: Document,
+    history: History,
+    /// The file that it was opened from or saved to.
+    file: Option<PathBuf>,
+    name: String,
+    /// The state that the file has.
+    saved: u64,
+    /// The folder for the journal, if one was named.
+    keep_in: Option<PathBuf>,
+    keeping: Option<Keeping>,
+    /// Machine and material as the stages want them, and by which names they were asked for.
+    setup: Option<(Names, Setup)>,
+    /// Why changes are not kept safe any more.
+    unkept: Option<ProblemReport>,
+}
+
+impl Editor {
+    /// An empty design for a machine. Unsaved changes are kept in a folder, if one is given; where that cannot be written,
+    /// [`DesignState::unkept`] says so.
+    ///
+    /// # Errors
+    /// [`EditorError`] when there is no such machine.
+    pub fn new(
+        app: &Installation,
+        machine: Option<&str>,
+        keep_in: Option<&Path>,
+    ) -> Result<Self, EditorError> {
+        let mut document = Document::new(Wireframe::new());
+        if let Some(machine) = machine {
+            let setup = app.setup(machine, None)?;
+            (document.machine, document.material) = changing::snapshots(&setup)?;
+        }
+        Ok(Self::begin(document, None, UNTITLED.to_owned(), keep_in))
+    }
+
+    /// Opens a design: a `.wirebend` document, or any file that can be read. What was merged, ignored or assumed is
+    /// told.
+    ///
+    /// # Errors
+    /// [`EditorError`] when it cannot be read.
+    pub fn open(
+        input: &DesignInput,
+        keep_in: Option<&Path>,
+        progress: &dyn Progress,
+    ) -> Result<(Self, Vec<NoteReport>), EditorError> {
+        let opened = input.open(progress)?;
+        opened.require_designed()?;
+        Ok(Self::begun_with(opened.with_stencil(input), input, None, keep_in))
+    }
+
+    /// The same for a machine and a material, where the file names none, and by another name than the file's, if one is
+    /// given.
+    ///
+    /// # Errors
+    /// As [`Editor::open`], and when there is no such machine or material.
+    pub fn open_for(
+        app: &Installation,
+        input: &DesignInput,
+        machine: Option<(&str, Option<&str>)>,
+        called: Option<&str>,
+        keep_in: Option<&Path>,
+        progress: &dyn Progress,
+    ) -> Result<(Self, Vec<NoteReport>), EditorError> {
+        let mut opened = input.open(progress)?.with_stencil(input);
+        if let Some((machine, material)) = machine.filter(|_| opened.document.machine.is_none()) {
+            let setup = app.setup(machine, material)?;
+            opened = opened.turned_back(&setup)?;
+            (opened.document.machine, opened.document.material) = changing::snapshots(&setup)?;
+        }
+        opened.require_designed()?;
+        Ok(Self::begun_with(opened, input, called, keep_in))
+    }
+
+    fn begun_with(
+        opened: Opened,
+        input: &DesignInput,
+        called: Option<&str>,
+        keep_in: Option<&Path>,
+    ) -> (Self, Vec<NoteReport>) {
+        let own = opened.format == wirebend_files::read::Format::Wirebend;
+        let path = match &input.input {
+            wirebend_planning::Input::File(path) => Some(path.clone()),
+            wirebend_planning::Input::Bytes { .. } => None,
+        };
+        let of_file = || path.as_deref().map_or(opened.name, file_name);
+        let name = called.map_or_else(of_file, str::to_owned);
+        // What was imported has no document of its own yet.
+        (Self::begin(opened.document, path.filter(|_| own), name, keep_in), opened.notes)
+    }
+
+    /// Restores a design that was open when the program or the computer stopped.
+    ///
+    /// # Errors
+    /// [`EditorError`] when its journal is damaged or in use.
+    pub fn restore(journal: &Path) -> Result<Self, EditorError> {
+        let (keeping, restored) = Keeping::take_up(journal)?;
+        let keeping::Restored { document, history, file, name, saved, .. } = restored;
+        let (keep_in, keeping) = (keeping.folder().map(Path::to_owned), Some(keeping));
+        Ok(Self { document, history, file, name, saved, keep_in, keeping, setup: None, unkept: None })
+    }
+
+    /// The designs in a folder that no file has, last changed first; and what could not be read of it.
+    #[must_use]
+    pub fn unsaved(folder: &Path) -> (Vec<Unsaved>, Vec<ProblemReport>) {
+        keeping::unsaved(folder)
+    }
+
+    fn begin(document: Document, file: Option<PathBuf>, name: String, keep_in: Option<&Path>) -> Self {
+        let (history, keep_in) = (History::default(), keep_in.map(Path::to_owned));
+        let (setup, keeping, unkept) = (None, None, None);
+        let mut editor = Self { document, history, file, name, saved: 0, keep_in, keeping, setup, unkept };
+        editor.begin_keeping();
+        editor
+    }
+
+    /// Begins the journal with the design as it is.
+    fn begin_keeping(&mut self) {
+        let Some(folder) = &self.keep_in else { return };
+        let begun =
+            Keeping::begin(folder, &self.document, self.file.as_deref(), &self.name, self.history.is_empty());
+        (self.keeping, self.unkept) = match begun {
+            Ok(keeping) => (Some(keeping), None),
+            // What cannot be kept safe can be worked on anyway.
+            Err(error) => {
+                tracing::error!("{error}");
+                (None, Some(ProblemReport::from(&error)))
+            }
+        };
+    }
+
+    /// Makes a change, and reports what is to be drawn anew. A request that changes nothing is no change.
+    ///
+    /// # Errors
+    /// [`EditorError`]; the design is as it was.
+    pub fn edit(&mut self, app: &Installation, request: &EditRequest) -> Result<ViewChange, EditorError> {
+        let Some(change) =
+            changing::change(&self.document, app, request)?.filter(|change| !change.is_empty())
+        else {
+            return Ok(self.changed(&changing::unchanged(&self.document)));
+        };
+        self.make(request.label(), change)
+    }
+
+    fn make(&mut self, label: String, change: DocumentChange) -> Result<ViewChange, EditorError> {
+        let done = Done { label, change };
+        self.history.make(&mut self.document, done.clone())?;
+        self.keep(|keeping| keeping.done(&done));
+        Ok(self.changed(&done.change))
+    }
+
+    /// Undoes the last change; none where there is nothing to undo.
+    ///
+    /// # Errors
+    /// [`EditorError::Stale`], which a history of its own does not bring about.
+    pub fn undo(&mut self) -> Result<Option<ViewChange>, EditorError> {
+        let label = self.history.undo_label().unwrap_or_default().to_owned();
+        let Some(change) = self.history.undo(&mut self.document)? else { return Ok(None) };
+        let done = Done { label, change };
+        self.keep(|keeping| keeping.undone(&done));
+        Ok(Some(self.changed(&done.change)))
+    }
+
+    /// Does again what was undone last; none where nothing was.
+    ///
+    /// # Errors
+    /// [`EditorError::Stale`], which a history of its own does not bring about.
+    pub fn redo(&mut self) -> Result<Option<ViewChange>, EditorError> {
+        let label = self.history.redo_label().unwrap_or_default().to_owned();
+        let Some(change) = self.history.redo(&mut self.document)? else { return Ok(None) };
+        let done = Done { label, change };
+        self.keep(|keeping| keeping.redone(&done));
+        Ok(Some(self.changed(&done.change)))
+    }
+
+    /// Writes the `.wirebend` document, whole or not at all: to a file, or to the one that it has. Where changes were not
+    /// kept safe any more, they are from here on, if that can be done again.
+    ///
+    /// # Errors
+    /// [`EditorError::NoFile`] where it has none and none is named, [`EditorError::Document`] when it cannot be written.
+    pub fn save(&mut self, file: Option<&Path>) -> Result<PathBuf, EditorError> {
+        let path = file.map(Path::to_owned).or_else(|| self.file.clone()).ok_or(EditorError::NoFile)?;
+        save_atomically(&path, &self.document.to_bytes()?)?;
+        (self.name, self.saved, self.file) = (file_name(&path), self.history.state(), Some(path.clone()));
+        if self.unkept.is_none() {
+            self.keep(|keeping| keeping.saved(&path));
+        }
+        if self.unkept.is_some() {
+            // All that the old one has the file has, too.
+            self.end_keeping();
+            self.begin_keeping();
+        }
+        Ok(path)
+    }
+
+    /// Puts a surface into the design to trace on, instead of the one that it has.
+    ///
+    /// # Errors
+    /// [`EditorError::Stale`], which a history of its own does not bring about.
+    pub fn put_stencil(&mut self, stencil: StencilSource) -> Result<ViewChange, EditorError> {
+        match self.document.set_stencil(Some(stencil)) {
+            Some(change) => self.make("stencil".to_owned(), change),
+            None => Ok(self.changed(&changing::unchanged(&self.document))),
+        }
+    }
+
+    /// Profiles have changed: machine and material are looked up anew.
+    pub fn forget_setup(&mut self) {
+        self.setup = None;
+    }
+
+    /// Closes the design. What is not saved is gone: a front end asks before. A journal that cannot be deleted is offered
+    /// again, which is reported in the log.
+    pub fn close(mut self) {
+        self.end_keeping();
+    }
+
+    /// The program ends: there is nothing to be offered of a design that is as its file.
+    pub fn leave(&mut self) {
+        if !self.is_changed() {
+            self.end_keeping();
+        }
+    }
+
+    fn end_keeping(&mut self) {
+        if let Some(Err(error)) = self.keeping.take().map(Keeping::end) {
+            tracing::warn!("{error}");
+        }
+    }
+
+    /// Whether there is something that the file has not.
+    #[must_use]
+    pub fn is_changed(&self) -> bool {
+        self.history.state() != self.saved
+    }
+
+    /// The design.
+    #[must_use]
+    pub const fn document(&self) -> &Document {
+        &self.document
+    }
+
+    /// What cannot be written down has been done anyway: [`DesignState::unkept`] warns a person to save.
+    fn keep(&mut self, add: impl FnOnce(&mut Keeping) -> Result<(), EditorError>) {
+        if let Some(Err(error)) = self.keeping.as_mut().map(add) {
+            tracing::error!("{error}");
+            self.unkept = Some(ProblemReport::from(&error));
+        }
+    }
+}

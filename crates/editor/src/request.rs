@@ -1,0 +1,169 @@
+//! What a person asks of the open design: JSON with units in its names.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use wirebend_files::read::LengthUnit;
+
+/// A change that a person asks for. Lengths in mm, vertices and edges by their ids.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(tag = "edit", rename_all = "kebab-case", deny_unknown_fields)]
+pub enum EditRequest {
+    /// Draws a strand from a vertex that is there through new ones to one that is there.
+    Draw {
+        /// The vertex that it begins at; none: at the first new one.
+        #[serde(default)]
+        from: Option<u32>,
+        /// New vertices in order, mm.
+        #[serde(default)]
+        through_mm: Vec<[f64; 3]>,
+        /// The vertex that it ends at; none: at the last new one.
+        #[serde(default)]
+        to: Option<u32>,
+    },
+    /// Adds a piece.
+    Paste {
+        vertices: Vec<PastedVertex>,
+        /// Its edges by the places of their vertices in the list, from 0.
+        edges: Vec<[usize; 2]>,
+    },
+    /// Deletes edges, and vertices with all edges at them.
+    Delete {
+        #[serde(default)]
+        vertices: Vec<u32>,
+        #[serde(default)]
+        edges: Vec<u32>,
+    },
+    /// Moves vertices.
+    Move {
+        vertices: Vec<u32>,
+        /// How far, mm.
+        by_mm: [f64; 3],
+    },
+    /// Puts vertices at exact positions, as a table of them says.
+    Place {
+        /// Vertices and their positions, mm.
+        positions: Vec<Placed>,
+    },
+    /// Puts a vertex on an edge.
+    Split {
+        edge: u32,
+        /// Where: more than 0 (its first vertex), less than 1 (its second).
+        at: f64,
+    },
+    /// Makes one vertex of several: the first of the list stays.
+    Merge {
+        vertices: Vec<u32>,
+        /// Where it goes.
+        at: MergePlace,
+    },
+    /// Turns, scales or shears vertices, with a matrix of 4 rows and 4 columns, row by row.
+    Transform {
+        vertices: Vec<u32>,
+        /// On positions in mm.
+        matrix: [[f64; 4]; 4],
+    },
+    /// Mirrors vertices in a plane.
+    Mirror {
+        vertices: Vec<u32>,
+        /// A point of the plane, mm.
+        point_mm: [f64; 3],
+        /// The normal of the plane, of any length.
+        normal: [f64; 3],
+        /// Whether the image is added; otherwise the vertices themselves are moved.
+        copy: bool,
+    },
+    /// Adds copies of vertices and of the edges between them.
+    Array {
+        vertices: Vec<u32>,
+        /// From each copy to the next.
+        step: [[f64; 4]; 4],
+        /// How many copies are added.
+        count: u32,
+    },
+    /// Fixes vertices as supports, or frees them.
+    Support {
+        vertices: Vec<u32>,
+        /// Fixed or free.
+        support: bool,
+    },
+    /// Merges vertices that lie on each other.
+    Weld {
+        /// How close, mm.
+        tolerance_mm: f64,
+    },
+    /// Gives edges vertices of their own wherever others stay: what was one wire becomes two that touch.
+    Detach { edges: Vec<u32> },
+    /// Takes those vertices out of a chain of edges that nearly lie on a straight line. Its ends stay; inner vertices
+    /// with other edges go onto the line.
+    Straighten {
+        /// The chain, in any order.
+        edges: Vec<u32>,
+        /// How far a vertex may be from the line, mm.
+        tolerance_mm: f64,
+    },
+    /// Draws a chain of edges anew as lines and arcs. Its ends and inner vertices with other edges stay.
+    Round {
+        /// The chain, in any order.
+        edges: Vec<u32>,
+        /// How far the chain may be from its lines and arcs, mm.
+        tolerance_mm: f64,
+        /// How far an edge goes round an arc at most, degrees: what the wire is bent at each of its vertices.
+        step_deg: f64,
+        /// No edge of an arc is shorter, mm.
+        #[serde(default)]
+        least_edge_mm: f64,
+    },
+    /// Allows edges to be laid twice, and no others.
+    Doublings { edges: Vec<u32> },
+    /// Begins the wire at a vertex, or wherever it is best.
+    Start { vertex: Option<u32> },
+    /// Another machine, and the wire in it; none: the one that the machine's profile names.
+    Machine {
+        /// Its id.
+        machine: String,
+        /// The material's id.
+        material: Option<String>,
+    },
+    /// Remarks on the whole.
+    Notes { text: String },
+    /// The unit that lengths are shown in.
+    Units { units: LengthUnit },
+    /// Takes the stencil away.
+    RemoveStencil {},
+    /// Several changes, one after the other, as one thing to undo.
+    Several {
+        /// What a menu calls them together, after "Undo".
+        label: String,
+        /// The changes; each finds the design as the ones before it have left it.
+        edits: Vec<EditRequest>,
+    },
+}
+
+/// A vertex of a piece.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PastedVertex {
+    pub at_mm: [f64; 3],
+    /// Whether the design holds it fixed.
+    #[serde(default)]
+    pub support: bool,
+}
+
+/// A vertex and where it goes.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Placed {
+    pub vertex: u32,
+    pub at_mm: [f64; 3],
+}
+
+/// Where the vertex goes that others are merged into.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum MergePlace {
+    /// Where the first of the list is.
+    First,
+    Last,
+    /// The mean of all.
+    Centre,
+}

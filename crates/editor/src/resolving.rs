@@ -1,0 +1,157 @@
+//! From what a person asks for to the edits of `core`, and to what a menu calls it.
+
+use nalgebra::{Affine3, Matrix4, Point3, Unit, Vector3};
+use wirebend_core::units::{Angle, Length};
+use wirebend_core::wireframe::{EdgeId, Edit, MergeAt, MirrorMode, Vertex, VertexId};
+
+use super::EditorError;
+use super::request::{EditRequest, MergePlace};
+
+impl EditRequest {
+    /// The edits of the wireframe that it is; none where it changes something else.
+    pub(super) fn of_wireframe(&self, weld: Length) -> Result<Option<Vec<Edit>>, EditorError> {
+        let one = |edit| Ok(Some(vec![edit]));
+        match self {
+            Self::Draw { from, through_mm, to } => one(Edit::Draw {
+                from: from.map(VertexId),
+                through: through_mm.iter().copied().map(Point3::from).collect(),
+                to: to.map(VertexId),
+            }),
+            Self::Paste { vertices, edges } => one(Edit::Paste {
+                vertices: vertices
+                    .iter()
+                    .map(|vertex| Vertex { position: vertex.at_mm.into(), support: vertex.support })
+                    .collect(),
+                edges: edges.iter().map(|&[a, b]| (a, b)).collect(),
+            }),
+            Self::Delete { vertices, edges } => {
+                one(Edit::Delete { vertices: ids(vertices), edges: edge_ids(edges) })
+            }
+            Self::Move { vertices, by_mm } => {
+                one(Edit::Move { vertices: ids(vertices), by: Vector3::from(*by_mm) })
+            }
+            Self::Place { positions } => Ok(Some(
+                positions
+                    .iter()
+                    .map(|placed| Edit::Place {
+                        vertex: VertexId(placed.vertex),
+                        position: placed.at_mm.into(),
+                    })
+                    .collect(),
+            )),
+            Self::Split { edge, at } => one(Edit::SplitEdge { edge: EdgeId(*edge), at: *at }),
+            Self::Merge { vertices, at } => {
+                let at = match at {
+                    MergePlace::First => MergeAt::First,
+                    MergePlace::Last => MergeAt::Last,
+                    MergePlace::Centre => MergeAt::Centre,
+                };
+                one(Edit::Merge { vertices: ids(vertices), at })
+            }
+            Self::Transform { vertices, matrix } => {
+                one(Edit::Transform { vertices: ids(vertices), transform: affine(matrix)? })
+            }
+            Self::Mirror { vertices, point_mm, normal, copy } => {
+                let normal = Unit::try_new(Vector3::from(*normal), 1e-12).ok_or(EditorError::Normal)?;
+                let mode = if *copy { MirrorMode::Copy } else { MirrorMode::InPlace };
+                let point = Point3::from(*point_mm);
+                one(Edit::Mirror { vertices: ids(vertices), point, normal, mode, weld })
+            }
+            Self::Array { vertices, step, count } => {
+                one(Edit::Array { vertices: ids(vertices), step: affine(step)?, count: *count, weld })
+            }
+            Self::Support { vertices, support } => {
+                one(Edit::SetSupport { vertices: ids(vertices), support: *support })
+            }
+            Self::Weld { tolerance_mm } => one(Edit::Weld { tolerance: tolerance(*tolerance_mm)? }),
+            Self::Detach { edges } => one(Edit::Detach { edges: edge_ids(edges) }),
+            Self::Straighten { edges, tolerance_mm } => {
+                one(Edit::Straighten { edges: edge_ids(edges), tolerance: tolerance(*tolerance_mm)? })
+            }
+            Self::Round { edges, tolerance_mm, step_deg, least_edge_mm } => {
+                let min_edge = not_negative(*least_edge_mm).ok_or(EditorError::LeastEdge(*least_edge_mm))?;
+                let step = Angle::from_deg(*step_deg).map_err(|_| EditorError::ArcStep(*step_deg))?;
+                let tolerance = tolerance(*tolerance_mm)?;
+                one(Edit::Round { edges: edge_ids(edges), tolerance, step, min_edge })
+            }
+            Self::Doublings { .. }
+            | Self::Start { .. }
+            | Self::Machine { .. }
+            | Self::Notes { .. }
+            | Self::Units { .. }
+            | Self::RemoveStencil {}
+            | Self::Several { .. } => Ok(None),
+        }
+    }
+
+    /// What a menu calls it after "Undo".
+    pub(super) fn label(&self) -> String {
+        let some = |count: usize, one: &str, many: &str| match count {
+            1 => one.to_owned(),
+            count => format!("{count} {many}"),
+        };
+        let vertices = |list: &[u32]| some(list.len(), "vertex", "vertices");
+        match self {
+            Self::Draw { through_mm, .. } if through_mm.is_empty() => "connect vertices".to_owned(),
+            Self::Draw { .. } => "draw".to_owned(),
+            Self::Paste { .. } => "paste".to_owned(),
+            Self::Delete { vertices: gone, edges } if edges.is_empty() => {
+                format!("delete {}", vertices(gone))
+            }
+            Self::Delete { vertices: gone, edges } if gone.is_empty() => {
+                format!("delete {}", some(edges.len(), "edge", "edges"))
+            }
+            Self::Delete { .. } => "delete".to_owned(),
+            Self::Move { vertices: moved, .. } => format!("move {}", vertices(moved)),
+            Self::Place { positions } => format!("place {}", some(positions.len(), "vertex", "vertices")),
+            Self::Split { .. } => "split edge".to_owned(),
+            Self::Merge { vertices: merged, .. } => format!("merge {}", vertices(merged)),
+            Self::Transform { vertices: turned, .. } => format!("transform {}", vertices(turned)),
+            Self::Mirror { .. } => "mirror".to_owned(),
+            Self::Array { .. } => "array".to_owned(),
+            Self::Support { support: true, .. } => "fix support".to_owned(),
+            Self::Support { .. } => "free support".to_owned(),
+            Self::Weld { .. } => "weld".to_owned(),
+            Self::Detach { edges } => format!("detach {}", some(edges.len(), "edge", "edges")),
+            Self::Straighten { .. } => "straighten".to_owned(),
+            Self::Round { .. } => "round".to_owned(),
+            Self::Doublings { .. } => "doubled edges".to_owned(),
+            Self::Start { .. } => "start of the wire".to_owned(),
+            Self::Machine { .. } => "machine".to_owned(),
+            Self::Notes { .. } => "notes".to_owned(),
+            Self::Units { .. } => "units".to_owned(),
+            Self::RemoveStencil {} => "remove stencil".to_owned(),
+            Self::Several { label, .. } => label.clone(),
+        }
+    }
+}
+
+fn ids(list: &[u32]) -> Vec<VertexId> {
+    list.iter().copied().map(VertexId).collect()
+}
+
+fn edge_ids(list: &[u32]) -> Vec<EdgeId> {
+    list.iter().copied().map(EdgeId).collect()
+}
+
+fn not_negative(mm: f64) -> Option<Length> {
+    Length::from_mm(mm).ok().filter(|length| *length >= Length::ZERO)
+}
+
+fn tolerance(mm: f64) -> Result<Length, EditorError> {
+    not_negative(mm).ok_or(EditorError::Tolerance(mm))
+}
+
+/// A matrix whose last row is 0 0 0 1.
+fn affine(rows: &[[f64; 4]; 4]) -> Result<Affine3<f64>, EditorError> {
+    let matrix = Matrix4::from_fn(|row, column| rows[row][column]);
+    let affine = rows[3]
+        .iter()
+        .zip([0.0, 0.0, 0.0, 1.0])
+        .all(|(found, expected)| (found - expected).abs() < f64::EPSILON);
+    if affine && matrix.iter().all(|number| number.is_finite()) {
+        Ok(Affine3::from_matrix_unchecked(matrix))
+    } else {
+        Err(EditorError::Matrix)
+    }
+}

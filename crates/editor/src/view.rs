@@ -1,0 +1,155 @@
+//! What a front end draws of the open design.
+
+use schemars::JsonSchema;
+use serde::Serialize;
+use wirebend_core::wireframe::{Edge, EdgeId, Vertex, VertexId};
+use wirebend_error::ProblemReport;
+use wirebend_files::document::DocumentChange;
+use wirebend_files::read::LengthUnit;
+
+use super::Editor;
+
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+pub struct VertexView {
+    pub id: u32,
+    /// Where it is, mm, right-handed.
+    pub at_mm: [f64; 3],
+    /// Whether the design holds it fixed.
+    pub support: bool,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct EdgeView {
+    pub id: u32,
+    /// The vertex where it starts.
+    pub a: u32,
+    /// The vertex where it ends.
+    pub b: u32,
+}
+
+/// All but vertices, edges and the stencil.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct DesignState {
+    /// What it is called.
+    pub name: String,
+    /// Its file; null where it was never saved.
+    pub file: Option<std::path::PathBuf>,
+    /// Whether there is something that the file has not.
+    pub changed: bool,
+    /// Why changes are not kept safe: a person should save. Null where they are.
+    pub unkept: Option<ProblemReport>,
+    /// What would be undone.
+    pub undo: Option<String>,
+    /// What would be done again.
+    pub redo: Option<String>,
+    /// The machine's id.
+    pub machine: Option<String>,
+    /// The material's id.
+    pub material: Option<String>,
+    /// What the stencil is called, after its file; null without a stencil, and where it is not known.
+    pub stencil: Option<String>,
+    /// Edges that may be laid twice.
+    pub doublings: Vec<u32>,
+    /// The vertex where the wire starts.
+    pub start: Option<u32>,
+    /// Remarks on the whole.
+    pub notes: String,
+    /// The unit that lengths are shown in.
+    pub units: LengthUnit,
+    /// The ids that the next vertex and the next edge will get.
+    pub next: [u32; 2],
+}
+
+/// The whole design.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct DesignView {
+    /// By id.
+    pub vertices: Vec<VertexView>,
+    /// By id.
+    pub edges: Vec<EdgeView>,
+    /// The rest.
+    pub state: DesignState,
+    /// Corners and faces of the stencil.
+    pub stencil: Option<[usize; 2]>,
+}
+
+/// What a change makes of the design.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct ViewChange {
+    /// Vertices that were added or changed.
+    pub vertices: Vec<VertexView>,
+    pub gone_vertices: Vec<u32>,
+    /// Edges that were added or changed.
+    pub edges: Vec<EdgeView>,
+    pub gone_edges: Vec<u32>,
+    /// Whether the stencil is another, or gone.
+    pub stencil: bool,
+    /// The rest, as it is now.
+    pub state: DesignState,
+}
+
+impl Editor {
+    /// The whole design.
+    #[must_use]
+    pub fn view(&self) -> DesignView {
+        let wireframe = &self.document.wireframe;
+        let stencil = self.document.embedded_stencil();
+        DesignView {
+            vertices: wireframe.vertices().map(vertex).collect(),
+            edges: wireframe.edges().map(edge).collect(),
+            state: self.state(),
+            stencil: stencil.map(|stencil| [stencil.vertices().len(), stencil.faces().len()]),
+        }
+    }
+
+    /// All but vertices, edges and the stencil.
+    #[must_use]
+    pub fn state(&self) -> DesignState {
+        let document = &self.document;
+        let next = document.wireframe.next_ids();
+        DesignState {
+            name: self.name.clone(),
+            file: self.file.clone(),
+            changed: self.is_changed(),
+            unkept: self.unkept.clone(),
+            undo: self.history.undo_label().map(str::to_owned),
+            redo: self.history.redo_label().map(str::to_owned),
+            machine: document.machine.as_ref().map(|machine| machine.id.clone()),
+            material: document.material.as_ref().map(|material| material.id.clone()),
+            stencil: document.stencil_name().map(str::to_owned),
+            doublings: document.doublings.iter().map(|id| id.0).collect(),
+            start: document.start.map(|id| id.0),
+            notes: document.notes.clone(),
+            units: document.units,
+            next: [next.vertex, next.edge],
+        }
+    }
+
+    /// What is to be drawn anew after a change that was made.
+    pub(super) fn changed(&self, change: &DocumentChange) -> ViewChange {
+        let (mut gone_vertices, mut vertices) = (Vec::new(), Vec::new());
+        for (&id, change) in &change.wireframe.vertices {
+            match change.after {
+                Some(after) => vertices.push(vertex((id, after))),
+                None => gone_vertices.push(id.0),
+            }
+        }
+        let (mut gone_edges, mut edges) = (Vec::new(), Vec::new());
+        for (&id, change) in &change.wireframe.edges {
+            match change.after {
+                Some(after) => edges.push(edge((id, after))),
+                None => gone_edges.push(id.0),
+            }
+        }
+        let stencil = change.stencil.is_some();
+        ViewChange { vertices, gone_vertices, edges, gone_edges, stencil, state: self.state() }
+    }
+}
+
+fn vertex((id, vertex): (VertexId, Vertex)) -> VertexView {
+    VertexView { id: id.0, at_mm: vertex.position.coords.into(), support: vertex.support }
+}
+
+const fn edge((id, edge): (EdgeId, Edge)) -> EdgeView {
+    EdgeView { id: id.0, a: edge.a.0, b: edge.b.0 }
+}

@@ -1,0 +1,154 @@
+//! Fixes of whole designs.
+
+use proptest::prelude::*;
+use serde_json::json;
+use wirebend_editor::Editor;
+use wirebend_planning::{DesignInput, NoProgress};
+
+use super::{codes, mend, promised, titles};
+use crate::{app, edit, example, open};
+
+/// The edges of a mesh's faces on the 293 dollar bender.
+fn frame(name: &str) -> Editor {
+    let input = DesignInput { face_edges: true, ..DesignInput::file(example(name)) };
+    let (mut editor, _) = Editor::open(&input, None, &NoProgress).unwrap();
+    edit(&mut editor, &json!({"edit": "machine", "machine": "wirebend-kit", "material": null}));
+    editor
+}
+
+#[test]
+fn fixes_keep_what_they_promise() {
+    for name in ["truss-1.obj", "house.obj", "fold-back.obj", "two-parts.obj", "collinear.obj", "cube.obj"] {
+        promised(&mut open(name), &app());
+    }
+    for name in ["bunny.obj", "teapot.obj"] {
+        let mut editor = frame(name);
+        let doubled = promised(&mut editor, &app()).remove(0);
+        assert!(doubled.title.starts_with("Double "), "{}", doubled.title);
+        editor.edit(&app(), &doubled.edit).unwrap();
+        promised(&mut editor, &app());
+    }
+}
+
+/// The lengths of the best open routes: other programs have found them too.
+#[test]
+fn what_is_doubled_is_the_least() {
+    for (name, count, length_mm) in [("bunny.obj", 11, 11821.4), ("teapot.obj", 18, 10475.1)] {
+        let mut editor = frame(name);
+        let once: f64 = lengths(&editor).iter().sum();
+        let fixes = editor.fixes(&app()).unwrap();
+        let [fix] =
+            fixes.iter().filter(|fix| fix.mends.code.as_str() == "no_euler_path").collect::<Vec<_>>()[..]
+        else {
+            panic!("{fixes:?}")
+        };
+        let added = length_mm - once;
+        assert!(fix.title.starts_with(&format!("Double {count} edges (+{added:.1} mm, +")), "{}", fix.title);
+        assert_eq!(fix.preview.doubled.len(), count);
+        editor.edit(&app(), &fix.edit).unwrap();
+        let check = editor.check(&app(), &[]).unwrap();
+        assert!((check.wires[0].length_mm.unwrap() - length_mm).abs() < 0.1, "{name}");
+        assert!(!codes(&check).contains(&"no_euler_path"));
+    }
+}
+
+fn lengths(editor: &Editor) -> Vec<f64> {
+    let view = editor.view();
+    let at = |id: u32| nalgebra::Point3::from(view.vertices.iter().find(|v| v.id == id).unwrap().at_mm);
+    view.edges.iter().map(|edge| (at(edge.a) - at(edge.b)).norm()).collect()
+}
+
+/// A cube has 8 odd vertices: two for each of 4 wires, or three of its edges twice.
+#[test]
+fn a_cube_is_four_wires_or_one_with_three_edges_twice() {
+    let mut editor = open("cube.obj");
+    let fixes = promised(&mut editor, &app());
+    assert_eq!(
+        titles(&fixes, "no_euler_path"),
+        ["Divide it into 4 wires, none doubled", "Double 3 edges (+90.0 mm, +0.18 USD)"]
+    );
+    assert_eq!(fixes[0].preview.detached.len(), 3);
+    let check = mend(&mut editor, &app(), "Divide it into 4 wires, none doubled");
+    assert!(check.feasible);
+    assert_eq!(check.wires.len(), 4);
+    let length: f64 = check.wires.iter().map(|wire| wire.length_mm.unwrap()).sum();
+    assert!((length - 12.0 * 30.0).abs() < 1e-9, "every edge once");
+    assert_eq!(editor.view().state.undo.as_deref(), Some("split into 4 wires"));
+    // They are meant to touch: joining them again would bring the odd vertices back.
+    assert!(codes(&check).contains(&"coincident_vertices"));
+    assert!(editor.fixes(&app()).unwrap().is_empty());
+}
+
+/// Doublings and a start that were chosen before would not fit the wires.
+#[test]
+fn wires_apart_leave_earlier_choices_behind() {
+    let mut editor = open("cube.obj");
+    edit(&mut editor, &json!({"edit": "doublings", "edges": [0]}));
+    edit(&mut editor, &json!({"edit": "start", "vertex": 7}));
+    let check = mend(&mut editor, &app(), "Divide it into 4 wires, none doubled");
+    assert!(check.feasible, "{check:?}");
+    let state = editor.state();
+    assert!(state.doublings.is_empty() && state.start.is_none());
+}
+
+/// A strut that ends in the air can only be doubled by folding the wire back.
+#[test]
+fn a_fold_back_is_not_made_where_two_wires_do() {
+    let mut editor = open("fold-back.obj");
+    let fixes = promised(&mut editor, &app());
+    let offered = titles(&fixes, "no_euler_path");
+    assert_eq!(offered[0], "Divide it into 2 wires, none doubled");
+    // Doubled anyway, the way out is offered again.
+    editor.edit(&app(), &fixes[1].edit).unwrap();
+    let fixes = promised(&mut editor, &app());
+    assert!(titles(&fixes, "fold_back").contains(&offered[0]), "{fixes:?}");
+}
+
+/// Where one machine's limits are tight and a design is large, what can be tried is shared out.
+#[test]
+fn a_large_design_with_many_flaws_gets_fixes_for_many_of_them() {
+    let mut editor = frame("teapot.obj");
+    let doubled = editor.fixes(&app()).unwrap().remove(0);
+    editor.edit(&app(), &doubled.edit).unwrap();
+    let fixes = editor.fixes(&app()).unwrap();
+    let mut mended: Vec<_> =
+        fixes.iter().map(|fix| (fix.mends.code.as_str(), fix.mends.edge, fix.mends.vertex)).collect();
+    mended.dedup();
+    assert!(mended.len() > 20, "{mended:?}");
+}
+
+/// Any drawing, flaws included.
+fn any_design() -> impl Strategy<Value = Vec<serde_json::Value>> {
+    let points = prop::collection::vec(prop::array::uniform3(-60..60_i32), 2..10);
+    let edges = prop::collection::vec((0..10_usize, 0..10_usize), 1..18);
+    let start = prop::option::of(0..10_u32);
+    (points, edges, start, prop::collection::btree_set(0..18_u32, 0..3)).prop_map(
+        |(points, edges, start, doubled)| {
+            let count = points.len();
+            let edges: Vec<[usize; 2]> =
+                edges.into_iter().map(|(a, b)| [a % count, b % count]).filter(|[a, b]| a != b).collect();
+            let doubled: Vec<u32> =
+                doubled.into_iter().filter(|&edge| (edge as usize) < edges.len()).collect();
+            let vertices: Vec<_> = points.into_iter().map(|point| json!({"at_mm": point})).collect();
+            let start = start.filter(|&id| edges.iter().flatten().any(|&end| end == id as usize));
+            vec![
+                json!({"edit": "paste", "vertices": vertices, "edges": edges}),
+                json!({"edit": "doublings", "edges": doubled}),
+                json!({"edit": "start", "vertex": start}),
+            ]
+        },
+    )
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 48, ..ProptestConfig::default() })]
+    #[test]
+    fn whatever_is_drawn_fixes_keep_what_they_promise(edits in any_design(), machine in 0..3_usize) {
+        let machine = ["wirebend-kit", "pensa-diwire-pro", "grbl-bender"][machine];
+        let mut editor = Editor::new(&app(), Some(machine), None).unwrap();
+        for request in &edits {
+            edit(&mut editor, request);
+        }
+        promised(&mut editor, &app());
+    }
+}

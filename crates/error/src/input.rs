@@ -1,0 +1,85 @@
+//! What a person gives, in an option or in a field.
+
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// Something that a person gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum InputName {
+    /// The factor that a model is scaled by.
+    Scale,
+    /// The unit of a file's numbers.
+    Units,
+    /// The distance below which vertices are one.
+    Weld,
+    /// Whether the edges of faces are taken.
+    FaceEdges,
+    /// The centreline radius of a table.
+    CentrelineRadius,
+    /// How far edges may be from a curve.
+    Tolerance,
+    /// The layers of a drawing.
+    Layers,
+    /// Which way a table's rotations turn.
+    Handedness,
+    /// Whether a program is nominal or compensated.
+    Program,
+    /// The material.
+    Material,
+    /// Whether edges may be doubled.
+    Double,
+    /// Whether the route ends where it starts.
+    Closed,
+    /// The vertex that the wire starts at.
+    Start,
+    /// Whether the wire runs the other way.
+    Reverse,
+    /// Whether the order of a program is kept.
+    KeepOrder,
+    /// How often a job is simulated.
+    Runs,
+    /// The id of a new profile.
+    ProfileId,
+    /// The name of a new profile.
+    ProfileName,
+    /// The settings of a format.
+    FormatSettings,
+    /// The moves of a machine.
+    Moves,
+    /// Whether a wire is resumed.
+    Resume,
+    /// Whether a wire is given up.
+    Abandon,
+}
+
+impl InputName {
+    /// The thing in plain words, without an article.
+    #[must_use]
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Scale => "scale",
+            Self::Units => "unit",
+            Self::Weld => "weld distance",
+            Self::FaceEdges => "edges of faces",
+            Self::CentrelineRadius => "centreline radius",
+            Self::Tolerance => "tolerance",
+            Self::Layers => "layers",
+            Self::Handedness => "handedness",
+            Self::Program => "kind of program",
+            Self::Material => "material",
+            Self::Double => "doubled edges",
+            Self::Closed => "closed route",
+            Self::Start => "start",
+            Self::Reverse => "direction",
+            Self::KeepOrder => "order of the program",
+            Self::Runs => "number of runs",
+            Self::ProfileId => "id",
+            Self::ProfileName => "name",
+            Self::FormatSettings => "settings of the format",
+            Self::Moves => "moves",
+            Self::Resume => "resuming",
+            Self::Abandon => "giving up",
+        }
+    }
+}

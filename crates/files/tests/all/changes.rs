@@ -1,0 +1,142 @@
+//! Changes of a document: each can be undone, written down and read, and leaves nothing that points nowhere.
+
+use nalgebra::Point3;
+use proptest::prelude::*;
+use wirebend_core::mesh::Stencil;
+use wirebend_core::wireframe::{EdgeId, Edit, MergeAt, Vertex, VertexId, Wireframe};
+use wirebend_files::document::{
+    Document, DocumentChange, Pin, PinTarget, ProfileSnapshot, StaleChange, StencilSource,
+};
+use wirebend_files::read::LengthUnit;
+
+/// A square with everything that points at its vertices and edges.
+fn square() -> Document {
+    let mut wireframe = Wireframe::new();
+    for (x, y) in [(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 0.1)] {
+        wireframe.add_vertex(Vertex::at(Point3::new(x, y, 1.0 / 3.0))).unwrap();
+    }
+    for (a, b) in [(0, 1), (1, 2), (2, 3), (3, 0)] {
+        wireframe.add_edge(VertexId(a), VertexId(b)).unwrap();
+    }
+    let pin = |on, text: &str| Pin { on, text: text.into() };
+    Document {
+        doublings: vec![EdgeId(0), EdgeId(2)],
+        start: Some(VertexId(2)),
+        pins: vec![pin(PinTarget::Vertex(VertexId(2)), "here"), pin(PinTarget::Edge(EdgeId(3)), "zurück\n")],
+        ..Document::new(wireframe)
+    }
+}
+
+fn delete(document: &Document, vertices: &[u32]) -> DocumentChange {
+    let vertices = vertices.iter().copied().map(VertexId).collect();
+    let delta = Edit::Delete { vertices, edges: vec![] }.resolve(&document.wireframe).unwrap();
+    DocumentChange::of_edit(document, delta)
+}
+
+#[test]
+fn what_points_at_a_vertex_goes_with_it_and_comes_back_with_it() {
+    let (before, mut document) = (square(), square());
+    let change = delete(&document, &[2]);
+    document.commit(&change).unwrap();
+    assert_eq!((document.start, &document.doublings[..]), (None, &[EdgeId(0)][..]));
+    assert_eq!(document.pins, before.pins[1..]);
+    // The file opens: nothing points nowhere.
+    let bytes = document.to_bytes().unwrap();
+    assert_eq!(Document::open(&bytes, "a.wirebend").unwrap(), document);
+    document.commit(&change.inverse()).unwrap();
+    assert_eq!(document, before);
+}
+
+#[test]
+fn a_change_is_for_the_document_that_it_was_made_for() {
+    let mut document = square();
+    let start = document.set_start(Some(VertexId(0))).unwrap();
+    document.commit(&start).unwrap();
+    let before = document.clone();
+    assert_eq!(document.commit(&start), Err(StaleChange::Part("start")));
+    assert!(matches!(document.commit(&delete(&square(), &[2])), Err(StaleChange::Part("start"))));
+    assert_eq!(document, before);
+    assert_eq!(document.set_start(Some(VertexId(0))), None, "it is so already");
+    let gone = delete(&document, &[1]);
+    document.commit(&gone).unwrap();
+    assert!(matches!(
+        document.commit(&gone),
+        Err(StaleChange::Part("doublings") | StaleChange::Wireframe(_))
+    ));
+}
+
+/// All parts at once, as JSON and back.
+#[test]
+fn every_part_is_written_down() {
+    let document = square();
+    let corner = |x: f64| Point3::new(x, 0.1, 1e-300);
+    let stencil = Stencil::new(vec![corner(0.0), corner(1.0), corner(-0.0)], vec![vec![0, 1, 2]]).unwrap();
+    let machine =
+        ProfileSnapshot { id: "kit".into(), snapshot: serde_json::json!({"feed": 0.1, "x": [null]}) };
+    let mut all = delete(&document, &[0, 2]);
+    for part in [
+        document.set_stencil(Some(StencilSource::Embedded { surface: stencil, name: "a \"b\".stl".into() })),
+        document.set_machine(Some(machine.clone())),
+        document.set_material(Some(machine)),
+        document.set_notes("a\n\"b\"\u{2028}".into()),
+        document.set_units(LengthUnit::Inch),
+    ] {
+        all = all.and(part.unwrap());
+    }
+    let text = all.to_json().unwrap();
+    assert!(!text.contains('\n'));
+    let read = DocumentChange::of_json(&text).unwrap();
+    assert_eq!(read, all);
+    let (mut one, mut other) = (document.clone(), document.clone());
+    one.commit(&all).unwrap();
+    other.commit(&read).unwrap();
+    assert_eq!(one.to_bytes().unwrap(), other.to_bytes().unwrap(), "bit for bit");
+    other.commit(&read.inverse()).unwrap();
+    assert_eq!(other, document);
+}
+
+#[test]
+fn what_is_no_change_is_refused() {
+    for text in ["", "1", r#"{"next":[[1,2]]}"#, r#"{"colour":1}"#, r#"{"vertices":[[0,[null]]]}"#] {
+        assert!(DocumentChange::of_json(text).is_err(), "{text}");
+    }
+}
+
+fn any_edit() -> impl Strategy<Value = Edit> {
+    let vertex = || (0..9_u32).prop_map(VertexId);
+    let some = || prop::collection::btree_set(vertex(), 1..4).prop_map(Vec::from_iter);
+    let point = || prop::array::uniform3(-1e6..1e6_f64).prop_map(Point3::from);
+    prop_oneof![
+        (prop::option::of(vertex()), prop::collection::vec(point(), 1..3), prop::option::of(vertex()))
+            .prop_map(|(from, through, to)| Edit::Draw { from, through, to }),
+        some().prop_map(|vertices| Edit::Delete { vertices, edges: vec![] }),
+        (some(), point()).prop_map(|(vertices, by)| Edit::Move { vertices, by: by.coords / 1e3 }),
+        some().prop_map(|vertices| Edit::Merge { vertices, at: MergeAt::Centre }),
+        ((0..9_u32).prop_map(EdgeId), 0.0..1.0_f64).prop_map(|(edge, at)| Edit::SplitEdge { edge, at }),
+    ]
+}
+
+proptest! {
+    #[test]
+    fn a_change_that_was_read_is_the_change_that_was_written(edits in prop::collection::vec(any_edit(), 1..20)) {
+        let (mut document, mut copy) = (square(), square());
+        let mut states = vec![document.clone()];
+        let mut changes = Vec::new();
+        for edit in &edits {
+            let Ok(delta) = edit.resolve(&document.wireframe) else { continue };
+            let change = DocumentChange::of_edit(&document, delta);
+            document.commit(&change).unwrap();
+            let read = DocumentChange::of_json(&change.to_json().unwrap()).unwrap();
+            prop_assert_eq!(&read, &change);
+            copy.commit(&read).unwrap();
+            prop_assert_eq!(&copy, &document);
+            prop_assert!(Document::open(&document.to_bytes().unwrap(), "a").is_ok(), "something points nowhere");
+            states.push(document.clone());
+            changes.push(change);
+        }
+        for (change, state) in changes.iter().zip(&states).rev() {
+            document.commit(&change.inverse()).unwrap();
+            prop_assert_eq!(&document, state);
+        }
+    }
+}

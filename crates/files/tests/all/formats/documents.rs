@@ -1,0 +1,397 @@
+//! Documents come back as they were, and what is no document is refused with advice.
+
+use std::fmt::Write as _;
+use std::io::Write as _;
+
+use expect_test::{expect, expect_file};
+use nalgebra::Point3;
+use proptest::prelude::*;
+use serde_json::json;
+use wirebend_core::mesh::Stencil;
+use wirebend_core::wireframe::{EdgeId, NextIds, Vertex, VertexId, Wireframe};
+use wirebend_error::ErrorRemedy;
+use wirebend_files::document::{
+    Document, DocumentError, Job, JobContents, JobStep, JobWire, Pin, PinTarget, ProfileSnapshot, SourceFile,
+    StencilSource, schemas, sha256_hex,
+};
+use wirebend_files::read::{Format, LengthUnit, ReadOptions, read};
+
+use super::{import_data, step};
+
+fn example() -> Document {
+    let mut wireframe = Wireframe::new();
+    let a = wireframe.add_vertex(Vertex { position: Point3::new(0.1, -0.0, 1e-17), support: true }).unwrap();
+    let b = wireframe.add_vertex(Vertex::at(Point3::new(30.0, 1.0 / 3.0, 999_999.999))).unwrap();
+    wireframe.insert_vertex(VertexId(7), Vertex::at(Point3::new(1.0, 2.0, 3.0))).unwrap();
+    let edge = wireframe.add_edge(a, b).unwrap();
+    wireframe.add_edge(b, VertexId(7)).unwrap();
+    wireframe.reserve_ids(NextIds { vertex: 12, edge: 9 });
+    Document {
+        wireframe,
+        stencil: None,
+        machine: Some(ProfileSnapshot {
+            id: "wirebend-kit".into(),
+            snapshot: json!({"limit_mm": 20.4, "name": "<ä>"}),
+        }),
+        material: Some(ProfileSnapshot { id: "aluminium-3".into(), snapshot: json!(null) }),
+        doublings: vec![edge],
+        start: Some(b),
+        pins: vec![
+            Pin { on: PinTarget::Vertex(a), text: "hold here".into() },
+            Pin { on: PinTarget::Edge(edge), text: String::new() },
+        ],
+        notes: "two\nlines".into(),
+        units: LengthUnit::Inch,
+        source: Some(SourceFile { file: "frame.obj".into(), sha256: sha256_hex(b"x") }),
+    }
+}
+
+fn example_job() -> JobContents {
+    let steps: Vec<JobStep> =
+        [step(30., 0., 45.), step(20., -90., 30.), step(10., 0., 0.)].map(JobStep::from).to_vec();
+    JobContents {
+        design_hash: example().design_hash().unwrap(),
+        machine: example().machine.unwrap(),
+        material: example().material.unwrap(),
+        wires: vec![JobWire {
+            vertices: vec![0, 1, 7, 1],
+            path_mm: vec![[0.1, 0.0, 0.0], [0.1 + 0.2, 1.0, 2.0], [30.0, 1.0, 2.0], [30.0, 9.0, 2.0]],
+            nominal: steps.clone(),
+            spans: vec![[0, 1], [1, 2], [2, 3]],
+            scheduled: steps.clone(),
+            compensated: steps,
+            stock_mm: 460.0,
+            time_s: 91.5,
+        }],
+        objections: vec!["edge 1 is too short".into()],
+    }
+}
+
+#[test]
+fn a_job_whose_stages_do_not_fit_each_other_is_refused() {
+    let cases: [fn(&mut JobWire); 6] = [
+        |wire| wire.path_mm.truncate(3),
+        |wire| wire.compensated.truncate(2),
+        |wire| wire.spans[2] = [2, 9],
+        |wire| wire.spans[1] = [2, 2],
+        |wire| wire.spans.truncate(1),
+        |wire| {
+            for stage in [&mut wire.nominal, &mut wire.scheduled, &mut wire.compensated] {
+                stage.clear();
+            }
+        },
+    ];
+    for damage in cases {
+        let mut contents = example_job();
+        damage(&mut contents.wires[0]);
+        assert!(matches!(Job::seal(contents), Err(DocumentError::Inconsistent { wire: 0, .. })));
+    }
+}
+
+#[test]
+fn a_document_is_laid_out_for_people() {
+    let text = String::from_utf8(example().to_bytes().unwrap()).unwrap();
+    expect![[r#"
+        {
+          "format": "wirebend",
+          "version": 1,
+          "wireframe": {
+            "next_vertex": 12,
+            "next_edge": 9,
+            "vertices": [
+              {"id": 0, "at_mm": [0.1, -0.0, 1e-17], "support": true},
+              {"id": 1, "at_mm": [30.0, 0.3333333333333333, 999999.999]},
+              {"id": 7, "at_mm": [1.0, 2.0, 3.0]}
+            ],
+            "edges": [
+              {"id": 0, "a": 0, "b": 1},
+              {"id": 1, "a": 1, "b": 7}
+            ]
+          },
+          "machine": {
+            "id": "wirebend-kit",
+            "snapshot": {
+              "limit_mm": 20.4,
+              "name": "<ä>"
+            }
+          },
+          "material": {
+            "id": "aluminium-3",
+            "snapshot": null
+          },
+          "doublings": [
+            0
+          ],
+          "start": 1,
+          "pins": [
+            {
+              "on": {"vertex": 0},
+              "text": "hold here"
+            },
+            {
+              "on": {"edge": 0},
+              "text": ""
+            }
+          ],
+          "notes": "two\nlines",
+          "units": "inch",
+          "source": {
+            "file": "frame.obj",
+            "sha256": "2d711642b726b04401627ca9fbac32f5c8530fb1903cc4db02258717921a4881"
+          }
+        }
+    "#]]
+    .assert_eq(&text);
+}
+
+/// Of an older document: without a name.
+fn embedded(surface: Stencil) -> StencilSource {
+    StencilSource::Embedded { surface, name: String::new() }
+}
+
+#[test]
+fn a_document_comes_back_as_it_was() {
+    let mut document = example();
+    for stencil in [
+        None,
+        Some(StencilSource::File { path: "bunny.obj".into(), sha256: sha256_hex(b"bunny") }),
+        Some(embedded(Stencil::default())),
+        import_data("bend-forming/Teapot_123Faces_Final.obj", &ReadOptions::default())
+            .stencil
+            .map(|surface| StencilSource::Embedded { surface, name: "Teapot.obj".into() }),
+    ] {
+        document.stencil = stencil;
+        let bytes = document.to_bytes().unwrap();
+        let back = Document::open(&bytes, "a.wirebend").unwrap();
+        assert_eq!(back, document);
+        assert_eq!(back.to_bytes().unwrap(), bytes);
+    }
+    // The sign of a zero survives, too.
+    let bytes = document.to_bytes().unwrap();
+    let y = Document::open(&bytes, "a").unwrap().wireframe.vertex(VertexId(0)).unwrap().position.y;
+    assert!(y == 0.0 && y.is_sign_negative());
+    let imported = read(&bytes, "a.wirebend", None, &ReadOptions::default()).unwrap();
+    assert_eq!((imported.format, imported.wireframe), (Format::Wirebend, document.wireframe.clone()));
+    assert_eq!(imported.document.as_deref(), Some(&document));
+}
+
+#[test]
+fn an_empty_document_is_called_empty() {
+    for nothing in ["", " \n"] {
+        let refused = Document::open(nothing.as_bytes(), "a.wirebend").unwrap_err();
+        assert_eq!(refused.to_string(), "a.wirebend: the file is empty, expected a WireBend project");
+        assert_eq!(refused.remedies(), [ErrorRemedy::UseLastCopy]);
+        let refused = Job::open(nothing.as_bytes(), "a.wbjob").unwrap_err();
+        let expected = "a.wbjob: the file is empty, expected a WireBend job";
+        assert_eq!(refused.to_string(), expected);
+    }
+}
+
+#[test]
+fn a_packed_stencil_is_small() {
+    let bunny =
+        import_data("bend-forming/BunnyPolygonScaled_v2.obj", &ReadOptions::default()).stencil.unwrap();
+    let document = Document { stencil: Some(embedded(bunny)), ..Document::default() };
+    assert!(document.to_bytes().unwrap().len() < 4000);
+}
+
+fn refusals(texts: &[String]) -> String {
+    let mut list = String::new();
+    for text in texts {
+        let error = Document::open(text.as_bytes(), "a.wirebend").unwrap_err();
+        writeln!(list, "{}: {error} {:?}", error.code(), error.remedies()).unwrap();
+    }
+    list
+}
+
+#[test]
+fn what_is_no_document_is_refused_with_advice() {
+    let good = String::from_utf8(example().to_bytes().unwrap()).unwrap();
+    let with = |old: &str, new: &str| {
+        assert!(good.contains(old), "{old}");
+        good.replacen(old, new, 1)
+    };
+    let texts = [
+        "{".to_owned(),
+        with("\"version\": 1", "\"version\": 2"),
+        with("\"version\": 1", "\"version\": 0"),
+        with("\"wirebend\"", "\"wbjob\""),
+        with("\"doublings\"", "\"doubling\""),
+        with("\"id\": 7", "\"id\": 1"),
+        with("999999.999", "9999999"),
+        with("\"a\": 0", "\"a\": 99"),
+        with("\"start\": 1", "\"start\": 3"),
+        with("\"vertex\": 0", "\"vertex\": 3"),
+        with("\"edge\": 0", "\"edge\": 3"),
+        with("\"doublings\": [\n    0", "\"doublings\": [\n    5"),
+    ];
+    expect![[r#"
+        document-json: a.wirebend, line 1, column 1: EOF while parsing an object [UseLastCopy]
+        document-newer: a.wirebend: its version 2 is newer than 1, the newest known here [UpdateProgram]
+        document-no-such-version: a.wirebend: there is no version 0 of this format: the file is damaged [UseLastCopy]
+        document-wrong-format: a.wirebend: this is a "wbjob" file, expected "wirebend" [OpenAsItIs]
+        document-json: a.wirebend, line 28, column 12: unknown field `doubling`, expected one of `format`, `version`, `wireframe`, `stencil`, `machine`, `material`, `doublings`, `start`, `pins`, `notes`, `units`, `source` [UseLastCopy]
+        document-wireframe: a.wirebend: vertex 1 exists already [UseLastCopy]
+        document-wireframe: a.wirebend: (30, 0.3333333333333333, 9999999) is not a position: each coordinate must be a number within ±1 000 000 mm [UseLastCopy]
+        document-wireframe: a.wirebend: there is no vertex 99 [UseLastCopy]
+        document-dangling: a.wirebend: "start" names vertex 3, which is not in the wireframe [UseLastCopy]
+        document-dangling: a.wirebend: "pins" names vertex 3, which is not in the wireframe [UseLastCopy]
+        document-dangling: a.wirebend: "pins" names edge 3, which is not in the wireframe [UseLastCopy]
+        document-dangling: a.wirebend: "doublings" names edge 5, which is not in the wireframe [UseLastCopy]
+    "#]].assert_eq(&refusals(&texts));
+}
+
+/// Numbers as a document packs them.
+fn packed(numbers: &[u32]) -> String {
+    let bytes: Vec<u8> = numbers.iter().flat_map(|number| number.to_le_bytes()).collect();
+    let mut encoder = flate2::write::DeflateEncoder::new(Vec::new(), flate2::Compression::default());
+    encoder.write_all(&bytes).unwrap();
+    base64::Engine::encode(&base64::engine::general_purpose::STANDARD, encoder.finish().unwrap())
+}
+
+#[test]
+fn a_stencil_that_was_tampered_with_is_refused() {
+    let square = [(0., 0.), (1., 0.), (1., 1.)].map(|(x, y)| Point3::new(x, y, 0.)).to_vec();
+    let stencil = Stencil::new(square, vec![vec![0, 1, 2]]).unwrap();
+    let document = Document { stencil: Some(embedded(stencil)), ..Document::default() };
+    let good = String::from_utf8(document.to_bytes().unwrap()).unwrap();
+    let part = |key: &str| {
+        good.split(&format!("\"{key}\": \"")).nth(1).unwrap().split('"').next().unwrap().to_owned()
+    };
+    let texts = [
+        good.replace("\"vertices\": 3", "\"vertices\": 2"),
+        good.replace("\"vertices\": 3", "\"vertices\": 4"),
+        good.replace("\"vertices\": 3", "\"vertices\": 5000001"),
+        good.replace("\"corners\": 3", "\"corners\": 2"),
+        good.replace(&part("positions"), "!"),
+        good.replace(&part("positions"), "AAAA"),
+        good.replace(&part("indices"), &part("positions")),
+        good.replace(&part("indices"), &packed(&[3, 0, 1, 9])),
+        good.replace(&part("indices"), &packed(&[9, 0, 1, 2])),
+        good.replace(&part("indices"), &packed(&[0, 2, 1, 2])),
+    ];
+    expect![[r#"
+        document-stencil-damaged: a.wirebend: the embedded stencil is damaged: it has more than the 48 bytes that it announces [ImportAgain]
+        document-stencil-damaged: a.wirebend: the embedded stencil is damaged: it has 72 of the 96 bytes that it announces [ImportAgain]
+        document-stencil-damaged: a.wirebend: the embedded stencil is damaged: it announces more than 5000000 vertices or faces [ImportAgain]
+        document-stencil-damaged: a.wirebend: the embedded stencil is damaged: it has more than the 12 bytes that it announces [ImportAgain]
+        document-stencil-damaged: a.wirebend: the embedded stencil is damaged: Invalid symbol 33, offset 0. [ImportAgain]
+        document-stencil-damaged: a.wirebend: the embedded stencil is damaged: incomplete deflate stream [ImportAgain]
+        document-stencil-damaged: a.wirebend: the embedded stencil is damaged: it has more than the 16 bytes that it announces [ImportAgain]
+        document-stencil: a.wirebend: face 0 names vertex 9, but the last vertex is 2 [ImportAgain]
+        document-stencil-damaged: a.wirebend: the embedded stencil is damaged: face 0 has 3 of 9 corners [ImportAgain]
+        document-stencil-damaged: a.wirebend: the embedded stencil is damaged: it has 2 of 1 faces [ImportAgain]
+    "#]].assert_eq(&refusals(&texts));
+}
+
+#[test]
+fn the_design_hash_is_of_the_design_only() {
+    let document = example();
+    let hash = document.design_hash().unwrap();
+    let mut other = document.clone();
+    other.notes = "another".into();
+    other.pins.clear();
+    other.machine = None;
+    other.units = LengthUnit::Metre;
+    assert_eq!(other.design_hash().unwrap(), hash, "a remark is no other wire");
+    other.wireframe.reserve_ids(NextIds { vertex: 100, edge: 100 });
+    assert_eq!(other.design_hash().unwrap(), hash, "nor is an edit that was undone");
+    other.doublings.push(EdgeId(1));
+    assert_ne!(other.design_hash().unwrap(), hash);
+    let mut moved = document;
+    let nudge = wirebend_core::wireframe::Edit::Move {
+        vertices: vec![VertexId(7)],
+        by: nalgebra::Vector3::new(1e-9, 0.0, 0.0),
+    };
+    let delta = nudge.resolve(&moved.wireframe).unwrap();
+    moved.wireframe.commit(&delta).unwrap();
+    assert_ne!(moved.design_hash().unwrap(), hash);
+}
+
+#[test]
+fn a_job_comes_back_as_it_was_and_only_so() {
+    let job = Job::seal(example_job()).unwrap();
+    let bytes = job.to_bytes().unwrap();
+    assert_eq!(Job::open(&bytes, "a.wbjob").unwrap(), job);
+    assert_eq!(job.contents(), &example_job());
+    let text = String::from_utf8(bytes).unwrap();
+    // Laid out anew it is the same job; with one digit changed it is none.
+    let value: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(Job::open(value.to_string().as_bytes(), "a.wbjob").unwrap(), job);
+    let refused = |text: &str| Job::open(text.as_bytes(), "a.wbjob").unwrap_err();
+    assert!(matches!(refused(&text.replace("460.0", "460.1")), DocumentError::Changed { .. }));
+    assert!(
+        matches!(refused(&text.replace("20.4", "20.5")), DocumentError::Changed { .. }),
+        "profiles are sealed, too"
+    );
+    assert!(matches!(refused(&text.replace("\"hash\"", "\"hush\"")), DocumentError::Json { .. }));
+    expect!["a.wbjob: its version 9 is newer than 1, the newest known here"]
+        .assert_eq(&refused(&text.replace("\"version\": 1", "\"version\": 9")).to_string());
+    let error = read(text.as_bytes(), "a.wbjob", None, &ReadOptions::default()).unwrap_err();
+    assert_eq!(error.code(), "document-wrong-format", "a job is no wireframe: {error}");
+}
+
+#[test]
+fn a_job_with_a_number_that_is_none_is_not_sealed() {
+    let mut contents = example_job();
+    contents.wires[0].compensated[1].bend_deg = f64::NAN;
+    assert_eq!(Job::seal(contents).unwrap_err().code(), "document-not-finite");
+}
+
+#[test]
+fn the_schemas_are_the_committed_ones() {
+    for (name, text) in schemas() {
+        let path = format!("{}/schema/{name}", env!("CARGO_MANIFEST_DIR"));
+        expect_file![path].assert_eq(&text);
+    }
+}
+
+#[test]
+fn documents_fit_their_schemas_and_strangers_do_not() {
+    let mut packed = example();
+    packed.stencil = Some(StencilSource::Embedded { surface: Stencil::default(), name: "bunny.stl".into() });
+    let job = Job::seal(example_job()).unwrap().to_bytes().unwrap();
+    for ((name, schema), file) in schemas().into_iter().zip([job, packed.to_bytes().unwrap()]) {
+        let validator = jsonschema::validator_for(&serde_json::from_str(&schema).unwrap()).unwrap();
+        let mut value: serde_json::Value = serde_json::from_slice(&file).unwrap();
+        assert!(validator.is_valid(&value), "{name}: {:?}", validator.iter_errors(&value).next());
+        value["version"] = json!(2);
+        assert!(!validator.is_valid(&value), "{name} is of version 1");
+        value["version"] = json!(1);
+        value["colour"] = json!("red");
+        assert!(!validator.is_valid(&value), "{name} has no unknown keys");
+    }
+}
+
+fn any_document() -> impl Strategy<Value = Document> {
+    let coordinate = prop_oneof![-1e6..1e6_f64, -1e-3..1e-3_f64];
+    let vertices =
+        prop::collection::btree_map(0_u32..500, (prop::array::uniform3(coordinate), any::<bool>()), 1..20);
+    let edges = prop::collection::vec((any::<prop::sample::Index>(), any::<prop::sample::Index>()), 0..30);
+    (vertices, edges, any::<String>(), any::<String>()).prop_map(|(vertices, edges, notes, text)| {
+        let mut wireframe = Wireframe::new();
+        let ids: Vec<u32> = vertices.keys().copied().collect();
+        for (id, (at, support)) in vertices {
+            wireframe.insert_vertex(VertexId(id), Vertex { position: Point3::from(at), support }).unwrap();
+        }
+        for (a, b) in &edges {
+            wireframe.add_edge(VertexId(*a.get(&ids)), VertexId(*b.get(&ids))).unwrap();
+        }
+        let doublings = wireframe.edges().map(|(id, _)| id).step_by(3).collect();
+        let pins = vec![Pin { on: PinTarget::Vertex(VertexId(ids[0])), text }];
+        Document { doublings, start: Some(VertexId(ids[0])), pins, notes, ..Document::new(wireframe) }
+    })
+}
+
+proptest! {
+    #[test]
+    fn any_document_comes_back_bit_for_bit(document in any_document()) {
+        let bytes = document.to_bytes().unwrap();
+        let back = Document::open(&bytes, "a").unwrap();
+        prop_assert_eq!(&back, &document);
+        for ((_, a), (_, b)) in back.wireframe.vertices().zip(document.wireframe.vertices()) {
+            prop_assert_eq!(a.position.coords.map(f64::to_bits), b.position.coords.map(f64::to_bits));
+        }
+        prop_assert_eq!(back.design_hash().unwrap(), document.design_hash().unwrap());
+    }
+}

@@ -1,0 +1,70 @@
+//! Text in UTF-16, as Windows' editors, PowerShell and spreadsheets save it, reads as it does in UTF-8.
+
+use wirebend_error::ErrorRemedy;
+use wirebend_files::document::Document;
+use wirebend_files::read::{Format, ReadOptions, detect, read};
+
+use super::any_bytes::valid_files;
+use super::{import, notes};
+
+/// With a byte order mark, the low byte first or the high one.
+pub fn utf16(text: &str, low_first: bool) -> Vec<u8> {
+    let words = std::iter::once(0xfeff).chain(text.encode_utf16());
+    words.flat_map(|word: u16| if low_first { word.to_le_bytes() } else { word.to_be_bytes() }).collect()
+}
+
+#[test]
+fn every_text_is_read_from_utf_16() {
+    let mut formats = Vec::new();
+    for (format, bytes) in valid_files() {
+        let Ok(text) = std::str::from_utf8(&bytes) else { continue };
+        if text.contains('\0') {
+            continue;
+        }
+        let expected = read(&bytes, "file", Some(format), &ReadOptions::default()).unwrap();
+        for low_first in [true, false] {
+            let wide = utf16(text, low_first);
+            let imported = read(&wide, "file", Some(format), &ReadOptions::default())
+                .unwrap_or_else(|error| panic!("{format}: {error}"));
+            assert_eq!(imported.wireframe, expected.wireframe, "{format}");
+            assert_eq!(imported.stencil, expected.stencil, "{format}");
+            assert_eq!(imported.notes, expected.notes, "{format}");
+            assert_eq!(
+                detect("standard input", &wide).ok(),
+                detect("standard input", &bytes).ok(),
+                "{format}"
+            );
+        }
+        let with_mark = [b"\xef\xbb\xbf", bytes.as_slice()].concat();
+        assert!(read(&with_mark, "file", Some(format), &ReadOptions::default()).is_ok(), "{format}");
+        formats.push(format);
+    }
+    formats.dedup();
+    let binary_only = [Format::ThreeMf];
+    for format in Format::ALL {
+        assert!(formats.contains(&format) || binary_only.contains(&format), "{format} was not tried");
+    }
+    let project = Document::default().to_bytes().unwrap();
+    let wide = utf16(std::str::from_utf8(&project).unwrap(), true);
+    assert_eq!(Document::open(&wide, "a.wirebend").unwrap(), Document::default());
+}
+
+#[test]
+fn an_error_in_utf_16_names_the_same_line() {
+    let error = import("a.obj", utf16("v 0 0 0\r\nv 1 0 0\r\nl 1 3\r\n", true)).unwrap_err();
+    assert_eq!(error.line(), Some(3));
+    // 32 bits a character are called what they are.
+    let wide: Vec<u8> = "\u{feff}v 0 0 0\n".chars().flat_map(|c| u32::from(c).to_le_bytes()).collect();
+    let error = import("a.obj", wide).unwrap_err();
+    assert_eq!(error.to_string(), "a.obj: found a text in UTF-32, expected Wavefront OBJ");
+    assert_eq!(error.remedies(), [ErrorRemedy::ExportAs { form: "UTF-8 text".to_owned() }]);
+}
+
+/// What a spreadsheet saves as "Unicode text": tabs, UTF-16 and a mark.
+#[test]
+fn a_table_of_a_spreadsheet_is_read() {
+    let table = utf16("X [mm]\tY [mm]\tZ [mm]\r\n0\t0\t0\r\n1,5\t0\t0\r\n", true);
+    let imported = import("points.txt", table).unwrap();
+    assert_eq!((imported.format, imported.wireframe.edge_count()), (Format::Xyz, 1));
+    assert_eq!(notes(&imported.notes), ["the first row is a header"]);
+}

@@ -1,0 +1,202 @@
+//! Moves run one after the other, each to its end before the next.
+
+use wirebend_driver_host::api::{Axis, Capability, Event, ReferenceBy};
+use wirebend_driver_host::{Armed, Permit, PermitKind, Phase, SessionError};
+use wirebend_error::ProblemReport;
+use wirebend_profile::{MachineProfile, Resolved};
+
+use super::{Hand, JogResponse};
+use crate::FrontEnd;
+use crate::live::{At, Connection, Unnamed, Zero, ask_permit, connect, stop_of};
+use crate::order::Move;
+use crate::run::LeftBecause;
+use crate::{LiveProblem, OperationError};
+use wirebend_planning::Installation;
+use wirebend_planning::signs::Signs;
+
+/// What a person is asked before moves by hand.
+pub const QUESTION: &str = "May the machine move?";
+/// How many moves are listed before they run.
+const TOLD: usize = 12;
+
+/// Runs moves on a machine. What stops or fails on the way is in the answer, with the moves done before.
+pub(super) fn make(
+    app: &Installation,
+    machine: &Resolved<MachineProfile>,
+    hand: &Hand,
+    moves: &[Move],
+    more: Vec<String>,
+    progress: &dyn FrontEnd,
+) -> Result<JogResponse, OperationError> {
+    let signs = Signs::of(&machine.figures()?);
+    let at = At {
+        profile: &machine.profile,
+        signs,
+        port: hand.port,
+        unnamed: Unnamed::Simulate,
+        reattached: None,
+        axes_at_zero: hand.axes_at_zero,
+    };
+    let mut connection = connect(app, &at, progress)?;
+    require(&connection, moves)?;
+    connection.settle_head(hand.head_at_deg, hand.confirmed)?;
+    // It counts every move from its reference.
+    let homes = connection.session.phase() != Phase::Ready
+        && moves.first() != Some(&Move::Home)
+        && connection.can_home();
+    let lines = lines(&connection, machine, moves, more, homes);
+    let kind = PermitKind::ByHand;
+    let permit = ask_permit(&mut connection.session, progress, kind, lines, QUESTION, hand.confirmed)?;
+    if homes || moves.first() == Some(&Move::Home) {
+        // Before any of them runs.
+        connection.ask_zero(if homes { hand.zero } else { Zero::Wire })?;
+    }
+    let mut made = Vec::new();
+    let ended = make_all(&mut connection, signs, moves, homes, &permit, |told| {
+        if let MoveProgress::Made(one) = told {
+            made.push(one);
+            progress.advance(made.len() as u64, moves.len() as u64);
+        }
+    });
+    let left_because = match &ended {
+        // Moves that are done stay done: the answer lists them.
+        Err(LiveProblem::NotConfirmed | LiveProblem::ZeroNotConfirmed) if !made.is_empty() => {
+            Some(LeftBecause::NobodyAsked)
+        }
+        Err(LiveProblem::Declined) if !made.is_empty() => Some(LeftBecause::Declined),
+        _ => None,
+    };
+    let (stopped, problem) = match ended {
+        Ok(()) => (false, None),
+        Err(error) if left_because.is_some() => (false, Some(ProblemReport::from(&error))),
+        Err(LiveProblem::Stopped { .. }) => (true, None),
+        Err(error @ (LiveProblem::Held { .. } | LiveProblem::Unstopped { .. })) => {
+            (true, Some(ProblemReport::from(&error)))
+        }
+        Err(_) if stop_of(&connection.session).is_some() => (true, None),
+        Err(LiveProblem::Fault(report)) => (false, Some(report)),
+        Err(LiveProblem::Session(error)) => (false, Some(ProblemReport::from(&error))),
+        Err(error) => {
+            connection.await_standstill();
+            return Err(error.into());
+        }
+    };
+    let standstill = connection.await_standstill();
+    Ok(JogResponse {
+        machine: machine.profile.id.clone(),
+        port: connection.port.clone(),
+        identity: connection.session.identity().to_owned(),
+        made,
+        of: moves.len(),
+        left_because,
+        stopped,
+        standstill,
+        problem,
+        output: None,
+        notes: std::mem::take(&mut connection.observer.warnings),
+    })
+}
+
+/// Refuses moves that the machine's driver does not know at all.
+pub fn require(connection: &Connection, moves: &[Move]) -> Result<(), LiveProblem> {
+    let description = connection.session.driver().description();
+    for (needed, capability) in [
+        (moves.iter().any(|one| *one != Move::Home), Capability::Jog),
+        (moves.contains(&Move::Home), Capability::Home),
+    ] {
+        if needed && !description.can(capability) {
+            let driver = description.id.clone();
+            return Err(SessionError::Unsupported { driver, capability }.into());
+        }
+    }
+    Ok(())
+}
+
+/// What the user reads before moves run. `more`: what else they have to know about them.
+pub fn lines(
+    connection: &Connection,
+    machine: &Resolved<MachineProfile>,
+    moves: &[Move],
+    more: Vec<String>,
+    homes: bool,
+) -> Vec<String> {
+    let name = machine.profile.name.as_deref().unwrap_or(&machine.profile.id);
+    let mut lines = vec![format!("{name} at {} ({})", connection.port, connection.session.identity())];
+    lines.extend(connection.why_here());
+    lines.extend(more);
+    if homes && connection.reference() == ReferenceBy::Machine {
+        lines.push("first it homes: the bend axis moves at once".to_owned());
+    }
+    lines.extend(connection.head_lines(homes || moves.first() == Some(&Move::Home)));
+    let told: Vec<String> = moves.iter().take(TOLD).map(ToString::to_string).collect();
+    let more = moves.len().saturating_sub(TOLD);
+    let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+    lines.push(format!("moves: {}{more}", told.join(", ")));
+    lines
+}
+
+/// What happens to a move of a row.
+#[derive(Debug, Clone, Copy)]
+pub enum MoveProgress {
+    Begins(Move),
+    /// To its end.
+    Made(Move),
+}
+
+/// Runs moves one after the other.
+pub fn make_all(
+    connection: &mut Connection,
+    signs: Signs,
+    moves: &[Move],
+    homes: bool,
+    permit: &Permit,
+    mut told: impl FnMut(MoveProgress),
+) -> Result<(), LiveProblem> {
+    if homes {
+        connection.home(permit)?;
+    }
+    let mut armed = None;
+    let ended = moves.iter().try_for_each(|&one| {
+        told(MoveProgress::Begins(one));
+        make_one(connection, signs, one, &mut armed, permit)?;
+        told(MoveProgress::Made(one));
+        Ok(())
+    });
+    connection.session.end_moves();
+    connection.observer.publish(&connection.session);
+    ended
+}
+
+fn make_one(
+    connection: &mut Connection,
+    signs: Signs,
+    one: Move,
+    armed: &mut Option<Armed>,
+    permit: &Permit,
+) -> Result<(), LiveProblem> {
+    if let Move::Rotate { deg } = one {
+        connection.require_turn(deg)?;
+    }
+    let motion = match one {
+        Move::Home => {
+            // Homing ends what the machine was armed for.
+            *armed = None;
+            return connection.home(permit);
+        }
+        Move::Feed { mm } => signs.motion(Axis::Feed, mm),
+        Move::Rotate { deg } => signs.motion(Axis::Rotate, deg),
+        Move::Bend { deg } => signs.motion(Axis::Bend, deg),
+    };
+    let token = match armed.take() {
+        Some(armed) => armed,
+        None => connection.session.arm_by_hand(permit)?,
+    };
+    connection.observer.progress.stage(&one.to_string());
+    // What was said of where the axes stand was said before this.
+    connection.observer.moved();
+    connection.session.jog(&token, motion)?;
+    connection.observer.publish(&connection.session);
+    while !connection.look_until_held("it was moved by hand")?.contains(&Event::Jogged) {}
+    *armed = Some(token);
+    Ok(())
+}

@@ -1,0 +1,185 @@
+//! `jog` and `replay`: moves by hand, and a recorded row of them.
+
+mod making;
+mod moves;
+mod wire;
+
+use std::path::PathBuf;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use wirebend_driver_host::Standstill;
+use wirebend_profile::{MachineProfile, Resolved};
+
+use crate::FrontEnd;
+use crate::live::Zero;
+use crate::order::Move;
+use crate::run::LeftBecause;
+use crate::{LiveProblem, OperationError};
+use making::make;
+pub use making::{MoveProgress, QUESTION, lines, make_all, require};
+pub use moves::MovesFile;
+pub use moves::{check_moves, profile_hash};
+pub use wire::WireByHand;
+use wirebend_error::ProblemReport;
+use wirebend_planning::Installation;
+use wirebend_planning::design::Input;
+use wirebend_planning::output::Output;
+use wirebend_planning::report::NoteReport;
+
+/// What to move. Nothing moves unless a person says so: here, or when they are asked.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct JogRequest {
+    pub machine: String,
+    /// Where it is; absent, the machine that its driver simulates is taken, if it has one.
+    pub port: Option<String>,
+    /// The moves, in order.
+    pub moves: Vec<Move>,
+    /// Whether the person has said already that the machine may move.
+    #[serde(default)]
+    pub confirmed: bool,
+    /// Whether the person has said already that the place where the axes stand may count as zero, for a machine without
+    /// switches. It counts once.
+    #[serde(default)]
+    pub axes_at_zero: bool,
+    /// Where the head stands, degrees from where its cable is unwound, as a person has seen it; absent, it stands where it
+    /// was left, and where that is not known, the user is asked.
+    #[serde(default)]
+    pub head_at_deg: Option<f64>,
+    /// A file for the moves that are done, to be replayed.
+    pub record: Option<Output>,
+}
+
+/// Recorded moves to replay. Nothing moves unless the user confirms it: here, or when they are asked.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct ReplayRequest {
+    /// The recording.
+    pub file: Input,
+    /// The machine; absent, the one of the recording. Named, it may be another one, or one whose profile has
+    /// changed since.
+    pub machine: Option<String>,
+    /// Where it is; absent, the machine that its driver simulates is taken, if it has one.
+    pub port: Option<String>,
+    /// Whether the person has said already that the machine may move.
+    #[serde(default)]
+    pub confirmed: bool,
+    /// Whether the person has said already that every axis stands at zero, for a machine without switches. It counts
+    /// once.
+    #[serde(default)]
+    pub axes_at_zero: bool,
+    /// Where the head stands, degrees from where its cable is unwound, as a person has seen it; absent, it stands where it
+    /// was left, and where that is not known, the user is asked.
+    #[serde(default)]
+    pub head_at_deg: Option<f64>,
+}
+
+/// What was moved.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct JogResponse {
+    pub machine: String,
+    pub port: String,
+    /// What it says that it is.
+    pub identity: String,
+    /// The moves that are done.
+    pub made: Vec<Move>,
+    /// How many there were to be.
+    pub of: usize,
+    /// Why the rest was not begun, where the user had to be asked in the middle; null where all are done, or one failed.
+    pub left_because: Option<LeftBecause>,
+    /// Whether it was stopped.
+    pub stopped: bool,
+    /// Whether the machine stands after a stop, after its driver was lost, or after a fault while it might move; null
+    /// where there was none of them.
+    pub standstill: Option<Standstill>,
+    /// What failed.
+    pub problem: Option<ProblemReport>,
+    /// The recording.
+    pub output: Option<PathBuf>,
+    /// What a person should know.
+    pub notes: Vec<NoteReport>,
+}
+
+pub fn jog(
+    app: &Installation,
+    request: &JogRequest,
+    progress: &dyn FrontEnd,
+) -> Result<JogResponse, OperationError> {
+    request.record.as_ref().map_or(Ok(()), Output::check)?;
+    check_moves(&request.moves)?;
+    let machine = app.library.machine(&request.machine)?;
+    let (confirmed, axes_at_zero) = (request.confirmed, request.axes_at_zero);
+    let zero = Zero::Moves;
+    let head_at_deg = request.head_at_deg;
+    let hand = Hand { port: request.port.as_deref(), confirmed, axes_at_zero, head_at_deg, zero };
+    let mut response = make(app, &machine, &hand, &request.moves, Vec::new(), progress)?;
+    if let Some(output) = &request.record {
+        if response.made.is_empty() {
+            let message = "nothing was moved, and so nothing was recorded".to_owned();
+            response.notes.push(NoteReport {
+                code: "nothing-recorded".into(),
+                count: 1,
+                message,
+                remedies: Vec::new(),
+            });
+        } else {
+            let file = MovesFile::new(&machine, response.made.clone())?;
+            response.output = Some(output.save(&file.to_bytes()?)?);
+        }
+    }
+    Ok(response)
+}
+
+pub fn replay(
+    app: &Installation,
+    request: &ReplayRequest,
+    progress: &dyn FrontEnd,
+) -> Result<JogResponse, OperationError> {
+    progress.stage("reading");
+    let (name, bytes) = request.file.load()?;
+    let file = MovesFile::open(&name, &bytes)?;
+    let machine = app.library.machine(request.machine.as_ref().unwrap_or(&file.machine))?;
+    let lines = other_machine(&name, &file, &machine, request.machine.is_some())?;
+    let (confirmed, axes_at_zero) = (request.confirmed, request.axes_at_zero);
+    let zero = Zero::Wire;
+    let head_at_deg = request.head_at_deg;
+    let hand = Hand { port: request.port.as_deref(), confirmed, axes_at_zero, head_at_deg, zero };
+    make(app, &machine, &hand, &file.moves, lines, progress)
+}
+
+/// The moves of a recording for a machine that is connected, and what a person has to know of them. `named`: whether they
+/// have said that the recording may be of another machine.
+pub fn moves_of(
+    file: &Input,
+    machine: &Resolved<MachineProfile>,
+    named: bool,
+) -> Result<(Vec<Move>, Vec<String>), OperationError> {
+    let (name, bytes) = file.load()?;
+    let file = MovesFile::open(&name, &bytes)?;
+    let lines = other_machine(&name, &file, machine, named)?;
+    Ok((file.moves, lines))
+}
+
+/// What a person has to know of a recording from elsewhere, which they have asked for by name.
+fn other_machine(
+    name: &str,
+    file: &MovesFile,
+    machine: &Resolved<MachineProfile>,
+    named: bool,
+) -> Result<Vec<String>, OperationError> {
+    let Some(recorded) = file.differs(machine)? else { return Ok(Vec::new()) };
+    if !named {
+        let (file, machine) = (name.to_owned(), machine.profile.id.clone());
+        return Err(LiveProblem::OtherMachine { file, recorded, machine }.into());
+    }
+    Ok(vec![format!("these moves were recorded {recorded}")])
+}
+
+/// Where the machine is, and whether a person has said that it may move.
+struct Hand<'a> {
+    port: Option<&'a str>,
+    confirmed: bool,
+    axes_at_zero: bool,
+    head_at_deg: Option<f64>,
+    /// What the moves count from.
+    zero: Zero,
+}

@@ -1,0 +1,135 @@
+//! Homing, and moves by hand.
+
+use std::path::Path;
+use std::time::Instant;
+
+use wirebend_driver_host::api::ReferenceBy;
+use wirebend_driver_host::{OrderName, Permit, PermitKind, Phase};
+
+use super::event::OperatorEvent;
+use super::jog_permit::JogPermit;
+use super::question::QuestionKind;
+use super::thread::OperatorThread;
+use crate::by_hand::{MoveProgress, QUESTION, check_moves, lines, make_all, moves_of, require};
+use crate::live::Zero;
+use crate::{LiveProblem, Move, OperationError};
+use wirebend_planning::design::Input;
+
+impl OperatorThread<'_> {
+    pub fn home(&mut self) -> Result<(), OperationError> {
+        self.move_by_hand(OrderName::Home, &[Move::Home], Vec::new(), false)
+    }
+
+    pub fn jog(&mut self, moves: &[Move], record: bool) -> Result<(), OperationError> {
+        check_moves(moves)?;
+        self.move_by_hand(OrderName::Jog, moves, Vec::new(), record)
+    }
+
+    pub fn replay(&mut self, file: &Path, other_machine: bool) -> Result<(), OperationError> {
+        let (moves, more) = moves_of(&Input::File(file.to_owned()), &self.machine, other_machine)?;
+        // Many moves at one word: a permit for moves one by one is none for them.
+        self.jog_permit = None;
+        self.move_by_hand(OrderName::Replay, &moves, more, false)
+    }
+
+    fn move_by_hand(
+        &mut self,
+        order: OrderName,
+        moves: &[Move],
+        more: Vec<String>,
+        record: bool,
+    ) -> Result<(), OperationError> {
+        let at_reference = self.at_reference;
+        let by_hand = self.is_zeroed_by_hand();
+        let connection = self.connected(order)?;
+        require(connection, moves)?;
+        // A recording counts from the reference. Where a person brings the axes to zero, they do it by jogging.
+        let homed = matches!(connection.session.phase(), Phase::Ready | Phase::Moving | Phase::Armed);
+        let homes = match order {
+            OrderName::Replay => !at_reference,
+            _ => by_hand && !homed,
+        } && moves.first() != Some(&Move::Home)
+            && connection.can_home();
+        self.settle_head(order, homes || moves.first() == Some(&Move::Home))?;
+        let sets_zero = order == OrderName::Home && by_hand;
+        let mut permit = if sets_zero { None } else { Some(self.permit_to_move(order, moves, more, homes)?) };
+        if homes || moves.first() == Some(&Move::Home) {
+            let zero = if homes && order == OrderName::Jog { Zero::Moves } else { Zero::Wire };
+            permit = permit.or(self.ask_zero(order, zero)?);
+        }
+        let permit = permit.ok_or(LiveProblem::NotConfirmed)?;
+        self.armed = None;
+        let (signs, shared) = (self.signs, self.shared);
+        // Until they are where a wire begins again.
+        let mut at_reference = at_reference || (homes && order != OrderName::Jog);
+        let connection = self.connected(order)?;
+        connection.wire_used |= moves.iter().any(|one| matches!(one, Move::Feed { .. } | Move::Bend { .. }));
+        let mut told = |progress| {
+            let made = match progress {
+                MoveProgress::Begins(one) => return shared.begin_move(one),
+                MoveProgress::Made(one) => one,
+            };
+            at_reference = match made {
+                Move::Home => true,
+                Move::Feed { .. } => at_reference,
+                Move::Rotate { .. } | Move::Bend { .. } => false,
+            };
+            if record {
+                shared.record(made);
+            }
+            shared.hear(&OperatorEvent::Jogged { made });
+            shared.catch_up();
+        };
+        let homed =
+            if homes { connection.home(&permit).map(|()| shared.enter(Phase::Moving)) } else { Ok(()) };
+        let made = homed.and_then(|()| make_all(connection, signs, moves, false, &permit, &mut told));
+        // One that was not finished has turned something.
+        self.at_reference = at_reference && made.is_ok();
+        made?;
+        if !sets_zero {
+            self.jog_permit = Some(JogPermit::new(permit, Instant::now()));
+        }
+        Ok(())
+    }
+
+    /// Whether a person brings the axes to their reference.
+    fn is_zeroed_by_hand(&self) -> bool {
+        self.connection.as_ref().is_some_and(|connection| connection.reference() == ReferenceBy::Person)
+    }
+
+    /// Asks whether every axis stands at zero, where a person brings them there: each time, whatever they have said before.
+    /// Their yes is enough to set zero, for which nothing moves.
+    pub fn ask_zero(&mut self, order: OrderName, wanted: Zero) -> Result<Option<Permit>, OperationError> {
+        if !self.is_zeroed_by_hand() {
+            return Ok(None);
+        }
+        let lines = self.connected(order)?.zero_lines(wanted);
+        let permit = self.ask(QuestionKind::Move, PermitKind::ByHand, lines, wanted.question())?;
+        self.connected(order)?.zero_was_said(wanted)?;
+        Ok(Some(permit))
+    }
+
+    /// A person's word that the machine may be moved, which holds for a while. Where nothing moves, the user is asked only
+    /// about what is in a file, which they have not seen.
+    fn permit_to_move(
+        &mut self,
+        order: OrderName,
+        moves: &[Move],
+        more: Vec<String>,
+        homes: bool,
+    ) -> Result<Permit, OperationError> {
+        let simulation = self.connected(order)?.session.simulated();
+        if let Some(simulation) = simulation.filter(|_| order != OrderName::Replay) {
+            return Ok(simulation.permit(PermitKind::ByHand));
+        }
+        if let Some(permit) = self.jog_permit.take().and_then(|permit| permit.holds(Instant::now())) {
+            return Ok(permit);
+        }
+        let machine = self.machine.clone();
+        let mut about = lines(self.connected(order)?, &machine, moves, more, homes);
+        if moves.contains(&Move::Home) && !self.is_zeroed_by_hand() {
+            about.push("homing moves the bend axis at once".to_owned());
+        }
+        self.ask(QuestionKind::Move, PermitKind::ByHand, about, QUESTION)
+    }
+}

@@ -1,0 +1,97 @@
+//! A wire that was interrupted and can be resumed.
+
+use schemars::JsonSchema;
+use serde::Serialize;
+use wirebend_driver_host::jobs::JournalError;
+
+use crate::run::Task;
+use crate::runs::{RunsFolder, StoredRun};
+use wirebend_planning::Installation;
+
+/// A wire that was interrupted and can be resumed.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct Unfinished {
+    /// The id of its record.
+    pub id: String,
+    pub job_hash: String,
+    /// Name of the design.
+    pub name: String,
+    /// Index of the wire, from 0.
+    pub wire: usize,
+    /// Where it was begun.
+    pub port: String,
+    pub started: String,
+    /// The last step that is known to be done.
+    pub made: u32,
+    /// How many there are.
+    pub of: u32,
+    /// Steps in doubt, of which it is not known whether they were done: the first and the last.
+    pub in_doubt: Option<[u32; 2]>,
+    /// Whether it can be resumed: its record may be damaged. Then it can be given up, and nothing is known of when and
+    /// where it was begun.
+    pub resumable: bool,
+}
+
+impl Unfinished {
+    /// The unfinished wire of a journal; `None` when the wire is over, none of it was sent, or the journal cannot be read.
+    pub(super) fn of(kept: &StoredRun) -> Option<Self> {
+        let written = kept.read.as_ref().ok()?;
+        let state = &written.state;
+        if state.is_over() || state.sent == 0 {
+            return None;
+        }
+        let heading = &state.heading;
+        Some(Self {
+            id: kept.id.clone(),
+            job_hash: heading.job_hash.clone(),
+            name: heading.name.clone(),
+            wire: heading.wire,
+            port: heading.port.clone(),
+            started: written.entries.first().map(|entry| entry.at.clone()).unwrap_or_default(),
+            made: state.done,
+            of: heading.steps,
+            in_doubt: state.in_doubt().map(|steps| [*steps.start(), *steps.end()]),
+            resumable: true,
+        })
+    }
+
+    /// The last wire that was begun on a machine at a port, where it is not over.
+    pub(super) fn last_on(app: &Installation, machine: &str, port: &str) -> Option<Self> {
+        // Without a place for journals no wire was begun.
+        let all = RunsFolder::of(app).and_then(|folder| folder.all()).ok()?;
+        let here = all.iter().filter(|kept| {
+            kept.read.as_ref().is_ok_and(|written| {
+                let heading = &written.state.heading;
+                heading.machine == machine && heading.port == port
+            })
+        });
+        let begun = |kept: &&StoredRun| {
+            let at = kept.read.as_ref().ok().and_then(|written| written.entries.first());
+            (at.map(|entry| entry.at.clone()), kept.id.clone())
+        };
+        here.max_by_key(begun).and_then(Self::of)
+    }
+
+    /// The last time that a wire of a job was begun, where it is not over.
+    pub(super) fn of_wire(task: &Task, wire: usize) -> Option<Self> {
+        let kept = task.last(wire).ok()??;
+        match kept.read {
+            Err(JournalError::Damaged { .. } | JournalError::Impossible { .. }) => {
+                let steps = task.wire(wire).map_or(0, |kept| kept.compensated.len());
+                Some(Self {
+                    id: kept.id,
+                    job_hash: task.job.hash().to_owned(),
+                    name: task.request.job.stem(),
+                    wire,
+                    port: String::new(),
+                    started: String::new(),
+                    made: 0,
+                    of: u32::try_from(steps).unwrap_or(u32::MAX),
+                    in_doubt: None,
+                    resumable: false,
+                })
+            }
+            _ => Self::of(&kept),
+        }
+    }
+}

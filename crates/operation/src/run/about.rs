@@ -1,0 +1,100 @@
+//! What a person reads before they say yes.
+
+use std::time::Duration;
+
+use wirebend_driver_host::api::{DoneBy, ReferenceBy};
+
+use super::task::Task;
+use crate::OperationError;
+use crate::live::Connection;
+use wirebend_planning::machine::planned_despite;
+use wirebend_planning::report::shown_deg as shown;
+
+/// What will happen to a wire. `anew`: it is begun, with new wire. `homes`: the reference is found first.
+pub fn about(
+    task: &Task,
+    connection: &Connection,
+    wire: usize,
+    anew: bool,
+    homes: bool,
+) -> Result<Vec<String>, OperationError> {
+    let kept = task.wire(wire)?;
+    let (setup, count) = (&task.setup, task.job.contents().wires.len());
+    let identity = connection.session.identity();
+    let said = if identity.is_empty() { String::new() } else { format!(" ({identity})") };
+    let mut lines = vec![format!("{} at {}{said}", setup.machine_name(), connection.port)];
+    lines.extend(connection.why_here());
+    let steps = kept.compensated.len();
+    let bends = kept.compensated.iter().filter(|step| step.bend_deg != 0.0).count();
+    let fed: f64 = kept.compensated.iter().map(|step| step.feed_mm).sum();
+    let which = if count > 1 { format!("wire {} of {count}", wire + 1) } else { "the wire".to_owned() };
+    let (steps, bends) = (counted(steps, "step"), counted(bends, "bend"));
+    let seconds = task.work(wire, connection)?.estimates.iter().map(Duration::as_secs_f64).sum();
+    // How long the rest of a wire that was begun takes is not estimated.
+    let time = if anew { format!("; {} on the machine", minutes(seconds)) } else { String::new() };
+    lines.push(format!("{which}: {steps}, {bends}, {fed:.1} mm are fed{time}"));
+    if anew {
+        let tail = kept.stock_mm - fed;
+        lines.push(format!(
+            "put in at least {:.0} mm of {}: the last {tail:.0} mm cannot be fed",
+            kept.stock_mm.ceil(),
+            setup.material_name()
+        ));
+    }
+    if connection.wire_used {
+        let what = if anew {
+            "wire was fed or bent by hand before: put in new wire, or cut off what sticks out of the nozzle"
+        } else {
+            "wire was fed or bent by hand since it was interrupted: the rest of the wire comes out displaced by that"
+        };
+        lines.push(what.to_owned());
+    }
+    let (mut head, mut least, mut most) = (0.0_f64, 0.0_f64, 0.0_f64);
+    for step in &kept.compensated {
+        head += step.rotate_deg;
+        (least, most) = (least.min(head), most.max(head));
+    }
+    if most > least {
+        lines.push(format!(
+            "the head turns between {:.1}° and {:.1}°, and ends at {:.1}°",
+            shown(least),
+            shown(most),
+            shown(head)
+        ));
+    }
+    lines.push(
+        "whether the wire meets the machine or itself is not checked: watch it, with STOP at hand".to_owned(),
+    );
+    if connection.session.done_by() == DoneBy::Clock {
+        lines.push(
+            "this machine does not report whether it runs what it is sent: watch it, and see that it is at this port"
+                .to_owned(),
+        );
+    }
+    lines.extend(connection.head_lines(homes));
+    if homes {
+        lines.push(first(connection.reference(), "the bend axis moves at once"));
+    }
+    lines.extend(task.stale());
+    lines.extend(task.job.contents().objections.iter().map(|error| planned_despite(error)));
+    Ok(lines)
+}
+
+/// How the reference is found before a wire; `moves`: what a person has to see to where the machine moves for it.
+pub(super) fn first(reference: ReferenceBy, moves: &str) -> String {
+    match reference {
+        ReferenceBy::Machine => format!("first the machine homes: {moves}"),
+        ReferenceBy::Person => {
+            "first you are asked whether every axis stands at zero: this machine has no switches to find it"
+                .to_owned()
+        }
+    }
+}
+
+pub(super) fn counted(many: usize, one: &str) -> String {
+    if many == 1 { format!("1 {one}") } else { format!("{many} {one}s") }
+}
+
+fn minutes(seconds: f64) -> String {
+    if seconds < 60.0 { format!("about {seconds:.0} s") } else { format!("about {:.1} min", seconds / 60.0) }
+}

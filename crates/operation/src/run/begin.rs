@@ -1,0 +1,130 @@
+//! A job's wires bent from their beginning, one after the other.
+
+use std::time::Duration;
+
+use wirebend_driver_host::jobs::{Clock, Heading, JobRun, Journal, WireJob};
+use wirebend_driver_host::{Permit, PermitKind};
+
+use super::about::about;
+use super::making::{Making, Watch};
+use super::report::{LeftBecause, RunResponse};
+use super::task::Task;
+use crate::live::{Connection, Unnamed, Zero, ask_permit, connect, refused};
+use crate::{LiveProblem, OperationError};
+
+impl Task<'_> {
+    /// Bends the wires that were asked for, none of which may be unfinished.
+    pub fn begin(&self) -> Result<RunResponse, OperationError> {
+        let wanted = self.wanted();
+        wanted.iter().try_for_each(|&wire| self.require_clear(wire))?;
+        let mut connection = connect(self.app, &self.at(None, Unnamed::Simulate), self.progress)?;
+        connection.require_settings(self.setup.machine_id(), self.request.accept_settings)?;
+        wanted.iter().try_for_each(|&wire| self.require_within(&connection, wire, 1))?;
+        connection.settle_head(self.request.head_at_deg, self.request.confirmed)?;
+        let mut response = self.response();
+        response.port = Some(connection.port.clone());
+        response.identity = Some(connection.session.identity().to_owned());
+        for (place, &wire) in wanted.iter().enumerate() {
+            let permit = match self.ask(&mut connection, wire, place == 0) {
+                Ok(permit) => permit,
+                // Wires that are done stay done: the answer lists the rest.
+                Err(OperationError::Live(problem)) if place > 0 => {
+                    response.left_because = Some(match problem {
+                        LiveProblem::NotConfirmed | LiveProblem::ZeroNotConfirmed => LeftBecause::NobodyAsked,
+                        _ => LeftBecause::Declined,
+                    });
+                    response.left = wanted[place..].to_vec();
+                    break;
+                }
+                Err(error) => return Err(error),
+            };
+            let homes = connection.can_home();
+            let (back, made) = self.make(connection, wire, homes, permit, &mut response);
+            made?;
+            // It is given back where the wire was finished or interrupted.
+            let Some(back) = back else { return Ok(response) };
+            connection = back;
+            if !response.wires.last().is_some_and(|made| made.outcome.is_whole()) {
+                response.left = wanted[place + 1..].to_vec();
+                break;
+            }
+        }
+        response.notes.append(&mut connection.observer.warnings);
+        Ok(response)
+    }
+
+    fn ask(&self, connection: &mut Connection, wire: usize, first: bool) -> Result<Permit, OperationError> {
+        let lines = about(self, connection, wire, true, connection.can_home())?;
+        let question = if first {
+            "Is the wire in, and may the machine move?"
+        } else {
+            "Is the wire before taken out and new wire in, and may the machine move?"
+        };
+        // The person who said yes with the request could not know when the wire before would be done.
+        let (session, confirmed) = (&mut connection.session, first && self.request.confirmed);
+        let permit = ask_permit(session, self.progress, PermitKind::Wire, lines, question, confirmed)?;
+        if connection.can_home() {
+            // Before anything of the wire is written down.
+            connection.ask_zero(Zero::Wire)?;
+        }
+        Ok(permit)
+    }
+
+    /// Bends a wire from its beginning. `homes`: the machine homes first. The connection is given
+    /// back unless the loop could not be begun with it.
+    pub fn make<'c>(
+        &self,
+        mut connection: Connection<'c>,
+        wire: usize,
+        homes: bool,
+        permit: Permit,
+        response: &mut RunResponse,
+    ) -> (Option<Connection<'c>>, Result<(), OperationError>) {
+        let (id, journal, work) = match self.prepare(&mut connection, wire, &permit) {
+            Ok(prepared) => prepared,
+            Err(error) => return (Some(connection), Err(error)),
+        };
+        connection.through(|session, observer| {
+            let run = match JobRun::new(session, journal, work, Box::new(self.clock)) {
+                Ok(run) => run,
+                Err(error) => return (None, Err(LiveProblem::from(error).into())),
+            };
+            let (watch, steps) = (Watch::default(), self.step_watch(wire));
+            let making = Making { task: self, wire, id, homes, run, watch, steps };
+            making.go(observer, permit, response)
+        })
+    }
+
+    fn prepare(
+        &self,
+        connection: &mut Connection,
+        wire: usize,
+        permit: &Permit,
+    ) -> Result<(String, Journal, WireJob), OperationError> {
+        if self.request.accept_settings && !connection.session.differences().is_empty() {
+            let session = &mut connection.session;
+            let accepted = session.accept_differences(permit);
+            accepted.map_err(|error| refused(session, error, "a wire was to be begun"))?;
+        }
+        let work = self.work(wire, connection)?;
+        let (id, path) = self.folder.next(self.job.hash(), wire)?;
+        let heading = Heading {
+            version: 0, // filled in by the journal
+            job_hash: work.run.job_hash.clone(),
+            design_hash: work.run.design_hash.clone(),
+            name: work.run.name.clone(),
+            wire,
+            steps: work.run.steps,
+            machine: work.run.machine.clone(),
+            driver: connection.driver_id.clone(),
+            driver_version: connection.driver_version.clone(),
+            port: connection.port.clone(),
+            material: self.setup.material_id().to_owned(),
+            stock_mm: work.run.stock_mm,
+            done_by: connection.session.done_by(),
+            estimates_s: work.estimates.iter().map(Duration::as_secs_f64).collect(),
+        };
+        let journal = Journal::create(&path, heading, self.clock.stamp()).map_err(LiveProblem::from)?;
+        Ok((id, journal, work))
+    }
+}

@@ -1,0 +1,84 @@
+//! `run`: a job run on its machine, wire by wire, with a journal that outlives whatever happens.
+
+mod about;
+mod begin;
+mod doubt;
+mod interrupted;
+mod making;
+mod report;
+mod resume;
+mod stale;
+mod step_watch;
+mod task;
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::FrontEnd;
+use crate::{Decided, OperationError};
+pub use about::about;
+pub use report::{LeftBecause, RunOutcome, RunResponse, StoppedIn, WireRun};
+pub use task::Task;
+use wirebend_planning::Installation;
+use wirebend_planning::design::Input;
+use wirebend_planning::output::Output;
+
+/// What to run. Nothing moves unless the user confirms it: here, or when they are asked.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct RunRequest {
+    pub job: Input,
+    /// Where the machine is; absent, the machine that its driver simulates is taken, if it has one. A wire resumes
+    /// there only where it was begun on it.
+    pub port: Option<String>,
+    /// Index of the one wire to bend, from 0; absent, all of them.
+    pub wire: Option<usize>,
+    /// Whether to begin, to resume, or to give up.
+    #[serde(default)]
+    pub how: RunHow,
+    /// Whether the person has said already that the machine may move. It counts for one wire: before the next,
+    /// they are asked.
+    #[serde(default)]
+    pub confirmed: bool,
+    /// Whether the person has said already that every axis stands at zero, for a machine without switches. It counts
+    /// once.
+    #[serde(default)]
+    pub axes_at_zero: bool,
+    /// Where the head stands, degrees from where its cable is unwound, as a person has seen it; absent, it stands where it
+    /// was left, and where that is not known, the user is asked.
+    #[serde(default)]
+    pub head_at_deg: Option<f64>,
+    /// Whether to bend wires although the machine's settings are not those of its profile.
+    #[serde(default)]
+    pub accept_settings: bool,
+    /// Where the records go besides; those of several wires get numbers.
+    pub record: Option<Output>,
+}
+
+/// What to do with a job's wires.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Deserialize, JsonSchema)]
+#[serde(tag = "how", rename_all = "kebab-case")]
+pub enum RunHow {
+    /// To bend them from their beginning.
+    #[default]
+    Begin,
+    /// To resume the one that was interrupted.
+    Resume {
+        /// What became of the first step in doubt; absent, the user is asked where the machine does not know.
+        decided: Option<Decided>,
+    },
+    /// To give up what was interrupted, so that it can be begun anew. Nothing moves for it.
+    Abandon,
+}
+
+pub fn run(
+    app: &Installation,
+    request: &RunRequest,
+    progress: &dyn FrontEnd,
+) -> Result<RunResponse, OperationError> {
+    let task = Task::open(app, request.clone(), progress)?;
+    match request.how {
+        RunHow::Begin => task.begin(),
+        RunHow::Resume { decided } => task.resume(decided),
+        RunHow::Abandon => task.abandon(),
+    }
+}

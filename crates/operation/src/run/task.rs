@@ -1,0 +1,284 @@
+//! What is to be bent, and where its journals are.
+
+use std::path::Path;
+
+use wirebend_driver_host::api::DoneBy;
+use wirebend_driver_host::jobs::{
+    Clock, Entry, EntryKind, Heading, Journal, JournalError, Record, SystemClock, WireJob,
+};
+use wirebend_error::{InputName, RunTarget};
+use wirebend_files::document::{Job, JobStep, JobWire};
+
+use super::RunRequest;
+use super::interrupted::Interrupted;
+use super::report::{RunOutcome, RunResponse, WireRun};
+use crate::FrontEnd;
+use crate::live::Reattached;
+use crate::live::{At, Connection, Unnamed};
+use crate::runs::{RunsFolder, StoredRun, record_bytes};
+use crate::{LiveProblem, OperationError};
+use wirebend_planning::Installation;
+use wirebend_planning::design::Input;
+use wirebend_planning::job::open_job;
+use wirebend_planning::job::work;
+use wirebend_planning::machine::{Setup, accepted_errors, restored};
+use wirebend_planning::output::Output;
+use wirebend_planning::report::NoteReport;
+
+/// A job, its machine, and the journals of its wires.
+pub struct Task<'a> {
+    pub app: &'a Installation,
+    pub request: RunRequest,
+    pub progress: &'a dyn FrontEnd,
+    pub file: String,
+    pub job: Job,
+    pub setup: Setup,
+    pub folder: RunsFolder,
+    pub clock: SystemClock,
+}
+
+impl<'a> Task<'a> {
+    pub fn open(
+        app: &'a Installation,
+        request: RunRequest,
+        progress: &'a dyn FrontEnd,
+    ) -> Result<Self, OperationError> {
+        progress.stage("reading");
+        let (file, bytes) = request.job.load()?;
+        let job = open_job(&file, &bytes)?;
+        let setup = restored(&file, job.contents())?;
+        let count = job.contents().wires.len();
+        if let Some(wire) = request.wire.filter(|&wire| wire >= count) {
+            return Err(LiveProblem::NoWire { wire, count }.into());
+        }
+        let folder = RunsFolder::of(app)?;
+        let task = Self { app, request, progress, file, job, setup, folder, clock: SystemClock::default() };
+        for wire in task.wanted() {
+            task.record_output(wire).map_or(Ok(()), |output| output.check())?;
+        }
+        Ok(task)
+    }
+
+    /// The wires that were asked for.
+    pub fn wanted(&self) -> Vec<usize> {
+        self.request.wire.map_or_else(|| (0..self.job.contents().wires.len()).collect(), |wire| vec![wire])
+    }
+
+    pub fn wire(&self, index: usize) -> Result<&JobWire, OperationError> {
+        let count = self.job.contents().wires.len();
+        let wire = self.job.contents().wires.get(index);
+        wire.ok_or_else(|| LiveProblem::NoWire { wire: index, count }.into())
+    }
+
+    /// A wire for the machine that is connected: in the time that it takes there.
+    pub fn work(&self, wire: usize, connection: &Connection) -> Result<WireJob, OperationError> {
+        let setup = self.setup.at(&connection.board())?;
+        Ok(work(&setup, &self.job, &self.request.job.stem(), wire)?)
+    }
+
+    /// Refuses a wire that could not be finished; what is before step `from`, counted from 1, is done.
+    pub fn require_within(
+        &self,
+        connection: &Connection,
+        wire: usize,
+        from: u32,
+    ) -> Result<(), OperationError> {
+        Ok(connection.require_within(wire, &self.work(wire, connection)?.steps, from)?)
+    }
+
+    /// The machine of the job, for a wire that is begun or resumed.
+    pub fn at<'b>(&'b self, of: Option<&'b Interrupted>, unnamed: Unnamed<'b>) -> At<'b> {
+        At {
+            profile: &self.setup.machine.profile,
+            signs: self.setup.signs,
+            port: self.request.port.as_deref(),
+            unnamed,
+            reattached: of.map(|wire| Reattached { token: wire.token(), journal: wire.journal() }),
+            axes_at_zero: self.request.axes_at_zero,
+        }
+    }
+
+    /// The last journal of a wire.
+    pub fn last(&self, wire: usize) -> Result<Option<StoredRun>, OperationError> {
+        Ok(self.folder.of_wire(self.job.hash(), wire)?.pop())
+    }
+
+    /// A wire of this job, so that it can be resumed or given up.
+    pub fn target(&self, wire: usize) -> RunTarget {
+        let job = match &self.request.job {
+            Input::File(path) => Some(path.clone()),
+            Input::Bytes { .. } => None,
+        };
+        let several = self.job.contents().wires.len() > 1;
+        RunTarget { job, wire: several.then_some(wire), port: self.request.port.clone() }
+    }
+
+    /// An answer without a wire yet.
+    pub fn response(&self) -> RunResponse {
+        RunResponse {
+            machine: self.setup.machine_id().to_owned(),
+            material: self.setup.material_id().to_owned(),
+            job_hash: self.job.hash().to_owned(),
+            port: None,
+            identity: None,
+            wires: Vec::new(),
+            left: Vec::new(),
+            left_because: None,
+            notes: accepted_errors(self.job.contents()),
+            files: Vec::new(),
+        }
+    }
+
+    /// A wire that nothing was done to this time.
+    pub fn untouched(
+        &self,
+        wire: usize,
+        id: &str,
+        outcome: RunOutcome,
+        made: u32,
+        done_by: DoneBy,
+    ) -> Result<WireRun, OperationError> {
+        let kept = self.wire(wire)?;
+        Ok(WireRun {
+            wire,
+            id: id.to_owned(),
+            outcome,
+            made,
+            done_by,
+            steps: u32::try_from(kept.compensated.len()).unwrap_or(u32::MAX),
+            in_doubt: None,
+            stopped_in: None,
+            stock_mm: kept.stock_mm,
+            elapsed_s: 0.0,
+            stopped_by: None,
+            standstill: None,
+            problem: None,
+            deviations_mm: None,
+            resume: None,
+            resumable: None,
+        })
+    }
+
+    /// A step of a wire, from 1: as designed, and as sent to the machine in canonical signs.
+    pub fn step(&self, wire: usize, n: u32) -> Result<(JobStep, JobStep), OperationError> {
+        let index = usize::try_from(n).unwrap_or(usize::MAX).saturating_sub(1);
+        let kept = self.wire(wire)?;
+        let at = |steps: &[JobStep]| steps.get(index).copied().unwrap_or_default();
+        Ok((at(&kept.scheduled), at(&kept.compensated)))
+    }
+
+    fn record_output(&self, wire: usize) -> Option<Output> {
+        let Output { path, force } = self.request.record.clone()?;
+        if self.wanted().len() < 2 {
+            return Some(Output { path, force });
+        }
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let extension = path.extension().map(|e| format!(".{}", e.to_string_lossy())).unwrap_or_default();
+        Some(Output { path: path.with_file_name(format!("{stem}-{}{extension}", wire + 1)), force })
+    }
+
+    /// Writes a record beside its journal, and to where it was asked for.
+    pub fn keep(
+        &self,
+        record: Option<&Record>,
+        journal: &Path,
+        wire: usize,
+        response: &mut RunResponse,
+    ) -> Result<(), OperationError> {
+        let Some(record) = record else { return Ok(()) };
+        let path = Record::path_beside(journal);
+        // The journal says the same: what cannot be written beside it is not lost.
+        if let Err(cause) = record.write(&path) {
+            let message = format!("the record {} cannot be written: {cause}", path.display());
+            response.notes.push(NoteReport {
+                code: "no-record".into(),
+                count: 1,
+                message,
+                remedies: Vec::new(),
+            });
+        }
+        if let Some(output) = self.record_output(wire) {
+            response.files.push(output.save(&record_bytes(record)?)?);
+        }
+        Ok(())
+    }
+
+    /// Gives up what was interrupted. Nothing moves.
+    pub fn abandon(&self) -> Result<RunResponse, OperationError> {
+        let mut response = self.response();
+        let mut set_aside = false;
+        for wire in self.wanted() {
+            let Some(kept) = self.last(wire)? else { continue };
+            match &kept.read {
+                Ok(written) if written.state.is_over() => {}
+                Ok(written) => {
+                    let (made, done_by) = (written.state.done, written.state.heading.done_by);
+                    self.give_up(&kept.path)?;
+                    let record = Journal::read(&kept.path).ok().and_then(|read| Record::of(&read.entries));
+                    self.keep(record.as_ref(), &kept.path, wire, &mut response)?;
+                    response.wires.push(self.untouched(
+                        wire,
+                        &kept.id,
+                        RunOutcome::Abandoned,
+                        made,
+                        done_by,
+                    )?);
+                }
+                Err(_) => {
+                    let aside = self.folder.set_aside(&kept)?;
+                    let message = format!(
+                        "wire {} is given up; how much of it was bent is not known: its damaged journal was set aside as {}",
+                        wire + 1,
+                        aside.display()
+                    );
+                    response.notes.push(NoteReport {
+                        code: "set-aside".into(),
+                        count: 1,
+                        message,
+                        remedies: Vec::new(),
+                    });
+                    set_aside = true;
+                }
+            }
+        }
+        if response.wires.is_empty() && !set_aside {
+            return Err(LiveProblem::NothingBegun { input: InputName::Abandon }.into());
+        }
+        Ok(response)
+    }
+
+    pub fn give_up(&self, journal: &Path) -> Result<(), LiveProblem> {
+        Journal::open(journal)?.add(Entry { at: self.clock.stamp(), what: EntryKind::Abandoned })?;
+        Ok(())
+    }
+
+    /// Whether a wire may be begun anew. What was begun and never sent a step is given up by itself.
+    pub fn require_clear(&self, wire: usize) -> Result<(), OperationError> {
+        let Some(kept) = self.last(wire)? else { return Ok(()) };
+        match kept.read {
+            Ok(written) if written.state.is_over() => Ok(()),
+            Ok(written) if written.state.sent == 0 => Ok(self.give_up(&kept.path)?),
+            Ok(written) if Journal::is_in_use(&kept.path) => {
+                let Heading { port, name, .. } = written.state.heading;
+                Err(LiveProblem::AtWork { port, name }.into())
+            }
+            Ok(written) => Err(LiveProblem::Unfinished {
+                wire,
+                started: written.entries.first().map(|entry| entry.at.clone()).unwrap_or_default(),
+                made: written.state.done,
+                of: written.state.heading.steps,
+                run: self.target(wire),
+            }
+            .into()),
+            // Its first line was not written to its end: nothing was sent.
+            Err(JournalError::Empty { .. }) => {
+                self.folder.set_aside(&kept)?;
+                Ok(())
+            }
+            Err(error @ JournalError::Damaged { .. }) => {
+                Err(LiveProblem::DamagedJournal { error, run: self.target(wire) }.into())
+            }
+            Err(error) => Err(LiveProblem::from(error).into()),
+        }
+    }
+}

@@ -1,0 +1,142 @@
+//! `machines` and `materials`: what there is to choose from.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use wirebend_profile::{Listing, Springback};
+
+use crate::{Installation, PlanningError, Progress};
+
+/// Asks for the machines.
+#[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
+pub struct MachinesRequest {}
+
+/// A machine to choose.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct MachineEntry {
+    pub id: String,
+    pub name: String,
+    /// Whether it comes with the program.
+    pub shipped: bool,
+    /// Its profile.
+    pub file: String,
+    /// The driver that runs it.
+    pub driver: String,
+    /// The formats that can be written for it, its default first.
+    pub formats: Vec<String>,
+    /// Its own format, where only its driver writes it.
+    pub native: Option<String>,
+    /// The material that is in it unless another is named.
+    pub default_material: String,
+    /// Largest bends to both sides, in degrees.
+    pub bend_deg: [f64; 2],
+    /// Shortest designed edge, in mm.
+    pub min_edge_mm: f64,
+    /// Thinnest and thickest wire, in mm.
+    pub diameter_mm: [f64; 2],
+}
+
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct MachinesResponse {
+    /// By id.
+    pub machines: Vec<MachineEntry>,
+}
+
+/// Asks for the materials.
+#[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
+pub struct MaterialsRequest {}
+
+/// A material to choose.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct MaterialEntry {
+    pub id: String,
+    pub name: String,
+    /// Whether it comes with the program.
+    pub shipped: bool,
+    /// Its profile.
+    pub file: String,
+    pub diameter_mm: f64,
+    /// Density, in kg/m³.
+    pub density_kg_per_m3: f64,
+    /// Price of a millimetre, in `currency`; null where it is not known.
+    pub price_per_mm: Option<f64>,
+    /// Of the price.
+    pub currency: Option<String>,
+    /// Depth of the neutral fibre, as a fraction of the diameter.
+    pub k_factor: f64,
+    /// Least and most that a bend loses when it is let go, degrees.
+    pub springback_deg: [f64; 2],
+    /// Whether its springback was measured.
+    pub springback_measured: bool,
+    /// Yield strength, `MPa`.
+    pub yield_strength_mpa: f64,
+}
+
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct MaterialsResponse {
+    /// By id.
+    pub materials: Vec<MaterialEntry>,
+}
+
+pub fn machines(
+    app: &Installation,
+    _request: &MachinesRequest,
+    _progress: &dyn Progress,
+) -> Result<MachinesResponse, PlanningError> {
+    let entry = |listing: Listing| {
+        let machine = app.library.machine(&listing.id)?;
+        let figures = machine.figures()?;
+        let profile = &machine.profile;
+        Ok(MachineEntry {
+            driver: profile.driver.id.clone().unwrap_or_default(),
+            formats: profile.export.formats.clone().unwrap_or_default(),
+            native: profile.export.native.clone(),
+            default_material: profile.default_material.clone().unwrap_or_default(),
+            bend_deg: [figures.limits.min_bend_deg, figures.limits.max_bend_deg],
+            min_edge_mm: figures.limits.min_edge_mm,
+            diameter_mm: [figures.min_diameter_mm, figures.max_diameter_mm],
+            id: listing.id,
+            name: listing.name,
+            shipped: listing.shipped,
+            file: listing.file,
+        })
+    };
+    let concrete = app.library.machines().into_iter().filter(|listing| !listing.is_abstract);
+    Ok(MachinesResponse { machines: concrete.map(entry).collect::<Result<_, PlanningError>>()? })
+}
+
+pub fn materials(
+    app: &Installation,
+    _request: &MaterialsRequest,
+    _progress: &dyn Progress,
+) -> Result<MaterialsResponse, PlanningError> {
+    let entry = |listing: Listing| {
+        let figures = app.library.material(&listing.id)?.figures()?;
+        let (losses, springback_measured): (Vec<f64>, bool) = match &figures.springback {
+            Springback::Constant { angle_deg } => (vec![angle_deg.value], angle_deg.measured),
+            Springback::Table { positive, negative, measured, .. } => {
+                let all = positive.iter().chain(negative.iter().flatten());
+                (all.map(|point| point.loss_deg).collect(), *measured)
+            }
+        };
+        let springback_deg =
+            losses.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], &loss| {
+                [least.min(loss), most.max(loss)]
+            });
+        Ok(MaterialEntry {
+            diameter_mm: figures.diameter_mm,
+            density_kg_per_m3: figures.density_kg_per_m3,
+            price_per_mm: figures.price_per_mm,
+            currency: figures.currency,
+            k_factor: figures.k_factor,
+            springback_deg,
+            springback_measured,
+            yield_strength_mpa: figures.yield_strength_mpa,
+            id: listing.id,
+            name: listing.name,
+            shipped: listing.shipped,
+            file: listing.file,
+        })
+    };
+    let concrete = app.library.materials().into_iter().filter(|listing| !listing.is_abstract);
+    Ok(MaterialsResponse { materials: concrete.map(entry).collect::<Result<_, PlanningError>>()? })
+}

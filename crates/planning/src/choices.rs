@@ -1,0 +1,27 @@
+//! What a person may choose of a plan.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// What a person may choose of a plan; what is not chosen is taken from the document.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
+#[allow(clippy::struct_excessive_bools)] // each is an option of its own
+pub struct PlanChoices {
+    pub machine: Option<String>,
+    /// The wire in it; absent, the one that the machine's profile names.
+    pub material: Option<String>,
+    /// Whether to travel the cheapest edges twice where there is no route otherwise.
+    #[serde(default)]
+    pub double: bool,
+    /// Whether the wire must end where it starts.
+    #[serde(default)]
+    pub closed: bool,
+    /// The vertex where the wire starts.
+    pub start: Option<u32>,
+    /// Whether the wire runs the other way.
+    #[serde(default)]
+    pub reverse: bool,
+    /// Whether the wire runs as the program runs from which the design was read.
+    #[serde(default)]
+    pub keep_order: bool,
+}

@@ -1,0 +1,258 @@
+//! `compare`: the design that is open for one machine, planned for others, and what changes.
+
+use std::collections::BTreeSet;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use wirebend_core::checks::Code;
+
+use crate::choices::PlanChoices;
+use crate::design::{DesignInput, Opened};
+use crate::plan::Planned;
+use crate::report::{DiagnosticReport, NoteReport, PlanReport, SeverityName, WireReport};
+use crate::{Installation, PlanningError, Progress};
+
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct CompareRequest {
+    pub design: DesignInput,
+    /// The machine that it is open for, and how it is planned on all of them.
+    pub choices: PlanChoices,
+    /// The other machines, at least one.
+    #[schemars(length(min = 1))]
+    pub against: Vec<String>,
+}
+
+/// The design on several machines.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct CompareResponse {
+    /// On the machine that it is open for.
+    pub from: MachineSide,
+    /// On the others, in the order asked for.
+    pub to: Vec<OtherSide>,
+    /// What was merged, ignored or assumed while reading, and what to know of the wires; each once.
+    pub notes: Vec<NoteReport>,
+}
+
+/// A design on one machine. Sums are over all wires, and null where some wire did not get that far.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct MachineSide {
+    pub machine: String,
+    pub name: String,
+    /// The wire in it: the one that was asked for, else the document's, else the machine's own.
+    pub material: String,
+    /// Whether the machine can make it.
+    pub feasible: bool,
+    /// How many errors the checks found.
+    pub errors: usize,
+    /// How many warnings.
+    pub warnings: usize,
+    /// How many edges are travelled, each time counted.
+    pub feeds: Option<usize>,
+    /// How many steps bend the wire.
+    pub bends: Option<usize>,
+    /// Time on the machine, in s.
+    pub time_s: Option<f64>,
+    /// Stock to load, in mm.
+    pub stock_mm: Option<f64>,
+    /// Price of the wire that is fed, in `currency`; null also where the price is not known.
+    pub cost: Option<f64>,
+    /// Of the cost.
+    pub currency: Option<String>,
+    /// Mass of the wire that is fed, in g.
+    pub mass_g: Option<f64>,
+}
+
+/// The design on another machine, and what is different there.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct OtherSide {
+    /// The design there.
+    #[serde(flatten)]
+    pub side: MachineSide,
+    /// What is more there, or less where negative.
+    pub change: Change,
+    /// Errors that this machine has and the first one has not.
+    pub newly_infeasible: Findings,
+    /// Errors of the first machine that this one has not.
+    pub newly_feasible: Findings,
+    /// The same with the machine's own wire, where that of the design does not fit it; null where it fits, where the machine
+    /// has no other wire, and in the comparison with its own wire.
+    pub own_wire: Option<Box<OtherSide>>,
+}
+
+/// Differences of sums; null where one of the two is not known.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+pub struct Change {
+    pub time_s: Option<f64>,
+    pub stock_mm: Option<f64>,
+    /// Of the cost; null also where the currencies differ.
+    pub cost: Option<f64>,
+    pub mass_g: Option<f64>,
+    pub bends: Option<i64>,
+}
+
+/// Errors and where they are; ids ascend, each once.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
+pub struct Findings {
+    pub vertices: BTreeSet<u32>,
+    pub edges: BTreeSet<u32>,
+    pub steps: BTreeSet<WireStep>,
+    /// The errors.
+    pub diagnostics: Vec<WireDiagnostic>,
+}
+
+/// A step of one of the wires.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, JsonSchema)]
+pub struct WireStep {
+    /// Index of the wire, from 0.
+    pub wire: usize,
+    /// Index of its step, from 0.
+    pub step: usize,
+}
+
+/// One thing to know of a wire, or of the design.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct WireDiagnostic {
+    /// Index of the wire, from 0; null for the design as a whole.
+    pub wire: Option<usize>,
+    #[serde(flatten)]
+    pub diagnostic: DiagnosticReport,
+}
+
+pub fn compare(
+    app: &Installation,
+    request: &CompareRequest,
+    progress: &dyn Progress,
+) -> Result<CompareResponse, PlanningError> {
+    if request.against.is_empty() {
+        let expected = "at least one machine to compare with";
+        return Err(PlanningError::Value {
+            input: None,
+            name: "the list of machines",
+            value: "empty".to_owned(),
+            expected,
+        });
+    }
+    // A misspelt id is reported before any work is done.
+    let others = request.against.iter().map(|machine| app.library.machine(machine));
+    let others = others.collect::<Result<Vec<_>, _>>()?;
+    let opened = app.designed(request.design.open(progress)?, &request.choices)?.with_wireframe()?;
+    let from = app.plan_design(copy(&opened), &request.choices, progress)?;
+    let mut notes = from.opened.notes.clone();
+    let (from, before) = (MachineSide::new(&from), from.report());
+    let mut beside = |choices: &PlanChoices| -> Result<(OtherSide, bool), PlanningError> {
+        let other = app.plan_design(copy(&opened), choices, progress)?;
+        let (side, after) = (MachineSide::new(&other), other.report());
+        notes.extend(other.opened.notes.into_iter().filter(|note| !notes.contains(note)).collect::<Vec<_>>());
+        let fits = errors(&after).all(|(_, error)| error.code != Code::WireDoesNotFit);
+        let other = OtherSide {
+            change: Change::between(&from, &side),
+            newly_infeasible: Findings::only_in(&after, &before),
+            newly_feasible: Findings::only_in(&before, &after),
+            own_wire: None,
+            side,
+        };
+        Ok((other, fits))
+    };
+    let mut to = Vec::with_capacity(others.len());
+    for (id, machine) in request.against.iter().zip(others) {
+        let choices = PlanChoices { machine: Some(id.clone()), ..request.choices.clone() };
+        let (mut other, fits) = beside(&choices)?;
+        let own = machine.profile.default_material.filter(|own| !fits && *own != other.side.material);
+        if own.is_some() {
+            other.own_wire = Some(Box::new(beside(&PlanChoices { material: own, ..choices })?.0));
+        }
+        to.push(other);
+    }
+    Ok(CompareResponse { from, to, notes })
+}
+
+/// The design once more: a plan keeps the one that it was computed from.
+fn copy(opened: &Opened) -> Opened {
+    Opened {
+        name: opened.name.clone(),
+        format: opened.format,
+        document: opened.document.clone(),
+        layers: Vec::new(),
+        program: opened.program.clone(),
+        notes: opened.notes.clone(),
+    }
+}
+
+impl MachineSide {
+    fn new(planned: &Planned) -> Self {
+        let report = planned.report();
+        let wires = report.wires();
+        let number =
+            |severity| all_said(&report).filter(|(_, diagnostic)| diagnostic.severity == severity).count();
+        let cost = sum(wires, |wire| wire.cost);
+        Self {
+            machine: planned.setup.machine_id().to_owned(),
+            name: planned.setup.machine_name().to_owned(),
+            material: planned.setup.material_id().to_owned(),
+            feasible: planned.feasible(),
+            errors: number(SeverityName::Error),
+            warnings: number(SeverityName::Warning),
+            feeds: sum(wires, |wire| wire.route.as_ref().map(|route| route.feeds)),
+            bends: sum(wires, |wire| wire.program.as_ref().map(|program| program.bends)),
+            time_s: sum(wires, |wire| wire.time_s),
+            stock_mm: sum(wires, |wire| wire.compensated.as_ref().map(|program| program.stock_mm)),
+            currency: planned.setup.currency.clone(),
+            cost,
+            mass_g: sum(wires, |wire| wire.mass_g),
+        }
+    }
+}
+
+/// The sum over all wires, where there are some and each has the value.
+fn sum<T: std::iter::Sum>(wires: &[WireReport], of: impl Fn(&WireReport) -> Option<T>) -> Option<T> {
+    if wires.is_empty() { None } else { wires.iter().map(of).sum() }
+}
+
+impl Change {
+    fn between(from: &MachineSide, to: &MachineSide) -> Self {
+        let more = |from: Option<f64>, to: Option<f64>| Some(to? - from?);
+        let count = |bends: Option<usize>| i64::try_from(bends?).ok();
+        let one_currency = from.currency.is_some() && from.currency == to.currency;
+        Self {
+            time_s: more(from.time_s, to.time_s),
+            stock_mm: more(from.stock_mm, to.stock_mm),
+            cost: more(from.cost, to.cost).filter(|_| one_currency),
+            mass_g: more(from.mass_g, to.mass_g),
+            bends: count(to.bends).zip(count(from.bends)).map(|(to, from)| to - from),
+        }
+    }
+}
+
+/// Everything that the checks say, with the wire that they say it of.
+fn all_said(report: &PlanReport) -> impl Iterator<Item = (Option<usize>, &DiagnosticReport)> {
+    let of_wires = report.wires().iter().enumerate();
+    let of_wires = of_wires.flat_map(|(index, wire)| wire.diagnostics.iter().map(move |d| (Some(index), d)));
+    report.diagnostics().iter().map(|diagnostic| (None, diagnostic)).chain(of_wires)
+}
+
+fn errors(report: &PlanReport) -> impl Iterator<Item = (Option<usize>, &DiagnosticReport)> {
+    all_said(report).filter(|(_, diagnostic)| diagnostic.severity == SeverityName::Error)
+}
+
+impl Findings {
+    /// The errors of a plan that another plan of the design has not at the same place.
+    fn only_in(plan: &PlanReport, other: &PlanReport) -> Self {
+        let mut only = Self::default();
+        for (wire, diagnostic) in errors(plan) {
+            if errors(other).any(|(other_wire, other)| other_wire == wire && is_same(diagnostic, other)) {
+                continue;
+            }
+            only.vertices.extend(diagnostic.vertex.iter().chain(&diagnostic.vertices));
+            only.edges.extend(diagnostic.edge.iter().chain(&diagnostic.edges));
+            only.steps.extend(wire.zip(diagnostic.step).map(|(wire, step)| WireStep { wire, step }));
+            only.diagnostics.push(WireDiagnostic { wire, diagnostic: diagnostic.clone() });
+        }
+        only
+    }
+}
+
+/// Whether two machines say the same of the same place, whatever they measured there.
+fn is_same(a: &DiagnosticReport, b: &DiagnosticReport) -> bool {
+    let place = |d: &DiagnosticReport| (d.vertex, d.edge, d.step, d.vertices.clone(), d.edges.clone());
+    a.code == b.code && place(a) == place(b)
+}

@@ -1,0 +1,283 @@
+//! What a command works on: a file or bytes, read into a document.
+
+use std::path::{Path, PathBuf};
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+use wirebend_core::units::Length;
+use wirebend_error::{ErrorRemedy, InputName};
+use wirebend_files::document::{Document, Job, SourceFile, StencilSource, sha256_hex};
+use wirebend_files::read::{
+    DEFAULT_TOLERANCE_MM, Format, Handedness, LengthUnit, ReadOptions, read, read_file,
+};
+
+use crate::job::is_job;
+use crate::output::file_name;
+use crate::program::{ProgramKind, ReadProgram};
+use crate::report::NoteReport;
+use crate::{PlanningError, Progress};
+
+/// Where the bytes come from.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Input {
+    File(PathBuf),
+    /// Bytes that the front end has, with a name for messages.
+    Bytes {
+        name: String,
+        bytes: Vec<u8>,
+    },
+}
+
+impl Input {
+    /// The name for messages and the bytes.
+    pub fn load(&self) -> Result<(String, Vec<u8>), PlanningError> {
+        match self {
+            Self::File(path) => Ok((path.display().to_string(), read_file(path)?)),
+            Self::Bytes { name, bytes } => Ok((name.clone(), bytes.clone())),
+        }
+    }
+
+    /// The folder in which files may be that the input names; none for bytes.
+    pub fn folder(&self) -> Option<&Path> {
+        match self {
+            Self::File(path) => path.parent(),
+            Self::Bytes { .. } => None,
+        }
+    }
+
+    /// The name without its folder and extension.
+    pub fn stem(&self) -> String {
+        let name = match self {
+            Self::File(path) => file_name(path),
+            Self::Bytes { name, .. } => name.clone(),
+        };
+        name.rsplit_once('.').map_or(name.clone(), |(stem, _)| stem.to_owned())
+    }
+}
+
+/// A design and how to read it. A `.wirebend` document is taken as it is.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+pub struct DesignInput {
+    /// Where it comes from.
+    pub input: Input,
+    /// Its format, where name and contents do not show it.
+    #[serde(default, deserialize_with = "format_by_name")]
+    #[schemars(with = "Option<String>")]
+    pub format: Option<Format>,
+    /// Factor on all coordinates, after units.
+    #[serde(default = "one")]
+    pub scale: f64,
+    /// The unit of the coordinates, where the file does not say.
+    #[serde(default)]
+    pub units: Option<LengthUnit>,
+    /// Vertices closer than this become one, in mm.
+    #[serde(default = "default_weld_mm")]
+    pub weld_mm: f64,
+    /// Whether the edges of faces are the wireframe.
+    #[serde(default)]
+    pub face_edges: bool,
+    /// Centreline radius of the bends of a table that does not say, in mm.
+    #[serde(default)]
+    pub clr_mm: Option<f64>,
+    /// How far straight edges may be from the curves of a drawing, in mm.
+    #[serde(default = "default_tolerance_mm")]
+    pub tolerance_mm: f64,
+    /// The layers of a drawing to read; empty: all that are not hidden.
+    #[serde(default)]
+    pub layers: Vec<String>,
+    /// Which way the rotations of a table of bends turn, where the table does not say.
+    #[serde(default)]
+    pub handedness: Option<Handedness>,
+    /// What the steps of a program are, where the program does not say.
+    #[serde(default)]
+    pub program: Option<ProgramKind>,
+}
+
+fn format_by_name<'de, D: serde::Deserializer<'de>>(deserializer: D) -> Result<Option<Format>, D::Error> {
+    let name = Option::<String>::deserialize(deserializer)?;
+    name.map(|name| name.parse().map_err(serde::de::Error::custom)).transpose()
+}
+
+const fn one() -> f64 {
+    1.0
+}
+
+/// What files written with six digits need to close.
+pub const fn default_weld_mm() -> f64 {
+    1e-3
+}
+
+const fn default_tolerance_mm() -> f64 {
+    DEFAULT_TOLERANCE_MM
+}
+
+impl DesignInput {
+    /// A file, read with the defaults.
+    #[must_use]
+    pub const fn file(path: PathBuf) -> Self {
+        Self {
+            input: Input::File(path),
+            format: None,
+            scale: 1.0,
+            units: None,
+            weld_mm: default_weld_mm(),
+            face_edges: false,
+            clr_mm: None,
+            tolerance_mm: default_tolerance_mm(),
+            layers: Vec::new(),
+            handedness: None,
+            program: None,
+        }
+    }
+
+    /// Reads the design.
+    pub fn open(&self, progress: &dyn Progress) -> Result<Opened, PlanningError> {
+        progress.stage("reading");
+        let (name, bytes) = self.input.load()?;
+        if is_job(&name, &bytes) {
+            // One that cannot be opened is no job that is planned already.
+            Job::open(&bytes, &name)?;
+            return Err(PlanningError::IsAJob { name });
+        }
+        self.open_bytes(name, &bytes)
+    }
+
+    /// Reads the surface.
+    pub fn stencil(
+        &self,
+        progress: &dyn Progress,
+    ) -> Result<(StencilSource, Vec<NoteReport>), PlanningError> {
+        let mut opened = self.open(progress)?;
+        opened.fetch_stencil(self)?;
+        match opened.document.stencil {
+            Some(stencil @ StencilSource::Embedded { .. }) => Ok((stencil, opened.notes)),
+            _ => Err(PlanningError::NoSurface { name: opened.name }),
+        }
+    }
+
+    /// Whether no option asks to read other than as the file says.
+    pub fn reads_plainly(&self) -> bool {
+        let plain = Self::file(PathBuf::new());
+        *self == Self { input: self.input.clone(), format: self.format, ..plain }
+    }
+
+    /// What was given to read other than as the file says.
+    pub fn read_otherwise(&self) -> Vec<InputName> {
+        use InputName::{
+            CentrelineRadius, FaceEdges, Handedness, Layers, Program, Scale, Tolerance, Units, Weld,
+        };
+        let plain = Self::file(PathBuf::new());
+        #[allow(clippy::float_cmp, reason = "a number that was not given is the very same one")]
+        let given = [
+            (Scale, self.scale != plain.scale),
+            (Units, self.units != plain.units),
+            (Weld, self.weld_mm != plain.weld_mm),
+            (FaceEdges, self.face_edges != plain.face_edges),
+            (CentrelineRadius, self.clr_mm != plain.clr_mm),
+            (Tolerance, self.tolerance_mm != plain.tolerance_mm),
+            (Layers, self.layers != plain.layers),
+            (Handedness, self.handedness != plain.handedness),
+            (Program, self.program != plain.program),
+        ];
+        given.into_iter().filter_map(|(input, given)| given.then_some(input)).collect()
+    }
+
+    /// Reads the design from bytes that were loaded before.
+    pub fn open_bytes(&self, name: String, bytes: &[u8]) -> Result<Opened, PlanningError> {
+        let options = ReadOptions {
+            scale: positive(InputName::Scale, self.scale)?,
+            units: self.units,
+            weld: length(InputName::Weld, self.weld_mm)?,
+            face_edges: self.face_edges,
+            clr: self.clr_mm.map(|clr| length(InputName::CentrelineRadius, clr)).transpose()?,
+            tolerance: length(InputName::Tolerance, positive(InputName::Tolerance, self.tolerance_mm)?)?,
+            layers: self.layers.clone(),
+            handedness: self.handedness,
+            folder: self.input.folder().map(Path::to_owned),
+            ..ReadOptions::default()
+        };
+        let imported = read(bytes, &name, self.format, &options)?;
+        if imported.document.is_some() && !self.reads_plainly() {
+            let (inputs, instead) = (self.read_otherwise(), Box::new(ErrorRemedy::ImportOriginal));
+            return Err(PlanningError::Settled { name, inputs, instead });
+        }
+        let mut notes: Vec<NoteReport> = imported.notes.iter().map(NoteReport::from).collect();
+        let program = imported
+            .program
+            .map(|program| ReadProgram::new(program, self.program, self.weld_mm, imported.format));
+        notes.extend(program.as_ref().and_then(ReadProgram::assumed));
+        for note in &notes {
+            tracing::info!(code = %note.code, count = note.count, "{}", note.message);
+        }
+        let document = match imported.document {
+            Some(document) => *document,
+            None => Document {
+                stencil: imported.stencil.map(|surface| {
+                    let name = file_name(Path::new(&name));
+                    StencilSource::Embedded { surface, name }
+                }),
+                source: Some(SourceFile { file: name.clone(), sha256: sha256_hex(bytes) }),
+                ..Document::new(imported.wireframe)
+            },
+        };
+        Ok(Opened { name, format: imported.format, document, layers: imported.layers, program, notes })
+    }
+}
+
+/// A design that has been read.
+pub struct Opened {
+    pub name: String,
+    pub format: Format,
+    pub document: Document,
+    /// Of a drawing.
+    pub layers: Vec<String>,
+    /// Of a file that is one.
+    pub program: Option<ReadProgram>,
+    pub notes: Vec<NoteReport>,
+}
+
+impl Opened {
+    /// A design that is open already.
+    pub const fn of(name: String, document: Document) -> Self {
+        Self {
+            name,
+            format: Format::Wirebend,
+            document,
+            layers: Vec::new(),
+            program: None,
+            notes: Vec::new(),
+        }
+    }
+
+    /// The design, if it has a wireframe to work on.
+    pub fn with_wireframe(self) -> Result<Self, PlanningError> {
+        if self.document.wireframe.edge_count() == 0 && self.document.stencil.is_some() {
+            return Err(PlanningError::OnlyStencil { name: self.name });
+        }
+        Ok(self)
+    }
+}
+
+fn positive(input: InputName, value: f64) -> Result<f64, PlanningError> {
+    if value.is_finite() && value > 0.0 {
+        Ok(value)
+    } else {
+        Err(PlanningError::Value {
+            input: Some(input),
+            name: input.words(),
+            value: value.to_string(),
+            expected: "a number above 0",
+        })
+    }
+}
+
+pub fn length(input: InputName, mm: f64) -> Result<Length, PlanningError> {
+    let wrong = || PlanningError::Value {
+        input: Some(input),
+        name: input.words(),
+        value: mm.to_string(),
+        expected: "a length in mm, 0 or more",
+    };
+    Length::from_mm(mm).ok().filter(|length| *length >= Length::ZERO).ok_or_else(wrong)
+}

@@ -1,0 +1,246 @@
+//! What can go wrong between a document and what is computed from it.
+
+mod driver;
+mod kind;
+mod remedies;
+mod stencil;
+
+use std::path::PathBuf;
+
+use wirebend_core::compensate::{PegGeometryError, SpringbackError};
+use wirebend_core::simulate::BadErrorTerm;
+use wirebend_driver_host::HostError;
+use wirebend_error::{ErrorRemedy, InputName};
+use wirebend_files::document::DocumentError;
+use wirebend_files::read::ReadError;
+use wirebend_profile::{Kind, ProfileError};
+
+pub use driver::DriverProblem;
+pub use kind::ErrorKind;
+pub use stencil::StencilFileError;
+
+use crate::report::PlanReport;
+use crate::stage::StageName;
+use crate::text;
+
+/// Why a command came to nothing.
+#[derive(Debug, thiserror::Error)]
+pub enum PlanningError {
+    /// An input cannot be read.
+    #[error(transparent)]
+    Read(#[from] ReadError),
+    /// A document or a job is not one, or cannot be written.
+    #[error(transparent)]
+    Document(#[from] DocumentError),
+    /// A profile is unknown or wrong.
+    #[error(transparent)]
+    Profile(#[from] ProfileError),
+    /// The figures of a machine profile contradict each other.
+    #[error("machine '{machine}': {}", text::error::peg_geometry(error))]
+    Geometry { machine: String, error: PegGeometryError },
+    /// A springback table is not one.
+    #[error("material '{material}': {}", text::error::springback(error))]
+    Springback { material: String, error: SpringbackError },
+    /// An error model is not one.
+    #[error("noise '{noise}': {}", text::error::noise(error))]
+    Noise {
+        /// The noise profile.
+        noise: String,
+        error: BadErrorTerm,
+    },
+    /// A file without a surface is to be traced on.
+    #[error("{name} holds no surface to trace on")]
+    NoSurface { name: String },
+    /// The surface of a design is in a file that cannot be had.
+    #[error(transparent)]
+    Stencil(#[from] StencilFileError),
+    /// A number is outside what makes sense.
+    #[error("{name} is {value}, expected {expected}")]
+    Value {
+        /// What is to be corrected; `None` where that is not what was given.
+        input: Option<InputName>,
+        name: &'static str,
+        /// What was given.
+        value: String,
+        expected: &'static str,
+    },
+    /// A new profile was to have an id that another file has.
+    #[error("the id '{id}' is taken by the {kind} in {file}")]
+    IdTaken { kind: Kind, id: String, file: String },
+    /// An id could mean profiles of several kinds.
+    #[error("'{id}' is {}", kind_words(kinds))]
+    SeveralKinds { id: String, kinds: Vec<Kind> },
+    /// An id is known, but not in the kind that was named.
+    #[error("no {wanted} has the id '{id}', which is {}", kind_words(kinds))]
+    OtherKind {
+        id: String,
+        /// The kind that was named.
+        wanted: Kind,
+        kinds: Vec<Kind>,
+    },
+    /// A new profile would leave open what its abstract parent leaves open.
+    #[error(
+        "the {kind} '{parent}' is abstract: a profile that inherits from it alone could not be used without {}",
+        missing.join(", ")
+    )]
+    OpenParent {
+        kind: Kind,
+        parent: String,
+        /// What is missing, as it would be written.
+        missing: Vec<String>,
+        /// The complete profiles that inherit from it.
+        complete: Vec<String>,
+    },
+    /// No machine was named, neither by the command nor by the document.
+    #[error("no machine is named")]
+    NoMachine {
+        /// The machines that there are.
+        known: Vec<String>,
+    },
+    /// The input has a surface but no wireframe.
+    #[error("{name} holds a surface and no lines")]
+    OnlyStencil { name: String },
+    /// The wireframe has no vertex of this id.
+    #[error("there is no vertex {vertex} in {name}: its {count} vertices are numbered {range}")]
+    NoVertex {
+        /// The wanted one.
+        vertex: u32,
+        name: String,
+        /// How many there are.
+        count: usize,
+        /// First and last.
+        range: String,
+    },
+    /// A format that cannot be written.
+    #[error("'{name}' is not a format that can be written{}", missing.as_ref().map(|error| format!(": {error}")).unwrap_or_default())]
+    UnknownFormat {
+        /// The wanted one.
+        name: String,
+        known: Vec<String>,
+        /// Why the machine's own driver could not be asked.
+        missing: Option<Box<DriverProblem>>,
+    },
+    /// Settings were given for a format that has none.
+    #[error("{format} has no settings")]
+    NoSettings { format: &'static str },
+    /// A driver is not there, is not trusted, failed, or refused.
+    #[error(transparent)]
+    Driver(#[from] DriverProblem),
+    /// A machine's program was asked for in the format of another machine.
+    #[error("{format} is no format of '{machine}', whose programs are compensated for that machine alone")]
+    FormatOfAnother {
+        /// The wanted format.
+        format: String,
+        machine: String,
+        /// What can be written for it.
+        known: Vec<String>,
+    },
+    /// Something else was given where a job is needed.
+    #[error("{name} is not a job")]
+    NotAJob { name: String },
+    /// A job was given where a design is needed.
+    #[error("{name} is a job, which is planned already")]
+    IsAJob { name: String },
+    /// A program that is what a machine was told, and no machine is named.
+    #[error("{name} is a program that was compensated for a machine, and not the design")]
+    Compensated {
+        /// The program.
+        name: String,
+    },
+    /// A program that was not compensated for this machine and this wire.
+    #[error("{name}, step {step}: no design leads to this feed on {machine} with {material}")]
+    OtherCompensation {
+        /// The program.
+        name: String,
+        /// The step, from 1.
+        step: usize,
+        machine: String,
+        material: String,
+    },
+    /// An order is to be kept that there is not.
+    #[error("{name} has no order to keep: only a program has one")]
+    NoOrder {
+        /// The design.
+        name: String,
+    },
+    /// Options were given that have no effect on what is settled already.
+    #[error("{name} is taken as it is: {} would have no effect", input_words(inputs))]
+    Settled {
+        name: String,
+        /// What was given besides.
+        inputs: Vec<InputName>,
+        /// What to do to have an effect.
+        instead: Box<ErrorRemedy>,
+    },
+    /// The wanted start has no edge.
+    #[error("the wire cannot start at vertex {vertex} of {name}: no edge ends there")]
+    StartWithoutEdge { vertex: u32, name: String },
+    /// A job whose hash fits but that cannot be followed.
+    #[error("{name}: the job cannot be followed: {reason}")]
+    DamagedJob {
+        /// The job.
+        name: String,
+        reason: String,
+    },
+    /// A job was planned for another machine.
+    #[error("{name} was planned for machine '{planned}', not '{wanted}'")]
+    OtherMachine {
+        /// The job.
+        name: String,
+        /// Its machine.
+        planned: String,
+        wanted: String,
+    },
+    /// A format cannot hold this wire.
+    #[error("wire {} cannot be written as {format}: {reason}", .wire + 1)]
+    Unwritable {
+        /// Index of the wire, from 0.
+        wire: usize,
+        format: &'static str,
+        reason: String,
+    },
+    /// A stage was asked for that the design does not reach.
+    #[error("there is no {} of this design", stage.in_words())]
+    StageNotReached {
+        stage: StageName,
+        /// What the checks say.
+        report: Box<PlanReport>,
+    },
+    /// The machine cannot make it, and it was to be written for the machine.
+    #[error("this cannot be bent on '{machine}'")]
+    NotFeasible {
+        machine: String,
+        /// What the checks say.
+        report: Box<PlanReport>,
+    },
+    /// A file would be replaced.
+    #[error("{} exists already", .0.display())]
+    Exists(PathBuf),
+    /// A picture cannot be drawn.
+    #[error("the picture cannot be drawn: {0}")]
+    Picture(String),
+    /// A value cannot be turned into JSON.
+    #[error("the result cannot be written as JSON: {0}")]
+    Json(#[from] serde_json::Error),
+}
+
+/// "a machine profile and a noise profile".
+fn kind_words(kinds: &[Kind]) -> String {
+    let words: Vec<String> = kinds.iter().map(|kind| format!("a {kind} profile")).collect();
+    words.join(" and ")
+}
+
+/// "scale and tolerance".
+fn input_words(inputs: &[InputName]) -> String {
+    let words: Vec<&str> = inputs.iter().map(|input| input.words()).collect();
+    match words.split_last() {
+        Some((last, before)) if !before.is_empty() => format!("{} and {last}", before.join(", ")),
+        _ => words.concat(),
+    }
+}
+
+impl From<HostError> for PlanningError {
+    fn from(error: HostError) -> Self {
+        Self::Driver(error.into())
+    }
+}

@@ -1,0 +1,101 @@
+//! What can be done about an error of planning.
+
+use wirebend_driver_host::advice_of;
+use wirebend_error::{ErrorRemedy, InputName};
+
+use super::{DriverProblem, PlanningError, StencilFileError};
+
+impl PlanningError {
+    /// What can be done about it.
+    #[must_use]
+    pub fn remedies(&self) -> Vec<ErrorRemedy> {
+        use ErrorRemedy as R;
+        match self {
+            Self::Read(error) => error.remedies(),
+            Self::Document(error) => error.remedies(),
+            Self::Profile(error) => error.remedies(),
+            Self::Stencil(error) => error.remedies(),
+            Self::Driver(problem) => problem.remedies(),
+            Self::Geometry { .. } | Self::Springback { .. } | Self::Noise { .. } => vec![R::CorrectProfile],
+            Self::NoSurface { .. } => vec![R::OpenAsWireframe],
+            Self::Value { input, .. } => input.iter().map(|&input| R::CorrectInput { input }).collect(),
+            Self::IdTaken { .. } => vec![R::ChooseOtherId],
+            Self::SeveralKinds { kinds, .. } | Self::OtherKind { kinds, .. } => {
+                vec![R::ChooseKind { kinds: kinds.iter().map(ToString::to_string).collect() }]
+            }
+            Self::OpenParent { missing, complete, .. } if complete.is_empty() => {
+                vec![R::InheritFrom { ids: Vec::new() }, R::AddKey { text: missing.join(", ") }]
+            }
+            Self::OpenParent { complete, .. } => vec![R::InheritFrom { ids: complete.clone() }],
+            Self::NoMachine { known } => vec![R::ChooseMachine { known: known.clone() }],
+            Self::OnlyStencil { .. } => vec![R::TakeFaceEdges, R::TraceSurface],
+            Self::NoVertex { .. } | Self::StartWithoutEdge { .. } => {
+                vec![R::CorrectInput { input: InputName::Start }]
+            }
+            Self::UnknownFormat { known, missing, .. } => {
+                let driver = missing.iter().flat_map(|problem| problem.remedies());
+                std::iter::once(R::ChooseKnown { near: Vec::new(), known: known.clone() })
+                    .chain(driver)
+                    .collect()
+            }
+            Self::NoSettings { .. } => vec![R::LeaveOut { inputs: vec![InputName::FormatSettings] }],
+            Self::FormatOfAnother { known, .. } => vec![
+                R::PlanForMachine { machine: None },
+                R::ChooseKnown { near: Vec::new(), known: known.clone() },
+            ],
+            Self::NotAJob { .. } => vec![R::MakeJob],
+            Self::IsAJob { .. } => vec![R::UseJob, R::UseDesign],
+            Self::Compensated { .. } | Self::OtherCompensation { .. } => {
+                vec![R::ChooseMachineAndMaterial, R::TakeAsNominal]
+            }
+            Self::NoOrder { .. } => vec![R::UseProgramFile],
+            Self::Settled { inputs, instead, .. } => {
+                vec![R::LeaveOut { inputs: inputs.clone() }, (**instead).clone()]
+            }
+            Self::DamagedJob { .. } => vec![R::PlanAgain],
+            Self::OtherMachine { wanted, .. } => vec![R::PlanForMachine { machine: Some(wanted.clone()) }],
+            Self::Unwritable { .. } => vec![R::ExportAs { form: "template-svg or template-dxf".to_owned() }],
+            Self::StageNotReached { .. } => vec![R::FixFindings],
+            Self::NotFeasible { .. } => vec![R::FixFindings, R::IgnoreFindings],
+            Self::Exists(path) => vec![R::ChooseOtherFile, R::Overwrite { path: path.clone() }],
+            Self::Picture(_) | Self::Json(_) => Vec::new(),
+        }
+    }
+}
+
+impl DriverProblem {
+    /// What can be done about it.
+    #[must_use]
+    pub fn remedies(&self) -> Vec<ErrorRemedy> {
+        use ErrorRemedy as R;
+        match self {
+            Self::NoDriver { waiting, .. } => {
+                let trust = waiting.iter().map(|file| R::TrustDriver { file: file.clone(), again: false });
+                trust.chain([R::ListDrivers, R::NameDriverFolder]).collect()
+            }
+            Self::OwnFormat { cause, .. } => cause.remedies(),
+            Self::Host(error) => error.remedies(),
+            Self::Unwritten { error, .. } | Self::Settings { error, .. } => advice_of(error),
+            Self::BeyondLimit { .. } => vec![R::PlanWithinLimit, R::ChangeDriverSetting],
+            Self::Library { .. } => vec![R::CheckReadable],
+            Self::OtherLibrary { .. } => vec![R::CheckRightFile],
+            Self::NowhereToTrust => vec![R::SetHome],
+            Self::OwnProgram(_) => Vec::new(),
+        }
+    }
+}
+
+impl StencilFileError {
+    /// What can be done about it.
+    #[must_use]
+    pub fn remedies(&self) -> Vec<ErrorRemedy> {
+        match self {
+            Self::Read(error) => error.remedies(),
+            Self::NoSurface { .. } => vec![ErrorRemedy::CheckRightFile],
+            Self::NoFolder { .. } => vec![ErrorRemedy::OpenFromFolder],
+            Self::Outside { .. } => vec![ErrorRemedy::PutFilesBeside],
+        }
+    }
+}
+
+wirebend_error::reported!(PlanningError, DriverProblem);

@@ -1,0 +1,172 @@
+//! The job sheet: what is known of a plan or of a job, in words and numbers for a person.
+
+use wirebend_core::units::Length;
+use wirebend_files::write::{Figure, Finding, JobSheet, SheetStep, SheetWire, job_sheet};
+use wirebend_profile::{Profile as _, Sourced, Springback};
+
+use super::content::{Content, Wire};
+use super::print::{Print, letters_replaced};
+use crate::machine::Setup;
+use crate::report::{DiagnosticReport, PlanReport, SeverityName};
+
+/// A job sheet as PDF.
+pub(super) fn encode(content: &mut Content, print: &Print) -> Vec<u8> {
+    let pdf = job_sheet(&sheet(content, print));
+    content.notes.extend(letters_replaced(&pdf.missing));
+    pdf.bytes
+}
+
+fn sheet(content: &Content, print: &Print) -> JobSheet {
+    let setup = &content.setup;
+    JobSheet {
+        title: content.title.clone(),
+        date: Some(print.date()),
+        design_hash: content.design_hash.clone(),
+        job_hash: content.job_hash.clone(),
+        feasible: content.feasible,
+        machine: format!("{} [{}]", setup.machine_name(), setup.machine_id()),
+        material: format!("{} [{}]", setup.material_name(), setup.material_id()),
+        figures: figures(setup),
+        wires: content.wires.iter().map(|wire| sheet_wire(setup, wire)).collect(),
+        findings: content.report.as_deref().map(findings).unwrap_or_default(),
+        notes: content.notes.iter().map(|note| note.message.clone()).collect(),
+        paper: print.paper,
+    }
+}
+
+fn sheet_wire(setup: &Setup, wire: &Wire) -> SheetWire {
+    let length: Length = wire.nominal.iter().map(|step| step.feed).sum();
+    let told = |index: usize| {
+        let step = setup.signs.machine(*wire.compensated.as_ref()?.get(index)?);
+        Some([step.feed_mm, step.rotate_deg, step.bend_deg])
+    };
+    let steps = wire.nominal.iter().enumerate().map(|(index, step)| SheetStep {
+        designed: [step.feed.mm(), step.rotate.deg(), step.bend.deg()],
+        told: told(index),
+    });
+    SheetWire { picture: wire.picture(), facts: facts(setup, wire, length), steps: steps.collect() }
+}
+
+/// What a wire takes. What is not known is said to be so.
+fn facts(setup: &Setup, wire: &Wire, length: Length) -> Vec<(String, String)> {
+    let unknown = || "not known".to_owned();
+    let model = &setup.model.wire;
+    let fed = wire.compensated.as_ref().map(|steps| steps.iter().map(|step| step.feed).sum::<Length>());
+    let stock = wire.stock_mm.and_then(|stock| Length::from_mm(stock).ok());
+    let cost = |length: Option<Length>| {
+        model.cost(length?).map(|cost| match &setup.currency {
+            Some(currency) => format!("{cost:.2} {currency}"),
+            None => format!("{cost:.2}"),
+        })
+    };
+    let mass = |length: Option<Length>| length.map(|length| format!("{:.1} g", model.mass_g(length)));
+    let fact = |name: &str, value: Option<String>| (name.to_owned(), value.unwrap_or_else(unknown));
+    vec![
+        fact("stock length", wire.stock_mm.map(|stock| format!("{stock:.1} mm"))),
+        fact("wire fed", fed.map(|fed| fed.to_string())),
+        fact("unusable tail", Some(setup.model.limits.tail.value.to_string())),
+        fact("designed length", Some(length.to_string())),
+        fact("bends", Some(wire.bend_count().to_string())),
+        fact("machine time", wire.time_s.map(duration)),
+        fact("mass, fed wire", mass(fed)),
+        fact("mass, stock", mass(stock)),
+        fact("cost, fed wire", cost(fed)),
+        fact("cost, stock", cost(stock)),
+    ]
+}
+
+/// Figures of the machine and of the wire, with their sources as the profiles have them.
+fn figures(setup: &Setup) -> Vec<Figure> {
+    let (machine, material) = (&setup.machine.profile, &setup.material.profile);
+    let (of_machine, of_material) = (machine.id(), material.id());
+    let figure = |profile: &str, name: &str, unit: &str, stated: &Option<Sourced<f64>>| {
+        let stated = stated.as_ref()?;
+        let source = format!("{}{} [{profile}]", how(stated.measured), stated.source);
+        Some(Figure { name: name.to_owned(), value: format!("{}{unit}", stated.value), source })
+    };
+    let (limits, bend) = (&machine.limits, &machine.bend);
+    let radius = Figure {
+        name: "centreline radius of bends".to_owned(),
+        value: format!("{:.2} mm", setup.model.bend_radius.mm()),
+        source: "derived: pin radius plus half the wire diameter".to_owned(),
+    };
+    [
+        figure(of_material, "wire diameter", " mm", &material.diameter_mm),
+        figure(of_machine, "pin radius", " mm", &bend.pin_radius_mm),
+        Some(radius),
+        figure(of_material, "K-factor", "", &material.k_factor),
+        springback(setup),
+        figure(of_machine, "largest bend", "°", &limits.max_bend_deg),
+        figure(of_machine, "range of the bend axis", "°", &bend.axis_limit_deg),
+        figure(of_machine, "range of the head", "°", &limits.max_rotation_deg),
+        figure(of_machine, "minimum feed", " mm", &limits.min_feed_mm),
+        figure(of_machine, "maximum feed", " mm", &limits.max_feed_mm),
+        figure(of_machine, "unusable tail", " mm", &limits.tail_mm),
+        figure(of_machine, "feed speed", " mm/s", &machine.feed.rate_mm_per_s),
+        figure(of_machine, "rotate speed", "°/s", &machine.rotate.rate_deg_per_s),
+        figure(of_machine, "bend speed", "°/s", &bend.rate_deg_per_s),
+        figure(of_machine, "overhead of each bend", " s", &machine.time.fixed_per_bend_s),
+        figure(of_material, "density", " kg/m³", &material.density_kg_per_m3),
+        figure(of_material, "price per mm", &price_unit(setup), &material.price_per_mm),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
+fn price_unit(setup: &Setup) -> String {
+    setup.currency.as_ref().map(|currency| format!(" {currency}")).unwrap_or_default()
+}
+
+fn springback(setup: &Setup) -> Option<Figure> {
+    let (value, measured, source) = match setup.material.profile.springback.as_ref()? {
+        Springback::Constant { angle_deg } => {
+            (format!("{}°", angle_deg.value), angle_deg.measured, &angle_deg.source)
+        }
+        Springback::Table { positive, source, measured, .. } => {
+            (format!("by a table of {} angles", positive.len()), *measured, source)
+        }
+    };
+    let by_us = setup.model.compensation.bend.springback.is_some();
+    let whose = if by_us { "" } else { "not used: the machine compensates itself; " };
+    let source = format!("{whose}{}{source} [{}]", how(measured), setup.material_id());
+    Some(Figure { name: "springback".to_owned(), value, source })
+}
+
+const fn how(measured: bool) -> &'static str {
+    if measured { "measured: " } else { "not measured: " }
+}
+
+fn findings(report: &PlanReport) -> Vec<Finding> {
+    let several = report.wires().len() > 1;
+    let of_wires = report.wires().iter().enumerate().flat_map(|(index, wire)| {
+        let of = if several { format!("wire {}, ", index + 1) } else { String::new() };
+        wire.diagnostics.iter().map(move |diagnostic| finding(&of, diagnostic))
+    });
+    report.diagnostics().iter().map(|diagnostic| finding("", diagnostic)).chain(of_wires).collect()
+}
+
+fn finding(of: &str, diagnostic: &DiagnosticReport) -> Finding {
+    let limit = diagnostic.limit_source.as_ref().map(|source| format!(" (limit from {source})"));
+    Finding {
+        severity: match diagnostic.severity {
+            SeverityName::Error => "error",
+            SeverityName::Warning => "warning",
+            SeverityName::Info => "info",
+        },
+        code: diagnostic.code.to_string(),
+        message: format!("{of}{}{}", diagnostic.message, limit.unwrap_or_default()),
+        help: diagnostic.help.clone(),
+    }
+}
+
+/// A time as hours, minutes and seconds, from the largest that is needed.
+fn duration(seconds: f64) -> String {
+    let whole = seconds.max(0.0).round();
+    let (hours, minutes, seconds) = ((whole / 3600.0).floor(), (whole / 60.0).floor() % 60.0, whole % 60.0);
+    match (hours > 0.0, minutes > 0.0) {
+        (true, _) => format!("{hours} h {minutes:02} min"),
+        (false, true) => format!("{minutes} min {seconds:02} s"),
+        (false, false) => format!("{seconds} s"),
+    }
+}

@@ -1,0 +1,124 @@
+//! `import`: any file that can be read becomes a `.wirebend` document, or an OBJ of its wireframe.
+
+use std::path::PathBuf;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use wirebend_error::ErrorRemedy;
+use wirebend_files::document::Document;
+
+use crate::choices::PlanChoices;
+use crate::design::DesignInput;
+use crate::output::Output;
+use crate::report::NoteReport;
+use crate::{Installation, PlanningError, Progress};
+
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct ImportRequest {
+    pub design: DesignInput,
+    /// The machine that a compensated program was written for.
+    #[serde(default)]
+    pub machine: Option<String>,
+    /// The wire that it was written for; absent, the one that the machine's profile names.
+    #[serde(default)]
+    pub material: Option<String>,
+    /// Where the document goes; absent, it is returned. A file whose name ends with `.obj` gets the wireframe alone.
+    pub output: Option<Output>,
+}
+
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct ImportResponse {
+    /// The format that was read.
+    pub format: String,
+    /// Vertices of the wireframe.
+    pub vertices: usize,
+    /// Edges of the wireframe.
+    pub edges: usize,
+    /// Components of the wireframe, isolated vertices included.
+    pub components: usize,
+    /// Length of all edges, in mm.
+    pub length_mm: f64,
+    /// Size of the wireframe along x, y and z, in mm.
+    pub size_mm: [f64; 3],
+    /// Vertices and faces of the stencil; null without one.
+    pub stencil: Option<StencilReport>,
+    /// What was merged, ignored or assumed.
+    pub notes: Vec<NoteReport>,
+    /// The file that was written.
+    pub output: Option<PathBuf>,
+    /// The document, where it was not written to a file.
+    #[serde(skip)]
+    pub contents: Vec<u8>,
+}
+
+/// How large a stencil is.
+#[derive(Debug, Clone, Copy, Serialize, JsonSchema)]
+pub struct StencilReport {
+    pub vertices: usize,
+    pub faces: usize,
+}
+
+pub fn import(
+    app: &Installation,
+    request: &ImportRequest,
+    progress: &dyn Progress,
+) -> Result<ImportResponse, PlanningError> {
+    request.output.as_ref().map_or(Ok(()), Output::check)?;
+    let ImportRequest { machine, material, .. } = request;
+    let choices =
+        PlanChoices { machine: machine.clone(), material: material.clone(), ..PlanChoices::default() };
+    let opened = app.designed(request.design.open(progress)?, &choices)?;
+    progress.stage("writing");
+    let as_obj = request.output.as_ref().is_some_and(Output::is_obj);
+    let contents = if as_obj { wireframe_obj(&opened.document)? } else { opened.document.to_bytes()? };
+    let wireframe = &opened.document.wireframe;
+    let mut corners = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+    for (_, vertex) in wireframe.vertices() {
+        for (axis, &at) in vertex.position.iter().enumerate() {
+            corners[0][axis] = corners[0][axis].min(at);
+            corners[1][axis] = corners[1][axis].max(at);
+        }
+    }
+    let size = |axis: usize| {
+        if wireframe.vertex_count() > 0 { corners[1][axis] - corners[0][axis] } else { 0.0 }
+    };
+    let mut notes = opened.notes;
+    if wireframe.edge_count() == 0 && opened.document.stencil.is_some() {
+        notes.push(NoteReport {
+            code: "only-stencil".into(),
+            count: 1,
+            message: "there is a surface and no lines".to_owned(),
+            remedies: vec![ErrorRemedy::TakeFaceEdges],
+        });
+    }
+    let output = request.output.as_ref().map(|output| output.save(&contents)).transpose()?;
+    Ok(ImportResponse {
+        format: opened.format.title().to_owned(),
+        vertices: wireframe.vertex_count(),
+        edges: wireframe.edge_count(),
+        components: wireframe.components().len(),
+        length_mm: wireframe.total_length().mm(),
+        size_mm: [size(0), size(1), size(2)],
+        stencil: opened.document.embedded_stencil().map(|stencil| StencilReport {
+            vertices: stencil.vertices().len(),
+            faces: stencil.faces().len(),
+        }),
+        notes,
+        contents: if output.is_some() { Vec::new() } else { contents },
+        output,
+    })
+}
+
+/// The wireframe alone, for another program.
+pub fn wireframe_obj(document: &Document) -> Result<Vec<u8>, PlanningError> {
+    if document.wireframe.vertex_count() == 0 {
+        let expected = "a vertex or more: an OBJ of no wireframe cannot be opened";
+        return Err(PlanningError::Value {
+            input: None,
+            name: "the wireframe",
+            value: "empty".to_owned(),
+            expected,
+        });
+    }
+    Ok(wirebend_files::write::wireframe_obj(&document.wireframe).into_bytes())
+}

@@ -1,0 +1,79 @@
+//! From one wire of a job to what a session and a simulated machine are given.
+
+use std::time::Duration;
+
+use wirebend_core::compensate::CompensatedProgram;
+use wirebend_driver_host::api::{self, Bench, BenchBender, BenchWire};
+use wirebend_driver_host::jobs::WireJob;
+use wirebend_driver_host::{HostError, OpenDriver};
+use wirebend_files::document::{Job, JobWire};
+use wirebend_profile::{BendFigures, MachineProfile};
+
+use crate::machine::{Setup, kept_steps};
+use crate::{DriverProblem, Installation, PlanningError};
+
+/// The machine's driver with the settings of its profile.
+pub fn opened(app: &Installation, profile: &MachineProfile) -> Result<OpenDriver, PlanningError> {
+    let driver = app.driver(profile.driver.id.as_deref().unwrap_or_default())?;
+    let settings = profile.driver.settings.clone().unwrap_or_default();
+    let open = driver.open(&serde_json::Value::Object(settings)).map_err(|error| match error {
+        HostError::Refused { driver, error } => DriverProblem::Settings { driver, error },
+        other => DriverProblem::Host(other),
+    })?;
+    Ok(open)
+}
+
+/// One wire of a job, for the loop that runs it.
+pub fn work(setup: &Setup, job: &Job, name: &str, index: usize) -> Result<WireJob, PlanningError> {
+    let damaged =
+        |reason: &str| PlanningError::DamagedJob { name: name.to_owned(), reason: reason.to_owned() };
+    let wire = job.contents().wires.get(index).ok_or_else(|| damaged("it has not so many wires"))?;
+    let compensated = kept_steps(&wire.compensated)?;
+    let steps: Vec<api::Step> = compensated.iter().map(|&step| setup.signs.machine(step)).collect();
+    let run = api::Run {
+        job_hash: job.hash().to_owned(),
+        design_hash: job.contents().design_hash.clone(),
+        name: name.to_owned(),
+        machine: setup.machine_id().to_owned(),
+        stock_mm: Some(wire.stock_mm),
+        wire: index,
+        steps: u32::try_from(steps.len()).map_err(|_| damaged("it has too many steps"))?,
+        bench: bench(setup)?.map(Box::new),
+        ..api::Run::default()
+    };
+    Ok(WireJob { run, steps, estimates: estimates(setup, wire)? })
+}
+
+/// How long each step takes by the machine's time model.
+fn estimates(setup: &Setup, wire: &JobWire) -> Result<Vec<Duration>, PlanningError> {
+    let seconds = |step| setup.model.time.seconds(&CompensatedProgram::from_job_steps(vec![step]));
+    let steps = kept_steps(&wire.compensated)?;
+    Ok(steps.into_iter().map(|step| Duration::try_from_secs_f64(seconds(step)).unwrap_or_default()).collect())
+}
+
+/// What a simulated machine has to know; `None` for a machine without a pin and a peg that go about the wire.
+fn bench(setup: &Setup) -> Result<Option<Bench>, PlanningError> {
+    let (machine, wire) = (setup.machine.figures()?, setup.material.figures()?);
+    let BendFigures::Peg { rod_radius_mm, orbit_radius_mm, orbit_offset_mm, axis_limit_deg } = machine.bend
+    else {
+        return Ok(None);
+    };
+    let pin_radius_mm = machine.pin_radius_mm;
+    Ok(Some(Bench {
+        bender: BenchBender {
+            pin_radius_mm,
+            rod_radius_mm,
+            orbit_radius_mm,
+            orbit_offset_mm,
+            axis_limit_deg,
+        },
+        wire: BenchWire {
+            diameter_mm: wire.diameter_mm,
+            k_factor: wire.k_factor,
+            youngs_modulus_gpa: wire.youngs_modulus_gpa,
+            yield_strength_mpa: wire.yield_strength_mpa,
+            ultimate_strength_mpa: wire.ultimate_strength_mpa,
+        },
+        noise: None,
+    }))
+}

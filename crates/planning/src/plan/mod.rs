@@ -1,0 +1,365 @@
+//! `check` and `plan`: a design through the whole pipeline.
+
+mod wire;
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::time::Instant;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use wirebend_core::checks::{Design, Diagnostic, check_design};
+use wirebend_core::plan::{DoublingChoice, PlanOptions, Stage, WirePlan, plan_wire};
+use wirebend_core::units::Length;
+use wirebend_core::wireframe::{Component, EdgeId, VertexId};
+use wirebend_error::ErrorRemedy;
+use wirebend_files::document::{Document, Job, JobContents, JobStep, JobWire, ProfileSnapshot};
+
+use crate::choices::PlanChoices;
+use crate::design::{DesignInput, Opened};
+use crate::machine::Setup;
+use crate::output::Output;
+use crate::report::{DiagnosticReport, NoteReport, PlanReport, WireReport};
+use crate::stage::StageName;
+use crate::{Installation, PlanningError, Progress, text};
+
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct CheckRequest {
+    pub design: DesignInput,
+    /// On which machine, and how.
+    pub choices: PlanChoices,
+}
+
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct PlanRequest {
+    pub design: DesignInput,
+    /// On which machine, and how.
+    pub choices: PlanChoices,
+    /// Where the job goes.
+    pub output: Option<Output>,
+    /// Whether to return the job, where it does not go to a file.
+    #[serde(default)]
+    pub make_job: bool,
+    /// Whether to write a job although a check says that it cannot be made.
+    #[serde(default)]
+    pub despite_errors: bool,
+}
+
+/// What the checks say.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct CheckResponse {
+    pub machine: String,
+    pub material: String,
+    /// Whether the machine can make it.
+    pub feasible: bool,
+    /// What the checks say, errors first; each is of one wire or of the design.
+    pub diagnostics: Vec<DiagnosticReport>,
+    /// What was merged, ignored or assumed while reading.
+    pub notes: Vec<NoteReport>,
+}
+
+/// A planned design.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct PlanResponse {
+    #[serde(flatten)]
+    pub report: PlanReport,
+    pub machine: String,
+    pub material: String,
+    /// What was merged, ignored or assumed while reading.
+    pub notes: Vec<NoteReport>,
+    /// The job's file.
+    pub output: Option<PathBuf>,
+    /// The job's hash.
+    pub job_hash: Option<String>,
+    /// Whether a job was asked for and not written, because the machine cannot make it.
+    pub withheld: bool,
+    /// The job, where it was asked for and not written to a file.
+    #[serde(skip)]
+    pub contents: Vec<u8>,
+}
+
+/// A planned design with everything that was found on the way.
+pub struct Planned {
+    pub opened: Opened,
+    pub setup: Setup,
+    pub components: usize,
+    pub wires: Vec<WirePlan>,
+    pub timings: Vec<BTreeMap<&'static str, f64>>,
+    /// What the checks say of the design as a whole.
+    pub design: Vec<Diagnostic>,
+}
+
+impl Installation {
+    /// Plans every wire of a design.
+    pub fn plan_design(
+        &self,
+        opened: Opened,
+        choices: &PlanChoices,
+        progress: &dyn Progress,
+    ) -> Result<Planned, PlanningError> {
+        let setup = self.setup_of(&opened, choices)?;
+        Self::plan_with(opened, setup, choices, progress)
+    }
+
+    /// The machine of a design with its wire, unless another one is chosen.
+    pub fn setup_of(&self, opened: &Opened, choices: &PlanChoices) -> Result<Setup, PlanningError> {
+        let document = &opened.document;
+        let named =
+            |snapshot: &Option<ProfileSnapshot>| snapshot.as_ref().map(|snapshot| snapshot.id.clone());
+        let machine = choices.machine.clone().or_else(|| named(&document.machine));
+        let machine = machine.ok_or_else(|| PlanningError::NoMachine { known: self.machine_ids() })?;
+        let material = choices.material.clone().or_else(|| named(&document.material));
+        self.setup(&machine, material.as_deref())
+    }
+
+    /// Plans every wire of a design on a machine with a wire in it.
+    pub fn plan_with(
+        opened: Opened,
+        setup: Setup,
+        choices: &PlanChoices,
+        progress: &dyn Progress,
+    ) -> Result<Planned, PlanningError> {
+        let mut opened = opened;
+        opened.require_designed()?;
+        let settled = opened.settled(choices)?;
+        setup.driver.require_settings()?;
+        opened.notes.extend(setup.driver.note.clone());
+        opened.notes.extend(estimated_springback(&setup));
+        let document = &opened.document;
+        let start = choices.start.map(VertexId).or(document.start);
+        if let Some(VertexId(vertex)) = start.filter(|&vertex| document.wireframe.vertex(vertex).is_none()) {
+            let ids: Vec<u32> = document.wireframe.vertices().map(|(id, _)| id.0).collect();
+            let range = match (ids.first(), ids.last()) {
+                (Some(first), Some(last)) => format!("{first} to {last}"),
+                _ => "none".to_owned(),
+            };
+            return Err(PlanningError::NoVertex { vertex, name: opened.name, count: ids.len(), range });
+        }
+
+        progress.stage("checking the design");
+        let components = document.wireframe.components();
+        let weld_tolerance = Length::from_mm(crate::design::default_weld_mm()).unwrap_or_default();
+        let mut design =
+            check_design(&Design { wireframe: &document.wireframe, components: &components, weld_tolerance });
+        if let Some(VertexId(vertex)) = start.filter(|&vertex| document.wireframe.incident(vertex).is_empty())
+        {
+            return Err(PlanningError::StartWithoutEdge { vertex, name: opened.name });
+        }
+        let bent: Vec<&Component> =
+            components.iter().filter(|component| !component.edges.is_empty()).collect();
+        let mut wires = Vec::with_capacity(bent.len());
+        let mut timings = Vec::with_capacity(bent.len());
+        let mut replaced = 0;
+        progress.stage("planning");
+        for (index, component) in bent.iter().enumerate() {
+            progress.advance(index as u64, bent.len() as u64);
+            let here = start.filter(|vertex| component.vertices.binary_search(vertex).is_ok());
+            let options = PlanOptions {
+                doubling: doubling_choice(document, component, choices, here, &mut replaced),
+                closed: choices.closed,
+                start: here,
+                reversed: choices.reverse,
+                settled: settled.clone(),
+            };
+            let mut took = BTreeMap::new();
+            let mut last = Instant::now();
+            let plan = plan_wire(&document.wireframe, component, &setup.model, &options, |stage| {
+                *took.entry(stage_name(stage)).or_default() += last.elapsed().as_secs_f64() * 1000.0;
+                last = Instant::now();
+            });
+            wires.push(plan);
+            timings.push(took);
+        }
+        progress.advance(bent.len() as u64, bent.len() as u64);
+        if replaced > 0 {
+            opened.notes.push(NoteReport {
+                code: "doublings-replaced".into(),
+                count: replaced,
+                message: format!(
+                    "{replaced} accepted doublings leave no route: the cheapest ones are used instead"
+                ),
+                remedies: Vec::new(),
+            });
+        }
+        // Of a single wire, everything is said with it.
+        if let [wire] = wires.as_mut_slice() {
+            wire.diagnostics.append(&mut design);
+            wire.diagnostics.sort_by_key(|diagnostic| diagnostic.severity);
+        }
+        Ok(Planned { opened, setup, components: components.len(), wires, timings, design })
+    }
+}
+
+/// The doublings that the document has accepted, where they make a route possible from the wanted start or nothing
+/// else was asked for; else the cheapest. Counts accepted ones that are not used.
+fn doubling_choice(
+    document: &Document,
+    component: &Component,
+    choices: &PlanChoices,
+    start: Option<VertexId>,
+    replaced: &mut usize,
+) -> DoublingChoice {
+    let here = |edge: &EdgeId| component.edges.binary_search(edge).is_ok();
+    let accepted: Vec<EdgeId> = document.doublings.iter().copied().filter(here).collect();
+    let odd = document.wireframe.odd_vertices(component, &accepted);
+    // An open wire whose ends are odd begins at one of them.
+    let begins = start.is_none_or(|start| odd.is_empty() || odd.contains(&start));
+    if choices.double && (!begins || odd.len() > if choices.closed { 0 } else { 2 }) {
+        *replaced += accepted.len();
+        return DoublingChoice::Cheapest;
+    }
+    DoublingChoice::Accepted(accepted)
+}
+
+/// A springback that was not measured is worth a test piece.
+fn estimated_springback(setup: &Setup) -> Option<NoteReport> {
+    let measured = match setup.material.profile.springback.as_ref()? {
+        wirebend_profile::Springback::Constant { angle_deg } => angle_deg.measured,
+        wirebend_profile::Springback::Table { measured, .. } => *measured,
+    };
+    let counts = setup.model.compensation.bend.springback.is_some() && !measured;
+    counts.then(|| NoteReport {
+        code: "springback-estimated".into(),
+        count: 1,
+        message: format!("the springback of {} is an estimate and was not measured", setup.material_id()),
+        remedies: vec![ErrorRemedy::BendTestPiece],
+    })
+}
+
+const fn stage_name(stage: Stage) -> &'static str {
+    match stage {
+        Stage::Doubling => "doubling",
+        Stage::Route => "route",
+        Stage::Program => "program",
+        Stage::Schedule => "schedule",
+        Stage::Compensate => "compensate",
+        Stage::Check => "check",
+    }
+}
+
+impl Planned {
+    /// Whether the machine can make all of it.
+    pub fn feasible(&self) -> bool {
+        !self.wires.is_empty()
+            && self.wires.iter().all(WirePlan::is_feasible)
+            && !self.design.iter().any(Diagnostic::is_error)
+    }
+
+    /// The errors that the checks found.
+    fn accepted_errors(&self) -> impl Iterator<Item = &Diagnostic> {
+        let of_wires = self.wires.iter().flat_map(|wire| &wire.diagnostics);
+        self.design.iter().chain(of_wires).filter(|diagnostic| diagnostic.is_error())
+    }
+
+    pub fn report(&self) -> PlanReport {
+        let wireframe = &self.opened.document.wireframe;
+        let mut wires: Vec<WireReport> = self
+            .wires
+            .iter()
+            .zip(&self.timings)
+            .map(|(plan, took)| WireReport::new(wireframe, self.components, plan, &self.setup, took.clone()))
+            .collect();
+        if wires.len() == 1 && self.design.is_empty() {
+            return PlanReport::One(Box::new(wires.remove(0)));
+        }
+        PlanReport::Several {
+            wires,
+            diagnostics: self.design.iter().map(DiagnosticReport::from).collect(),
+            feasible: self.feasible(),
+        }
+    }
+
+    /// The job, or `None` where some wire was not compensated.
+    pub fn job(&self) -> Result<Option<Job>, PlanningError> {
+        let Some(wires) = self.wires.iter().map(job_wire).collect::<Option<Vec<_>>>() else {
+            return Ok(None);
+        };
+        if wires.is_empty() {
+            return Ok(None);
+        }
+        let snapshot = |id: &str, value| ProfileSnapshot { id: id.to_owned(), snapshot: value };
+        Ok(Some(Job::seal(JobContents {
+            design_hash: self.opened.document.design_hash()?,
+            machine: snapshot(self.setup.machine_id(), serde_json::to_value(&self.setup.machine)?),
+            material: snapshot(self.setup.material_id(), serde_json::to_value(&self.setup.material)?),
+            wires,
+            objections: self.accepted_errors().map(text::message).collect(),
+        })?))
+    }
+}
+
+fn job_wire(plan: &WirePlan) -> Option<JobWire> {
+    let (route, nominal) = (plan.route.as_ref()?, plan.nominal.as_ref()?);
+    let (scheduled, compensated) = (plan.scheduled.as_ref()?, plan.compensated.as_ref()?);
+    let steps = |steps: &[wirebend_core::bend::Step]| steps.iter().copied().map(JobStep::from).collect();
+    Some(JobWire {
+        vertices: route.vertices().iter().map(|id| id.0).collect(),
+        path_mm: plan.path.iter().map(|point| [point.x, point.y, point.z]).collect(),
+        nominal: steps(&nominal.steps),
+        spans: nominal.spans.iter().map(|span| [span.start, span.end]).collect(),
+        scheduled: steps(&scheduled.steps),
+        compensated: steps(compensated.steps()),
+        stock_mm: plan.stock?.mm(),
+        time_s: plan.seconds?,
+    })
+}
+
+pub fn check(
+    app: &Installation,
+    request: &CheckRequest,
+    progress: &dyn Progress,
+) -> Result<CheckResponse, PlanningError> {
+    let opened = app.designed(request.design.open(progress)?, &request.choices)?.with_wireframe()?;
+    let setup = app.setup_connected(app.setup_of(&opened, &request.choices)?)?;
+    let planned = Installation::plan_with(opened, setup, &request.choices, progress)?;
+    let of_wires = planned.wires.iter().flat_map(|wire| &wire.diagnostics);
+    let mut all: Vec<&Diagnostic> = planned.design.iter().chain(of_wires).collect();
+    all.sort_by_key(|diagnostic| diagnostic.severity);
+    Ok(CheckResponse {
+        machine: planned.setup.machine_id().to_owned(),
+        material: planned.setup.material_id().to_owned(),
+        feasible: planned.feasible(),
+        diagnostics: all.into_iter().map(DiagnosticReport::from).collect(),
+        notes: planned.opened.notes,
+    })
+}
+
+pub fn plan(
+    app: &Installation,
+    request: &PlanRequest,
+    progress: &dyn Progress,
+) -> Result<PlanResponse, PlanningError> {
+    request.output.as_ref().map_or(Ok(()), Output::check)?;
+    let started = Instant::now();
+    let opened = app.designed(request.design.open(progress)?, &request.choices)?.with_wireframe()?;
+    let read_ms = started.elapsed().as_secs_f64() * 1000.0;
+    let mut planned = app.plan_design(opened, &request.choices, progress)?;
+    if let Some(first) = planned.timings.first_mut() {
+        first.insert("read", read_ms);
+    }
+    let report = planned.report();
+    let mut made = (None, None, Vec::new());
+    let wanted = request.output.is_some() || request.make_job;
+    let withheld = wanted && !planned.feasible() && !request.despite_errors;
+    if wanted && !withheld {
+        progress.stage("writing");
+        let stage = StageName::Compensated;
+        let unreached = || PlanningError::StageNotReached { stage, report: Box::new(report.clone()) };
+        let job = planned.job()?.ok_or_else(unreached)?;
+        let hash = Some(job.hash().to_owned());
+        made = match &request.output {
+            Some(output) => (Some(output.save(&job.to_bytes()?)?), hash, Vec::new()),
+            None => (None, hash, job.to_bytes()?),
+        };
+    }
+    Ok(PlanResponse {
+        report,
+        machine: planned.setup.machine_id().to_owned(),
+        material: planned.setup.material_id().to_owned(),
+        notes: planned.opened.notes,
+        output: made.0,
+        job_hash: made.1,
+        withheld,
+        contents: made.2,
+    })
+}

@@ -1,0 +1,69 @@
+//! The report of a planned wire.
+
+use std::collections::BTreeMap;
+
+use wirebend_core::plan::WirePlan;
+use wirebend_core::units::Length;
+use wirebend_core::wireframe::{EdgeId, Wireframe};
+
+use crate::machine::Setup;
+use crate::report::{
+    CompensatedReport, DiagnosticReport, JobStep, ProgramReport, RouteReport, WireReport, WireframeReport,
+};
+
+impl WireReport {
+    /// The report of a planned wire.
+    pub fn new(
+        wireframe: &Wireframe,
+        components: usize,
+        plan: &WirePlan,
+        setup: &Setup,
+        timings_ms: BTreeMap<&'static str, f64>,
+    ) -> Self {
+        let fed = plan.compensated.as_ref().map(wirebend_core::compensate::CompensatedProgram::feed_total);
+        let wire = &setup.model.wire;
+        let ids = |edges: &[EdgeId]| edges.iter().map(|id| id.0).collect();
+        let length_of = |edges: &mut dyn Iterator<Item = EdgeId>| -> Length {
+            edges.map(|edge| wireframe.edge_length(edge)).sum()
+        };
+        let doubled_mm = plan.doubled_length(wireframe).mm();
+        Self {
+            wireframe: WireframeReport {
+                vertices: plan.component.vertices.len(),
+                edges: plan.component.edges.len(),
+                components,
+                odd_vertices: wireframe.odd_vertices(&plan.component, &[]).len(),
+            },
+            route: plan.route.as_ref().map(|route| RouteReport {
+                feeds: route.traversals.len(),
+                length_mm: length_of(&mut route.traversals.iter().map(|t| t.edge)).mm(),
+                doubled_edges: plan.doubled.len(),
+                doubled_mm,
+                optimal: doubled_mm <= plan.proposal.added.mm() + 1e-6,
+                doubled: ids(&plan.doubled),
+                vertices: route.vertices().iter().map(|id| id.0).collect(),
+                edges: route.traversals.iter().map(|t| t.edge.0).collect(),
+            }),
+            program: plan.nominal.as_ref().map(|program| ProgramReport {
+                bends: program.bend_count(),
+                steps: program.steps.iter().copied().map(JobStep::from).collect(),
+            }),
+            compensated: plan.compensated.as_ref().zip(plan.stock).map(|(program, stock)| {
+                CompensatedReport {
+                    steps: program.steps().iter().copied().map(JobStep::from).collect(),
+                    feed_mm: program.feed_total().mm(),
+                    stock_mm: stock.mm(),
+                }
+            }),
+            diagnostics: plan.diagnostics.iter().map(DiagnosticReport::from).collect(),
+            feasible: plan.is_feasible(),
+            time_s: plan.seconds,
+            cost: fed.and_then(|fed| wire.cost(fed)),
+            stock_cost: plan.stock.and_then(|stock| wire.cost(stock)),
+            currency: setup.currency.clone(),
+            mass_g: fed.map(|fed| wire.mass_g(fed)),
+            stock_mass_g: plan.stock.map(|stock| wire.mass_g(stock)),
+            timings_ms,
+        }
+    }
+}

@@ -1,0 +1,227 @@
+//! A wire as it is played on its machine: what is drawn follows from these values without a rule of bending.
+
+use nalgebra::{Point3, Rotation3, Vector3};
+use schemars::JsonSchema;
+use serde::Serialize;
+use wirebend_core::bend::{Frame, Step, replay};
+use wirebend_core::compensate::CompensatedProgram;
+use wirebend_core::estimate::{StepSeconds, TimeModel};
+use wirebend_core::motion::{MachineStep, Moment, Pose, moments, poses};
+use wirebend_core::plan::WirePlan;
+use wirebend_core::simulate::scheduled_start;
+use wirebend_core::units::{Angle, Length};
+use wirebend_profile::{Part, Shape, Solid};
+
+use crate::report::JobStep;
+
+/// How the wire lies in the machine while it runs a step. Frame of the machine: mm, right-handed, the origin is the bend
+/// point, x the way the wire leaves, z the bend axis of the head at its reference. The point of the wire that is just
+/// leaving lies at the origin.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct PoseReport {
+    /// From the frame of the design to that of the machine, while the wire is fed and the head rotates: a quaternion of
+    /// length 1, x, y, z, w.
+    pub turn: [f64; 4],
+    /// The axis through the origin about which the wire that is out then turns, a vector of length 1 in the machine's frame.
+    pub bend_axis: [f64; 3],
+    /// How far it turns, right-handed, degrees.
+    pub bend_deg: f64,
+}
+
+impl From<&Pose> for PoseReport {
+    fn from(pose: &Pose) -> Self {
+        Self {
+            turn: pose.turn.coords.into(),
+            bend_axis: pose.bend_axis.into_inner().into(),
+            bend_deg: pose.bend.deg(),
+        }
+    }
+}
+
+/// Where wire and machine are at one moment of a step. Between two moments everything moves evenly.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct MomentReport {
+    /// The part of the step's time that has passed, from 0 to 1. Two moments at the same time: it jumps.
+    pub at: f64,
+    /// How much of the feed is through the bend point, from 0 to 1.
+    pub fed: f64,
+    /// How much of the bend is in the wire, from 0 to 1: it stays.
+    pub bent: f64,
+    /// How far the head has turned, right-handed about x of the machine's frame, degrees.
+    pub head_deg: f64,
+    /// How far the bend axis has turned, right-handed about z of the head, degrees: it goes there and comes back.
+    pub bend_axis_deg: f64,
+    /// Where the peg is along its own axis: at 0 it is in, so that the wire can pass it, at 1 it is out and bends.
+    pub peg_out: f64,
+}
+
+impl From<&Moment> for MomentReport {
+    fn from(moment: &Moment) -> Self {
+        let &Moment { at, fed, bent, head, bend_axis, peg_out } = moment;
+        Self { at, fed, bent, head_deg: head.deg(), bend_axis_deg: bend_axis.deg(), peg_out }
+    }
+}
+
+/// A step as it is played.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct PlayedStep {
+    /// What it does to the wire, as designed.
+    pub designed: JobStep,
+    /// What is sent to the machine, in canonical signs; null where the wire is not compensated.
+    pub told: Option<JobStep>,
+    /// Seconds for feed, rotate, the bend axis there and back, and for waiting.
+    pub seconds: [f64; 4],
+    /// The vertex at which it bends, or at which the wire ends.
+    pub vertex: Option<u32>,
+    /// The edges along which it feeds.
+    pub edges: Vec<u32>,
+    /// How the wire lies in the machine.
+    pub pose: PoseReport,
+    /// Where wire and machine are, from the step's beginning to its end.
+    pub moments: Vec<MomentReport>,
+}
+
+/// A wire as it is played.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct PlayedWire {
+    pub steps: Vec<PlayedStep>,
+    /// Where the wire begins, and where it is after each step: one more than there are steps. mm, in the design's frame.
+    pub corners_mm: Vec<[f64; 3]>,
+    /// The bend axis at the beginning, a vector of length 1 in the design's frame.
+    pub bend_axis: [f64; 3],
+    /// Stock to load, mm.
+    pub stock_mm: Option<f64>,
+    /// Time on the machine, s.
+    pub time_s: Option<f64>,
+}
+
+/// A planned wire; `None` where it has no program.
+#[must_use]
+pub fn played(plan: &WirePlan, time: &TimeModel) -> Option<PlayedWire> {
+    let (nominal, scheduled) = (plan.nominal.as_ref()?, plan.scheduled.as_ref()?);
+    let route = plan.route.as_ref()?;
+    let told = plan.compensated.as_ref().map(CompensatedProgram::steps);
+    let start = scheduled_start(plan.start, &scheduled.steps);
+    let machine: Vec<MachineStep> = scheduled
+        .steps
+        .iter()
+        .enumerate()
+        .map(|(index, designed)| {
+            let told = told.and_then(|told| told.get(index)).unwrap_or(designed);
+            MachineStep { designed: *designed, told: *told, seconds: time.step_seconds(told) }
+        })
+        .collect();
+    let poses = poses(start, &scheduled.steps);
+    let steps = machine.iter().zip(&poses).zip(moments(&machine)).zip(&nominal.spans).enumerate();
+    let steps = steps.map(|(index, (((step, pose), moments), span))| {
+        let along = route.traversals.get(span.clone()).unwrap_or_default();
+        PlayedStep {
+            told: told.and_then(|told| told.get(index)).copied().map(JobStep::from),
+            vertex: along.last().map(|traversal| traversal.to.0),
+            edges: along.iter().map(|traversal| traversal.edge.0).collect(),
+            ..played_step(&step.designed, step.seconds, pose, &moments)
+        }
+    });
+    let ends = nominal.spans.iter().map(|span| span.end);
+    let corners = std::iter::once(0).chain(ends).filter_map(|k| plan.path.get(k));
+    Some(PlayedWire {
+        steps: steps.collect(),
+        corners_mm: corners.map(array).collect(),
+        bend_axis: start.b().into(),
+        stock_mm: plan.stock.map(Length::mm),
+        time_s: plan.seconds,
+    })
+}
+
+/// A wire that moves by hand have bent, as ordered, in the frame of the turtle that begins it: x along the wire, z its bend
+/// axis. Each step has its end alone. `bending`: the bend of the last one is under way, and its axis stands there.
+#[must_use]
+pub fn played_by_hand(steps: &[Step], bending: Option<Angle>) -> PlayedWire {
+    let start = Frame::default();
+    let mut head = Angle::ZERO;
+    let played = |(step, pose): (&Step, Pose)| {
+        head -= step.rotate;
+        // A bend by hand is a whole one: the peg is in again at its end.
+        let end = Moment { at: 1.0, fed: 1.0, bent: 1.0, head, bend_axis: Angle::ZERO, peg_out: 0.0 };
+        played_step(step, StepSeconds::default(), &pose, &[end])
+    };
+    let mut played: Vec<PlayedStep> = steps.iter().zip(poses(start, steps)).map(played).collect();
+    let end = played.last_mut().and_then(|step| step.moments.last_mut());
+    if let (Some(end), Some(bend_axis)) = (end, bending) {
+        (end.bend_axis_deg, end.peg_out) = (bend_axis.deg(), 1.0);
+    }
+    PlayedWire {
+        steps: played,
+        corners_mm: replay(start, steps).iter().map(array).collect(),
+        bend_axis: start.b().into(),
+        stock_mm: None,
+        time_s: None,
+    }
+}
+
+fn played_step(designed: &Step, seconds: StepSeconds, pose: &Pose, moments: &[Moment]) -> PlayedStep {
+    let StepSeconds { feed, rotate, bend, wait } = seconds;
+    PlayedStep {
+        designed: JobStep::from(*designed),
+        told: None,
+        seconds: [feed, rotate, bend, wait],
+        vertex: None,
+        edges: Vec::new(),
+        pose: PoseReport::from(pose),
+        moments: moments.iter().map(MomentReport::from).collect(),
+    }
+}
+
+/// How far the peg's bodies, each in a box along its own axes, reach beyond the middle of the wire along the bend axis while
+/// the peg is out, mm: it goes in by as much, and by what the wire takes, to let the wire pass. 0 without such bodies.
+#[must_use]
+pub fn peg_top_mm(shapes: &[Shape]) -> f64 {
+    let top = |shape: &Shape| {
+        let half = match shape.solid {
+            Solid::Box { size_mm } => size_mm.map(|size| size / 2.0),
+            Solid::Cylinder { radius_mm, length_mm } => [radius_mm, radius_mm, length_mm / 2.0],
+        };
+        // None where it points along -z: that box reaches as far.
+        let turn = Rotation3::rotation_between(&Vector3::z(), &Vector3::from(shape.axis));
+        let turn = turn.unwrap_or_else(Rotation3::identity);
+        shape.at_mm[2] + turn.matrix().row(2).abs().transpose().dot(&Vector3::from(half))
+    };
+    shapes.iter().filter(|shape| shape.part == Part::Peg).map(top).fold(0.0, f64::max)
+}
+
+fn array(point: &Point3<f64>) -> [f64; 3] {
+    point.coords.into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Were it too low, a peg that is in would be drawn across the wire.
+    #[test]
+    fn the_top_of_a_peg_is_that_of_its_highest_body_however_that_lies() {
+        let peg = |part, length_mm, z, axis| Shape {
+            name: "rod".to_owned(),
+            part,
+            solid: Solid::Cylinder { radius_mm: 3.0, length_mm },
+            at_mm: [32.0, 0.0, z],
+            axis,
+            source: "the test".to_owned(),
+            measured: false,
+        };
+        let upright = peg(Part::Peg, 20.0, 0.0, [0.0, 0.0, 1.0]);
+        let upside_down = peg(Part::Peg, 20.0, 1.0, [0.0, 0.0, -2.0]);
+        let lying = peg(Part::Peg, 20.0, 5.0, [1.0, 0.0, 0.0]);
+        let head = peg(Part::Head, 90.0, 0.0, [0.0, 0.0, 1.0]);
+        for (shapes, top) in [
+            (vec![], 0.0),
+            (vec![head.clone()], 0.0),
+            (vec![upright.clone()], 10.0),
+            (vec![upright.clone(), upside_down], 11.0),
+            (vec![lying, head], 8.0),
+            (vec![peg(Part::Peg, 2.0, -30.0, [0.0, 0.0, 1.0])], 0.0),
+        ] {
+            assert!((peg_top_mm(&shapes) - top).abs() < 1e-12, "{shapes:?}");
+        }
+    }
+}

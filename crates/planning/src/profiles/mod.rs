@@ -1,0 +1,6 @@
+//! What is done with profiles themselves: checked, explained, written.
+
+pub mod check;
+pub mod explain;
+pub mod new;
+pub mod springback;

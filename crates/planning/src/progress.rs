@@ -1,0 +1,18 @@
+//! How far long work is.
+
+/// Hears how far long work is. Called from the thread that does it.
+pub trait Progress {
+    /// A stage begins: a word or two for a person.
+    fn stage(&self, name: &str);
+    /// So many of so many things are done.
+    fn advance(&self, done: u64, of: u64);
+}
+
+/// Hears nothing.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct NoProgress;
+
+impl Progress for NoProgress {
+    fn stage(&self, _name: &str) {}
+    fn advance(&self, _done: u64, _of: u64) {}
+}

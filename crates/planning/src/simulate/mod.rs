@@ -1,0 +1,280 @@
+//! `simulate`: a job bent without a machine: on the simulated machine of its driver where there is one, and many times
+//! by the closed formulas with the errors that machines make.
+
+mod drawing;
+mod kept;
+
+use std::path::PathBuf;
+
+use nalgebra::Point3;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use wirebend_core::simulate::{ErrorModel, ErrorReport, ErrorTerm, perfect_wire, simulate as simulate_wire};
+use wirebend_files::document::{Job, JobWire};
+
+use crate::design::Input;
+use crate::job::open_job;
+use crate::machine::{Setup, accepted_errors, restored};
+use crate::output::Output;
+use crate::report::NoteReport;
+use crate::{Installation, PlanningError, Progress};
+use drawing::Drawing;
+pub use kept::KeptWire;
+use wirebend_error::InputName;
+
+/// The most runs of one simulation.
+const MOST_RUNS: u32 = 1_000_000;
+/// The most distances that are kept, a gibibyte of them: one for each vertex and gap and run.
+const MOST_DISTANCES: usize = 1 << 27;
+
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct SimulateRequest {
+    pub job: Input,
+    /// The errors; absent, none are made.
+    pub noise: Option<String>,
+    /// How often the wire is bent.
+    pub runs: u32,
+    /// Where the random numbers start: the same seed, the same wires.
+    pub seed: u64,
+    /// A picture as SVG.
+    pub svg: Option<Output>,
+    /// A picture as PNG.
+    pub png: Option<Output>,
+}
+
+/// How far one vertex of the route lies from where it should.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct VertexReport {
+    pub vertex: u32,
+    /// How far the simulated machine's wire has it from where the design has it, in mm; null without such a machine.
+    pub machine_mm: Option<f64>,
+    /// The same by the closed formulas, without errors.
+    pub systematic_mm: f64,
+    /// Mean distance over all runs, in mm.
+    pub mean_mm: f64,
+    /// Distance that 95 % of the runs stay within, in mm.
+    pub radius_95_mm: f64,
+}
+
+/// How far the passes of the wire through one vertex lie apart.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct GapReport {
+    pub vertex: u32,
+    /// How often the wire comes through.
+    pub passes: usize,
+    /// Their largest distance on the simulated machine's wire, in mm; null without such a machine.
+    pub machine_mm: Option<f64>,
+    /// Mean of the largest distance, in mm.
+    pub mean_mm: f64,
+    /// What 95 % of the runs stay within, in mm.
+    pub radius_95_mm: f64,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct SimulatedWire {
+    /// In the order of the route, a vertex as often as it is passed.
+    pub vertices: Vec<VertexReport>,
+    /// The vertices that are passed more than once.
+    pub gaps: Vec<GapReport>,
+    /// The largest `machine_mm` of a vertex.
+    pub worst_machine_mm: Option<f64>,
+    /// The largest `systematic_mm`.
+    pub worst_systematic_mm: f64,
+    /// The largest `mean_mm`.
+    pub worst_mean_mm: f64,
+    /// The largest `radius_95_mm`.
+    pub worst_radius_95_mm: f64,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum SimulationModel {
+    /// The machine's driver has run the program on its simulated machine, which bends a wire that gives by physics.
+    SimulatedMachine,
+    /// The formulas of the compensation, the other way round: what is wrong in them is not seen.
+    ClosedForm,
+}
+
+/// What the simulation found. Deviations are taken with the first vertex and the first direction in
+/// place.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct SimulateResponse {
+    pub machine: String,
+    pub material: String,
+    /// The errors; null without any.
+    pub noise: Option<String>,
+    /// How often the wire was bent.
+    pub runs: u32,
+    /// Where the random numbers started.
+    pub seed: u64,
+    /// With a simulated machine every wire has `machine_mm`. All other figures are those of closed formulas: a
+    /// machine takes too long for many runs.
+    pub model: SimulationModel,
+    /// The wires of the job.
+    pub wires: Vec<SimulatedWire>,
+    /// What was left out, and what the simulated machine did that a real one would not survive.
+    pub notes: Vec<NoteReport>,
+    /// The pictures.
+    pub files: Vec<PathBuf>,
+}
+
+/// Bends the wires of a job on the machine that its driver simulates.
+pub trait SimulatedMachine {
+    /// Every wire of a job; `None`, with a note that says why, where there is no such machine.
+    fn bend(&self, setup: &Setup, job: &Job, notes: &mut Vec<NoteReport>) -> Option<Vec<Made>>;
+}
+
+/// One wire as a simulated machine bent it.
+pub struct Made {
+    /// Points along the middle of the wire, mm, in the frame of the turtle at its start, in the machine's signs.
+    pub wire_mm: Vec<[f64; 3]>,
+    /// Its ends and corners, in the same frame.
+    pub corners_mm: Vec<[f64; 3]>,
+}
+
+/// Bends a job without a machine: on `machine`, and by the formulas of the compensation turned round.
+pub fn simulate(
+    app: &Installation,
+    request: &SimulateRequest,
+    machine: &dyn SimulatedMachine,
+    progress: &dyn Progress,
+) -> Result<SimulateResponse, PlanningError> {
+    for output in request.svg.iter().chain(&request.png) {
+        output.check()?;
+    }
+    let runs = if request.noise.is_some() { request.runs } else { 1 };
+    if runs == 0 || runs > MOST_RUNS {
+        let expected = "1 to 1000000";
+        return Err(PlanningError::Value {
+            input: Some(InputName::Runs),
+            name: "the number of runs",
+            value: runs.to_string(),
+            expected,
+        });
+    }
+    let errors = match &request.noise {
+        Some(id) => noise_model(app, id)?,
+        None => ErrorModel::default(),
+    };
+    progress.stage("reading");
+    let (name, bytes) = request.job.load()?;
+    let job = open_job(&name, &bytes)?;
+    let contents = job.contents();
+    let setup = restored(&name, contents)?;
+    let distances: usize = contents.wires.iter().map(|wire| 2 * wire.vertices.len()).sum();
+    if distances.saturating_mul(runs as usize) > MOST_DISTANCES {
+        let expected = "fewer: the distances of all vertices in all runs do not fit the memory";
+        return Err(PlanningError::Value {
+            input: Some(InputName::Runs),
+            name: "the number of runs",
+            value: runs.to_string(),
+            expected,
+        });
+    }
+    let mut notes = accepted_errors(contents);
+    progress.stage("bending on the simulated machine");
+    let made = machine.bend(&setup, &job, &mut notes);
+    progress.stage("bending");
+    let mut drawing = Drawing::default();
+    let mut wires = Vec::with_capacity(contents.wires.len());
+    for (index, wire) in contents.wires.iter().enumerate() {
+        let kept = KeptWire::new(&name, wire, &setup)?;
+        let mut done = 0;
+        let placed = made.as_ref().and_then(|made| made.get(index));
+        let made = placed.and_then(|made| kept.vertices(&made.corners_mm));
+        let by_machine = made.is_some() && request.noise.is_none();
+        if let Some(made) = placed.filter(|_| by_machine) {
+            drawing.run(&kept.wire(&made.wire_mm));
+        }
+        let bent = |bent: &[Point3<f64>]| {
+            done += 1;
+            if !by_machine {
+                drawing.run(bent);
+            }
+            progress.advance(
+                index as u64 * u64::from(runs) + done,
+                contents.wires.len() as u64 * u64::from(runs),
+            );
+        };
+        let wrong = |error| PlanningError::Noise { noise: request.noise.clone().unwrap_or_default(), error };
+        let input = kept.input(&setup);
+        let report = simulate_wire(&input, &errors, runs, request.seed, bent).map_err(wrong)?;
+        let perfect = perfect_wire(&input);
+        let figures = Figures { perfect: &perfect, made: made.as_deref(), report: &report };
+        wires.push(simulated_wire(wire, &kept, &figures));
+        drawing.design(kept);
+    }
+    let by_machine = wires.iter().all(|wire| wire.worst_machine_mm.is_some()) && !wires.is_empty();
+    let model = if by_machine { SimulationModel::SimulatedMachine } else { SimulationModel::ClosedForm };
+    let files = drawing.write(request, &setup, &mut notes)?;
+    Ok(SimulateResponse {
+        machine: setup.machine_id().to_owned(),
+        material: setup.material_id().to_owned(),
+        noise: request.noise.clone(),
+        runs,
+        seed: request.seed,
+        model,
+        wires,
+        notes,
+        files,
+    })
+}
+
+fn noise_model(app: &Installation, id: &str) -> Result<ErrorModel, PlanningError> {
+    let figures = app.library.noise(id)?.figures()?;
+    let term = |figure: wirebend_profile::ErrorFigures| ErrorTerm { bias: figure.bias, sigma: figure.sigma };
+    Ok(ErrorModel {
+        feed_mm: term(figures.feed_mm),
+        rotate_deg: term(figures.rotate_deg),
+        bend_deg: term(figures.bend_deg),
+        curvature: term(figures.curvature),
+    })
+}
+
+/// What one wire came to.
+struct Figures<'a> {
+    perfect: &'a [Point3<f64>],
+    /// Its vertices as the simulated machine bent them.
+    made: Option<&'a [Point3<f64>]>,
+    report: &'a ErrorReport,
+}
+
+fn simulated_wire(wire: &JobWire, kept: &KeptWire, figures: &Figures) -> SimulatedWire {
+    let Figures { perfect, made, report } = figures;
+    let off = |points: &[Point3<f64>], k: usize| Some((kept.design.get(k)? - points.get(k)?).norm());
+    let vertices: Vec<VertexReport> = wire
+        .vertices
+        .iter()
+        .zip(&report.deviations)
+        .enumerate()
+        .map(|(k, (&vertex, spread))| VertexReport {
+            vertex,
+            machine_mm: made.and_then(|made| off(made, k)),
+            systematic_mm: off(perfect, k).unwrap_or_default(),
+            mean_mm: spread.mean.mm(),
+            radius_95_mm: spread.radius_95.mm(),
+        })
+        .collect();
+    let gaps = kept.passes.iter().zip(&report.gaps).map(|(passes, spread)| GapReport {
+        vertex: passes.first().and_then(|&k| wire.vertices.get(k)).copied().unwrap_or_default(),
+        passes: passes.len(),
+        machine_mm: made.map(|made| farthest(made, passes)),
+        mean_mm: spread.mean.mm(),
+        radius_95_mm: spread.radius_95.mm(),
+    });
+    let worst = |of: fn(&VertexReport) -> f64| vertices.iter().map(of).fold(0.0, f64::max);
+    SimulatedWire {
+        gaps: gaps.collect(),
+        worst_machine_mm: made.map(|_| worst(|vertex| vertex.machine_mm.unwrap_or_default())),
+        worst_systematic_mm: worst(|vertex| vertex.systematic_mm),
+        worst_mean_mm: worst(|vertex| vertex.mean_mm),
+        worst_radius_95_mm: worst(|vertex| vertex.radius_95_mm),
+        vertices,
+    }
+}
+
+/// The largest distance between any two of some points.
+fn farthest(points: &[Point3<f64>], some: &[usize]) -> f64 {
+    let points: Vec<&Point3<f64>> = some.iter().filter_map(|&k| points.get(k)).collect();
+    points.iter().flat_map(|a| points.iter().map(move |b| (*a - *b).norm())).fold(0.0, f64::max)
+}

@@ -1,0 +1,77 @@
+//! Bends and corners.
+
+use wirebend_core::checks::{BendOf, Location};
+use wirebend_core::units::Angle;
+use wirebend_core::wireframe::VertexId;
+
+use super::number::{digits_apart, digits_beside, of_bend};
+
+pub(super) fn too_sharp(at: &Location, of: BendOf, bend: Angle, limit: Angle) -> String {
+    let digits = digits_beside(bend.abs().deg(), limit.abs().deg());
+    let limit = match of {
+        BendOf::Step => limit,
+        BendOf::Vertex => limit.abs(),
+    };
+    format!("{} is {bend:.digits$}, more than the machine can bend ({limit:.digits$})", name(at, of))
+}
+
+pub(super) fn near_limit(at: &Location, bend: Angle, limit: Angle) -> String {
+    let digits = digits_beside(bend.abs().deg(), limit.abs().deg());
+    format!(
+        "{} is {bend:.digits$}, close to the most the machine can bend ({limit:.digits$})",
+        name(at, BendOf::Step)
+    )
+}
+
+pub(super) fn out_of_reach(at: &Location, of: BendOf, bend: Angle, max: Angle) -> String {
+    let side = match of {
+        BendOf::Step => "to this side",
+        BendOf::Vertex => "to either side",
+    };
+    let digits = digits_apart(bend.abs().deg(), max.deg(), 2);
+    format!(
+        "{} is {bend:.digits$}, out of reach: the largest possible bend {side} is {max:.digits$}",
+        name(at, of)
+    )
+}
+
+pub(super) fn too_small(at: &Location, bend: Angle) -> String {
+    format!(
+        "{} is {bend:.2}, too small: the peg would stop on the far side of the wire's axis",
+        name(at, BendOf::Step)
+    )
+}
+
+pub(super) fn in_scatter(at: &Location, bend: Angle, scatter: Angle) -> String {
+    let digits = digits_apart(bend.deg(), scatter.deg(), 1);
+    format!(
+        "{} is {bend:.digits$}, less than the scatter of bends on this machine ({scatter:.digits$}): \
+         it may come out to either side",
+        name(at, BendOf::Step)
+    )
+}
+
+pub(super) fn corner_not_made(vertex: VertexId, corner: Angle) -> String {
+    format!(
+        "the corner at vertex {vertex} is {corner:.3}, below the resolution of the bend axis: the wire stays straight there, and the next bend starts from its real direction"
+    )
+}
+
+pub(super) fn fold_back(at: &Location) -> String {
+    format!("the wire folds straight back on itself{}", of_bend(at))
+}
+
+pub(super) fn fold_back_not_compensated(at: &Location, bend: Angle) -> String {
+    format!(
+        "{} is {bend:.2}: the wire folds back on itself, and the feeds on both sides cannot be compensated",
+        name(at, BendOf::Step)
+    )
+}
+
+fn name(at: &Location, of: BendOf) -> String {
+    let bend = match of {
+        BendOf::Step => "the bend",
+        BendOf::Vertex => "the gentlest bend",
+    };
+    format!("{bend}{}", of_bend(at))
+}

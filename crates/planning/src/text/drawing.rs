@@ -1,0 +1,46 @@
+//! Flaws of the drawing itself.
+
+use wirebend_core::bend::PathError;
+use wirebend_core::checks::Location;
+use wirebend_core::units::Length;
+use wirebend_core::wireframe::{EdgeId, VertexId};
+
+use super::number::count;
+
+pub(super) fn zero_length(edge: EdgeId, [a, b]: [VertexId; 2]) -> String {
+    format!("edge {edge} from vertex {a} to vertex {b} has no length")
+}
+
+pub(super) fn no_path(error: &PathError, at: &Location) -> String {
+    match (error, at.edges.first()) {
+        (PathError::NoDirection(_), Some(edge)) => {
+            format!("edge {edge} has no length: the wire has no direction there")
+        }
+        (PathError::NoDirection(segment), None) => {
+            format!("segment {} of the wire has no length: the wire has no direction there", segment + 1)
+        }
+        (PathError::TooShort(points), _) => {
+            format!("the route has {}: a wire takes at least 2", count(*points, "point", "points"))
+        }
+    }
+}
+
+pub(super) fn parallel([first, second]: [EdgeId; 2], [a, b]: [VertexId; 2]) -> String {
+    format!("edges {first} and {second} both join vertices {a} and {b}")
+}
+
+pub(super) fn coincident([first, second]: [VertexId; 2], distance: Length) -> String {
+    format!("vertices {first} and {second} are {distance:.4} apart but not merged")
+}
+
+pub(super) fn isolated(vertex: VertexId) -> String {
+    format!("vertex {vertex} has no edge: no wire passes through it")
+}
+
+pub(super) fn several_wires(wires: usize) -> String {
+    format!("the wireframe is not connected: it takes {}", count(wires, "wire", "wires"))
+}
+
+pub(super) fn no_edges() -> String {
+    "the wireframe has no edges: there is nothing to bend".to_owned()
+}

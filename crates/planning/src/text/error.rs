@@ -1,0 +1,132 @@
+//! Errors of `core` as a person reads them: what is wrong, and what would be right.
+
+use wirebend_core::compensate::{PegGeometryError, PegRadius, SpringbackError};
+use wirebend_core::route::RouteError;
+use wirebend_core::simulate::{BadErrorTerm, ErrorSource};
+use wirebend_core::wireframe::EditError;
+use wirebend_files::number::thousands;
+
+use super::number::count;
+
+/// Why a wire has no route as it was asked for.
+pub(super) fn route(error: &RouteError) -> String {
+    match error {
+        RouteError::NoEdges => "the wire has no edge to run along".to_owned(),
+        RouteError::Odd { odd, closed } => {
+            let allowed = if *closed { "none may be" } else { "2 may be" };
+            format!("{} odd; {allowed}", count(odd.len(), "vertex is", "vertices are"))
+        }
+        RouteError::Start { start, ends: (a, b) } => format!(
+            "the wire cannot start at vertex {start}: it has to start at one of the odd vertices {a} and {b}"
+        ),
+        RouteError::StartElsewhere(vertex) => {
+            format!("vertex {vertex} has no edge of this wire to start along")
+        }
+        RouteError::DoubledElsewhere(edge) => {
+            format!("edge {edge} is to be doubled but is not part of this wire")
+        }
+        RouteError::TooManyEnds { vertex, ends, max } => {
+            format!("{ends} edge ends meet at vertex {vertex}: a route can be found for up to {max}")
+        }
+        RouteError::TooManyOdd { odd, max } => {
+            format!("{odd} vertices are odd: the cheapest doubling can be found for up to {max}")
+        }
+    }
+}
+
+/// Why an edit cannot be made.
+#[must_use]
+pub fn edit(error: &EditError) -> String {
+    match error {
+        EditError::Wireframe(error) => error.to_string(),
+        EditError::NoEdge(edge) => format!("there is no edge {edge}"),
+        EditError::Repeated(vertex) => format!("vertex {vertex} is listed twice"),
+        EditError::Loop(vertex) => format!("vertex {vertex} cannot be connected to itself"),
+        EditError::RepeatedEdge(edge) => format!("edge {edge} is listed twice"),
+        EditError::ChainCount(edges) => format!("a chain takes at least 2 edges, {edges} given"),
+        EditError::Branched { vertex, edges } => {
+            format!("the edges are no chain: {edges} of them meet at vertex {vertex}, and at most 2 can")
+        }
+        EditError::BrokenChain(edge) => {
+            format!("the edges are no chain: edge {edge} is not connected to the others")
+        }
+        EditError::ClosedChain => "the edges are a closed loop, and a chain has two ends".to_owned(),
+        EditError::ArcStep(step) => {
+            format!("the step along an arc has to be more than 0° and at most 180°: {step:.3} is not")
+        }
+        EditError::SmallArc { radius, min_edge } => {
+            format!("an arc of radius {radius:.2} cannot be made of edges of at least {min_edge:.2}")
+        }
+        EditError::Connected(a, b) => format!("vertices {a} and {b} are connected already"),
+        EditError::SplitAt(at) => {
+            format!("an edge is split between its ends: {at} is not more than 0 and less than 1")
+        }
+        EditError::MergeCount(vertices) => format!("merging takes at least 2 vertices, {vertices} given"),
+        EditError::Singular => "the transform is not invertible: it would flatten the wireframe".to_owned(),
+        EditError::EmptyStrand => "a strand takes a vertex to begin at or a point to go through".to_owned(),
+        EditError::TooMuch { count, max } => {
+            let (count, max) = (thousands(&count.to_string()), thousands(&max.to_string()));
+            format!("{count} vertices or edges are too many: at most {max} can be added at once")
+        }
+        EditError::NotInPiece { index, count } => {
+            format!("an edge of the piece ends at its vertex {index}, but it has {count}, counted from 0")
+        }
+        EditError::ArrayCount { copies, max } => {
+            let max = thousands(&max.to_string());
+            format!("an array of {copies} copies is too large: at most {max} vertices can be added at once")
+        }
+    }
+}
+
+/// Why the dimensions of a machine are not those of a peg bender.
+#[must_use]
+pub fn peg_geometry(error: &PegGeometryError) -> String {
+    match error {
+        PegGeometryError::NotPositive { radius, value } => {
+            let name = match radius {
+                PegRadius::Orbit => "orbit radius",
+                PegRadius::Pin => "pin radius",
+                PegRadius::Peg => "peg radius",
+            };
+            format!("the {name} is {value}: it must be more than 0 mm")
+        }
+        PegGeometryError::NoContact { orbit_radius, peg } => format!(
+            "the peg never touches the wire: its orbit of radius {orbit_radius} is smaller than its contact distance {peg}"
+        ),
+        PegGeometryError::Behind { offset, orbit_radius } => format!(
+            "the peg never touches the wire: with an orbit offset of {offset} its orbit of radius {orbit_radius} ends before the pin"
+        ),
+    }
+}
+
+/// Why measured pairs are no springback table.
+#[must_use]
+pub fn springback(error: &SpringbackError) -> String {
+    match error {
+        SpringbackError::Empty => "the springback table needs at least one measured pair".to_owned(),
+        SpringbackError::Range(pair) => format!(
+            "pair {} of the springback table: the formed angle and the loss must not be negative",
+            pair + 1
+        ),
+        SpringbackError::NotIncreasing(pair) => format!(
+            "pair {} of the springback table: both the formed angle and the formed angle plus loss must increase",
+            pair + 1
+        ),
+    }
+}
+
+/// Why an error model is none.
+#[must_use]
+pub fn noise(error: &BadErrorTerm) -> String {
+    let BadErrorTerm { of, bias, sigma } = error;
+    let name = match of {
+        ErrorSource::Feed => "feeds",
+        ErrorSource::Rotation => "rotations",
+        ErrorSource::Bend => "bends",
+        ErrorSource::Curvature => "curvature",
+    };
+    format!("the error of {name} is {bias} ± {sigma}: both must be finite and the deviation not negative")
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,22 @@
+//! Where limits come from.
+
+use wirebend_core::checks::{LimitSource, ReachLimit};
+
+/// Where a limit comes from. What a profile or a driver states is passed on as it is.
+#[must_use]
+pub fn source(source: LimitSource) -> String {
+    match source {
+        LimitSource::Stated(text) => text.to_owned(),
+        LimitSource::WeldTolerance => "the weld tolerance".to_owned(),
+        LimitSource::EulerPath => "Euler: only the two ends of a wire may be odd".to_owned(),
+        LimitSource::BendRadius(radius) => format!("bends of centreline radius {radius:.2}"),
+        LimitSource::Reach(ReachLimit::Axis { needed, travel }) => format!(
+            "the bend axis, which would have to reach {needed:.1} and goes to {:.1} [{}]",
+            travel.value, travel.source
+        ),
+        LimitSource::Reach(ReachLimit::Peg) => {
+            "springback and setback of this wire on this machine".to_owned()
+        }
+        LimitSource::AxisResolution => "half the resolution of the bend axis".to_owned(),
+    }
+}

@@ -1,0 +1,22 @@
+//! The machine as a whole: its head, its stock, the wires that it takes.
+
+use wirebend_core::checks::Location;
+use wirebend_core::units::{Angle, Length};
+
+use super::number::of_bend;
+
+pub(super) fn rotation_out_of_range(at: &Location, wanted: Angle, [min, max]: [Angle; 2]) -> String {
+    format!(
+        "the bend{} needs the head at {wanted:.2} (or half turns from there); the head turns from {min:.1} to {max:.1}",
+        of_bend(at)
+    )
+}
+
+pub(super) fn stock_too_long(needed: Length, tail: Length, max: Length) -> String {
+    format!("the wire takes {needed:.1} of stock, {tail:.1} of it unusable tail; the machine takes {max:.1}")
+}
+
+pub(super) fn wire_does_not_fit(diameter: Length, [min, max]: [Length; 2]) -> String {
+    let compared = if diameter < min { "thinner" } else { "thicker" };
+    format!("a wire of {diameter:.2} is {compared} than the machine takes ({min:.2} to {max:.2})")
+}

@@ -1,0 +1,73 @@
+//! Words for what `core` says in facts: the only place that makes sentences of findings, limits, remedies and core's
+//! errors.
+//!
+//! One file for each group of checks. Every match is without a wildcard, so that a new finding does not compile until it
+//! has words. The words are those of no front end: a command line adds its options, a window its buttons. A message is a
+//! sentence without a full stop, which begins in lower case.
+
+mod bend;
+mod drawing;
+pub mod error;
+mod limit;
+mod machine;
+mod number;
+mod remedy;
+mod route;
+mod straight;
+#[cfg(test)]
+mod tests;
+
+pub use limit::source;
+use wirebend_core::checks::{Diagnostic, Fact};
+
+/// What a finding says, with its figures.
+#[must_use]
+pub fn message(diagnostic: &Diagnostic) -> String {
+    let at = &diagnostic.location;
+    match &diagnostic.fact {
+        Fact::ZeroLengthEdge { edge, ends, .. } => drawing::zero_length(*edge, *ends),
+        Fact::NoPath(error) => drawing::no_path(error, at),
+        Fact::ParallelEdges { edges, ends } => drawing::parallel(*edges, *ends),
+        Fact::CoincidentVertices { vertices, distance, .. } => drawing::coincident(*vertices, *distance),
+        Fact::IsolatedVertex { vertex } => drawing::isolated(*vertex),
+        Fact::SeveralWires { wires } => drawing::several_wires(*wires),
+        Fact::NoEdges => drawing::no_edges(),
+        Fact::NoEulerPath { odd, allowed } => route::no_euler_path(*odd, *allowed),
+        Fact::RouteRefused(error) => error::route(error),
+        Fact::DoubledEdge { edge, passes } => route::doubled_edge(*edge, *passes),
+        Fact::EdgeTooShort { length, limit } | Fact::EdgeNearLimit { length, limit } => {
+            straight::edge(at, *length, limit.value)
+        }
+        Fact::FeedTooShort { designed, feed, limit } => {
+            straight::feed_too_short(at, *designed, *feed, limit.value)
+        }
+        Fact::FeedNearLimit { designed, feed, limit } => {
+            straight::feed_near_limit(at, *designed, *feed, limit.value)
+        }
+        Fact::FeedTooLong { designed, feed, limit } => {
+            straight::feed_too_long(at, *designed, *feed, limit.value)
+        }
+        Fact::FeedLongerThanStock { designed, feed, limit } => {
+            straight::feed_longer_than_stock(at, *designed, *feed, limit.value)
+        }
+        Fact::ArcsOverlap { designed, needed, .. } => straight::arcs_overlap(at, *designed, *needed),
+        Fact::BendTooSharp { bend, of, limit } => bend::too_sharp(at, *of, *bend, limit.value),
+        Fact::BendNearLimit { bend, limit } => bend::near_limit(at, *bend, limit.value),
+        Fact::BendOutOfReach { bend, of, max, .. } => bend::out_of_reach(at, *of, *bend, *max),
+        Fact::BendTooSmall { bend } => bend::too_small(at, *bend),
+        Fact::BendInScatter { bend, scatter } => bend::in_scatter(at, *bend, scatter.value),
+        Fact::CornerNotMade { vertex, corner, .. } => bend::corner_not_made(*vertex, *corner),
+        Fact::FoldBack { .. } => bend::fold_back(at),
+        Fact::FoldBackNotCompensated { bend } => bend::fold_back_not_compensated(at, *bend),
+        Fact::RotationOutOfRange { wanted, range, .. } => machine::rotation_out_of_range(at, *wanted, *range),
+        Fact::StockTooLong { needed, tail, limit } => machine::stock_too_long(*needed, *tail, limit.value),
+        Fact::WireDoesNotFit { diameter, range, .. } => machine::wire_does_not_fit(*diameter, *range),
+    }
+}
+
+/// What to do about a finding: its remedies as alternatives.
+#[must_use]
+pub fn help(diagnostic: &Diagnostic) -> String {
+    let remedies: Vec<String> = diagnostic.remedies.iter().map(remedy::clause).collect();
+    number::alternatives(&remedies)
+}

@@ -1,0 +1,58 @@
+//! What can be done, as clauses that begin with a verb.
+
+use wirebend_core::checks::Remedy;
+
+use super::number::count;
+
+/// One remedy, in the words of no front end.
+pub(super) fn clause(remedy: &Remedy) -> String {
+    let words = match remedy {
+        Remedy::Leave => "leave it",
+        Remedy::LeaveTouching => "leave them where two wires are meant to touch",
+        Remedy::LeaveRoom => "leave room for the wires side by side",
+        Remedy::TieWires => "tie them together",
+        Remedy::DrawEdges => "draw edges",
+        Remedy::TakeFaceEdges => "take the edges of a model's faces",
+        Remedy::DeleteEdge => "delete the edge",
+        Remedy::DeleteParallelEdge => {
+            "delete one of them: an edge that the wire has to pass twice is doubled by the route"
+        }
+        Remedy::MergeVertices => "merge the vertices",
+        Remedy::ConnectVertex => "connect the vertex to another one",
+        Remedy::DeleteVertex => "delete it",
+        Remedy::ConnectParts => "connect the parts to bend them from one wire",
+        Remedy::BendEachPart => "bend one wire for each part",
+        Remedy::DoubleEdges { edges, added, design } => {
+            let share = 100.0 * added.mm() / design.mm().max(f64::MIN_POSITIVE);
+            let edges = count(edges.len(), "edge", "edges");
+            return format!(
+                "double {edges}: that adds {added:.1} ({share:.1} % of the design), the least possible"
+            );
+        }
+        Remedy::FindDoubling => "double the cheapest edges",
+        Remedy::ReduceOddVertices => "add and delete edges until at most two vertices are odd",
+        Remedy::StartAtVertex => "start the wire at this vertex",
+        Remedy::EndAtVertex => "start or end the wire there",
+        Remedy::ChooseStart => "start the wire at another vertex",
+        Remedy::LeaveStartOpen => "leave its start open",
+        Remedy::SplitDesign => "divide the design into several wires",
+        Remedy::SplitEdge => "divide the edge among two wires",
+        Remedy::LengthenEdge { by: Some(by) } => return format!("make the edge at least {by:.1} longer"),
+        Remedy::LengthenEdge { by: None } => "make the edge longer",
+        Remedy::ShortenStraight => "shorten the straight part",
+        Remedy::AddBend => "put a bend into it",
+        Remedy::ScaleUp => "scale the design up",
+        Remedy::ScaleDown => "scale the design down",
+        Remedy::OpenAngle => "open the angle between the two edges",
+        Remedy::OpenAngleOfTwo => "open the angle between two of its edges",
+        Remedy::KeepBendBelow { max } => return format!("keep the bend below {max:.2}"),
+        Remedy::EnlargeBend => "make the bend larger",
+        Remedy::Straighten => "make the edges straight there",
+        Remedy::EaseBends => "make its bends gentler",
+        Remedy::TurnBendPlane => "turn the plane of the bend",
+        Remedy::ChooseMaterial => "choose another material",
+        Remedy::ChooseMachine => "choose another machine",
+        Remedy::ChooseMachineWithRotation => "choose a machine whose head turns farther",
+    };
+    words.to_owned()
+}

@@ -1,0 +1,333 @@
+use wirebend_core::bend::PathError;
+use wirebend_core::checks::{
+    BendOf, Diagnostic, Fact, LimitSource, Location, ReachLimit, Remedy, Severity, Sourced,
+};
+use wirebend_core::route::RouteError;
+use wirebend_core::units::{Angle, Length};
+use wirebend_core::wireframe::{EdgeId, VertexId};
+
+use super::{help, message, source};
+
+fn mm(value: f64) -> Length {
+    Length::from_mm(value).unwrap()
+}
+
+fn deg(value: f64) -> Angle {
+    Angle::from_deg(value).unwrap()
+}
+
+fn stated<T>(value: T) -> Sourced<T> {
+    Sourced { value, source: "the profile".to_owned() }
+}
+
+fn finding(location: Location, fact: Fact, remedies: Vec<Remedy>) -> Diagnostic {
+    Diagnostic { severity: Severity::Error, location, fact, remedies }
+}
+
+/// At vertex 4, along some edges, in the third step.
+fn at(edges: &[u32]) -> Location {
+    let edges = edges.iter().map(|&id| EdgeId(id)).collect();
+    Location { vertices: vec![VertexId(4)], edges, step: Some(2) }
+}
+
+/// What a finding without remedies reads like.
+fn says(location: Location, fact: Fact, words: &str) {
+    assert_eq!(message(&finding(location, fact, Vec::new())), words);
+}
+
+#[test]
+fn findings_of_the_drawing_name_vertices_and_edges() {
+    let nowhere = Location::default;
+    let (a, b) = (VertexId(1), VertexId(2));
+    let zero = Fact::ZeroLengthEdge { edge: EdgeId(7), ends: [a, b], length: Length::ZERO };
+    says(nowhere(), zero, "edge 7 from vertex 1 to vertex 2 has no length");
+    let no_direction = || Fact::NoPath(PathError::NoDirection(3));
+    says(at(&[7]), no_direction(), "edge 7 has no length: the wire has no direction there");
+    says(at(&[]), no_direction(), "segment 4 of the wire has no length: the wire has no direction there");
+    says(at(&[]), Fact::NoPath(PathError::TooShort(1)), "the route has 1 point: a wire takes at least 2");
+    let parallel = Fact::ParallelEdges { edges: [EdgeId(3), EdgeId(9)], ends: [a, b] };
+    says(nowhere(), parallel, "edges 3 and 9 both join vertices 1 and 2");
+    let close = Fact::CoincidentVertices { vertices: [a, b], distance: mm(5e-4), tolerance: mm(1e-3) };
+    says(nowhere(), close, "vertices 1 and 2 are 0.0005 mm apart but not merged");
+    says(nowhere(), Fact::IsolatedVertex { vertex: a }, "vertex 1 has no edge: no wire passes through it");
+    let several = Fact::SeveralWires { wires: 3 };
+    says(nowhere(), several, "the wireframe is not connected: it takes 3 wires");
+    says(nowhere(), Fact::NoEdges, "the wireframe has no edges: there is nothing to bend");
+}
+
+#[test]
+fn findings_of_the_route_say_why_there_is_none() {
+    let odd = |allowed| Fact::NoEulerPath { odd: 8, allowed };
+    let nowhere = Location::default;
+    says(nowhere(), odd(2), "8 vertices are odd: no single wire runs through every edge once");
+    says(nowhere(), odd(0), "8 vertices are odd: no closed wire runs through every edge once");
+    says(
+        nowhere(),
+        Fact::DoubledEdge { edge: EdgeId(7), passes: 2 },
+        "edge 7 is made of 2 wires side by side",
+    );
+    let refused = |error, words| says(nowhere(), Fact::RouteRefused(error), words);
+    refused(RouteError::NoEdges, "the wire has no edge to run along");
+    let odd = vec![VertexId(1), VertexId(2), VertexId(3), VertexId(4)];
+    refused(RouteError::Odd { odd, closed: false }, "4 vertices are odd; 2 may be");
+    refused(RouteError::Odd { odd: vec![VertexId(1)], closed: true }, "1 vertex is odd; none may be");
+    refused(
+        RouteError::Start { start: VertexId(5), ends: (VertexId(1), VertexId(2)) },
+        "the wire cannot start at vertex 5: it has to start at one of the odd vertices 1 and 2",
+    );
+    refused(RouteError::StartElsewhere(VertexId(5)), "vertex 5 has no edge of this wire to start along");
+    refused(RouteError::DoubledElsewhere(EdgeId(5)), "edge 5 is to be doubled but is not part of this wire");
+    refused(
+        RouteError::TooManyEnds { vertex: VertexId(5), ends: 300, max: 200 },
+        "300 edge ends meet at vertex 5: a route can be found for up to 200",
+    );
+    refused(
+        RouteError::TooManyOdd { odd: 2000, max: 1500 },
+        "2000 vertices are odd: the cheapest doubling can be found for up to 1500",
+    );
+}
+
+#[test]
+fn findings_of_straight_parts_tell_length_and_feed() {
+    let short = || Fact::EdgeTooShort { length: mm(19.0), limit: stated(mm(20.4)) };
+    says(at(&[7]), short(), "edge 7 is 19.0 mm long; the machine's minimum is 20.4 mm");
+    says(at(&[7, 8]), short(), "edges 7, 8 are 19.0 mm long; the machine's minimum is 20.4 mm");
+    let near = Fact::EdgeNearLimit { length: mm(21.0), limit: stated(mm(20.4)) };
+    says(at(&[7]), near, "edge 7 is 21.0 mm long; the machine's minimum is 20.4 mm");
+    let (designed, limit) = (mm(27.0), || stated(mm(25.0)));
+    let feed = Fact::FeedTooShort { designed, feed: mm(24.8), limit: limit() };
+    says(
+        at(&[7]),
+        feed,
+        "edge 7 (27.0 mm as designed) is fed 24.8 mm after compensation; the machine cannot feed less than 25.0 mm",
+    );
+    let feed = Fact::FeedNearLimit { designed, feed: mm(25.8), limit: limit() };
+    says(
+        at(&[7, 8]),
+        feed,
+        "the straight of edges 7, 8 (27.0 mm as designed) is fed 25.8 mm after compensation; the shortest feed is 25.0 mm",
+    );
+    let feed = Fact::FeedTooLong { designed, feed: mm(26.0), limit: limit() };
+    says(
+        at(&[]),
+        feed,
+        "step 3 (27.0 mm as designed) is fed 26.0 mm; the machine feeds at most 25.0 mm at once",
+    );
+    let feed = Fact::FeedLongerThanStock { designed, feed: mm(26.0), limit: limit() };
+    says(
+        at(&[7]),
+        feed,
+        "edge 7 (27.0 mm as designed) is fed 26.0 mm; the stock without its tail is only 25.0 mm",
+    );
+    let arcs = Fact::ArcsOverlap { designed: mm(5.0), needed: mm(6.0), bend_radius: mm(3.0) };
+    says(at(&[7]), arcs, "the bends at both ends of edge 7 take 6.0 mm of its 5.0 mm");
+}
+
+#[test]
+fn findings_of_bends_name_the_vertex_or_else_the_step() {
+    let sharp = |of| Fact::BendTooSharp { bend: deg(-160.0), of, limit: stated(deg(-155.0)) };
+    says(
+        at(&[]),
+        sharp(BendOf::Step),
+        "the bend at vertex 4 is -160.0°, more than the machine can bend (-155.0°)",
+    );
+    let of_step = Location { step: Some(2), ..Location::default() };
+    says(
+        of_step,
+        sharp(BendOf::Step),
+        "the bend of step 3 is -160.0°, more than the machine can bend (-155.0°)",
+    );
+    let gentlest = Fact::BendTooSharp { bend: deg(170.0), of: BendOf::Vertex, limit: stated(deg(-155.0)) };
+    says(
+        at(&[]),
+        gentlest,
+        "the gentlest bend at vertex 4 is 170.0°, more than the machine can bend (155.0°)",
+    );
+    let near = Fact::BendNearLimit { bend: deg(150.0), limit: stated(deg(155.0)) };
+    says(at(&[]), near, "the bend at vertex 4 is 150.0°, close to the most the machine can bend (155.0°)");
+    let unreached = |of| Fact::BendOutOfReach { bend: deg(90.0), of, max: deg(85.0), reach: ReachLimit::Peg };
+    says(
+        at(&[]),
+        unreached(BendOf::Step),
+        "the bend at vertex 4 is 90.00°, out of reach: the largest possible bend to this side is 85.00°",
+    );
+    says(
+        at(&[]),
+        unreached(BendOf::Vertex),
+        "the gentlest bend at vertex 4 is 90.00°, out of reach: the largest possible bend to either side is 85.00°",
+    );
+    says(
+        at(&[]),
+        Fact::BendTooSmall { bend: deg(0.7) },
+        "the bend at vertex 4 is 0.70°, too small: the peg would stop on the far side of the wire's axis",
+    );
+    says(
+        at(&[]),
+        Fact::BendInScatter { bend: deg(0.5), scatter: stated(deg(1.4)) },
+        "the bend at vertex 4 is 0.5°, less than the scatter of bends on this machine (1.4°): it may come out to either side",
+    );
+    says(
+        at(&[]),
+        Fact::CornerNotMade { vertex: VertexId(4), corner: deg(0.49), straight: deg(0.5) },
+        "the corner at vertex 4 is 0.490°, below the resolution of the bend axis: the wire stays straight there, and the next bend starts from its real direction",
+    );
+    says(
+        at(&[]),
+        Fact::FoldBack { limit: stated(deg(155.0)) },
+        "the wire folds straight back on itself at vertex 4",
+    );
+    says(
+        at(&[]),
+        Fact::FoldBackNotCompensated { bend: deg(179.95) },
+        "the bend at vertex 4 is 179.95°: the wire folds back on itself, and the feeds on both sides cannot be compensated",
+    );
+}
+
+#[test]
+fn findings_of_the_machine_tell_what_it_can_do() {
+    says(
+        at(&[]),
+        Fact::RotationOutOfRange { wanted: deg(95.0), range: [deg(-90.0), deg(90.0)], source: String::new() },
+        "the bend at vertex 4 needs the head at 95.00° (or half turns from there); the head turns from -90.0° to 90.0°",
+    );
+    says(
+        Location::default(),
+        Fact::StockTooLong { needed: mm(527.8), tail: mm(400.0), limit: stated(mm(520.0)) },
+        "the wire takes 527.8 mm of stock, 400.0 mm of it unusable tail; the machine takes 520.0 mm",
+    );
+    for (diameter, compared) in [(0.9, "thinner"), (4.0, "thicker")] {
+        says(
+            Location::default(),
+            Fact::WireDoesNotFit { diameter: mm(diameter), range: [mm(2.8), mm(3.2)], source: String::new() },
+            &format!("a wire of {diameter:.2} mm is {compared} than the machine takes (2.80 mm to 3.20 mm)"),
+        );
+    }
+}
+
+/// Read with too few digits, a value beyond a limit is the limit, and the person looks for the fault elsewhere.
+#[test]
+fn what_is_beyond_a_limit_never_reads_like_it() {
+    let sharp = |bend| {
+        let fact = Fact::BendTooSharp { bend: deg(bend), of: BendOf::Step, limit: stated(deg(155.0)) };
+        message(&finding(at(&[]), fact, Vec::new()))
+    };
+    assert!(sharp(155.0001).contains("is 155.0001°") && sharp(155.0001).contains("(155.0000°)"));
+    // At the limit but for rounding the two read alike, as they should.
+    let near = Fact::BendNearLimit { bend: deg(155.0 - 1e-12), limit: stated(deg(155.0)) };
+    let near = message(&finding(at(&[]), near, Vec::new()));
+    assert!(near.contains("is 155.0°,") && near.contains("(155.0°)"), "{near}");
+    let short = Fact::EdgeTooShort { length: mm(20.399_96), limit: stated(mm(20.4)) };
+    let short = message(&finding(at(&[7]), short, Vec::new()));
+    assert!(short.contains("20.39996 mm") && short.contains("20.40000 mm"), "{short}");
+    let feed = Fact::FeedTooShort { designed: mm(27.2), feed: mm(24.98), limit: stated(mm(25.0)) };
+    let feed = message(&finding(at(&[7]), feed, Vec::new()));
+    assert!(feed.contains("24.98 mm") && feed.contains("25.00 mm"), "{feed}");
+    let (bend, max) = (deg(85.0004), deg(85.0));
+    let far = Fact::BendOutOfReach { bend, of: BendOf::Step, max, reach: ReachLimit::Peg };
+    let far = message(&finding(at(&[]), far, Vec::new()));
+    assert!(far.contains("85.0004°") && far.contains("85.0000°"), "{far}");
+}
+
+#[test]
+fn limits_say_where_they_come_from() {
+    let axis = ReachLimit::Axis { needed: deg(102.2), travel: stated(deg(100.0)) };
+    for (limit, words) in [
+        (LimitSource::Stated("the paper [limits.min_feed_mm]"), "the paper [limits.min_feed_mm]"),
+        (LimitSource::WeldTolerance, "the weld tolerance"),
+        (LimitSource::EulerPath, "Euler: only the two ends of a wire may be odd"),
+        (LimitSource::BendRadius(mm(3.0)), "bends of centreline radius 3.00 mm"),
+        (
+            LimitSource::Reach(&axis),
+            "the bend axis, which would have to reach 102.2° and goes to 100.0° [the profile]",
+        ),
+        (LimitSource::Reach(&ReachLimit::Peg), "springback and setback of this wire on this machine"),
+        (LimitSource::AxisResolution, "half the resolution of the bend axis"),
+    ] {
+        assert_eq!(source(limit), words);
+    }
+}
+
+#[test]
+fn remedies_are_alternatives_with_their_figures() {
+    let helps = |remedies, words: &str| {
+        assert_eq!(help(&finding(Location::default(), Fact::NoEdges, remedies)), words);
+    };
+    helps(vec![Remedy::OpenAngleOfTwo], "open the angle between two of its edges");
+    helps(
+        vec![Remedy::OpenAngle, Remedy::StartAtVertex],
+        "open the angle between the two edges, or start the wire at this vertex",
+    );
+    helps(
+        vec![Remedy::TurnBendPlane, Remedy::ChooseStart, Remedy::ChooseMachineWithRotation],
+        "turn the plane of the bend, start the wire at another vertex, or choose a machine whose head turns farther",
+    );
+    helps(
+        vec![Remedy::LengthenEdge { by: Some(mm(3.07)) }, Remedy::ScaleUp],
+        "make the edge at least 3.1 mm longer, or scale the design up",
+    );
+    helps(vec![Remedy::KeepBendBelow { max: deg(85.0) }], "keep the bend below 85.00°");
+    let edges = |count: u32| (0..count).map(EdgeId).collect();
+    helps(
+        vec![Remedy::DoubleEdges { edges: edges(3), added: mm(90.0), design: mm(360.0) }],
+        "double 3 edges: that adds 90.0 mm (25.0 % of the design), the least possible",
+    );
+    helps(
+        vec![
+            Remedy::ChooseStart,
+            Remedy::LeaveStartOpen,
+            Remedy::DoubleEdges { edges: edges(1), added: mm(70.0), design: mm(140.0) },
+        ],
+        "start the wire at another vertex, leave its start open, or double 1 edge: that adds 70.0 mm (50.0 % of the design), the least possible",
+    );
+}
+
+/// No front end's words, no full stop: what a person reads continues in a list, beside an option or a button.
+#[test]
+fn every_remedy_is_a_clause() {
+    let by = Some(mm(1.0));
+    let all = [
+        Remedy::Leave,
+        Remedy::LeaveTouching,
+        Remedy::LeaveRoom,
+        Remedy::TieWires,
+        Remedy::DrawEdges,
+        Remedy::TakeFaceEdges,
+        Remedy::DeleteEdge,
+        Remedy::DeleteParallelEdge,
+        Remedy::MergeVertices,
+        Remedy::ConnectVertex,
+        Remedy::DeleteVertex,
+        Remedy::ConnectParts,
+        Remedy::BendEachPart,
+        Remedy::DoubleEdges { edges: vec![EdgeId(0)], added: mm(1.0), design: mm(0.0) },
+        Remedy::FindDoubling,
+        Remedy::ReduceOddVertices,
+        Remedy::StartAtVertex,
+        Remedy::EndAtVertex,
+        Remedy::ChooseStart,
+        Remedy::LeaveStartOpen,
+        Remedy::SplitDesign,
+        Remedy::SplitEdge,
+        Remedy::LengthenEdge { by },
+        Remedy::LengthenEdge { by: None },
+        Remedy::ShortenStraight,
+        Remedy::AddBend,
+        Remedy::ScaleUp,
+        Remedy::ScaleDown,
+        Remedy::OpenAngle,
+        Remedy::OpenAngleOfTwo,
+        Remedy::KeepBendBelow { max: deg(1.0) },
+        Remedy::EnlargeBend,
+        Remedy::Straighten,
+        Remedy::EaseBends,
+        Remedy::TurnBendPlane,
+        Remedy::ChooseMaterial,
+        Remedy::ChooseMachine,
+        Remedy::ChooseMachineWithRotation,
+    ];
+    for remedy in all {
+        let words = help(&finding(Location::default(), Fact::NoEdges, vec![remedy]));
+        assert!(words.starts_with(char::is_lowercase) && !words.ends_with('.'), "{words}");
+        assert!(!words.contains("--") && !words.contains('`') && words.split(' ').count() > 1, "{words}");
+    }
+}

@@ -1,0 +1,117 @@
+//! The design of a program that is what a machine was told.
+
+use wirebend_core::bend::{Frame, Step, replay};
+use wirebend_core::route::Route;
+use wirebend_core::units::{Angle, Length};
+use wirebend_driver_host::api;
+use wirebend_error::{ErrorRemedy, InputName};
+use wirebend_files::read::wireframe_of_path;
+
+use crate::choices::PlanChoices;
+use crate::design::Opened;
+use crate::error::PlanningError;
+use crate::installation::Installation;
+use crate::machine::Setup;
+use crate::program::{Known, ReadProgram};
+use crate::report::NoteReport;
+
+impl Installation {
+    /// The design of a program that is what a machine was told: turned back for the machine and the material that a
+    /// person names. All else is as it is.
+    pub fn designed(&self, opened: Opened, choices: &PlanChoices) -> Result<Opened, PlanningError> {
+        if !opened.is_told() {
+            return Ok(opened);
+        }
+        let Some(machine) = &choices.machine else {
+            return Err(PlanningError::Compensated { name: opened.name });
+        };
+        opened.turned_back(&self.setup(machine, choices.material.as_deref())?)
+    }
+}
+
+impl Opened {
+    fn is_told(&self) -> bool {
+        self.program.as_ref().is_some_and(|program| program.known == Known::Told)
+    }
+
+    /// Refuses what would be compensated twice.
+    pub fn require_designed(&self) -> Result<(), PlanningError> {
+        if self.is_told() { Err(PlanningError::Compensated { name: self.name.clone() }) } else { Ok(()) }
+    }
+
+    /// The design that the steps leave on a machine.
+    pub fn turned_back(mut self, setup: &Setup) -> Result<Self, PlanningError> {
+        let Some(program) = self.program.take_if(|program| program.known == Known::Told) else {
+            return Ok(self);
+        };
+        let steps = left(&program.steps, setup).map_err(|step| PlanningError::OtherCompensation {
+            name: self.name.clone(),
+            step: step + 1,
+            machine: setup.machine_id().to_owned(),
+            material: setup.material_id().to_owned(),
+        })?;
+        let path = replay(Frame::default(), &steps);
+        let weld = crate::design::length(InputName::Weld, program.weld_mm)?;
+        let (wireframe, order) =
+            wireframe_of_path(&path, weld).map_err(|_| PlanningError::OtherCompensation {
+                name: self.name.clone(),
+                step: 1,
+                machine: setup.machine_id().to_owned(),
+                material: setup.material_id().to_owned(),
+            })?;
+        self.document.wireframe = wireframe;
+        self.notes.push(NoteReport {
+            code: "program-turned-back".into(),
+            count: 1,
+            message: format!(
+                "the program is what a machine was told: turned back into the design with the compensation of {} and {}, \
+                 for which it has to be written",
+                setup.machine_id(),
+                setup.material_id()
+            ), remedies: vec![ErrorRemedy::TakeAsNominal] });
+        self.program = Some(ReadProgram { steps, order, known: Known::Design, ..program });
+        Ok(self)
+    }
+
+    /// The walk of the program, where it is to be kept.
+    pub fn settled(&self, choices: &PlanChoices) -> Result<Option<Route>, PlanningError> {
+        if !choices.keep_order {
+            return Ok(None);
+        }
+        if choices.double || choices.closed || choices.start.is_some() {
+            let inputs = vec![InputName::Double, InputName::Closed, InputName::Start];
+            let instead = Box::new(ErrorRemedy::LeaveOut { inputs: vec![InputName::KeepOrder] });
+            return Err(PlanningError::Settled { name: self.name.clone(), inputs, instead });
+        }
+        let order = self.program.as_ref().map(|program| &program.order);
+        let walk = order.and_then(|order| Route::through(&self.document.wireframe, order));
+        walk.map(Some).ok_or_else(|| PlanningError::NoOrder { name: self.name.clone() })
+    }
+}
+
+/// The steps from corner to corner that commands leave: the inverse of compensating. The step that cannot be where a
+/// feed is too short for its bends.
+fn left(told: &[Step], setup: &Setup) -> Result<Vec<Step>, usize> {
+    let compensation = &setup.model.compensation;
+    let mut before = Angle::ZERO;
+    let mut steps = Vec::with_capacity(told.len());
+    for (index, &step) in told.iter().enumerate() {
+        let Step { feed, rotate, bend } = step;
+        let told = api::Step { feed_mm: feed.mm(), rotate_deg: rotate.deg(), bend_deg: bend.deg() };
+        let canonical = setup.signs.canonical(told);
+        let angle = |deg: f64| Angle::from_deg(deg).map_err(|_| index);
+        let bend = compensation.bend.result(angle(canonical.bend_deg)?);
+        let feed = compensation.feed.as_ref().map_or(feed, |model| model.segment_of(feed, before, bend));
+        // What is a little less than nothing was rounded.
+        if feed.mm() < -ROUNDED_MM {
+            return Err(index);
+        }
+        let feed = if feed < Length::ZERO { Length::ZERO } else { feed };
+        steps.push(Step { feed, rotate: angle(canonical.rotate_deg)?, bend });
+        before = bend;
+    }
+    Ok(steps)
+}
+
+/// So much may a feed of a program with two decimals be off.
+const ROUNDED_MM: f64 = 0.01;

@@ -1,0 +1,8 @@
+//! The integration tests of this crate, one binary for all.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // a test may stop at what cannot be
+
+mod c_json;
+mod c_twin;
+mod checked;
+mod text;

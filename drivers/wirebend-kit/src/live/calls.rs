@@ -1,0 +1,194 @@
+//! The calls of the program.
+
+use std::time::Duration;
+
+use wirebend_driver_api::{ArmedReply, Axis, Batch, DriverError, Motion, Run, Sent, Step};
+
+use super::fault;
+use super::machine::{Activity, Halt, Homing, Machine, session_id};
+use super::wire_progress::{Token, WireProgress};
+use crate::link::Request;
+use crate::protocol::{SETTINGS, State};
+use crate::settings::{expected, steps};
+
+/// Steps that are accepted ahead of the running one. The program writes each into its journal before.
+const AHEAD: u32 = 12;
+
+impl Machine {
+    /// `head_at_deg`: the position of the head, if the program knows it.
+    pub fn home(&mut self, head_at_deg: Option<f64>, now: Duration) -> Result<(), DriverError> {
+        self.require_rest("home")?;
+        let max = self.settings.rotate_limit_deg;
+        if let Some(deg) = head_at_deg.filter(|deg| deg.is_nan() || deg.abs() > max + 1e-9) {
+            return Err(fault::head_beyond(deg, max));
+        }
+        self.head_at = head_at_deg.map(|deg| steps(deg * self.rotate_steps_per_deg()));
+        // A user who homes has seen that the machine is at rest.
+        self.ending = None;
+        (self.homed, self.halt, self.wire) = (false, Halt::No, None);
+        let busy = self.status.is_some_and(|status| matches!(status.state, State::Run | State::Hold));
+        if busy {
+            self.link.stop(now);
+            self.activity = Activity::Homing(Homing::Stopping);
+        } else {
+            self.renew(session_id(self.link.session()), now);
+            self.activity = Activity::Homing(Homing::Opening);
+        }
+        Ok(())
+    }
+
+    pub fn arm(&mut self, run: &Run, now: Duration) -> Result<ArmedReply, DriverError> {
+        if let (Some(token), Some(wire)) = (self.token, &mut self.wire)
+            && self.activity == Activity::Idle
+        {
+            wire.steps = run.steps;
+            self.activity = Activity::Running;
+            return Ok(ArmedReply { token: Some(token.to_string()) });
+        }
+        self.require_rest("run a job")?;
+        self.require_homed()?;
+        let token = Token { session: session_id(self.link.session()), boots: self.boots, after: run.after };
+        self.renew(token.session, now);
+        self.token = Some(token);
+        let rotate_at = steps(run.rotate_at_deg * self.rotate_steps_per_deg());
+        self.wire = Some(WireProgress::new(run, rotate_at));
+        self.activity = Activity::Arming;
+        Ok(ArmedReply { token: Some(token.to_string()) })
+    }
+
+    pub fn send(&mut self, batch: &Batch) -> Result<Sent, DriverError> {
+        let (Some(wire), Activity::Arming | Activity::Running) = (&self.wire, self.activity) else {
+            return Err(DriverError::new("not-armed", "the machine is not armed for a wire", "arm it"));
+        };
+        let (mut given, done) = (wire.given, wire.done);
+        let mut lines = Vec::new();
+        for step in &batch.steps {
+            if step.n <= given {
+                continue;
+            }
+            if step.n != given + 1 {
+                return Err(fault::gap(given, step.n));
+            }
+            if self.activity == Activity::Arming || step.n > done + AHEAD {
+                break;
+            }
+            lines.push((step.step, self.line_of(step.n, step.step)?));
+            given = step.n;
+        }
+        let all = batch.steps.last().is_none_or(|last| last.n <= given);
+        if let Some(wire) = &mut self.wire {
+            for (n, (step, [feed, rotate, bend])) in (wire.given + 1..).zip(lines) {
+                let turn = std::mem::take(&mut wire.turn);
+                self.link.line(b'M', &[feed, rotate + turn, bend]);
+                wire.give(n, step, [feed, rotate]);
+            }
+            wire.closed |= batch.last && all && self.activity == Activity::Running;
+        }
+        let free = if self.activity == Activity::Arming { 0 } else { (done + AHEAD).saturating_sub(given) };
+        Ok(Sent { accepted: given, free })
+    }
+
+    pub fn jog(&mut self, motion: Motion) -> Result<(), DriverError> {
+        self.require_rest("jog")?;
+        self.require_homed()?;
+        let mut step = Step::default();
+        *match motion.axis {
+            Axis::Feed => &mut step.feed_mm,
+            Axis::Rotate => &mut step.rotate_deg,
+            Axis::Bend => &mut step.bend_deg,
+        } = motion.by;
+        let line = self.line_of(0, step)?;
+        self.activity = Activity::Jogging(self.link.line(b'M', &line));
+        Ok(())
+    }
+
+    pub fn pause(&mut self) {
+        self.link.request(Request::Pause);
+    }
+
+    pub fn resume(&mut self) {
+        self.link.request(Request::Resume);
+    }
+
+    pub fn stop(&mut self, now: Duration) {
+        self.link.stop(now);
+        self.halt = Halt::Requested;
+        if self.activity == Activity::StoringSettings {
+            self.activity = Activity::Idle;
+        }
+    }
+
+    pub fn write_settings(&mut self) -> Result<(), DriverError> {
+        self.require_rest("store settings")?;
+        if self.read.contains(&None) {
+            self.link.request(Request::LoadDefaults);
+        }
+        // Twice: some values are accepted only after others.
+        for _ in 0..2 {
+            for (setting, value) in SETTINGS.iter().zip(expected(&self.settings)) {
+                self.link.request(Request::Write(setting.id, value));
+            }
+        }
+        self.unwritten.clear();
+        self.read_settings();
+        self.homed = false;
+        self.activity = Activity::StoringSettings;
+        Ok(())
+    }
+
+    pub(super) fn read_settings(&mut self) {
+        self.read = [None; SETTINGS.len()];
+        for setting in &SETTINGS {
+            self.link.request(Request::Read(setting.id));
+        }
+    }
+
+    pub(super) fn renew(&mut self, id: u16, now: Duration) {
+        self.link.renew(id, now);
+        self.token = None;
+    }
+
+    pub(super) fn rotate_steps_per_deg(&self) -> f64 {
+        f64::from(self.settings.rotate_steps_per_turn) / 360.0
+    }
+
+    /// A step in motor steps, if it is within the limits.
+    fn line_of(&self, n: u32, step: Step) -> Result<[i32; 3], DriverError> {
+        let settings = &self.settings;
+        let per_deg = f64::from(settings.bend_steps_per_turn) / 360.0;
+        let within = |value: f64, max: f64| value.is_finite() && value.abs() <= max + 1e-9;
+        for (what, value, max, unit) in [
+            ("feed", step.feed_mm, settings.feed_most_mm, " mm"),
+            ("rotation", step.rotate_deg, 2.0 * settings.rotate_limit_deg, "°"),
+            ("bend", step.bend_deg, settings.bend_limit_deg, "°"),
+        ] {
+            if !within(value, max) {
+                return Err(fault::beyond(n, what, value, max, unit));
+            }
+        }
+        Ok([
+            steps(step.feed_mm * settings.feed_steps_per_mm),
+            steps(step.rotate_deg * self.rotate_steps_per_deg()),
+            steps(step.bend_deg * per_deg),
+        ])
+    }
+
+    fn require_rest(&self, what: &str) -> Result<(), DriverError> {
+        match self.activity {
+            Activity::Idle => Ok(()),
+            Activity::Connecting => Err(fault::busy(what, "it is connecting")),
+            Activity::Closed => Err(fault::busy(what, "the connection is lost")),
+            Activity::Homing(_) => Err(fault::busy(what, "it is homing")),
+            Activity::Arming | Activity::Running => Err(fault::busy(what, "it is running a job")),
+            Activity::Jogging(_) => Err(fault::busy(what, "it is jogging")),
+            Activity::StoringSettings => Err(fault::busy(what, "it is storing settings")),
+        }
+    }
+
+    fn require_homed(&self) -> Result<(), DriverError> {
+        if self.homed {
+            return Ok(());
+        }
+        Err(DriverError::new("not-homed", "the machine is not homed", "home it"))
+    }
+}

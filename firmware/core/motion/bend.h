@@ -1,0 +1,16 @@
+/* Where the bend axis goes: the peg comes out on the near side of the wire, bends it, backs off and goes in. */
+#ifndef WB_BEND_H
+#define WB_BEND_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "storage/settings.h"
+
+/* Target of a phase that moves the bend axis, in a bend to `bend`. All in steps from zero. */
+int32_t wb_bend_target(const struct wb_settings *settings, uint8_t phase, int32_t bend);
+/* Target that takes the peg off a wire that it was bending, in steps. `side` is that of the wire, `position` that of
+ * the axis; unless the axis is located its position means nothing, and it goes the whole way back. */
+int32_t wb_bend_clear(const struct wb_settings *settings, int8_t side, int32_t position, bool located);
+
+#endif

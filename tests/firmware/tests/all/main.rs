@@ -1,0 +1,9 @@
+//! The integration tests of this crate, one binary for all.
+
+#![cfg(target_os = "linux")]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // a test may stop at what cannot be
+#![allow(clippy::print_stdout)] // figures, for --nocapture
+
+mod controller;
+mod jobs;
+mod simulator;

@@ -1,0 +1,85 @@
+import "./App.css";
+import { AboutDialog } from "../features/about/AboutDialog";
+import { AnimateSection } from "../features/animate/AnimateSection";
+import { CheckSection } from "../features/check/CheckSection";
+import { EditSection } from "../features/edit/EditSection";
+import { ExportSection } from "../features/export/ExportSection";
+import { MachineSection } from "../features/machine/MachineSection";
+import { Panel } from "../features/panel/Panel";
+import { Problems } from "../features/problems/Problems";
+import { RunSection } from "../features/run/RunSection";
+import { Dialogs } from "../features/start/Dialogs";
+import { DropArea } from "../features/start/DropArea";
+import { EmptyState } from "../features/start/EmptyState";
+import { Hints } from "../features/start/Hints";
+import { OpenNotes } from "../features/start/OpenNotes";
+import { Unsaved } from "../features/start/Unsaved";
+import { StatusBar } from "../features/statusbar/StatusBar";
+import { Timeline } from "../features/timeline/Timeline";
+import { Toolbar } from "../features/toolbar/Toolbar";
+import { TopBar } from "../features/topbar/TopBar";
+import { TraceSection } from "../features/trace/TraceSection";
+import { HoverCard } from "../features/viewport/HoverCard";
+import { ViewName } from "../features/viewport/ViewName";
+import { Viewport } from "../features/viewport/Viewport";
+import { Guard } from "../shared/Guard";
+
+/** The window: bar, tools and view, panel, timeline, status. Each part is guarded, so that STOP outlives a mistake in any other. */
+export function App() {
+  return (
+    <div className="app">
+      <TopBar />
+      <main className="work" aria-label="Design">
+        <Guard name="The view">
+          <Viewport />
+        </Guard>
+        <Guard name="What lies over the view">
+          <Toolbar />
+          <ViewName />
+          <EmptyState />
+          <Unsaved />
+          <OpenNotes />
+          <HoverCard />
+          <Hints />
+        </Guard>
+        <Problems />
+      </main>
+      <Panel>
+        <Guard name="Trace">
+          <TraceSection />
+        </Guard>
+        <Guard name="Edit">
+          <EditSection />
+        </Guard>
+        <Guard name="Check">
+          <CheckSection />
+        </Guard>
+        <Guard name="Animate">
+          <AnimateSection />
+        </Guard>
+        <Guard name="Machine">
+          <MachineSection />
+        </Guard>
+        <Guard name="Export">
+          <ExportSection />
+        </Guard>
+        <Guard name="Run">
+          <RunSection />
+        </Guard>
+      </Panel>
+      <div className="foot">
+        <Guard name="The timeline">
+          <Timeline />
+        </Guard>
+        <Guard name="The status bar">
+          <StatusBar />
+        </Guard>
+      </div>
+      <Guard name="A dialog">
+        <Dialogs />
+        <AboutDialog />
+        <DropArea />
+      </Guard>
+    </div>
+  );
+}

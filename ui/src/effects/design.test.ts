@@ -1,0 +1,47 @@
+// @vitest-environment happy-dom
+import { afterEach, beforeEach, expect, it, vi } from "vitest";
+
+vi.mock("../platform", () => ({
+  platform: { ask: vi.fn(), stop: vi.fn(), listen: vi.fn() },
+  Refused: class Refused extends Error {},
+}));
+
+import type { Fix, LiveCheck } from "../generated/responses";
+import { useDesign } from "../state/design/design";
+import { showFix, useFixes } from "../state/design/fixes";
+import { useFiles } from "../state/files/files";
+import type { WireRun } from "../state/machine/operator";
+import { useRun } from "../state/machine/run";
+import { useView } from "../state/window/view";
+import { followDesign } from "./design";
+
+let end = () => {};
+beforeEach(() => {
+  end = followDesign();
+});
+afterEach(() => end());
+
+const check = { diagnostics: [], wires: [] } as unknown as LiveCheck;
+const nothing = { moved: [], doubled: [], gone_edges: [], new_edges: [], detached: [] };
+
+it("the preview of a fix goes away with the first checks of a drag", () => {
+  useDesign.setState({
+    vertices: new Map([0, 1].map((id) => [id, { id, at: [id * 10, 0, 0] as const, support: false }])),
+    edges: new Map([[5, { id: 5, a: 0, b: 1 }]]),
+    check: { ...check },
+  });
+  showFix({ preview: { ...nothing, doubled: [5] } } as unknown as Fix);
+  expect(useView.getState().preview?.edges).toHaveLength(1);
+  // What a drag changes at first is what the checks say.
+  useDesign.setState({ check: { ...check } });
+  expect(useFixes.getState().shown).toBeNull();
+  expect(useView.getState().preview).toBeNull();
+});
+
+it("says what became of the last wire beside no other design", () => {
+  useRun.setState({ ended: { outcome: "made" } as WireRun });
+  useFiles.setState({ busy: "b.wirebend" });
+  expect(useRun.getState().ended).not.toBeNull();
+  useFiles.setState(({ opened }) => ({ opened: opened + 1 }));
+  expect(useRun.getState().ended).toBeNull();
+});

@@ -1,0 +1,69 @@
+import { useDesign } from "../state/design/design";
+import { hideFix, previewGone } from "../state/design/fixes";
+import { keepSelected } from "../state/design/selection";
+import { forgetExports } from "../state/files/exports";
+import { useFiles } from "../state/files/files";
+import { hideByHand } from "../state/machine/by_hand";
+import { stopComparing, useMachines } from "../state/machine/machines";
+import { forgetEnded, showWire } from "../state/machine/run";
+import { forgetProgram, leaveStaleProgram } from "../state/program/program";
+import { designReplaced } from "../state/window/commands";
+import { useView } from "../state/window/view";
+import { type End, together, whenChanged } from "./changes";
+
+/** Another design is open, or will be in a moment: nothing that was of the one before stays. */
+function followOpening(): End {
+  return whenChanged(
+    useFiles,
+    ({ opened }) => [opened],
+    () => {
+      forgetProgram();
+      // It has to be asked again then which design's wire a machine bends. The design is there after this turn.
+      queueMicrotask(showWire);
+      forgetEnded();
+      forgetExports();
+      designReplaced();
+    },
+  );
+}
+
+/** The design is another one than a moment before: what was shown or said of it is of the past. */
+function followChanges(): End {
+  return together([
+    whenChanged(
+      useDesign,
+      ({ vertices, edges, state }) => [vertices, edges, state?.machine, state?.material],
+      stopComparing,
+    ),
+    useDesign.subscribe(leaveStaleProgram),
+    whenChanged(
+      useDesign,
+      ({ state }) => [state !== null],
+      ({ state }) => {
+        // A machine that holds reports nothing by itself.
+        if (state) showWire();
+      },
+    ),
+    whenChanged(useDesign, ({ vertices, edges, state, check }) => [vertices, edges, state, check], hideFix),
+    whenChanged(useDesign, ({ vertices, edges }) => [vertices, edges], keepSelected),
+    whenChanged(useDesign, ({ state }) => [state?.machine], forgetExports),
+    whenChanged(useDesign, ({ vertices, edges }) => [vertices, edges], hideByHand),
+  ]);
+}
+
+/** What goes with the open design. */
+export function followDesign(): End {
+  return together([
+    followOpening(),
+    followChanges(),
+    whenChanged(
+      useView,
+      ({ preview }) => [preview],
+      ({ preview }) => {
+        if (!preview) previewGone();
+      },
+    ),
+    // Formats and settings are those of a profile.
+    whenChanged(useMachines, ({ changes }) => [changes], forgetExports),
+  ]);
+}

@@ -1,0 +1,142 @@
+// @vitest-environment happy-dom
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+
+const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(), listen: vi.fn() }));
+vi.mock("../platform", () => ({ platform, Refused: class Refused extends Error {} }));
+
+import type { ProgramResponse } from "../generated/responses";
+import { useDesign } from "../state/design/design";
+import {
+  endLive,
+  forgetProgram,
+  goTo,
+  makeProgram,
+  show,
+  showLive,
+  simulate,
+  usePlayback,
+} from "../state/program/program";
+import { made, program, view, wire } from "../state/program/testing";
+import { designState } from "../state/testing";
+import { together } from "./changes";
+import { followDesign } from "./design";
+import { followPlayback } from "./machine";
+
+const state = designState({ machine: "kit", material: "al", name: "U", next: [3, 2] });
+
+let end = () => {};
+beforeEach(() => {
+  end = together([followDesign(), followPlayback()]);
+  forgetProgram();
+  endLive();
+  useDesign.setState({ state, vertices: new Map(), edges: new Map(), check: null });
+  platform.ask.mockReset();
+  platform.ask.mockImplementation(async (ask: string) =>
+    ask === "program" ? program : ask === "machine-view" ? view : ask === "made" ? made : null,
+  );
+});
+
+afterEach(() => end());
+
+/** What a machine reports of a wire of the job of `program`. */
+const making = (steps: number, in_step = 0) => ({ job_hash: "a1", name: "U", wire: 0, made: steps, in_step });
+
+const asked = (name: string): number => platform.ask.mock.calls.filter(([ask]) => ask === name).length;
+
+describe("playback", () => {
+  it("shows the program as it is sent, with the peg's axis where the profile has it", async () => {
+    await goTo(1);
+    expect(usePlayback.getState()).toMatchObject({ step: 1, playing: false, live: false });
+    expect(usePlayback.getState().played).toMatchObject({ orbitOffset: 12, pegTop: 9, wireDiameter: 3, made: null });
+    const { played } = usePlayback.getState();
+    expect(played?.designed.poses[0]).toEqual({ turn: [0, 1, 0, 0], bendAxis: [0, 0, 1], bend: 90 });
+    expect(played?.steps[0]?.moments.at(-1)).toMatchObject({ head: 0, bendAxis: 110, pegOut: 1 });
+  });
+
+  it("goes back to the design when that is another one", async () => {
+    await goTo(1);
+    useDesign.setState({ vertices: new Map() });
+    expect(usePlayback.getState().played).toBeNull();
+  });
+
+  it("adds how the machine bends it once that is asked for, and keeps the place", async () => {
+    await goTo(1);
+    expect(asked("made")).toBe(0);
+    expect(await simulate()).toBe(true);
+    expect(usePlayback.getState()).toMatchObject({ step: 1, played: { made: { corners: wire.corners_mm } } });
+  });
+
+  it("keeps what is played while a person slides, so that the machine is not built anew at every place", async () => {
+    await goTo(0);
+    const { played } = usePlayback.getState();
+    show(0.5);
+    show(1);
+    expect(usePlayback.getState()).toMatchObject({ step: 1 });
+    expect(usePlayback.getState().played).toBe(played);
+    await simulate();
+    expect(usePlayback.getState().played).not.toBe(played);
+  });
+
+  it("follows a machine, and is not moved by a person meanwhile", async () => {
+    await showLive(making(1));
+    expect(usePlayback.getState()).toMatchObject({ live: true, step: 1 });
+    await goTo(0);
+    expect(usePlayback.getState()).toMatchObject({ live: true, step: 1 });
+    await showLive(making(9));
+    expect(usePlayback.getState().step).toBe(2);
+  });
+
+  it("follows it within a step, and stays there when it is stopped", async () => {
+    await showLive(making(0, 1 / 12));
+    expect(usePlayback.getState()).toMatchObject({ live: true, step: 1 / 12 });
+    endLive();
+    expect(usePlayback.getState().step).toBeCloseTo(1 / 12);
+  });
+
+  it("does not show another design as the one that a machine bends, and says which design's wire it is", async () => {
+    await showLive(making(1));
+    forgetProgram();
+    platform.ask.mockImplementation(async (ask: string) => (ask === "program" ? { ...program, job_hash: "b2" } : view));
+    await showLive(making(2));
+    expect(usePlayback.getState()).toMatchObject({ played: null, live: false, otherWire: "U" });
+    endLive();
+    expect(usePlayback.getState().otherWire).toBeNull();
+  });
+
+  it("does not show a design that was changed meanwhile as the one that a machine bends", async () => {
+    await showLive(making(1));
+    platform.ask.mockImplementation(async (ask: string) => (ask === "program" ? { ...program, job_hash: "b2" } : view));
+    useDesign.setState({ vertices: new Map() });
+    await makeProgram();
+    await showLive(making(1));
+    expect(usePlayback.getState()).toMatchObject({ played: null, live: false, otherWire: "U" });
+  });
+
+  it("follows the machine again once the design is again the one that was armed", async () => {
+    platform.ask.mockImplementation(async (ask: string) => (ask === "program" ? { ...program, job_hash: "b2" } : view));
+    await showLive(making(1));
+    expect(usePlayback.getState().live).toBe(false);
+    platform.ask.mockImplementation(async (ask: string) => (ask === "program" ? program : view));
+    useDesign.setState({ vertices: new Map() });
+    await showLive(making(2));
+    expect(usePlayback.getState()).toMatchObject({ live: true, otherWire: null, step: 2 });
+  });
+
+  it("says so of a design that nothing can be made of, too", async () => {
+    platform.ask.mockRejectedValue(new Error("There are no edges."));
+    await showLive(making(1));
+    expect(usePlayback.getState()).toMatchObject({ live: false, otherWire: "U" });
+  });
+
+  it("is not live for ever when the wire ends while its program is asked for", async () => {
+    let answer: (program: ProgramResponse) => void = () => {};
+    platform.ask.mockImplementation((ask: string) =>
+      ask === "program" ? new Promise((resolve) => (answer = resolve)) : Promise.resolve(view),
+    );
+    const shown = showLive(making(1));
+    endLive();
+    answer(program);
+    await shown;
+    expect(usePlayback.getState()).toMatchObject({ live: false, otherWire: null });
+  });
+});

@@ -1,0 +1,38 @@
+/** Whether a wire fits a machine, and what is known of it. */
+
+import type { MachineEntry, MaterialEntry } from "../../../generated/responses";
+import { type DisplayUnit, length, money, number } from "../../../shared/figures/format";
+
+/** Why a wire does not fit a machine; null where it does, or where no machine is chosen. */
+export function misfit(material: MaterialEntry, machine: MachineEntry | null, unit: DisplayUnit): string | null {
+  if (!machine) return null;
+  const [thin, thick] = machine.diameter_mm;
+  if (material.diameter_mm < thin) return `thinner than ${machine.name} takes (${length(thin, unit)})`;
+  return material.diameter_mm > thick ? `thicker than ${machine.name} takes (${length(thick, unit)})` : null;
+}
+
+/** A figure of a wire: what it is, and its value. */
+export type Figure = readonly [what: string, value: string];
+
+/** What is known of a wire, the most asked for first: "diameter" "3.0 mm". */
+export function figures(material: MaterialEntry, unit: DisplayUnit): readonly Figure[] {
+  const { price_per_mm: price, currency, diameter_mm: across, springback_deg: lost } = material;
+  const cost =
+    price === null
+      ? "not known"
+      : unit === "inch"
+        ? `${money(price * 304.8, currency)} a foot`
+        : `${money(price * 1000, currency)} a metre`;
+  const thick = length(across, unit, unit === "inch" || Number.isInteger(across * 10) ? 0 : 2);
+  const [least, most] = lost.map((deg) => number(deg)) as [string, string];
+  return [
+    ["diameter", thick],
+    ["price", cost],
+    ["k factor", number(material.k_factor, 2)],
+    ["yield", `${number(material.yield_strength_mpa, 0)} MPa`],
+    [
+      "springback",
+      `${least === most ? least : `${least}° to ${most}`}°, ${material.springback_measured ? "measured" : "estimated"}`,
+    ],
+  ];
+}

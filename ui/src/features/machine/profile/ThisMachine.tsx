@@ -1,0 +1,85 @@
+import { useEffect, useState } from "react";
+import type { MachineViewResponse } from "../../../generated/responses";
+import { errorText } from "../../../platform/error_text";
+import { Button } from "../../../shared/controls/Button";
+import { number } from "../../../shared/figures/format";
+import { useLengths } from "../../../shared/figures/unit";
+import { Line } from "../../../shared/lists/Line";
+import { useMachines, viewOf } from "../../../state/machine/machines";
+import { range } from "../choosing/MachineList";
+import { Fold } from "../Fold";
+import { MachineSettings } from "../settings/MachineSettings";
+import { CopyMachine } from "./CopyMachine";
+import { ExplainDialog } from "./ExplainDialog";
+
+/** What is known of the machine of the design, and its settings. */
+export function ThisMachine({ id }: { readonly id: string }) {
+  const view = useMachines((store) => store.views.get(id) ?? null);
+  const [problem, setProblem] = useState<string | null>(null);
+  const [dialog, setDialog] = useState<"explain" | "copy" | null>(null);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: what was known of it is dropped when profiles change
+  useEffect(() => {
+    setProblem(null);
+    viewOf(id).catch((error: unknown) => setProblem(error instanceof Error ? error.message : String(error)));
+  }, [id, view]);
+  if (!view) {
+    return problem ? (
+      <ul>
+        <Line tone="error" what="The machine does not answer" sub={problem} />
+      </ul>
+    ) : (
+      <p className="muted">Loading the driver…</p>
+    );
+  }
+  return (
+    <div className="stack">
+      {view.driver_problem && (
+        <ul>
+          <Line tone="error" what={`Its driver “${view.driver}” cannot be used`} sub={errorText(view.driver_problem)} />
+        </ul>
+      )}
+      <p>{view.description}</p>
+      <Figures view={view} />
+      <div className="row wrap">
+        <Button onClick={() => setDialog("explain")}>Explain…</Button>
+        <Button
+          icon="copy"
+          onClick={() => setDialog(dialog === "copy" ? null : "copy")}
+          aria-expanded={dialog === "copy"}
+        >
+          Copy to my profiles…
+        </Button>
+      </div>
+      {dialog === "copy" && <CopyMachine view={view} onDone={() => setDialog(null)} />}
+      {dialog === "explain" && <ExplainDialog id={view.id} name={view.name} onClose={() => setDialog(null)} />}
+      <Fold title="Settings" phrase={view.shipped ? "as shipped" : "yours"}>
+        <MachineSettings key={view.id} view={view} />
+      </Fold>
+    </div>
+  );
+}
+
+function Figures({ view }: { readonly view: MachineViewResponse }) {
+  const { length, long, bare, name } = useLengths();
+  const [feed, rotate, bend] = view.rates;
+  const rows: readonly (readonly [string, string])[] = [
+    ["Bend", range(view.bend_deg)],
+    ["Rotation", range(view.rotation_deg)],
+    ["Shortest edge", length(view.min_edge_mm)],
+    ["Shortest feed", length(view.min_feed_mm)],
+    ["Wire", `${bare(view.diameter_mm[0])} to ${length(view.diameter_mm[1])}`],
+    ["Stock", view.max_stock_mm === null ? "any length" : `at most ${long(view.max_stock_mm)}`],
+    ["Speeds", `${bare(feed)} ${name}/s · ${number(rotate)}°/s · ${number(bend)}°/s`],
+    ["Profile", view.file],
+  ];
+  return (
+    <dl className="pairs">
+      {rows.map(([title, value]) => (
+        <div key={title}>
+          <dt>{title}</dt>
+          <dd className="selectable">{value}</dd>
+        </div>
+      ))}
+    </dl>
+  );
+}

@@ -1,0 +1,59 @@
+import { type KeyboardEvent, type PointerEvent, type ReactNode, useRef } from "react";
+import { PANEL, useUi, usualPanel } from "../../state/window/ui";
+import { useSteady } from "./steady";
+import "./panel.css";
+
+/** px of an arrow key. */
+const STEP = 16;
+
+/** The panel on the right; its left edge is dragged, or moved with the arrow keys. */
+export function Panel({ children }: { readonly children: ReactNode }) {
+  const width = useUi((ui) => ui.panelWidth);
+  const setWidth = useUi((ui) => ui.setPanelWidth);
+  const sections = useRef<HTMLDivElement>(null);
+  useSteady(sections, ".section");
+  const grip = useRef<{ x: number; width: number } | null>(null);
+  const down = (event: PointerEvent<HTMLDivElement>) => {
+    event.currentTarget.setPointerCapture(event.pointerId);
+    grip.current = { x: event.clientX, width };
+  };
+  const move = (event: PointerEvent) => {
+    if (grip.current) setWidth(Math.min(grip.current.width + grip.current.x - event.clientX, window.innerWidth - 480));
+  };
+  const key = (event: KeyboardEvent) => {
+    const to: Partial<Record<string, number>> = {
+      ArrowLeft: width + STEP,
+      ArrowRight: width - STEP,
+      Home: PANEL.most,
+      End: PANEL.least,
+    };
+    const wanted = to[event.key];
+    if (wanted === undefined) return;
+    event.preventDefault();
+    setWidth(wanted);
+  };
+  return (
+    <aside className="panel" style={{ width }} aria-label="Panel">
+      {/* biome-ignore lint/a11y/useSemanticElements: it is dragged, and has a value; a line has none */}
+      <div
+        className="panel-edge"
+        role="separator"
+        tabIndex={0}
+        aria-orientation="vertical"
+        aria-label="Width of the panel"
+        aria-valuemin={PANEL.least}
+        aria-valuemax={PANEL.most}
+        aria-valuenow={width}
+        onPointerDown={down}
+        onPointerMove={move}
+        onPointerUp={() => (grip.current = null)}
+        onPointerCancel={() => (grip.current = null)}
+        onDoubleClick={() => setWidth(usualPanel(window.innerWidth))}
+        onKeyDown={key}
+      />
+      <div ref={sections} className="panel-sections">
+        {children}
+      </div>
+    </aside>
+  );
+}

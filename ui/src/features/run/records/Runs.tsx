@@ -1,0 +1,43 @@
+import { useEffect } from "react";
+import { count } from "../../../shared/figures/format";
+import { useUnit } from "../../../shared/figures/unit";
+import { Line } from "../../../shared/lists/Line";
+import { loadRuns, useRun } from "../../../state/machine/run";
+import { Fold } from "../../machine/Fold";
+import { madePhrase } from "./records";
+
+/** More are of no interest at a machine. */
+const MOST = 30;
+
+/** What was bent before, from the journals of the wires. */
+export function Runs() {
+  const runs = useRun((run) => run.runs);
+  const ended = useRun((run) => run.ended);
+  const phase = useRun((run) => run.state?.phase ?? null);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: a wire that was begun, interrupted, finished or given up is another record
+  useEffect(() => void loadRuns(), [ended, phase]);
+  return (
+    <Fold title="Runs" phrase={runs === null ? "" : runs.length === 0 ? "none yet" : count(runs.length, "wire")}>
+      <List />
+    </Fold>
+  );
+}
+
+function List() {
+  const runs = useRun((run) => run.runs);
+  const unit = useUnit();
+  if (!runs || runs.length === 0)
+    return (
+      <p className="muted">
+        Each wire that is begun on a machine is kept here, with how far it came out from the design.
+      </p>
+    );
+  return (
+    <ul>
+      {runs.slice(0, MOST).map((run) => (
+        <Line key={run.id} {...madePhrase(run, unit)} title={run.id} />
+      ))}
+      {runs.length > MOST && <li className="muted small">and {runs.length - MOST} before them</li>}
+    </ul>
+  );
+}

@@ -1,0 +1,60 @@
+/** Records of wires in words. */
+
+import type { RunEntry } from "../../../generated/responses";
+import { count, type DisplayUnit, deviation } from "../../../shared/figures/format";
+import type { Tone } from "../../../shared/lists/Mark";
+
+const TONES: Readonly<Record<NonNullable<RunEntry["outcome"]>, Tone>> = {
+  finished: "fine",
+  sent: "warning",
+  abandoned: "info",
+  unfinished: "warning",
+};
+
+/** "21 Nov 2026, 20:41". */
+const when = (at: string): string =>
+  new Date(at).toLocaleString(undefined, { dateStyle: "medium", timeStyle: "short" });
+
+function outcome({ outcome: what, made, steps }: RunEntry): string {
+  if (what === "finished") return steps === null ? "finished" : `${count(steps, "step")} done`;
+  if (what === "sent") return `${steps === null ? "sent" : `${count(steps, "step")} sent`}, not acknowledged`;
+  return `${what === "abandoned" ? "given up" : "interrupted"} after step ${made ?? "?"} of ${steps ?? "?"}`;
+}
+
+/** One record in a line: which wire and what became of it, and when. */
+export function madePhrase(
+  run: RunEntry,
+  unit: DisplayUnit,
+): { readonly tone: Tone; readonly what: string; readonly sub: string } {
+  const { name, wire, started, machine, interruptions, worst_deviation_mm: worst, problem } = run;
+  const what = `${name ?? "Unknown design"}${wire ? `, wire ${wire + 1}` : ""}`;
+  if (problem || !run.outcome) return { tone: "error", what, sub: problem ?? "Its journal cannot be read." };
+  const parts = [
+    outcome(run),
+    worst === null ? "" : `worst vertex ${deviation(worst, unit)}`,
+    interruptions ? count(interruptions, "interruption") : "",
+    started ? when(started) : "",
+    machine ?? "",
+  ];
+  return { tone: TONES[run.outcome], what, sub: parts.filter((part) => part !== "").join(" · ") };
+}
+
+/** Wires that were begun and neither finished nor given up, the last one first. */
+export const unfinishedOf = (runs: readonly RunEntry[] | null): readonly RunEntry[] =>
+  (runs ?? []).filter(({ outcome }) => outcome === "unfinished");
+
+/** What is said of them before a machine is connected, which then asks about its own; null where there is none. */
+export function interruptedPhrase(
+  runs: readonly RunEntry[] | null,
+  unit: DisplayUnit,
+): { readonly what: string; readonly sub: string } | null {
+  const left = unfinishedOf(runs);
+  const [last] = left;
+  if (!last) return null;
+  const one = left.length === 1;
+  const { what, sub } = madePhrase(last, unit);
+  return {
+    what: one ? "A wire was interrupted" : `${count(left.length, "wire")} were interrupted`,
+    sub: `${one ? "" : "The last: "}${what}, ${sub}. It may still be in the machine: connect that machine to resume, or to give the wire up.`,
+  };
+}

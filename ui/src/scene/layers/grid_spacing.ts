@@ -1,0 +1,27 @@
+/** How far apart the lines of the grid are, so that they are neither a fog nor missing. */
+
+import type { LengthFormat } from "../interface";
+
+export interface Spacing {
+  /** mm. Every tenth line is stronger. */
+  readonly mm: number;
+  /** 0 to 1: how strong the fine lines are; at 0 they go, and the stronger ones become the fine ones. */
+  readonly fine: number;
+}
+
+/** Fine lines are at least this far apart, CSS pixels. */
+const NARROWEST = 9;
+
+/** `pixel`: mm a CSS pixel where it is looked at. Powers of ten of the unit; of `snapped` mm where that is given, so that clicks go where lines are. */
+export function gridSpacing(pixel: number, lengths: LengthFormat, snapped = 0): Spacing {
+  const unit = snapped > 0 ? snapped : lengths.mm;
+  const power = Math.ceil(Math.log10((NARROWEST * pixel) / unit) - 1e-9);
+  const mm = unit * 10 ** Math.max(power, snapped > 0 ? 0 : -1);
+  const apart = Math.log10(mm / pixel / NARROWEST);
+  return { mm, fine: Math.min(Math.max(apart, 0), 1) };
+}
+
+/** What the lines that can be seen stand for, as it is written. */
+export function spacingText({ mm, fine }: Spacing, lengths: LengthFormat): string {
+  return `${lengths.short(fine < 0.3 ? mm * 10 : mm)} ${lengths.name}`;
+}

@@ -1,0 +1,104 @@
+import { describe, expect, it } from "vitest";
+import { shared } from "../drawing/shading";
+import type { SnapKind, SnapSettings, Vec3 } from "../interface";
+import { Stencil } from "../layers/stencil";
+import { designOf, drawn, projectionOf } from "../testing";
+import { inDirections, type SnapPlace, snap } from "./snap";
+
+const ALL: SnapKind[] = ["vertex", "stencil-vertex", "stencil-edge", "edge", "surface", "grid", "plane"];
+const settings = (kinds: SnapKind[] = ALL): SnapSettings => ({ kinds: new Set(kinds), grid: 10, reach: 8 });
+const NONE = { vertices: new Set<number>(), edges: new Set<number>() };
+
+/** A square of 200 mm in the plane y = 0 with its diagonal, seen from the front; a pixel is a millimetre. */
+function square(): Stencil {
+  const stencil = new Stencil(shared());
+  const positions = new Float32Array([-100, 0, -100, 100, 0, -100, 100, 0, 100, -100, 0, 100]);
+  stencil.show({ positions, triangles: new Uint32Array([0, 1, 2, 0, 2, 3]) });
+  return stencil;
+}
+
+const place = (change: Partial<SnapPlace> = {}): SnapPlace => ({
+  design: drawn(
+    designOf(
+      [
+        [0, -5, 50],
+        [60, -5, 50],
+        [40, 80, -60],
+      ],
+      [[0, 1]],
+    ),
+  ),
+  projection: projectionOf("front"),
+  stencil: square(),
+  plane: { origin: [0, 0, 0], u: [1, 0, 0], v: [0, 0, 1] },
+  without: NONE,
+  ...change,
+});
+
+const kindAt = (x: number, z: number, kinds?: SnapKind[], change?: Partial<SnapPlace>): SnapKind | undefined =>
+  snap(place(change), settings(kinds), 400 + x, 300 - z)?.kind;
+
+describe("what comes first", () => {
+  it("is a vertex, then the stencil's own corners and rims, then edges, then its surface", () => {
+    expect(kindAt(3, 53)).toBe("vertex");
+    expect(kindAt(97, 96)).toBe("stencil-vertex");
+    expect(kindAt(97, 20)).toBe("stencil-edge");
+    expect(kindAt(30, 53)).toBe("edge");
+    expect(kindAt(-50, -60)).toBe("surface");
+  });
+
+  it("is what is switched on", () => {
+    expect(kindAt(3, 53, ["edge", "surface"])).toBe("edge");
+    expect(kindAt(97, 96, ["surface", "grid"])).toBe("surface");
+    expect(kindAt(97, 96, ["grid"])).toBe("grid");
+    expect(kindAt(97, 96, [])).toBeUndefined();
+  });
+
+  it("leaves out what is moved, with its edges", () => {
+    const without = { vertices: new Set([0]), edges: new Set<number>() };
+    expect(kindAt(3, 53, undefined, { without })).toBe("surface");
+  });
+});
+
+it("does not take the diagonal of a flat face for an edge", () => {
+  expect(kindAt(0, 0, ["stencil-edge", "surface"])).toBe("surface");
+});
+
+it("does not snap to a vertex that the surface covers; without the surface it does", () => {
+  expect(kindAt(40, -60)).toBe("surface");
+  expect(kindAt(40, -60, undefined, { stencil: null })).toBe("vertex");
+});
+
+it("takes the rim of the surface from a little beside it", () => {
+  expect(kindAt(104, 20)).toBe("stencil-edge");
+  expect(kindAt(120, 20, ["stencil-edge", "surface"])).toBeUndefined();
+});
+
+it("finds the place under the pointer on the surface", () => {
+  const found = snap(place(), settings(["surface"]), 400 - 50, 300 + 60);
+  expect(found?.at.map((part) => Math.round(part * 1e3) / 1e3 + 0)).toEqual([-50, 0, -60]);
+});
+
+it("takes a point of the grid within reach, and the plane between them", () => {
+  expect(kindAt(203, -202, ["grid", "plane"])).toBe("grid");
+  expect(kindAt(205, -208, ["grid", "plane"], { projection: projectionOf("front") })).toBe("grid");
+  const coarse = { ...settings(["grid", "plane"]), grid: 100 };
+  expect(snap(place(), coarse, 400 + 240, 300)?.kind).toBe("plane");
+  expect(snap(place(), { ...coarse, kinds: new Set<SnapKind>(["grid"]) }, 400 + 240, 300)?.at).toEqual([200, 0, 0]);
+});
+
+it("finds nothing on a plane that is seen edge on", () => {
+  expect(
+    kindAt(300, 0, ["grid", "plane"], { plane: { origin: [0, 0, 0], u: [1, 0, 0], v: [0, 1, 0] } }),
+  ).toBeUndefined();
+});
+
+it("keeps lines to steps of 15°", () => {
+  const plane = { origin: [0, 0, 0] as Vec3, u: [1, 0, 0] as Vec3, v: [0, 1, 0] as Vec3 };
+  const at = inDirections(plane, [10, 0, 0], [110, 4, 0]);
+  expect(at[1]).toBeCloseTo(0);
+  expect(at[0]).toBeCloseTo(110);
+  const slope = inDirections(plane, [0, 0, 0], [100, 97, 0]);
+  expect(slope[0]).toBeCloseTo(98.5);
+  expect(slope[1]).toBeCloseTo(98.5);
+});

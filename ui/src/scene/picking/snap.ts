@@ -1,0 +1,108 @@
+/** What a click would take hold of: the first kind within reach, in a fixed order. */
+
+import type { DrawingPlane, SnapKind, SnapSettings, Vec3 } from "../interface";
+import type { DrawnDesign } from "../layers/drawn_design";
+import { GROUND, normalOf } from "../layers/grid";
+import { add, along, dot, onPlane, scale, subtract } from "../vec";
+import type { Projection } from "../view/projection";
+import { pickEdge, pickVertex } from "./picking";
+
+export interface SnapTarget {
+  readonly kind: SnapKind;
+  /** mm. */
+  readonly at: Vec3;
+  /** The vertex that is there already. */
+  readonly vertex?: number;
+  /** The edge that would be split, and where: 0 at `a`, 1 at `b`. */
+  readonly edge?: number;
+  readonly along?: number;
+}
+
+/** What there is to snap to on the surface that is traced. */
+export interface SurfaceTargets {
+  /** The nearest corner and edge of triangles within `reach` CSS pixels, and the place under the pointer. */
+  near(
+    projection: Projection,
+    x: number,
+    y: number,
+    reach: number,
+  ): { vertex: Vec3 | null; edge: Vec3 | null; surface: Vec3 | null };
+  /** Whether the surface is in front of a place. */
+  hides(projection: Projection, at: Vec3): boolean;
+}
+
+export interface SnapPlace {
+  readonly design: DrawnDesign;
+  readonly projection: Projection;
+  readonly stencil: SurfaceTargets | null;
+  /** Null for the ground. */
+  readonly plane: DrawingPlane | null;
+  /** Vertices and edges that do not count, by id: they are moved, or the strand comes from there. */
+  readonly without: { readonly vertices: ReadonlySet<number>; readonly edges: ReadonlySet<number> };
+}
+
+export function snap(place: SnapPlace, settings: SnapSettings, x: number, y: number): SnapTarget | null {
+  const { design, projection, stencil, without } = place;
+  const { kinds, reach } = settings;
+  // What a surface covers is not meant by a user who traces on it.
+  const covered = (at: Vec3): boolean => stencil?.hides(projection, at) ?? false;
+  if (kinds.has("vertex")) {
+    const found = pickVertex(design, projection, x, y, reach, (id) => without.vertices.has(id));
+    if (found && !covered(found.at)) return { kind: "vertex", at: found.at, vertex: found.id };
+  }
+  const wanted = kinds.has("stencil-vertex") || kinds.has("stencil-edge") || kinds.has("surface");
+  const near = wanted ? stencil?.near(projection, x, y, reach) : undefined;
+  if (kinds.has("stencil-vertex") && near?.vertex) return { kind: "stencil-vertex", at: near.vertex };
+  if (kinds.has("stencil-edge") && near?.edge) return { kind: "stencil-edge", at: near.edge };
+  if (kinds.has("edge")) {
+    const found = pickEdge(design, projection, x, y, reach, (row) => excluded(design, row, without));
+    // The very end of an edge is its vertex, which had its turn.
+    if (found && found.along > 1e-6 && found.along < 1 - 1e-6 && !covered(found.at)) {
+      return { kind: "edge", at: found.at, edge: found.id, along: found.along };
+    }
+  }
+  if (kinds.has("surface") && near?.surface) return { kind: "surface", at: near.surface };
+  return onDrawingPlane(place, settings, x, y);
+}
+
+/** A point of the grid, or of the plane. */
+function onDrawingPlane(
+  { projection, plane }: SnapPlace,
+  { kinds, grid, reach }: SnapSettings,
+  x: number,
+  y: number,
+): SnapTarget | null {
+  const drawn = plane ?? GROUND;
+  const ray = projection.ray(x, y);
+  const at = onPlane(ray, drawn.origin, normalOf(drawn));
+  if (!at || (projection.perspective && dot(subtract(at, ray.origin), ray.direction) < 0)) return null;
+  if (kinds.has("grid") && grid > 0) {
+    const rounded = roundedOn(drawn, at, grid);
+    const seen = projection.seen(rounded);
+    if (!kinds.has("plane") || Math.hypot(seen.x - x, seen.y - y) <= reach) return { kind: "grid", at: rounded };
+  }
+  return kinds.has("plane") ? { kind: "plane", at } : null;
+}
+
+/** The nearest point of a plane's grid. */
+function roundedOn(plane: DrawingPlane, at: Vec3, grid: number): Vec3 {
+  const off = subtract(at, plane.origin);
+  const [a, b] = [plane.u, plane.v].map((axis) => Math.round(dot(off, axis) / grid) * grid) as [number, number];
+  return add(plane.origin, add(scale(plane.u, a), scale(plane.v, b)));
+}
+
+/** The place on a plane as far from `from` as `at` is along the nearest direction that is a multiple of 15°. */
+export function inDirections(plane: DrawingPlane, from: Vec3, at: Vec3): Vec3 {
+  const off = subtract(at, from);
+  const [a, b] = [dot(off, plane.u), dot(off, plane.v)];
+  const step = Math.PI / 12;
+  const angle = Math.round(Math.atan2(b, a) / step) * step;
+  const size = a * Math.cos(angle) + b * Math.sin(angle);
+  return along(along(from, plane.u, size * Math.cos(angle)), plane.v, size * Math.sin(angle));
+}
+
+function excluded(design: DrawnDesign, row: number, without: SnapPlace["without"]): boolean {
+  const edge = design.edges[row];
+  if (!edge) return true;
+  return without.edges.has(edge.id) || without.vertices.has(edge.a) || without.vertices.has(edge.b);
+}

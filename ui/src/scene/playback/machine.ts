@@ -1,0 +1,143 @@
+/** The bodies of a machine. Frame: the origin is the bend point, +x the way the wire leaves, z the bend axis; mm. */
+
+import {
+  BoxGeometry,
+  type BufferGeometry,
+  CylinderGeometry,
+  Group,
+  MathUtils,
+  Matrix4,
+  Mesh,
+  Quaternion,
+  ShaderMaterial,
+  Vector3,
+} from "three";
+import { mergeGeometries } from "three/examples/jsm/utils/BufferGeometryUtils.js";
+import { GLSL, type Shared } from "../drawing/shading";
+import type { Theme } from "../drawing/theme";
+import type { MachineBody, Vec3 } from "../interface";
+
+const VERTEX = /* glsl */ `
+varying vec3 vNormal;
+varying float vDepth;
+void main() {
+  vec4 seen = modelViewMatrix * vec4(position, 1.0);
+  vNormal = normalMatrix * normal;
+  vDepth = -seen.z;
+  gl_Position = projectionMatrix * seen;
+}`;
+
+const FRAGMENT = /* glsl */ `
+uniform vec3 colour;
+varying vec3 vNormal;
+varying float vDepth;
+${GLSL}
+void main() {
+  gl_FragColor = vec4(faded(lit(colour, normalize(vNormal)), vDepth, gl_FragCoord.xy), 1.0);
+}`;
+
+type Part = MachineBody["part"];
+
+const PARTS: readonly Part[] = ["frame", "head", "peg"];
+
+/** mm between the wire and a peg that is in. */
+const CLEAR = 1;
+
+export class Machine {
+  readonly group = new Group();
+  private readonly head = new Group();
+  private readonly peg = new Group();
+  /** mm along its own axis that the peg goes in by, so that the wire passes over it. */
+  private stroke = 0;
+  private readonly meshes: { part: Part; mesh: Mesh<BufferGeometry, ShaderMaterial> }[] = [];
+
+  constructor(private readonly uniforms: Shared) {
+    this.group.add(this.head);
+    this.head.add(this.peg);
+  }
+
+  /** `orbit`: x of the axis that the peg turns about, `top`: how far it reaches beyond the wire's middle, `wire`: its diameter, mm. */
+  show(bodies: readonly MachineBody[], orbit: number, top: number, wire: number, theme: Theme): void {
+    this.clear();
+    this.stroke = top + wire / 2 + CLEAR;
+    this.peg.position.set(orbit, 0, 0);
+    for (const part of PARTS) {
+      const solids = bodies.filter((body) => body.part === part).map((body) => solid(body, part === "peg" ? orbit : 0));
+      if (solids.length === 0) continue;
+      const mesh = new Mesh(mergeGeometries(solids), this.material());
+      mesh.name = part;
+      for (const one of solids) one.dispose();
+      (part === "frame" ? this.group : part === "peg" ? this.peg : this.head).add(mesh);
+      this.meshes.push({ part, mesh });
+    }
+    this.paint(theme);
+  }
+
+  paint(theme: Theme): void {
+    for (const { part, mesh } of this.meshes)
+      (mesh.material.uniforms.colour?.value as Vector3 | undefined)?.set(...theme.machine[part]);
+  }
+
+  /** Degrees: the head about +x, the bend axis about the head's z. `out`: of the peg, from 0 to 1. */
+  pose(head: number, axis: number, out: number): void {
+    this.head.rotation.x = MathUtils.degToRad(head);
+    this.peg.rotation.z = MathUtils.degToRad(axis);
+    this.peg.position.z = (out - 1) * this.stroke;
+  }
+
+  dispose(): void {
+    this.clear();
+  }
+
+  private clear(): void {
+    for (const { mesh } of this.meshes.splice(0)) {
+      mesh.removeFromParent();
+      mesh.geometry.dispose();
+      mesh.material.dispose();
+    }
+  }
+
+  private material(): ShaderMaterial {
+    return new ShaderMaterial({
+      vertexShader: VERTEX,
+      fragmentShader: FRAGMENT,
+      uniforms: { ...this.uniforms, colour: { value: new Vector3() } },
+    });
+  }
+}
+
+function solid({ shape, at, axis }: MachineBody, orbit: number): BufferGeometry {
+  const made = shape.kind === "box" ? new BoxGeometry(...shape.size) : cylinder(shape.radius, shape.length);
+  return made.applyMatrix4(
+    new Matrix4().compose(new Vector3(at[0] - orbit, at[1], at[2]), towards(axis), new Vector3(1, 1, 1)),
+  );
+}
+
+/** Along z; three.js makes it along y. */
+function cylinder(radius: number, length: number): BufferGeometry {
+  return new CylinderGeometry(radius, radius, length, 40).rotateX(Math.PI / 2);
+}
+
+/** The eight corners of the box around a body, where it is at its reference. */
+export function reach({ shape, at, axis }: MachineBody): Vec3[] {
+  const turn = towards(axis);
+  const half =
+    shape.kind === "box" ? shape.size.map((size) => size / 2) : [shape.radius, shape.radius, shape.length / 2];
+  const signs = [-1, 1];
+  return signs.flatMap((x) =>
+    signs.flatMap((y) =>
+      signs.map((z): Vec3 => {
+        const corner = new Vector3(x * (half[0] ?? 0), y * (half[1] ?? 0), z * (half[2] ?? 0)).applyQuaternion(turn);
+        return [at[0] + corner.x, at[1] + corner.y, at[2] + corner.z];
+      }),
+    ),
+  );
+}
+
+/** Takes z to `axis` the shortest way. */
+function towards(axis: Vec3): Quaternion {
+  const way = new Vector3(...axis);
+  return way.lengthSq() > 0
+    ? new Quaternion().setFromUnitVectors(new Vector3(0, 0, 1), way.normalize())
+    : new Quaternion();
+}

@@ -1,0 +1,86 @@
+// @vitest-environment happy-dom
+import { beforeEach, describe, expect, it, vi } from "vitest";
+import type { SceneDesign, SceneListener, Vec3 } from "../interface";
+import { Overlay } from "../layers/overlay";
+import { Stage } from "../stage";
+import { designOf, given, MM } from "../testing";
+import { SelectTool } from "./select_tool";
+
+const AT: Vec3[] = [
+  [0, 0, 0],
+  [30, 0, 0],
+  [60, 0, 0],
+];
+const ENDS = [
+  [0, 1],
+  [1, 2],
+] as const;
+
+const listener = { dropped: vi.fn(), dragging: vi.fn(), dragCancelled: vi.fn(), hovered: vi.fn(), selected: vi.fn() };
+let stage: Stage;
+let tool: SelectTool;
+
+beforeEach(() => {
+  for (const heard of Object.values(listener)) heard.mockReset();
+  const overlay = new Overlay(document.createElement("canvas"));
+  stage = new Stage(overlay.element, MM, () => {});
+  [stage.camera.width, stage.camera.height] = [800, 600];
+  tool = new SelectTool(stage, listener as unknown as SceneListener, overlay);
+  give(designOf(AT, ENDS));
+  stage.select({ vertices: new Set([1]), edges: new Set() });
+  tool.startGrab();
+});
+
+function give(design: SceneDesign): void {
+  stage.setDesign(design);
+  tool.designChanged();
+}
+
+const press = (key: string, rest: Partial<KeyboardEventInit> = {}): boolean =>
+  tool.key(new KeyboardEvent("keydown", { key, ...rest }));
+const place = (): number[] => [...(stage.design.place(1) ?? [])];
+
+describe("while something is moved", () => {
+  it.each(["Delete", "m", "c", "s", "e", "a", "Home", "?"])(
+    "%s is not handed on: it would change what is in the hand",
+    (key) => {
+      expect(press(key)).toBe(true);
+      expect(tool.grab).not.toBeNull();
+    },
+  );
+
+  it.each(["z", "x", "s"])("Ctrl and %s neither lock an axis nor are handed on", (key) => {
+    expect(press(key, { ctrlKey: true })).toBe(true);
+    expect(tool.grab?.axis).toBeNull();
+  });
+
+  it("its own keys still count: along z, by 12 mm", () => {
+    for (const key of ["z", "1", "2", "Enter"]) expect(press(key)).toBe(true);
+    expect(listener.dropped).toHaveBeenCalledWith([{ vertex: 1, at: [30, 0, 12] }]);
+  });
+
+  it("takes no key when nothing is in the hand", () => {
+    tool.cancel();
+    expect(press("Delete")).toBe(false);
+    expect(press("z", { ctrlKey: true })).toBe(false);
+  });
+
+  it("it stays in the hand when something else of the design changes", () => {
+    for (const key of ["z", "5"]) press(key);
+    give(designOf([...AT.slice(0, 2), [70, 0, 0]], ENDS));
+    expect(tool.grab).not.toBeNull();
+    expect(place()).toEqual([30, 0, 5]);
+  });
+
+  it.each([
+    ["is elsewhere", designOf([given(AT[0]), [31, 0, 0], given(AT[2])], ENDS), [31, 0, 0]],
+    ["is gone", designOf([given(AT[0])], []), []],
+  ])("it is let go when it %s", (_, design, at) => {
+    for (const key of ["z", "5"]) press(key);
+    give(design);
+    expect(tool.grab).toBeNull();
+    expect(listener.dragCancelled).toHaveBeenCalledOnce();
+    expect(listener.dropped).not.toHaveBeenCalled();
+    expect(place()).toEqual(at);
+  });
+});

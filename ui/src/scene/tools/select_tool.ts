@@ -1,0 +1,289 @@
+/** Selecting and moving with the pointer: clicks, boxes, drags, the gizmo, and a grab that was begun with a key. */
+
+import { type Sign, SNAP_SHAPES } from "../drawing/symbols";
+import type { Axis, SceneListener, Selection, SnapKind, Vec3 } from "../interface";
+import type { Overlay } from "../layers/overlay";
+import { type Box, type Combine, combine, inBox, touching } from "../picking/box_select";
+import { type Picked, pick } from "../picking/picking";
+import { snap } from "../picking/snap";
+import type { Stage } from "../stage";
+import { AXES, along, distance, length } from "../vec";
+import { type Handle, handleAt } from "./gizmo_parts";
+import { Grab, type Surroundings } from "./grab";
+import { FREE } from "./move";
+import type { Place, ToolHandler } from "./pointer";
+
+const NOTHING: Selection = { vertices: new Set(), edges: new Set() };
+/** mm that a place may differ by on its way to the design and back. */
+const SAME = 1e-6;
+const NAMES: readonly Axis[] = ["x", "y", "z"];
+
+export class SelectTool implements ToolHandler {
+  grab: Grab | null = null;
+  private pressed: { at: Place; picked: Picked | null; handle: Handle | null } | null = null;
+  private box: Box | null = null;
+  private hovered = "";
+  private last: Place = { x: 0, y: 0, shift: false, ctrl: false, touch: false };
+
+  constructor(
+    private readonly stage: Stage,
+    private readonly listener: SceneListener,
+    private readonly overlay: Overlay,
+  ) {}
+
+  hover(at: Place | null): void {
+    if (at) this.last = at;
+    if (this.grab) {
+      if (at) this.follow();
+      return;
+    }
+    const { stage } = this;
+    const centre = stage.gizmoAt;
+    const handle = at && centre ? handleAt(stage.projection, centre, at.x, at.y) : null;
+    stage.activate(handle);
+    const picked = at && !handle && !stage.playing ? pick(stage.design, stage.projection, at.x, at.y, at.touch) : null;
+    this.overlay.cursor(handle || picked ? "pointer" : "default");
+    this.tellHovered(picked);
+  }
+
+  press(at: Place): void {
+    this.last = at;
+    const { stage } = this;
+    if (this.grab || stage.playing) return;
+    const centre = stage.gizmoAt;
+    const handle = centre ? handleAt(stage.projection, centre, at.x, at.y) : null;
+    this.pressed = { at, handle, picked: handle ? null : pick(stage.design, stage.projection, at.x, at.y, at.touch) };
+  }
+
+  drag(at: Place): void {
+    this.last = at;
+    const { pressed, stage } = this;
+    if (this.grab) {
+      this.follow();
+      return;
+    }
+    if (!pressed) return;
+    if (!this.box && (pressed.handle || pressed.picked)) {
+      if (pressed.picked && !this.isSelected(pressed.picked)) this.choose(only(pressed.picked), pressed.at);
+      this.begin(pressed.at, pressed.handle ?? FREE, pressed.picked?.at ?? null);
+      this.follow();
+      return;
+    }
+    this.box = { x0: pressed.at.x, y0: pressed.at.y, x1: at.x, y1: at.y };
+    this.overlay.box(this.box, touching(this.box), stage.theme);
+  }
+
+  release(at: Place, dragged: boolean): void {
+    this.last = at;
+    const { pressed, box, stage } = this;
+    this.pressed = null;
+    if (this.grab) {
+      this.drop();
+    } else if (box) {
+      this.endBox();
+      this.choose(inBox(stage.design, stage.projection, { ...box, x1: at.x, y1: at.y }), at);
+    } else if (pressed && !dragged && !pressed.handle) {
+      const found = pressed.picked ? only(pressed.picked) : NOTHING;
+      // A click beside everything with a key held is a slip, not a wish to lose the selection.
+      if (pressed.picked || (!at.shift && !at.ctrl)) this.choose(found, at);
+    }
+  }
+
+  double(at: Place): void {
+    const { stage } = this;
+    const picked = stage.playing ? null : pick(stage.design, stage.projection, at.x, at.y, at.touch);
+    if (!picked) return;
+    const vertex = picked.kind === "vertex" ? picked.id : stage.design.edges[stage.design.edgeRow(picked.id) ?? -1]?.a;
+    if (vertex !== undefined) this.choose(stage.design.connected(vertex), { ...at, ctrl: false });
+  }
+
+  context(): void {
+    this.cancel();
+  }
+
+  abort(): void {
+    this.pressed = null;
+    this.cancel();
+  }
+
+  /** Moves the selection with the pointer until a click; whether there is one to move. */
+  startGrab(): boolean {
+    if (this.grab || this.stage.playing || this.stage.gizmoAt === null) return false;
+    this.begin(this.last, FREE, null);
+    return true;
+  }
+
+  lock(axis: Axis | null, plane = false): void {
+    this.grab?.lock(axis, plane);
+    if (this.grab) this.follow();
+  }
+
+  /**
+   * Keys of a grab, and Escape of a box; whether it took this one. A grab takes every key: one that changed the design, such as
+   * Delete or undo, would take away what is being moved.
+   */
+  key(event: KeyboardEvent): boolean {
+    const { grab } = this;
+    if (this.box && event.key === "Escape") return this.cancel();
+    if (!grab) return false;
+    if (event.ctrlKey || event.metaKey || event.altKey) return true;
+    const axis = NAMES.find((name) => name === event.key.toLowerCase());
+    if (axis) grab.lock(axis, event.shiftKey);
+    else if (event.key === "Escape") return this.cancel();
+    else if (event.key === "Enter") this.drop();
+    else grab.type(event.key);
+    if (this.grab) this.follow();
+    return true;
+  }
+
+  /** What is being moved is given up where the design has it elsewhere now, or not any more; otherwise it stays in the hand. */
+  designChanged(): void {
+    const { grab, stage } = this;
+    if (!grab) return;
+    const stays = [...grab.from].every(([id, from]) => {
+      const at = stage.design.place(id);
+      return at !== null && distance(at, from) < SAME;
+    });
+    if (stays) stage.move(grab.moved);
+    else this.cancel();
+  }
+
+  /** Gives up a drag or a box; whether there was one. */
+  cancel(): boolean {
+    this.pressed = null;
+    if (this.box) {
+      this.endBox();
+      return true;
+    }
+    if (!this.grab) return false;
+    this.end();
+    this.stage.move([]);
+    this.listener.dragCancelled();
+    return true;
+  }
+
+  private begin(at: Place, constraint: Handle | typeof FREE, anchor: Vec3 | null): void {
+    const { stage } = this;
+    const { design, projection } = stage;
+    const from = new Map(
+      [...design.moving(stage.selected.selection)].flatMap((id) => {
+        const place = design.place(id);
+        return place ? [[id, place] as const] : [];
+      }),
+    );
+    // The vertex nearest to where the drag began is the one that snaps.
+    const off = (place: Vec3): number => {
+      const seen = projection.seen(place);
+      return Math.hypot(seen.x - at.x, seen.y - at.y);
+    };
+    const near = [...from.values()].toSorted((a, b) =>
+      anchor ? distance(a, anchor) - distance(b, anchor) : off(a) - off(b),
+    )[0];
+    if (!near) return;
+    this.tellHovered(null);
+    this.grab = new Grab(from, near, at, stage.lengths, constraint);
+    this.overlay.cursor("grabbing");
+  }
+
+  private follow(): void {
+    const { grab, stage } = this;
+    if (!grab) return;
+    const before = grab.by;
+    const signs: Sign[] = [];
+    grab.follow(this.last, this.surroundings(grab, signs), !this.last.ctrl);
+    const axis = grab.axis;
+    const reach = stage.camera.orbit.distance * 20;
+    const lines = axis
+      ? [
+          {
+            from: along(grab.anchor, AXES[axis], -reach),
+            to: along(grab.anchor, AXES[axis], reach),
+            look: { colour: stage.theme.axes[NAMES.indexOf(axis)] ?? stage.theme.edge },
+          },
+        ]
+      : [];
+    stage.mark("grab", signs, lines);
+    stage.activate(grab.constraint.kind === "view" ? null : grab.constraint);
+    this.overlay.readout(grab.readout);
+    if (distance(before, grab.by) === 0) return;
+    stage.move(grab.moved);
+    this.listener.dragging(grab.moved);
+  }
+
+  private surroundings(grab: Grab, signs: Sign[]): Surroundings {
+    const { stage } = this;
+    const { design, projection } = stage;
+    const kinds = new Set<SnapKind>([...stage.snap.kinds].filter((kind) => kind !== "grid" && kind !== "plane"));
+    const settings = { ...stage.snap, kinds };
+    const without = { vertices: new Set(grab.from.keys()), edges: new Set<number>() };
+    const stencil = stage.stencil.ball ? stage.stencil : null;
+    const show = (kind: SnapKind, at: Vec3): void =>
+      void signs.push({ at, shape: SNAP_SHAPES[kind], colour: stage.theme.acted, radius: 8 });
+    return {
+      projection,
+      spacing: stage.snap.grid,
+      target: (x, y) => {
+        const found =
+          kinds.size > 0 ? snap({ design, projection, stencil, plane: null, without }, settings, x, y) : null;
+        if (found) show(found.kind, found.at);
+        return found?.at ?? null;
+      },
+      grid: (at, rounded) => {
+        if (!stage.snap.kinds.has("grid")) return false;
+        const [a, b] = [projection.seen(at), projection.seen(rounded)];
+        const near = !stage.snap.kinds.has("plane") || Math.hypot(a.x - b.x, a.y - b.y) <= stage.snap.reach;
+        if (near) show("grid", rounded);
+        return near;
+      },
+    };
+  }
+
+  private drop(): void {
+    const { grab } = this;
+    if (!grab) return;
+    this.follow();
+    this.end();
+    if (length(grab.by) > 0) this.listener.dropped(grab.moved);
+    else this.listener.dragCancelled();
+  }
+
+  private end(): void {
+    this.grab = null;
+    this.stage.mark("grab", []);
+    this.stage.activate(null);
+    this.overlay.readout(null);
+    this.overlay.cursor("default");
+  }
+
+  private endBox(): void {
+    this.box = null;
+    this.overlay.box(null, false, this.stage.theme);
+  }
+
+  private choose(found: Selection, at: Place): void {
+    const how: Combine = at.shift ? "add" : at.ctrl ? "toggle" : "replace";
+    const selection = combine(this.stage.selected.selection, found, how);
+    this.stage.select(selection);
+    this.listener.selected(selection);
+  }
+
+  private isSelected({ kind, id }: Picked): boolean {
+    const { selection } = this.stage.selected;
+    return (kind === "vertex" ? selection.vertices : selection.edges).has(id);
+  }
+
+  private tellHovered(picked: Picked | null): void {
+    const key = picked ? `${picked.kind} ${picked.id}` : "";
+    if (key === this.hovered) return;
+    this.hovered = key;
+    this.stage.hover(picked ? only(picked) : NOTHING);
+    const seen = picked && this.stage.projection.seen(picked.at);
+    this.listener.hovered(picked && seen ? { kind: picked.kind, id: picked.id, x: seen.x, y: seen.y } : null);
+  }
+}
+
+function only({ kind, id }: Picked): Selection {
+  return kind === "vertex"
+    ? { vertices: new Set([id]), edges: new Set() }
+    : { vertices: new Set(), edges: new Set([id]) };
+}

@@ -1,0 +1,200 @@
+/** Tracing on a surface and drawing on a plane: where the next click would go is shown before it, and strands grow click by click. */
+
+import { type Sign, SNAP_SHAPES } from "../drawing/symbols";
+import type { SceneListener, SnapKind } from "../interface";
+import { GROUND } from "../layers/grid";
+import type { Overlay } from "../layers/overlay";
+import { inDirections, type SnapTarget, snap } from "../picking/snap";
+import type { Guide, Stage } from "../stage";
+import type { Place, ToolHandler } from "./pointer";
+import { type Asked, Strand } from "./strand";
+import { TypedEdge } from "./typed_edge";
+
+/** Clicks nearer than this are one, CSS pixels. */
+const ONE_PLACE = 4;
+
+/** What a flat part can begin and end at, and the plane itself. */
+const ON_PLANE: ReadonlySet<SnapKind> = new Set(["vertex", "edge", "grid", "plane"]);
+
+export class TraceTool implements ToolHandler {
+  private readonly strand: Strand;
+  private readonly typed = new TypedEdge();
+  private last: Place | null = null;
+  private hovered = "";
+  private reads = false;
+
+  constructor(
+    private readonly stage: Stage,
+    private readonly listener: SceneListener,
+    private readonly overlay: Overlay,
+  ) {
+    this.strand = new Strand(
+      (stroke) => listener.stroke(stroke),
+      () => this.show(),
+      () => {
+        this.typed.clear();
+        listener.strandEnded();
+      },
+    );
+  }
+
+  hover(at: Place | null): void {
+    this.last = at;
+    this.overlay.cursor("crosshair");
+    this.show();
+  }
+
+  press(at: Place): void {
+    this.hover(at);
+  }
+
+  drag(at: Place): void {
+    this.hover(at);
+  }
+
+  release(at: Place): void {
+    this.last = at;
+    const target = this.target();
+    const { end } = this.strand;
+    const seen = [end, target].map((one) => one && this.stage.projection.seen(one.at));
+    const apart = seen[0] && seen[1] ? Math.hypot(seen[0].x - seen[1].x, seen[0].y - seen[1].y) : Infinity;
+    // The second click of a double one asks for nothing.
+    if (apart < ONE_PLACE && target?.vertex === undefined) return;
+    this.take(this.edge() ?? target);
+  }
+
+  private take(target: SnapTarget | Asked | null): void {
+    this.typed.clear();
+    // The code that makes the stroke reports why it could not be made; the strand is over then.
+    if (target) this.strand.click(target).catch(() => undefined);
+    this.show();
+  }
+
+  double(): void {
+    // Each of its clicks was taken already.
+  }
+
+  context(): void {
+    this.cancel();
+  }
+
+  abort(): void {
+    this.last = null;
+    this.show();
+  }
+
+  key(event: KeyboardEvent): boolean {
+    if (event.ctrlKey || event.metaKey || event.altKey) return false;
+    const { key } = event;
+    if (this.strand.end && this.typed.type(key)) {
+      this.show();
+      return true;
+    }
+    if (key !== "Escape" && key !== "Enter") return false;
+    if (!this.typed.begun) return this.cancel();
+    // Without a way for it to go, a length says nothing yet.
+    if (key === "Enter" && this.ending()) this.take(this.edge());
+    else if (key === "Escape") this.typed.clear();
+    this.show();
+    return true;
+  }
+
+  /** Ends the strand; whether there was one. */
+  cancel(): boolean {
+    return this.strand.cancel();
+  }
+
+  /** With another tool. */
+  leave(): void {
+    this.cancel();
+    this.last = null;
+    this.show();
+  }
+
+  /** The strand does not continue from a vertex that was undone. */
+  designChanged(): void {
+    const { end } = this.strand;
+    const { design } = this.stage;
+    if (end?.kind === "vertex") {
+      const at = design.place(end.id);
+      if (at) this.strand.end = { ...end, at };
+      else this.cancel();
+    } else if (end?.kind === "edge" && design.edgeRow(end.id) === undefined) {
+      this.cancel();
+    }
+    this.show();
+  }
+
+  /** The edge of the typed length, towards what the pointer is on. */
+  private edge(): Asked | null {
+    const way = this.pointed();
+    return way && this.typed.towards(way.at, this.stage.lengths);
+  }
+
+  /** Where it ends. */
+  private ending(): SnapTarget | null {
+    const { end } = this.strand;
+    return end && (this.edge()?.(end.at) ?? null);
+  }
+
+  /** What a click takes. */
+  private target(): SnapTarget | null {
+    return this.ending() ?? this.pointed();
+  }
+
+  /** What the pointer is on. */
+  private pointed(): SnapTarget | null {
+    const { last, stage } = this;
+    if (!last || stage.playing) return null;
+    const { end } = this.strand;
+    const drawing = stage.tool === "draw";
+    // A vertex that the design has not shown yet would be taken for one that is not there.
+    const kinds = new Set(
+      [...stage.snap.kinds].filter(
+        (kind) => (!drawing || ON_PLANE.has(kind)) && (!last.ctrl || kind === "surface" || kind === "plane"),
+      ),
+    );
+    const without = {
+      vertices: new Set(end?.kind === "vertex" ? [end.id] : []),
+      edges: new Set(end?.kind === "edge" ? [end.id] : []),
+    };
+    const place = {
+      design: stage.design,
+      projection: stage.projection,
+      stencil: drawing || !stage.stencil.ball ? null : stage.stencil,
+      plane: stage.plane,
+      without,
+    };
+    if (!last.shift || !end) return snap(place, { ...stage.snap, kinds }, last.x, last.y);
+    const free = snap(place, { ...stage.snap, kinds: new Set(["plane"]) }, last.x, last.y);
+    return free && { kind: "plane", at: inDirections(stage.plane ?? GROUND, end.at, free.at) };
+  }
+
+  private show(): void {
+    const { stage } = this;
+    const { end } = this.strand;
+    const target = this.target();
+    const { acted } = stage.theme;
+    const signs: Sign[] = [];
+    const lines: Guide[] = [];
+    if (end) signs.push({ at: end.at, shape: "dot", colour: acted, radius: 9 });
+    if (target) signs.push({ at: target.at, shape: SNAP_SHAPES[target.kind], colour: acted, radius: 8.5 });
+    if (end && target) lines.push({ from: end.at, to: target.at, look: { colour: acted } });
+    stage.mark("trace", signs, lines);
+    this.read(end && target ? this.typed.readout(end.at, target.at, stage.lengths) : null);
+    const place = this.typed.begun ? null : target;
+    const key = place ? `${place.kind} ${place.at.join()}` : "";
+    if (key === this.hovered) return;
+    this.hovered = key;
+    const seen = place && stage.projection.seen(place.at);
+    this.listener.hovered(
+      place && seen ? { kind: "snap", snap: place.kind, at: place.at, x: seen.x, y: seen.y } : null,
+    );
+  }
+
+  /** Another tool writes there too, and keeps what it has written. */
+  private read(text: string | null): void {
+    if (text !== null || this.reads) this.overlay.readout(text);
+    this.reads = text !== null;
+  }
+}

@@ -1,0 +1,122 @@
+// @vitest-environment happy-dom
+import { act } from "react";
+import { beforeEach, describe, expect, it } from "vitest";
+import type { DisplayUnit } from "../figures/format";
+import { ShownLengths } from "../figures/unit";
+import { place } from "../testing";
+import { NumberField } from "./NumberField";
+
+const at = place();
+
+let committed: number[];
+let unit: DisplayUnit;
+
+beforeEach(() => {
+  committed = [];
+  unit = "mm";
+});
+
+function show(props: Partial<Parameters<typeof NumberField>[0]> = {}): HTMLInputElement {
+  at.show(
+    <ShownLengths value={{ unit, names: [] }}>
+      <NumberField label="X" value={10} onCommit={(value) => committed.push(value)} {...props} />
+    </ShownLengths>,
+  );
+  const field = at.host.querySelector("input");
+  if (!field) throw new Error("no field");
+  return field;
+}
+
+function type(field: HTMLInputElement, text: string, key = "Enter"): void {
+  act(() => {
+    // React listens to the setter of the prototype.
+    Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value")?.set?.call(field, text);
+    field.dispatchEvent(new Event("input", { bubbles: true }));
+  });
+  act(() => void field.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true })));
+}
+
+describe("a field for a length", () => {
+  it("shows the unit of the design and reads any", () => {
+    unit = "inch";
+    const field = show({ value: 25.4 });
+    expect(field.value).toBe("1.000");
+    expect(field.getAttribute("aria-label")).toBe("X, in");
+    type(field, "12 mm");
+    expect(committed).toEqual([12]);
+  });
+
+  it("keeps what makes no sense to itself, and says so", () => {
+    const field = show();
+    type(field, "twelve");
+    expect(committed).toEqual([]);
+    expect(field.getAttribute("aria-invalid")).toBe("true");
+    act(() => void field.dispatchEvent(new FocusEvent("focusout", { bubbles: true })));
+    expect(field.value).toBe("10.0");
+  });
+
+  it("refuses what is outside its limits", () => {
+    type(show({ min: 0, max: 20 }), "-3");
+    expect(committed).toEqual([]);
+  });
+
+  it("takes back what was typed with Escape", () => {
+    const field = show();
+    type(field, "99", "Escape");
+    expect(field.value).toBe("10.0");
+    expect(committed).toEqual([]);
+  });
+
+  it("steps with the arrows, by ten with Shift, not beyond its limits", () => {
+    const field = show({ max: 15 });
+    act(() => void field.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowDown", bubbles: true })));
+    act(
+      () => void field.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowUp", shiftKey: true, bubbles: true })),
+    );
+    expect(committed).toEqual([9, 15]);
+  });
+
+  it("hands over with Enter what was just read, not what stood there before", () => {
+    const entered: number[] = [];
+    const field = show({ onEnter: (value) => entered.push(value) });
+    type(field, "25");
+    expect(entered).toEqual([25]);
+    expect(committed).toEqual([25]);
+  });
+
+  it("hands over what stands there where nothing was typed, with all its digits", () => {
+    const entered: number[] = [];
+    const field = show({ value: 10.04, onEnter: (value) => entered.push(value) });
+    act(() => void field.dispatchEvent(new KeyboardEvent("keydown", { key: "Enter", bubbles: true })));
+    expect(entered).toEqual([10.04]);
+    act(() => void field.dispatchEvent(new KeyboardEvent("keydown", { key: "Enter", repeat: true, bubbles: true })));
+    expect(entered).toEqual([10.04]);
+  });
+
+  it.each(["", " ", "abc", "-3"])("hands over nothing where it holds %j", (text) => {
+    const entered: number[] = [];
+    type(show({ min: 0, onEnter: (value) => entered.push(value) }), text);
+    expect(entered).toEqual([]);
+    expect(committed).toEqual([]);
+  });
+
+  it("counts every press of an arrow, also before the last one has been applied", () => {
+    const press = (field: HTMLInputElement, key: string) =>
+      act(() => void field.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true })));
+    const field = show();
+    for (const key of ["ArrowUp", "ArrowUp", "ArrowUp"]) press(field, key);
+    expect(committed).toEqual([11, 12, 13]);
+    // The first of them is applied: the next press still continues from the last.
+    press(show({ value: 11 }), "ArrowUp");
+    expect(committed.at(-1)).toBe(14);
+    // Another part has changed it: it continues from there.
+    press(show({ value: 50 }), "ArrowDown");
+    expect(committed.at(-1)).toBe(49);
+  });
+
+  it("does not change by itself: leaving a field that shows rounded digits is no edit", () => {
+    const field = show({ value: 10.04 });
+    type(field, "10.0", "Enter");
+    expect(committed).toEqual([]);
+  });
+});

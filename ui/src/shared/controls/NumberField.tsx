@@ -1,0 +1,191 @@
+import { type KeyboardEvent, useEffect, useRef, useState } from "react";
+import "./controls.css";
+import { type DisplayUnit, lengthNumber, number, short, unitName } from "../figures/format";
+import { parseAngle, parseLength, parseNumber } from "../figures/parse";
+import { useUnit } from "../figures/unit";
+
+type Quantity = "length" | "angle" | "number" | "percent" | "whole";
+
+interface Kind {
+  readonly unit: string;
+  show(value: number): string;
+  read(text: string): number | null;
+  /** What an arrow key adds. */
+  readonly step: number;
+}
+
+/** How a quantity is shown and read. Lengths in mm, angles in degrees, percent as a share of 1. */
+function quantity(kind: Quantity, unit: DisplayUnit): Kind {
+  const plain = (text: string) => text.replace(/\u202f/g, "");
+  switch (kind) {
+    case "length":
+      return {
+        unit: unitName(unit),
+        show: (mm) => plain(lengthNumber(mm, unit)),
+        read: (text) => parseLength(text, unit),
+        step: unit === "inch" ? 2.54 : 1,
+      };
+    case "angle":
+      return { unit: "°", show: (deg) => plain(number(deg)), read: parseAngle, step: 1 };
+    case "percent":
+      return {
+        unit: "%",
+        show: (share) => plain(number(share * 100, Number.isInteger(Math.round(share * 1e6) / 1e4) ? 0 : 1)),
+        read: (text) => {
+          const value = parseNumber(text.replace(/%\s*$/, ""));
+          return value === null ? null : value / 100;
+        },
+        step: 0.01,
+      };
+    case "whole":
+      return {
+        unit: "",
+        show: (value) => plain(number(value, 0)),
+        read: (text) => {
+          const value = parseNumber(text);
+          return value !== null && Number.isInteger(value) ? value : null;
+        },
+        step: 1,
+      };
+    case "number":
+      return {
+        unit: "",
+        show: (value) => plain(short(value)),
+        read: parseNumber,
+        step: 0.1,
+      };
+  }
+}
+
+export interface NumberFieldProps {
+  /** Read aloud; the visible label may be a letter in the field. */
+  readonly label: string;
+  /** A letter or word in front, such as "X". */
+  readonly prefix?: string;
+  readonly kind?: Quantity;
+  /** null: nothing in common, or not known; the field is empty. */
+  readonly value: number | null;
+  /** Called with Enter, by leaving the field, and by the arrow keys; not while a person types. */
+  readonly onCommit: (value: number) => void;
+  readonly min?: number;
+  readonly max?: number;
+  readonly placeholder?: string;
+  readonly why?: string | null | undefined;
+  readonly id?: string;
+  readonly "aria-describedby"?: string | undefined;
+  /** Enter is pressed, after `onCommit`: with what was read just now, which `value` is only later. Not where the field is empty or wrong. */
+  readonly onEnter?: (value: number) => void;
+}
+
+/** A number with its unit. Reads "12.5", "12,5", "1/2 in", "12 mm"; Esc takes back what was typed; arrows step, by ten with Shift. */
+export function NumberField({
+  label,
+  prefix,
+  kind = "length",
+  value,
+  onCommit,
+  min = -Infinity,
+  max = Infinity,
+  placeholder,
+  why,
+  id,
+  onEnter,
+  ...rest
+}: NumberFieldProps) {
+  const how = quantity(kind, useUnit());
+  const shown = value === null ? "" : how.show(value);
+  const [typed, setTyped] = useState<string | null>(null);
+  const field = useRef<HTMLInputElement>(null);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: another value takes the place of what was typed
+  useEffect(() => setTyped(null), [shown]);
+  // What the arrow keys asked for and `value` is not yet: the next press continues from the last of them.
+  const stepped = useRef<number[]>([]);
+  useEffect(() => {
+    const reached = stepped.current.findIndex((asked) => value !== null && Math.abs(asked - value) < 1e-9);
+    stepped.current = reached < 0 ? [] : stepped.current.slice(reached + 1);
+  }, [value]);
+
+  const read = typed === null ? value : how.read(typed);
+  const outside = read !== null && (read < min || read > max);
+  const wrong = typed !== null && typed.trim() !== "" && (read === null || outside);
+  const limits = outside
+    ? `from ${Number.isFinite(min) ? how.show(min) : "any"} to ${Number.isFinite(max) ? how.show(max) : "any"}`
+    : "a number";
+
+  /** What stands there now; null where it is empty or wrong. */
+  const commit = (): number | null => {
+    const latest = stepped.current.at(-1) ?? value;
+    if (typed === null || typed === shown) {
+      setTyped(null);
+      return latest;
+    }
+    if (read === null || outside) {
+      if (typed.trim() === "") setTyped(null);
+      return null;
+    }
+    stepped.current = [];
+    onCommit(read);
+    setTyped(null);
+    return read;
+  };
+  const keys = (event: KeyboardEvent) => {
+    if (event.key === "Enter") {
+      const entered = commit();
+      // A key that is held down asks once.
+      if (entered !== null && !event.repeat) onEnter?.(entered);
+    } else if (event.key === "Escape" && typed !== null) {
+      event.stopPropagation();
+      setTyped(null);
+    } else if ((event.key === "ArrowUp" || event.key === "ArrowDown") && read !== null) {
+      event.preventDefault();
+      const step = how.step * (event.shiftKey ? 10 : 1) * (event.key === "ArrowUp" ? 1 : -1);
+      const from = typed === null ? (stepped.current.at(-1) ?? read) : read;
+      const next = Math.min(max, Math.max(min, from + step));
+      stepped.current.push(next);
+      setTyped(null);
+      onCommit(next);
+    }
+  };
+  const leave = () => {
+    if (wrong) setTyped(null);
+    else commit();
+    stepped.current = [];
+  };
+  return (
+    <span
+      className={wrong ? "number-field wrong" : "number-field"}
+      data-off={why ? true : undefined}
+      title={why ?? (wrong ? `Expected ${limits}` : undefined)}
+    >
+      {prefix && (
+        <span className="number-prefix" aria-hidden="true">
+          {prefix}
+        </span>
+      )}
+      <input
+        {...rest}
+        id={id}
+        ref={field}
+        type="text"
+        inputMode="decimal"
+        autoComplete="off"
+        spellCheck={false}
+        aria-label={id === undefined ? (how.unit ? `${label}, ${how.unit}` : label) : undefined}
+        aria-invalid={wrong || undefined}
+        readOnly={Boolean(why)}
+        aria-disabled={why ? true : undefined}
+        value={typed ?? shown}
+        placeholder={placeholder}
+        onFocus={(event) => event.currentTarget.select()}
+        onChange={(event) => !why && setTyped(event.currentTarget.value)}
+        onBlur={leave}
+        onKeyDown={keys}
+      />
+      {how.unit && (
+        <span className="number-unit" aria-hidden="true">
+          {how.unit}
+        </span>
+      )}
+    </span>
+  );
+}

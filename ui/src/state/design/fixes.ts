@@ -1,0 +1,76 @@
+import { create } from "zustand";
+import type { DiagnosticReport, Fix, FixPreview, LiveCheck } from "../../generated/responses";
+import type { Preview, SceneDesign, Vec3 } from "../../scene/interface";
+import { asking } from "../asking/work";
+import { useView } from "../window/view";
+import { edit, useDesign } from "./design";
+
+interface FixStore {
+  readonly fixes: readonly Fix[];
+  /** The checks that they are of; others have to be asked for when these are others. */
+  readonly of: LiveCheck | null;
+  /** The one that is shown in the view. */
+  readonly shown: Fix | null;
+}
+
+export const useFixes = create<FixStore>()(() => ({ fixes: [], of: null, shown: null }));
+
+/** Asks for the fixes of the checks as they are, unless they were asked for. */
+export async function needFixes(): Promise<void> {
+  const { check } = useDesign.getState();
+  if (!check || useFixes.getState().of === check) return;
+  useFixes.setState({ of: check, fixes: [] });
+  // Fixes are an offer: where none can be had the checks say anyway what is wrong.
+  const { fixes } = await asking("fixes", {}).catch(() => ({ fixes: [] }));
+  if (useFixes.getState().of === check) useFixes.setState({ fixes });
+}
+
+const same = (a: DiagnosticReport, b: DiagnosticReport): boolean =>
+  a.code === b.code &&
+  (a.vertex ?? null) === (b.vertex ?? null) &&
+  (a.edge ?? null) === (b.edge ?? null) &&
+  (a.step ?? null) === (b.step ?? null);
+
+export function fixesOf(report: DiagnosticReport, fixes: readonly Fix[]): Fix[] {
+  return fixes.filter(({ mends }) => same(mends, report));
+}
+
+/** What a fix would do, as the view draws it. */
+export function previewOf(
+  { moved, doubled, gone_edges, new_edges, detached }: FixPreview,
+  { vertices, edges }: SceneDesign,
+): Preview {
+  const places = new Map(moved.map(({ vertex, at_mm }) => [vertex, at_mm as Vec3]));
+  const place = (id: number): Vec3 | undefined => places.get(id) ?? vertices.get(id)?.at;
+  const removed = new Set(gone_edges);
+  const drawn: [Vec3, Vec3][] = new_edges.map(([a, b]) => [a, b]);
+  const lit = new Set([...doubled, ...detached.flat()]);
+  for (const { id, a, b } of edges.values()) {
+    const goes = places.has(a) || places.has(b);
+    const [from, to] = [place(a), place(b)];
+    if (from && to && !removed.has(id) && (goes || lit.has(id))) drawn.push([from, to]);
+    if (goes) removed.add(id);
+  }
+  return { edges: drawn, removed };
+}
+
+export function showFix(fix: Fix | null): void {
+  useFixes.setState({ shown: fix });
+  useView.setState({ preview: fix ? previewOf(fix.preview, useDesign.getState()) : null });
+}
+
+/** Nothing is shown any more: of another design, or of one that is dragged elsewhere just now, the fix would be another. */
+export function hideFix(): void {
+  if (useFixes.getState().shown) showFix(null);
+}
+
+/** The view has given up the preview. */
+export function previewGone(): void {
+  if (useFixes.getState().shown) useFixes.setState({ shown: null });
+}
+
+/** Makes it: one change, which undo takes back. */
+export async function applyFix(fix: Fix): Promise<void> {
+  showFix(null);
+  await edit(fix.edit);
+}

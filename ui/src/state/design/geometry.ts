@@ -1,0 +1,114 @@
+import type { Axis, SceneDesign, Vec3 } from "../../scene/interface";
+
+/** A matrix of 4 rows and 4 columns, row by row, on positions in mm. */
+export type Matrix = [Row, Row, Row, Row];
+type Row = [number, number, number, number];
+
+export const AXES: readonly Axis[] = ["x", "y", "z"];
+const INDEX: Readonly<Record<Axis, 0 | 1 | 2>> = { x: 0, y: 1, z: 2 };
+const UNITS: Readonly<Record<Axis, Vec3>> = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
+
+export const axisIndex = (axis: Axis): 0 | 1 | 2 => INDEX[axis];
+/** A vector of length 1. */
+export const axisUnit = (axis: Axis): Vec3 => UNITS[axis];
+
+export function translation([x, y, z]: Vec3): Matrix {
+  return [
+    [1, 0, 0, x],
+    [0, 1, 0, y],
+    [0, 0, 1, z],
+    [0, 0, 0, 1],
+  ];
+}
+
+/** By `factor` from a point that stays where it is. */
+export function scaling(factor: number, [x, y, z]: Vec3): Matrix {
+  const stays = 1 - factor;
+  return [
+    [factor, 0, 0, x * stays],
+    [0, factor, 0, y * stays],
+    [0, 0, factor, z * stays],
+    [0, 0, 0, 1],
+  ];
+}
+
+/** Right-handed by degrees about an axis through a point, and on along the axis by mm. */
+export function rotation(axis: Axis, deg: number, through: Vec3, along = 0): Matrix {
+  // Quarter turns come out whole.
+  const quarter = ((deg % 360) + 360) % 360;
+  const [c, s] =
+    quarter % 90 === 0
+      ? ((
+          [
+            [1, 0],
+            [0, 1],
+            [-1, 0],
+            [0, -1],
+          ] as const
+        )[quarter / 90] ?? [1, 0])
+      : [Math.cos((deg * Math.PI) / 180), Math.sin((deg * Math.PI) / 180)];
+  const k = INDEX[axis];
+  const [i, j] = [(k + 1) % 3, (k + 2) % 3];
+  const matrix = translation([0, 0, 0]);
+  const set = (row: number, column: number, value: number) => {
+    const cells = matrix[row];
+    if (cells) cells[column] = value;
+  };
+  set(i, i, c);
+  set(i, j, -s);
+  set(j, i, s);
+  set(j, j, c);
+  const [pi, pj] = [through[i] ?? 0, through[j] ?? 0];
+  set(i, 3, pi - c * pi + s * pj);
+  set(j, 3, pj - s * pi - c * pj);
+  set(k, 3, along);
+  return matrix;
+}
+
+/** The box around vertices, mm; null of none. */
+export function boundsOf(
+  ids: Iterable<number>,
+  { vertices }: SceneDesign,
+): { low: Vec3; high: Vec3; size: Vec3; centre: Vec3 } | null {
+  let low: Vec3 | null = null;
+  let high: Vec3 | null = null;
+  for (const id of ids) {
+    const at = vertices.get(id)?.at;
+    if (!at) continue;
+    const [a, b]: [Vec3, Vec3] = [low ?? at, high ?? at];
+    low = [Math.min(a[0], at[0]), Math.min(a[1], at[1]), Math.min(a[2], at[2])];
+    high = [Math.max(b[0], at[0]), Math.max(b[1], at[1]), Math.max(b[2], at[2])];
+  }
+  if (!low || !high) return null;
+  return {
+    low,
+    high,
+    size: [high[0] - low[0], high[1] - low[1], high[2] - low[2]],
+    centre: [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2],
+  };
+}
+
+export function distance(a: Vec3, b: Vec3): number {
+  return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+/** The length of edges, mm, each counted once. */
+export function lengthOf(edges: Iterable<number>, design: SceneDesign): number {
+  let sum = 0;
+  for (const id of edges) {
+    const edge = design.edges.get(id);
+    const [a, b] = [edge && design.vertices.get(edge.a), edge && design.vertices.get(edge.b)];
+    if (a && b) sum += distance(a.at, b.at);
+  }
+  return sum;
+}
+
+/** How many edges meet at each vertex. */
+export function degrees(edges: SceneDesign["edges"]): Map<number, number> {
+  const all = new Map<number, number>();
+  for (const { a, b } of edges.values()) {
+    all.set(a, (all.get(a) ?? 0) + 1);
+    all.set(b, (all.get(b) ?? 0) + 1);
+  }
+  return all;
+}

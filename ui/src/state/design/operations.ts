@@ -1,0 +1,208 @@
+import type { EditRequest } from "../../generated/requests";
+import type { ViewChange } from "../../generated/responses";
+import type { Axis, Vec3 } from "../../scene/interface";
+import { tell } from "../asking/problems";
+import { chooseTool, useView } from "../window/view";
+import { edit, useDesign } from "./design";
+import { AXES, axisIndex, axisUnit, boundsOf, type Matrix } from "./geometry";
+import { fromText, moved, pieceOf, toText } from "./piece";
+import { edgesOf, select, useSelection, verticesOf } from "./selection";
+
+/** Vertices that the selection has, in the order of selecting. */
+export const selectedVertices = (): number[] => verticesOf(useSelection.getState(), useDesign.getState());
+/** Edges that the selection has. */
+export const selectedEdges = (): number[] => edgesOf(useSelection.getState(), useDesign.getState());
+
+/** Makes a change and selects what it has added. */
+async function andSelect(request: EditRequest): Promise<ViewChange | null> {
+  const { vertices, edges } = useDesign.getState();
+  const change = await edit(request);
+  if (!change) return null;
+  select(
+    change.vertices.filter(({ id }) => !vertices.has(id)).map(({ id }) => id),
+    change.edges.filter(({ id }) => !edges.has(id)).map(({ id }) => id),
+  );
+  return change;
+}
+
+/** Several changes as one thing to undo; one alone is asked for as it is. */
+function together(label: string, edits: readonly EditRequest[]): EditRequest | null {
+  const [first] = edits;
+  return edits.length > 1 ? { edit: "several", label, edits: [...edits] } : (first ?? null);
+}
+
+export function remove(): void {
+  const { vertices, edges } = useSelection.getState();
+  void edit({ edit: "delete", vertices: [...vertices], edges: [...edges] });
+}
+
+/** Puts a vertex on each selected edge; `at` from 0 to 1 along it. */
+export async function split(at = 0.5): Promise<void> {
+  const request = together(
+    "split edges",
+    [...useSelection.getState().edges].map((edge) => ({ edit: "split" as const, edge, at })),
+  );
+  if (request) await andSelect(request);
+}
+
+export async function merge(at: "first" | "last" | "centre" = "centre"): Promise<void> {
+  const vertices = selectedVertices();
+  const [first] = vertices;
+  if ((await edit({ edit: "merge", vertices, at })) && first !== undefined) select([first]);
+}
+
+/** Edges between the selected vertices in the order in which they were selected. */
+export async function connect(): Promise<void> {
+  const ids = selectedVertices();
+  const pairs = ids.slice(1).map((to, index) => ({ edit: "draw" as const, from: ids[index] ?? to, to }));
+  const request = together("connect vertices", pairs);
+  if (request) await edit(request);
+}
+
+/** An edge from each selected vertex, mm along an axis; then they are moved by the pointer. */
+export async function extrude(axis: Axis = "z", by = useView.getState().grid * 4, grab = true): Promise<void> {
+  const { vertices } = useDesign.getState();
+  const unit = axisUnit(axis);
+  const draws = selectedVertices().flatMap((from) => {
+    const at = vertices.get(from)?.at;
+    return at
+      ? [
+          {
+            edit: "draw" as const,
+            from,
+            through_mm: [at.map((value, k) => value + (unit[k] ?? 0) * by) as [number, number, number]],
+          },
+        ]
+      : [];
+  });
+  const request = together("extrude", draws);
+  if (!request) return;
+  const change = await edit(request);
+  if (!change) return;
+  select(change.vertices.filter(({ id }) => !vertices.has(id)).map(({ id }) => id));
+  if (!grab) return;
+  chooseTool("select");
+  // The view has the new vertices after this turn.
+  setTimeout(() => useView.getState().handle?.startGrab());
+}
+
+/** Mirrors in a plane of an axis through a point; with `copy` the image is added. */
+export async function mirror(axis: Axis, through: number, copy: boolean): Promise<void> {
+  const point_mm: [number, number, number] = [0, 0, 0];
+  point_mm[axisIndex(axis)] = through;
+  await andSelectIf(copy, {
+    edit: "mirror",
+    vertices: selectedVertices(),
+    point_mm,
+    normal: [...axisUnit(axis)],
+    copy,
+  });
+}
+
+async function andSelectIf(added: boolean, request: EditRequest): Promise<void> {
+  if (added) await andSelect(request);
+  else await edit(request);
+}
+
+export async function array(step: Matrix, count: number): Promise<void> {
+  await edit({ edit: "array", vertices: selectedVertices(), step, count });
+}
+
+export async function transform(matrix: Matrix): Promise<void> {
+  await edit({ edit: "transform", vertices: selectedVertices(), matrix });
+}
+
+export async function moveBy(by: Vec3): Promise<void> {
+  await edit({ edit: "move", vertices: selectedVertices(), by_mm: [...by] });
+}
+
+export async function place(vertex: number, at: Vec3): Promise<void> {
+  await edit({ edit: "place", positions: [{ vertex, at_mm: [...at] }] });
+}
+
+export async function support(fixed: boolean): Promise<void> {
+  await edit({ edit: "support", vertices: selectedVertices(), support: fixed });
+}
+
+export async function detach(): Promise<void> {
+  await edit({ edit: "detach", edges: selectedEdges() });
+}
+
+/** Makes a change that may find nothing to change, which would look as if the button did not work. */
+async function orTell(request: EditRequest, nothing: string): Promise<void> {
+  const change = await edit(request);
+  if (
+    change &&
+    change.vertices.length + change.edges.length + change.gone_vertices.length + change.gone_edges.length === 0
+  )
+    tell("info", nothing, request.edit);
+}
+
+export async function straighten(tolerance_mm: number): Promise<void> {
+  await orTell(
+    { edit: "straighten", edges: selectedEdges(), tolerance_mm },
+    "No vertex of the chain is that close to a straight line: give a larger tolerance.",
+  );
+}
+
+export async function round(tolerance_mm: number, step_deg: number): Promise<void> {
+  await orTell(
+    { edit: "round", edges: selectedEdges(), tolerance_mm, step_deg },
+    "No arc is that close to the chain: give a larger tolerance.",
+  );
+}
+
+/** What was copied last in this window, for where the clipboard may not be read. */
+let kept = "";
+
+/** The selection as text for the clipboard; null of nothing. */
+export function copied(): string | null {
+  const piece = pieceOf(useSelection.getState(), useDesign.getState());
+  if (!piece) return null;
+  kept = toText(piece);
+  return kept;
+}
+
+/** Copies without an event of the browser, such as from a menu. */
+export function copy(): void {
+  const text = copied();
+  // Where the clipboard may not be written, what was kept serves within this window.
+  if (text) void navigator.clipboard?.writeText(text).catch(() => {});
+}
+
+export function cut(): void {
+  copy();
+  remove();
+}
+
+/** Pastes text of the clipboard, a step of the grid beside where it was copied. */
+export async function pasteText(text: string): Promise<void> {
+  const piece = fromText(text);
+  if (typeof piece === "string") return tell("info", piece, "paste");
+  const { grid } = useView.getState();
+  await andSelect(moved(piece, [grid, grid, 0]));
+}
+
+export async function paste(): Promise<void> {
+  const text = await navigator.clipboard?.readText().catch(() => null);
+  await pasteText(text ?? kept);
+}
+
+export async function duplicate(): Promise<void> {
+  const piece = pieceOf(useSelection.getState(), useDesign.getState());
+  if (!piece) return;
+  const { grid } = useView.getState();
+  if (!(await andSelect(moved(piece, [grid, grid, 0])))) return;
+  chooseTool("select");
+  setTimeout(() => useView.getState().handle?.startGrab());
+}
+
+/** The axis along which the selection is largest, and how far that is, mm; null of nothing that has a size. */
+export function largest(): { axis: Axis; size: number; centre: Vec3 } | null {
+  const bounds = boundsOf(selectedVertices(), useDesign.getState());
+  if (!bounds) return null;
+  const [axis, size] = AXES.map((axis) => [axis, bounds.size[axisIndex(axis)]] as const).reduce((a, b) =>
+    b[1] > a[1] ? b : a,
+  );
+  return size > 0 ? { axis, size, centre: bounds.centre } : null;
+}

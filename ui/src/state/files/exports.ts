@@ -1,0 +1,134 @@
+import { create } from "zustand";
+import type { ExportPreview, FormatEntry } from "../../generated/responses";
+import { Refused } from "../../platform";
+import { errorText } from "../../platform/error_text";
+import { asking } from "../asking/work";
+
+/** Settings of a format, by key. */
+export type Settings = Readonly<Record<string, unknown>>;
+
+interface ExportsStore {
+  /** Null before they are known. */
+  readonly formats: readonly FormatEntry[] | null;
+  /** Drivers that could not be asked, and why. */
+  readonly problems: readonly string[];
+  /** Why there are no formats. */
+  readonly problem: string | null;
+  /** Id of the chosen format; null: the first. */
+  readonly chosen: string | null;
+  /** What a person has set, by format; formats that are not named have what the profile says. */
+  readonly settings: ReadonlyMap<string, Settings>;
+  readonly despiteErrors: boolean;
+  readonly preview: Preview | null;
+  readonly previewing: boolean;
+  /** What was written last, by format. */
+  readonly written: { readonly format: string; readonly files: readonly string[] } | null;
+}
+
+interface Preview {
+  readonly format: string;
+  readonly seen: ExportPreview | null;
+  /** Why there is nothing to see; `errors`: because the machine cannot make it. */
+  readonly refused: { readonly message: string; readonly errors: boolean } | null;
+}
+
+export const useExports = create<ExportsStore>()(() => ({
+  formats: null,
+  problems: [],
+  problem: null,
+  chosen: null,
+  settings: new Map(),
+  despiteErrors: false,
+  preview: null,
+  previewing: false,
+  written: null,
+}));
+
+/** Asks what can be written for the machine. */
+export async function loadFormats(): Promise<void> {
+  try {
+    const { formats, problems } = await asking("exports", {});
+    const { chosen } = useExports.getState();
+    const still = formats.some(({ id }) => id === chosen) ? chosen : null;
+    useExports.setState({ formats, problems: problems.map(errorText), problem: null, chosen: still });
+  } catch (error) {
+    useExports.setState({ formats: null, problem: error instanceof Error ? error.message : String(error) });
+  }
+}
+
+/** The chosen format, else the machine's own. */
+export function chosenFormat({ formats, chosen }: Pick<ExportsStore, "formats" | "chosen">): FormatEntry | null {
+  return formats?.find(({ id }) => id === chosen) ?? formats?.[0] ?? null;
+}
+
+/** The settings that are written with: those of the person, else those of the profile. */
+export function settingsOf(format: FormatEntry, settings: ReadonlyMap<string, Settings>): Settings {
+  return settings.get(format.id) ?? format.settings;
+}
+
+export function chooseFormat(format: string): void {
+  useExports.setState((store) =>
+    chosenFormat(store)?.id === format ? { chosen: format } : { chosen: format, preview: null, written: null },
+  );
+}
+
+export function setSettings(format: string, settings: Settings): void {
+  useExports.setState((store) => ({ settings: new Map(store.settings).set(format, settings) }));
+}
+
+export function setDespiteErrors(despiteErrors: boolean): void {
+  useExports.setState({ despiteErrors });
+}
+
+let asked = 0;
+
+/** Asks for the first lines of what would be written. Of several questions only the last one's answer counts. */
+export async function preview(): Promise<void> {
+  const store = useExports.getState();
+  const format = chosenFormat(store);
+  if (!format) return;
+  asked += 1;
+  const question = asked;
+  useExports.setState({ previewing: true });
+  let answer: Preview;
+  try {
+    const settings = { ...settingsOf(format, store.settings) };
+    const seen = await asking("export", { format: format.id, settings, despite_errors: store.despiteErrors });
+    answer = { format: format.id, seen, refused: null };
+  } catch (error) {
+    answer = { format: format.id, seen: null, refused: refusal(error) };
+  }
+  if (question === asked) useExports.setState({ preview: answer, previewing: false });
+}
+
+function refusal(error: unknown): { message: string; errors: boolean } {
+  const message = error instanceof Error ? error.message : String(error);
+  return { message, errors: error instanceof Refused && error.refusal.code === "not-feasible" };
+}
+
+/** Writes the file. The person has been asked whether one that is there may be replaced. */
+export async function write(path: string, force: boolean): Promise<boolean> {
+  const store = useExports.getState();
+  const format = chosenFormat(store);
+  if (!format) return false;
+  const settings = { ...settingsOf(format, store.settings) };
+  const output = { path, force };
+  const before = forgotten;
+  const { files } = await asking("export", {
+    format: format.id,
+    settings,
+    despite_errors: store.despiteErrors,
+    output,
+  });
+  if (before === forgotten) useExports.setState({ written: { format: format.id, files } });
+  return true;
+}
+
+let forgotten = 0;
+
+/** What a person has said, and what was answered, was about another design or another machine. */
+export function forgetExports(): void {
+  forgotten += 1;
+  asked += 1;
+  useExports.setState({ settings: new Map(), despiteErrors: false, preview: null, previewing: false, written: null });
+}

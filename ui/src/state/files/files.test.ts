@@ -1,0 +1,205 @@
+// @vitest-environment happy-dom
+import { beforeEach, describe, expect, it, vi } from "vitest";
+
+const platform = vi.hoisted(() => ({
+  ask: vi.fn(),
+  stop: vi.fn(),
+  listen: vi.fn(),
+  stencilMesh: vi.fn(),
+  close: vi.fn(),
+  pickSave: vi.fn(),
+}));
+vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
+
+import { useProblems } from "../asking/problems";
+import { edit, useDesign } from "../design/design";
+import type { MachineState } from "../machine/operator";
+import { useRun } from "../machine/run";
+import { mayClose, quit, useClosing } from "./closing";
+import { mayLeave, newDesign, openPath, restore, save, saveAs, useFiles } from "./files";
+
+/** The Rust side, as far as it is asked here: whether its design is changed, and what it is called. */
+const rust = { changed: false, name: "A" };
+const view = () => ({
+  state: { changed: rust.changed, name: rust.name, file: "/there/a.wirebend", machine: null, units: "mm" },
+  vertices: [],
+  edges: [],
+  stencil: null,
+});
+const opened = () => ({ design: view(), notes: [], recent: [] });
+const changed = () => ({
+  change: { vertices: [], edges: [], gone_vertices: [], gone_edges: [], stencil: false, state: view().state },
+  notes: [],
+});
+
+/** Questions that are not answered before the test lets them be. */
+const held = new Map<string, () => void>();
+const hold = (ask: string) => held.set(ask, () => {});
+
+async function answered(ask: string): Promise<unknown> {
+  if (held.has(ask)) await new Promise<void>((release) => held.set(ask, release));
+  switch (ask) {
+    case "edit":
+      rust.changed = true;
+      return changed();
+    case "look":
+      return { seen: "document", asks_units: false, format: "wirebend" };
+    case "save":
+      rust.changed = false;
+      return opened();
+    case "new":
+    case "open":
+    case "close":
+    case "restore":
+      Object.assign(rust, { changed: false, name: "B" });
+      return opened();
+    default:
+      throw new Error(`nobody answers ${ask}`);
+  }
+}
+
+const asked = () => platform.ask.mock.calls.map(([ask]) => ask as string);
+const turns = () => new Promise((resolve) => setTimeout(resolve));
+const change = () => edit({ edit: "delete", vertices: [0], edges: [] });
+
+beforeEach(() => {
+  Object.assign(rust, { changed: false, name: "A" });
+  held.clear();
+  for (const mock of [platform.ask, platform.stop, platform.close, platform.pickSave]) mock.mockReset();
+  platform.ask.mockImplementation(answered);
+  useDesign.setState({ ...view(), vertices: new Map(), edges: new Map() } as never);
+  useFiles.setState({ leaving: null, unsaved: [], busy: null });
+  useRun.setState({ state: null });
+  useClosing.setState({ asked: null });
+  useProblems.setState({ problems: [] });
+});
+
+describe("leaving a design", () => {
+  it("asks of a change that is still on its way, and does not lose it", async () => {
+    void change();
+    const left = newDesign();
+    await turns();
+    expect(asked()).toEqual(["edit"]);
+    useFiles.getState().leaving?.("stay");
+    expect(await left).toBe(false);
+    expect(useFiles.getState().leaving).toBeNull();
+  });
+
+  it("asks once more for what was changed while it was saved", async () => {
+    await change();
+    hold("save");
+    const left = mayLeave();
+    await turns();
+    useFiles.getState().leaving?.("save");
+    await turns();
+    void change();
+    held.get("save")?.();
+    await turns();
+    expect(asked()).toEqual(["edit", "save", "edit"]);
+    useFiles.getState().leaving?.("drop");
+    expect(await left).toBe(true);
+  });
+
+  it("asks one question at a time: the first is answered by staying, the second can be answered", async () => {
+    await change();
+    const first = mayLeave();
+    await turns();
+    const second = mayLeave();
+    expect(await first).toBe(false);
+    await turns();
+    expect(useFiles.getState().leaving).not.toBeNull();
+    useFiles.getState().leaving?.("drop");
+    expect(await second).toBe(true);
+    expect(useFiles.getState().leaving).toBeNull();
+  });
+});
+
+describe("a file that is being read", () => {
+  it("lets nothing be changed or saved, which would be another design by then", async () => {
+    hold("open");
+    const open = openPath("/there/b.wirebend");
+    await turns();
+    expect(await change()).toBeNull();
+    expect(await save()).toBe(false);
+    expect(useProblems.getState().problems.map(({ code }) => code)).toContain("being-read");
+    held.get("open")?.();
+    await open;
+    expect(asked()).toEqual(["look", "open"]);
+    expect(useDesign.getState().state?.name).toBe("B");
+    expect(await change()).not.toBeNull();
+  });
+
+  it("that cannot be opened leaves the design as it was, to be changed again", async () => {
+    platform.ask.mockImplementation(async (ask: string) =>
+      ask === "open" ? Promise.reject(new Error("Line 3 is cut off.")) : answered(ask),
+    );
+    await openPath("/there/b.wirebend");
+    expect(useDesign.getState().state?.name).toBe("A");
+    expect(useFiles.getState().busy).toBeNull();
+    expect(await change()).not.toBeNull();
+  });
+});
+
+it("does not save another design under the name that was chosen for the one before", async () => {
+  let pick: (path: string) => void = () => {};
+  platform.pickSave.mockImplementation(() => new Promise((resolve) => (pick = resolve)));
+  const saved = saveAs();
+  await openPath("/there/b.wirebend");
+  pick("/there/a2.wirebend");
+  expect(await saved).toBe(false);
+  expect(asked()).not.toContain("save");
+});
+
+it("keeps the other unsaved designs on offer when one is restored", async () => {
+  const [one, other] = ["/k/1", "/k/2"].map((journal) => ({ journal, name: "", changes: 1, changed_s: 0, file: null }));
+  useFiles.setState({ unsaved: [one, other] as never });
+  await restore("/k/1");
+  expect(useFiles.getState().unsaved).toEqual([other]);
+});
+
+describe("closing the window", () => {
+  const machine = (phase: MachineState["phase"]) => useRun.setState({ state: { phase } as MachineState });
+
+  it("ends what is kept of the design, also where nothing is changed", async () => {
+    expect(await mayClose()).toBe(true);
+    expect(asked()).toEqual(["close"]);
+  });
+
+  it("ends it only after the person has given it up", async () => {
+    await change();
+    const closing = quit();
+    await turns();
+    expect(asked()).toEqual(["edit"]);
+    useFiles.getState().leaving?.("drop");
+    await closing;
+    expect(asked()).toEqual(["edit", "close"]);
+    expect(platform.close).toHaveBeenCalledOnce();
+  });
+
+  it("asks while a wire is being bent, and stops the machine first", async () => {
+    machine("making");
+    const order: string[] = [];
+    platform.stop.mockImplementation(async () => void order.push("stop"));
+    platform.close.mockImplementation(async () => void order.push("close"));
+    const closing = quit();
+    await turns();
+    expect([useClosing.getState().asked?.phase, order]).toEqual(["making", []]);
+    useClosing.getState().asked?.answer(true);
+    await closing;
+    expect(order).toEqual(["stop", "close"]);
+  });
+
+  it("stays open when the person says no, or when the machine cannot be stopped", async () => {
+    machine("homing");
+    for (const yes of [false, true]) {
+      platform.stop.mockRejectedValue(new Error("The driver does not answer."));
+      const closing = mayClose();
+      await turns();
+      useClosing.getState().asked?.answer(yes);
+      expect(await closing).toBe(false);
+      expect(useClosing.getState().asked).toBeNull();
+    }
+    expect(platform.stop).toHaveBeenCalledOnce();
+    expect(asked()).toEqual([]);
+  });
+});

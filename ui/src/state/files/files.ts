@@ -1,0 +1,285 @@
+import { create } from "zustand";
+import type { DesignInput } from "../../generated/requests";
+import type { DesignOpened, LookResponse, RecentEntry, Started, Unsaved } from "../../generated/responses";
+import { type FileKind, platform } from "../../platform";
+import { errorText } from "../../platform/error_text";
+import { tell, told } from "../asking/problems";
+import { asking } from "../asking/work";
+import { applyChange, checkDesign, edit, showDesign, useDesign, whyNoChange } from "../design/design";
+import { inTurn, replacingDesign, settled } from "../design/turns";
+import { useView } from "../window/view";
+
+/** What a file is opened for: as the design, or as the surface that is traced on. */
+export type Purpose = "design" | "stencil";
+
+/** A file that was looked into, and what is still open about it. */
+export interface Opening {
+  readonly path: string;
+  readonly purpose: Purpose;
+  readonly look: LookResponse;
+}
+
+interface FilesStore {
+  readonly version: string;
+  readonly recent: readonly RecentEntry[];
+  /** Designs that were open when the program or the computer stopped; empty once a person has chosen. */
+  readonly unsaved: readonly Unsaved[];
+  readonly opening: Opening | null;
+  /** A changed design is about to be replaced: what the person says. */
+  readonly leaving: ((say: "save" | "drop" | "stay") => void) | null;
+  /** What is being read. */
+  readonly busy: string | null;
+  /** Whether something is dragged over the window. */
+  readonly over: boolean;
+  /** How many designs were opened: changes with each. */
+  readonly opened: number;
+}
+
+export const useFiles = create<FilesStore>()(() => ({
+  version: "",
+  recent: [],
+  unsaved: [],
+  opening: null,
+  leaving: null,
+  busy: null,
+  over: false,
+  opened: 0,
+}));
+
+const MODELS: FileKind = { name: "Models", extensions: ["stl", "obj", "ply", "3mf", "glb", "gltf"] };
+const DESIGNS: FileKind = { name: "WireBend documents", extensions: ["wirebend"] };
+const DRAWINGS: FileKind = { name: "Drawings", extensions: ["svg", "dxf"] };
+const TABLES: FileKind = {
+  name: "Tables and programs",
+  extensions: ["xyz", "csv", "tsv", "txt", "lra", "ybc", "pwf", "dsw", "diw", "json"],
+};
+const ALL: FileKind = {
+  name: "Everything that can be opened",
+  extensions: [DESIGNS, MODELS, DRAWINGS, TABLES].flatMap(({ extensions }) => extensions),
+};
+
+/** What a file of the design is called, without the folder and the extension of what it was read from. */
+function stem(): string {
+  const name = useDesign.getState().state?.name || "design";
+  const extension = ALL.extensions.find((known) => name.toLowerCase().endsWith(`.${known}`));
+  return extension ? name.slice(0, -extension.length - 1) || name : name;
+}
+
+export const baseName = (path: string): string => path.split(/[\\/]/).at(-1) ?? path;
+
+/** Shows what the program has open. */
+export async function start(): Promise<void> {
+  await replacingDesign(async () => {
+    const started = await told(platform.ask("start", {}));
+    if (!started) return;
+    const { version, recent, unsaved, design, warnings } = started;
+    useFiles.setState({ version, recent, unsaved });
+    for (const warning of warnings) tell("warning", errorText(warning), "start");
+    await showDesign(design, []);
+  });
+  checkDesign();
+}
+
+/** Asks whether a changed design is saved. One question at a time: the one before is answered by staying. */
+async function askLeaving(): Promise<"save" | "drop" | "stay"> {
+  useFiles.getState().leaving?.("stay");
+  let mine: FilesStore["leaving"] = null;
+  const say = await new Promise<"save" | "drop" | "stay">((answer) => {
+    mine = answer;
+    useFiles.setState({ leaving: answer });
+  });
+  if (useFiles.getState().leaving === mine) useFiles.setState({ leaving: null });
+  return say;
+}
+
+/** True when the design may be replaced: it is saved, or the person gives it up. */
+export async function mayLeave(): Promise<boolean> {
+  for (;;) {
+    // What is still on its way may be a change, also one that was made while it was saved.
+    await settled();
+    if (!useDesign.getState().state?.changed) return true;
+    const say = await askLeaving();
+    if (say === "drop") return true;
+    if (say === "stay" || !(await save())) return false;
+  }
+}
+
+/** Shows that a file is being read; of several the last. */
+async function reading<T>(name: string, does: () => Promise<T>): Promise<T> {
+  useFiles.setState({ busy: name });
+  try {
+    return await does();
+  } finally {
+    useFiles.setState(({ busy }) => ({ busy: busy === name ? null : busy }));
+  }
+}
+
+/** Puts another design in the place of the open one. It is asked for when everything before is done. */
+async function opened(ask: () => Promise<DesignOpened>, name: string): Promise<boolean> {
+  const done = await reading(name, () =>
+    replacingDesign(async () => {
+      const answer = await told(ask());
+      if (!answer) return false;
+      useFiles.setState(({ opened }) => ({ recent: answer.recent, opened: opened + 1 }));
+      await showDesign(answer.design, answer.notes);
+      return true;
+    }),
+  );
+  checkDesign();
+  return done;
+}
+
+/** Opens a file, or asks first how it is to be read. */
+export async function openPath(path: string, purpose: Purpose = "design"): Promise<void> {
+  const look = await reading(baseName(path), () => told(asking("look", { design: { input: { file: path } } })));
+  if (!look) return;
+  if (look.seen === "job") {
+    tell(
+      "error",
+      `${baseName(path)} is a job. A job can be run but not edited. Open the design it was made from.`,
+      "is-a-job",
+    );
+  } else if (needsAnswers(look, purpose)) {
+    useFiles.setState({ opening: { path, purpose, look } });
+  } else if (await mayLeave()) {
+    await opened(() => asking("open", { design: { input: { file: path } } }), baseName(path));
+  }
+}
+
+/** Whether a person has to say how a file is read: its unit, or what becomes of its surface. */
+function needsAnswers(
+  { seen, asks_units, format }: Pick<LookResponse, "seen" | "asks_units" | "format">,
+  purpose: Purpose,
+): boolean {
+  if (seen === "document") return purpose === "stencil";
+  return purpose === "stencil" || seen === "stencil" || seen === "both" || asks_units || isDrawing(format);
+}
+
+/** Formats that have layers, and curves that become straight edges. */
+export function isDrawing(format: string): boolean {
+  return format === "dxf" || format === "svg";
+}
+
+/** What becomes of a surface. */
+export type Use = "stencil" | "edges" | "both";
+
+/** Opens what was looked into as the person says; false where it came to nothing, and the question stays. */
+export async function openAs(design: DesignInput, use: Use | null): Promise<boolean> {
+  const { opening } = useFiles.getState();
+  const name = opening ? baseName(opening.path) : "";
+  if (use === "stencil" && useDesign.getState().vertices.size > 0) {
+    // The wires that are there are kept: the surface comes under them.
+    const put = await reading(name, () => putStencil(design));
+    if (put) useView.getState().handle?.frame();
+    return put;
+  }
+  if (!(await mayLeave())) return false;
+  const done = await opened(
+    () => asking("open", { design: { ...design, face_edges: use === "edges" || use === "both" } }),
+    name,
+  );
+  if (!done) return false;
+  useFiles.setState({ opening: null });
+  if (use === "edges" && useDesign.getState().stencil) await edit({ edit: "remove-stencil" });
+  return true;
+}
+
+/** Changes that are made while the surface is read wait for it. */
+function putStencil(design: DesignInput): Promise<boolean> {
+  return inTurn(async () => {
+    const made = await told(asking("put-stencil", { design }));
+    if (!made?.change) return false;
+    useFiles.setState({ opening: null });
+    useDesign.setState({ notes: made.notes });
+    await applyChange(made.change);
+    return true;
+  });
+}
+
+export async function pickDesign(): Promise<void> {
+  const path = await told(platform.pickFile([ALL, DESIGNS, MODELS, DRAWINGS, TABLES]));
+  if (path) await openPath(path);
+}
+
+export async function pickStencil(): Promise<void> {
+  const path = await told(platform.pickFile([MODELS]));
+  if (path) await openPath(path, "stencil");
+}
+
+export async function newDesign(): Promise<boolean> {
+  return (await mayLeave()) && opened(() => asking("new", {}), "new design");
+}
+
+export async function openExample(id: string, name: string): Promise<boolean> {
+  return (await mayLeave()) && opened(() => asking("open-example", { id }), name);
+}
+
+/** Saves where it was saved before, or where the person says; false where it is not saved. */
+export async function save(): Promise<boolean> {
+  const { state } = useDesign.getState();
+  return state?.file ? saveTo(null) : saveAs();
+}
+
+export async function saveAs(): Promise<boolean> {
+  const { opened: design } = useFiles.getState();
+  const path = await told(platform.pickSave(`${stem()}.wirebend`, DESIGNS));
+  if (!path) return false;
+  if (design === useFiles.getState().opened) return saveTo(path);
+  tell("warning", "Not saved: another design was opened meanwhile.", "not-saved");
+  return false;
+}
+
+async function saveTo(path: string | null): Promise<boolean> {
+  const why = whyNoChange();
+  if (why) {
+    tell("info", `${why} Nothing was saved: another design is being opened.`, "being-read");
+    return false;
+  }
+  return inTurn(async () => {
+    const answer = await told(platform.ask("save", { path }));
+    if (!answer) return false;
+    useFiles.setState({ recent: answer.recent });
+    // Only name, file and what is saved have changed; the vertices and edges that are shown stay.
+    useDesign.setState({ state: answer.design.state });
+    return true;
+  });
+}
+
+export async function restore(journal: string): Promise<void> {
+  if (!(await mayLeave()) || !(await opened(() => asking("restore", { journal }), "unsaved design"))) return;
+  useFiles.setState(({ unsaved }) => ({ unsaved: unsaved.filter((other) => other.journal !== journal) }));
+}
+
+function took(started: Started | null): void {
+  if (started) useFiles.setState({ unsaved: started.unsaved, recent: started.recent });
+}
+
+export async function discard(journal: string): Promise<void> {
+  took(await told(platform.ask("discard", { journal })));
+}
+
+export async function clearRecent(): Promise<void> {
+  const started = await told(platform.ask("clear-recent", {}));
+  if (started) useFiles.setState({ recent: started.recent });
+}
+
+/** The design is given up or saved: nothing of it is kept for the next time. An empty one takes its place. */
+export async function closeDesign(): Promise<void> {
+  await opened(() => platform.ask("close", {}), "new design");
+}
+
+/** Plans the design and writes it as a job; a design that cannot be made is refused, with the reason. */
+export async function saveJob(): Promise<void> {
+  const path = await told(platform.pickSave(`${stem()}.wbjob`, { name: "Jobs", extensions: ["wbjob"] }));
+  if (!path) return;
+  const saved = await told(asking("save-job", { output: { path, force: true } }));
+  if (saved) tell("info", `The job is in ${saved.file}.`, "job-saved");
+}
+
+/** Writes the wires as lines for another program. */
+export async function saveWireframe(): Promise<void> {
+  const path = await told(platform.pickSave(`${stem()}.obj`, { name: "Models", extensions: ["obj"] }));
+  if (!path) return;
+  const saved = await told(asking("save-wireframe", { output: { path, force: true } }));
+  if (saved) tell("info", `The wireframe is in ${saved.file}.`, "wireframe-saved");
+}

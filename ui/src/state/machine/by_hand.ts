@@ -1,0 +1,100 @@
+/** The wire that moves by hand bend: drawn in the view as they run, as long as nothing else is shown there. */
+
+import { create } from "zustand";
+import { platform } from "../../platform";
+import type { Played } from "../../scene/interface";
+import { useDesign } from "../design/design";
+import { playedDesign } from "../program/played";
+import { showDesignAgain, usePlayback } from "../program/program";
+import { needMachines, useMachines, viewOf } from "./machines";
+import type { OperatorEvent, Phase } from "./operator";
+import { useRun } from "./run";
+
+interface ByHandStore {
+  /** How many are done since the machine was homed or connected. */
+  readonly moves: number;
+  /** What the view shows of them, at its end; null where it shows something else. */
+  readonly played: Played | null;
+}
+
+const NONE: ByHandStore = { moves: 0, played: null };
+
+export const useByHand = create<ByHandStore>()(() => NONE);
+
+/** mm, of a machine whose wire was not chosen. */
+const SOME_DIAMETER = 2;
+
+/** Of the design's wire, mm; it is the one that lies in the machine, as far as anybody knows. */
+function diameter(): number {
+  const chosen = useDesign.getState().state?.material;
+  return useMachines.getState().materials?.find(({ id }) => id === chosen)?.diameter_mm ?? SOME_DIAMETER;
+}
+
+/** Phases that begin with a wire of their own, or without any. */
+const ANEW: ReadonlySet<Phase> = new Set(["connecting", "homing", "making", "closed"]);
+
+/** A move that was ordered here is under way. */
+let following = false;
+/** Changes when what was asked for is no longer wanted. */
+let wanted = 0;
+/** One question at a time: what is reported meanwhile asks once more. */
+let asked = false;
+let again = false;
+
+/** Draws what was moved, instead of a program that is shown; the wire that a machine bends just now is left alone. */
+async function draw(): Promise<void> {
+  const machine = useRun.getState().state?.machine;
+  if (machine === undefined || usePlayback.getState().live) return;
+  again = asked;
+  if (asked) return;
+  asked = true;
+  const before = wanted;
+  needMachines();
+  // Without the machine's picture there is nothing to draw it on; the figures in the section show it anyway.
+  const answers = await Promise.all([viewOf(machine), platform.ask("by-hand", {})]).catch(() => null);
+  asked = false;
+  if (answers && before === wanted && !usePlayback.getState().live) {
+    const [view, { moves, wire }] = answers;
+    showDesignAgain();
+    useByHand.setState({ moves, played: playedDesign(wire, view, diameter()) });
+  }
+  if (again) await draw();
+}
+
+/** A person has ordered a move: it is drawn while it runs, as far as the machine reports where its axes are. */
+export function beginMove(): void {
+  following = true;
+}
+
+/** It was refused. */
+export function cancelMove(): void {
+  following = false;
+}
+
+/** The view shows the design again; the next move is drawn with those before it. */
+export function hideByHand(): void {
+  // What is left of a move that is under way is drawn with the next one.
+  following = false;
+  wanted += 1;
+  again = false;
+  if (useByHand.getState().played) useByHand.setState({ played: null });
+}
+
+function forget(): void {
+  hideByHand();
+  useByHand.setState(NONE);
+}
+
+export function hearByHand(event: OperatorEvent): void {
+  if (event.event === "state") {
+    if (ANEW.has(event.phase)) forget();
+    // A refused or stopped move goes no farther.
+    else if (event.phase !== "moving" && !event.busy) following = false;
+    return;
+  }
+  if (event.event === "news" && event.news === "position" && following) void draw();
+  if (event.event !== "jogged") return;
+  following = false;
+  if (event.made.move === "home") forget();
+  else void draw();
+}

@@ -1,0 +1,251 @@
+import { create } from "zustand";
+import type { MachineNow, PortEntry, RunEntry } from "../../generated/responses";
+import { platform } from "../../platform";
+import { errorText } from "../../platform/error_text";
+import { tell, told } from "../asking/problems";
+import { asking } from "../asking/work";
+import { useDesign } from "../design/design";
+import { endLive, showDoubt, showLive } from "../program/program";
+import { useUi } from "../window/ui";
+import { type ConsoleLine, withLines } from "./console";
+import {
+  type Answer,
+  isInWire,
+  type MachineState,
+  type Move,
+  type OperatorEvent,
+  type Order,
+  type Question,
+  type WireRun,
+} from "./operator";
+
+interface RunStore {
+  /** How the machine stands; null as long as none was connected. */
+  readonly state: MachineState | null;
+  readonly question: Question | null;
+  readonly console: readonly ConsoleLine[];
+  /** Moves by hand that are kept. */
+  readonly recorded: readonly Move[];
+  /** What became of the wire that was bent last. */
+  readonly ended: WireRun | null;
+  /** What was bent before, the last first; null before that is known. */
+  readonly runs: readonly RunEntry[] | null;
+  /** Null before they are known. */
+  readonly ports: readonly PortEntry[] | null;
+  readonly portProblem: string | null;
+  /** An order is on its way. */
+  readonly ordering: boolean;
+}
+
+export const useRun = create<RunStore>()(() => ({
+  state: null,
+  question: null,
+  console: [],
+  recorded: [],
+  ended: null,
+  runs: null,
+  ports: null,
+  portProblem: null,
+  ordering: false,
+}));
+
+/** Whether there is a session, so that there may be something to stop. */
+export const isOpen = (state: MachineState | null): boolean => state !== null && state.phase !== "closed";
+
+/** How many states were reported: an answer that one has overtaken is older than what is known. */
+let heard = 0;
+
+/** Takes the state of an answer, unless a newer one was reported while it was on its way. */
+function standAsAnswered(state: MachineState | null, before: number): void {
+  if (heard === before) stand(state);
+}
+
+function stand(state: MachineState | null): void {
+  useRun.setState(({ question }) => ({ state, question: state?.question === undefined ? question : state.question }));
+  if (state && isInWire(state.phase)) showWire();
+  else if (state?.wire && state.question?.doubt) void showDoubt(state.wire, state.question.doubt);
+  else endLive();
+}
+
+/** Shows the wire that is being bent, as far as it is one of the open design. */
+export function showWire(): void {
+  const { state } = useRun.getState();
+  if (state?.wire && isInWire(state.phase)) void showLive(state.wire);
+}
+
+/** Lines come faster than they can be drawn: they are collected for a moment. */
+let collected: Omit<ConsoleLine, "id">[] = [];
+const COLLECT_MS = 60;
+
+function collect(line: Omit<ConsoleLine, "id">): void {
+  collected.push(line);
+  if (collected.length > 1) return;
+  window.setTimeout(() => {
+    const lines = collected;
+    collected = [];
+    useRun.setState((run) => ({ console: withLines(run.console, lines) }));
+  }, COLLECT_MS);
+}
+
+export function clearConsole(): void {
+  useRun.setState({ console: [] });
+}
+
+/** Hears what the operator reports. */
+export function hearOperator(event: OperatorEvent): void {
+  switch (event.event) {
+    case "state": {
+      const { event: _, ...state } = event;
+      heard += 1;
+      stand(state);
+      break;
+    }
+    case "question": {
+      const { event: _, ...question } = event;
+      useRun.setState({ question });
+      break;
+    }
+    case "answered":
+      useRun.setState(({ question }) => ({ question: question?.id === event.id ? null : question }));
+      break;
+    case "jogged":
+      void loadRecorded();
+      break;
+    case "run-ended":
+      // The notes of a wire that was bent were shown on the way.
+      if (event.wires.length === 0) for (const note of event.notes) tell("warning", errorText(note), note.code);
+      useRun.setState({ ended: event.wires.at(-1) ?? null });
+      break;
+    case "stopped":
+      // Whether the machine stands is reported with the state, once it is known.
+      if (event.driver_ended)
+        tell("warning", "The driver did not pass STOP on and was ended. Connect the machine again.", "driver-ended");
+      break;
+    case "problem":
+      // The section shows it beside the buttons that it is about.
+      if (!useUi.getState().open.includes("run")) tell("error", errorText(event), event.code);
+      break;
+    case "news":
+      hearNews(event);
+      break;
+  }
+}
+
+function hearNews(news: Extract<OperatorEvent, { event: "news" }>): void {
+  const { state } = useRun.getState();
+  switch (news.news) {
+    case "console":
+      collect({ toMachine: news.to_machine, text: news.text });
+      break;
+    case "warning":
+      tell("warning", errorText(news), news.code);
+      break;
+    case "wire": {
+      const { event: _, news: __, ...wire } = news;
+      // Which job it is of was reported with the state.
+      if (state?.wire) stand({ ...state, wire: { ...state.wire, ...wire } });
+      break;
+    }
+    case "position": {
+      const { feed_mm, rotate_deg, bend_deg } = news;
+      if (state) useRun.setState({ state: { ...state, position: { feed_mm, rotate_deg, bend_deg } } });
+      break;
+    }
+    case "about":
+    case "paused":
+    case "resumed":
+      // They come with the question, and with the state.
+      break;
+  }
+}
+
+/** What a machine that is connected says of itself; null where none is. */
+export function saidOf(state: MachineState | null): string | null {
+  if (!state || ["connecting", "failed", "closed"].includes(state.phase)) return null;
+  return JSON.stringify([state.machine, state.port, state.settings]);
+}
+
+/** Takes what the Rust side knows, such as after the window was loaded anew. */
+export async function takeUp(): Promise<void> {
+  const before = heard;
+  try {
+    standAsAnswered((await platform.ask("machine-state", {})).state, before);
+  } catch {
+    // Nothing is connected whose state could be taken; connecting says why it cannot be.
+  }
+}
+
+let portsAsked = 0;
+
+/** Asks for the ports that the machine of the design can be at. Of several questions only the last one's answer counts. */
+export async function loadPorts(): Promise<void> {
+  const machine = useDesign.getState().state?.machine ?? null;
+  portsAsked += 1;
+  const question = portsAsked;
+  let found: Pick<RunStore, "ports" | "portProblem">;
+  try {
+    const { ports, problems, remedies } = await asking("ports", { machine });
+    found = { ports, portProblem: problems.length > 0 ? errorText({ message: problems.join(". "), remedies }) : null };
+  } catch (error) {
+    found = { ports: [], portProblem: error instanceof Error ? error.message : String(error) };
+  }
+  if (question === portsAsked) useRun.setState(found);
+}
+
+/** Asks for the records of what was bent. */
+export async function loadRuns(): Promise<void> {
+  const all = await told(asking("runs", {}));
+  if (all) useRun.setState({ runs: all.runs.toReversed() });
+}
+
+async function ordered(asked: Promise<MachineNow>): Promise<boolean> {
+  const before = heard;
+  useRun.setState({ ordering: true });
+  const now = await told(asked);
+  useRun.setState({ ordering: false });
+  if (now) standAsAnswered(now.state, before);
+  return now !== null;
+}
+
+/** `port` null: the simulated machine. */
+export function connect(port: string | null): Promise<boolean> {
+  useRun.setState({ ended: null, recorded: [] });
+  return ordered(asking("connect", { port }));
+}
+
+export function order(what: Order): Promise<boolean> {
+  if (what.order === "start" || what.order === "resume-run") useRun.setState({ ended: null });
+  return ordered(asking("order", { request: what }));
+}
+
+export function answer(question: number, what: Answer): Promise<boolean> {
+  return ordered(platform.ask("answer", { question, answer: what }));
+}
+
+/** Which moves are kept is for the operator to say. */
+async function loadRecorded(): Promise<void> {
+  const recorded = await told(platform.ask("recorded", {}));
+  if (recorded) useRun.setState({ recorded: recorded.moves });
+}
+
+export async function clearRecording(): Promise<void> {
+  const left = await told(platform.ask("clear-recording", {}));
+  if (left) useRun.setState({ recorded: left.moves });
+}
+
+/** Writes the recorded moves; null where that came to nothing. */
+export async function saveRecording(path: string): Promise<string | null> {
+  // The dialog has asked whether a file that is there may be replaced.
+  const saved = await told(platform.ask("save-recording", { output: { path, force: true } }));
+  return saved?.file ?? null;
+}
+
+/** Stops the machine. Waits for nothing else. */
+export function stop(): void {
+  void told(platform.stop());
+}
+
+/** What became of the last wire is said of the design that it is of. */
+export function forgetEnded(): void {
+  useRun.setState({ ended: null });
+}

@@ -1,0 +1,266 @@
+import { create } from "zustand";
+import type { MachineViewResponse, MadeResponse, ProgramResponse } from "../../generated/responses";
+import type { Played, Shown } from "../../scene/interface";
+import { told } from "../asking/problems";
+import { asking } from "../asking/work";
+import { type DesignStore, useDesign } from "../design/design";
+import { useMachines, viewOf } from "../machine/machines";
+import type { Doubt, WireState } from "../machine/operator";
+import { playedWire } from "./played";
+
+/** What a program is of: another one has to be made when any of this is another. */
+interface Basis {
+  readonly vertices: DesignStore["vertices"];
+  readonly edges: DesignStore["edges"];
+  /** Machine, material, doublings and start as one text. */
+  readonly choices: string;
+  /** How often profiles were changed. */
+  readonly profiles: number;
+}
+
+interface ProgramStore {
+  /** The program that was asked for last; null before, and where there is none. */
+  readonly program: ProgramResponse | null;
+  readonly basis: Basis | null;
+  readonly asking: boolean;
+  /** Why there is none. */
+  readonly problem: string | null;
+  /** The machine as it was when the program was made. */
+  readonly machine: MachineViewResponse | null;
+  /** The wire that is shown, from 0, in the order of `program.wires`. */
+  readonly wire: number;
+  /** How the machine bends it, asked for on demand; of the same basis as the program. */
+  readonly made: MadeResponse | null;
+  readonly askingMade: boolean;
+}
+
+const NONE: ProgramStore = {
+  program: null,
+  basis: null,
+  asking: false,
+  problem: null,
+  machine: null,
+  wire: 0,
+  made: null,
+  askingMade: false,
+};
+
+export const useProgram = create<ProgramStore>()(() => NONE);
+
+/** What the view plays. */
+interface PlaybackStore {
+  /** Null: the view shows the design. */
+  readonly played: Played | null;
+  /** Step with its fraction, from 0 to the number of steps. */
+  readonly step: number;
+  readonly shown: Shown;
+  readonly playing: boolean;
+  /** The steps are those that a machine runs just now: they are not played. */
+  readonly live: boolean;
+  /** The name of the design whose wire a machine bends, where that is not the open design as it is: nothing is shown of it. */
+  readonly otherWire: string | null;
+}
+
+export const usePlayback = create<PlaybackStore>()(() => ({
+  played: null,
+  step: 0,
+  shown: "designed",
+  playing: false,
+  live: false,
+  otherWire: null,
+}));
+
+/** What to say of the wire that a machine bends when the view cannot show it; null where it does, or where none is bent. */
+export function useOtherWire(): string | null {
+  const name = usePlayback(({ otherWire }) => otherWire);
+  const own = useDesign(({ state }) => state?.name ?? "");
+  if (name === null) return null;
+  const whose = name || "a design without a name";
+  return name === own
+    ? `This is the wire of ${whose}, armed before these changes. It is not shown.`
+    : `This is the wire of ${whose}, which is not the open design. It is not shown.`;
+}
+
+function basisNow(): Basis {
+  const { vertices, edges, state } = useDesign.getState();
+  const choices = JSON.stringify([state?.machine, state?.material, state?.doublings, state?.start]);
+  return { vertices, edges, choices, profiles: useMachines.getState().changes };
+}
+
+function same(a: Basis | null, b: Basis): boolean {
+  return (
+    a !== null &&
+    a.vertices === b.vertices &&
+    a.edges === b.edges &&
+    a.choices === b.choices &&
+    a.profiles === b.profiles
+  );
+}
+
+/** Whether the design or its machine has changed since the program was made. Draws anew when that changes. */
+export function useStale(): boolean {
+  useDesign();
+  useMachines((machines) => machines.changes);
+  const basis = useProgram((program) => program.basis);
+  return basis !== null && !same(basis, basisNow());
+}
+
+/** Whether the program is that of the design as it is. */
+export const isUpToDate = (): boolean => same(useProgram.getState().basis, basisNow());
+
+/** Brings the program up to date; true when there is one. */
+export async function makeProgram(): Promise<boolean> {
+  const basis = basisNow();
+  const { state } = useDesign.getState();
+  // The design itself may not be here yet, such as when a machine is at work while the window is loaded.
+  if (!state) return false;
+  const { machine } = state;
+  if (same(useProgram.getState().basis, basis)) return useProgram.getState().program !== null;
+  if (useProgram.getState().asking) return false;
+  useProgram.setState({ asking: true });
+  try {
+    const [program, view] = await Promise.all([asking("program", {}), machine ? viewOf(machine) : null]);
+    const wire = Math.min(useProgram.getState().wire, Math.max(program.wires.length - 1, 0));
+    useProgram.setState({ program, machine: view, basis, wire, made: null, problem: null });
+  } catch (error) {
+    const problem = error instanceof Error ? error.message : String(error);
+    useProgram.setState({ program: null, machine: null, basis, made: null, problem });
+  } finally {
+    useProgram.setState({ asking: false });
+  }
+  const { played, step } = usePlayback.getState();
+  if (played) show(step);
+  return (useProgram.getState().program?.wires.length ?? 0) > 0;
+}
+
+/** Asks how the machine bends it, which may take a while; true when it is known. */
+export async function simulate(): Promise<boolean> {
+  if (!(await makeProgram()) || useProgram.getState().askingMade) return false;
+  const { basis, made } = useProgram.getState();
+  if (made) return true;
+  useProgram.setState({ askingMade: true });
+  const answer = await told(asking("made", {}));
+  useProgram.setState({ askingMade: false });
+  // What was asked of another design is no answer for this one.
+  if (!answer || useProgram.getState().basis !== basis) return false;
+  useProgram.setState({ made: answer });
+  const { played, step } = usePlayback.getState();
+  if (played) show(step);
+  return true;
+}
+
+/** Forgets the program, such as that of a design that was closed. */
+export function forgetProgram(): void {
+  useProgram.setState({ ...NONE });
+  showDesignAgain();
+}
+
+export function chooseWire(wire: number): void {
+  useProgram.setState({ wire });
+  if (usePlayback.getState().played) show(0);
+}
+
+/** What is played consists of: while all of this is the same the view keeps its machine, also while a person slides. */
+let playedOf: readonly unknown[] = [];
+
+/** Shows the wire in the view, at a position. Without a program nothing is shown. */
+export function show(step: number): void {
+  const { program, machine, made, wire } = useProgram.getState();
+  const before = usePlayback.getState();
+  const of = [program, machine, made, wire];
+  const kept = before.played && of.every((one, index) => one === playedOf[index]) ? before.played : null;
+  const played = kept ?? (program ? playedWire(program, wire, machine, made) : null);
+  if (!played) {
+    showDesignAgain();
+    return;
+  }
+  playedOf = of;
+  const shown = made ? before.shown : "designed";
+  usePlayback.setState({ played, shown, step: Math.min(Math.max(step, 0), played.steps.length) });
+}
+
+/** The view shows the design again. */
+export function showDesignAgain(): void {
+  usePlayback.setState({ played: null, step: 0, playing: false, live: false });
+}
+
+export async function chooseShown(shown: Shown): Promise<void> {
+  if (shown !== "designed" && !(await simulate())) return;
+  usePlayback.setState({ shown });
+  if (!usePlayback.getState().played) show(0);
+}
+
+/** Something that the person does with the program: a job in the view of a running machine is left alone. */
+export async function goTo(step: number): Promise<void> {
+  if (usePlayback.getState().live || !(await makeProgram())) return;
+  usePlayback.setState({ playing: false });
+  show(step);
+}
+
+async function play(): Promise<void> {
+  if (usePlayback.getState().live || !(await makeProgram())) return;
+  const { played, step } = usePlayback.getState();
+  if (!played) show(0);
+  else if (step >= played.steps.length) show(0);
+  usePlayback.setState({ playing: usePlayback.getState().played !== null });
+}
+
+export function pause(): void {
+  usePlayback.setState({ playing: false });
+}
+
+/** What the key for it does. */
+export function togglePlay(): void {
+  if (usePlayback.getState().playing) pause();
+  else void play();
+}
+
+/** Changes when a wire is over: what was asked because of it comes too late then. */
+let over = 0;
+
+/** Shows how far a machine is with a wire, where it is one of the open design as it is. */
+export async function showLive({
+  job_hash,
+  name,
+  wire,
+  made,
+  in_step,
+}: Pick<WireState, "job_hash" | "name" | "wire" | "made" | "in_step">): Promise<void> {
+  const isShown = () => useProgram.getState().program?.job_hash === job_hash;
+  // A program that was made meanwhile is that of a design that was changed.
+  if (!usePlayback.getState().live || !isShown()) {
+    const before = over;
+    if (!isUpToDate() && !(await makeProgram()) && !isUpToDate()) return;
+    if (before !== over) return;
+    if (!isShown()) {
+      if (usePlayback.getState().live) showDesignAgain();
+      return usePlayback.setState({ otherWire: name });
+    }
+    usePlayback.setState({ playing: false, otherWire: null });
+    useProgram.setState({ wire });
+    show(made);
+  }
+  const steps = useProgram.getState().program?.wires[wire]?.steps ?? [];
+  usePlayback.setState({ live: true, step: Math.min(made + in_step, steps.length) });
+}
+
+/** Shows a wire as far as it is bent, with what the machine has counted of the step in doubt. */
+export async function showDoubt(
+  wire: Pick<WireState, "job_hash" | "name" | "wire">,
+  { step, in_step }: Doubt,
+): Promise<void> {
+  await showLive({ ...wire, made: step - 1, in_step });
+}
+
+/** The machine is done with the wire: the person may play it. */
+export function endLive(): void {
+  over += 1;
+  const { live, otherWire } = usePlayback.getState();
+  if (live || otherWire !== null) usePlayback.setState({ live: false, otherWire: null });
+}
+
+/** The view goes back to the design as soon as that is another one: a person wants to see what they change. */
+export function leaveStaleProgram(): void {
+  const { played, live } = usePlayback.getState();
+  if (played && !live && !useProgram.getState().asking && !isUpToDate()) showDesignAgain();
+}

@@ -1,0 +1,78 @@
+// @vitest-environment happy-dom
+import { beforeEach, describe, expect, it, vi } from "vitest";
+
+const platform = vi.hoisted(() => ({ ask: vi.fn(async () => null), stop: vi.fn(), listen: vi.fn() }));
+vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
+
+import { type DesignState, useDesign } from "../design/design";
+import { useSelection } from "../design/selection";
+import { replacingDesign } from "../design/turns";
+import { usePlayback } from "../program/program";
+import { run, whyNot } from "./commands";
+import type { CommandId } from "./keys";
+import { useUi } from "./ui";
+import { useUnits } from "./units";
+
+const CHANGES: readonly CommandId[] = [
+  "undo",
+  "redo",
+  "cut",
+  "paste",
+  "duplicate",
+  "delete",
+  "straighten",
+  "mirror",
+  "array",
+  "move",
+  "extrude",
+  "split",
+  "merge",
+  "connect",
+];
+
+beforeEach(() => {
+  platform.ask.mockClear();
+  const at = (id: number) => [id, { id, at: [id * 10, 0, 0] as const, support: false }] as const;
+  useDesign.setState({
+    state: { undo: "move", redo: "move", units: "mm" } as DesignState,
+    vertices: new Map([at(1), at(2)]),
+    edges: new Map([[3, { id: 3, a: 1, b: 2 }]]),
+  });
+  useSelection.setState({ vertices: new Set([1, 2]), edges: new Set([3]) });
+  usePlayback.setState({ live: false });
+  useUi.setState({ unit: null });
+  useUnits.setState({ unit: "mm" });
+});
+
+describe("changes", () => {
+  it("can be made of what is selected", () => {
+    expect(CHANGES.filter((id) => whyNot(id) !== null)).toEqual([]);
+  });
+
+  it("are refused while a machine bends the wire that is shown", () => {
+    usePlayback.setState({ live: true });
+    expect(CHANGES.map(whyNot)).toEqual(CHANGES.map(() => "A machine is bending the wire"));
+    expect(run("delete")).toBe(false);
+    expect(platform.ask).not.toHaveBeenCalled();
+    expect(whyNot("stop")).toBeNull();
+    expect(whyNot("save")).toBeNull();
+  });
+
+  it("are refused while another design is being read", async () => {
+    let there: () => void = () => {};
+    const replaced = replacingDesign(() => new Promise<void>((resolve) => (there = resolve)));
+    expect(whyNot("delete")).toBe("A file is being read.");
+    await Promise.resolve();
+    there();
+    await replaced;
+    expect(whyNot("delete")).toBeNull();
+  });
+});
+
+describe("the unit of lengths", () => {
+  it("is how they are shown, and nothing that the design has or that could be undone", () => {
+    run("units");
+    expect(useUi.getState().unit).toBe("inch");
+    expect(platform.ask).not.toHaveBeenCalled();
+  });
+});

@@ -1,0 +1,177 @@
+import { redo, undo, useDesign, whyNoChange } from "../design/design";
+import * as operations from "../design/operations";
+import { connected, inverted, isEmpty, NOTHING, select, useSelection } from "../design/selection";
+import { quit } from "../files/closing";
+import { newDesign, pickDesign, pickStencil, save, saveAs, saveJob, saveWireframe, useFiles } from "../files/files";
+import { stop } from "../machine/run";
+import { showDesignAgain, togglePlay, usePlayback } from "../program/program";
+import { showHints } from "./hints";
+import type { CommandId } from "./keys";
+import { type DialogName, type OperationName, useUi } from "./ui";
+import { useUnits } from "./units";
+import { chooseTool, setAnnotations, useView } from "./view";
+
+/** What is done when a key is pressed or a menu or button chosen, and why it cannot be done just now. */
+interface Command {
+  run(): void;
+  why?(): string | null;
+}
+
+const NO_SELECTION = "Select vertices or edges first";
+
+const selected = () => (isEmpty(useSelection.getState()) ? NO_SELECTION : null);
+const vertices = (least: number, what: string) => () =>
+  operations.selectedVertices().length >= least
+    ? null
+    : least === 1
+      ? NO_SELECTION
+      : `Select at least ${least} vertices to ${what}`;
+const edges = (what: string) => () =>
+  operations.selectedEdges().length > 0 ? null : `Select the edges to ${what} first`;
+const anything = () => (useDesign.getState().vertices.size > 0 ? null : "The design is empty");
+const machine = () => (useDesign.getState().state?.machine ? null : "Choose a machine first");
+const dialog = (name: DialogName) => () => useUi.getState().showDialog(name);
+const operation = (name: OperationName) => () => useUi.getState().showOperation(name);
+const view = (name: "front" | "right" | "top") => () => useView.getState().handle?.view(name);
+
+function selectAll(): void {
+  const design = useDesign.getState();
+  select(design.vertices.keys(), design.edges.keys());
+}
+
+function move(): void {
+  chooseTool("select");
+  useView.getState().handle?.startGrab();
+}
+
+/** Ends what is under way: a strand or a move, then a preview, then playing, then the selection. */
+function end(): void {
+  const { handle, preview } = useView.getState();
+  if (handle?.cancel()) return;
+  if (preview) useView.setState({ preview: null });
+  else if (usePlayback.getState().played && !usePlayback.getState().live) showDesignAgain();
+  else if (useView.getState().tool !== "select") chooseTool("select");
+  else select([]);
+}
+
+/** What is shown, and no change of the design. */
+function toggleUnits(): void {
+  useUi.getState().setUnit(useUnits.getState().unit === "inch" ? "mm" : "inch");
+}
+
+/** A change of the design: not while the view shows how a machine bends it, nor while another one is being read. */
+function change(run: () => void, why?: () => string | null): Command {
+  return {
+    run,
+    why: () =>
+      (usePlayback.getState().live ? "A machine is bending the wire" : null) ?? whyNoChange() ?? why?.() ?? null,
+  };
+}
+
+const COMMANDS: Readonly<Record<CommandId, Command>> = {
+  new: { run: () => void newDesign() },
+  open: { run: () => void pickDesign() },
+  "open-stencil": { run: () => void pickStencil() },
+  examples: { run: dialog("examples") },
+  save: { run: () => void save() },
+  "save-as": { run: () => void saveAs() },
+  "save-wireframe": { run: () => void saveWireframe(), why: anything },
+  "save-job": { run: () => void saveJob(), why: () => anything() ?? machine() },
+  quit: { run: () => void quit() },
+  undo: change(
+    () => void undo(),
+    () => (useDesign.getState().state?.undo ? null : "There is nothing to undo"),
+  ),
+  redo: change(
+    () => void redo(),
+    () => (useDesign.getState().state?.redo ? null : "There is nothing to redo"),
+  ),
+  cut: change(operations.cut, selected),
+  copy: { run: operations.copy, why: selected },
+  paste: change(() => void operations.paste()),
+  duplicate: change(() => void operations.duplicate(), selected),
+  delete: change(operations.remove, selected),
+  "select-all": { run: selectAll, why: anything },
+  "select-connected": {
+    run: () => {
+      const all = connected(useSelection.getState(), useDesign.getState());
+      select(all.vertices, all.edges);
+    },
+    why: selected,
+  },
+  invert: {
+    run: () => {
+      const others = inverted(useSelection.getState(), useDesign.getState());
+      select(others.vertices, others.edges);
+    },
+    why: anything,
+  },
+  straighten: change(operation("straighten"), edges("straighten")),
+  round: change(operation("round"), edges("round")),
+  mirror: change(operation("mirror"), selected),
+  array: change(operation("array"), selected),
+  scale: change(
+    operation("scale"),
+    () => selected() ?? (operations.largest() ? null : "Select more than one vertex to scale"),
+  ),
+  "tool-select": { run: () => chooseTool("select") },
+  "tool-trace": { run: () => chooseTool("trace") },
+  "tool-draw": { run: () => chooseTool("draw") },
+  move: change(move, selected),
+  extrude: change(() => void operations.extrude(), vertices(1, "extrude")),
+  split: change(
+    () => void operations.split(),
+    () => (useSelection.getState().edges.size > 0 ? null : "Select the edges to split first"),
+  ),
+  merge: change(() => void operations.merge(), vertices(2, "merge")),
+  connect: change(() => void operations.connect(), vertices(2, "connect")),
+  "view-front": { run: view("front") },
+  "view-right": { run: view("right") },
+  "view-top": { run: view("top") },
+  "view-perspective": { run: () => useView.getState().handle?.toggleParallel() },
+  frame: {
+    run: () => {
+      const { vertices: some, edges: more } = useSelection.getState();
+      const all = isEmpty({ vertices: some, edges: more });
+      useView.getState().handle?.frame(all ? undefined : { vertices: some, edges: more });
+    },
+  },
+  "frame-all": { run: () => useView.getState().handle?.frame() },
+  annotations: { run: () => setAnnotations(!useView.getState().annotations) },
+  units: { run: toggleUnits },
+  play: { run: togglePlay, why: () => anything() ?? machine() },
+  stop: { run: stop },
+  end: { run: end },
+  keys: { run: dialog("keys") },
+  about: { run: dialog("about") },
+  hints: { run: showHints },
+};
+
+/** Does it, where it can be done; whether it could. */
+export function run(id: CommandId): boolean {
+  const command = COMMANDS[id];
+  if (command.why?.()) return false;
+  command.run();
+  return true;
+}
+
+export function whyNot(id: CommandId): string | null {
+  return COMMANDS[id].why?.() ?? null;
+}
+
+/** The same for a component, which is drawn anew when the answer may be another. */
+export function useWhyNot(id: CommandId): string | null {
+  useDesign();
+  useSelection(({ vertices: some }) => some);
+  useSelection(({ edges: some }) => some);
+  usePlayback(({ live }) => live);
+  useFiles(({ busy }) => busy);
+  return whyNot(id);
+}
+
+/** Forgets what was of the design before, also what is being drawn or moved. */
+export function designReplaced(): void {
+  useView.getState().handle?.cancel();
+  useSelection.setState({ ...NOTHING, highlight: NOTHING });
+  useView.setState({ preview: null, strand: null });
+}

@@ -1,0 +1,119 @@
+import { create } from "zustand";
+import type { Axis, DrawingPlane, Hovered, Preview, Selection, SnapKind, Tool } from "../../scene/interface";
+import { useDesign } from "../design/design";
+import { surroundings } from "../design/selecting";
+import { store, stored } from "./ui";
+import { type DisplayUnit, useUnits } from "./units";
+
+/** What the rest of the window asks of the view. */
+interface ViewHandle {
+  view(name: "front" | "right" | "top"): void;
+  toggleParallel(): void;
+  frame(selection?: Selection): void;
+  startGrab(): boolean;
+  lockAxis(axis: Axis | null): void;
+  handleKey(event: KeyboardEvent): boolean;
+  cancel(): boolean;
+  capture(): Promise<Blob>;
+}
+
+/** Which of the planes of the axes is drawn on. */
+export type PlaneName = "xy" | "xz" | "yz";
+
+interface ViewStore {
+  /** Null before the view is there. */
+  readonly handle: ViewHandle | null;
+  readonly tool: Tool;
+  readonly snapKinds: ReadonlySet<SnapKind>;
+  /** Of the grid that is snapped to, mm. */
+  readonly grid: number;
+  /** CSS pixels. */
+  readonly reach: number;
+  readonly plane: PlaneName;
+  /** How far the plane is from the origin, mm. */
+  readonly planeOffset: number;
+  readonly stencilShown: boolean;
+  /** From 0 to 1. */
+  readonly stencilOpacity: number;
+  /** Whether places that the checks name are written on in the view. */
+  readonly annotations: boolean;
+  /** What the view is called: "Perspective", "Top". */
+  readonly viewName: string;
+  readonly hovered: Hovered | null;
+  /** How many edges the strand has that is being drawn; null without one. */
+  readonly strand: number | null;
+  /** What a fix would do, while it is shown. */
+  readonly preview: Preview | null;
+}
+
+export const SNAP_KINDS: readonly SnapKind[] = [
+  "vertex",
+  "stencil-vertex",
+  "stencil-edge",
+  "edge",
+  "surface",
+  "grid",
+  "plane",
+];
+
+/** mm: a round figure of what lengths are shown in, where a person has set none. */
+const USUAL_GRID: Readonly<Record<DisplayUnit, number>> = { mm: 5, inch: 6.35 };
+
+export const useView = create<ViewStore>()(() => ({
+  handle: null,
+  tool: "select",
+  snapKinds: new Set(SNAP_KINDS),
+  grid: USUAL_GRID[useUnits.getState().unit],
+  reach: 12,
+  plane: "xy",
+  planeOffset: 0,
+  stencilShown: true,
+  stencilOpacity: 0.45,
+  annotations: stored("wirebend.annotations") !== "off",
+  viewName: "Perspective",
+  hovered: null,
+  strand: null,
+  preview: null,
+}));
+
+/** The grid goes with the unit, where the person has set none. */
+export function gridFollows(unit: DisplayUnit, before: DisplayUnit): void {
+  if (useView.getState().grid === USUAL_GRID[before]) useView.setState({ grid: USUAL_GRID[unit] });
+}
+
+/** Chooses a tool; a strand that is open ends. */
+export function chooseTool(tool: Tool): void {
+  useView.getState().handle?.cancel();
+  useView.setState({ tool, strand: null });
+}
+
+export function toggleSnap(kind: SnapKind): void {
+  useView.setState(({ snapKinds }) => ({
+    snapKinds: new Set(SNAP_KINDS.filter((other) => (other === kind ? !snapKinds.has(kind) : snapKinds.has(other)))),
+  }));
+}
+
+export function setAnnotations(annotations: boolean): void {
+  useView.setState({ annotations });
+  store("wirebend.annotations", annotations ? "on" : "off");
+}
+
+/** The plane by its name, at a distance from the origin. u × v points away from the origin for a positive one; xz faces the front. */
+export function planeOf(name: PlaneName, offset: number): DrawingPlane {
+  switch (name) {
+    case "xy":
+      return { origin: [0, 0, offset], u: [1, 0, 0], v: [0, 1, 0] };
+    case "xz":
+      return { origin: [0, offset, 0], u: [1, 0, 0], v: [0, 0, 1] };
+    case "yz":
+      return { origin: [offset, 0, 0], u: [0, 1, 0], v: [0, 0, 1] };
+  }
+}
+
+/** Frames places with what is next to them, so that a person sees where in the design they are. */
+export function frame(vertices: Iterable<number>, edges: Iterable<number>): void {
+  useView.getState().handle?.frame({
+    vertices: surroundings({ vertices: new Set(vertices), edges: new Set(edges) }, useDesign.getState()),
+    edges: new Set(),
+  });
+}
