@@ -41,6 +41,7 @@ void wb_on_tick(struct wb_controller *c)
     c->clock.ticks++;
     if (wb_inputs_tick(&c->inputs)) {
         wb_stepper_stop(&c->motion.stepper); /* the motors have no power any more */
+        c->safety.emergency_pressed = true;
     }
 }
 

@@ -50,10 +50,14 @@ static void hold_by_input(struct wb_safety *safety, struct wb_motion *motion)
 void wb_safety_handle_inputs(struct wb_safety *safety, const struct wb_inputs *inputs, struct wb_motion *motion,
                              struct wb_queue *queue)
 {
+    bool pressed = safety->emergency_pressed; /* it may have been released since */
+    if (pressed) {
+        safety->emergency_pressed = false;
+    }
     if (wb_state(safety, motion, queue) == WB_STATE_ALARM) {
         return;
     }
-    if (wb_emergency_is_open(inputs)) {
+    if (pressed || wb_emergency_is_open(inputs)) {
         wb_safety_raise(safety, motion, queue, WB_ALARM_EMERGENCY);
     } else if (wb_hold_is_open(inputs) && !safety->input_hold) {
         hold_by_input(safety, motion);
@@ -86,7 +90,7 @@ bool wb_safety_clear(struct wb_safety *safety, struct wb_motion *motion)
 {
     void *board = motion->stepper.board;
     hal_lock(board);
-    bool stopped = safety->stop_requested;
+    bool stopped = safety->stop_requested || safety->emergency_pressed;
     if (!stopped) {
         wb_stepper_unlatch(&motion->stepper);
     }

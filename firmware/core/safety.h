@@ -11,11 +11,12 @@
 #include "serial/rx.h"
 
 struct wb_safety {
-    volatile bool stop_requested; /* flag: a STOP has come that the main loop has not seen */
-    uint8_t alarm;                /* code: WB_ALARM_... */
-    bool alarm_pending;           /* flag: `alarm` was not reported to the host */
-    bool input_hold;              /* flag: the hold input holds */
-    bool queue_hold;              /* flag: no other line begins until the host resumes; it was lost */
+    volatile bool stop_requested;    /* flag: a STOP has come that the main loop has not seen */
+    volatile bool emergency_pressed; /* flag: the emergency stop was pressed; the main loop has not seen it */
+    uint8_t alarm;                   /* code: WB_ALARM_... */
+    bool alarm_pending;              /* flag: `alarm` was not reported to the host */
+    bool input_hold;                 /* flag: the hold input holds */
+    bool queue_hold;                 /* flag: no other line begins until the host resumes; it was lost */
 };
 
 /* Whether a line runs or waits. */
@@ -28,7 +29,7 @@ void wb_safety_on_stop(struct wb_safety *safety, struct wb_motion *motion);
 /* Raises the alarm of a STOP that has come. Lines that came before it are dropped: they must not leave that alarm. */
 void wb_safety_handle_stop(struct wb_safety *safety, struct wb_rx *rx, struct wb_motion *motion,
                            struct wb_queue *queue);
-/* Acts on inputs that are open. The emergency stop latches an alarm; a hold is left by a resume. */
+/* Acts on inputs that are open, or were. The emergency stop latches an alarm; a hold is left by a resume. */
 void wb_safety_handle_inputs(struct wb_safety *safety, const struct wb_inputs *inputs, struct wb_motion *motion,
                              struct wb_queue *queue);
 /* The host is lost: the running line is finished, no other begins. */
@@ -36,7 +37,7 @@ void wb_safety_host_lost(struct wb_safety *safety);
 
 /* Latches an alarm: everything stops, waiting lines are dropped, and nothing moves until the machine is homed. */
 void wb_safety_raise(struct wb_safety *safety, struct wb_motion *motion, struct wb_queue *queue, uint8_t alarm);
-/* Leaves the alarm for homing. false when a STOP has come that was not seen yet. */
+/* Leaves the alarm for homing. false when a STOP or the emergency stop has come that was not seen yet. */
 bool wb_safety_clear(struct wb_safety *safety, struct wb_motion *motion);
 /* Leaves a hold. */
 void wb_safety_resume(struct wb_safety *safety, struct wb_motion *motion);

@@ -57,6 +57,8 @@ void world_check(struct world *world)
     if (world->stopped) {
         MUST(motion->homed == false);
     }
+    /* Nothing stands still without saying why. */
+    MUST(!motion->stepper.latched || wb_state(&c->safety, motion, &c->queue) == WB_STATE_ALARM);
 }
 
 /* Rules of a pulse; `before` is the controller before it. */

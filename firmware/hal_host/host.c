@@ -21,6 +21,7 @@ struct wb_host {
     uint64_t step_at;        /* cycles: the next step interrupt, or NEVER */
     uint64_t tick_at;        /* cycles: the next tick */
     uint64_t sent_at;        /* cycles: the end of the byte that is being sent, or NEVER */
+    uint64_t busy_until;     /* cycles: the main loop does nothing before */
     bool switch_high;        /* flag: level of the switch's pin */
     bool motors;             /* flag: the drivers are on */
     uint8_t inputs_open;     /* bits: WB_INPUT_HOLD, WB_INPUT_EMERGENCY */
@@ -165,7 +166,7 @@ void wb_host_free(struct wb_host *host)
 
 static void poll(struct wb_host *host)
 {
-    while (wb_poll(&host->controller)) {
+    while (host->now >= host->busy_until && wb_poll(&host->controller)) {
         /* as long as there is more to do at once */
     }
 }
@@ -179,6 +180,7 @@ void wb_host_reset(struct wb_host *host, uint8_t cause)
     host->motors = false;
     host->powered = true;
     host->stores_left = UINT32_MAX;
+    host->busy_until = 0;
     wb_start(&host->controller, host, cause);
     poll(host);
 }
@@ -206,6 +208,11 @@ void wb_host_receive_all(struct wb_host *host, const uint8_t *bytes, size_t coun
         }
         poll(host);
     }
+}
+
+void wb_host_busy(struct wb_host *host, uint64_t until)
+{
+    host->busy_until = until;
 }
 
 void wb_host_switch(struct wb_host *host, bool high)

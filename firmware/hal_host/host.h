@@ -40,6 +40,8 @@ void wb_host_restart_clock(struct wb_host *host);
 void wb_host_receive(struct wb_host *host, uint8_t byte, bool damaged);
 /* Several bytes at once, as if the main loop had been busy. */
 void wb_host_receive_all(struct wb_host *host, const uint8_t *bytes, size_t count);
+/* The main loop is busy until then, as with a write of the EEPROM: interrupts alone run. */
+void wb_host_busy(struct wb_host *host, uint64_t until /* cycles */);
 /* Level of the switch's pin from now on. */
 void wb_host_switch(struct wb_host *host, bool high);
 /* These inputs are open from now on, the others closed. */

@@ -24,6 +24,7 @@ unsafe extern "C" {
     fn wb_host_restart_clock(host: *mut RawHost);
     fn wb_host_receive(host: *mut RawHost, byte: u8, damaged: bool);
     fn wb_host_receive_all(host: *mut RawHost, bytes: *const u8, count: usize);
+    fn wb_host_busy(host: *mut RawHost, until: u64);
     fn wb_host_switch(host: *mut RawHost, high: bool);
     fn wb_host_inputs(host: *mut RawHost, open: u8);
     fn wb_host_run(host: *mut RawHost, until: u64) -> u64;
@@ -64,6 +65,11 @@ impl Host {
     pub fn receive_all(&mut self, bytes: &[u8]) {
         // SAFETY: as in `reset`; the bytes are read, not kept.
         unsafe { wb_host_receive_all(self.0.as_ptr(), bytes.as_ptr(), bytes.len()) }
+    }
+
+    pub fn busy(&mut self, until: u64) {
+        // SAFETY: as in `reset`.
+        unsafe { wb_host_busy(self.0.as_ptr(), until) }
     }
 
     pub fn switch(&mut self, high: bool) {

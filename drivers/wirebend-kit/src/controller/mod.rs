@@ -92,6 +92,11 @@ impl Controller {
         self.host.receive_all(bytes);
     }
 
+    /// Keeps its main loop busy for so many cycles, as a write of the EEPROM does: interrupts alone run.
+    pub fn keep_busy(&mut self, cycles: u64) {
+        self.host.busy(self.now + cycles);
+    }
+
     /// Sets the level of its switch's pin: high when pressed.
     pub fn set_switch(&mut self, high: bool) {
         self.host.switch(high);

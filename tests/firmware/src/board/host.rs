@@ -11,6 +11,11 @@ use super::{BEND, Board, Observation, Reset, What};
 pub struct Host(Controller);
 
 impl Host {
+    /// Its main loop does nothing for so long, as while it writes its EEPROM.
+    pub fn keep_busy(&mut self, cycles: u64) {
+        self.0.keep_busy(cycles);
+    }
+
     /// Power fails when so many more bytes are stored, until the next reset.
     pub fn fail_after(&mut self, bytes: u32) {
         self.0.fail_after(bytes);

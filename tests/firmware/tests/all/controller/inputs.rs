@@ -161,6 +161,34 @@ fn an_emergency_stop_at_the_end_of_a_line_leaves_it_in_doubt() {
     at_the_end::<Host>();
 }
 
+/// The motors lost their power for a moment: that is an alarm, whatever the main loop was doing then.
+#[test]
+fn an_emergency_stop_is_no_shorter_for_a_busy_main_loop() {
+    for open in [4, 5, 6, 8, 12] {
+        for busy in [0, 3, 7, 14] {
+            let mut talk = wired::<Host>();
+            talk.say("M3,12000,0,0");
+            wait(&mut talk, 500);
+            talk.table.board.keep_busy(busy * MS);
+            talk.table.board.set_inputs(false, true);
+            // The first reading is up to 1.024 ms away.
+            talk.table.run_until(talk.table.board.now() + open * MS + MS / 5);
+            talk.table.board.set_inputs(false, false);
+            wait(&mut talk, 200);
+            let alarm = talk.heard.contains(&"x7".to_owned());
+            let status = talk.status();
+            let is = (status.state, status.alarm, status.homed);
+            let expected =
+                if alarm { (State::Alarm, Alarm::Emergency, false) } else { (State::Run, Alarm::None, true) };
+            assert_eq!(is, expected, "open for {open} ms, busy for {busy} ms: {:?}", talk.heard);
+            assert!(alarm || open < 5, "open for {open} ms, busy for {busy} ms: no alarm");
+            let pulses = talk.table.pulses();
+            wait(&mut talk, 200);
+            assert_eq!(talk.table.pulses() == pulses, alarm, "open for {open} ms, busy for {busy} ms");
+        }
+    }
+}
+
 fn not_wired<B: Board>() {
     let mut talk = Talk::<B>::homed();
     talk.table.board.set_inputs(true, true);
