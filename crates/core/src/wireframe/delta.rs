@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::Point3;
 
-use super::graph::{Edge, EdgeId, Vertex, VertexId, Wireframe, WireframeError, check_position};
+use super::graph::{Edge, EdgeId, NextIds, Vertex, VertexId, Wireframe, WireframeError, check_position};
 
 /// One thing before and after; `None` where it does not exist.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -13,15 +13,6 @@ pub struct Change<T> {
     pub before: Option<T>,
     /// As it becomes.
     pub after: Option<T>,
-}
-
-/// The ids that the next vertex and the next edge will get.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct NextIds {
-    /// For the next vertex.
-    pub vertex: u32,
-    /// For the next edge.
-    pub edge: u32,
 }
 
 /// A difference: what changes, from what, to what.
@@ -94,7 +85,7 @@ impl Delta {
         self.vertices.is_empty() && self.edges.is_empty()
     }
 
-    pub(super) fn check_against(&self, wireframe: &Wireframe) -> Result<(), StaleDelta> {
+    fn check_against(&self, wireframe: &Wireframe) -> Result<(), StaleDelta> {
         if wireframe.next_ids() != self.next.0 {
             return Err(StaleDelta::Next);
         }
@@ -121,6 +112,50 @@ impl Delta {
                 return Err(StaleDelta::Edge(edge));
             }
         }
+        Ok(())
+    }
+}
+
+impl Wireframe {
+    /// Commits a difference. On success `self` is exactly what the difference says; on failure it is
+    /// untouched.
+    ///
+    /// # Errors
+    /// [`StaleDelta`] when the wireframe is not the one that the difference was made for.
+    pub fn commit(&mut self, delta: &Delta) -> Result<(), StaleDelta> {
+        delta.check_against(self)?;
+        for (&id, change) in &delta.edges {
+            if change.before.is_some()
+                && let Some(index) = self.edges.remove(&id)
+            {
+                self.graph.remove_edge(index);
+            }
+        }
+        for (&id, change) in &delta.vertices {
+            match (self.vertices.get(&id).copied(), change.after) {
+                (Some(index), Some(vertex)) => {
+                    if let Some(weight) = self.graph.node_weight_mut(index) {
+                        weight.1 = vertex;
+                    }
+                }
+                (Some(index), None) => {
+                    self.graph.remove_node(index);
+                    self.vertices.remove(&id);
+                }
+                (None, Some(vertex)) => {
+                    self.vertices.insert(id, self.graph.add_node((id, vertex)));
+                }
+                (None, None) => {}
+            }
+        }
+        for (&id, change) in &delta.edges {
+            if let Some(edge) = change.after
+                && let (Some(&a), Some(&b)) = (self.vertices.get(&edge.a), self.vertices.get(&edge.b))
+            {
+                self.edges.insert(id, self.graph.add_edge(a, b, id));
+            }
+        }
+        self.next = delta.next.1;
         Ok(())
     }
 }

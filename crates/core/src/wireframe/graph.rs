@@ -6,7 +6,6 @@ use std::fmt;
 use nalgebra::{Point3, Vector3};
 use petgraph::stable_graph::{EdgeIndex, NodeIndex, StableUnGraph};
 
-use super::delta::{Delta, NextIds, StaleDelta};
 use crate::units::Length;
 
 /// Largest coordinate that is accepted, in mm. A kilometre of wire is beyond every bender, and the
@@ -31,6 +30,15 @@ impl fmt::Display for EdgeId {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.0.fmt(f)
     }
+}
+
+/// The ids that the next vertex and the next edge will get.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct NextIds {
+    /// For the next vertex.
+    pub vertex: u32,
+    /// For the next edge.
+    pub edge: u32,
 }
 
 /// A point of the wireframe where struts meet.
@@ -109,10 +117,10 @@ pub enum WireframeError {
 /// hold them and the checks have to name them.
 #[derive(Debug, Clone, Default)]
 pub struct Wireframe {
-    graph: StableUnGraph<(VertexId, Vertex), EdgeId>,
-    vertices: BTreeMap<VertexId, NodeIndex>,
-    edges: BTreeMap<EdgeId, EdgeIndex>,
-    next: NextIds,
+    pub(super) graph: StableUnGraph<(VertexId, Vertex), EdgeId>,
+    pub(super) vertices: BTreeMap<VertexId, NodeIndex>,
+    pub(super) edges: BTreeMap<EdgeId, EdgeIndex>,
+    pub(super) next: NextIds,
 }
 
 impl PartialEq for Wireframe {
@@ -276,48 +284,6 @@ impl Wireframe {
     #[must_use]
     pub fn total_length(&self) -> Length {
         self.edges.keys().map(|&id| self.edge_length(id)).sum()
-    }
-
-    /// Commits a difference. On success `self` is exactly what the difference says; on failure it is
-    /// untouched.
-    ///
-    /// # Errors
-    /// [`StaleDelta`] when the wireframe is not the one that the difference was made for.
-    pub fn commit(&mut self, delta: &Delta) -> Result<(), StaleDelta> {
-        delta.check_against(self)?;
-        for (&id, change) in &delta.edges {
-            if change.before.is_some()
-                && let Some(index) = self.edges.remove(&id)
-            {
-                self.graph.remove_edge(index);
-            }
-        }
-        for (&id, change) in &delta.vertices {
-            match (self.vertices.get(&id).copied(), change.after) {
-                (Some(index), Some(vertex)) => {
-                    if let Some(weight) = self.graph.node_weight_mut(index) {
-                        weight.1 = vertex;
-                    }
-                }
-                (Some(index), None) => {
-                    self.graph.remove_node(index);
-                    self.vertices.remove(&id);
-                }
-                (None, Some(vertex)) => {
-                    self.vertices.insert(id, self.graph.add_node((id, vertex)));
-                }
-                (None, None) => {}
-            }
-        }
-        for (&id, change) in &delta.edges {
-            if let Some(edge) = change.after
-                && let (Some(&a), Some(&b)) = (self.vertices.get(&edge.a), self.vertices.get(&edge.b))
-            {
-                self.edges.insert(id, self.graph.add_edge(a, b, id));
-            }
-        }
-        self.next = delta.next.1;
-        Ok(())
     }
 }
 

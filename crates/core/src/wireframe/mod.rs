@@ -15,8 +15,8 @@ mod weld;
 mod welder;
 
 pub use components::Component;
-pub use delta::{Change, Delta, NextIds, StaleDelta};
+pub use delta::{Change, Delta, StaleDelta};
 pub use edits::{Edit, EditError, MergeAt, MirrorMode};
-pub use graph::{Edge, EdgeId, Vertex, VertexId, Wireframe, WireframeError};
+pub use graph::{Edge, EdgeId, NextIds, Vertex, VertexId, Wireframe, WireframeError};
 pub use weld::WeldReport;
 pub use welder::Welder;

@@ -67,10 +67,10 @@ pub enum JobError {
 impl JobError {
     /// A name that stays the same while the wording may change.
     #[must_use]
-    pub const fn code(&self) -> ErrorCode {
+    pub fn code(&self) -> ErrorCode {
         match self {
             Self::Journal(error) => error.code(),
-            Self::Session(_) => ErrorCode::Session,
+            Self::Session(error) => error.code(),
             Self::OtherWire { .. } => ErrorCode::OtherWire,
             Self::Steps { .. } => ErrorCode::Steps,
             Self::InDoubt { .. } | Self::NotInDoubt { .. } => ErrorCode::InDoubt,

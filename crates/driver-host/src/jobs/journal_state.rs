@@ -2,10 +2,8 @@
 
 use std::ops::RangeInclusive;
 
-use wirebend_driver_api::Step;
-
-use super::journal::{EntryKind, Heading, ToldBy};
-use super::part::StepOutcome;
+use super::entry::{EntryKind, Heading, ToldBy};
+use super::part::{Part, PartMade, StepOutcome};
 
 /// How far a wire is.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,34 +37,6 @@ pub(super) struct Said {
     pub step: u32,
     /// The last step that was sent, taken and done before that was said, and what was known of the next.
     before: (u32, u32, u32, Part, Option<PartMade>),
-}
-
-/// How much of a step is in the wire, in the machine's signs. Its bend starts from the beginning in any case: bends count
-/// from the zero of their axis.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Part {
-    /// Fed, mm.
-    pub feed_mm: f64,
-    /// Turned, degrees.
-    pub rotate_deg: f64,
-}
-
-impl Part {
-    /// What is left of a step.
-    #[must_use]
-    pub fn rest(self, step: Step) -> Step {
-        let Step { feed_mm, rotate_deg, bend_deg } = step;
-        Step { feed_mm: feed_mm - self.feed_mm, rotate_deg: rotate_deg - self.rotate_deg, bend_deg }
-    }
-}
-
-/// How far the machine says that it is with what was sent of a step.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PartMade {
-    /// Fed and turned, and where the bend axis stands, in the machine's signs; nothing where it does not count that.
-    pub made: Option<Step>,
-    /// The axis that was on its way stands exactly there.
-    pub exact: bool,
 }
 
 /// What happened last to a wire.

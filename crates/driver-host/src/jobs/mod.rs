@@ -11,7 +11,7 @@
 //! that means; nothing is bent again by itself.
 
 mod clock;
-mod ending;
+mod entry;
 mod error;
 mod journal;
 mod journal_state;
@@ -20,15 +20,15 @@ mod progress;
 mod record;
 mod resume;
 mod run;
-mod send_window;
 mod time_estimator;
 mod wire_job;
 
 pub use clock::{Clock, SystemClock, stamped};
+pub use entry::{Entry, EntryKind, Heading, ToldBy};
 pub use error::JobError;
-pub use journal::{Entry, EntryKind, Heading, Journal, JournalError, ToldBy, Written};
-pub use journal_state::{JobState, JournalState, Part, PartMade};
-pub use part::{Doubtful, StepOutcome};
+pub use journal::{Journal, JournalError, Written};
+pub use journal_state::{JobState, JournalState};
+pub use part::{Doubtful, Part, PartMade, StepOutcome};
 pub use progress::{Overview, Progress};
 pub use record::{Decision, Interruption, Outcome, PartInWire, Record};
 pub use resume::{Contradiction, ContradictionKind, Resume, Settled};

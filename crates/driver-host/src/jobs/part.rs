@@ -1,12 +1,10 @@
 //! A step that was ended in its middle: how much of it is in the wire, and whether that is sure.
 
+use std::ops::RangeInclusive;
+
 use wirebend_driver_api::Step;
 
-use super::error::JobError;
-use super::journal::{EntryKind, ToldBy};
-use super::journal_state::{JournalState, Part};
-use super::resume::Resume;
-use super::run::JobRun;
+use super::entry::{EntryKind, ToldBy};
 
 /// Closer than this an axis stands at an end of its way: more than a motor step, less than anybody sees on a wire.
 const FEED_AT_MM: f64 = 0.05;
@@ -28,6 +26,25 @@ pub enum StepOutcome {
     Part(Part),
 }
 
+/// How much of a step is in the wire, in the machine's signs. Its bend starts from the beginning in any case: bends count
+/// from the zero of their axis.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Part {
+    /// Fed, mm.
+    pub feed_mm: f64,
+    /// Turned, degrees.
+    pub rotate_deg: f64,
+}
+
+/// How far the machine says that it is with what was sent of a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PartMade {
+    /// Fed and turned, and where the bend axis stands, in the machine's signs; nothing where it does not count that.
+    pub made: Option<Step>,
+    /// The axis that was on its way stands exactly there.
+    pub exact: bool,
+}
+
 /// The first step in doubt, and what is known of it. All in the machine's signs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Doubtful {
@@ -42,19 +59,11 @@ pub struct Doubtful {
     pub measure: bool,
 }
 
-impl JobRun {
-    /// The first step in doubt.
-    #[must_use]
-    pub fn doubtful(&self) -> Option<Doubtful> {
-        self.doubtful_in(self.journal_state())
-    }
-
-    fn doubtful_in(&self, state: &JournalState) -> Option<Doubtful> {
-        let (step, last) = state.in_doubt().map(|steps| (*steps.start(), *steps.end()))?;
-        let whole = self.step(step)?;
-        let before = state.part;
-        let told = state.part_made.and_then(|told| Some((told.made?, told.exact)));
+impl Doubtful {
+    /// Of the steps in doubt: the first of them, how much of it was in the wire before, and what the machine counts of it.
+    pub(super) fn of(steps: RangeInclusive<u32>, whole: Step, before: Part, made: Option<PartMade>) -> Self {
         let rest = before.rest(whole);
+        let told = made.and_then(|told| Some((told.made?, told.exact)));
         let counted = told.filter(|(made, _)| is_of(rest, *made)).map(|(made, exact)| {
             let part = Part {
                 feed_mm: before.feed_mm + made.feed_mm,
@@ -63,97 +72,40 @@ impl JobRun {
             (part.within(whole), exact || is_at_rest(rest, made))
         });
         let measure = counted.is_some_and(|(_, sure)| !sure);
-        Some(Doubtful { step, last, whole, before, counted: counted.map(|(part, _)| part), measure })
-    }
-
-    /// How much of the first step in doubt is in the wire, where the machine counts that and nobody has to look.
-    pub(super) fn sure_part(&self) -> Option<(u32, Part)> {
-        let doubtful = self.doubtful()?;
-        Some((doubtful.step, doubtful.counted.filter(|_| !doubtful.measure)?))
-    }
-
-    /// Writes down what is said of the first step in doubt, and gives what may be done then.
-    ///
-    /// # Errors
-    /// [`JobError::NotInDoubt`] for another step, [`JobError::NotOfStep`] for more than the step has,
-    /// [`JobError::AtWork`] while the machine may still run it.
-    pub fn decide(&mut self, n: u32, outcome: StepOutcome) -> Result<Resume, JobError> {
-        self.may_decide(n, outcome)?;
-        let what = match outcome {
-            StepOutcome::Made => EntryKind::Decided { n, made: true },
-            StepOutcome::NotMade => EntryKind::Decided { n, made: false },
-            StepOutcome::Part(part) => {
-                part.within(self.step(n).unwrap_or_default()).told_by(n, ToldBy::Person)
-            }
-        };
-        self.note(what)?;
-        Ok(self.resume_from())
-    }
-
-    /// What a person has said of steps since the machine was stopped, in order; nothing was bent since.
-    pub fn said(&self) -> impl Iterator<Item = (u32, StepOutcome)> {
-        self.journal_state().said.iter().map(|said| (said.step, said.outcome))
-    }
-
-    /// How much of a step the machine counted, of which a person has said something since.
-    #[must_use]
-    pub fn counted_before(&self, n: u32) -> Option<Part> {
-        self.doubtful_in(&self.journal_state().before(n)?)?.counted
-    }
-
-    /// A person takes back what they have said of a step: it, and those after it, are in doubt again. Gives what may be
-    /// done then.
-    ///
-    /// # Errors
-    /// [`JobError::NotInDoubt`] where nothing was said of it, or something was bent since.
-    pub fn take_back(&mut self, n: u32) -> Result<Resume, JobError> {
-        if self.is_in_hand() || self.journal_state().before(n).is_none() {
-            let in_doubt = self.journal_state().in_doubt().map(|steps| *steps.start());
-            return Err(JobError::NotInDoubt { step: n, in_doubt });
-        }
-        self.note(EntryKind::TakenBack { n })?;
-        Ok(self.resume_from())
-    }
-
-    /// Whether something can be said of a step.
-    ///
-    /// # Errors
-    /// As [`JobRun::decide`]; nothing is written down.
-    pub fn may_decide(&self, n: u32, outcome: StepOutcome) -> Result<(), JobError> {
-        if self.is_in_hand() {
-            return Err(JobError::AtWork);
-        }
-        let in_doubt = self.journal_state().in_doubt().map(|steps| *steps.start());
-        if in_doubt != Some(n) {
-            return Err(JobError::NotInDoubt { step: n, in_doubt });
-        }
-        let StepOutcome::Part(Part { feed_mm, rotate_deg }) = outcome else { return Ok(()) };
-        let whole = self.step(n).unwrap_or_default();
-        for (what, part, whole, unit, at) in [
-            ("feed", feed_mm, whole.feed_mm, " mm", MEASURED_MM),
-            ("rotation", rotate_deg, whole.rotate_deg, "\u{b0}", MEASURED_DEG),
-        ] {
-            if !is_between(part, whole, at) {
-                return Err(JobError::NotOfStep { step: n, what, part, whole, unit });
-            }
-        }
-        Ok(())
-    }
-
-    /// A step of the wire, from 1, whole.
-    fn step(&self, n: u32) -> Option<Step> {
-        let index = usize::try_from(n).ok()?.checked_sub(1)?;
-        self.work.steps.get(index).copied()
-    }
-
-    /// What is to be sent of a step.
-    pub(super) fn to_send(&self, n: u32, step: Step) -> Step {
-        let state: &JournalState = self.journal_state();
-        if n == state.done + 1 { state.part.rest(step) } else { step }
+        let counted = counted.map(|(part, _)| part);
+        Self { step: *steps.start(), last: *steps.end(), whole, before, counted, measure }
     }
 }
 
+/// More of a step than it has, or less than nothing of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Excess {
+    /// Feed or rotation.
+    pub what: &'static str,
+    pub part: f64,
+    pub whole: f64,
+    pub unit: &'static str,
+}
+
 impl Part {
+    /// Whether a step cannot have this part, within what a person measures.
+    pub(super) fn excess(self, step: Step) -> Option<Excess> {
+        [
+            ("feed", self.feed_mm, step.feed_mm, " mm", MEASURED_MM),
+            ("rotation", self.rotate_deg, step.rotate_deg, "\u{b0}", MEASURED_DEG),
+        ]
+        .into_iter()
+        .find(|&(_, part, whole, _, at)| !is_between(part, whole, at))
+        .map(|(what, part, whole, unit, _)| Excess { what, part, whole, unit })
+    }
+
+    /// What is left of a step.
+    #[must_use]
+    pub fn rest(self, step: Step) -> Step {
+        let Step { feed_mm, rotate_deg, bend_deg } = step;
+        Step { feed_mm: feed_mm - self.feed_mm, rotate_deg: rotate_deg - self.rotate_deg, bend_deg }
+    }
+
     /// Whether it is the same as far as a person can measure.
     #[must_use]
     pub fn is_measured_as(self, other: Self) -> bool {
@@ -162,7 +114,7 @@ impl Part {
     }
 
     /// No more than all of a step, and no less than nothing.
-    fn within(self, whole: Step) -> Self {
+    pub(super) fn within(self, whole: Step) -> Self {
         let within = |part: f64, whole: f64| part.clamp(whole.min(0.0), whole.max(0.0));
         Self {
             feed_mm: within(self.feed_mm, whole.feed_mm),

@@ -8,7 +8,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_driver_api::DoneBy;
 
-use super::journal::{Entry, EntryKind, Heading, ToldBy};
+use super::entry::{Entry, EntryKind, Heading, ToldBy};
 
 /// What was bent of a wire.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -4,8 +4,8 @@ use std::time::Duration;
 
 use wirebend_driver_api::{Run, Step};
 
+use super::entry::Heading;
 use super::error::JobError;
-use super::journal::Heading;
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct WireJob {

@@ -3,7 +3,7 @@
 use wirebend_driver_api::{Capability, SettingCheck};
 use wirebend_error::{ErrorCode, ErrorRemedy};
 
-use super::permit::PermitKind;
+use super::permit_kind::PermitKind;
 use super::phase::{Act, Phase};
 use crate::error::HostError;
 
@@ -77,7 +77,7 @@ pub enum SessionError {
         total: u32,
     },
     /// The driver reports steps that cannot be.
-    #[error("the driver reports step {n}, after {done} and with {sent} sent: its account cannot be trusted")]
+    #[error("the driver reports step {n}, after {done} and with {sent} sent: its reports are inconsistent")]
     OutOfOrder {
         /// What it reports.
         n: u32,

@@ -5,31 +5,11 @@
 //! once and turns into a [`Permit`]: the value that everything that moves needs. None of them can be copied, none is of
 //! use in another session, and a stop ends them all.
 
-use std::fmt;
 use std::sync::{Arc, Weak};
 
+use super::permit_kind::PermitKind;
 use super::stop::Arming;
 use super::{Session, SessionError};
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum PermitKind {
-    /// One wire: homing before it, accepting settings that differ, and one arming or reattaching, which uses it up.
-    Wire,
-    /// Moves by hand: homing, and arming for moves by hand.
-    ByHand,
-    /// Writing settings, once.
-    Settings,
-}
-
-impl fmt::Display for PermitKind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Wire => "bending a wire",
-            Self::ByHand => "moves by hand",
-            Self::Settings => "writing settings",
-        })
-    }
-}
 
 /// An open question of one session. To say no is to drop it.
 #[derive(Debug)]

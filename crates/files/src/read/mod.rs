@@ -6,6 +6,7 @@
 mod assembly;
 mod beside;
 mod columns;
+mod detect;
 mod drawing;
 mod dxf;
 mod error;
@@ -35,8 +36,9 @@ use std::path::Path;
 use wirebend_core::mesh::Stencil;
 use wirebend_core::wireframe::Wireframe;
 
+pub use detect::detect;
 pub use error::{Location, ReadError};
-pub use format::{Format, UnknownName, detect};
+pub use format::{Format, UnknownName};
 pub use note::{Note, NoteKind};
 pub use options::{DEFAULT_TOLERANCE_MM, Handedness, LengthUnit, ReadOptions};
 pub use program::{ImportedProgram, wireframe_of_path};
@@ -83,7 +85,7 @@ pub fn read(
     }
     let source = Source { name };
     let format = format.map_or_else(|| detect(name, bytes), Ok)?;
-    if let Some((found, remedy)) = format::foreign(bytes) {
+    if let Some((found, remedy)) = detect::foreign(bytes) {
         let (file, found, expected) = (name.to_owned(), found.to_owned(), format.title().into());
         return Err(ReadError::Syntax {
             file,

@@ -1,6 +1,5 @@
 //! The journal of a wire: a file to which lines are only added, each on the disk before anything else happens.
 
-mod entry;
 mod reading;
 #[cfg(test)]
 mod tests;
@@ -11,8 +10,8 @@ use std::path::{Path, PathBuf};
 use wirebend_error::{ErrorCode, ErrorRemedy};
 use wirebend_journal::{Lines, Log, LogError};
 
+use super::entry::{self, Entry, EntryKind, Heading};
 use super::journal_state::JournalState;
-pub use entry::{Entry, EntryKind, Heading, ToldBy};
 pub use reading::Written;
 use reading::Wrong;
 

@@ -2,8 +2,8 @@
 
 use wirebend_journal::Lines;
 
-use super::entry::{Entry, EntryKind, VERSION};
-use crate::jobs::journal_state::JournalState;
+use super::super::entry::{Entry, EntryKind, VERSION};
+use super::super::journal_state::JournalState;
 
 /// A journal that has been read.
 #[derive(Debug, Clone, PartialEq)]

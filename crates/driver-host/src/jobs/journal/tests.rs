@@ -7,7 +7,7 @@ use tempfile::TempDir;
 use wirebend_driver_api::Step;
 use wirebend_error::ErrorRemedy;
 
-use super::entry::VERSION;
+use super::super::entry::{ToldBy, VERSION};
 use super::*;
 use crate::jobs::JobState;
 

@@ -9,7 +9,7 @@ use super::super::error::{Location, ReadError};
 use super::super::note::NoteKind;
 use super::super::outline::Pen;
 use super::super::text::excerpt;
-use super::entity::{Insert, Shape};
+use super::shape::{Insert, Shape};
 use super::skin::Skin;
 
 /// How deep blocks may hold blocks.

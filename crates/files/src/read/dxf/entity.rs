@@ -1,6 +1,4 @@
-//! What a record of the drawing is: an outline, a block put in, or something that is counted.
-
-use std::cell::RefCell;
+//! Shapes of records, one record each.
 
 use nalgebra::{Affine3, Matrix3, Point3, Vector3};
 use wirebend_core::curve::EllipticArc;
@@ -9,46 +7,13 @@ use wirebend_core::units::Angle;
 use super::super::error::ReadError;
 use super::super::note::NoteKind;
 use super::super::outline::{Outline, Piece};
-use super::faces::{self, Faces};
 use super::record::Record;
-use super::spline;
-
-/// What can be drawn or counted; outlines are in the coordinates of the drawing or of their block.
-#[derive(Debug)]
-pub(super) enum Shape {
-    Outline(Outline),
-    /// A curve through the points on a spline that has no control points.
-    Fitted(Outline),
-    Faces(Faces),
-    Insert(Box<Insert>),
-    /// The kind of note that counts it.
-    Ignored(NoteKind),
-    /// What cannot be read, which is an error where it is drawn.
-    Broken(RefCell<Option<Box<ReadError>>>),
-}
-
-/// A block put in, once or in rows and columns.
-#[derive(Debug)]
-pub(super) struct Insert {
-    /// In lower case, as all names.
-    pub(super) block: String,
-    /// From the block, without its base point, to where it is put in.
-    pub(super) map: Affine3<f64>,
-    /// From one column and from one row to the next.
-    pub(super) steps: [Vector3<f64>; 2],
-    /// How many columns and rows.
-    pub(super) counts: [i64; 2],
-}
+use super::shape::{Insert, Shape};
+use super::{faces, spline};
 
 /// Of every record but the vertices of a polyline, which follow theirs as records of their own.
 pub(super) fn shape(record: &Record<'_>) -> Shape {
     read(record).unwrap_or_else(Shape::broken)
-}
-
-impl Shape {
-    pub(super) fn broken(error: ReadError) -> Self {
-        Self::Broken(RefCell::new(Some(Box::new(error))))
-    }
 }
 
 fn read(record: &Record<'_>) -> Result<Shape, ReadError> {

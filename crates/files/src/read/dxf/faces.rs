@@ -1,31 +1,10 @@
 //! Faces: 3DFACE, and the meshes that are polylines by name.
 
-use nalgebra::{Affine3, Point3};
-
 use super::super::error::ReadError;
 use super::super::note::NoteKind;
 use super::super::text::LIMIT;
-use super::entity::Shape;
 use super::record::Record;
-
-/// Faces over points of their own, in the coordinates of the drawing or of their block.
-#[derive(Debug, Default)]
-pub(super) struct Faces {
-    pub(super) points: Vec<Point3<f64>>,
-    pub(super) faces: Vec<Face>,
-}
-
-/// Corners, and of each whether the side that it begins is shown.
-#[derive(Debug)]
-pub(super) struct Face {
-    pub(super) corners: Vec<(u32, bool)>,
-}
-
-impl Faces {
-    pub(super) fn mapped(&self, map: &Affine3<f64>) -> Vec<Point3<f64>> {
-        self.points.iter().map(|point| map * point).collect()
-    }
-}
+use super::shape::{Face, Faces, Shape};
 
 /// Four corners, of which a triangle repeats the last; a bit of 70 hides the side that its corner begins.
 pub(super) fn face(record: &Record<'_>) -> Result<Shape, ReadError> {

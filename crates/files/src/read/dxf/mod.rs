@@ -13,16 +13,18 @@ mod faces;
 mod fit;
 mod pairs;
 mod record;
+mod shape;
 mod skin;
 mod spline;
 
 use nalgebra::{Affine3, Point3};
 
 use self::blocks::{Block, Content, Entity, Plotter};
-use self::entity::{Corner, Shape, affine, bulged, shape};
+use self::entity::{Corner, affine, bulged, shape};
 use self::faces::{Head, Mesh};
 use self::pairs::{BINARY, Pairs};
 use self::record::{Record, Records};
+use self::shape::Shape;
 use super::Imported;
 use super::drawing::Drawing;
 use super::error::{Location, ReadError};

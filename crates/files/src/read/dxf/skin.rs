@@ -7,7 +7,7 @@ use nalgebra::{Affine3, Point3};
 use super::super::error::{Location, ReadError};
 use super::super::note::NoteKind;
 use super::super::outline::Pen;
-use super::faces::Faces;
+use super::shape::Faces;
 
 /// Corners with the same coordinates are one; a side is hidden if no face shows it.
 #[derive(Debug, Default)]

@@ -7,9 +7,9 @@ use wirebend_error::ErrorRemedy;
 use super::super::error::ReadError;
 use super::super::note::NoteKind;
 use super::super::outline::{Outline, Piece};
-use super::entity::Shape;
 use super::fit::{Ends, through};
 use super::record::Record;
+use super::shape::Shape;
 
 /// By its control points, weights and knots; without control points through the points that it was fitted to, and with
 /// the directions of its ends where they are given.

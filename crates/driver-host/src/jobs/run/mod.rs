@@ -1,39 +1,44 @@
 //! The loop that runs a wire.
 
+mod ending;
+mod in_doubt;
+mod send_window;
+
 use std::time::Duration;
 
 use wirebend_driver_api::{Event, ResumeState, Run};
 
 use super::clock::Clock;
+use super::entry::{Entry, EntryKind, ToldBy};
 use super::error::JobError;
-use super::journal::{Entry, EntryKind, Journal, ToldBy};
+use super::journal::Journal;
 use super::journal_state::JournalState;
 use super::progress::{Overview, Progress};
 use super::record::Record;
 use super::resume::{Resume, Settled};
-use super::send_window::SendWindow;
 use super::time_estimator::TimeEstimator;
 use super::wire_job::WireJob;
 use crate::error::advice_of;
 use crate::session::{Armed, Permit, Phase, Session, StopHandle, turned};
+use send_window::SendWindow;
 
 /// A wire that is being bent, or was reattached: a session, a journal, and the steps.
 ///
 /// It is begun by [`JobRun::start`], which is where a person's yes goes in, and then run by calling
 /// [`JobRun::advance`] again and again, every few milliseconds to a few hundred. No call waits for the machine.
 pub struct JobRun {
-    pub(super) session: Session,
-    pub(super) journal: Journal,
-    pub(super) work: WireJob,
-    pub(super) clock: Box<dyn Clock>,
+    session: Session,
+    journal: Journal,
+    work: WireJob,
+    clock: Box<dyn Clock>,
     begun: Duration,
-    pub(super) estimator: TimeEstimator,
-    pub(super) armed: Option<Armed>,
-    pub(super) window: SendWindow,
+    estimator: TimeEstimator,
+    armed: Option<Armed>,
+    window: SendWindow,
     /// A stop is written down once.
-    pub(super) stop_noted: bool,
-    /// And so is what came of it.
-    pub(super) standstill_noted: bool,
+    stop_noted: bool,
+    /// The result of a standstill is written down once.
+    standstill_noted: bool,
 }
 
 impl std::fmt::Debug for JobRun {
@@ -282,7 +287,7 @@ impl JobRun {
     }
 
     /// Whether the machine still runs steps, or would after a resume.
-    pub(super) fn is_in_hand(&self) -> bool {
+    fn is_in_hand(&self) -> bool {
         resume_state(&self.session).is_some() || self.is_at_work()
     }
 
@@ -343,12 +348,12 @@ impl JobRun {
         (self.session, self.journal)
     }
 
-    pub(super) fn note(&mut self, what: EntryKind) -> Result<(), JobError> {
+    fn note(&mut self, what: EntryKind) -> Result<(), JobError> {
         Ok(self.journal.add(Entry { at: self.clock.stamp(), what })?)
     }
 
     /// Steps are about to be sent, or were.
-    pub(super) fn sending(&mut self) {
+    fn sending(&mut self) {
         self.estimator.works(self.clock.now());
     }
 }

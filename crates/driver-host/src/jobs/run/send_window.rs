@@ -2,10 +2,10 @@
 
 use wirebend_driver_api::NumberedStep;
 
-use super::error::JobError;
-use super::journal::EntryKind;
-use super::progress::Progress;
-use super::run::JobRun;
+use super::super::entry::EntryKind;
+use super::super::error::JobError;
+use super::super::progress::Progress;
+use super::JobRun;
 use crate::error::HostError;
 use crate::session::SessionError;
 

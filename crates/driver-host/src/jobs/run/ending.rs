@@ -3,10 +3,10 @@
 use wirebend_driver_api::DriverError;
 use wirebend_error::ErrorRemedy;
 
-use super::error::JobError;
-use super::journal::EntryKind;
-use super::progress::Progress;
-use super::run::JobRun;
+use super::super::entry::EntryKind;
+use super::super::error::JobError;
+use super::super::progress::Progress;
+use super::JobRun;
 use crate::session::{Phase, SessionError, Standstill, StopOutcome, StoppedBy};
 
 impl JobRun {

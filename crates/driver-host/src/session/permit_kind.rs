@@ -1,0 +1,23 @@
+//! What a person can permit.
+
+use std::fmt;
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PermitKind {
+    /// One wire: homing before it, accepting settings that differ, and one arming or reattaching, which uses it up.
+    Wire,
+    /// Moves by hand: homing, and arming for moves by hand.
+    ByHand,
+    /// Writing settings, once.
+    Settings,
+}
+
+impl fmt::Display for PermitKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Wire => "bending a wire",
+            Self::ByHand => "moves by hand",
+            Self::Settings => "writing settings",
+        })
+    }
+}
