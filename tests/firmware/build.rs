@@ -17,7 +17,9 @@ fn main() -> ExitCode {
         println!("cargo::error={ADVICE}");
         return ExitCode::FAILURE;
     };
+    // It is called for every cycle of the chip.
     let mut shim = cc::Build::new();
+    shim.opt_level(2);
     shim.files(SHIM).std("gnu11").include(&folder).extra_warnings(true).flag_if_supported("-Wno-pedantic");
     if let Err(why) = shim.try_compile("wirebend_simulator_shim") {
         println!("cargo::error=the shim does not compile against {folder}: {why}");

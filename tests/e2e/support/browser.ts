@@ -1,9 +1,12 @@
-import { mkdirSync, readFileSync } from "node:fs";
+import { existsSync, mkdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { type Browser, chromium, type Page } from "playwright-core";
 import { pictures } from "./places.ts";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+
+/** Where it is on Debian; Ubuntu has it as a snap alone, which sees no files of the tests. */
+const BROWSERS = ["/usr/bin/chromium", "/usr/bin/google-chrome"];
 
 /** Chromium without a screen; what it draws in three dimensions is computed by the processor. */
 export function openBrowser(more: readonly string[] = []): Promise<Browser> {
@@ -17,7 +20,8 @@ export function openBrowser(more: readonly string[] = []): Promise<Browser> {
     "--no-first-run",
     ...more,
   ];
-  return chromium.launch({ executablePath: "/usr/bin/chromium", headless: true, args });
+  const executablePath = BROWSERS.find((path) => existsSync(path)) ?? BROWSERS[0];
+  return chromium.launch({ executablePath, headless: true, args });
 }
 
 /** What a page complained of that was not expected. */

@@ -13,8 +13,8 @@ use case::{Case, What};
 pub use job::{GEARS, Job, MACHINE, coarse};
 use wirebend_tests_firmware::board::{Avr, Board, Host};
 
-/// Cases that are under way at the same time: most of a case is waiting for the machine.
-const AT_ONCE: usize = 16;
+/// Cases of a test that are under way at the same time: most of a case is waiting for the machine.
+const AT_ONCE: usize = 4;
 /// Lines of the cube.
 const LINES: usize = 8;
 /// Moments within a line, per cent of a phase; each way of interrupting a job begins with another one at the first line.
@@ -41,8 +41,9 @@ fn cases() -> Vec<Case> {
     cases.collect()
 }
 
-/// How many runs are stopped at random moments.
+/// How many runs are stopped at random moments, in so many tests, which go on beside each other.
 const RANDOM: usize = 200;
+const PARTS: usize = 4;
 
 /// Stops, and drivers that are killed, in every phase of every step: seldom the same twice, and the same in every run of the
 /// tests.
@@ -111,10 +112,35 @@ fn a_job_survives_every_interruption_at_every_line() {
     try_all::<Host>(Job::cube(), cases(), AT_ONCE);
 }
 
-#[test]
-fn runs_that_are_stopped_at_random_moments_come_out_as_planned() {
-    let _others = shared();
-    try_all::<Host>(Job::cube(), random_cases(), AT_ONCE);
+/// Runs that are stopped at random moments come out as planned.
+mod stopped_at_random_moments {
+    use super::*;
+
+    fn part(number: usize) {
+        let _others = shared();
+        let mine = random_cases().into_iter().skip(number).step_by(PARTS);
+        try_all::<Host>(Job::cube(), mine.collect(), AT_ONCE);
+    }
+
+    #[test]
+    fn the_first_quarter() {
+        part(0);
+    }
+
+    #[test]
+    fn the_second_quarter() {
+        part(1);
+    }
+
+    #[test]
+    fn the_third_quarter() {
+        part(2);
+    }
+
+    #[test]
+    fn the_last_quarter() {
+        part(3);
+    }
 }
 
 /// The same with the binary of the board, once each.
