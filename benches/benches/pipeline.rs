@@ -84,13 +84,13 @@ fn live_check(c: &mut Criterion) {
     impl EventSink for Nobody {
         fn emit(&self, _: &WindowEvent) {}
     }
-    let desk = Workspace::new(Places::default(), Arc::new(Nobody)).unwrap();
+    let workspace = Workspace::new(Places::default(), Arc::new(Nobody)).unwrap();
     let bytes = wirebend_files::document::Document::new(column(34, 10)).to_bytes().unwrap();
     let open = serde_json::json!({
         "ask": "open",
         "design": { "input": { "bytes": { "name": "column.wirebend", "bytes": bytes } } },
     });
-    desk.ask_json(&open.to_string()).unwrap();
+    workspace.ask_json(&open.to_string()).unwrap();
     let mut turn = 0.0_f64;
     let mut group = c.benchmark_group("live-check");
     group.bench_function("column-1000-edges", |b| {
@@ -98,7 +98,7 @@ fn live_check(c: &mut Criterion) {
             turn += 0.1;
             let at = [150.0 + turn.sin(), turn.cos(), 600.0];
             let check = serde_json::json!({ "ask": "check", "moved": [{ "vertex": 100, "at_mm": at }] });
-            desk.ask_json(black_box(&check.to_string())).unwrap()
+            workspace.ask_json(black_box(&check.to_string())).unwrap()
         });
     });
     group.finish();

@@ -22,26 +22,26 @@ fn failed(error: &tauri::Error) -> ApiErrorReport {
     ApiErrorReport::failure(format!("the program failed on this: {error}; its log file has more"))
 }
 
-/// Asks the desk; the answer is its JSON as it is.
+/// Sends a request to the workspace and returns its JSON unchanged.
 #[tauri::command]
-pub(crate) async fn ask(desk: Shared<'_>, ask: serde_json::Value) -> Result<Response, ApiErrorReport> {
-    let desk = Arc::clone(&desk);
-    let answered = blocking(move || desk.ask_value(ask)).await.map_err(|error| failed(&error))?;
+pub(crate) async fn ask(workspace: Shared<'_>, ask: serde_json::Value) -> Result<Response, ApiErrorReport> {
+    let workspace = Arc::clone(&workspace);
+    let answered = blocking(move || workspace.ask_value(ask)).await.map_err(|error| failed(&error))?;
     answered.map(|answer| Response::new(answer.get().to_owned()))
 }
 
 /// Stops the machine.
 #[tauri::command]
-pub(crate) async fn stop(desk: Shared<'_>) -> Result<(), ApiErrorReport> {
-    let desk = Arc::clone(&desk);
-    blocking(move || desk.stop()).await.map_err(|error| failed(&error))
+pub(crate) async fn stop(workspace: Shared<'_>) -> Result<(), ApiErrorReport> {
+    let workspace = Arc::clone(&workspace);
+    blocking(move || workspace.stop()).await.map_err(|error| failed(&error))
 }
 
 /// The stencil of the open design, as bytes.
 #[tauri::command]
-pub(crate) async fn stencil_mesh(desk: Shared<'_>) -> Result<Response, ApiErrorReport> {
-    let desk = Arc::clone(&desk);
-    let bytes = blocking(move || desk.stencil_mesh()).await.map_err(|error| failed(&error))?;
+pub(crate) async fn stencil_mesh(workspace: Shared<'_>) -> Result<Response, ApiErrorReport> {
+    let workspace = Arc::clone(&workspace);
+    let bytes = blocking(move || workspace.stencil_mesh()).await.map_err(|error| failed(&error))?;
     Ok(Response::new(bytes))
 }
 

@@ -3,10 +3,10 @@
 
 mod adapters;
 mod dialogs;
+mod environment;
 mod event_channel;
 mod files;
 mod log;
-mod surroundings;
 
 use std::ffi::{OsStr, OsString};
 use std::io::Write;
@@ -36,7 +36,7 @@ pub fn main() -> ExitCode {
         let _ = writeln!(std::io::stdout(), "{text}");
         return ExitCode::SUCCESS;
     }
-    surroundings::prepare();
+    environment::prepare();
     let places = Places::of_person();
     let log = log::begin(places.state.as_deref());
     match run(places, log) {
@@ -83,10 +83,10 @@ fn run(places: Places, mut log: Option<LogGuard>) -> anyhow::Result<()> {
         // Here, since a second process does not come so far: it leaves no journal of a design behind.
         .setup(move |app| {
             match Workspace::new(places, event_channel) {
-                Ok(desk) => {
-                    app.manage(Arc::new(desk));
+                Ok(workspace) => {
+                    app.manage(Arc::new(workspace));
                     if let Some(window) = app.get_webview_window("main") {
-                        surroundings::stop_by_key(app.handle(), &window)?;
+                        environment::stop_by_key(app.handle(), &window)?;
                     }
                 }
                 Err(error) => dialogs::cannot_start(app.handle(), &error.to_string()),
@@ -97,11 +97,11 @@ fn run(places: Places, mut log: Option<LogGuard>) -> anyhow::Result<()> {
         .context("the window cannot be opened")?;
     app.run(move |app, event| {
         files::asked_by_system(app, &event);
-        let desk = app.try_state::<Arc<Workspace>>();
-        match (event, desk) {
-            (RunEvent::Exit, desk) => {
-                if let Some(desk) = desk {
-                    desk.leave();
+        let workspace = app.try_state::<Arc<Workspace>>();
+        match (event, workspace) {
+            (RunEvent::Exit, workspace) => {
+                if let Some(workspace) = workspace {
+                    workspace.leave();
                 }
                 // The last lines are written.
                 drop(log.take());

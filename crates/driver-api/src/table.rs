@@ -7,7 +7,7 @@ use std::ffi::{CString, c_void};
 use crate::{ABI_MAJOR, ABI_MINOR, Buffer, Bytes, OK, REFUSED, Table};
 
 /// The most that a driver may answer at once, in bytes.
-const MOST_BYTES: usize = 64 << 20;
+const MAX_BYTES: usize = 64 << 20;
 
 /// What a driver answered.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -55,7 +55,7 @@ pub enum TableError {
     #[error("'{0}' needs an open instance")]
     NotOpen(&'static str),
     /// An answer beyond all measure.
-    #[error("'{function}' answered {len} bytes; the most is {MOST_BYTES}")]
+    #[error("'{function}' answered {len} bytes; the most is {MAX_BYTES}")]
     TooLarge {
         /// Which function.
         function: &'static str,
@@ -208,7 +208,7 @@ impl SafeTable {
             Ok(Vec::new())
         } else if out.data.is_null() {
             return Err(TableError::NullBytes(function));
-        } else if out.len > MOST_BYTES {
+        } else if out.len > MAX_BYTES {
             Err(TableError::TooLarge { function, len: out.len })
         } else {
             // SAFETY: the driver says that these bytes are there, and keeps them until `free`.

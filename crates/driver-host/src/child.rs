@@ -22,7 +22,7 @@ pub(crate) const MINOR: &str = "built_against_minor";
 /// How long one look for events may take when there are some.
 const LOOK: Duration = Duration::from_millis(100);
 /// The most events that one request brings.
-const MOST_EVENTS: usize = 64;
+const MAX_EVENTS: usize = 64;
 
 /// Runs the process of a driver: the arguments are those after [`CHILD_COMMAND`](crate::CHILD_COMMAND).
 /// Ends when the program that started it closes the pipe, or ends itself.
@@ -142,7 +142,7 @@ fn events(table: &mut SafeTable, refused: &mut Option<Reply>) -> Result<Reply, T
     }
     let mut all = vec![b'['];
     let begun = Instant::now();
-    for count in 0..MOST_EVENTS {
+    for count in 0..MAX_EVENTS {
         // What is left is reported at the next look: this one has a deadline, and each event may take its time.
         if count > 0 && begun.elapsed() > LOOK {
             break;

@@ -3,7 +3,7 @@
 use std::process::ExitStatus;
 
 /// The most that is kept of what a driver printed.
-const MOST_SAID: usize = 8 << 10;
+const MAX_SAID: usize = 8 << 10;
 /// The most of it that a message shows.
 const SHOWN: usize = 600;
 
@@ -50,8 +50,8 @@ pub(crate) struct LastWords(Vec<u8>);
 impl LastWords {
     pub fn add(&mut self, bytes: &[u8]) {
         self.0.extend_from_slice(bytes);
-        if self.0.len() > MOST_SAID {
-            self.0.drain(..self.0.len() - MOST_SAID);
+        if self.0.len() > MAX_SAID {
+            self.0.drain(..self.0.len() - MAX_SAID);
         }
     }
 
@@ -78,7 +78,7 @@ mod tests {
         (0..10_000).for_each(|k| words.add(format!("line {k}\n").as_bytes()));
         words.add(b"\x1b[31mred\xff");
         let shown = words.shown();
-        assert!(words.0.len() <= MOST_SAID && shown.len() < 2 * SHOWN);
+        assert!(words.0.len() <= MAX_SAID && shown.len() < 2 * SHOWN);
         assert!(
             shown.contains("line 9999") && shown.ends_with("[31mred\u{fffd}") && !shown.contains('\x1b'),
             "{shown}"

@@ -6,7 +6,7 @@
 use std::io::{self, Read, Write};
 
 /// The largest body, in bytes: a job of a hundred thousand steps, several times over.
-pub(crate) const MOST_BYTES: usize = 80 << 20;
+pub(crate) const MAX_BYTES: usize = 80 << 20;
 const HEAD: usize = 5;
 
 /// What a request asks for, or what became of it.
@@ -93,7 +93,7 @@ impl Frame {
         // The mark first: what a driver prints by accident has none, whatever length its letters give.
         let mark = Mark::ALL.into_iter().find(|known| *known as u8 == mark).ok_or(FrameError::Garbage)?;
         let size = length.checked_sub(HEAD).ok_or(FrameError::Garbage)?;
-        if size > MOST_BYTES {
+        if size > MAX_BYTES {
             return Err(FrameError::TooLarge(size));
         }
         let mut body = vec![0; size];

@@ -8,10 +8,10 @@
 
 mod changing;
 mod check;
+mod edit_journal;
 mod error;
 mod fixes;
 mod history;
-mod keeping;
 mod request;
 mod resolving;
 mod view;
@@ -23,11 +23,11 @@ use wirebend_error::ProblemReport;
 use wirebend_files::document::{Document, DocumentChange, StencilSource, save_atomically};
 
 pub use check::{LiveCheck, Moved, WireFigures};
+use edit_journal::EditJournal;
+pub use edit_journal::Unsaved;
 pub use error::EditorError;
 pub use fixes::{Fix, FixChange, FixPreview};
 use history::{Done, History};
-use keeping::Keeping;
-pub use keeping::Unsaved;
 pub use request::{EditRequest, MergePlace, PastedVertex, Placed};
 pub use view::{DesignState, DesignView, EdgeView, VertexView, ViewChange};
 
@@ -55,7 +55,7 @@ pub struct Editor {
     saved: u64,
     /// The folder for the journal, if one was named.
     keep_in: Option<PathBuf>,
-    keeping: Option<Keeping>,
+    edit_journal: Option<EditJournal>,
     /// Machine and material as the stages want them, and by which names they were asked for.
     setup: Option<(Names, Setup)>,
     /// Why changes are not kept safe any more.
@@ -141,22 +141,23 @@ impl Editor {
     /// # Errors
     /// [`EditorError`] when its journal is damaged or in use.
     pub fn restore(journal: &Path) -> Result<Self, EditorError> {
-        let (keeping, restored) = Keeping::take_up(journal)?;
-        let keeping::Restored { document, history, file, name, saved, .. } = restored;
-        let (keep_in, keeping) = (keeping.folder().map(Path::to_owned), Some(keeping));
-        Ok(Self { document, history, file, name, saved, keep_in, keeping, setup: None, unkept: None })
+        let (edit_journal, restored) = EditJournal::reopen(journal)?;
+        let edit_journal::Restored { document, history, file, name, saved, .. } = restored;
+        let (keep_in, edit_journal) = (edit_journal.folder().map(Path::to_owned), Some(edit_journal));
+        Ok(Self { document, history, file, name, saved, keep_in, edit_journal, setup: None, unkept: None })
     }
 
     /// The designs in a folder that no file has, last changed first; and what could not be read of it.
     #[must_use]
     pub fn unsaved(folder: &Path) -> (Vec<Unsaved>, Vec<ProblemReport>) {
-        keeping::unsaved(folder)
+        edit_journal::unsaved(folder)
     }
 
     fn begin(document: Document, file: Option<PathBuf>, name: String, keep_in: Option<&Path>) -> Self {
         let (history, keep_in) = (History::default(), keep_in.map(Path::to_owned));
-        let (setup, keeping, unkept) = (None, None, None);
-        let mut editor = Self { document, history, file, name, saved: 0, keep_in, keeping, setup, unkept };
+        let (setup, edit_journal, unkept) = (None, None, None);
+        let mut editor =
+            Self { document, history, file, name, saved: 0, keep_in, edit_journal, setup, unkept };
         editor.begin_keeping();
         editor
     }
@@ -164,10 +165,15 @@ impl Editor {
     /// Begins the journal with the design as it is.
     fn begin_keeping(&mut self) {
         let Some(folder) = &self.keep_in else { return };
-        let begun =
-            Keeping::begin(folder, &self.document, self.file.as_deref(), &self.name, self.history.is_empty());
-        (self.keeping, self.unkept) = match begun {
-            Ok(keeping) => (Some(keeping), None),
+        let begun = EditJournal::begin(
+            folder,
+            &self.document,
+            self.file.as_deref(),
+            &self.name,
+            self.history.is_empty(),
+        );
+        (self.edit_journal, self.unkept) = match begun {
+            Ok(edit_journal) => (Some(edit_journal), None),
             // What cannot be kept safe can be worked on anyway.
             Err(error) => {
                 tracing::error!("{error}");
@@ -192,7 +198,7 @@ impl Editor {
     fn make(&mut self, label: String, change: DocumentChange) -> Result<ViewChange, EditorError> {
         let done = Done { label, change };
         self.history.make(&mut self.document, done.clone())?;
-        self.keep(|keeping| keeping.done(&done));
+        self.keep(|edit_journal| edit_journal.done(&done));
         Ok(self.changed(&done.change))
     }
 
@@ -204,7 +210,7 @@ impl Editor {
         let label = self.history.undo_label().unwrap_or_default().to_owned();
         let Some(change) = self.history.undo(&mut self.document)? else { return Ok(None) };
         let done = Done { label, change };
-        self.keep(|keeping| keeping.undone(&done));
+        self.keep(|edit_journal| edit_journal.undone(&done));
         Ok(Some(self.changed(&done.change)))
     }
 
@@ -216,7 +222,7 @@ impl Editor {
         let label = self.history.redo_label().unwrap_or_default().to_owned();
         let Some(change) = self.history.redo(&mut self.document)? else { return Ok(None) };
         let done = Done { label, change };
-        self.keep(|keeping| keeping.redone(&done));
+        self.keep(|edit_journal| edit_journal.redone(&done));
         Ok(Some(self.changed(&done.change)))
     }
 
@@ -230,7 +236,7 @@ impl Editor {
         save_atomically(&path, &self.document.to_bytes()?)?;
         (self.name, self.saved, self.file) = (file_name(&path), self.history.state(), Some(path.clone()));
         if self.unkept.is_none() {
-            self.keep(|keeping| keeping.saved(&path));
+            self.keep(|edit_journal| edit_journal.saved(&path));
         }
         if self.unkept.is_some() {
             // All that the old one has the file has, too.
@@ -270,7 +276,7 @@ impl Editor {
     }
 
     fn end_keeping(&mut self) {
-        if let Some(Err(error)) = self.keeping.take().map(Keeping::end) {
+        if let Some(Err(error)) = self.edit_journal.take().map(EditJournal::end) {
             tracing::warn!("{error}");
         }
     }
@@ -288,8 +294,8 @@ impl Editor {
     }
 
     /// What cannot be written down has been done anyway: [`DesignState::unkept`] warns a person to save.
-    fn keep(&mut self, add: impl FnOnce(&mut Keeping) -> Result<(), EditorError>) {
-        if let Some(Err(error)) = self.keeping.as_mut().map(add) {
+    fn keep(&mut self, add: impl FnOnce(&mut EditJournal) -> Result<(), EditorError>) {
+        if let Some(Err(error)) = self.edit_journal.as_mut().map(add) {
             tracing::error!("{error}");
             self.unkept = Some(ProblemReport::from(&error));
         }

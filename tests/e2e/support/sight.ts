@@ -7,7 +7,7 @@ const SIDES = { front: ["1", 0, 2], right: ["3", 1, 2], top: ["7", 0, 1] } as co
 
 /** A view frames what there is with so much room around it, and nothing smaller than 20 mm. */
 const ROOM = 1.16;
-const LEAST = 20;
+const MIN = 20;
 
 /** Where places of the design are in the window, looked at from a side. */
 export class Sight {
@@ -33,7 +33,7 @@ export class Sight {
       return [Math.min(...all), Math.max(...all)];
     };
     const [[left, rightmost], [low, high]] = [extent(right), extent(up)];
-    const half = Math.max(LEAST / 2, (high - low) / 2, ((rightmost - left) / 2) * (box.height / box.width));
+    const half = Math.max(MIN / 2, (high - low) / 2, ((rightmost - left) / 2) * (box.height / box.width));
     return new Sight(
       [(left + rightmost) / 2, (low + high) / 2],
       [box.x + box.width / 2, box.y + box.height / 2],

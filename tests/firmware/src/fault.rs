@@ -4,7 +4,7 @@ use crate::error::UnoError;
 use crate::uno::Uno;
 
 /// How long an interrupt is waited for: half a second.
-const MOST_CYCLES: u64 = crate::uno::HZ / 2;
+const MAX_CYCLES: u64 = crate::uno::HZ / 2;
 
 /// MCUSR in data memory.
 const MCUSR: usize = 0x54;
@@ -27,7 +27,7 @@ impl Uno {
         let words = self.symbol(symbol)? / 2 + behind / 2;
         let [low, high, ..] = words.to_le_bytes();
         // The stack of the main loop: what the pointer comes back to.
-        let end = self.cycle().saturating_add(MOST_CYCLES);
+        let end = self.cycle().saturating_add(MAX_CYCLES);
         let mut main = self.stack_pointer();
         while self.cycle() < end {
             let before = self.stack_pointer();

@@ -18,7 +18,7 @@ use tokio::sync::broadcast;
 use wirebend_api::Workspace;
 
 /// The largest file that is handed over.
-const MOST_BYTES: usize = 512 << 20;
+const MAX_BYTES: usize = 512 << 20;
 
 pub(crate) struct Served {
     pub desk: Arc<Workspace>,
@@ -44,7 +44,7 @@ pub(crate) fn router(served: Arc<Served>) -> Router {
         .route("/save-path", post(save_path))
         .route("/stop", post(stop))
         .route("/events", get(events))
-        .layer(DefaultBodyLimit::max(MOST_BYTES))
+        .layer(DefaultBodyLimit::max(MAX_BYTES))
         .layer(middleware::from_fn_with_state(Arc::clone(&served), with_token));
     asked.fallback(page).with_state(served)
 }

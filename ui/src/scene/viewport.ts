@@ -44,7 +44,7 @@ type AnyView = ViewName | "parallel";
 const shownName = (view: AnyView): string => (view[0] ?? "").toUpperCase() + view.slice(1);
 
 /** More pixels than these cannot be distinguished, and cost time. */
-const MOST_RATIO = 2;
+const MAX_RATIO = 2;
 
 export class Viewport {
   readonly canvas = document.createElement("canvas");
@@ -344,7 +344,7 @@ export class Viewport {
     const ratio = window.devicePixelRatio;
     if (ratio === this.ratio) return;
     this.ratio = ratio;
-    this.renderer.setPixelRatio(Math.min(ratio, MOST_RATIO));
+    this.renderer.setPixelRatio(Math.min(ratio, MAX_RATIO));
     matchMedia(`(resolution: ${ratio}dppx)`).addEventListener("change", () => this.resize(), {
       once: true,
       signal: this.stop.signal,

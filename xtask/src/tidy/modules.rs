@@ -41,7 +41,7 @@ const ORDER: &[(&str, &str)] = &[
         "text report stage progress error output installation signs drivers machine job choices program design stencil \
          turning_back plan compare catalogue import picture export dump profiles playback simulate",
     ),
-    ("crates/editor", "view request error history keeping resolving changing check fixes"),
+    ("crates/editor", "view request error history edit_journal resolving changing check fixes"),
     (
         "crates/operation",
         "event phase order error front_end runs live ports machine_settings simulate run by_hand operator",
@@ -102,10 +102,8 @@ fn circles(room: &str, level: &[String], arrows: &BTreeMap<(String, String), Str
             .collect();
         let of = if level.is_empty() { room.to_owned() } else { format!("{room}, {}", level.join("::")) };
         let what = format!("the modules {} of {of} know each other: {}", circle.join(", "), known.join("; "));
-        let finding =
-            Finding::new(&format!("{room}/src"), 1, what, WHY, "move what both need to a module before both");
-        // One type may be spread over the files of a folder.
-        found.push(if level.is_empty() { finding } else { finding.into_report() });
+        let mend = "move what both need to a module before both";
+        found.push(Finding::new(&format!("{room}/src"), 1, what, WHY, mend));
     }
     found
 }

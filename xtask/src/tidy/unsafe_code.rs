@@ -18,7 +18,7 @@ const PLACES: &[&str] = &[
     "crates/driver-host/src/library.rs",
     "drivers/hostile/src/",
     // A variable of the environment that the window's toolkit reads.
-    "src-tauri/src/surroundings.rs",
+    "src-tauri/src/environment.rs",
     // The firmware's core, which is C.
     "drivers/wirebend-kit/src/controller/ffi.rs",
     "tests/firmware/src/ffi.rs",

@@ -214,8 +214,8 @@ impl Workspace {
     pub(crate) fn fixes(&self, _: &FixesRequest, _: &dyn Progress) -> Result<FixesResponse, ApiError> {
         let app = self.installation();
         // The user keeps dragging meanwhile.
-        let unmended = self.open().unmended(&app)?;
-        Ok(FixesResponse { fixes: unmended.fixes(&app)? })
+        let search = self.open().fix_search(&app)?;
+        Ok(FixesResponse { fixes: search.fixes(&app)? })
     }
 
     pub(crate) fn save(&self, asked: &SaveDesign, _: &dyn Progress) -> Result<DesignOpened, ApiError> {

@@ -11,7 +11,7 @@ use crate::Places;
 use wirebend_planning::output::file_name;
 
 /// How many are kept.
-const MOST: usize = 12;
+const MAX: usize = 12;
 
 /// A file that was open.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
@@ -59,7 +59,7 @@ impl Workspace {
         let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
         let before = read(self.places());
         let others = before.files.into_iter().filter(|other| *other != path);
-        let files = std::iter::once(path.clone()).chain(others).take(MOST).collect();
+        let files = std::iter::once(path.clone()).chain(others).take(MAX).collect();
         self.write_recent(&Recent { files, ..before });
     }
 

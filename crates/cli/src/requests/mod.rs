@@ -19,7 +19,7 @@ use crate::contents::Contents;
 use crate::usage::{BadInput, WrongUse};
 
 /// The most that is read from standard input.
-const MOST_BYTES: u64 = 512 << 20;
+const MAX_BYTES: u64 = 512 << 20;
 
 pub(crate) enum Prepared {
     /// To be run by the application.
@@ -152,10 +152,10 @@ fn input(file: &Path) -> anyhow::Result<Input> {
         return Ok(Input::File(file.to_owned()));
     }
     let mut bytes = Vec::new();
-    let taken = std::io::stdin().lock().take(MOST_BYTES + 1).read_to_end(&mut bytes);
+    let taken = std::io::stdin().lock().take(MAX_BYTES + 1).read_to_end(&mut bytes);
     taken.context("standard input cannot be read")?;
-    if bytes.len() as u64 > MOST_BYTES {
-        return Err(BadInput(format!("standard input is longer than {MOST_BYTES} bytes: give a file")).into());
+    if bytes.len() as u64 > MAX_BYTES {
+        return Err(BadInput(format!("standard input is longer than {MAX_BYTES} bytes: give a file")).into());
     }
     Ok(Input::Bytes { name: "standard input".to_owned(), bytes })
 }

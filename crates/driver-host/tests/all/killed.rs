@@ -20,7 +20,7 @@ const FOLDER: &str = "WIREBEND_TEST_FOLDER";
 const KILL_AT: &str = "WIREBEND_TEST_KILL_AT";
 const SIGKILL: i32 = 9;
 /// More looks at the clock than a wire needs, and more starts of the program.
-const MOST: u32 = 400;
+const MAX: u32 = 400;
 
 /// Kills the process when it is looked at for the so-manieth time: before each line of the journal, and
 /// between a line and what it is about.
@@ -107,7 +107,7 @@ fn at_every_moment() {
     let mut kills = 0;
     // The controller stays on, or is switched off and on again.
     for reset in [false, true] {
-        for kill_at in 0..MOST {
+        for kill_at in 0..MAX {
             let case = format!("killed at {kill_at}, reset: {reset}");
             let folder = tempfile::tempdir().unwrap();
             let shop = Shop::at(folder.path());
@@ -122,7 +122,7 @@ fn at_every_moment() {
             if reset && shop.machine() != Value::Null {
                 shop.change_machine(|machine| machine["session"] = Value::Null);
             }
-            assert!(start(folder.path(), MOST).success(), "{case}");
+            assert!(start(folder.path(), MAX).success(), "{case}");
             is_made(&shop, &case);
         }
     }
@@ -131,7 +131,7 @@ fn at_every_moment() {
         let case = format!("killed at {kill_at} each time");
         let folder = tempfile::tempdir().unwrap();
         let shop = Shop::at(folder.path());
-        let ends = (0..MOST).any(|_| {
+        let ends = (0..MAX).any(|_| {
             let status = start(folder.path(), kill_at);
             journal_is_true(&shop, &case);
             kills += u32::from(!status.success());

@@ -16,7 +16,7 @@ use super::{Candidate, Finding};
 /// How far within the limit, so that rounding does not bring it beyond again.
 const MARGIN_DEG: f64 = 0.05;
 /// How often more is tried where other bends of the vertex or the side of the bend change with it.
-const MOST_ATTEMPTS: usize = 3;
+const MAX_ATTEMPTS: usize = 3;
 /// What a check calls near: within a twentieth of the limit.
 const NEAR: f64 = 0.95;
 
@@ -51,7 +51,7 @@ fn opened(corner: &Corner, diagnostic: &Diagnostic, trials: &mut Trials) -> Opti
     let limit = angle(diagnostic.limit().map(|limit| limit.value))?.abs().deg();
     let limit = if diagnostic.is_error() { limit } else { limit * NEAR };
     let mut wanted = limit - MARGIN_DEG;
-    for _ in 0..MOST_ATTEMPTS {
+    for _ in 0..MAX_ATTEMPTS {
         let candidate = corner.eased(wanted)?;
         let trial = trials.of(&candidate.edit)?;
         let still = trial.diagnostics().filter(|other| same_place(other, diagnostic));

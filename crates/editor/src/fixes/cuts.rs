@@ -14,7 +14,7 @@ use super::wires::together;
 use super::{Candidate, Finding};
 
 /// More wires than these are no answer.
-const MOST_PARTS: usize = 12;
+const MAX_PARTS: usize = 12;
 
 /// Two wires that meet at the bend of a step.
 pub(super) fn at_step(finding: Finding) -> Option<Candidate> {
@@ -35,7 +35,7 @@ pub(super) fn into_equal_parts(finding: Finding, trials: &mut Trials) -> Option<
     let room = (limit - (needed - feed)).mm();
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // saturates
     let parts = (feed.mm() / room).ceil().max(2.0) as usize;
-    if room <= 0.0 || parts > MOST_PARTS {
+    if room <= 0.0 || parts > MAX_PARTS {
         return None;
     }
     // Where vertices are far apart, one more may be needed.

@@ -12,7 +12,7 @@ use super::{Candidate, Finding, shown_mm};
 /// How much longer than needed, so that rounding does not make it too short again; mm.
 const MARGIN_MM: f64 = 0.05;
 /// How often it is made longer still where the feed depends on the bends, which change with it.
-const MOST_ATTEMPTS: usize = 4;
+const MAX_ATTEMPTS: usize = 4;
 /// What a check calls near: within a twentieth of the limit.
 const NEAR: f64 = 1.05;
 
@@ -24,7 +24,7 @@ pub(super) fn candidates(finding: Finding, trials: &mut Trials) -> Vec<Candidate
     let mut found = Vec::new();
     for (first, last) in [(0.0, 1.0), (1.0, 0.0), (0.5, 0.5)] {
         let mut more = needed;
-        for _ in 0..MOST_ATTEMPTS {
+        for _ in 0..MAX_ATTEMPTS {
             let Some(candidate) = straight.longer(&trials.document().wireframe, more * first, more * last)
             else {
                 break;

@@ -33,9 +33,9 @@ use wirebend_planning::machine::Setup;
 use wirebend_planning::report::DiagnosticReport;
 
 /// The most fixes for one diagnostic.
-const MOST_FOR_ONE: usize = 3;
+const MAX_FOR_ONE: usize = 3;
 /// The most fixes for a design.
-const MOST_FIXES: usize = 60;
+const MAX_FIXES: usize = 60;
 
 /// Something that fixes what a check says. Lengths in mm.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -99,56 +99,54 @@ impl Editor {
     /// # Errors
     /// [`EditorError::Planning`] where none is chosen.
     pub fn fixes(&mut self, app: &Installation) -> Result<Vec<Fix>, EditorError> {
-        self.unmended(app)?.fixes(app)
+        self.fix_search(app)?.fixes(app)
     }
 
     /// What [`Editor::fixes`] needs of the design, so that the design is free while it searches.
-    pub fn unmended(&mut self, app: &Installation) -> Result<Unmended, EditorError> {
+    pub fn fix_search(&mut self, app: &Installation) -> Result<FixSearch, EditorError> {
         let (names, setup) = self.take_setup(app)?;
-        let found = Unmended { document: self.planned_part(), setup: setup.clone() };
+        let found = FixSearch { document: self.planned_part(), setup: setup.clone() };
         self.setup = Some((names, setup));
         Ok(found)
     }
 }
 
 /// A design that is searched for what would fix it.
-pub struct Unmended {
+pub struct FixSearch {
     document: Document,
     setup: Setup,
 }
 
-impl Unmended {
+impl FixSearch {
     pub fn fixes(self, app: &Installation) -> Result<Vec<Fix>, EditorError> {
         fixes(self.document, app, &self.setup)
     }
 }
 
 /// An edit that fixes something, with the design after it.
-type Mending = (Candidate, Rc<Trial>);
+type TriedFix = (Candidate, Rc<Trial>);
 
 fn fixes(document: Document, app: &Installation, setup: &Setup) -> Result<Vec<Fix>, EditorError> {
     let (base, mut trials) = Trials::begin(document, app, setup)?;
     let findings = base.findings();
-    let mut to_mend = to_mend(&findings);
-    let neediest = scale::neediest(&findings, &to_mend, &trials.document().wireframe);
+    let mut to_fix = to_fix(&findings);
+    let neediest = scale::neediest(&findings, &to_fix, &trials.document().wireframe);
     // Where there are more than can be tried, what fixes most is not to be left out.
-    to_mend.sort_by_key(|&k| neediest.is_none_or(|(neediest, _)| k != neediest));
-    let mut mending: Vec<(usize, Vec<Mending>)> = Vec::new();
-    for (done, &k) in to_mend.iter().enumerate() {
-        trials.share(to_mend.len() - done);
+    to_fix.sort_by_key(|&k| neediest.is_none_or(|(neediest, _)| k != neediest));
+    let mut tried: Vec<(usize, Vec<TriedFix>)> = Vec::new();
+    for (done, &k) in to_fix.iter().enumerate() {
+        trials.share(to_fix.len() - done);
         let factor = neediest.filter(|(neediest, _)| k == *neediest);
         let scaled = factor.and_then(|(_, factor)| scale::up(factor, &mut trials));
         let others = candidates(findings[k], &findings, &mut trials);
         let all = scaled.into_iter().chain(others);
-        mending.push((k, mend(findings[k].diagnostic, all, &base, &mut trials)));
+        tried.push((k, fixes_for(findings[k].diagnostic, all, &base, &mut trials)));
     }
     // Where there is no room for three each, there is one for as many as can be.
-    let room =
-        |rank: usize| mending.iter().map(|(_, some)| some.len().min(rank)).sum::<usize>() <= MOST_FIXES;
-    let each = (1..=MOST_FOR_ONE).rev().find(|&rank| room(rank)).unwrap_or(1);
-    let ranked =
-        mending.into_iter().flat_map(|(k, some)| some.into_iter().take(each).map(move |one| (k, one)));
-    let mut chosen: Vec<(usize, Mending)> = ranked.take(MOST_FIXES).collect();
+    let room = |rank: usize| tried.iter().map(|(_, some)| some.len().min(rank)).sum::<usize>() <= MAX_FIXES;
+    let each = (1..=MAX_FOR_ONE).rev().find(|&rank| room(rank)).unwrap_or(1);
+    let ranked = tried.into_iter().flat_map(|(k, some)| some.into_iter().take(each).map(move |one| (k, one)));
+    let mut chosen: Vec<(usize, TriedFix)> = ranked.take(MAX_FIXES).collect();
     chosen.sort_by_key(|(k, _)| *k);
     let made = chosen.into_iter().map(|(k, (candidate, trial))| Fix {
         mends: base.check.diagnostics[k].clone(),
@@ -163,7 +161,7 @@ fn fixes(document: Document, app: &Installation, setup: &Setup) -> Result<Vec<Fi
 }
 
 /// The findings that are worth a fix. Of an edge that is travelled twice some are said twice, and count once.
-fn to_mend(findings: &[Finding]) -> Vec<usize> {
+fn to_fix(findings: &[Finding]) -> Vec<usize> {
     let mut said = BTreeSet::new();
     let new = |finding: &Finding| {
         let location = &finding.diagnostic.location;
@@ -175,16 +173,16 @@ fn to_mend(findings: &[Finding]) -> Vec<usize> {
 }
 
 /// What fixes a finding, best first.
-fn mend(
+fn fixes_for(
     diagnostic: &Diagnostic,
     candidates: impl Iterator<Item = Candidate>,
     base: &Trial,
     trials: &mut Trials,
-) -> Vec<Mending> {
-    let mut offered: Vec<Mending> = Vec::new();
+) -> Vec<TriedFix> {
+    let mut offered: Vec<TriedFix> = Vec::new();
     for candidate in candidates {
         let tried = trials.of(&candidate.edit);
-        let good = tried.filter(|trial| verdict::mends(base, trial, diagnostic));
+        let good = tried.filter(|trial| verdict::is_fixed(base, trial, diagnostic));
         if let Some(trial) = good.filter(|_| offered.iter().all(|(other, _)| *other != candidate)) {
             offered.push((candidate, trial));
         }

@@ -9,7 +9,7 @@ use super::trials::Trials;
 use super::{Candidate, Finding};
 
 /// How often the factor is raised where the bends do not grow with the edges.
-const MOST_ATTEMPTS: usize = 4;
+const MAX_ATTEMPTS: usize = 4;
 
 /// Which of some findings needs the design larger by most, and by what factor; none where it is the only one.
 pub(super) fn neediest(findings: &[Finding], of: &[usize], wireframe: &Wireframe) -> Option<(usize, f64)> {
@@ -23,7 +23,7 @@ pub(super) fn neediest(findings: &[Finding], of: &[usize], wireframe: &Wireframe
 /// The smallest factor of three digits, from one on, by which nothing is too short any more.
 pub(super) fn up(from: f64, trials: &mut Trials) -> Option<Candidate> {
     let mut factor = rounded(from, f64::ceil);
-    for _ in 0..MOST_ATTEMPTS {
+    for _ in 0..MAX_ATTEMPTS {
         let candidate = scaled(trials, factor)?;
         let trial = trials.of(&candidate.edit)?;
         // The trial's edges are of the size that they have there.

@@ -9,7 +9,7 @@ use super::trials::Trials;
 use super::{Candidate, Finding};
 
 /// The most starts that are tried of a wire that may begin anywhere.
-const MOST_STARTS: usize = 24;
+const MAX_STARTS: usize = 24;
 
 /// No start, where the chosen one is refused.
 pub(super) fn anywhere(finding: Finding, document: &Document) -> Vec<Candidate> {
@@ -51,13 +51,13 @@ fn possible(document: &Document, wire: &WirePlan, foremost: Option<VertexId>) ->
     let walk = route.vertices();
     let first = walk.first().copied();
     let mut starts: Vec<VertexId> = if odd.is_empty() {
-        let every = walk.len().div_ceil(MOST_STARTS - 1).max(1);
+        let every = walk.len().div_ceil(MAX_STARTS - 1).max(1);
         foremost.into_iter().chain(walk.into_iter().step_by(every)).collect()
     } else {
         odd
     };
     let mut seen = std::collections::BTreeSet::new();
     starts.retain(|id| Some(*id) != first && seen.insert(*id));
-    starts.truncate(MOST_STARTS);
+    starts.truncate(MAX_STARTS);
     starts
 }

@@ -16,11 +16,11 @@ use wirebend_planning::machine::Setup;
 use wirebend_planning::{Installation, NoProgress};
 
 /// The most edits that are tried.
-const MOST_TRIALS: usize = 200;
+const MAX_TRIALS: usize = 200;
 /// What one finding may try however many there are.
-const LEAST_SHARE: usize = 4;
+const MIN_SHARE: usize = 4;
 /// The most work that trials take together, in units of about a millisecond.
-const MOST_WORK: usize = 1500;
+const MAX_WORK: usize = 1500;
 /// So many edges are planned in a unit, and so many odd vertices matched, whose time grows with their cube: 400 of
 /// them take a third of a second.
 const EDGES_A_UNIT: usize = 200;
@@ -92,16 +92,7 @@ impl<'a> Trials<'a> {
         let errors = base.errors();
         Ok((
             base,
-            Self {
-                document,
-                app,
-                setup,
-                tried: Vec::new(),
-                errors,
-                work,
-                left: MOST_WORK,
-                until: MOST_TRIALS,
-            },
+            Self { document, app, setup, tried: Vec::new(), errors, work, left: MAX_WORK, until: MAX_TRIALS },
         ))
     }
 
@@ -128,8 +119,8 @@ impl<'a> Trials<'a> {
 
     /// What is left is for so many findings: the next takes no more than its share, and a few where that is less.
     pub fn share(&mut self, findings: usize) {
-        let share = (MOST_TRIALS - self.tried.len()) / findings.max(1);
-        self.until = MOST_TRIALS.min(self.tried.len() + share.max(LEAST_SHARE));
+        let share = (MAX_TRIALS - self.tried.len()) / findings.max(1);
+        self.until = MAX_TRIALS.min(self.tried.len() + share.max(MIN_SHARE));
     }
 
     /// The design after an edit; none where it cannot be made, or enough was tried.

@@ -8,7 +8,7 @@ use super::trials::Trial;
 
 /// Whether a diagnostic is gone from its place and said less often, without more errors than there were; of a warning
 /// also without more warnings.
-pub(super) fn mends(before: &Trial, after: &Trial, diagnostic: &Diagnostic) -> bool {
+pub(super) fn is_fixed(before: &Trial, after: &Trial, diagnostic: &Diagnostic) -> bool {
     let said = |trial: &Trial| trial.diagnostics().filter(|d| d.code() == diagnostic.code()).count();
     let here = |trial: &Trial| trial.diagnostics().filter(|d| same_place(d, diagnostic)).count();
     said(after) < said(before)

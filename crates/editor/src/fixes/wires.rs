@@ -12,7 +12,7 @@ use super::trials::Trials;
 use super::{Candidate, Finding, shown_mm};
 
 /// More wires than these are no answer.
-const MOST_WIRES: usize = 6;
+const MAX_WIRES: usize = 6;
 
 /// The cheapest edges twice, or as many wires as it takes to lay none twice.
 pub(super) fn candidates(finding: Finding, trials: &Trials) -> Vec<Candidate> {
@@ -84,7 +84,7 @@ pub(super) fn together(mut edits: Vec<EditRequest>, label: String) -> Option<Edi
 /// line, one trail ends and the next begins.
 fn trails(document: &Document, component: &Component) -> Option<Vec<Vec<u32>>> {
     let odd = document.wireframe.odd_vertices(component, &[]);
-    if odd.len() < 4 || odd.len() / 2 > MOST_WIRES {
+    if odd.len() < 4 || odd.len() / 2 > MAX_WIRES {
         return None;
     }
     let mut joined = document.wireframe.clone();

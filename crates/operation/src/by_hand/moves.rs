@@ -16,7 +16,7 @@ const FORMAT: &str = "wbmoves";
 /// The newest version that is known.
 const VERSION: u64 = 1;
 /// The most moves of one file.
-const MOST_MOVES: usize = 100_000;
+const MAX_MOVES: usize = 100_000;
 
 /// Moves that were run on a machine.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -68,8 +68,8 @@ impl MovesFile {
         if read.version != VERSION {
             return Err(wrong(format!("there is no version {} of this format", read.version)));
         }
-        if read.moves.is_empty() || read.moves.len() > MOST_MOVES {
-            return Err(wrong(format!("it has {} moves, expected 1 to {MOST_MOVES}", read.moves.len())));
+        if read.moves.is_empty() || read.moves.len() > MAX_MOVES {
+            return Err(wrong(format!("it has {} moves, expected 1 to {MAX_MOVES}", read.moves.len())));
         }
         read.moves.iter().try_for_each(|one| one.check())?;
         Ok(read)

@@ -23,9 +23,9 @@ pub use kept::KeptWire;
 use wirebend_error::InputName;
 
 /// The most runs of one simulation.
-const MOST_RUNS: u32 = 1_000_000;
+const MAX_RUNS: u32 = 1_000_000;
 /// The most distances that are kept, a gibibyte of them: one for each vertex and gap and run.
-const MOST_DISTANCES: usize = 1 << 27;
+const MAX_DISTANCES: usize = 1 << 27;
 
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 pub struct SimulateRequest {
@@ -143,7 +143,7 @@ pub fn simulate(
         output.check()?;
     }
     let runs = if request.noise.is_some() { request.runs } else { 1 };
-    if runs == 0 || runs > MOST_RUNS {
+    if runs == 0 || runs > MAX_RUNS {
         let expected = "1 to 1000000";
         return Err(PlanningError::Value {
             input: Some(InputName::Runs),
@@ -162,7 +162,7 @@ pub fn simulate(
     let contents = job.contents();
     let setup = restored(&name, contents)?;
     let distances: usize = contents.wires.iter().map(|wire| 2 * wire.vertices.len()).sum();
-    if distances.saturating_mul(runs as usize) > MOST_DISTANCES {
+    if distances.saturating_mul(runs as usize) > MAX_DISTANCES {
         let expected = "fewer: the distances of all vertices in all runs do not fit the memory";
         return Err(PlanningError::Value {
             input: Some(InputName::Runs),

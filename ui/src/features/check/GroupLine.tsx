@@ -13,7 +13,7 @@ import { figuresOf, type Group, sourceOf, TONES, titleOf, valueText, whatOf } fr
 import { wayOut } from "./ways";
 
 /** More places than these are not listed one by one. */
-const MOST = 40;
+const MAX = 40;
 
 function placesOfAll(reports: readonly DiagnosticReport[]): { vertices: number[]; edges: number[] } {
   const all = reports.map(placesOf);
@@ -120,11 +120,11 @@ export function GroupLine({ group }: { readonly group: Group }) {
           {single && <FixList fixes={fixes} />}
           {!single && (
             <ul className="members">
-              {reports.slice(0, MOST).map((report, index) => (
+              {reports.slice(0, MAX).map((report, index) => (
                 // biome-ignore lint/suspicious/noArrayIndexKey: the findings of a check come and go together
                 <Member key={index} report={report} />
               ))}
-              {reports.length > MOST && <li className="muted">and {reports.length - MOST} more</li>}
+              {reports.length > MAX && <li className="muted">and {reports.length - MAX} more</li>}
             </ul>
           )}
           {single && first.unit && first.help && <p className="muted small">{said(first.help)}.</p>}

@@ -8,7 +8,7 @@ import "./problems.css";
 /** News goes by itself; what is wrong stays until it was read. */
 const NEWS_MS = 8000;
 /** More at once hide the work. */
-const MOST = 4;
+const MAX = 4;
 
 function One({ problem }: { readonly problem: Problem }) {
   const { id, severity, message } = problem;
@@ -33,13 +33,13 @@ export function Problems() {
   return (
     <div className="problems" role="status" aria-live="polite" aria-label="Messages">
       <ul>
-        {problems.slice(-MOST).map((problem) => (
+        {problems.slice(-MAX).map((problem) => (
           <One key={problem.id} problem={problem} />
         ))}
       </ul>
-      {problems.length > MOST && (
+      {problems.length > MAX && (
         <Button kind="link" onClick={() => problems.slice(0, -1).forEach(({ id }) => dismiss(id))}>
-          {problems.length - MOST} more: dismiss all but the last
+          {problems.length - MAX} more: dismiss all but the last
         </Button>
       )}
     </div>

@@ -72,7 +72,7 @@ export function marksOf(check: LiveCheck | null): SceneMarks {
 }
 
 /** More labels than these are no help. */
-const MOST_LABELS = 60;
+const MAX_LABELS = 60;
 
 /** What is written on in the view: the figure that is wrong, where it is wrong; errors first. `figure` says a measured value. */
 export function labelsOf(
@@ -90,7 +90,7 @@ export function labelsOf(
     return a && b ? [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2] : null;
   };
   for (const report of check?.diagnostics ?? []) {
-    if (report.severity === "info" || labels.length >= MOST_LABELS) continue;
+    if (report.severity === "info" || labels.length >= MAX_LABELS) continue;
     const [place, text] = [at(report), figure(report)];
     // A count is about many places at once, none of which it belongs to.
     if (place && text) labels.push({ at: place, text, verdict: report.severity });

@@ -7,7 +7,7 @@ const FORMAT = "wirebend-piece";
 const VERSION = 1;
 
 /** More than anybody copies by hand; a mistake is caught before it is sent. */
-const MOST_VERTICES = 100_000;
+const MAX_VERTICES = 100_000;
 
 export type Piece = Extract<EditRequest, { edit: "paste" }>;
 
@@ -48,7 +48,7 @@ export function fromText(text: string): Piece | string {
   if (version !== VERSION)
     return "The clipboard holds a piece from another version of this program. Copy it again in this one.";
   const damaged = "The piece on the clipboard is damaged: copy it again.";
-  if (!Array.isArray(vertices) || !Array.isArray(edges) || vertices.length === 0 || vertices.length > MOST_VERTICES)
+  if (!Array.isArray(vertices) || !Array.isArray(edges) || vertices.length === 0 || vertices.length > MAX_VERTICES)
     return damaged;
   const isPlace = (value: unknown): value is number =>
     Number.isInteger(value) && (value as number) >= 0 && (value as number) < vertices.length;

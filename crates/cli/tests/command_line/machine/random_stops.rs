@@ -17,7 +17,7 @@ const RUNS: usize = 12;
 /// Runs at the same time: nearly all of their time is waiting for the machine.
 const AT_ONCE: usize = 2;
 /// Steps that the driver has at most, and of which it may have done none or all.
-const MOST_ASKED: usize = 5;
+const MAX_ASKED: usize = 5;
 /// A step of the model is 0.0125 mm or degrees; what is asked for is rounded to it when a step begins, and when its rest does.
 const CLOSE: f64 = 0.03;
 
@@ -140,7 +140,7 @@ fn stopped(after: Duration) -> Option<(Made, usize)> {
     let mut asked = 0;
     let mut ran = bench.shop.run(&bench.arguments(&["--head-at=0", "--resume"]));
     while ran.status != 0 {
-        assert_eq!((ran.status, asked < MOST_ASKED), (2, true), "after {after:?}: {}", ran.err);
+        assert_eq!((ran.status, asked < MAX_ASKED), (2, true), "after {after:?}: {}", ran.err);
         asked += 1;
         let answer = answer(&ran.err, &bench, stood);
         ran = bench.shop.run(&bench.arguments(&["--head-at=0", &answer]));

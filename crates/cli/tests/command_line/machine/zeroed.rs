@@ -7,7 +7,7 @@ use super::bench::Bench;
 use super::interrupted::Going;
 
 /// What the profile `grbl-bender` allows, degrees, and half a step of the model.
-const MOST_BEND_DEG: f64 = 120.0 + 0.5 / 80.0;
+const MAX_BEND_DEG: f64 = 120.0 + 0.5 / 80.0;
 /// Where the axes stand at first.
 const ZERO: &str = "[0.000, 0.000, 0.000]";
 
@@ -67,7 +67,7 @@ fn a_wire_that_was_stopped_in_a_bend_goes_on_once_the_axes_stand_at_zero() {
     let bends = bench.bender.model.end().bends;
     assert_eq!(bends.len(), 3, "the one that was stopped, and the two of the wire: {bends:?}");
     for [_, _, bend] in bends {
-        assert!(bend.abs() <= MOST_BEND_DEG, "{bend}");
+        assert!(bend.abs() <= MAX_BEND_DEG, "{bend}");
     }
 }
 

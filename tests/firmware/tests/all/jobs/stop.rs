@@ -13,7 +13,7 @@ use crate::jobs::shop::alone;
 use wirebend_tests_firmware::board::Host;
 
 /// How long a person may have to wait for a stop, the plan says.
-const MOST: Duration = Duration::from_millis(250);
+const MAX: Duration = Duration::from_millis(250);
 const TRIES: usize = 24;
 /// How many wires are bent, and stopped, at the same time.
 const AT_ONCE: usize = 4;
@@ -78,5 +78,5 @@ fn a_stop_is_out_in_time_on_a_busy_computer() {
     println!(
         "Ctrl-C to STOP at the port, {cores} cores busy, {TRIES} tries: median {median:?}, worst {worst:?}"
     );
-    assert!(worst <= MOST, "a stop took {worst:?}");
+    assert!(worst <= MAX, "a stop took {worst:?}");
 }

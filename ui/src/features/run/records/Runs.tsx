@@ -7,7 +7,7 @@ import { Fold } from "../../machine/Fold";
 import { madePhrase } from "./records";
 
 /** More are of no interest at a machine. */
-const MOST = 30;
+const MAX = 30;
 
 /** What was bent before, from the journals of the wires. */
 export function Runs() {
@@ -34,10 +34,10 @@ function List() {
     );
   return (
     <ul>
-      {runs.slice(0, MOST).map((run) => (
+      {runs.slice(0, MAX).map((run) => (
         <Line key={run.id} {...madePhrase(run, unit)} title={run.id} />
       ))}
-      {runs.length > MOST && <li className="muted small">and {runs.length - MOST} before them</li>}
+      {runs.length > MAX && <li className="muted small">and {runs.length - MAX} before them</li>}
     </ul>
   );
 }

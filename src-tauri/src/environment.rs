@@ -42,12 +42,12 @@ mod linux {
     }
 
     pub fn stop_by_key<R: Runtime>(app: &AppHandle<R>, window: &WebviewWindow<R>) -> tauri::Result<()> {
-        let desk = Arc::clone(&app.state::<Arc<Workspace>>());
+        let workspace = Arc::clone(&app.state::<Arc<Workspace>>());
         window.gtk_window()?.connect_key_press_event(move |_, event| {
             let held = event.state().contains(ModifierType::CONTROL_MASK);
             if held && event.keyval() == keys::constants::space {
-                let desk = Arc::clone(&desk);
-                std::thread::spawn(move || desk.stop());
+                let workspace = Arc::clone(&workspace);
+                std::thread::spawn(move || workspace.stop());
             }
             Propagation::Proceed
         });

@@ -54,7 +54,7 @@ enum Line {
 
 /// The journal of a design that is open.
 #[derive(Debug)]
-pub(super) struct Keeping {
+pub(super) struct EditJournal {
     log: Log,
     /// What was done before is in it, too. Otherwise it knows nothing of what is undone.
     from_the_first: bool,
@@ -87,7 +87,7 @@ pub(super) struct Restored {
     pub changes: usize,
 }
 
-impl Keeping {
+impl EditJournal {
     /// Begins a journal in a folder, which is created where it is missing. `from_the_first`: nothing was done to the document
     /// that can be undone.
     pub fn begin(
@@ -123,7 +123,7 @@ impl Keeping {
     }
 
     /// Opens a journal that was left behind.
-    pub fn take_up(path: &Path) -> Result<(Self, Restored), EditorError> {
+    pub fn reopen(path: &Path) -> Result<(Self, Restored), EditorError> {
         let (log, lines) = Log::open(path)?;
         let restored = replayed(path, &lines.entries)?;
         Ok((Self { log, from_the_first: true }, restored))
@@ -177,7 +177,7 @@ pub(super) fn unsaved(folder: &Path) -> (Vec<Unsaved>, Vec<ProblemReport>) {
     let (mut found, mut problems) = (Vec::new(), Vec::new());
     let entries = fs::read_dir(folder).into_iter().flatten().filter_map(Result::ok).map(|entry| entry.path());
     for path in entries.filter(|path| path.extension().is_some_and(|extension| extension == EXTENSION)) {
-        match Keeping::take_up(&path) {
+        match EditJournal::reopen(&path) {
             Ok((keeping, restored)) if restored.history.state() == restored.saved => {
                 problems.extend(keeping.end().err().as_ref().map(ProblemReport::from));
             }
