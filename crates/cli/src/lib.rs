@@ -42,7 +42,7 @@ pub fn main() -> ExitCode {
     let cli = match command().try_get_matches().and_then(|matches| Cli::from_arg_matches(&matches)) {
         Ok(cli) => cli,
         Err(error) => {
-            // Help and version are asked for; the rest is a wrong use.
+            // Help and version are asked for; the rest is a usage error.
             let code = if error.use_stderr() { exit::USAGE } else { exit::DONE };
             return if error.print().is_ok() { ExitCode::from(code) } else { ExitCode::from(exit::FAILURE) };
         }

@@ -180,6 +180,11 @@ impl Prompt for Terminal {
         said.map(|answer| answer == 0).or(stop::was_pressed().then_some(false))
     }
 
+    fn is_so(&self, said: &str) -> Option<bool> {
+        // Who presses Ctrl-C takes nothing back.
+        self.ask(said, &["yes", "No"]).map(|answer| answer == 0)
+    }
+
     fn decide(&self, doubt: &Doubt) -> Option<Decision> {
         if !is_interactive() {
             return None;

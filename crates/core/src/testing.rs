@@ -2,7 +2,7 @@
 
 use nalgebra::Point3;
 
-use crate::checks::{MachineLimits, Sourced};
+use crate::checks::{MachineLimits, Source, Sourced};
 use crate::compensate::{BendModel, Compensation, FeedModel, PegGeometry, Springback};
 use crate::estimate::{TimeModel, WireModel};
 use crate::plan::Machine;
@@ -18,8 +18,13 @@ pub(crate) fn deg(value: f64) -> Angle {
     Angle::from_deg(value).unwrap()
 }
 
+/// A figure without a reason of its own.
+pub(crate) fn from(entry: &str) -> Source {
+    Source { reason: None, entry: entry.to_owned() }
+}
+
 fn paper<T>(value: T) -> Sourced<T> {
-    Sourced { value, source: "the paper".to_owned() }
+    Sourced { value, source: from("the paper") }
 }
 
 /// The $293 bender with its 3 mm aluminium, as published.
@@ -35,9 +40,9 @@ pub(crate) fn published_machine() -> Machine {
             tail: paper(mm(400.0)),
             min_diameter: paper(mm(2.8)),
             max_diameter: paper(mm(3.2)),
-            min_rotation_source: "the paper".to_owned(),
-            max_rotation_source: "the paper".to_owned(),
-            axis_source: "the paper".to_owned(),
+            min_rotation_source: from("the paper"),
+            max_rotation_source: from("the paper"),
+            axis_source: from("the paper"),
         },
         head: HeadLimits { min: deg(-360.0), max: deg(360.0), seconds_per_degree: 1.0 / 131.3 },
         compensation: Compensation {

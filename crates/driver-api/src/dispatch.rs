@@ -148,7 +148,7 @@ pub(crate) fn guard<T>(work: impl FnOnce() -> Result<T, DriverError>) -> Result<
 
 fn said(cause: &(dyn Any + Send)) -> &str {
     let text = cause.downcast_ref::<&str>().copied();
-    text.or_else(|| cause.downcast_ref::<String>().map(String::as_str)).unwrap_or("without a word")
+    text.or_else(|| cause.downcast_ref::<String>().map(String::as_str)).unwrap_or("no message")
 }
 
 #[cfg(test)]

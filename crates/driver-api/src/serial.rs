@@ -31,7 +31,7 @@ const READ_PATIENCE: Duration = Duration::from_millis(1);
 /// and half of that is left for all else.
 const WRITE_PATIENCE: Duration = Duration::from_millis(50);
 /// The most that is read at once: at 115200 baud this is more than a third of a second.
-const MOST_BYTES: usize = 4096;
+const MAX_BYTES: usize = 4096;
 
 struct Port(Box<dyn SerialPort>);
 
@@ -46,7 +46,6 @@ pub fn open(port: &str, baud: u32) -> Result<Box<dyn Line>, DriverError> {
 }
 
 fn refusal(port: &str, error: &serialport::Error) -> DriverError {
-    let text = error.to_string().to_lowercase();
     let (code, what, help) = match error.kind() {
         ErrorKind::Io(io::ErrorKind::PermissionDenied) => (
             "port-denied",
@@ -54,7 +53,7 @@ fn refusal(port: &str, error: &serialport::Error) -> DriverError {
             "on Linux join the group of serial ports with `sudo usermod -aG dialout $USER`, then log in again",
         ),
         // A port that another program has locked is reported as if it were not there.
-        ErrorKind::NoDevice if text.contains("busy") || text.contains("lock") => (
+        ErrorKind::NoDevice if is_there(port) => (
             "port-busy",
             format!("the port '{port}' is used by another program"),
             "close the program that has it open, such as a serial monitor",
@@ -73,9 +72,16 @@ fn refusal(port: &str, error: &serialport::Error) -> DriverError {
     DriverError::new(code, what, help)
 }
 
+/// Whether the system has a port of this name, whoever has it open.
+fn is_there(port: &str) -> bool {
+    let listed =
+        || serialport::available_ports().unwrap_or_default().iter().any(|known| known.port_name == port);
+    std::path::Path::new(port).exists() || listed()
+}
+
 impl Line for Port {
     fn read(&mut self) -> io::Result<Vec<u8>> {
-        let mut bytes = vec![0; MOST_BYTES];
+        let mut bytes = vec![0; MAX_BYTES];
         match self.0.read(&mut bytes) {
             Ok(0) => Err(io::ErrorKind::UnexpectedEof.into()),
             Ok(count) => {

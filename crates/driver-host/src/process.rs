@@ -197,7 +197,7 @@ impl Shared {
                 return Err(Failure::Ended(ending.clone()));
             }
             let id = waiting.next_id;
-            // The ids come round after four thousand million requests; 0 is the greeting's.
+            // The ids start again after 2^32 requests; 0 is the greeting's.
             waiting.next_id = id.checked_add(1).unwrap_or(1);
             waiting.replies.insert(id, sender);
             id

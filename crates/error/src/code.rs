@@ -189,7 +189,6 @@ codes! {
     ReadUnsupported = "read-unsupported",
     ReadWireframe = "read-wireframe",
     RunsFolder = "runs-folder",
-    Session = "session",
     SessionPurpose = "session-purpose",
     SessionStale = "session-stale",
     SessionState = "session-state",

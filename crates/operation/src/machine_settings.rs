@@ -20,7 +20,7 @@ pub const QUESTION: &str = "May these settings be written to the machine, for go
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 pub struct MachineSettingsRequest {
     pub machine: String,
-    /// Where it is; absent, nothing is compared and the ports are listed.
+    /// Where it is; absent, that is refused, with the ports that there are.
     pub port: Option<String>,
     /// Whether to write those of the profile to the machine, for good.
     #[serde(default)]

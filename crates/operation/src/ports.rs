@@ -64,12 +64,15 @@ pub fn ports(
         require_ports(&driver, id)?;
         response.add(&driver)?;
     } else {
-        for driver in app.all_drivers()? {
-            if !driver.description().can(Capability::Ports) {
-                continue;
-            }
+        for started in app.all_drivers()? {
             // One that fails does not hide what the others say.
-            let asked = driver.open(&serde_json::json!({})).and_then(|driver| response.add(&driver));
+            let asked = started.and_then(|driver| {
+                if !driver.description().can(Capability::Ports) {
+                    return Ok(());
+                }
+                let driver = driver.open(&serde_json::json!({}))?;
+                Ok(response.add(&driver)?)
+            });
             if let Err(error) = asked {
                 response.problems.push(error.to_string());
                 response.remedies.extend(error.remedies());

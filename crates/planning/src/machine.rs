@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value};
 use wirebend_core::bend::Step;
-use wirebend_core::checks::{MachineLimits, Sourced};
+use wirebend_core::checks::{MachineLimits, Source, Sourced};
 use wirebend_core::compensate::{
     BendModel, Compensation, FeedModel, PegGeometry, Springback, SpringbackCurve, SpringbackPoint,
 };
@@ -139,13 +139,10 @@ pub fn deg(value: f64) -> Result<Angle, PlanningError> {
     Angle::from_deg(value).map_err(not_finite)
 }
 
-/// Where a figure of a profile comes from, for a person to read.
-fn source<T: Profile>(profile: &Resolved<T>, key: &str, stated: Option<&str>) -> String {
+/// Where a figure of a profile comes from.
+fn source<T: Profile>(profile: &Resolved<T>, key: &str, reason: Option<&str>) -> Source {
     let origin = profile.origin(key).map_or(profile.profile.id(), |origin| origin.id.as_str());
-    match stated {
-        Some(stated) => format!("{stated} [{origin}, {key}]"),
-        None => format!("{origin}, {key}"),
-    }
+    Source { reason: reason.map(str::to_owned), entry: format!("{origin}, {key}") }
 }
 
 /// A figure of a profile, which a child may leave to its parent.

@@ -78,8 +78,14 @@ impl Opened {
         if !choices.keep_order {
             return Ok(None);
         }
-        if choices.double || choices.closed || choices.start.is_some() {
-            let inputs = vec![InputName::Double, InputName::Closed, InputName::Start];
+        let given = [
+            (InputName::Double, choices.double),
+            (InputName::Closed, choices.closed),
+            (InputName::Start, choices.start.is_some()),
+        ];
+        let inputs: Vec<InputName> =
+            given.into_iter().filter(|(_, given)| *given).map(|(name, _)| name).collect();
+        if !inputs.is_empty() {
             let instead = Box::new(ErrorRemedy::LeaveOut { inputs: vec![InputName::KeepOrder] });
             return Err(PlanningError::Settled { name: self.name.clone(), inputs, instead });
         }

@@ -118,7 +118,7 @@ it("shows what goes over the line both ways, filters it and clears it", async ()
   await run().getByLabel("Filter lines").fill("");
   await editor.isCleanNow("run-console");
   await run().getByRole("button", { name: "Clear", exact: true }).last().click();
-  await log.getByText("Nothing was said yet.").waitFor();
+  await log.getByText("No messages yet.").waitFor();
   await run()
     .getByRole("button", { name: /^Console/ })
     .click();

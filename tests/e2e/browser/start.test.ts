@@ -15,7 +15,7 @@ const into = (file: string) => join(editor.loopback.home, "files", file);
 
 it("leads through four steps once, and stands in the way of no menu", async () => {
   const note = editor.page.getByRole("note", { name: "First steps" });
-  await note.getByText("Bring a shape").waitFor();
+  await note.getByText("Start with a shape").waitFor();
   await note.getByRole("button", { name: "Next" }).click();
   await note.getByText("Choose the machine and the wire").waitFor();
   await editor.isCleanNow("start-hint");

@@ -101,7 +101,7 @@ describe("keys of the window", () => {
   it("do not cut or paste what may not be changed, and say why", () => {
     useDesign.setState({ vertices: new Map([[1, { id: 1, at: [0, 0, 0], support: false }]]) });
     useSelection.setState({ vertices: new Set([1]), edges: new Set() });
-    why = "A machine is bending the wire";
+    why = "A machine is bending the wire.";
     for (const type of ["cut", "paste"])
       document.body.dispatchEvent(
         new ClipboardEvent(type, { bubbles: true, cancelable: true, clipboardData: new DataTransfer() }),

@@ -53,7 +53,7 @@ function pressed(event: KeyboardEvent): void {
 /** Whether it cannot be done now, which the person reads: there is no button that says it. */
 function refused(command: CommandId): boolean {
   const why = whyNot(command);
-  if (why) tell("info", `${why}.`.replace("..", "."), command);
+  if (why) tell("info", why, command);
   return why !== null;
 }
 

@@ -1327,7 +1327,6 @@ export type ErrorCode =
   | "read-unsupported"
   | "read-wireframe"
   | "runs-folder"
-  | "session"
   | "session-purpose"
   | "session-stale"
   | "session-state"
@@ -1470,6 +1469,10 @@ export interface MachineState {
    */
   identity: string | null;
   machine: string;
+  /**
+   * Something moves, or may move without being asked again.
+   */
+  may_move: boolean;
   phase: Phase;
   /**
    * Where it is; null where no port was named and none is known yet.
@@ -2070,6 +2073,10 @@ export interface DiagnosticReport {
    */
   limit?: number | null;
   /**
+   * Why the limit is what it is, where its profile or driver says so: `limit_source` without what it stands in.
+   */
+  limit_reason?: string | null;
+  /**
    * Where the limit comes from.
    */
   limit_source?: string | null;
@@ -2520,6 +2527,10 @@ export interface WireDiagnostic {
    * The limit, in `unit`.
    */
   limit?: number | null;
+  /**
+   * Why the limit is what it is, where its profile or driver says so: `limit_source` without what it stands in.
+   */
+  limit_reason?: string | null;
   /**
    * Where the limit comes from.
    */

@@ -3,8 +3,8 @@ import type { Responses } from "../generated/responses";
 import { type AskName, type FileKind, type Platform, Refused, type WindowEvent } from "./platform";
 
 /**
- * The Rust side behind HTTP on this computer, for tests in a browser: not part of what is installed. The token is in the
- * address that the server prints.
+ * The Rust side behind HTTP on this computer, for tests in a browser and for `make dev` without a display; the
+ * server is not installed. The token is in the address that it prints.
  */
 export class Loopback implements Platform {
   constructor(private readonly token: string) {}

@@ -27,11 +27,11 @@ export interface FileKind {
   readonly extensions: readonly string[];
 }
 
-/** What the surroundings of the window do: the Rust side, dialogs, dropped files, closing. */
+/** What the environment of the window does: the Rust side, dialogs, dropped files, closing. */
 export interface Platform {
   /** Rejects with `Refused`. */
   ask<K extends AskName>(name: K, request: Requests[K]): Promise<Responses[K]>;
-  /** The stencil of the open design: see `Desk::stencil_mesh`. Empty without one. */
+  /** The stencil of the open design: see `Workspace::stencil_mesh`. Empty without one. */
   stencilMesh(): Promise<ArrayBuffer>;
   /** Hears of events; the function that is returned ends it. */
   listen(hear: (event: WindowEvent) => void): () => void;

@@ -22,8 +22,8 @@ export class Guard extends Component<{ readonly name: string; readonly children:
     return (
       <div className="guard" role="alert">
         <p>
-          <strong>{name}</strong> cannot be shown because of a mistake in this program: {problem}. Nothing of the design
-          is lost.
+          <strong>{name}</strong> cannot be shown because of an internal error: {problem}. Nothing of the design is
+          lost.
         </p>
         <Button small onClick={() => this.setState({ problem: null })}>
           Show it again

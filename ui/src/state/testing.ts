@@ -41,9 +41,12 @@ const ORDERS: Readonly<Record<OrderName, true>> = {
 export const refused = (because: Because, ...can: OrderName[]): MachineState["cannot"] =>
   (Object.keys(ORDERS) as OrderName[]).filter((order) => !can.includes(order)).map((order) => ({ order, because }));
 
+const MOVING: readonly Phase[] = ["homing", "moving", "making", "holding", "stopping"];
+
 /** A machine that stands so, and takes these orders and no others. */
 export const machineState = (phase: Phase, ...can: OrderName[]): MachineState => ({
   phase,
+  may_move: MOVING.includes(phase),
   machine: "wirebend-kit",
   port: "/dev/ttyACM0",
   simulated: false,

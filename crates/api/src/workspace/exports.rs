@@ -136,7 +136,18 @@ impl Workspace {
         if let Err(error) = app.driver(&own) {
             problems.push(ProblemReport::from(&error));
         }
-        for driver in app.all_drivers()? {
+        for started in app.all_drivers()? {
+            let driver = match started {
+                Ok(driver) => driver,
+                Err(error) => {
+                    let problem = ProblemReport::from(&error);
+                    // The machine's own driver has failed above already.
+                    if !problems.contains(&problem) {
+                        problems.push(problem);
+                    }
+                    continue;
+                }
+            };
             let described = driver.description();
             let is_own = described.id == own;
             for format in &described.formats {

@@ -218,11 +218,16 @@ impl Workspace {
         let own = chain.into_iter().next().filter(|own| !own.shipped);
         let file = own.ok_or_else(|| ApiError::ShippedProfile { id: asked.machine.clone() })?.file;
         let mut profile: Value = serde_json::from_slice(&read_file(Path::new(&file))?)?;
-        profile["driver"]["settings"] = Value::Object(asked.settings.clone());
-        if asked.settings.is_empty()
-            && let Some(driver) = profile["driver"].as_object_mut()
+        // What is no object any more is refused below, as any profile is.
+        if let Some(whole) = profile.as_object_mut()
+            && let Some(driver) =
+                whole.entry("driver").or_insert_with(|| Value::Object(serde_json::Map::new())).as_object_mut()
         {
-            driver.remove("settings");
+            if asked.settings.is_empty() {
+                driver.remove("settings");
+            } else {
+                driver.insert("settings".to_owned(), Value::Object(asked.settings.clone()));
+            }
         }
         let mut text = serde_json::to_string_pretty(&profile)?;
         text.push('\n');

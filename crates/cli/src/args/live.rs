@@ -22,7 +22,7 @@ pub(crate) struct PortArgs {
 /// Where the axes stand.
 #[derive(Debug, Args)]
 pub(crate) struct ZeroArgs {
-    /// Say that every axis of a machine without switches stands at zero (for `jog`: where it counts from), instead of being asked; --yes does not say it
+    /// Say that every axis of a machine without switches stands at zero (for `jog`: where it counts from), instead of being asked; --yes does not imply it
     #[arg(long)]
     pub axes_at_zero: bool,
     /// Say where the head stands, in degrees from where its cable is unwound; needed where that is not known, as after a turn that was lost
@@ -136,11 +136,15 @@ pub(crate) struct MachineSettingsArgs {
     /// Machine, by id (see `wirebend machines`)
     #[arg(long, short, value_name = "ID")]
     pub machine: String,
-    #[command(flatten)]
-    pub at: PortArgs,
+    /// Port of the machine, such as /dev/ttyACM0 or COM3 (see `wirebend ports`)
+    #[arg(long, short, value_name = "PORT")]
+    pub port: Option<String>,
     /// Write the settings of the profile to the machine, for good
     #[arg(long)]
     pub write: bool,
+    /// Write without being asked
+    #[arg(long, short)]
+    pub yes: bool,
 }
 
 #[derive(Debug, Subcommand)]

@@ -14,7 +14,7 @@ pub(crate) use shared::{ChoiceArgs, DangerArgs, DesignArgs, ExportedArgs, KindAr
 use shared::{parse_setting, stage_parser};
 
 const AFTER: &str = "\
-Exit status: 0 done · 2 wrong use · 3 bad input · 4 not feasible on this machine (the report is \
+Exit status: 0 done · 2 usage error · 3 bad input · 4 not feasible on this machine (the report is \
 still printed) · 5 machine or driver failure · 6 it is not known whether the machine stands: cut its \
 power · 130 stopped by the person.
 Messages go to the error stream, results to the standard output; - stands for standard input or output.";

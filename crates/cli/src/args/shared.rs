@@ -91,7 +91,7 @@ pub(crate) struct ChoiceArgs {
     /// Run the wire the other way
     #[arg(long)]
     pub reverse: bool,
-    /// Run the wire as the program runs that is read, from its start to its end
+    /// Keep the bend order of the imported program, from its start to its end
     #[arg(long, conflicts_with_all = ["double", "closed", "start"])]
     pub keep_order: bool,
 }

@@ -141,7 +141,7 @@ pub(super) fn ports(
             described(&port.description, port.usb.as_ref()),
         ]
     });
-    table(out, ["port", "usb", "may well be", "what"], rows)?;
+    table(out, ["port", "usb", "likely driver", "what"], rows)?;
     found.problems.iter().try_for_each(|problem| writeln!(err, "not asked: {problem}"))?;
     advice::write(err, &found.remedies)
 }

@@ -65,8 +65,8 @@ pub(super) fn ports(args: PortsArgs) -> Command {
 }
 
 pub(super) fn machine_settings(args: MachineSettingsArgs) -> Command {
-    let MachineSettingsArgs { machine, at, write } = args;
-    Command::MachineSettings(MachineSettingsRequest { machine, port: at.port, write, confirmed: at.yes })
+    let MachineSettingsArgs { machine, port, write, yes } = args;
+    Command::MachineSettings(MachineSettingsRequest { machine, port, write, confirmed: yes })
 }
 
 pub(super) fn runs(command: RunsCommand) -> Prepared {

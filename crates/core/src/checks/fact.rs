@@ -1,7 +1,7 @@
 //! What a finding says, as figures.
 
 use super::code::Code;
-use super::limit::{Limit, LimitSource, Quantity, ReachLimit, Sourced};
+use super::limit::{Limit, LimitSource, Quantity, ReachLimit, Source, Sourced};
 use crate::bend::PathError;
 use crate::route::RouteError;
 use crate::units::{Angle, Length};
@@ -201,7 +201,7 @@ pub enum Fact {
         /// The lowest and the highest angle of the head.
         range: [Angle; 2],
         /// Where the limit comes from that `wanted` is beyond.
-        source: String,
+        source: Source,
     },
     /// The wire is thinner or thicker than the machine takes.
     WireDoesNotFit {
@@ -210,7 +210,7 @@ pub enum Fact {
         /// The thinnest and the thickest wire of the machine.
         range: [Length; 2],
         /// Where the limit comes from that the wire is beyond.
-        source: String,
+        source: Source,
     },
 }
 

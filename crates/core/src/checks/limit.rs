@@ -9,8 +9,26 @@ use crate::units::{Angle, Length};
 pub struct Sourced<T> {
     /// The figure.
     pub value: T,
-    /// Where it comes from, for a person to read: the text of a profile or a driver, passed on as it is.
-    pub source: String,
+    /// Where it comes from.
+    pub source: Source,
+}
+
+/// Where a figure of a machine comes from: what a profile or a driver says, passed on as it is.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Source {
+    /// Why the figure is what it is, where that is stated.
+    pub reason: Option<String>,
+    /// What the figure stands in, and under which key.
+    pub entry: String,
+}
+
+impl fmt::Display for Source {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.reason {
+            Some(reason) => write!(f, "{reason} [{}]", self.entry),
+            None => f.write_str(&self.entry),
+        }
+    }
 }
 
 /// A figure of a finding, in the unit of its type.
@@ -60,8 +78,8 @@ pub struct Limit<'a> {
 /// Where a limit comes from.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LimitSource<'a> {
-    /// From a machine's figures: the text that came with the figure.
-    Stated(&'a str),
+    /// From a machine's figures.
+    Stated(&'a Source),
     /// Within the weld tolerance vertices are taken to be meant as one.
     WeldTolerance,
     /// Euler: a walk that uses every edge once has odd vertices only at its two ends.

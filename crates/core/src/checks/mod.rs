@@ -28,7 +28,7 @@ mod zero_length;
 pub use code::Code;
 pub use diagnostic::{Diagnostic, Location, Severity};
 pub use fact::{BendOf, Fact};
-pub use limit::{Limit, LimitSource, Quantity, ReachLimit, Sourced};
+pub use limit::{Limit, LimitSource, Quantity, ReachLimit, Source, Sourced};
 pub use remedy::Remedy;
 
 use crate::bend::NominalProgram;
@@ -60,11 +60,11 @@ pub struct MachineLimits {
     /// The thickest wire.
     pub max_diameter: Sourced<Length>,
     /// Where the lower limit of the head's rotation comes from; [`HeadLimits`](crate::schedule::HeadLimits) has its value.
-    pub min_rotation_source: String,
+    pub min_rotation_source: Source,
     /// Where the upper limit of the head's rotation comes from.
-    pub max_rotation_source: String,
+    pub max_rotation_source: Source,
     /// Where the limit of the bend axis comes from; `BendModel` has its value.
-    pub axis_source: String,
+    pub axis_source: Source,
 }
 
 /// A wireframe, before any machine is asked.

@@ -1,6 +1,6 @@
 use super::*;
 use crate::plan::{DoublingChoice, Machine, PlanOptions, plan_wire};
-use crate::testing::{chain, deg, mm, published_machine, wireframe};
+use crate::testing::{chain, deg, from, mm, published_machine, wireframe};
 
 fn design(w: &Wireframe) -> Vec<Diagnostic> {
     let components = w.components();
@@ -133,7 +133,7 @@ fn bends_that_cannot_be_made_name_the_vertex_and_the_limit() {
     let bend = only(&found, Code::BendTooSharp);
     assert_eq!((bend.location.step, &bend.location.vertices[..]), (Some(0), &[VertexId(1)][..]));
     assert!((measured_deg(bend) - 160.0).abs() < 1e-9 && (limit_deg(bend) - 155.0).abs() < 1e-9, "{bend:?}");
-    assert_eq!(bend.limit().unwrap().source, LimitSource::Stated("the paper"));
+    assert_eq!(bend.limit().unwrap().source, LimitSource::Stated(&from("the paper")));
     // Within the limits, but the axis stops before springback is made up for.
     let mut short_axis = published_machine();
     short_axis.compensation.bend.axis_limit = Some(deg(100.0));
@@ -171,7 +171,7 @@ fn a_head_that_cannot_turn_far_enough_is_named_with_the_step() {
 #[test]
 fn stock_includes_the_tail_that_cannot_be_fed() {
     let mut short = published_machine();
-    short.limits.max_stock = Some(Sourced { value: mm(520.0), source: "the shelf".to_owned() });
+    short.limits.max_stock = Some(Sourced { value: mm(520.0), source: from("the shelf") });
     let fits = chain(&[[0., 0., 0.], [60., 0., 0.], [60., 60., 0.]]);
     assert_eq!(on(&short, &fits, &PlanOptions::default()), []);
     let long = chain(&[[0., 0., 0.], [60., 0., 0.], [60., 70., 0.]]);
@@ -347,7 +347,7 @@ fn a_vertex_that_no_wire_can_pass_is_told_before_there_is_a_route() {
 #[test]
 fn a_bend_that_is_lost_in_the_scatter_is_warned_of() {
     let mut machine = published_machine();
-    machine.scatter = Some(Sourced { value: deg(1.4), source: "the paper".to_owned() });
+    machine.scatter = Some(Sourced { value: deg(1.4), source: from("the paper") });
     let said = |bend| on(&machine, &chain(&corner(bend)), &PlanOptions::default());
     let found = said(0.5);
     let slight = only(&found, Code::BendInScatter);
@@ -367,11 +367,10 @@ fn a_bend_that_is_lost_in_the_scatter_is_warned_of() {
 #[test]
 fn a_single_feed_may_be_too_long() {
     let mut machine = published_machine();
-    machine.limits.max_feed =
-        Some(Sourced { value: mm(100.0), source: "driver setting feed_most_mm".to_owned() });
+    machine.limits.max_feed = Some(Sourced { value: mm(100.0), source: from("driver setting feed_most_mm") });
     let found =
         on(&machine, &chain(&[[0., 0., 0.], [120., 0., 0.], [120., 60., 0.]]), &PlanOptions::default());
     let long = only(&found, Code::FeedTooLong);
     assert_eq!((long.location.step, long.is_error()), (Some(0), true));
-    assert_eq!(long.limit().unwrap().source, LimitSource::Stated("driver setting feed_most_mm"));
+    assert_eq!(long.limit().unwrap().source, LimitSource::Stated(&from("driver setting feed_most_mm")));
 }

@@ -1,6 +1,6 @@
 //! The schedule: which of the equal choices to make each bend is taken.
 //!
-//! (φ, θ) and (φ ± 180°, -θ) are the same bend, and the head may unflipped a whole turn further. Which
+//! (φ, θ) and (φ ± 180°, -θ) are the same bend, and the head may stand a whole turn further. Which
 //! one is run decides how far the head turns, whether its cable winds up, and to which side the
 //! peg pushes.
 

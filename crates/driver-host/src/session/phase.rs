@@ -80,6 +80,12 @@ impl Phase {
         matches!(self, Self::Connecting | Self::Homing | Self::Moving | Self::Stopping) || self.is_in_a_wire()
     }
 
+    /// Whether something moves, or may move without being asked again.
+    #[must_use]
+    pub const fn may_move(self) -> bool {
+        self.is_under_way() && !matches!(self, Self::Connecting)
+    }
+
     /// Whether the machine is in the middle of a wire.
     #[must_use]
     pub const fn is_in_a_wire(self) -> bool {

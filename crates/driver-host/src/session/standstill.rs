@@ -96,7 +96,7 @@ impl Guard {
         (known.standstill, known.since) = (Some(Standstill::Awaited), Some(Instant::now()));
     }
 
-    /// The machine has said that it stands. Whether anybody has waited for that.
+    /// The machine has said that it stands.
     pub fn confirm(&self) {
         let mut known = self.lock();
         known.moves = false;

@@ -39,7 +39,7 @@ pub enum LiveProblem {
     Stopped { during: &'static str },
     /// It holds in a move by hand, and was stopped for it.
     #[error(
-        "the machine held while {during}{}, and what was left of that is given up",
+        "the machine held while {during}{}, and the rest of that was cancelled",
         held_by(*by)
     )]
     Held { during: &'static str, by: PausedBy },
@@ -183,7 +183,7 @@ pub enum LiveProblem {
         run: RunTarget,
     },
     /// There is no place for journals and records.
-    #[error("there is no folder of yours to keep journals of wires in")]
+    #[error("there is no folder for journals of wires: the home folder is not known")]
     NowhereToRecord,
     /// The folder of journals and records cannot be used.
     #[error("{} cannot be used for journals and records: {cause}", folder.display())]

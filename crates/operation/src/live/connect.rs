@@ -123,9 +123,10 @@ pub fn connect<'a>(
         }
         .into());
     }
-    connection.observer.board = Some(installation.boards.met(&at.profile.id, connection.board()));
-    // It is asked once, before anything of it is reported.
-    let _ = connection.session.simulated();
+    // It is asked once, before anything of it is reported. A simulated machine says nothing of one that is there.
+    if connection.session.simulated().is_none() {
+        connection.observer.board = Some(installation.boards.met(&at.profile.id, connection.board()));
+    }
     know_head(installation.runs.as_deref(), at.profile, &mut connection);
     Ok(connection)
 }

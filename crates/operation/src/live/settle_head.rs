@@ -29,10 +29,18 @@ pub(super) fn know_head(runs: Option<&Path>, profile: &MachineProfile, connectio
     }
     let ports = connection.session.driver().ports().unwrap_or_default();
     let is_there = |name: &str| ports.iter().any(|port| port.name == name) || Path::new(name).exists();
-    let HeadRecord { place, heard } = head::read(runs, &profile.id, &connection.port, limits, is_there);
-    connection.observer.head = Some(Known { signs: connection.observer.signs, limits, kept: place, heard });
+    let signs = connection.observer.signs;
+    let HeadRecord { place, source } =
+        head::read(runs, &profile.id, &connection.port, in_machine_signs(signs, limits), is_there);
+    connection.observer.head = Some(Known { signs, limits, kept: place, source });
     let keeper = Keeper::new(runs, &profile.id, &connection.port);
     connection.session.keep_head(place, Box::new(keeper));
+}
+
+/// Limits in canonical signs as the machine counts: where it turns the other way round, the least is the most.
+fn in_machine_signs(signs: Signs, limits: [f64; 2]) -> [f64; 2] {
+    let [a, b] = limits.map(|limit| signs.head(limit));
+    [a.min(b), a.max(b)]
 }
 
 /// Whether the machine can turn its head to zero by itself.

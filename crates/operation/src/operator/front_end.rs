@@ -45,7 +45,8 @@ impl Prompt for Shared {
         self.ask(QuestionKind::Said, Some(Vec::new()), said, None);
         match self.answered(None)? {
             Answer::Yes => Some(true),
-            Answer::No => Some(false),
+            // Who stops the machine takes nothing back.
+            Answer::No if !self.lock().withdrawn => Some(false),
             _ => None,
         }
     }
@@ -84,5 +85,38 @@ impl Cancellation for Shared {
 
     fn disconnected(&self) {
         self.actor.disconnected();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+    use std::time::Duration;
+
+    use super::*;
+    use crate::operator::MachineState;
+
+    /// Were it a no, a journal would say that a person has taken back what they said of a step.
+    #[test]
+    fn a_stop_takes_nothing_back_that_was_said_before() {
+        let state = MachineState::connecting("kit".to_owned(), None);
+        let shared = Shared::new(state, Arc::new(|_: &OperatorEvent| {}));
+        let asked = |answer: &dyn Fn()| {
+            std::thread::scope(|scope| {
+                let asking = scope.spawn(|| shared.is_so("step 3 is done"));
+                while shared.lock().state.question.is_none() {
+                    std::thread::sleep(Duration::from_millis(1));
+                }
+                answer();
+                asking.join().unwrap()
+            })
+        };
+        let said = |shared: &Shared, answer| {
+            let open = shared.lock().asked;
+            shared.answer(open, answer).unwrap();
+        };
+        assert_eq!(asked(&|| said(&shared, Answer::Yes)), Some(true));
+        assert_eq!(asked(&|| said(&shared, Answer::No)), Some(false));
+        assert_eq!(asked(&|| assert!(shared.stop())), None);
     }
 }

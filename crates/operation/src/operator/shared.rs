@@ -245,7 +245,7 @@ impl Shared {
             kept.asked += 1;
             let told = std::mem::take(&mut kept.lines);
             let asked = make(kept.asked, lines.unwrap_or(told));
-            (kept.state.question, kept.answer) = (Some(asked.clone()), None);
+            (kept.state.question, kept.answer, kept.withdrawn) = (Some(asked.clone()), None, false);
             asked
         };
         // A stop or the end of the connection has answered. It is looked up after the question is there to be withdrawn.

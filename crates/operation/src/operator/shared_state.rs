@@ -53,6 +53,8 @@ pub(super) struct SharedState {
     /// The number of the last question.
     pub asked: u64,
     pub answer: Option<Answer>,
+    /// A stop or the end of the connection has answered the last question.
+    pub withdrawn: bool,
     /// What was said last about what is to come.
     pub lines: Vec<String>,
     pub recorded: Vec<Move>,
@@ -68,6 +70,7 @@ impl SharedState {
             signs: None,
             asked: 0,
             answer: None,
+            withdrawn: false,
             lines: Vec::new(),
             recorded: Vec::new(),
             wire_told: None,
@@ -79,7 +82,18 @@ impl SharedState {
     pub fn state(&self, view: ActorView) -> MachineState {
         let ActorView { phase, busy, orders: Orders { can, cannot }, simulated, identity, position } = view;
         let position = position.zip(self.signs).map(|(position, signs)| signs.canonical(position));
-        MachineState { phase, busy, simulated, identity, position, can, cannot, ..self.state.clone() }
+        let may_move = phase.may_move();
+        MachineState {
+            phase,
+            may_move,
+            busy,
+            simulated,
+            identity,
+            position,
+            can,
+            cannot,
+            ..self.state.clone()
+        }
     }
 
     /// How far the wire is that an order is carried out for, as the session says; the news of it, where they are due.
@@ -103,10 +117,10 @@ impl SharedState {
         Some(wire.news())
     }
 
-    /// Answers the open question with no.
+    /// Answers the open question with no, which nobody has said.
     pub const fn withdraw(&mut self) {
         if self.state.question.is_some() {
-            self.answer = Some(Answer::No);
+            (self.answer, self.withdrawn) = (Some(Answer::No), true);
         }
     }
 }

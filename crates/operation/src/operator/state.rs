@@ -16,6 +16,8 @@ use wirebend_planning::JobStep;
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct MachineState {
     pub phase: Phase,
+    /// Something moves, or may move without being asked again.
+    pub may_move: bool,
     /// An order is being carried out, or a person is asked because of it: what is reported of the phase is not its end.
     pub busy: bool,
     /// What is being done within that, in a word or two.
@@ -115,6 +117,7 @@ impl MachineState {
     pub(super) fn connecting(machine: String, port: Option<String>) -> Self {
         Self {
             phase: Phase::Connecting,
+            may_move: false,
             busy: true,
             doing: None,
             machine,

@@ -1,4 +1,4 @@
-//! Where the operator stands: the thread that holds the connection and does what is ordered.
+//! The operator's thread: it owns the connection and executes orders.
 
 use std::time::{Duration, Instant};
 
@@ -89,8 +89,8 @@ pub(super) fn run(app: &Installation, shared: &Shared, request: &ConnectRequest)
     shared.catch_up();
     let connected = thread.connect();
     thread.conclude(connected);
-    ending.phase = Phase::Closed;
     shared.actor.run(IDLE, &mut thread);
+    ending.phase = Phase::Closed;
 }
 
 impl ActorClient<Ordered> for OperatorThread<'_> {

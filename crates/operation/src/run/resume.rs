@@ -204,7 +204,7 @@ impl Task<'_> {
             return Ok(None);
         };
         if let Err(error) = kept.read {
-            return Err(LiveProblem::DamagedJournal { error, run: self.target(wire) }.into());
+            return Err(self.unreadable(wire, error).into());
         }
         let journal = Journal::open(&kept.path).map_err(LiveProblem::from)?;
         Ok(Some(Interrupted { wire, id: kept.id, journal }))
@@ -239,7 +239,7 @@ impl Task<'_> {
 
     fn settled(&self, making: &mut Making, settled: Settled) -> Result<WireRun, OperationError> {
         if settled == Settled::AllMade {
-            let _ = making.run.settle();
+            making.run.settle().map_err(LiveProblem::from)?;
         }
         let done_by = making.run.journal_state().heading.done_by;
         let outcome = if settled == Settled::Abandoned {

@@ -208,24 +208,19 @@ impl<'a> Task<'a> {
         let mut response = self.response();
         let mut set_aside = false;
         for wire in self.wanted() {
-            let Some(kept) = self.last(wire)? else { continue };
-            match &kept.read {
+            let Some(StoredRun { id, path, read }) = self.last(wire)? else { continue };
+            match read {
                 Ok(written) if written.state.is_over() => {}
                 Ok(written) => {
                     let (made, done_by) = (written.state.done, written.state.heading.done_by);
-                    self.give_up(&kept.path)?;
-                    let record = Journal::read(&kept.path).ok().and_then(|read| Record::of(&read.entries));
-                    self.keep(record.as_ref(), &kept.path, wire, &mut response)?;
-                    response.wires.push(self.untouched(
-                        wire,
-                        &kept.id,
-                        RunOutcome::Abandoned,
-                        made,
-                        done_by,
-                    )?);
+                    self.give_up(&path)?;
+                    let record = Journal::read(&path).ok().and_then(|read| Record::of(&read.entries));
+                    self.keep(record.as_ref(), &path, wire, &mut response)?;
+                    let wire = self.untouched(wire, &id, RunOutcome::Abandoned, made, done_by)?;
+                    response.wires.push(wire);
                 }
-                Err(_) => {
-                    let aside = self.folder.set_aside(&kept)?;
+                Err(error) if is_damaged(&error) || matches!(error, JournalError::Empty { .. }) => {
+                    let aside = self.folder.set_aside(&path)?;
                     let message = format!(
                         "wire {} is given up; how much of it was bent is not known: its damaged journal was set aside as {}",
                         wire + 1,
@@ -239,6 +234,7 @@ impl<'a> Task<'a> {
                     });
                     set_aside = true;
                 }
+                Err(error) => return Err(LiveProblem::from(error).into()),
             }
         }
         if response.wires.is_empty() && !set_aside {
@@ -272,13 +268,24 @@ impl<'a> Task<'a> {
             .into()),
             // Its first line was not written to its end: nothing was sent.
             Err(JournalError::Empty { .. }) => {
-                self.folder.set_aside(&kept)?;
+                self.folder.set_aside(&kept.path)?;
                 Ok(())
             }
-            Err(error @ JournalError::Damaged { .. }) => {
-                Err(LiveProblem::DamagedJournal { error, run: self.target(wire) }.into())
-            }
-            Err(error) => Err(LiveProblem::from(error).into()),
+            Err(error) => Err(self.unreadable(wire, error).into()),
         }
     }
+
+    /// A journal that cannot be read: a damaged one can be given up, of any other that is not known.
+    pub fn unreadable(&self, wire: usize, error: JournalError) -> LiveProblem {
+        if is_damaged(&error) {
+            LiveProblem::DamagedJournal { error, run: self.target(wire) }
+        } else {
+            error.into()
+        }
+    }
+}
+
+/// Whether nobody can read it any more. One that the system does not give, or a later program has written, can be read another time.
+const fn is_damaged(error: &JournalError) -> bool {
+    matches!(error, JournalError::Damaged { newer: false, .. })
 }

@@ -97,9 +97,9 @@ impl RunsFolder {
     }
 
     /// Takes a journal that cannot be read out of the way, and gives its new name.
-    pub fn set_aside(&self, kept: &StoredRun) -> Result<PathBuf, LiveProblem> {
-        let aside = kept.path.with_extension("damaged");
-        fs::rename(&kept.path, &aside).map_err(|cause| self.failed(cause))?;
+    pub fn set_aside(&self, journal: &Path) -> Result<PathBuf, LiveProblem> {
+        let aside = journal.with_extension("damaged");
+        fs::rename(journal, &aside).map_err(|cause| self.failed(cause))?;
         Ok(aside)
     }
 

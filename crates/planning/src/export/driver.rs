@@ -20,7 +20,8 @@ impl Installation {
         let own_id = profile.driver.id.as_deref().unwrap_or_default();
         let (mut known, mut missing, mut another) = (built_in(), None, false);
         let own = self.driver(own_id).map_err(|error| missing = Some(Box::new(error)));
-        for driver in own.into_iter().chain(self.all_drivers()?) {
+        // One that does not start writes nothing; it is in the log.
+        for driver in own.into_iter().chain(self.all_drivers()?.flatten()) {
             if let Some(found) = driver.description().format(format).cloned() {
                 if found.content == Content::Design || driver.description().id == own_id {
                     return Ok((driver, found));
@@ -52,7 +53,7 @@ impl Installation {
     /// The formats that there are, with those of drivers.
     pub fn formats(&self) -> Result<Vec<String>, DriverProblem> {
         let mut known = built_in();
-        self.all_drivers()?.for_each(|driver| known.extend(formats(driver.description())));
+        self.all_drivers()?.flatten().for_each(|driver| known.extend(formats(driver.description())));
         Ok(known)
     }
 }

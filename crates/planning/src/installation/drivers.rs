@@ -81,12 +81,13 @@ impl Installation {
         })
     }
 
-    /// Every driver that may be loaded, started when its turn comes.
-    pub fn all_drivers(&self) -> Result<impl Iterator<Item = Driver>, DriverProblem> {
+    /// Every driver that may be loaded, started when its turn comes, or why it does not start.
+    pub fn all_drivers(&self) -> Result<impl Iterator<Item = Result<Driver, DriverProblem>>, DriverProblem> {
         let launch = self.drivers.launch()?;
         let loadable = self.registry()?.found.into_iter().filter(may_be_loaded);
-        Ok(loadable.filter_map(move |found| {
-            Driver::start(&found, &launch).inspect_err(|error| tracing::warn!("{error}")).ok()
+        Ok(loadable.map(move |found| {
+            let started = Driver::start(&found, &launch).inspect_err(|error| tracing::warn!("{error}"));
+            started.map_err(DriverProblem::from)
         }))
     }
 }

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Serialize, Serializer};
-use wirebend_core::checks::{Code, Diagnostic, Quantity, Severity};
+use wirebend_core::checks::{Code, Diagnostic, LimitSource, Quantity, Severity};
 
 use super::remedy::RemedyReport;
 use crate::text;
@@ -67,6 +67,9 @@ pub struct DiagnosticReport {
     /// Where the limit comes from.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limit_source: Option<String>,
+    /// Why the limit is what it is, where its profile or driver says so: `limit_source` without what it stands in.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub limit_reason: Option<String>,
     /// What it says, with its figures: a sentence without a full stop.
     pub message: String,
     /// What to do: the remedies in words.
@@ -94,6 +97,10 @@ impl From<&Diagnostic> for DiagnosticReport {
             limit: limit.map(|limit| number(limit.value).0),
             unit: measured.or(limit.map(|limit| limit.value)).and_then(|q| number(q).1),
             limit_source: limit.map(|limit| text::source(limit.source)),
+            limit_reason: limit.and_then(|limit| match limit.source {
+                LimitSource::Stated(source) => source.reason.clone(),
+                _ => None,
+            }),
             message: text::message(diagnostic),
             help: text::help(diagnostic),
             remedies: diagnostic.remedies.iter().map(RemedyReport::from).collect(),

@@ -6,7 +6,7 @@ use wirebend_core::checks::{LimitSource, ReachLimit};
 #[must_use]
 pub fn source(source: LimitSource) -> String {
     match source {
-        LimitSource::Stated(text) => text.to_owned(),
+        LimitSource::Stated(source) => source.to_string(),
         LimitSource::WeldTolerance => "the weld tolerance".to_owned(),
         LimitSource::EulerPath => "Euler: only the two ends of a wire may be odd".to_owned(),
         LimitSource::BendRadius(radius) => format!("bends of centreline radius {radius:.2}"),

@@ -1,6 +1,6 @@
 use wirebend_core::bend::PathError;
 use wirebend_core::checks::{
-    BendOf, Diagnostic, Fact, LimitSource, Location, ReachLimit, Remedy, Severity, Sourced,
+    BendOf, Diagnostic, Fact, LimitSource, Location, ReachLimit, Remedy, Severity, Source, Sourced,
 };
 use wirebend_core::route::RouteError;
 use wirebend_core::units::{Angle, Length};
@@ -17,7 +17,7 @@ fn deg(value: f64) -> Angle {
 }
 
 fn stated<T>(value: T) -> Sourced<T> {
-    Sourced { value, source: "the profile".to_owned() }
+    Sourced { value, source: Source { reason: None, entry: "the profile".to_owned() } }
 }
 
 fn finding(location: Location, fact: Fact, remedies: Vec<Remedy>) -> Diagnostic {
@@ -187,7 +187,11 @@ fn findings_of_bends_name_the_vertex_or_else_the_step() {
 fn findings_of_the_machine_tell_what_it_can_do() {
     says(
         at(&[]),
-        Fact::RotationOutOfRange { wanted: deg(95.0), range: [deg(-90.0), deg(90.0)], source: String::new() },
+        Fact::RotationOutOfRange {
+            wanted: deg(95.0),
+            range: [deg(-90.0), deg(90.0)],
+            source: stated(()).source,
+        },
         "the bend at vertex 4 needs the head at 95.00° (or half turns from there); the head turns from -90.0° to 90.0°",
     );
     says(
@@ -198,7 +202,11 @@ fn findings_of_the_machine_tell_what_it_can_do() {
     for (diameter, compared) in [(0.9, "thinner"), (4.0, "thicker")] {
         says(
             Location::default(),
-            Fact::WireDoesNotFit { diameter: mm(diameter), range: [mm(2.8), mm(3.2)], source: String::new() },
+            Fact::WireDoesNotFit {
+                diameter: mm(diameter),
+                range: [mm(2.8), mm(3.2)],
+                source: stated(()).source,
+            },
             &format!("a wire of {diameter:.2} mm is {compared} than the machine takes (2.80 mm to 3.20 mm)"),
         );
     }
@@ -231,8 +239,11 @@ fn what_is_beyond_a_limit_never_reads_like_it() {
 #[test]
 fn limits_say_where_they_come_from() {
     let axis = ReachLimit::Axis { needed: deg(102.2), travel: stated(deg(100.0)) };
+    let reasoned =
+        Source { reason: Some("the paper".to_owned()), entry: "kit, limits.min_feed_mm".to_owned() };
     for (limit, words) in [
-        (LimitSource::Stated("the paper [limits.min_feed_mm]"), "the paper [limits.min_feed_mm]"),
+        (LimitSource::Stated(&reasoned), "the paper [kit, limits.min_feed_mm]"),
+        (LimitSource::Stated(&stated(()).source), "the profile"),
         (LimitSource::WeldTolerance, "the weld tolerance"),
         (LimitSource::EulerPath, "Euler: only the two ends of a wire may be odd"),
         (LimitSource::BendRadius(mm(3.0)), "bends of centreline radius 3.00 mm"),

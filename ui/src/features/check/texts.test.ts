@@ -10,6 +10,7 @@ const short = (edge: number, value: number): DiagnosticReport => ({
   value,
   limit: 25,
   limit_source: "the head needs room [wirebend-kit, limits.min_edge_mm]",
+  limit_reason: "the head needs room",
   unit: "mm",
   message: `edge ${edge} is ${value} mm long`,
   help: "make it longer",
@@ -102,7 +103,7 @@ describe("the list of checks", () => {
       phrase: "1 to look at; no collision check",
       tone: "warning",
     });
-    expect(phraseOf(check([]), true, false)).toEqual({ phrase: "in limits; no collision check", tone: "fine" });
+    expect(phraseOf(check([]), true, false)).toEqual({ phrase: "within limits; no collision check", tone: "fine" });
     expect(phraseOf(null, false, false).phrase).toBe("no machine chosen");
     expect(phraseOf(check([]), true, true).phrase).toBe("nothing to check yet");
   });

@@ -152,8 +152,8 @@ export function figuresOf({ reports }: Group, unit: DisplayUnit): string {
   const parts = [value && `${what}${which}${value}`, limit && `limit ${limit}`];
   const figures = parts.filter(Boolean).join(", ");
   if (!figures) return sentence(worst.help);
-  // The key of the profile, in brackets at the end, is for the title.
-  const source = worst.limit_source?.replace(/\s*\[[^\]]*\]\s*$/, "");
+  // The key of the profile is for the title.
+  const source = worst.limit_reason ?? worst.limit_source;
   return source ? `${figures} \u00b7 ${source}` : figures;
 }
 
@@ -190,7 +190,7 @@ export function phraseOf(
   const warnings = many(check, "warning");
   if (warnings > 0) return { phrase: `${warnings} to look at; ${NOT_CHECKED}`, tone: "warning" };
   return check.feasible
-    ? { phrase: `in limits; ${NOT_CHECKED}`, tone: "fine" }
+    ? { phrase: `within limits; ${NOT_CHECKED}`, tone: "fine" }
     : { phrase: "cannot be made", tone: "error" };
 }
 

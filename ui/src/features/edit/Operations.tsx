@@ -52,7 +52,7 @@ function Operation({ name, label, form }: (typeof FORMS)[number]) {
 export function Operations() {
   // The reasons of the buttons depend on the selection.
   useWhyNot("delete");
-  const noEdges = selectedEdges().length === 0 ? "Select the edges to detach first" : null;
+  const noEdges = selectedEdges().length === 0 ? "Select the edges to detach first." : null;
   return (
     <div>
       <div className="row wrap operations-now">

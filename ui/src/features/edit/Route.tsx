@@ -17,24 +17,22 @@ export function Route() {
   return (
     <div className="stack">
       <div className="row wrap">
-        <span className="grow">
-          {state.start === null ? "Starts at the best vertex" : `Starts at vertex ${state.start}`}
-        </span>
+        <span className="grow">{state.start === null ? "Start: automatic" : `Start: vertex ${state.start}`}</span>
         {state.start !== null && (
           <Button small onClick={() => void edit({ edit: "start", vertex: null })}>
-            Anywhere
+            Choose automatically
           </Button>
         )}
         <Button
           small
           why={
             vertices.size === 0
-              ? "The design is empty"
+              ? "The design is empty."
               : ids.length === 1
                 ? one === state.start
-                  ? "The wire starts there already"
+                  ? "The wire starts there already."
                   : null
-                : "Select one vertex first"
+                : "Select one vertex first."
           }
           onClick={() => one !== undefined && void edit({ edit: "start", vertex: one })}
         >
@@ -47,12 +45,12 @@ export function Route() {
         </span>
         {doubled.size > 0 && (
           <Button small onClick={() => void edit({ edit: "doublings", edges: [] })}>
-            None doubled
+            Clear doubled edges
           </Button>
         )}
         <Button
           small
-          why={edges.length === 0 ? "Select edges first" : others.length === 0 ? "They are doubled already" : null}
+          why={edges.length === 0 ? "Select edges first." : others.length === 0 ? "They are doubled already." : null}
           onClick={() => void edit({ edit: "doublings", edges: [...doubled, ...others] })}
         >
           Double the selected

@@ -45,8 +45,8 @@ export function ArrayForm() {
           <Segmented<Kind>
             label="Each copy"
             choices={[
-              { value: "step", label: "Moved" },
-              { value: "turn", label: "Turned" },
+              { value: "step", label: "Linear" },
+              { value: "turn", label: "Circular" },
             ]}
             value={kind}
             onChoose={setKind}
@@ -75,11 +75,11 @@ export function ArrayForm() {
           <Field label="Through">
             {() => <Segmented<About> label="The axis goes through" choices={ABOUT} value={about} onChoose={setAbout} />}
           </Field>
-          <Field label="By">
-            {({ id }) => <NumberField id={id} kind="angle" label="By" value={deg} onCommit={setDeg} />}
+          <Field label="Angle">
+            {({ id }) => <NumberField id={id} kind="angle" label="Angle" value={deg} onCommit={setDeg} />}
           </Field>
-          <Field label="And along">
-            {({ id }) => <NumberField id={id} label="And along the axis" value={along} onCommit={setAlong} />}
+          <Field label="Offset">
+            {({ id }) => <NumberField id={id} label="Offset along the axis" value={along} onCommit={setAlong} />}
           </Field>
         </>
       )}

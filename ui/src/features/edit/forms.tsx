@@ -25,7 +25,7 @@ export function Do({
   const why = useWhyNot(command);
   return (
     <div className="row end">
-      {why && <span className="muted small grow">{why}.</span>}
+      {why && <span className="muted small grow">{why}</span>}
       <Button why={why} onClick={onDo}>
         {children}
       </Button>

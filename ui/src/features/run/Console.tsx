@@ -2,6 +2,7 @@ import { useEffect, useMemo, useRef, useState } from "react";
 import { Button } from "../../shared/controls/Button";
 import { TextInput } from "../../shared/controls/inputs";
 import { count } from "../../shared/figures/format";
+import { told } from "../../state/asking/problems";
 import { asText, filtered } from "../../state/machine/console";
 import { clearConsole, useRun } from "../../state/machine/run";
 import { Fold } from "../machine/Fold";
@@ -9,7 +10,7 @@ import { Fold } from "../machine/Fold";
 /** px from the end at which new lines still scroll along. */
 const NEAR_END = 24;
 
-/** What is said to the machine and what it says. */
+/** Lines to and from the machine. */
 export function Console() {
   const many = useRun((run) => run.console.length);
   return (
@@ -31,7 +32,8 @@ function Lines() {
     if (atEnd.current && box.current) box.current.scrollTop = box.current.scrollHeight;
   }, [shown]);
   const copy = async () => {
-    await navigator.clipboard.writeText(asText(shown));
+    const done = await told(navigator.clipboard.writeText(asText(shown)).then(() => true));
+    if (!done) return;
     setCopied(true);
     window.setTimeout(() => setCopied(false), 1500);
   };
@@ -77,7 +79,7 @@ function Lines() {
           </div>
         ))}
         {shown.length === 0 && (
-          <div className="muted">{lines.length === 0 ? "Nothing was said yet." : "No line fits the filter."}</div>
+          <div className="muted">{lines.length === 0 ? "No messages yet." : "No line fits the filter."}</div>
         )}
       </div>
     </div>

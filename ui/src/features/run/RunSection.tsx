@@ -1,6 +1,6 @@
 import { useEffect } from "react";
 import { dismissAll, tell } from "../../state/asking/problems";
-import { isOpen, loadRuns, takeUp, useRun } from "../../state/machine/run";
+import { isOpen, loadRuns, reattach, useRun } from "../../state/machine/run";
 import { Section } from "../panel/Section";
 import { phrase } from "./buttons";
 import { Manual } from "./by_hand/Manual";
@@ -22,7 +22,7 @@ export function RunSection() {
   const interrupted = useRun(({ state, runs }) => state === null && unfinishedOf(runs).length > 0);
   useEffect(() => {
     void (async () => {
-      await Promise.all([takeUp(), loadRuns()]);
+      await Promise.all([reattach(), loadRuns()]);
       const { state, runs } = useRun.getState();
       const told = interruptedPhrase(runs, useUnits.getState().unit);
       // The section may be out of sight, and the wire is still in the machine.

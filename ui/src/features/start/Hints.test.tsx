@@ -19,7 +19,7 @@ it("asks for a shape until there is one, and continues with the machine then", (
   useHints.setState({ step: 0 });
   useDesign.setState({ state: designState(), vertices: new Map(), stencil: null });
   at.show(<Hints />);
-  expect(at.host.textContent).toContain("Bring a shape");
+  expect(at.host.textContent).toContain("Start with a shape");
   act(() => useDesign.setState({ stencil: { positions: new Float32Array(9), triangles: new Uint32Array(3) } }));
   expect(at.host.textContent).toContain("Choose the machine and the wire");
 });

@@ -14,7 +14,7 @@ interface Hint {
 
 const HINTS: readonly Hint[] = [
   {
-    title: "Bring a shape",
+    title: "Start with a shape",
     text: "Trace on a model, draw on a plane, or open a drawing. Each tool has a key; ? lists them all.",
     beside: ".toolbar",
     side: "right",

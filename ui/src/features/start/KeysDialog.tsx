@@ -5,13 +5,13 @@ import { useUi } from "../../state/window/ui";
 const GROUPS = ["Tools", "View", "Edit", "File", "Machine", "Help"] as const;
 
 const POINTER: readonly (readonly [string, string])[] = [
-  ["Turn the view", "Middle or right button; Alt and left"],
-  ["Shift the view", "Shift and middle button"],
-  ["Nearer, farther", "Wheel"],
-  ["Turn the view by keys", "Arrows, when the view has the focus"],
-  ["Shift the view by keys", "Shift and arrows"],
-  ["Nearer, farther by keys", "+ and \u2212"],
-  ["Select in a box", "Drag on nothing"],
+  ["Orbit", "Middle or right button; Alt and left"],
+  ["Pan", "Shift and middle button"],
+  ["Zoom", "Wheel"],
+  ["Orbit by keys", "Arrows, when the view has the focus"],
+  ["Pan by keys", "Shift and arrows"],
+  ["Zoom by keys", "+ and \u2212"],
+  ["Box select", "Drag over empty space"],
   ["Add to the selection", "Shift"],
   ["Select connected", "Double click"],
   ["Without snapping", "Ctrl while moving"],

@@ -37,7 +37,7 @@ function ToolButton({ command, icon, label, tool }: Entry) {
   const why = useWhyNot(command);
   const keys = keyOf(command);
   return (
-    <Tooltip text={why ? `${label}: ${why.charAt(0).toLowerCase()}${why.slice(1)}` : label} keys={keys}>
+    <Tooltip text={why ? `${label}. ${why}` : label} keys={keys}>
       <button
         type="button"
         className="tool"

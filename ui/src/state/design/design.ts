@@ -71,7 +71,7 @@ async function readStencil(): Promise<void> {
   useDesign.setState({ stencil: bytes && stencilOf(bytes) });
 }
 
-/** The layout is that of `Desk::stencil_mesh`. */
+/** The layout is that of `Workspace::stencil_mesh`. */
 function stencilOf(bytes: ArrayBuffer): SceneStencil | null {
   if (bytes.byteLength === 0) return null;
   const [corners = 0, triangles = 0] = new Uint32Array(bytes, 0, 2);
@@ -121,7 +121,7 @@ let answered: Promise<void> = Promise.resolve();
  * that come meanwhile only the last is asked.
  */
 export function checkDesign(moved: readonly Moved[] = []): void {
-  // Of a design that goes nothing is asked; the code that replaces it asks about the one that comes.
+  // No checks while the design is being replaced: whoever replaces it asks for those of the new one.
   if (isBeingReplaced()) return;
   wanted = moved;
   if (!checking) answered = checkWanted();

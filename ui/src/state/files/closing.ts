@@ -3,7 +3,7 @@
 import { create } from "zustand";
 import { platform } from "../../platform";
 import { told } from "../asking/problems";
-import { isUnderWay, type Phase } from "../machine/operator";
+import type { Phase } from "../machine/operator";
 import { useRun } from "../machine/run";
 import { closeDesign, mayLeave } from "./files";
 
@@ -16,8 +16,9 @@ export const useClosing = create<ClosingStore>()(() => ({ asked: null }));
 
 /** True when the machine stands, or has been stopped because the person says so. */
 async function mayLeaveMachine(): Promise<boolean> {
-  const phase = useRun.getState().state?.phase;
-  if (!phase || !isUnderWay(phase)) return true;
+  const { state } = useRun.getState();
+  if (!state?.may_move) return true;
+  const { phase } = state;
   // One question at a time: the one before is answered by staying.
   useClosing.getState().asked?.answer(false);
   let mine: ClosingStore["asked"] = null;

@@ -44,16 +44,23 @@ export const useExports = create<ExportsStore>()(() => ({
   written: null,
 }));
 
-/** Asks what can be written for the machine. */
+let formatsAsked = 0;
+
+/** Asks what can be written for the machine. Of several questions only the last one's answer counts. */
 export async function loadFormats(): Promise<void> {
+  formatsAsked += 1;
+  const question = formatsAsked;
+  let answer: Partial<ExportsStore>;
   try {
     const { formats, problems } = await asking("exports", {});
-    const { chosen } = useExports.getState();
-    const still = formats.some(({ id }) => id === chosen) ? chosen : null;
-    useExports.setState({ formats, problems: problems.map(errorText), problem: null, chosen: still });
+    answer = { formats, problems: problems.map(errorText), problem: null };
   } catch (error) {
-    useExports.setState({ formats: null, problem: error instanceof Error ? error.message : String(error) });
+    answer = { formats: null, problem: error instanceof Error ? error.message : String(error) };
   }
+  if (question !== formatsAsked) return;
+  const { chosen } = useExports.getState();
+  const gone = answer.formats && !answer.formats.some(({ id }) => id === chosen);
+  useExports.setState(gone ? { ...answer, chosen: null } : answer);
 }
 
 /** The chosen format, else the machine's own. */

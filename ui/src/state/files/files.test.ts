@@ -15,6 +15,7 @@ import { useProblems } from "../asking/problems";
 import { edit, useDesign } from "../design/design";
 import type { MachineState } from "../machine/operator";
 import { useRun } from "../machine/run";
+import { machineState } from "../testing";
 import { mayClose, quit, useClosing } from "./closing";
 import { mayLeave, newDesign, openPath, restore, save, saveAs, useFiles } from "./files";
 
@@ -158,7 +159,7 @@ it("keeps the other unsaved designs on offer when one is restored", async () => 
 });
 
 describe("closing the window", () => {
-  const machine = (phase: MachineState["phase"]) => useRun.setState({ state: { phase } as MachineState });
+  const machine = (phase: MachineState["phase"]) => useRun.setState({ state: machineState(phase) });
 
   it("ends what is kept of the design, also where nothing is changed", async () => {
     expect(await mayClose()).toBe(true);
@@ -187,6 +188,15 @@ describe("closing the window", () => {
     useClosing.getState().asked?.answer(true);
     await closing;
     expect(order).toEqual(["stop", "close"]);
+  });
+
+  it("asks about a machine that may still run what it has taken of an interrupted wire", async () => {
+    useRun.setState({ state: { ...machineState("connecting"), may_move: true } });
+    const closing = mayClose();
+    await turns();
+    expect(useClosing.getState().asked?.phase).toBe("connecting");
+    useClosing.getState().asked?.answer(false);
+    expect(await closing).toBe(false);
   });
 
   it("stays open when the person says no, or when the machine cannot be stopped", async () => {

@@ -1,4 +1,4 @@
-/** The wire that moves by hand bend: drawn in the view as they run, as long as nothing else is shown there. */
+/** The wire that is bent by jogging: drawn in the view as they run, as long as nothing else is shown there. */
 
 import { create } from "zustand";
 import { platform } from "../../platform";

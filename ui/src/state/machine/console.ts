@@ -8,13 +8,13 @@ export interface ConsoleLine {
 }
 
 /** More are not kept: the oldest go. */
-const MOST_LINES = 2000;
+const MAX_LINES = 2000;
 
 /** Adds lines; what is too much goes at the beginning. */
 export function withLines(
   lines: readonly ConsoleLine[],
   more: readonly Omit<ConsoleLine, "id">[],
-  most = MOST_LINES,
+  most = MAX_LINES,
 ): readonly ConsoleLine[] {
   const first = (lines.at(-1)?.id ?? 0) + 1;
   return [...lines, ...more.map((line, k) => ({ ...line, id: first + k }))].slice(-most);

@@ -126,12 +126,12 @@ export function hearOperator(event: OperatorEvent): void {
       if (!useUi.getState().open.includes("run")) tell("error", errorText(event), event.code);
       break;
     case "news":
-      hearNews(event);
+      hearProgress(event);
       break;
   }
 }
 
-function hearNews(news: Extract<OperatorEvent, { event: "news" }>): void {
+function hearProgress(news: Extract<OperatorEvent, { event: "news" }>): void {
   const { state } = useRun.getState();
   switch (news.news) {
     case "console":
@@ -166,7 +166,7 @@ export function saidOf(state: MachineState | null): string | null {
 }
 
 /** Takes what the Rust side knows, such as after the window was loaded anew. */
-export async function takeUp(): Promise<void> {
+export async function reattach(): Promise<void> {
   const before = heard;
   try {
     standAsAnswered((await platform.ask("machine-state", {})).state, before);

@@ -108,6 +108,9 @@ export function useStale(): boolean {
 /** Whether the program is that of the design as it is. */
 export const isUpToDate = (): boolean => same(useProgram.getState().basis, basisNow());
 
+/** Of several questions only the last one's answer counts: the design may be another by then. */
+let asked = 0;
+
 /** Brings the program up to date; true when there is one. */
 export async function makeProgram(): Promise<boolean> {
   const basis = basisNow();
@@ -117,17 +120,20 @@ export async function makeProgram(): Promise<boolean> {
   const { machine } = state;
   if (same(useProgram.getState().basis, basis)) return useProgram.getState().program !== null;
   if (useProgram.getState().asking) return false;
+  asked += 1;
+  const question = asked;
   useProgram.setState({ asking: true });
+  let answer: Partial<ProgramStore>;
   try {
     const [program, view] = await Promise.all([asking("program", {}), machine ? viewOf(machine) : null]);
     const wire = Math.min(useProgram.getState().wire, Math.max(program.wires.length - 1, 0));
-    useProgram.setState({ program, machine: view, basis, wire, made: null, problem: null });
+    answer = { program, machine: view, basis, wire, made: null, problem: null };
   } catch (error) {
     const problem = error instanceof Error ? error.message : String(error);
-    useProgram.setState({ program: null, machine: null, basis, made: null, problem });
-  } finally {
-    useProgram.setState({ asking: false });
+    answer = { program: null, machine: null, basis, made: null, problem };
   }
+  if (question !== asked) return false;
+  useProgram.setState({ ...answer, asking: false });
   const { played, step } = usePlayback.getState();
   if (played) show(step);
   return (useProgram.getState().program?.wires.length ?? 0) > 0;
@@ -151,6 +157,7 @@ export async function simulate(): Promise<boolean> {
 
 /** Forgets the program, such as that of a design that was closed. */
 export function forgetProgram(): void {
+  asked += 1;
   useProgram.setState({ ...NONE });
   showDesignAgain();
 }

@@ -51,7 +51,7 @@ describe("changes", () => {
 
   it("are refused while a machine bends the wire that is shown", () => {
     usePlayback.setState({ live: true });
-    expect(CHANGES.map(whyNot)).toEqual(CHANGES.map(() => "A machine is bending the wire"));
+    expect(CHANGES.map(whyNot)).toEqual(CHANGES.map(() => "A machine is bending the wire."));
     expect(run("delete")).toBe(false);
     expect(platform.ask).not.toHaveBeenCalled();
     expect(whyNot("stop")).toBeNull();

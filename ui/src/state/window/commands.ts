@@ -11,13 +11,13 @@ import { type DialogName, type OperationName, useUi } from "./ui";
 import { useUnits } from "./units";
 import { chooseTool, setAnnotations, useView } from "./view";
 
-/** What is done when a key is pressed or a menu or button chosen, and why it cannot be done just now. */
+/** What is done when a key is pressed or a menu or button chosen, and why it cannot be done just now: a sentence. */
 interface Command {
   run(): void;
   why?(): string | null;
 }
 
-const NO_SELECTION = "Select vertices or edges first";
+const NO_SELECTION = "Select vertices or edges first.";
 
 const selected = () => (isEmpty(useSelection.getState()) ? NO_SELECTION : null);
 const vertices = (least: number, what: string) => () =>
@@ -25,11 +25,11 @@ const vertices = (least: number, what: string) => () =>
     ? null
     : least === 1
       ? NO_SELECTION
-      : `Select at least ${least} vertices to ${what}`;
+      : `Select at least ${least} vertices to ${what}.`;
 const edges = (what: string) => () =>
-  operations.selectedEdges().length > 0 ? null : `Select the edges to ${what} first`;
-const anything = () => (useDesign.getState().vertices.size > 0 ? null : "The design is empty");
-const machine = () => (useDesign.getState().state?.machine ? null : "Choose a machine first");
+  operations.selectedEdges().length > 0 ? null : `Select the edges to ${what} first.`;
+const anything = () => (useDesign.getState().vertices.size > 0 ? null : "The design is empty.");
+const machine = () => (useDesign.getState().state?.machine ? null : "Choose a machine first.");
 const dialog = (name: DialogName) => () => useUi.getState().showDialog(name);
 const operation = (name: OperationName) => () => useUi.getState().showOperation(name);
 const view = (name: "front" | "right" | "top") => () => useView.getState().handle?.view(name);
@@ -64,7 +64,7 @@ function change(run: () => void, why?: () => string | null): Command {
   return {
     run,
     why: () =>
-      (usePlayback.getState().live ? "A machine is bending the wire" : null) ?? whyNoChange() ?? why?.() ?? null,
+      (usePlayback.getState().live ? "A machine is bending the wire." : null) ?? whyNoChange() ?? why?.() ?? null,
   };
 }
 
@@ -80,11 +80,11 @@ const COMMANDS: Readonly<Record<CommandId, Command>> = {
   quit: { run: () => void quit() },
   undo: change(
     () => void undo(),
-    () => (useDesign.getState().state?.undo ? null : "There is nothing to undo"),
+    () => (useDesign.getState().state?.undo ? null : "There is nothing to undo."),
   ),
   redo: change(
     () => void redo(),
-    () => (useDesign.getState().state?.redo ? null : "There is nothing to redo"),
+    () => (useDesign.getState().state?.redo ? null : "There is nothing to redo."),
   ),
   cut: change(operations.cut, selected),
   copy: { run: operations.copy, why: selected },
@@ -112,7 +112,7 @@ const COMMANDS: Readonly<Record<CommandId, Command>> = {
   array: change(operation("array"), selected),
   scale: change(
     operation("scale"),
-    () => selected() ?? (operations.largest() ? null : "Select more than one vertex to scale"),
+    () => selected() ?? (operations.largest() ? null : "Select more than one vertex to scale."),
   ),
   "tool-select": { run: () => chooseTool("select") },
   "tool-trace": { run: () => chooseTool("trace") },
@@ -121,7 +121,7 @@ const COMMANDS: Readonly<Record<CommandId, Command>> = {
   extrude: change(() => void operations.extrude(), vertices(1, "extrude")),
   split: change(
     () => void operations.split(),
-    () => (useSelection.getState().edges.size > 0 ? null : "Select the edges to split first"),
+    () => (useSelection.getState().edges.size > 0 ? null : "Select the edges to split first."),
   ),
   merge: change(() => void operations.merge(), vertices(2, "merge")),
   connect: change(() => void operations.connect(), vertices(2, "connect")),

@@ -2,6 +2,9 @@
 
 mod record;
 
+use std::fmt;
+use std::path::PathBuf;
+
 use wirebend_driver_host::{HeadPlace, Session};
 
 use super::person::Zero;
@@ -12,8 +15,6 @@ use wirebend_planning::signs::Signs;
 
 /// What the user is asked where it is not known.
 pub const QUESTION: &str = "Where does the head stand, in degrees from its zero?";
-/// When it was heard of where a person has looked.
-const SAID: &str = "as you have said";
 /// A limit is one of a profile, an angle a sum of turns.
 const ROUNDING_DEG: f64 = 1e-6;
 
@@ -25,8 +26,34 @@ pub struct Known {
     pub limits: [f64; 2],
     /// Where it stood when that was read or said.
     pub kept: HeadPlace,
-    /// When that was, and what has to be known of it.
-    pub heard: Option<String>,
+    /// Where that is known from.
+    pub source: Option<HeadSource>,
+}
+
+/// Where it is known from how a head stands.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum HeadSource {
+    /// A person has said it.
+    Said,
+    /// Its record.
+    Recorded { at: String },
+    /// Its record cannot be read.
+    Damaged { path: PathBuf },
+    /// The record of a machine of this kind at a port that is gone.
+    OtherPort { at: String, port: String },
+}
+
+impl fmt::Display for HeadSource {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Said => f.write_str("as you have said"),
+            Self::Recorded { at } => f.write_str(at),
+            Self::Damaged { path } => write!(f, "its record {} is damaged", path.display()),
+            Self::OtherPort { at, port } => {
+                write!(f, "{at}: a machine of this kind was at {port} then, which is gone")
+            }
+        }
+    }
 }
 
 /// What a person is asked about the head.
@@ -56,13 +83,13 @@ impl Known {
     /// Where it stands, for a person.
     pub fn stands(&self, place: HeadPlace) -> String {
         let [least, most] = self.range(place);
-        let heard = self.heard.as_ref().filter(|_| place == self.kept);
-        let heard = heard.map_or_else(String::new, |heard| format!(" ({heard})"));
+        let source = self.source.as_ref().filter(|_| place == self.kept);
+        let source = source.map_or_else(String::new, |source| format!(" ({source})"));
         match place {
-            HeadPlace::Unsaid => format!("nothing is known of where it stands{heard}"),
-            HeadPlace::At(_) => format!("it was left at {} from its zero{heard}", shown(least)),
+            HeadPlace::Unsaid => format!("nothing is known of where it stands{source}"),
+            HeadPlace::At(_) => format!("it was left at {} from its zero{source}", shown(least)),
             HeadPlace::Between(..) => {
-                format!("it was left between {} and {} from its zero{heard}", shown(least), shown(most))
+                format!("it was left between {} and {} from its zero{source}", shown(least), shown(most))
             }
         }
     }
@@ -74,7 +101,7 @@ impl Known {
 
     /// Whether a person has said where it stands, and it stands there still.
     pub fn was_said(&self, place: HeadPlace) -> bool {
-        self.heard.as_deref() == Some(SAID) && place == self.kept
+        self.source == Some(HeadSource::Said) && place == self.kept
     }
 
     /// What a person says of where it stands, degrees in canonical signs.
@@ -84,7 +111,7 @@ impl Known {
             return Err(HeadProblem::Beyond { deg, least, most }.into());
         }
         session.head_stands_at(self.signs.head(deg))?;
-        (self.kept, self.heard) = (session.head_place(), Some(SAID.to_owned()));
+        (self.kept, self.source) = (session.head_place(), Some(HeadSource::Said));
         Ok(())
     }
 }

@@ -9,6 +9,8 @@ use wirebend_driver_host::jobs::{Clock, SystemClock};
 use wirebend_driver_host::{HeadKeeper, HeadPlace};
 use wirebend_files::document::{save_atomically, sha256_hex};
 
+use super::HeadSource;
+
 /// What the file says that it is.
 const FORMAT: &str = "wbhead";
 const VERSION: u32 = 1;
@@ -33,8 +35,7 @@ struct Record {
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeadRecord {
     pub place: HeadPlace,
-    /// When, and what else has to be known of it.
-    pub heard: Option<String>,
+    pub source: Option<HeadSource>,
 }
 
 /// Keeps it.
@@ -98,7 +99,7 @@ impl Record {
     }
 }
 
-/// What was kept of a machine at a port. The same machine may have had another port before: `is_there` says of ports that
+/// What was kept of a machine at a port; `limits`: how far its cable lets the head turn, in the machine's signs. The same machine may have had another port before: `is_there` says of ports that
 /// are there now, at which there is another one.
 pub fn read(
     runs: &Path,
@@ -110,8 +111,11 @@ pub fn read(
     let mine = path(runs, machine, port);
     let own = Record::open(&mine);
     if own.is_none() && mine.exists() {
-        let heard = Some(format!("its record {} is damaged", mine.display()));
-        return HeadRecord { place: HeadPlace::Between(limits[0], limits[1]), heard };
+        let [least, most] = limits;
+        return HeadRecord {
+            place: HeadPlace::Between(least, most),
+            source: Some(HeadSource::Damaged { path: mine }),
+        };
     }
     let files =
         fs::read_dir(folder(runs)).into_iter().flatten().filter_map(Result::ok).map(|entry| entry.path());
@@ -124,13 +128,12 @@ pub fn read(
     });
     let Some(other) = moved.max_by(|a, b| a.at.cmp(&b.at)) else {
         let place = own.as_ref().map_or(HeadPlace::Unsaid, Record::place);
-        return HeadRecord { place, heard: own.map(|own| own.at) };
+        return HeadRecord { place, source: own.map(|own| HeadSource::Recorded { at: own.at }) };
     };
     // It cannot be known whether it is this one or another.
     let (here, there) = (own.as_ref().map_or((0.0, 0.0), |own| own.place().range()), other.place().range());
     let place = HeadPlace::Between(here.0.min(there.0), here.1.max(there.1));
-    let heard = format!("{}: a machine of this kind was at {} then, which is gone", other.at, other.port);
-    HeadRecord { place, heard: Some(heard) }
+    HeadRecord { place, source: Some(HeadSource::OtherPort { at: other.at, port: other.port }) }
 }
 
 #[cfg(test)]
@@ -168,8 +171,8 @@ mod tests {
         let runs = runs.path();
         keep(runs, "ACM0", HeadPlace::At(90.0));
         assert_eq!(place(runs, "ACM1", &[]), HeadPlace::Between(0.0, 90.0));
-        let heard = read(runs, "kit", "ACM1", LIMITS, |_| false).heard.unwrap();
-        assert!(heard.contains("ACM0"), "{heard}");
+        let source = read(runs, "kit", "ACM1", LIMITS, |_| false).source.unwrap();
+        assert!(matches!(&source, HeadSource::OtherPort { port, .. } if port == "ACM0"), "{source}");
         // Two machines at the same time are two.
         assert_eq!(place(runs, "ACM1", &["ACM0", "ACM1"]), HeadPlace::Unsaid);
         // One that stands at zero is no danger, whichever it is.

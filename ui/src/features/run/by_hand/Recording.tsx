@@ -5,6 +5,7 @@ import { count } from "../../../shared/figures/format";
 import { useUnit } from "../../../shared/figures/unit";
 import { Mark } from "../../../shared/lists/Mark";
 import { Scrolls } from "../../../shared/lists/Scrolls";
+import { told } from "../../../state/asking/problems";
 import type { MachineState } from "../../../state/machine/operator";
 import { clearRecording, order, saveRecording, useRun } from "../../../state/machine/run";
 import { buttons } from "../buttons";
@@ -25,11 +26,11 @@ export function Recording({ state, record }: { readonly state: MachineState; rea
   const all = buttons(state, useProspect());
   const none = recorded.length === 0 ? "No moves are recorded." : null;
   const save = async () => {
-    const path = await platform.pickSave("moves.wbmoves", MOVES);
+    const path = await told(platform.pickSave("moves.wbmoves", MOVES));
     if (path !== null) setFile(await saveRecording(path));
   };
   const replay = async () => {
-    const picked = await platform.pickFile([MOVES]);
+    const picked = await told(platform.pickFile([MOVES]));
     if (picked === null) return;
     setReplayed(picked);
     await order({ order: "replay", file: picked });
@@ -38,7 +39,7 @@ export function Recording({ state, record }: { readonly state: MachineState; rea
   const asked = foreign && (
     <fieldset className="unfinished stack" aria-label="Moves of another machine">
       <p>
-        <Mark tone="warning" /> These moves were not recorded on this machine as it is now. Look that it has room for
+        <Mark tone="warning" /> These moves were not recorded on this machine as it is now. Check that there is room for
         them.
       </p>
       <div className="row end">

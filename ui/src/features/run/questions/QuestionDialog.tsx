@@ -14,7 +14,7 @@ const WORDS: Readonly<Record<Exclude<Question["kind"], "doubt">, readonly [strin
   move: ["The machine is about to move", "Do not move", "Move"],
   arm: ["Arm the wire", "Do not arm", "Arm"],
   "go-on": ["The wire is about to resume", "Do not resume", "Resume"],
-  said: ["What you have said before", "It is otherwise", "It is so"],
+  said: ["Confirm your earlier answer", "It is different", "It is right"],
   settings: ["The machine's settings are about to be written", "Do not write", "Write"],
   head: ["Look at the head", "I do not know", "It stands there"],
 };
@@ -97,7 +97,7 @@ function HeadField({
     <Field
       label="It stands at"
       hint={sentence(within)}
-      error={missing ? `Say a number ${within}, or that you do not know.` : null}
+      error={missing ? `Enter an angle ${within}, or choose I do not know.` : null}
     >
       {(ids) => (
         <NumberField
