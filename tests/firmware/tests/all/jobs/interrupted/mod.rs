@@ -14,7 +14,7 @@ pub use job::{GEARS, Job, MACHINE, coarse};
 use wirebend_tests_firmware::board::{Avr, Board, Host};
 
 /// Cases of a test that are under way at the same time: most of a case is waiting for the machine.
-const AT_ONCE: usize = 4;
+const AT_ONCE: usize = 6;
 /// Lines of the cube.
 const LINES: usize = 8;
 /// Moments within a line, per cent of a phase; each way of interrupting a job begins with another one at the first line.
