@@ -338,6 +338,7 @@ check-tools: ## are the tools here that everything else needs?
 		cargo fmt --version >/dev/null 2>&1 || say "rustfmt is missing" "rustup component add rustfmt"; \
 		cargo clippy --version >/dev/null 2>&1 || say "clippy is missing" "rustup component add clippy"; \
 	fi; \
+	[ "$$missing" = 1 ] || echo "every tool that is needed is here"; \
 	exit $$missing
 
 # $(call install,packages) is the command that installs them, after fetching the lists of packages, of which a fresh system has none or old

@@ -30,7 +30,7 @@ it("keeps what stands beside a part that fails, says which part that is, and tri
   );
   expect(place.querySelector("button")?.textContent).toBe("STOP");
   expect(place.querySelector("[role=alert]")?.textContent).toContain(
-    "Machine cannot be shown because of a mistake in this program: no such thing",
+    "Machine cannot be shown because of an internal error: no such thing",
   );
   broken = false;
   await act(async () => place.querySelector<HTMLButtonElement>(".guard button")?.click());

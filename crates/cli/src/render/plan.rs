@@ -175,7 +175,7 @@ fn one(out: &mut impl Write, diagnostic: &DiagnosticReport) -> std::io::Result<(
     if let Some(source) = &diagnostic.limit_source {
         writeln!(out, "    limit from {source}")?;
     }
-    if diagnostic.severity != SeverityName::Info {
+    if diagnostic.severity != SeverityName::Info && !diagnostic.help.is_empty() {
         let options = options::of(&diagnostic.remedies);
         let by = if options.is_empty() { String::new() } else { format!(" [{}]", options.join(", ")) };
         writeln!(out, "    help: {}{by}", diagnostic.help)?;
