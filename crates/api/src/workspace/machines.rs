@@ -218,7 +218,7 @@ impl Workspace {
         let own = chain.into_iter().next().filter(|own| !own.shipped);
         let file = own.ok_or_else(|| ApiError::ShippedProfile { id: asked.machine.clone() })?.file;
         let mut profile: Value = serde_json::from_slice(&read_file(Path::new(&file))?)?;
-        // What is no object any more is refused below, as any profile is.
+        // A file that holds something else than objects by now stays as it is: `require_profile` refuses it.
         if let Some(whole) = profile.as_object_mut()
             && let Some(driver) =
                 whole.entry("driver").or_insert_with(|| Value::Object(serde_json::Map::new())).as_object_mut()
