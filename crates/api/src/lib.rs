@@ -29,11 +29,11 @@ pub use wirebend_operation::runs::{
     RunsShowResponse,
 };
 pub use wirebend_operation::{
-    Answer, Cancellation, ConnectRequest, Decided, Decision, Doubt, FrontEnd, HeadAsked, HeadProblem,
-    LeftBecause, LiveProblem, MachineEvent, MachineState, Move, MovesFile, Observer, OperationError,
-    Operator, OperatorError, OperatorEvent, OperatorListener, Order, OrderName, Outcome, PartInWire, Phase,
-    Prompt, Question, QuestionKind, Record, RunHow, RunOutcome, RunRequest, RunResponse, StoppedIn, ToldBy,
-    Unfinished, Wait, WireRun, WireState, Wish,
+    Answer, Answers, Cancellation, ConnectRequest, Decided, Decision, Doubt, FrontEnd, HeadAsked,
+    HeadProblem, LeftBecause, LiveProblem, MachineEvent, MachineState, Move, MovesFile, Observer,
+    OperationError, Operator, OperatorError, OperatorEvent, OperatorListener, Order, OrderName, Outcome,
+    PartInWire, Phase, Prompt, Question, QuestionKind, Record, RunHow, RunOutcome, RunRequest, RunResponse,
+    StoppedIn, ToldBy, Unfinished, Wait, WireRun, WireState, Wish,
 };
 pub use wirebend_planning::catalogue::{
     MachineEntry, MachinesRequest, MachinesResponse, MaterialEntry, MaterialsRequest, MaterialsResponse,

@@ -22,6 +22,7 @@ pub use by_hand::MovesFile;
 pub use error::{HeadProblem, LiveProblem, OperationError, OperatorError};
 pub use event::{Decided, Decision, Doubt, MachineEvent};
 pub use front_end::{Cancellation, FrontEnd, Observer, Prompt, Wait, Wish};
+pub use live::Answers;
 pub use operator::{
     ConnectRequest, HeadAsked, MachineState, Operator, OperatorEvent, OperatorListener, Question,
     QuestionKind, Unfinished, WireState,

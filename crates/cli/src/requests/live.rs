@@ -1,19 +1,21 @@
 //! The requests of what moves a machine, or asks it.
 
 use wirebend_api::{
-    Command, JogRequest, MachineSettingsRequest, Output, PortsRequest, ReplayRequest, RunHow, RunRequest,
-    RunsExportRequest, RunsRequest, RunsShowRequest,
+    Answers, Command, JogRequest, MachineSettingsRequest, Output, PortsRequest, ReplayRequest, RunHow,
+    RunRequest, RunsExportRequest, RunsRequest, RunsShowRequest,
 };
 
 use super::{Prepared, input, place};
 use crate::args::live::{
-    Answer, JogArgs, MachineSettingsArgs, PortsArgs, ReplayArgs, RunArgs, RunsCommand, moves,
+    Answer, JogArgs, MachineSettingsArgs, PortArgs, PortsArgs, ReplayArgs, RunArgs, RunsCommand, ZeroArgs,
+    moves,
 };
 use crate::contents::Contents;
 use crate::usage::WrongUse;
 
 pub(super) fn run(args: RunArgs) -> anyhow::Result<Command> {
     let RunArgs { job, at, zero, wire, resume, abandon, accept_settings, record, force } = args;
+    let answers = answers(&at, &zero);
     let wire = wire.map(|wire| wire.get() - 1);
     let how = match resume {
         Some(Answer(decided)) => RunHow::Resume { decided },
@@ -25,9 +27,7 @@ pub(super) fn run(args: RunArgs) -> anyhow::Result<Command> {
         port: at.port,
         wire,
         how,
-        confirmed: at.yes,
-        axes_at_zero: zero.axes_at_zero,
-        head_at_deg: zero.head_at,
+        answers,
         accept_settings,
         record: record.map(|path| Output { path, force }),
     }))
@@ -35,28 +35,24 @@ pub(super) fn run(args: RunArgs) -> anyhow::Result<Command> {
 
 pub(super) fn jog(args: JogArgs) -> anyhow::Result<Command> {
     let JogArgs { machine, at, zero, record, force, moves: words } = args;
+    let answers = answers(&at, &zero);
     Ok(Command::Jog(JogRequest {
         machine,
         port: at.port,
         moves: moves(&words).map_err(WrongUse)?,
-        confirmed: at.yes,
-        axes_at_zero: zero.axes_at_zero,
-        head_at_deg: zero.head_at,
+        answers,
         record: record.map(|path| Output { path, force }),
     }))
 }
 
 pub(super) fn replay(args: ReplayArgs) -> anyhow::Result<Command> {
     let ReplayArgs { file, at, zero, machine } = args;
-    let file = input(&file)?;
-    Ok(Command::Replay(ReplayRequest {
-        file,
-        machine,
-        port: at.port,
-        confirmed: at.yes,
-        axes_at_zero: zero.axes_at_zero,
-        head_at_deg: zero.head_at,
-    }))
+    let (file, answers) = (input(&file)?, answers(&at, &zero));
+    Ok(Command::Replay(ReplayRequest { file, machine, port: at.port, answers }))
+}
+
+const fn answers(at: &PortArgs, zero: &ZeroArgs) -> Answers {
+    Answers { confirmed: at.yes, axes_at_zero: zero.axes_at_zero, head_at_deg: zero.head_at }
 }
 
 pub(super) fn ports(args: PortsArgs) -> Command {

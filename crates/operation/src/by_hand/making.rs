@@ -35,18 +35,19 @@ pub(super) fn make(
         port: hand.port,
         unnamed: Unnamed::Simulate,
         reattached: None,
-        axes_at_zero: hand.axes_at_zero,
+        axes_at_zero: hand.answers.axes_at_zero,
     };
     let mut connection = connect(app, &at, progress)?;
     require(&connection, moves)?;
-    connection.settle_head(hand.head_at_deg, hand.confirmed)?;
+    connection.settle_head(hand.answers.head_at_deg, hand.answers.confirmed)?;
     // It counts every move from its reference.
     let homes = connection.session.phase() != Phase::Ready
         && moves.first() != Some(&Move::Home)
         && connection.can_home();
     let lines = lines(&connection, machine, moves, more, homes);
     let kind = PermitKind::ByHand;
-    let permit = ask_permit(&mut connection.session, progress, kind, lines, QUESTION, hand.confirmed)?;
+    let permit =
+        ask_permit(&mut connection.session, progress, kind, lines, QUESTION, hand.answers.confirmed)?;
     if homes || moves.first() == Some(&Move::Home) {
         // Before any of them runs.
         connection.ask_zero(if homes { hand.zero } else { Zero::Wire })?;

@@ -12,7 +12,7 @@ use wirebend_driver_host::Standstill;
 use wirebend_profile::{MachineProfile, Resolved};
 
 use crate::FrontEnd;
-use crate::live::Zero;
+use crate::live::{Answers, Zero};
 use crate::order::Move;
 use crate::run::LeftBecause;
 use crate::{LiveProblem, OperationError};
@@ -35,17 +35,8 @@ pub struct JogRequest {
     pub port: Option<String>,
     /// The moves, in order.
     pub moves: Vec<Move>,
-    /// Whether the person has said already that the machine may move.
-    #[serde(default)]
-    pub confirmed: bool,
-    /// Whether the person has said already that the place where the axes stand may count as zero, for a machine without
-    /// switches. It counts once.
-    #[serde(default)]
-    pub axes_at_zero: bool,
-    /// Where the head stands, degrees from where its cable is unwound, as a person has seen it; absent, it stands where it
-    /// was left, and where that is not known, the user is asked.
-    #[serde(default)]
-    pub head_at_deg: Option<f64>,
+    #[serde(flatten)]
+    pub answers: Answers,
     /// A file for the moves that are done, to be replayed.
     pub record: Option<Output>,
 }
@@ -60,17 +51,8 @@ pub struct ReplayRequest {
     pub machine: Option<String>,
     /// Where it is; absent, the machine that its driver simulates is taken, if it has one.
     pub port: Option<String>,
-    /// Whether the person has said already that the machine may move.
-    #[serde(default)]
-    pub confirmed: bool,
-    /// Whether the person has said already that every axis stands at zero, for a machine without switches. It counts
-    /// once.
-    #[serde(default)]
-    pub axes_at_zero: bool,
-    /// Where the head stands, degrees from where its cable is unwound, as a person has seen it; absent, it stands where it
-    /// was left, and where that is not known, the user is asked.
-    #[serde(default)]
-    pub head_at_deg: Option<f64>,
+    #[serde(flatten)]
+    pub answers: Answers,
 }
 
 /// What was moved.
@@ -107,10 +89,7 @@ pub fn jog(
     request.record.as_ref().map_or(Ok(()), Output::check)?;
     check_moves(&request.moves)?;
     let machine = app.library.machine(&request.machine)?;
-    let (confirmed, axes_at_zero) = (request.confirmed, request.axes_at_zero);
-    let zero = Zero::Moves;
-    let head_at_deg = request.head_at_deg;
-    let hand = Hand { port: request.port.as_deref(), confirmed, axes_at_zero, head_at_deg, zero };
+    let hand = Hand { port: request.port.as_deref(), answers: request.answers, zero: Zero::Moves };
     let mut response = make(app, &machine, &hand, &request.moves, Vec::new(), progress)?;
     if let Some(output) = &request.record {
         if response.made.is_empty() {
@@ -139,10 +118,7 @@ pub fn replay(
     let file = MovesFile::open(&name, &bytes)?;
     let machine = app.library.machine(request.machine.as_ref().unwrap_or(&file.machine))?;
     let lines = other_machine(&name, &file, &machine, request.machine.is_some())?;
-    let (confirmed, axes_at_zero) = (request.confirmed, request.axes_at_zero);
-    let zero = Zero::Wire;
-    let head_at_deg = request.head_at_deg;
-    let hand = Hand { port: request.port.as_deref(), confirmed, axes_at_zero, head_at_deg, zero };
+    let hand = Hand { port: request.port.as_deref(), answers: request.answers, zero: Zero::Wire };
     make(app, &machine, &hand, &file.moves, lines, progress)
 }
 
@@ -174,12 +150,10 @@ fn other_machine(
     Ok(vec![format!("these moves were recorded {recorded}")])
 }
 
-/// Where the machine is, and whether a person has said that it may move.
+/// Where the machine is, and what a person has answered.
 struct Hand<'a> {
     port: Option<&'a str>,
-    confirmed: bool,
-    axes_at_zero: bool,
-    head_at_deg: Option<f64>,
+    answers: Answers,
     /// What the moves count from.
     zero: Zero,
 }

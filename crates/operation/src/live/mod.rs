@@ -14,7 +14,7 @@ pub use connect::{At, Reattached, Unnamed, connect};
 pub use connection::{Connection, home};
 pub use head::{HeadQuestion, QUESTION as HEAD_QUESTION};
 pub use observer::MachineObserver;
-pub use person::{Zero, ask_permit};
+pub use person::{Answers, Zero, ask_permit};
 pub(crate) use refused::refused;
 pub use refused::{PAUSE, stop_of};
 pub use standstill::{StopWatch, await_standstill};

@@ -1,11 +1,29 @@
 //! A person's yes, and where it comes from.
 
+use schemars::JsonSchema;
+use serde::Deserialize;
 use wirebend_driver_host::{Permit, PermitKind, Session};
 
 use super::refused::refused;
 use crate::FrontEnd;
 use crate::MachineEvent;
 use crate::error::LiveProblem;
+
+/// What a person answers with the request itself, before they are asked.
+#[derive(Debug, Clone, Copy, Default, Deserialize, JsonSchema)]
+pub struct Answers {
+    /// Whether the machine may move. In a job it counts for one wire: before the next, the user is asked.
+    #[serde(default)]
+    pub confirmed: bool,
+    /// Whether every axis stands at zero, for a machine without switches; for moves by hand, whether they may count from where
+    /// the axes stand. It counts once.
+    #[serde(default)]
+    pub axes_at_zero: bool,
+    /// Where the head stands, degrees from where its cable is unwound, as a person has seen it; absent, it stands where it
+    /// was left, and where that is not known, the user is asked.
+    #[serde(default)]
+    pub head_at_deg: Option<f64>,
+}
 
 /// Shows the user what will happen, asks them, and gives what the session then permits. `confirmed`: they have said yes
 /// with the request already.

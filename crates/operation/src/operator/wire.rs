@@ -10,7 +10,7 @@ use super::state::WireState;
 use super::thread::{OperatorThread, with_power};
 use super::unfinished::Unfinished;
 use crate::error::OperatorError;
-use crate::live::{Connection, Unnamed, Zero, connect};
+use crate::live::{Answers, Connection, Unnamed, Zero, connect};
 use crate::run::{Task, about};
 use crate::{Decided, LiveProblem, OperationError, RunHow, RunRequest, RunResponse};
 use wirebend_planning::design::Input;
@@ -151,9 +151,7 @@ impl<'a> OperatorThread<'a> {
             port,
             wire: Some(wire),
             how,
-            confirmed: false,
-            axes_at_zero: false,
-            head_at_deg: None,
+            answers: Answers::default(),
             accept_settings,
             record: None,
         };

@@ -20,7 +20,7 @@ impl Task<'_> {
         let mut connection = connect(self.app, &self.at(None, Unnamed::Simulate), self.progress)?;
         connection.require_settings(self.setup.machine_id(), self.request.accept_settings)?;
         wanted.iter().try_for_each(|&wire| self.require_within(&connection, wire, 1))?;
-        connection.settle_head(self.request.head_at_deg, self.request.confirmed)?;
+        connection.settle_head(self.request.answers.head_at_deg, self.request.answers.confirmed)?;
         let mut response = self.response();
         response.port = Some(connection.port.clone());
         response.identity = Some(connection.session.identity().to_owned());
@@ -61,7 +61,7 @@ impl Task<'_> {
             "Is the wire before taken out and new wire in, and may the machine move?"
         };
         // The person who said yes with the request could not know when the wire before would be done.
-        let (session, confirmed) = (&mut connection.session, first && self.request.confirmed);
+        let (session, confirmed) = (&mut connection.session, first && self.request.answers.confirmed);
         let permit = ask_permit(session, self.progress, PermitKind::Wire, lines, question, confirmed)?;
         if connection.can_home() {
             // Before anything of the wire is written down.

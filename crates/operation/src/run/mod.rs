@@ -15,6 +15,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::FrontEnd;
+use crate::live::Answers;
 use crate::{Decided, OperationError};
 pub use about::about;
 pub use report::{LeftBecause, RunOutcome, RunResponse, StoppedIn, WireRun};
@@ -35,18 +36,8 @@ pub struct RunRequest {
     /// Whether to begin, to resume, or to give up.
     #[serde(default)]
     pub how: RunHow,
-    /// Whether the person has said already that the machine may move. It counts for one wire: before the next,
-    /// they are asked.
-    #[serde(default)]
-    pub confirmed: bool,
-    /// Whether the person has said already that every axis stands at zero, for a machine without switches. It counts
-    /// once.
-    #[serde(default)]
-    pub axes_at_zero: bool,
-    /// Where the head stands, degrees from where its cable is unwound, as a person has seen it; absent, it stands where it
-    /// was left, and where that is not known, the user is asked.
-    #[serde(default)]
-    pub head_at_deg: Option<f64>,
+    #[serde(flatten)]
+    pub answers: Answers,
     /// Whether to bend wires although the machine's settings are not those of its profile.
     #[serde(default)]
     pub accept_settings: bool,

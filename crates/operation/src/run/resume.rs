@@ -36,7 +36,7 @@ impl Task<'_> {
         let mut connection = connect(self.app, &at, self.progress)?;
         // A machine that still is in the wire knows it itself.
         if connection.session.resume_state().is_none() && !interrupted.is_made() {
-            connection.settle_head(self.request.head_at_deg, self.request.confirmed)?;
+            connection.settle_head(self.request.answers.head_at_deg, self.request.answers.confirmed)?;
         }
         let (connection, ended) = self.resume_through(connection, interrupted, true, decided, &mut response);
         ended?;
@@ -105,7 +105,7 @@ impl Task<'_> {
     ) -> Result<Settling, OperationError> {
         // What was said before, and was written down then, is not said again.
         decided = decided.filter(|decided| !is_settled(&making.run, self.setup.signs, *decided));
-        if decided.is_none() && !self.request.confirmed {
+        if decided.is_none() && !self.request.answers.confirmed {
             self.ask_what_was_said(making)?;
         }
         let permit = loop {
@@ -170,7 +170,7 @@ impl Task<'_> {
     }
 
     fn ask_again(&self, making: &mut Making, lines: Vec<String>) -> Result<Permit, LiveProblem> {
-        let (question, confirmed) = ("May the machine move and resume?", self.request.confirmed);
+        let (question, confirmed) = ("May the machine move and resume?", self.request.answers.confirmed);
         ask_permit(making.run.session(), self.progress, PermitKind::Wire, lines, question, confirmed)
     }
 

@@ -94,7 +94,7 @@ impl<'a> Task<'a> {
             port: self.request.port.as_deref(),
             unnamed,
             reattached: of.map(|wire| Reattached { token: wire.token(), journal: wire.journal() }),
-            axes_at_zero: self.request.axes_at_zero,
+            axes_at_zero: self.request.answers.axes_at_zero,
         }
     }
 

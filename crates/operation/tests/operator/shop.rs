@@ -8,8 +8,8 @@ use std::time::Duration;
 use serde_json::{Value, json};
 use wirebend_error::ProblemReport;
 use wirebend_operation::{
-    Answer, ConnectRequest, Decided, MachineState, OperationError, Operator, OperatorEvent, Order, Phase,
-    Question, Record, RunHow, RunRequest, RunResponse,
+    Answer, Answers, ConnectRequest, Decided, MachineState, OperationError, Operator, OperatorEvent, Order,
+    Phase, Question, Record, RunHow, RunRequest, RunResponse,
 };
 use wirebend_planning::plan::PlanRequest;
 use wirebend_planning::{DesignInput, DriverFolders, Input, Installation, NoProgress, PlanChoices};
@@ -109,9 +109,7 @@ impl Shop {
             port: Some(port.to_owned()),
             wire: None,
             how,
-            confirmed: true,
-            axes_at_zero: false,
-            head_at_deg: None,
+            answers: Answers { confirmed: true, ..Answers::default() },
             accept_settings: false,
             record: None,
         };
