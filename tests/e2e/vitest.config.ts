@@ -1,6 +1,6 @@
 import { defineConfig } from "vitest/config";
 
-// One file after the other, for what is installed has the screen for itself; `npm run browser` has two browsers at a time.
+// One file after the other, because what is installed needs the screen for itself; `npm run browser` has two browsers at a time.
 export default defineConfig({
   test: {
     include: ["{browser,installed,screenshots}/**/*.test.ts"],

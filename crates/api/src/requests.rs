@@ -184,6 +184,8 @@ requests! {
         Start(workspace::Start) -> workspace::Started = Workspace::start, "start";
         /// What this program is.
         About(workspace::AboutRequest) -> workspace::AboutResponse = Workspace::about, "about";
+        /// Chooses the unit of the lengths in messages.
+        ShowLengths(workspace::ShowLengths) -> workspace::LengthsShown = Workspace::show_lengths, "show-lengths";
         /// The examples.
         Examples(workspace::ExamplesRequest) -> workspace::ExamplesResponse = Workspace::examples, "examples";
         /// Looks into a file before it is opened.

@@ -4,6 +4,7 @@
 //! of these types is never NaN and never infinite, so comparisons are total and a wrong number is
 //! caught where it enters.
 
+use std::cell::Cell;
 use std::cmp::Ordering;
 use std::fmt;
 use std::ops::{Add, AddAssign, Neg, Sub, SubAssign};
@@ -154,7 +155,72 @@ impl Length {
 
 impl fmt::Display for Length {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:.*} mm", f.precision().unwrap_or(1), self.0)
+        write!(f, "{:.*}", f.precision().unwrap_or(1), Mm(self.0))
+    }
+}
+
+/// What lengths are written in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum DisplayUnit {
+    /// Millimetres: everywhere but in [`written_in`].
+    #[default]
+    Millimetre,
+    /// Inches of 25.4 mm.
+    Inch,
+}
+
+const MM_PER_INCH: f64 = 25.4;
+/// The digits behind the point that a figure in inches has at least, and at most.
+const MIN_DIGITS: usize = 3;
+const MAX_DIGITS: usize = 9;
+
+thread_local! {
+    static WRITTEN_IN: Cell<fn() -> DisplayUnit> = const { Cell::new(|| DisplayUnit::Millimetre) };
+}
+
+/// Runs `write`; on this thread, and until it returns, [`Length`] and [`Mm`] are written in `unit`.
+///
+/// ```
+/// use wirebend_core::units::{DisplayUnit, Length, written_in};
+/// let strut = Length::from_mm(25.4)?;
+/// assert_eq!(strut.to_string(), "25.4 mm");
+/// assert_eq!(written_in(|| DisplayUnit::Inch, || strut.to_string()), "1.000 in");
+/// # Ok::<(), wirebend_core::units::NotFinite>(())
+/// ```
+pub fn written_in<T>(unit: fn() -> DisplayUnit, write: impl FnOnce() -> T) -> T {
+    struct Before(fn() -> DisplayUnit);
+    impl Drop for Before {
+        fn drop(&mut self) {
+            WRITTEN_IN.set(self.0);
+        }
+    }
+    let _before = Before(WRITTEN_IN.replace(unit));
+    write()
+}
+
+/// Millimetres as text, where they are a plain number: with the digits that are asked for, else with as many as they need; in
+/// inches with three that count.
+#[derive(Debug, Clone, Copy)]
+pub struct Mm(pub f64);
+
+impl fmt::Display for Mm {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match (WRITTEN_IN.get()(), f.precision()) {
+            (DisplayUnit::Millimetre, Some(digits)) => write!(f, "{:.digits$} mm", self.0),
+            (DisplayUnit::Millimetre, None) => write!(f, "{} mm", self.0),
+            // An inch is long: with two digits more no less is told.
+            (DisplayUnit::Inch, Some(digits)) => {
+                write!(f, "{:.*} in", (digits + 2).max(MIN_DIGITS), self.0 / MM_PER_INCH)
+            }
+            (DisplayUnit::Inch, None) => {
+                // Three digits that count of what is small.
+                let (inches, mut digits, mut least) = (self.0 / MM_PER_INCH, MIN_DIGITS, 0.1);
+                while inches != 0.0 && inches.abs() < least && digits < MAX_DIGITS {
+                    (digits, least) = (digits + 1, least / 10.0);
+                }
+                write!(f, "{inches:.digits$} in")
+            }
+        }
     }
 }
 
@@ -244,6 +310,20 @@ mod tests {
             assert!(Angle::from_deg(bad).is_err());
             assert!(Angle::from_rad(bad).is_err());
         }
+    }
+
+    #[test]
+    fn lengths_are_written_in_inches_only_where_that_is_asked_for() {
+        let (length, plain) = (Length::from_mm(12.7).unwrap(), Mm(0.01));
+        let all = || format!("{length}, {length:.2}, {plain}, {plain:.0}");
+        assert_eq!(all(), "12.7 mm, 12.70 mm, 0.01 mm, 0 mm");
+        let inner = written_in(|| DisplayUnit::Inch, || [all(), written_in(|| DisplayUnit::Millimetre, all)]);
+        assert_eq!(inner, ["0.500 in, 0.5000 in, 0.000394 in, 0.000 in".to_owned(), all()]);
+        let thrown = std::panic::catch_unwind(|| {
+            written_in(|| DisplayUnit::Inch, || std::panic::resume_unwind(Box::new(())))
+        });
+        assert!(thrown.is_err());
+        assert_eq!(length.to_string(), "12.7 mm", "also after a panic");
     }
 
     proptest! {

@@ -3,6 +3,7 @@
 use std::io;
 use std::path::PathBuf;
 
+use wirebend_core::units::Mm;
 use wirebend_core::wireframe::EditError;
 use wirebend_error::{ErrorCode, ErrorRemedy};
 use wirebend_files::document::{DocumentError, StaleChange};
@@ -21,10 +22,10 @@ pub enum EditorError {
     #[error("the normal of the plane is 0 0 0, which has no direction")]
     Normal,
     /// A tolerance that is none.
-    #[error("{0} mm is no tolerance: it has to be 0 mm or more")]
+    #[error("{} is no tolerance: it has to be 0 or more", Mm(*.0))]
     Tolerance(f64),
     /// A shortest edge that is none.
-    #[error("{0} mm is no shortest edge: it has to be 0 mm or more")]
+    #[error("{} is no shortest edge: it has to be 0 or more", Mm(*.0))]
     LeastEdge(f64),
     /// A step that is no angle.
     #[error("{0}° is no step along an arc: it has to be more than 0° and at most 180°")]
@@ -148,4 +149,4 @@ impl EditorError {
     }
 }
 
-wirebend_error::reported!(EditorError);
+wirebend_error::reported!(wirebend_planning::text::shown => EditorError);

@@ -17,9 +17,16 @@ pub struct ProblemReport {
     pub remedies: Vec<ErrorRemedy>,
 }
 
-/// Errors with a code and remedies become reports.
+/// Errors with a code and remedies become reports. A function before them, as in `shown => MyError`, calls what words them.
 #[macro_export]
 macro_rules! reported {
+    ($word:path => $($error:ty),* $(,)?) => {$(
+        impl From<&$error> for $crate::ProblemReport {
+            fn from(error: &$error) -> Self {
+                Self::new(error.code(), $word(|| error.to_string()), error.remedies())
+            }
+        }
+    )*};
     ($($error:ty),* $(,)?) => {$(
         impl From<&$error> for $crate::ProblemReport {
             fn from(error: &$error) -> Self {

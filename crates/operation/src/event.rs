@@ -2,10 +2,11 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use wirebend_core::units::Mm;
 use wirebend_driver_host::api::PausedBy;
 use wirebend_error::ProblemReport;
 
-use wirebend_planning::report::shown_deg as shown;
+use wirebend_planning::report::shown_deg;
 use wirebend_planning::{JobStep, PartOfStep};
 
 /// Something that happened on a machine, or is about to.
@@ -104,25 +105,26 @@ impl std::fmt::Display for Doubt {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let Self { wire, step, of, designed, commanded, counted, .. } = self;
         let JobStep { feed_mm, rotate_deg, bend_deg } = designed;
-        let (rotate_deg, bend_deg) = (shown(*rotate_deg), shown(*bend_deg));
+        let (rotate_deg, bend_deg) = (shown_deg(*rotate_deg), shown_deg(*bend_deg));
         write!(
             f,
-            "it is not known whether step {step} of {of} of wire {} was done: {feed_mm:.1} mm of wire, turned {rotate_deg:.1}°, \
+            "it is not known whether step {step} of {of} of wire {} was done: {:.1} of wire, turned {rotate_deg:.1}°, \
              bent {bend_deg:.1}°",
-            wire + 1
+            wire + 1,
+            Mm(*feed_mm)
         )?;
         let Some(part) = counted else {
             // The user measures what the machine does for it.
-            let (feed_mm, rotate_deg) = (commanded.feed_mm, shown(commanded.rotate_deg));
-            return write!(f, "; the machine feeds {feed_mm:.1} mm and turns {rotate_deg:.1}° for it");
+            let (feed, rotate_deg) = (Mm(commanded.feed_mm), shown_deg(commanded.rotate_deg));
+            return write!(f, "; the machine feeds {feed:.1} and turns {rotate_deg:.1}° for it");
         };
         write!(
             f,
-            "; it was stopped on its way: the machine counts {:.1} of {:.1} mm fed and {:.1}° of {:.1}° turned, and may have lost steps as it stopped",
-            part.feed_mm,
-            commanded.feed_mm,
-            shown(part.rotate_deg),
-            shown(commanded.rotate_deg)
+            "; it was stopped on its way: the machine counts {:.1} of {:.1} fed and {:.1}° of {:.1}° turned, and may have lost steps as it stopped",
+            Mm(part.feed_mm),
+            Mm(commanded.feed_mm),
+            shown_deg(part.rotate_deg),
+            shown_deg(commanded.rotate_deg)
         )
     }
 }

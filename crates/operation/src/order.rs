@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use wirebend_core::units::Mm;
 use wirebend_driver_host::OrderName;
 use wirebend_error::InputName;
 
@@ -118,7 +119,7 @@ impl std::fmt::Display for Move {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Home => f.write_str("home"),
-            Self::Feed { mm } => write!(f, "feed {mm} mm"),
+            Self::Feed { mm } => write!(f, "feed {}", Mm(*mm)),
             Self::Rotate { deg } => write!(f, "rotate {deg}°"),
             Self::Bend { deg } => write!(f, "bend {deg}°"),
         }

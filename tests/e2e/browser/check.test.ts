@@ -1,3 +1,5 @@
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import type { DesignView, Fix } from "../../../ui/src/generated/responses.ts";
 import { Editor, until } from "../support/editor.ts";
@@ -106,6 +108,50 @@ it("says an edge is too short as soon as it is, and moves a vertex to fix it", a
   await fix.getByRole("button", { name: "Apply" }).click();
   await check().getByText("Edges long enough").waitFor();
   expect(await editor.phrase("check")).toMatch(/no collision check/);
+});
+
+it("words lengths in the unit that is shown, and in millimetres what it keeps", async () => {
+  await editor.take("house", "check", "edit");
+  const corner = await cornerOf([35, 0, 0]);
+  const field = editor.page.getByRole("table", { name: "Vertices" }).getByLabel(`Vertex ${corner}, Z, mm`);
+  await field.fill("45");
+  await field.press("Enter");
+  const title = check()
+    .locator(".fix-title", { hasText: /^Move vertex/ })
+    .first();
+  const open = () =>
+    check()
+      .locator(".line", { hasText: /too short/ })
+      .getByRole("button", { name: "Fix…" })
+      .first()
+      .click();
+  await open();
+  expect(await title.innerText()).toMatch(/ by \d+\.\d mm$/);
+  const path = join(editor.loopback.home, "files", "house.wbjob");
+  const sheet = join(editor.loopback.home, "files", "house.pdf");
+  const said = async () =>
+    (await editor.loopback.ask("check", { moved: [] })).diagnostics.map(({ message }) => message);
+  // The objections of a job, and what a job sheet lists, have lengths in them.
+  const kept = async () => {
+    const { job_hash } = await editor.loopback.ask("save-job", { output: { path, force: true }, despite_errors: true });
+    const settings = { date: "2026-01-31" };
+    const output = { path: sheet, force: true };
+    await editor.loopback.ask("export", { format: "job-sheet", settings, output, despite_errors: true });
+    return [job_hash, readFileSync(sheet).toString("base64")];
+  };
+  const before = await kept();
+  expect((await said()).join()).toMatch(/ mm\b/);
+
+  await editor.button("mm, the unit of lengths: change it").click();
+  await until(async () => {
+    if ((await title.count()) === 0) await open();
+    return title.innerText();
+  }).toMatch(/ by \d+\.\d{3} in$/);
+  expect((await said()).join()).toMatch(/ in\b/);
+  expect((await said()).join()).not.toMatch(/ mm\b/);
+  expect(await kept()).toEqual(before);
+  expect(JSON.parse(readFileSync(path, "utf8")).objections.join()).toMatch(/ mm\b/);
+  await editor.button("in, the unit of lengths: change it").click();
 });
 
 it("answers while a vertex is dragged, before it is let go", async () => {

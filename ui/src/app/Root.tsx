@@ -1,5 +1,5 @@
 import { SessionStop } from "../features/run/StopButton";
-import { ShownLengths } from "../shared/figures/unit";
+import { ShownUnit } from "../shared/figures/unit";
 import { DialogHead } from "../shared/layers/Dialog";
 import { useUnits } from "../state/window/units";
 import { App } from "./App";
@@ -7,10 +7,10 @@ import { App } from "./App";
 /** The window with what its parts are given from outside: how lengths are shown, and what stands in the head of every dialog. */
 export function Root() {
   return (
-    <ShownLengths value={useUnits()}>
+    <ShownUnit value={useUnits(({ unit }) => unit)}>
       <DialogHead value={<SessionStop />}>
         <App />
       </DialogHead>
-    </ShownLengths>
+    </ShownUnit>
   );
 }

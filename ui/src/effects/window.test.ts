@@ -49,6 +49,21 @@ describe("lengths", () => {
   });
 });
 
+it("has messages worded in the unit that is shown, from the start, asking for one at a time", async () => {
+  await vi.waitFor(() => expect(platform.ask).toHaveBeenLastCalledWith("show-lengths", { unit: "mm" }));
+  platform.ask.mockClear();
+  let answer = () => {};
+  platform.ask.mockReturnValueOnce(new Promise<void>((done) => (answer = done)));
+  useUi.getState().setUnit("inch");
+  useUi.getState().setUnit("mm");
+  useUi.getState().setUnit("inch");
+  useUi.getState().setUnit("mm");
+  expect(platform.ask.mock.calls).toEqual([["show-lengths", { unit: "inch" }]]);
+  answer();
+  // The last one counts, whatever was asked first.
+  await vi.waitFor(() => expect(platform.ask.mock.calls.at(-1)).toEqual(["show-lengths", { unit: "mm" }]));
+});
+
 it("the title is the design's, with a mark where it is not saved", () => {
   useDesign.setState({ state: designState({ name: "House", changed: true }) });
   expect(platform.setTitle).toHaveBeenLastCalledWith("• House – WireBend-kit");

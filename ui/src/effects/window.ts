@@ -1,8 +1,10 @@
 import { platform } from "../platform";
-import { useDesign } from "../state/design/design";
+import { told } from "../state/asking/problems";
+import { checkDesign, useDesign } from "../state/design/design";
+import { stopComparing } from "../state/machine/machines";
 import { shownTheme, systemTheme } from "../state/window/theme";
 import { keepUi, useUi } from "../state/window/ui";
-import { useUnits } from "../state/window/units";
+import { type DisplayUnit, useUnits } from "../state/window/units";
 import { gridFollows } from "../state/window/view";
 import { type End, together, whenChanged } from "./changes";
 
@@ -16,6 +18,25 @@ function measure(): void {
   useUnits.setState({ unit: useUi.getState().unit ?? own });
 }
 
+let wording = false;
+
+/**
+ * Has messages worded in the unit that is shown. Those that are there stay as they are but for what is asked again: the checks, and what
+ * they and the preview of a file are followed by. One question is on its way at a time.
+ */
+async function word(): Promise<void> {
+  if (wording) return;
+  wording = true;
+  let unit: DisplayUnit;
+  do {
+    ({ unit } = useUnits.getState());
+    await told(platform.ask("show-lengths", { unit }));
+  } while (unit !== useUnits.getState().unit);
+  wording = false;
+  stopComparing();
+  checkDesign();
+}
+
 function title(): void {
   const { state } = useDesign.getState();
   if (state) platform.setTitle(`${state.changed ? "\u2022 " : ""}${state.name || "New design"} \u2013 WireBend-kit`);
@@ -25,6 +46,8 @@ function title(): void {
 export function followWindow(): End {
   paint();
   measure();
+  // The Rust side may have been here before the window was, as when that is loaded anew.
+  void word();
   const system = systemTheme();
   system.addEventListener("change", paint);
   return together([
@@ -35,7 +58,10 @@ export function followWindow(): End {
     whenChanged(
       useUnits,
       ({ unit }) => [unit],
-      ({ unit }, before) => gridFollows(unit, before.unit),
+      ({ unit }, before) => {
+        gridFollows(unit, before.unit);
+        void word();
+      },
     ),
     whenChanged(
       useDesign,

@@ -380,6 +380,10 @@ export type Decision =
  * What a profile describes.
  */
 export type Kind = "machine" | "material" | "noise";
+/**
+ * What lengths in messages are written in.
+ */
+export type ShownUnit = "mm" | "inch";
 
 export interface All {
   requests: Requests;
@@ -427,6 +431,7 @@ export interface Requests {
   "save-job": SaveJob;
   "save-recording": SaveRecording;
   "save-wireframe": SaveWireframe;
+  "show-lengths": ShowLengths;
   start: Start;
   undo: Undo;
 }
@@ -823,6 +828,12 @@ export interface SaveRecording {
  */
 export interface SaveWireframe {
   output: Output;
+}
+/**
+ * Chooses the unit of the lengths in messages. Figures that are numbers stay in millimetres.
+ */
+export interface ShowLengths {
+  unit: ShownUnit;
 }
 /**
  * What a window needs when it opens.

@@ -1011,6 +1011,10 @@ export type Outcome = "finished" | "sent" | "abandoned" | "unfinished";
  */
 export type ToldBy = "person" | "machine";
 /**
+ * What lengths in messages are written in.
+ */
+export type ShownUnit = "mm" | "inch";
+/**
  * Something that an operator reports.
  */
 export type OperatorEvent =
@@ -1408,6 +1412,7 @@ export interface Responses {
   "save-job": SavedJob;
   "save-recording": SavedRecording;
   "save-wireframe": SavedWireframe;
+  "show-lengths": LengthsShown;
   start: Started;
   undo: EditMade;
 }
@@ -3550,6 +3555,12 @@ export interface SavedRecording {
  */
 export interface SavedWireframe {
   file: string;
+}
+/**
+ * How lengths are written from here on, in what is asked again.
+ */
+export interface LengthsShown {
+  unit: ShownUnit;
 }
 export interface Events {
   operator: OperatorEvent;

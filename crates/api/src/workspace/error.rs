@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 use wirebend_error::{ErrorCode, ErrorRemedy};
+use wirebend_planning::text::shown;
 
 use crate::{ApiError, DiagnosticReport, ErrorKind};
 
@@ -28,7 +29,7 @@ impl From<&ApiError> for ApiErrorReport {
         Self {
             code: error.code(),
             kind: error.kind(),
-            message: error.to_string(),
+            message: shown(|| error.to_string()),
             remedies: error.remedies(),
             diagnostics: of_design.chain(of_wires).cloned().collect(),
         }

@@ -19,6 +19,7 @@ mod operating;
 mod program;
 mod recent;
 mod reporter;
+mod shown;
 
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, RwLock};
@@ -51,6 +52,7 @@ pub use operating::{
 };
 pub use program::{MadeRequest, MadeResponse, MadeWire, ProgramRequest, ProgramResponse};
 pub use recent::RecentEntry;
+pub use shown::{LengthsShown, ShowLengths, ShownUnit};
 
 /// The machine where none was chosen.
 const FIRST_MACHINE: &str = "wirebend-kit";

@@ -21,7 +21,9 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use wirebend_core::checks::{Code, Diagnostic, Severity};
 use wirebend_core::plan::WirePlan;
+use wirebend_core::units::Mm;
 use wirebend_files::document::Document;
+use wirebend_planning::text::shown;
 
 use super::check::{LiveCheck, WireFigures};
 use super::{EditRequest, Editor};
@@ -266,5 +268,6 @@ fn sum(check: &LiveCheck, figure: fn(&WireFigures) -> Option<f64>) -> Option<f64
 
 /// A length for a button.
 fn shown_mm(length: f64) -> String {
-    if length < 0.95 { format!("{length:.2} mm") } else { format!("{length:.1} mm") }
+    let digits = if length < 0.95 { 2 } else { 1 };
+    shown(|| format!("{:.digits$}", Mm(length)))
 }

@@ -13,6 +13,7 @@ use crate::EditorError;
 use wirebend_planning::PlanChoices;
 use wirebend_planning::design::Opened;
 use wirebend_planning::machine::Setup;
+use wirebend_planning::text::price;
 use wirebend_planning::{Installation, NoProgress};
 
 /// The most edits that are tried.
@@ -114,7 +115,7 @@ impl<'a> Trials<'a> {
     /// What the wire of a length costs.
     pub fn price(&self, length: wirebend_core::units::Length) -> Option<String> {
         let cost = self.setup.model.wire.cost(length)?;
-        Some(format!("{cost:.2} {}", self.setup.currency.as_deref()?))
+        Some(price(cost, self.setup.currency.as_deref()?))
     }
 
     /// What is left is for so many findings: the next takes no more than its share, and a few where that is less.

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use wirebend_core::mesh::StencilError;
+use wirebend_core::units::Mm;
 use wirebend_core::wireframe::WireframeError;
 
 use wirebend_error::{ErrorCode, ErrorRemedy, InputName};
@@ -120,7 +121,7 @@ pub enum ReadError {
     #[error("the scale is {scale}: it must be a number greater than 0")]
     Scale { scale: f64 },
     /// A tolerance that no curve can be followed to.
-    #[error("the tolerance is {tolerance_mm} mm: it must be {least} mm or more", least = super::options::MIN_TOLERANCE_MM)]
+    #[error("the tolerance is {}: it must be {} or more", Mm(*tolerance_mm), Mm(super::options::MIN_TOLERANCE_MM))]
     Tolerance { tolerance_mm: f64 },
     /// Layers are asked of a format that has none.
     #[error("{file}: a file of format {format} has no layers")]

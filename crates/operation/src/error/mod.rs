@@ -73,4 +73,4 @@ impl OperationError {
     }
 }
 
-wirebend_error::reported!(OperationError, LiveProblem);
+wirebend_error::reported!(wirebend_planning::text::shown => OperationError, LiveProblem);

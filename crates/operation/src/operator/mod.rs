@@ -41,6 +41,7 @@ use wirebend_error::ProblemReport;
 use wirebend_planning::Input;
 use wirebend_planning::Installation;
 use wirebend_planning::output::Output;
+use wirebend_planning::text::shown;
 
 /// How long the end of a connection is waited for. A driver that does not end is ended within a part of this.
 const ENDING: Duration = Duration::from_secs(10);
@@ -83,7 +84,7 @@ impl Operator {
         let (of_thread, at) = (Arc::clone(&app), Arc::clone(&shared));
         let thread = Builder::new()
             .name("operator".to_owned())
-            .spawn(move || thread::run(&of_thread, &at, &request))
+            .spawn(move || shown(|| thread::run(&of_thread, &at, &request)))
             .inspect_err(|error| {
                 let error = OperationError::from(OperatorError::NoThread { cause: error.to_string() });
                 shared.problem(ProblemReport::from(&error));

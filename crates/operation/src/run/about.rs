@@ -2,13 +2,14 @@
 
 use std::time::Duration;
 
+use wirebend_core::units::Mm;
 use wirebend_driver_host::api::{DoneBy, ReferenceBy};
 
 use super::task::Task;
 use crate::OperationError;
 use crate::live::Connection;
 use wirebend_planning::machine::planned_despite;
-use wirebend_planning::report::shown_deg as shown;
+use wirebend_planning::report::shown_deg;
 
 /// What will happen to a wire. `anew`: it is begun, with new wire. `homes`: the reference is found first.
 pub fn about(
@@ -32,13 +33,14 @@ pub fn about(
     let seconds = task.work(wire, connection)?.estimates.iter().map(Duration::as_secs_f64).sum();
     // How long the rest of a wire that was begun takes is not estimated.
     let time = if anew { format!("; {} on the machine", minutes(seconds)) } else { String::new() };
-    lines.push(format!("{which}: {steps}, {bends}, {fed:.1} mm are fed{time}"));
+    lines.push(format!("{which}: {steps}, {bends}, {:.1} are fed{time}", Mm(fed)));
     if anew {
         let tail = kept.stock_mm - fed;
         lines.push(format!(
-            "put in at least {:.0} mm of {}: the last {tail:.0} mm cannot be fed",
-            kept.stock_mm.ceil(),
-            setup.material_name()
+            "put in at least {:.0} of {}: the last {:.0} cannot be fed",
+            Mm(kept.stock_mm.ceil()),
+            setup.material_name(),
+            Mm(tail)
         ));
     }
     if connection.wire_used {
@@ -57,9 +59,9 @@ pub fn about(
     if most > least {
         lines.push(format!(
             "the head turns between {:.1}° and {:.1}°, and ends at {:.1}°",
-            shown(least),
-            shown(most),
-            shown(head)
+            shown_deg(least),
+            shown_deg(most),
+            shown_deg(head)
         ));
     }
     lines.push(

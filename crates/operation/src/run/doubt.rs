@@ -1,5 +1,6 @@
 //! A step in doubt: what is known of it, and what a person says.
 
+use wirebend_core::units::Mm;
 use wirebend_driver_host::jobs::{JobRun, Part, StepOutcome};
 
 use super::making::Making;
@@ -61,18 +62,18 @@ impl Task<'_> {
         }
         let (_, commanded) = self.step(making.wire, step)?;
         let part = self.setup.signs.part(part);
-        let left = |whole: f64, part: f64, unit: &str| {
+        let left = |whole: f64, part: f64, amount: fn(f64) -> String| {
             let rest = whole - part;
             if rest.abs() < NOTHING {
                 "nothing".to_owned()
             } else {
-                format!("{rest:.1}{unit} of {whole:.1}{unit}")
+                format!("{} of {}", amount(rest), amount(whole))
             }
         };
         Ok(Some(format!(
             "step {step} was stopped in its middle; what is left of it: {} to feed, {} to turn, and its bend of {:.1}° from the beginning",
-            left(commanded.feed_mm, part.feed_mm, " mm"),
-            left(commanded.rotate_deg, part.rotate_deg, "°"),
+            left(commanded.feed_mm, part.feed_mm, |mm| format!("{:.1}", Mm(mm))),
+            left(commanded.rotate_deg, part.rotate_deg, |deg| format!("{deg:.1}°")),
             commanded.bend_deg
         )))
     }
@@ -105,7 +106,7 @@ pub(super) fn said_before(run: &JobRun, signs: Signs) -> Option<(u32, String)> {
         StepOutcome::NotMade => format!("nothing of step {step} was done"),
         StepOutcome::Part(part) => {
             let part = signs.part(part);
-            format!("of step {step} {:.1} mm were fed and {:.1}° turned", part.feed_mm, part.rotate_deg)
+            format!("of step {step} {:.1} were fed and {:.1}° turned", Mm(part.feed_mm), part.rotate_deg)
         }
     };
     let (first, _) = run.said().next()?;

@@ -2,11 +2,17 @@
 
 use std::path::PathBuf;
 
+use wirebend_core::units::Mm;
 use wirebend_driver_host::HostError;
 use wirebend_driver_host::api::{Axis, AxisLimit, Beyond, DriverError, Extent, Limits, Step};
 use wirebend_error::ErrorCode;
 
 use super::ErrorKind;
+
+/// How far an axis goes: beside a limit that it may be close to.
+fn amount(axis: Axis, value: f64) -> String {
+    if axis == Axis::Feed { format!("{:.3}", Mm(value)) } else { format!("{value:.3}\u{b0}") }
+}
 
 /// Why there is no driver, or why it did not do what it was asked.
 #[derive(Debug, thiserror::Error)]
@@ -41,8 +47,8 @@ pub enum DriverProblem {
     },
     /// A step of the wire would be refused in the middle of it.
     #[error(
-        "wire {}: with step {step} {goes} {value:.3}{unit}, and {by} takes no more than {most:.3}{unit} ({because})",
-        .wire.saturating_add(1)
+        "wire {}: with step {step} {goes} {}, and {by} takes no more than {} ({because})",
+        .wire.saturating_add(1), amount(*.axis, *.value), amount(*.axis, *.most)
     )]
     BeyondLimit {
         /// Index of the wire, from 0.
@@ -57,8 +63,8 @@ pub enum DriverProblem {
         by: &'static str,
         /// What is taken.
         most: f64,
-        /// Of both.
-        unit: &'static str,
+        /// What both are of.
+        axis: Axis,
         /// Where the limit comes from.
         because: String,
     },
@@ -122,15 +128,15 @@ impl DriverProblem {
 
     fn beyond(wire: usize, by: &'static str, beyond: Beyond) -> Self {
         let Beyond { step, value, limit: AxisLimit { axis, of, most, setting, reason } } = beyond;
-        let (goes, unit) = match (axis, of) {
-            (Axis::Feed, Extent::Step) => ("the wire is fed", " mm"),
-            (Axis::Feed, Extent::Position) => ("the wire is fed in all", " mm"),
-            (Axis::Rotate, Extent::Step) => ("the head turns", "\u{b0}"),
-            (Axis::Rotate, Extent::Position) => ("the head comes to", "\u{b0}"),
-            (Axis::Bend, Extent::Step) => ("the bend axis goes to", "\u{b0}"),
-            (Axis::Bend, Extent::Position) => ("the bend axis comes to", "\u{b0}"),
+        let goes = match (axis, of) {
+            (Axis::Feed, Extent::Step) => "the wire is fed",
+            (Axis::Feed, Extent::Position) => "the wire is fed in all",
+            (Axis::Rotate, Extent::Step) => "the head turns",
+            (Axis::Rotate, Extent::Position) => "the head comes to",
+            (Axis::Bend, Extent::Step) => "the bend axis goes to",
+            (Axis::Bend, Extent::Position) => "the bend axis comes to",
         };
         let because = setting.as_ref().map_or_else(|| reason.clone(), |key| format!("driver setting {key}"));
-        Self::BeyondLimit { wire, step, goes, value, by, most: *most, unit, because }
+        Self::BeyondLimit { wire, step, goes, value, by, most: *most, axis: *axis, because }
     }
 }

@@ -98,4 +98,4 @@ impl StencilFileError {
     }
 }
 
-wirebend_error::reported!(PlanningError, DriverProblem);
+wirebend_error::reported!(crate::text::shown => PlanningError, DriverProblem);

@@ -17,6 +17,7 @@ use crate::machine::{Setup, accepted_errors, kept_steps, restored};
 use crate::picture;
 use crate::plan::Planned;
 use crate::report::{NoteReport, PlanReport};
+use crate::text;
 use crate::{Installation, PlanningError, Progress};
 
 pub(super) struct Wire {
@@ -96,7 +97,7 @@ impl Content {
     }
 
     fn of_plan(planned: Planned, title: String) -> Result<Self, PlanningError> {
-        let report = planned.report();
+        let report = text::kept(|| planned.report());
         let wireframe = &planned.opened.document.wireframe;
         let wires = planned
             .wires

@@ -96,13 +96,13 @@ impl From<&Diagnostic> for DiagnosticReport {
             value: measured.map(|measured| number(measured).0),
             limit: limit.map(|limit| number(limit.value).0),
             unit: measured.or(limit.map(|limit| limit.value)).and_then(|q| number(q).1),
-            limit_source: limit.map(|limit| text::source(limit.source)),
+            limit_source: limit.map(|limit| text::shown(|| text::source(limit.source))),
             limit_reason: limit.and_then(|limit| match limit.source {
                 LimitSource::Stated(source) => source.reason.clone(),
                 _ => None,
             }),
-            message: text::message(diagnostic),
-            help: text::help(diagnostic),
+            message: text::shown(|| text::message(diagnostic)),
+            help: text::shown(|| text::help(diagnostic)),
             remedies: diagnostic.remedies.iter().map(RemedyReport::from).collect(),
         }
     }

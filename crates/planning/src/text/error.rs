@@ -88,7 +88,7 @@ pub fn peg_geometry(error: &PegGeometryError) -> String {
                 PegRadius::Pin => "pin radius",
                 PegRadius::Peg => "peg radius",
             };
-            format!("the {name} is {value}: it must be more than 0 mm")
+            format!("the {name} is {value}: it must be more than 0")
         }
         PegGeometryError::NoContact { orbit_radius, peg } => format!(
             "the peg never touches the wire: its orbit of radius {orbit_radius} is smaller than its contact distance {peg}"

@@ -13,11 +13,14 @@ mod machine;
 mod number;
 mod remedy;
 mod route;
+mod shown;
 mod straight;
 #[cfg(test)]
 mod tests;
 
 pub use limit::source;
+pub use number::price;
+pub use shown::{kept, show_lengths_in, shown};
 use wirebend_core::checks::{Diagnostic, Fact};
 
 /// What a finding says, with its figures.

@@ -17,6 +17,19 @@ pub(super) fn digits_beside(value: f64, limit: f64) -> usize {
     if (value - limit).abs() <= ROUNDING { 1 } else { digits_apart(value, limit, 1) }
 }
 
+/// "$1.20"; a currency without a sign of its own behind the figure: "1.20 CHF".
+#[must_use]
+pub fn price(value: f64, currency: &str) -> String {
+    let sign = match currency {
+        "USD" => "$",
+        "EUR" => "€",
+        "GBP" => "£",
+        "JPY" => "¥",
+        _ => return format!("{value:.2} {currency}"),
+    };
+    format!("{sign}{value:.2}")
+}
+
 /// "1 edge", "3 edges".
 pub(super) fn count(number: usize, one: &str, many: &str) -> String {
     format!("{number} {}", if number == 1 { one } else { many })
@@ -58,6 +71,11 @@ pub(super) fn straight(at: &Location) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_price_has_the_sign_of_its_currency() {
+        assert_eq!([price(0.237, "USD"), price(12.0, "CHF")], ["$0.24", "12.00 CHF"]);
+    }
 
     #[test]
     fn what_differs_reads_differently() {

@@ -1,7 +1,7 @@
 import { errorText } from "../../platform/error_text";
 import type { Shown as ShownName } from "../../scene/interface";
 import { Segmented } from "../../shared/controls/inputs";
-import { useLengths } from "../../shared/figures/unit";
+import { useUnit } from "../../shared/figures/unit";
 import { chooseShown, usePlayback, useProgram } from "../../state/program/program";
 import { worst } from "./steps";
 
@@ -9,7 +9,7 @@ import { worst } from "./steps";
 export function Shown() {
   const { made, askingMade, wire, program } = useProgram();
   const shown = usePlayback((playback) => playback.shown);
-  const { unit, said } = useLengths();
+  const unit = useUnit();
   const told = program?.wires[wire]?.steps.every((step) => step.told !== null) ?? false;
   const why = told ? null : "This wire has no compensated program. See Check.";
   const off = worst(made, wire, unit);
@@ -39,7 +39,7 @@ export function Shown() {
       </p>
       {made?.notes.map((note) => (
         <p key={note.code + note.message} className="muted small">
-          {said(errorText(note))}
+          {errorText(note)}
         </p>
       ))}
     </div>

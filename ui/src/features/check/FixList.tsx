@@ -88,7 +88,6 @@ export function FixList({ fixes }: { readonly fixes: readonly Fix[] }) {
   const check = useDesign((design) => design.check);
   const [made, setMade] = useState<Fix | null>(null);
   const change = useChange();
-  const { said } = useLengths();
   const box = useRef<HTMLUListElement>(null);
   useInSight(box, true);
   // A fix is of the design as it was looked at: the second click of a double one would make it again of another one.
@@ -111,7 +110,7 @@ export function FixList({ fixes }: { readonly fixes: readonly Fix[] }) {
         return (
           // biome-ignore lint/suspicious/noArrayIndexKey: the fixes of a finding come and go together
           <li key={index} className="fix">
-            <div className="fix-title">{said(fix.title)}</div>
+            <div className="fix-title">{fix.title}</div>
             <div className="muted">{change(fix)}</div>
             <div className="row">
               <Button small pressed={now} onClick={() => showFix(now ? null : fix)}>

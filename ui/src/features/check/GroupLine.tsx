@@ -1,7 +1,7 @@
 import { useEffect, useRef, useState } from "react";
 import type { DiagnosticReport } from "../../generated/responses";
 import { Button } from "../../shared/controls/Button";
-import { useLengths } from "../../shared/figures/unit";
+import { useUnit } from "../../shared/figures/unit";
 import { Mark } from "../../shared/lists/Mark";
 import { useDesign } from "../../state/design/design";
 import { fixesOf, useFixes } from "../../state/design/fixes";
@@ -47,7 +47,7 @@ function usePointing(reports: readonly DiagnosticReport[]) {
 /** One of several places of a kind: with its value, and its own fixes. */
 function Member({ report }: { readonly report: DiagnosticReport }) {
   const [open, setOpen] = useState(false);
-  const { unit, said } = useLengths();
+  const unit = useUnit();
   const fixes = fixesOf(
     report,
     useFixes((store) => store.fixes),
@@ -57,7 +57,7 @@ function Member({ report }: { readonly report: DiagnosticReport }) {
     <li {...pointing.line}>
       <div className="member">
         <button type="button" className="check-what" onClick={() => show([report])} {...pointing.button}>
-          {said(whatOf(report))}
+          {whatOf(report)}
         </button>
         <span className="muted">{valueText(report.value, report.unit, unit)}</span>
         {fixes.length > 0 && (
@@ -74,7 +74,7 @@ function Member({ report }: { readonly report: DiagnosticReport }) {
 /** Diagnostics of a kind: what, value and limit, one action. */
 export function GroupLine({ group }: { readonly group: Group }) {
   const { reports, severity } = group;
-  const { unit, said } = useLengths();
+  const unit = useUnit();
   const [open, setOpen] = useState(false);
   const all = useFixes((store) => store.fixes);
   const [first] = reports;
@@ -94,14 +94,14 @@ export function GroupLine({ group }: { readonly group: Group }) {
       <div className="line-what">
         {somewhere ? (
           <button type="button" className="check-what" onClick={() => show(reports)} {...pointing.button}>
-            {said(titleOf(group))}
+            {titleOf(group)}
           </button>
         ) : (
-          said(titleOf(group))
+          titleOf(group)
         )}
       </div>
       <div className="line-sub" title={sourceOf(group)}>
-        {said(figuresOf(group, unit))}
+        {figuresOf(group, unit)}
       </div>
       {action && (
         <div className="line-action">
@@ -127,7 +127,7 @@ export function GroupLine({ group }: { readonly group: Group }) {
               {reports.length > MAX && <li className="muted">and {reports.length - MAX} more</li>}
             </ul>
           )}
-          {single && first.unit && first.help && <p className="muted small">{said(first.help)}.</p>}
+          {single && first.unit && first.help && <p className="muted small">{first.help}.</p>}
         </div>
       )}
     </li>

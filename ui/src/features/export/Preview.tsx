@@ -3,7 +3,7 @@ import type { FormatEntry } from "../../generated/responses";
 import { errorText } from "../../platform/error_text";
 import { Button } from "../../shared/controls/Button";
 import { Checkbox } from "../../shared/controls/inputs";
-import { useLengths } from "../../shared/figures/unit";
+import { useUnit } from "../../shared/figures/unit";
 import { Line } from "../../shared/lists/Line";
 import { useDesign } from "../../state/design/design";
 import { preview, setDespiteErrors, useExports } from "../../state/files/exports";
@@ -17,8 +17,8 @@ const REST_MS = 350;
 export function Preview({ format }: { readonly format: FormatEntry }) {
   const { preview: shown, previewing, settings, despiteErrors } = useExports();
   const { vertices, edges, state, check } = useDesign();
+  const unit = useUnit();
   const showSection = useUi((ui) => ui.showSection);
-  const { said } = useLengths();
   // biome-ignore lint/correctness/useExhaustiveDependencies: what is written depends on all of these
   useEffect(() => {
     const timer = window.setTimeout(() => void preview(), REST_MS);
@@ -33,6 +33,7 @@ export function Preview({ format }: { readonly format: FormatEntry }) {
     state?.material,
     state?.doublings,
     state?.start,
+    unit,
   ]);
   const mine = shown?.format === format.id ? shown : null;
   const infeasible =
@@ -60,12 +61,12 @@ export function Preview({ format }: { readonly format: FormatEntry }) {
       )}
       {mine?.refused && !(mine.refused.errors && infeasible) && (
         <ul>
-          <Line tone="error" what="The file cannot be written" sub={said(mine.refused.message)} />
+          <Line tone="error" what="The file cannot be written" sub={mine.refused.message} />
         </ul>
       )}
       {mine?.seen?.notes.map((note) => (
         <p key={note.code + note.message} className="muted small">
-          {said(errorText(note))}
+          {errorText(note)}
         </p>
       ))}
       {mine?.seen?.beginnings.map((beginning, index) => (

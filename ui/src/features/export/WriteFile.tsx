@@ -4,7 +4,6 @@ import { platform, Refused } from "../../platform";
 import { Button } from "../../shared/controls/Button";
 import { Field } from "../../shared/controls/Field";
 import { TextInput } from "../../shared/controls/inputs";
-import { useLengths } from "../../shared/figures/unit";
 import { Line } from "../../shared/lists/Line";
 import { told } from "../../state/asking/problems";
 import { useDesign } from "../../state/design/design";
@@ -15,7 +14,6 @@ import { beside, fileName } from "./groups";
 export function WriteFile({ format }: { readonly format: FormatEntry }) {
   const state = useDesign((design) => design.state);
   const { written, preview } = useExports();
-  const { said } = useLengths();
   const suggested = beside(state?.file ?? null, fileName(state?.name ?? "", format));
   const [typed, setTyped] = useState<string | null>(null);
   /** A path that the system's dialog has asked about. */
@@ -46,7 +44,7 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
     if (thenWrite) await go(picked, true);
   };
   const refused = preview?.format === format.id ? preview.refused : null;
-  const why = busy ? "The file is being written." : refused ? said(refused.message) : null;
+  const why = busy ? "The file is being written." : refused ? refused.message : null;
   const done = written?.format === format.id ? written.files : [];
   const answer = useRef<HTMLDivElement>(null);
   const [before] = useState(written);
@@ -80,7 +78,7 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
             <Line
               tone="error"
               what={problem.exists ? "The file exists already" : "The file was not written"}
-              sub={problem.exists ? "Confirm to replace it." : said(problem.message)}
+              sub={problem.exists ? "Confirm to replace it." : problem.message}
               action={
                 problem.exists && (
                   <Button kind="link" onClick={() => void go(path, true)}>

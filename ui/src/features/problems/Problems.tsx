@@ -1,6 +1,5 @@
 import { useEffect } from "react";
 import { Button } from "../../shared/controls/Button";
-import { useLengths } from "../../shared/figures/unit";
 import { Mark } from "../../shared/lists/Mark";
 import { dismiss, type Problem, useProblems } from "../../state/asking/problems";
 import "./problems.css";
@@ -12,7 +11,6 @@ const MAX = 4;
 
 function One({ problem }: { readonly problem: Problem }) {
   const { id, severity, message } = problem;
-  const { said } = useLengths();
   useEffect(() => {
     if (severity !== "info") return;
     const timer = setTimeout(() => dismiss(id), NEWS_MS);
@@ -21,7 +19,7 @@ function One({ problem }: { readonly problem: Problem }) {
   return (
     <li className={`problem ${severity}`}>
       <Mark tone={severity} />
-      <p className="selectable">{said(message)}</p>
+      <p className="selectable">{message}</p>
       <Button kind="quiet" icon="close" small aria-label="Dismiss" onClick={() => dismiss(id)} />
     </li>
   );

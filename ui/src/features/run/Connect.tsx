@@ -3,7 +3,7 @@ import { errorText } from "../../platform/error_text";
 import { Button } from "../../shared/controls/Button";
 import { Field } from "../../shared/controls/Field";
 import { Select } from "../../shared/controls/inputs";
-import { useLengths } from "../../shared/figures/unit";
+import { useUnit } from "../../shared/figures/unit";
 import { Line } from "../../shared/lists/Line";
 import { useDesign } from "../../state/design/design";
 import { connect, isOpen, loadPorts, useRun } from "../../state/machine/run";
@@ -15,7 +15,7 @@ import { interruptedPhrase } from "./records/records";
 export function Connect() {
   const machine = useDesign((design) => design.state?.machine ?? null);
   const { ports, portProblem, ordering, state, runs } = useRun();
-  const { unit, said } = useLengths();
+  const unit = useUnit();
   const interrupted = interruptedPhrase(runs, unit);
   const [chosen, setChosen] = useState<string | null>(null);
   useEffect(() => {
@@ -44,7 +44,7 @@ export function Connect() {
             <Line
               tone="error"
               what="The machine failed"
-              sub={<span className="lines">{said(errorText(state.problem))}</span>}
+              sub={<span className="lines">{errorText(state.problem)}</span>}
             />
           </ul>
         </div>

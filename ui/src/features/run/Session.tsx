@@ -1,6 +1,5 @@
 import { errorText } from "../../platform/error_text";
 import { Button } from "../../shared/controls/Button";
-import { useLengths } from "../../shared/figures/unit";
 import { Line } from "../../shared/lists/Line";
 import { useDesign } from "../../state/design/design";
 import { useMachines } from "../../state/machine/machines";
@@ -13,7 +12,6 @@ import { useProspect } from "./prospect";
 export function Session({ state }: { readonly state: MachineState }) {
   const designed = useDesign((design) => design.state?.machine ?? null);
   const machines = useMachines((store) => store.machines);
-  const { said } = useLengths();
   const all = buttons(state, useProspect());
   const name = (id: string | null) => machines?.find((machine) => machine.id === id)?.name ?? id ?? "none";
   const other = designed !== state.machine;
@@ -32,7 +30,7 @@ export function Session({ state }: { readonly state: MachineState }) {
             <Line
               tone="error"
               what={state.phase === "failed" ? "The machine failed" : "That did not work"}
-              sub={<span className="lines">{said(errorText(state.problem))}</span>}
+              sub={<span className="lines">{errorText(state.problem)}</span>}
             />
           </ul>
         </div>

@@ -2,7 +2,7 @@
 
 import type { PortEntry } from "../../generated/responses";
 import { errorText } from "../../platform/error_text";
-import { angle, asShown, type DisplayUnit, deviation, length, time } from "../../shared/figures/format";
+import { angle, type DisplayUnit, deviation, length, time } from "../../shared/figures/format";
 import type { Tone } from "../../shared/lists/Mark";
 import type { Move, Unfinished, WireRun, WireState } from "../../state/machine/operator";
 
@@ -43,7 +43,7 @@ export function endedPhrase(
   unit: DisplayUnit,
 ): { readonly tone: Tone; readonly what: string; readonly sub: string | null } {
   const { outcome, made, steps, elapsed_s, problem, deviations_mm, standstill } = run;
-  const sub = problem ? asShown(errorText(problem), unit) : null;
+  const sub = problem ? errorText(problem) : null;
   if (standstill && standstill !== "confirmed") {
     const what = `Not confirmed that the machine stands, after step ${made} of ${steps}`;
     return { tone: "error", what, sub: "Cut the power of the machine, then look at it and at the wire." };

@@ -2,7 +2,7 @@
 import { act } from "react";
 import { beforeEach, describe, expect, it } from "vitest";
 import type { DisplayUnit } from "../figures/format";
-import { ShownLengths } from "../figures/unit";
+import { ShownUnit } from "../figures/unit";
 import { place } from "../testing";
 import { NumberField } from "./NumberField";
 
@@ -18,9 +18,9 @@ beforeEach(() => {
 
 function show(props: Partial<Parameters<typeof NumberField>[0]> = {}): HTMLInputElement {
   at.show(
-    <ShownLengths value={{ unit, names: [] }}>
+    <ShownUnit value={unit}>
       <NumberField label="X" value={10} onCommit={(value) => committed.push(value)} {...props} />
-    </ShownLengths>,
+    </ShownUnit>,
   );
   const field = at.host.querySelector("input");
   if (!field) throw new Error("no field");

@@ -98,28 +98,6 @@ export function money(value: number, currency: string | null): string {
   return before === undefined ? `${sign}${text} ${currency}` : `${sign}${before}${text}`;
 }
 
-/**
- * A sentence that was made elsewhere, with lengths in mm and prices with the code of their currency, in the unit and with the sign that are
- * shown here. Only a single number right before "mm" is a length: a range stays as it is, and so do `names`, which may have lengths in them.
- */
-export function asShown(text: string, unit: DisplayUnit, names: readonly string[] = []): string {
-  // The longest first: one name may be the beginning of another.
-  const [name, ...others] = names
-    .filter((each) => each !== "" && text.includes(each))
-    .toSorted((a, b) => b.length - a.length);
-  if (name !== undefined)
-    return text
-      .split(name)
-      .map((part) => asShown(part, unit, others))
-      .join(name);
-  const priced = text.replace(/(\d+\.\d\d) ([A-Z]{3})\b/g, (_, value: string, currency: string) =>
-    money(Number(value), currency),
-  );
-  return unit === "mm"
-    ? priced
-    : priced.replace(/(?<![\d.])(\d+(?:\.\d+)?) mm\b(?![./\\]\w)/g, (_, mm: string) => length(Number(mm), unit));
-}
-
 /** A share of 1: "37 %". */
 export function percent(share: number, digits = 0): string {
   return `${number(share * 100, digits)} %`;

@@ -11,7 +11,6 @@ import { platform } from "../../platform";
 import { told } from "../asking/problems";
 import { asking } from "../asking/work";
 import { checkDesign, edit, useDesign } from "../design/design";
-import { useUnits } from "../window/units";
 
 interface MachinesStore {
   /** Null before they are known. */
@@ -57,10 +56,7 @@ async function loadMachines(): Promise<void> {
     told(platform.ask("materials", {})),
   ]);
   if (machines) useMachines.setState({ machines: machines.machines });
-  if (materials) {
-    useMachines.setState({ materials: materials.materials });
-    useUnits.setState({ names: materials.materials.map(({ name }) => name) });
-  }
+  if (materials) useMachines.setState({ materials: materials.materials });
 }
 
 let needed: Promise<void> | null = null;

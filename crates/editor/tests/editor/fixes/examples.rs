@@ -65,7 +65,7 @@ fn a_cube_is_four_wires_or_one_with_three_edges_twice() {
     let fixes = promised(&mut editor, &app());
     assert_eq!(
         titles(&fixes, "no_euler_path"),
-        ["Divide it into 4 wires, none doubled", "Double 3 edges (+90.0 mm, +0.18 USD)"]
+        ["Divide it into 4 wires, none doubled", "Double 3 edges (+90.0 mm, +$0.18)"]
     );
     assert_eq!(fixes[0].preview.detached.len(), 3);
     let check = mend(&mut editor, &app(), "Divide it into 4 wires, none doubled");

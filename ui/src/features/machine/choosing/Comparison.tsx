@@ -2,7 +2,7 @@ import { useEffect, useRef } from "react";
 import type { OtherSide } from "../../../generated/responses";
 import { Button } from "../../../shared/controls/Button";
 import { Bar } from "../../../shared/controls/inputs";
-import { useLengths } from "../../../shared/figures/unit";
+import { useUnit } from "../../../shared/figures/unit";
 import { Line } from "../../../shared/lists/Line";
 import { stopComparing, switchTo, useMachines } from "../../../state/machine/machines";
 import { differences, figures } from "./differences";
@@ -10,7 +10,7 @@ import { differences, figures } from "./differences";
 /** What another machine changes for the design, and switching to it. */
 export function Comparison() {
   const { compared, machines, materials } = useMachines();
-  const { unit, said } = useLengths();
+  const unit = useUnit();
   const box = useRef<HTMLElement>(null);
   const answered = Boolean(compared?.to ?? compared?.problem);
   // biome-ignore lint/correctness/useExhaustiveDependencies: the answer makes it longer
@@ -35,7 +35,7 @@ export function Comparison() {
       )}
       {problem && (
         <ul>
-          <Line tone="error" what="Cannot compare" sub={said(problem)} />
+          <Line tone="error" what="Cannot compare" sub={problem} />
         </ul>
       )}
       {from && to && side && (
@@ -50,7 +50,7 @@ export function Comparison() {
           )}
           <ul>
             {differences(from, side).map((one) => (
-              <Line key={one.what} tone={one.tone} what={one.what} sub={one.sub && said(one.sub)} />
+              <Line key={one.what} tone={one.tone} what={one.what} sub={one.sub} />
             ))}
           </ul>
           <dl className="comparison-figures">

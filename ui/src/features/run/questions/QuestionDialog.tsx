@@ -3,7 +3,6 @@ import { Button } from "../../../shared/controls/Button";
 import { Field } from "../../../shared/controls/Field";
 import { NumberField } from "../../../shared/controls/NumberField";
 import { angle, sentence } from "../../../shared/figures/format";
-import { useLengths } from "../../../shared/figures/unit";
 import { Dialog } from "../../../shared/layers/Dialog";
 import type { Question } from "../../../state/machine/operator";
 import { answer, useRun } from "../../../state/machine/run";
@@ -22,7 +21,6 @@ const WORDS: Readonly<Record<Exclude<Question["kind"], "doubt">, readonly [strin
 /** What the operator asks before anything moves. Esc does nothing: it has to be answered. */
 export function QuestionDialog() {
   const { question, ordering } = useRun();
-  const { said } = useLengths();
   // What was said to a question before is no answer to this one.
   const [seen, setSeen] = useState<{ readonly question: number; readonly deg: number } | null>(null);
   const [missing, setMissing] = useState<number | null>(null);
@@ -62,11 +60,11 @@ export function QuestionDialog() {
         <ul className="question-lines selectable">
           {question.lines.map((line, index) => (
             // biome-ignore lint/suspicious/noArrayIndexKey: the lines of a question do not change
-            <li key={index}>{sentence(said(line))}</li>
+            <li key={index}>{sentence(line)}</li>
           ))}
         </ul>
       )}
-      <p className="question">{said(question.question)}</p>
+      <p className="question">{question.question}</p>
       {question.head && (
         <HeadField
           range={question.head.range_deg}
