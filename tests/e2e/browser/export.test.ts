@@ -171,7 +171,7 @@ it("writes the document, the wireframe and the job to continue with", async () =
   await editor.messages.filter({ hasText: "The job is in" }).waitFor();
   await section().getByRole("button", { name: "Wireframe…" }).click();
   await editor.messages.filter({ hasText: "The wireframe is in" }).waitFor();
-  const { vertices, edges } = await editor.design();
+  const { vertices, edges, state } = await editor.design();
   const lines = readFileSync(into("House.obj"), "utf8").split("\n");
   expect([
     lines.filter((line) => line.startsWith("v ")).length,
@@ -179,8 +179,11 @@ it("writes the document, the wireframe and the job to continue with", async () =
   ]).toEqual([vertices.length, edges.length]);
   await section().getByRole("button", { name: "Document…" }).click();
   await editor.page.getByRole("contentinfo").getByText("saved", { exact: true }).waitFor();
-  expect(JSON.parse(readFileSync(into("House.wirebend"), "utf8"))).toBeTruthy();
-  expect(JSON.parse(readFileSync(into("House.wbjob"), "utf8"))).toBeTruthy();
+  const saved = JSON.parse(readFileSync(into("House.wirebend"), "utf8"));
+  expect([saved.wireframe.vertices.length, saved.wireframe.edges.length]).toEqual([vertices.length, edges.length]);
+  const job = JSON.parse(readFileSync(into("House.wbjob"), "utf8"));
+  expect(job.machine.id).toBe(state.machine);
+  expect(job.hash).toBe((await editor.loopback.ask("program", {})).job_hash);
 });
 
 /** The edges of the example that its own fix doubles. */

@@ -109,9 +109,21 @@ it("brings back what was not saved when the program was killed", async () => {
 });
 
 it("says quietly how far work is, and nothing once it is over", async () => {
+  const work = editor.page.locator(".status-work");
+  let seen = false;
+  // The answer comes once it was seen what is worked on.
+  await editor.page.route("**/ask", async (route) => {
+    const answer = await route.fetch();
+    const first = !seen && route.request().postDataJSON().ask === "look";
+    if (first) await work.waitFor();
+    seen ||= first;
+    await route.fulfill({ response: answer });
+  });
   await editor.choose(into("hook.obj"), () => editor.menu("File", "Open…"));
   await dialog(/^Save/).getByRole("button", { name: "Do not save" }).or(dialog("Open hook.obj")).first().waitFor();
   await dialog("Open hook.obj").waitFor();
-  expect(await editor.page.locator(".status-work").count()).toBe(0);
+  await work.waitFor({ state: "detached" });
+  expect(seen).toBe(true);
   await dialog("Open hook.obj").getByRole("button", { name: "Cancel" }).click();
+  await editor.page.unrouteAll({ behavior: "wait" });
 });
