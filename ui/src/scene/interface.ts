@@ -227,6 +227,3 @@ export interface SceneLabel {
   readonly text: string;
   readonly verdict: Verdict | null;
 }
-
-/** What features may draw into, by name: `collisions` is in the frame of the machine that is played, `tolerances` in the design's. */
-export type Layer = "collisions" | "tolerances";

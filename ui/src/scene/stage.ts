@@ -1,13 +1,12 @@
 /** What is in the picture, put together: the tools and the viewport change it, and it draws itself. */
 
-import { Group, type Object3D, Scene, type WebGLRenderer } from "three";
+import { Group, Scene, type WebGLRenderer } from "three";
 import { paint, shared } from "./drawing/shading";
 import { type Sign, Symbols } from "./drawing/symbols";
 import { THEMES, type Theme } from "./drawing/theme";
 import { type TubeLook, Tubes } from "./drawing/tubes";
 import type {
   DrawingPlane,
-  Layer,
   LengthFormat,
   Moved,
   Preview,
@@ -79,7 +78,6 @@ export class Stage {
   private readonly gizmo = new Gizmo(this.uniforms);
   readonly playback = new Playback(this.uniforms, this.theme);
   readonly labels: Labels;
-  private readonly layers = new Map<Layer, Group>();
   private marks: SceneMarks = NO_MARKS;
   /** Edges that a fix would take away, by id. */
   private removed: ReadonlySet<number> = new Set();
@@ -95,16 +93,6 @@ export class Stage {
     private readonly changed: () => void,
   ) {
     this.labels = new Labels(overlay, this.theme);
-    // What collides does so on the machine; tolerances are of the design.
-    for (const [name, parent] of [
-      ["collisions", this.playback.group],
-      ["tolerances", this.designed],
-    ] as const) {
-      const group = new Group();
-      group.name = name;
-      this.layers.set(name, group);
-      parent.add(group);
-    }
     this.designed.add(this.layer.group, this.selected.outlines.mesh, this.preview.mesh, this.stencil.group);
     this.world.add(this.backdrop.mesh, this.grid.mesh, this.designed, this.playback.group);
     this.above.add(this.guides.mesh, this.gizmo.mesh, this.symbols.mesh);
@@ -196,15 +184,6 @@ export class Stage {
     this.changed();
   }
 
-  /** Objects of a feature, which are disposed of here when others take their place. */
-  setLayer(name: Layer, objects: readonly Object3D[]): void {
-    const group = this.layers.get(name);
-    for (const object of group?.children.slice() ?? []) if (!objects.includes(object)) disposeOf(object);
-    group?.clear();
-    if (objects.length > 0) group?.add(...objects);
-    this.changed();
-  }
-
   paint(theme: Theme): void {
     this.theme = theme;
     paint(this.uniforms, theme);
@@ -265,7 +244,6 @@ export class Stage {
   }
 
   dispose(): void {
-    for (const name of this.layers.keys()) this.setLayer(name, []);
     for (const part of [
       this.backdrop,
       this.grid,
@@ -329,15 +307,4 @@ function areSame(a: SceneMarks, b: SceneMarks): boolean {
     ids(a.odd, b.odd) &&
     ids(a.doubled, b.doubled)
   );
-}
-
-function disposeOf(object: Object3D): void {
-  object.traverse((part) => {
-    const { geometry, material } = part as {
-      geometry?: { dispose(): void };
-      material?: { dispose(): void } | { dispose(): void }[];
-    };
-    geometry?.dispose();
-    for (const one of material ? [material].flat() : []) one.dispose();
-  });
 }

@@ -1,11 +1,10 @@
 /** The view of a design: what the editor's panels call. See `interface.ts` for what it reports. */
 
-import { type Object3D, WebGLRenderer } from "three";
+import { WebGLRenderer } from "three";
 import { THEMES, type ThemeName } from "./drawing/theme";
 import type {
   Axis,
   DrawingPlane,
-  Layer,
   LengthFormat,
   Played,
   Preview,
@@ -191,11 +190,6 @@ export class Viewport {
     this.frames.request();
   }
 
-  /** Objects of three.js; the viewport disposes of them when others are given. */
-  setLayer(name: Layer, objects: readonly Object3D[]): void {
-    this.stage.setLayer(name, objects);
-  }
-
   /** Locks what is being moved to an axis; the same again, or null, frees it. */
   lockAxis(axis: Axis | null): void {
     this.selecting.lock(axis);
@@ -277,26 +271,6 @@ export class Viewport {
   setProgress(steps: number | null): void {
     this.stage.playback.setProgress(steps ?? 0);
     this.frames.request();
-  }
-
-  /** A PNG of what is seen, with its labels. */
-  async capture(): Promise<Blob> {
-    this.frames.now();
-    const { canvas } = this;
-    // Read at once: what a canvas of WebGL shows is gone after this turn.
-    const picture = document.createElement("canvas");
-    [picture.width, picture.height] = [canvas.width, canvas.height];
-    const context = picture.getContext("2d");
-    context?.drawImage(canvas, 0, 0);
-    if (context) this.stage.labels.draw(context, this.stage.projection, this.renderer.getPixelRatio());
-    const blob = await new Promise<Blob | null>((done) => picture.toBlob(done, "image/png"));
-    if (!blob) throw new Error("the view is too large for a picture: make the window smaller");
-    return blob;
-  }
-
-  /** Draw calls of the last frame, and frames drawn since the start. */
-  get stats(): { drawCalls: number; frames: number } {
-    return { drawCalls: this.renderer.info.render.calls, frames: this.frames.drawn };
   }
 
   /** CSS pixels in the viewport of a place of the design; null where it is behind the eye. */

@@ -62,22 +62,6 @@ export class Labels {
     for (const { label, element } of this.placed) this.colour(element, label);
   }
 
-  /** Into a picture that was taken, `ratio` pixels a CSS pixel. */
-  draw(context: CanvasRenderingContext2D, projection: Projection, ratio: number): void {
-    context.font = `${11.5 * ratio}px system-ui, sans-serif`;
-    context.textBaseline = "middle";
-    for (const { label, element } of this.placed) {
-      if (element.style.visibility === "hidden") continue;
-      const seen = projection.seen(label.at);
-      const text = textOf(label);
-      const [x, y] = [(seen.x + OFF) * ratio, (seen.y - OFF) * ratio];
-      context.fillStyle = this.theme.textBack;
-      context.fillRect(x, y - (HEIGHT / 2) * ratio, context.measureText(text).width + 12 * ratio, HEIGHT * ratio);
-      context.fillStyle = this.theme.text;
-      context.fillText(text, x + 6 * ratio, y);
-    }
-  }
-
   private element(label: SceneLabel): HTMLElement {
     const element = document.createElement("div");
     element.textContent = textOf(label);

@@ -1,8 +1,6 @@
 /** Frames on demand: nothing is drawn, and no callback waits, while nothing changes. */
 
 export class Frames {
-  /** Drawn since the start. */
-  drawn = 0;
   private pending = 0;
   private dirty = false;
 
@@ -23,10 +21,9 @@ export class Frames {
     if (this.pending === 0) this.pending = requestAnimationFrame(() => this.run());
   }
 
-  /** At once, for a picture. */
+  /** At once: a canvas that gets another size is empty. */
   now(): void {
     this.dirty = false;
-    this.drawn += 1;
     this.draw();
   }
 

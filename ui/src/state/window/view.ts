@@ -14,7 +14,6 @@ interface ViewHandle {
   lockAxis(axis: Axis | null): void;
   handleKey(event: KeyboardEvent): boolean;
   cancel(): boolean;
-  capture(): Promise<Blob>;
 }
 
 /** Which of the planes of the axes is drawn on. */
