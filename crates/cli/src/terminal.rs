@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use wirebend_api::{
     Cancellation, Decision, Doubt, MachineEvent, NoProgress, Observer, PartOfStep, Phase, Progress, Prompt,
-    SeverityName, Snapshot, StopHandle,
+    SHOWN_AS_ZERO, SeverityName, Snapshot, StopHandle,
 };
 
 use crate::number::number;
@@ -66,7 +66,7 @@ impl Terminal {
 
     /// How much of a feed or a turn was done; `None` when they do not know.
     fn measured(&self, question: &str, whole: f64) -> Option<f64> {
-        if whole.abs() < NOTHING {
+        if whole.abs() < SHOWN_AS_ZERO {
             return Some(0.0);
         }
         loop {
@@ -76,7 +76,9 @@ impl Terminal {
             if word.is_empty() {
                 return None;
             }
-            let within = |part: &f64| *part >= whole.min(0.0) - NOTHING && *part <= whole.max(0.0) + NOTHING;
+            let within = |part: &f64| {
+                *part >= whole.min(0.0) - SHOWN_AS_ZERO && *part <= whole.max(0.0) + SHOWN_AS_ZERO
+            };
             if let Some(part) = number(word).filter(within) {
                 return Some(part);
             }
@@ -102,9 +104,6 @@ impl Terminal {
         }
     }
 }
-
-/// Less than this is nothing, mm and degrees.
-const NOTHING: f64 = 0.05;
 
 /// Whether a person reads and writes.
 fn is_interactive() -> bool {

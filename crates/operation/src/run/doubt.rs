@@ -6,10 +6,8 @@ use wirebend_driver_host::jobs::{JobRun, Part, StepOutcome};
 use super::making::Making;
 use super::task::Task;
 use crate::{Decided, Decision, Doubt, LiveProblem, OperationError};
+use wirebend_planning::report::SHOWN_AS_ZERO;
 use wirebend_planning::signs::Signs;
-
-/// Less than this is left of a feed or a turn that is done, mm and degrees.
-const NOTHING: f64 = 0.05;
 
 impl Task<'_> {
     /// The user looks whether a step was done, or how much of it.
@@ -64,7 +62,7 @@ impl Task<'_> {
         let part = self.setup.signs.part(part);
         let left = |whole: f64, part: f64, amount: fn(f64) -> String| {
             let rest = whole - part;
-            if rest.abs() < NOTHING {
+            if rest.abs() < SHOWN_AS_ZERO {
                 "nothing".to_owned()
             } else {
                 format!("{} of {}", amount(rest), amount(whole))

@@ -21,7 +21,7 @@ use crate::choices::PlanChoices;
 use crate::design::DesignInput;
 use crate::output::Output;
 use crate::picture::{self, Caption};
-use crate::report::NoteReport;
+use crate::report::{NoteReport, SHOWN_AS_ZERO};
 use crate::{Installation, PlanningError, Progress};
 use content::{Content, Wire};
 use format::Chosen;
@@ -120,7 +120,7 @@ fn head_left_turned(content: &Content) -> Option<NoteReport> {
     let steps = content.wires.iter().filter_map(|wire| wire.compensated.as_ref());
     let ends: Vec<f64> = steps.map(|steps| steps.iter().map(|step| step.rotate.deg()).sum()).collect();
     let left: Vec<String> =
-        ends.iter().filter(|end: &&f64| end.abs() > 0.05).map(|end| format!("{end:.1}°")).collect();
+        ends.iter().filter(|end: &&f64| end.abs() > SHOWN_AS_ZERO).map(|end| format!("{end:.1}°")).collect();
     (!left.is_empty()).then(|| NoteReport {
         code: "head-left-turned".into(),
         count: left.len(),

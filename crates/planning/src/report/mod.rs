@@ -41,10 +41,13 @@ impl From<&Note> for NoteReport {
     }
 }
 
+/// Less than this is shown as nothing, mm or degrees: figures for people have a digit behind the point.
+pub const SHOWN_AS_ZERO: f64 = 0.05;
+
 /// An angle as people read it: what is shown as zero has no sign.
 #[must_use]
 pub fn shown_deg(deg: f64) -> f64 {
-    if deg.abs() < 0.05 { 0.0 } else { deg }
+    if deg.abs() < SHOWN_AS_ZERO { 0.0 } else { deg }
 }
 
 /// How much of a step is in the wire, in canonical signs; a driver and its journal have the same in the machine's signs. What it bends counts for nothing: a bend starts from its beginning.

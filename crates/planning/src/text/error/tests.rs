@@ -59,7 +59,7 @@ fn an_edit_that_cannot_be_made_says_why_and_what_would_be_right() {
 #[test]
 fn models_of_machine_and_material_say_which_figure_is_wrong() {
     let radius = PegGeometryError::NotPositive { radius: PegRadius::Pin, value: Length::ZERO };
-    assert_eq!(super::peg_geometry(&radius), "the pin radius is 0.0 mm: it must be more than 0 mm");
+    assert_eq!(super::peg_geometry(&radius), "the pin radius is 0.0 mm: it must be more than 0");
     let short = PegGeometryError::NoContact { orbit_radius: mm(4.0), peg: mm(4.7) };
     assert_eq!(
         super::peg_geometry(&short),
