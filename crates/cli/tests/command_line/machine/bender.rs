@@ -18,7 +18,9 @@ const RESET: u8 = 0x18;
 /// A bender that is switched on.
 pub struct Bender {
     pub model: Model,
+    /// A link in a folder of its own: the name of a terminal that has ended is at once that of another test's.
     pub port: String,
+    _folder: tempfile::TempDir,
     line: Arc<Mutex<Line>>,
     /// What is written before anybody reads is kept as long as one side is open.
     _cable: OwnedFd,
@@ -26,13 +28,17 @@ pub struct Bender {
 
 impl Bender {
     pub fn new(build: Build) -> Self {
-        let (machine, cable, port) = terminal();
+        let (machine, cable, terminal) = terminal();
+        let folder = tempfile::tempdir().unwrap();
+        let link = folder.path().join("port");
+        std::os::unix::fs::symlink(terminal, &link).unwrap();
+        let port = link.into_os_string().into_string().unwrap();
         let mut raw = tcgetattr(&cable).unwrap();
         raw.make_raw();
         tcsetattr(&cable, OptionalActions::Now, &raw).unwrap();
         let line = Arc::new(Mutex::new(Line::default()));
         let end = FarEnd { cable: File::from(machine), line: Arc::clone(&line) };
-        Self { model: Model::run(end, build), port, line, _cable: cable }
+        Self { model: Model::run(end, build), port, _folder: folder, line, _cable: cable }
     }
 
     /// One without switches, so slow that a bend can be stopped on its way.
