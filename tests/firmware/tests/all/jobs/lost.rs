@@ -98,7 +98,7 @@ impl During {
             });
             return hears;
         };
-        at.at(Moment::of(&Job::cube().pulses, line, phase, 50), |_| {})
+        at.at(Moment::of(&Job::cube().whole().pulses, line, phase, 50), |_| {})
     }
 }
 
@@ -106,6 +106,7 @@ impl During {
 fn lost<B: Board + Send + 'static>((how, by, _): Way, during: During) -> Duration {
     let job = Job::cube();
     let at = AtPort::<B>::new(GEARS, Some(&job.stored), true);
+    let hears = during.hears(&at);
     let case = format!("{}: driver {how} during {during:?}", B::NAME);
     let runs = case.replace([' ', ':', ',', '(', ')'], "-");
     let arguments = ["run", job.file.to_str().unwrap(), "--port", &at.port, "--yes"];
@@ -117,7 +118,7 @@ fn lost<B: Board + Send + 'static>((how, by, _): Way, during: During) -> Duratio
             (job.shop.start_program(&loose.program, &runs, &arguments), Some(loose))
         }
     };
-    running.reached(&during.hears(&at));
+    running.reached(&hears);
     let driver = running.driver();
     let begun = Instant::now();
     if let Some(loose) = loose {

@@ -246,5 +246,5 @@ fn a_second_program_at_the_port_does_not_spoil_the_wire() {
     }
     running.wait().ended(0);
     let pulses = at.with(|bender| bender.pulses.job().to_vec());
-    assert_eq!(ways(&pulses), ways(&job.pulses));
+    assert_eq!(ways(&pulses), ways(&job.whole().pulses));
 }

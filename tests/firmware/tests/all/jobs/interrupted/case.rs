@@ -66,11 +66,11 @@ const HOST_LOST: u64 = HZ + 25 * MS;
 impl Case {
     /// Tries it; says how it went.
     pub fn try_on<B: Board + Send + 'static>(&self, job: &Job) -> Went {
+        let moment = Moment::of(&job.whole().pulses, self.line, self.phase, self.percent);
         let runs = format!("{}-{self}", B::NAME).replace([' ', ',', '%'], "-");
         let at = AtPort::<B>::new(GEARS, Some(&job.stored), self.reset_on_open);
         let file = job.file.to_str().unwrap();
         let running = job.shop.start(&runs, &["run", file, "--port", &at.port, "--yes"]);
-        let moment = Moment::of(&job.pulses, self.line, self.phase, self.percent);
         let (since, ran) = self.interrupt(&at, moment, running);
         self.check_end(&ran);
         at.until_still();

@@ -36,8 +36,8 @@ struct Truth {
 
 impl Truth {
     fn of(job: &Job, made: &[Pulse]) -> Self {
-        assert_eq!(ways(made), ways(&job.pulses[..made.len()]), "not the pulses of the job");
-        let lines = lines(&job.pulses);
+        assert_eq!(ways(made), ways(&job.whole().pulses[..made.len()]), "not the pulses of the job");
+        let lines = lines(&job.whole().pulses);
         let whole = lines.iter().filter(|line| line.end <= made.len()).count();
         let from = lines.get(whole).map_or(made.len(), |line| line.start);
         Self { whole, part: made[from.min(made.len())..].to_vec() }
@@ -145,17 +145,19 @@ impl Case {
         // What is measured in degrees is not in whole steps of the motor: 90\u{b0} are 411.5 of them.
         let most = u64::from(asked > 0 && !tells);
         for axis in [Axis::Feed, Axis::Rotate] {
-            let (made, wanted) = (net(&all, axis), net(&job.pulses, axis));
+            let (made, wanted) = (net(&all, axis), net(&job.whole().pulses, axis));
             assert!(made.abs_diff(wanted) <= most, "{axis:?}: {made} pulses, not {wanted}");
         }
-        let off_mm = apart(&corners, &job.corners);
+        let off_mm = apart(&corners, &job.whole().corners);
         assert!(
             off_mm < CORNERS_MM,
             "a corner is {off_mm:.3} mm from where it is in a wire that nothing interrupts"
         );
         // What comes after the step is the rest of the job, line by line.
         let rest = &all[before..];
-        let whole = lines(&job.pulses).get(truth.whole + 1).map_or(&[][..], |line| &job.pulses[line.start..]);
+        let whole = lines(&job.whole().pulses)
+            .get(truth.whole + 1)
+            .map_or(&[][..], |line| &job.whole().pulses[line.start..]);
         assert!(steady(rest).ends_with(&steady(whole)), "the rest");
         let told = format!(
             "{} steps were done and {} pulses of the next, {known} known, {asked} asked about; the farthest corner is {off_mm:.3} mm off",
@@ -183,9 +185,9 @@ fn apart(made: &[[f64; 3]], wanted: &[[f64; 3]]) -> f64 {
 fn check_unbroken<B: Board + Send + 'static>(job: &Job, at: &AtPort<B>) {
     let (pulses, corners, incidents) =
         at.with(|bender| (bender.pulses.job().to_vec(), bender.made().corners(), bender.incidents()));
-    assert_eq!(pulses.len(), job.pulses.len(), "pulses");
-    assert_eq!(ways(&pulses), ways(&job.pulses));
-    assert_eq!(corners, job.corners);
+    assert_eq!(pulses.len(), job.whole().pulses.len(), "pulses");
+    assert_eq!(ways(&pulses), ways(&job.whole().pulses));
+    assert_eq!(corners, job.whole().corners);
     assert_eq!(incidents, Vec::<String>::new());
 }
 
