@@ -4,12 +4,12 @@
 .NOTPARALLEL:
 SHELL := /bin/sh
 
-# Tools that the recipes install for this repository alone.
-TOOLS := $(CURDIR)/target/tools
-export PATH := $(TOOLS)/bin:$(PATH)
+# Tools of cargo that the recipes install, compiled once for all clones of this user.
 CARGO_DENY_VERSION := 0.20.2
 CARGO_NEXTEST_VERSION := 0.9.143
 CARGO_FUZZ_VERSION := 0.13.2
+TOOLS := $(or $(XDG_CACHE_HOME),$(HOME)/.cache)/wirebend-kit/tools/deny-$(CARGO_DENY_VERSION)-nextest-$(CARGO_NEXTEST_VERSION)-fuzz-$(CARGO_FUZZ_VERSION)
+export PATH := $(TOOLS)/bin:$(PATH)
 CHECK_JSONSCHEMA_VERSION := 0.39.0
 ZIZMOR_VERSION := 1.32.0
 NODE := 20.19
