@@ -1,0 +1,177 @@
+//! The proof that a join is the cheapest: moats around sets of odd vertices, which every join has to cross.
+//!
+//! A moat is as wide as its dual; moats lie within each other and never overlap on an edge. Each set has an odd number of odd
+//! vertices, so some edge of any join crosses its moat: the widths together are a bound from below, and a join that weighs
+//! as much is the cheapest.
+
+use crate::graph::{Graph, NONE, id};
+use crate::matching::{Laminar, Matching};
+use crate::price::{Nearest, flood};
+
+/// Edges that meet each odd vertex an odd number of times and every other an even number of times, but for those that are
+/// left as they are.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Join {
+    /// The edges, in order.
+    pub edges: Vec<u32>,
+    /// Their weights together.
+    pub weight: u64,
+    /// The odd vertices that are left as they are, in order.
+    pub left: Vec<u32>,
+    /// That no join is cheaper.
+    pub certificate: Certificate,
+}
+
+/// Moats, by the sets that they are around, and where the vertices of the graph lie among them. Lengths are four times those of
+/// the graph, and so whole numbers.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Certificate {
+    /// Sets: first each odd vertex alone, in the order in which they were given, then the stand-in of each that is left, then
+    /// larger sets. For each the number of the next larger set around it, which comes later; [`NO_SET`] where there is none.
+    pub parents: Vec<u32>,
+    /// The width of the moat around each; that of a stand-in may be negative.
+    pub widths: Vec<i64>,
+    /// For each vertex of the graph the odd vertex, by its place in the order, in whose moats it lies; [`NO_SET`] where it lies
+    /// outside of all.
+    pub inside: Vec<u32>,
+    /// How far from that one it lies.
+    pub depths: Vec<i64>,
+}
+
+/// No set.
+pub const NO_SET: u32 = NONE;
+
+/// What is wrong with a certificate.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum Broken {
+    /// Lists have other lengths than the problem, or name what there is not.
+    #[error("the certificate is not of this problem")]
+    Shape,
+    /// The edges are no join of these vertices.
+    #[error("vertex {0} is met by the wrong number of edges")]
+    NoJoin(u32),
+    /// A moat with a negative width.
+    #[error("the moat of set {0} has a negative width")]
+    Negative(usize),
+    /// A set that a join need not leave.
+    #[error("set {0} has an even number of odd vertices")]
+    Even(usize),
+    /// An odd vertex is not where its own moats begin.
+    #[error("odd vertex {0} does not lie in its own moat")]
+    Elsewhere(u32),
+    /// Moats overlap.
+    #[error("the moats on edge {0} are wider than it is long")]
+    Overlap(u32),
+    /// The moats of an odd vertex and of a stand-in overlap.
+    #[error("the moats between odd vertex {0} and a stand-in are wider than nothing")]
+    OverlapAtEnd(u32),
+    /// The bound is less than the join weighs.
+    #[error("the moats are {bound} wide together, four times the weight of the join is {weight}")]
+    NotTight {
+        /// The widths of all moats.
+        bound: i64,
+        /// Four times the weight.
+        weight: i64,
+    },
+}
+
+impl Certificate {
+    pub(crate) fn new(graph: &Graph, odd: &[u32], number: &[u32], matching: &Matching) -> Self {
+        let Laminar { parents, duals } = matching.laminar();
+        let of = |vertex: u32| matching.radius(number[vertex as usize]);
+        let starts: Vec<_> =
+            odd.iter().map(|&vertex| (number[vertex as usize], vertex, of(vertex))).collect();
+        let nearest = flood(graph, &starts, 0);
+        let inside = nearest.iter().map(|at| at.odd).collect();
+        let depth = |at: &Nearest| if at.odd == NONE { 0 } else { at.beyond + matching.radius(at.odd) };
+        Self { parents, widths: duals, inside, depths: nearest.iter().map(depth).collect() }
+    }
+}
+
+/// Proves that a join is the cheapest, by its certificate alone: with the graph and the vertices that it was asked for.
+///
+/// # Errors
+/// [`Broken`], the first thing that is wrong.
+pub fn verify(graph: &Graph, odd: &[u32], join: &Join) -> Result<(), Broken> {
+    let Certificate { parents, widths, inside, depths } = &join.certificate;
+    let (sets, singles) = (parents.len(), odd.len() + join.left.len());
+    let later = |(set, &parent): (usize, &u32)| {
+        parent == NO_SET || (parent as usize > set && (parent as usize) < sets)
+    };
+    let outer = |parent: u32| parent == NO_SET || parent as usize >= singles;
+    let known = |&odd_one: &u32| odd_one == NO_SET || (odd_one as usize) < odd.len();
+    if singles > sets
+        || widths.len() != sets
+        || [inside.len(), depths.len()] != [graph.vertices(); 2]
+        || !parents.iter().enumerate().all(later)
+        || !parents.iter().all(|&parent| outer(parent))
+        || !inside.iter().all(known)
+        || odd.iter().any(|&vertex| vertex as usize >= graph.vertices())
+    {
+        return Err(Broken::Shape);
+    }
+    // What is left changes nothing at its vertex, all other odd vertices are met an odd number of times.
+    let mut met = vec![false; graph.vertices()];
+    let ends = join.edges.iter().flat_map(|&edge| graph.ends(edge));
+    for vertex in odd.iter().copied().chain(join.left.iter().copied()).chain(ends) {
+        met[vertex as usize] ^= true;
+    }
+    if let Some(vertex) = met.iter().position(|&met| met) {
+        return Err(Broken::NoJoin(id(vertex)));
+    }
+    // The widths of a set's moat and of all around it; and which sets a join has to leave.
+    let mut around = widths.clone();
+    let mut is_odd: Vec<bool> = (0..sets).map(|set| set < singles).collect();
+    for set in 0..sets {
+        if widths[set] < 0 && !(odd.len()..singles).contains(&set) {
+            return Err(Broken::Negative(set));
+        }
+        if !is_odd[set] {
+            return Err(Broken::Even(set));
+        }
+        if parents[set] != NO_SET {
+            is_odd[parents[set] as usize] ^= true;
+        }
+    }
+    for set in (0..sets).rev().filter(|&set| parents[set] != NO_SET) {
+        around[set] += around[parents[set] as usize];
+    }
+    // The widths of what is around both.
+    let common = |mut a: u32, mut b: u32| {
+        while a != b {
+            let inner = if a < b { &mut a } else { &mut b };
+            *inner = parents[*inner as usize];
+        }
+        if a == NO_SET { 0 } else { around[a as usize] }
+    };
+    for (k, &vertex) in odd.iter().enumerate() {
+        if inside[vertex as usize] as usize != k || depths[vertex as usize] != 0 {
+            return Err(Broken::Elsewhere(vertex));
+        }
+        for stand_in in odd.len()..singles {
+            let both = common(id(k), id(stand_in));
+            if around[k] + around[stand_in] > 2 * both {
+                return Err(Broken::OverlapAtEnd(vertex));
+            }
+        }
+    }
+    for edge in 0..id(graph.edges()) {
+        let ends = graph.ends(edge).map(|end| (inside[end as usize], depths[end as usize]));
+        let (a, b) = (ends[0].0, ends[1].0);
+        let both = if a == NO_SET || b == NO_SET { 0 } else { common(a, b) };
+        // How far from each end to where the moats begin that are around both, and how far into those it lies.
+        let [(own_a, in_a), (own_b, in_b)] = ends.map(|(odd_one, depth)| {
+            if odd_one == NO_SET {
+                return (0, 0);
+            }
+            let further = depth - (around[odd_one as usize] - both);
+            ((-further).max(0), further.clamp(0, both))
+        });
+        if own_a + own_b + (in_a - in_b).abs() > 4 * graph.weight(edge) {
+            return Err(Broken::Overlap(edge));
+        }
+    }
+    let bound: i64 = widths.iter().sum();
+    let weight = join.edges.iter().map(|&edge| 4 * graph.weight(edge)).sum();
+    if bound == weight { Ok(()) } else { Err(Broken::NotTight { bound, weight }) }
+}

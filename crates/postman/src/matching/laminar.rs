@@ -1,0 +1,79 @@
+//! The blossoms as they are nested: what of the duals two vertices have in common, and where an edge that was missed goes in.
+
+use super::Matching;
+use crate::graph::{NONE, id};
+
+/// The duals of the vertices and blossoms: a parent comes after its members.
+pub(crate) struct Laminar {
+    pub parents: Vec<u32>,
+    pub duals: Vec<i64>,
+}
+
+impl Matching {
+    /// The vertices first, then the blossoms.
+    pub fn laminar(&self) -> Laminar {
+        let mut order: Vec<u32> = (id(self.vertices)..id(self.nodes.len()))
+            .filter(|&n| self.is_used(n) && self.node(n).parent == NONE)
+            .collect();
+        // From the outermost inwards, and then turned round.
+        let mut k = 0;
+        while k < order.len() {
+            let members = self.node(order[k]).cycle.iter().map(|&(member, _)| member);
+            order.extend(members.filter(|&member| member as usize >= self.vertices));
+            k += 1;
+        }
+        order.extend((0..id(self.vertices)).rev());
+        order.reverse();
+        let mut place = vec![NONE; self.nodes.len()];
+        for (k, &node) in order.iter().enumerate() {
+            place[node as usize] = id(k);
+        }
+        let parent = |&node: &u32| place.get(self.node(node).parent as usize).copied().unwrap_or(NONE);
+        let dual =
+            |&node: &u32| if self.node(node).parent == NONE { self.dual(node) } else { self.node(node).dual };
+        Laminar { parents: order.iter().map(parent).collect(), duals: order.iter().map(dual).collect() }
+    }
+
+    /// Takes in an edge that no dual has been held by, while nothing is in a tree. What the duals around its ends are too large by
+    /// is taken off them; they are free then.
+    pub fn take_in(&mut self, a: u32, b: u32, weight: i64) {
+        let arc = self.add_edge(a, b, weight);
+        if self.top(a) != self.top(b) && self.slack(arc) >= 0 {
+            return;
+        }
+        for end in [a, b] {
+            while self.top(end) != end {
+                self.open(self.top(end), end);
+            }
+        }
+        for end in [a, b] {
+            let excess = self.radius(a) + self.radius(b) - weight;
+            let by = excess.min(self.radius(end)).max(0);
+            if by > 0 {
+                self.part(end);
+                self.lower(end, by);
+            }
+        }
+    }
+
+    /// What a vertex has of each blossom around it and of those around that.
+    pub fn around(&self, vertex: u32) -> Vec<(u32, i64)> {
+        let mut around: Vec<(u32, i64)> = Vec::new();
+        let mut at = self.node(vertex).parent;
+        while at != NONE {
+            let node = self.node(at);
+            around.push((at, if node.parent == NONE { self.dual(at) } else { node.dual }));
+            at = node.parent;
+        }
+        let mut sum = 0;
+        for (_, dual) in around.iter_mut().rev() {
+            sum += *dual;
+            *dual = sum;
+        }
+        around
+    }
+
+    pub fn parent(&self, node: u32) -> u32 {
+        self.node(node).parent
+    }
+}
