@@ -118,7 +118,7 @@ fn euler_path_and_doubling(c: &mut Criterion) {
         group.bench_function(name, |b| {
             b.iter(|| {
                 let component = wireframe.components().remove(0);
-                let doubled = doubling(&wireframe, &component, None, false, 1500).unwrap().edges;
+                let doubled = doubling(&wireframe, &component, None, false).unwrap().edges;
                 let options = RouteOptions { doubled, ..RouteOptions::default() };
                 route(black_box(&wireframe), &component, &options).unwrap()
             });

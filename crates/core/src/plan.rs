@@ -13,11 +13,6 @@ use crate::schedule::{HeadLimits, RotationOutOfRange, ScheduledProgram, schedule
 use crate::units::{Angle, Length};
 use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
 
-/// Odd vertices up to which a doubling is proposed without being asked for: a fraction of a second.
-const MAX_ODD_PROPOSED: usize = 400;
-/// Odd vertices up to which it is found when asked for: some seconds, and 150 MiB.
-const MAX_ODD_ASKED: usize = 1500;
-
 /// A machine with a wire in it: everything that the stages ask about.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Machine {
@@ -140,16 +135,12 @@ pub fn plan_wire(
     mut done: impl FnMut(Stage),
 ) -> WirePlan {
     let mut refusals = Vec::new();
-    let asked = options.doubling == DoublingChoice::Cheapest;
-    let max_odd = if asked { MAX_ODD_ASKED } else { MAX_ODD_PROPOSED };
     let proposal = match &options.settled {
         Some(_) => Ok(Doubling::default()),
-        None => doubling(wireframe, component, options.start, options.closed, max_odd),
+        None => doubling(wireframe, component, options.start, options.closed),
     };
     let proposal = match proposal {
         Ok(proposal) => proposal,
-        // Nobody has asked for it: the check of odd vertices says enough.
-        Err(RouteError::TooManyOdd { .. }) if !asked => Doubling::default(),
         Err(error) => {
             refusals.push(refusal(error, None));
             Doubling::default()
@@ -306,11 +297,11 @@ fn refusal(error: RouteError, doubling: Option<Remedy>) -> Diagnostic {
         }
         RouteError::DoubledElsewhere(edge) => Location::at_edges([*edge]),
         RouteError::Odd { odd, .. } => Location::at_vertices(odd.iter().copied()),
-        RouteError::NoEdges | RouteError::TooManyOdd { .. } => Location::default(),
+        RouteError::NoEdges | RouteError::TooLong => Location::default(),
         RouteError::TooManyEnds { vertex, .. } => Location::at_vertices([*vertex]),
     };
     let mut remedies = match error {
-        RouteError::TooManyOdd { .. } | RouteError::TooManyEnds { .. } => vec![Remedy::SplitDesign],
+        RouteError::TooLong | RouteError::TooManyEnds { .. } => vec![Remedy::SplitDesign],
         RouteError::NoEdges => vec![Remedy::DrawEdges],
         RouteError::Start { .. }
         | RouteError::StartElsewhere(_)

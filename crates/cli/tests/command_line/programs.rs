@@ -27,11 +27,13 @@ fn a_program_planned_again_in_its_order_is_the_same_program() {
     let again = ["export", "cube.txt", "-m", "wirebend-kit", "--keep-order", "-o", "again.txt"];
     let said = run_in(folder.path(), &again, b"").ended(0).err;
     assert!(said.contains("turned back into the design with the compensation of wirebend-kit"), "{said}");
-    let second = commands(folder.path(), "again.txt");
+    // Three decimals were kept: bends in one plane may be a thousandth of a degree out of it.
+    let is_turn = |&(letter, value): &(char, f64)| letter != 'R' || value.abs() > 0.01;
+    let second: Vec<_> = commands(folder.path(), "again.txt").into_iter().filter(is_turn).collect();
     assert_eq!(first.len(), second.len());
     for ((letter, value), (other, again)) in first.iter().zip(&second) {
         assert_eq!(letter, other);
-        // The head may make a bend from the other side where that takes as long; three decimals were kept.
+        // The head may make a bend from the other side where that takes as long.
         let off = if *letter == 'F' { value - again } else { value.abs() - again.abs() };
         assert!(off.abs() < 0.02, "{letter} {value} became {again}");
     }

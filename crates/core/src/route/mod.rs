@@ -123,14 +123,9 @@ pub enum RouteError {
         /// How many may.
         max: usize,
     },
-    /// More odd vertices than can be matched exactly.
-    #[error("{odd} vertices are odd: the cheapest doubling can be found for up to {max}")]
-    TooManyOdd {
-        /// How many there are.
-        odd: usize,
-        /// How many there may be.
-        max: usize,
-    },
+    /// More edges, or longer ones, than are computed with.
+    #[error("the edges are more than a thousand million, or 288 000 km long or more together")]
+    TooLong,
 }
 
 /// The most edge ends at one vertex that are paired: time grows with their cube. No wire comes through

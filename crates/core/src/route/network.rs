@@ -18,21 +18,11 @@ pub(super) struct Link {
     pub direction: Vector3<f64>,
 }
 
-impl Link {
-    /// The end that is not `vertex`.
-    pub fn other(&self, vertex: usize) -> usize {
-        self.a ^ self.b ^ vertex
-    }
-}
-
 /// A component as lists.
 #[derive(Debug, Clone)]
 pub(super) struct Network {
     pub vertices: Vec<VertexId>,
     pub links: Vec<Link>,
-    /// Where the links of each vertex begin in `incident`; one more entry than vertices.
-    starts: Vec<usize>,
-    incident: Vec<usize>,
 }
 
 impl Network {
@@ -53,28 +43,7 @@ impl Network {
             let length_nm = (length * NM_PER_MM).round() as i64;
             links.push(Link { id, a, b, length_nm, direction });
         }
-        let mut starts = vec![0; vertices.len() + 1];
-        for link in &links {
-            starts[link.a + 1] += 1;
-            starts[link.b + 1] += 1;
-        }
-        for k in 0..vertices.len() {
-            starts[k + 1] += starts[k];
-        }
-        let mut next = starts.clone();
-        let mut incident = vec![0; 2 * links.len()];
-        for (k, link) in links.iter().enumerate() {
-            for vertex in [link.a, link.b] {
-                incident[next[vertex]] = k;
-                next[vertex] += 1;
-            }
-        }
-        Self { vertices, links, starts, incident }
-    }
-
-    /// The links at a vertex, in order of id; a loop twice.
-    pub fn at(&self, vertex: usize) -> &[usize] {
-        &self.incident[self.starts[vertex]..self.starts[vertex + 1]]
+        Self { vertices, links }
     }
 
     /// The position of a vertex in the list.

@@ -28,8 +28,8 @@ pub(super) fn route(error: &RouteError) -> String {
         RouteError::TooManyEnds { vertex, ends, max } => {
             format!("{ends} edge ends meet at vertex {vertex}: a route can be found for up to {max}")
         }
-        RouteError::TooManyOdd { odd, max } => {
-            format!("{odd} vertices are odd: the cheapest doubling can be found for up to {max}")
+        RouteError::TooLong => {
+            "the edges are more than a thousand million, or 288,000 km long or more together".to_owned()
         }
     }
 }

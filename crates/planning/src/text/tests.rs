@@ -82,8 +82,8 @@ fn findings_of_the_route_say_why_there_is_none() {
         "300 edge ends meet at vertex 5: a route can be found for up to 200",
     );
     refused(
-        RouteError::TooManyOdd { odd: 2000, max: 1500 },
-        "2000 vertices are odd: the cheapest doubling can be found for up to 1500",
+        RouteError::TooLong,
+        "the edges are more than a thousand million, or 288,000 km long or more together",
     );
 }
 

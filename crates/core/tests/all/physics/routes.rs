@@ -41,7 +41,7 @@ pub fn claims(page: &mut Document) {
     for (name, row) in page.table(&["Design", "wire, program", "wire, published", "doubled edges"]) {
         let wireframe = example(&name);
         let component = wireframe.components().remove(0);
-        let found = doubling(&wireframe, &component, None, false, 1500).unwrap();
+        let found = doubling(&wireframe, &component, None, false).unwrap();
         let once: Length = component.edges.iter().map(|&edge| wireframe.edge_length(edge)).sum();
         let wire = (once + found.added).mm();
         row[0].unwrap().is(wire);
