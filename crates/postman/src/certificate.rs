@@ -76,11 +76,10 @@ pub enum Broken {
 }
 
 impl Certificate {
-    pub(crate) fn new(graph: &Graph, odd: &[u32], number: &[u32], matching: &Matching) -> Self {
-        let Laminar { parents, duals } = matching.laminar();
-        let of = |vertex: u32| matching.radius(number[vertex as usize]);
-        let starts: Vec<_> =
-            odd.iter().map(|&vertex| (number[vertex as usize], vertex, of(vertex))).collect();
+    pub(crate) fn new(graph: &Graph, odd: &[u32], left: usize, matching: &Matching) -> Self {
+        let Laminar { parents, duals } = matching.laminar(odd.len() + left);
+        let start = |(number, &vertex): (usize, &u32)| (id(number), vertex, matching.radius(id(number)));
+        let starts: Vec<_> = odd.iter().enumerate().map(start).collect();
         let nearest = flood(graph, &starts, 0);
         let inside = nearest.iter().map(|at| at.odd).collect();
         let depth = |at: &Nearest| if at.odd == NONE { 0 } else { at.beyond + matching.radius(at.odd) };
@@ -148,9 +147,20 @@ pub fn verify(graph: &Graph, odd: &[u32], join: &Join) -> Result<(), Broken> {
         if inside[vertex as usize] as usize != k || depths[vertex as usize] != 0 {
             return Err(Broken::Elsewhere(vertex));
         }
-        for stand_in in odd.len()..singles {
-            let both = common(id(k), id(stand_in));
-            if around[k] + around[stand_in] > 2 * both {
+    }
+    for stand_in in odd.len()..singles {
+        // What each set has in common with it.
+        let mut both = vec![None; sets];
+        let mut set = id(stand_in);
+        while set != NO_SET {
+            both[set as usize] = Some(around[set as usize]);
+            set = parents[set as usize];
+        }
+        for set in (0..sets).rev().filter(|&set| parents[set] != NO_SET) {
+            both[set] = both[set].or(both[parents[set] as usize]);
+        }
+        for (k, &vertex) in odd.iter().enumerate() {
+            if around[k] + around[stand_in] > 2 * both[k].unwrap_or(0) {
                 return Err(Broken::OverlapAtEnd(vertex));
             }
         }

@@ -4,7 +4,7 @@ use crate::certificate::{Certificate, Join};
 use crate::graph::{Graph, NONE, id};
 use crate::matching::Matching;
 use crate::price::Pricer;
-use crate::search::{Go, Search};
+use crate::search::Search;
 
 /// To each odd vertex so many of the nearest others are candidates from the beginning.
 const NEAREST: usize = 14;
@@ -39,31 +39,122 @@ pub fn cheapest_join(graph: &Graph, odd: &[u32], left: usize) -> Result<Join, No
     join_from(graph, odd, left, NEAREST)
 }
 
-/// The same, with so many candidates for each vertex: fewer make more pairs that are missed at first.
+/// The cheapest joins that leave none, two, four vertices and so on, up to `left` of them: each from the one before.
+///
+/// # Errors
+/// [`NoJoin`] where there is none that leaves so many.
+pub fn cheapest_joins(graph: &Graph, odd: &[u32], left: usize) -> Result<Vec<Join>, NoJoin> {
+    let mut solver = Solver::new(graph, odd, left, NEAREST)?;
+    let counts = (odd.len() % 2..=left).step_by(2);
+    counts.map(|count| solver.leave(count)).collect()
+}
+
+/// The first of these, with so many candidates for each vertex: fewer make more pairs that are missed at first.
 fn join_from(graph: &Graph, odd: &[u32], left: usize, nearest: usize) -> Result<Join, NoJoin> {
-    let mut number = vec![NONE; graph.vertices()];
-    for (k, &vertex) in odd.iter().enumerate() {
-        match number.get_mut(vertex as usize) {
-            Some(number) if *number == NONE => *number = id(k),
-            _ => return Err(NoJoin::NoSet(vertex)),
+    let mut solver = Solver::new(graph, odd, left, nearest)?;
+    // Closed first: stand-ins for ends then have little to change.
+    if left > 0 && left.is_multiple_of(2) && solver.pricer.is_even_everywhere() {
+        solver.solve()?;
+    }
+    solver.leave(left)
+}
+
+/// A matching of odd vertices, and what it is judged by.
+struct Solver<'a> {
+    graph: &'a Graph,
+    odd: &'a [u32],
+    search: Search,
+    pricer: Pricer<'a>,
+    matching: Matching,
+    /// Stand-ins that take part.
+    left: usize,
+}
+
+impl<'a> Solver<'a> {
+    /// With room for so many stand-ins.
+    fn new(graph: &'a Graph, odd: &'a [u32], left: usize, nearest: usize) -> Result<Self, NoJoin> {
+        let mut number = vec![NONE; graph.vertices()];
+        for (k, &vertex) in odd.iter().enumerate() {
+            match number.get_mut(vertex as usize) {
+                Some(number) if *number == NONE => *number = id(k),
+                _ => return Err(NoJoin::NoSet(vertex)),
+            }
+        }
+        if left > odd.len() || (odd.len() - left) % 2 == 1 {
+            return Err(NoJoin::Parity { left, odd: odd.len() });
+        }
+        let mut search = Search::new(graph);
+        let (edges, reach) = candidates(graph, odd, &number, nearest, &mut search);
+        let matching = Matching::new(odd.len() + left, odd.len(), edges);
+        Ok(Self { graph, odd, search, pricer: Pricer::new(graph, odd, number, reach), matching, left: 0 })
+    }
+
+    /// The cheapest join that leaves so many, no fewer than before.
+    fn leave(&mut self, left: usize) -> Result<Join, NoJoin> {
+        if left > self.left {
+            self.matching.bring_in(left - self.left, self.left);
+            self.left = left;
+        }
+        self.solve()?;
+        Ok(self.join())
+    }
+
+    /// Matches all that take part, with all pairs that there are.
+    fn solve(&mut self) -> Result<(), NoJoin> {
+        let Self { matching, pricer, .. } = self;
+        let vertices = self.odd.len() + self.left;
+        loop {
+            matching.plant(vertices);
+            let missed = if matching.run().is_ok() {
+                let missed = pricer.missed(matching, vertices);
+                if missed.is_empty() {
+                    return Ok(());
+                }
+                missed
+            } else {
+                let further = pricer.between_trees(matching);
+                if further.is_empty() {
+                    return Err(NoJoin::Apart(pricer.unmatched(matching)));
+                }
+                matching.abandon();
+                further
+            };
+            for (a, b, weight) in missed {
+                matching.take_in(a, b, weight);
+            }
         }
     }
-    if left > odd.len() || (odd.len() - left) % 2 == 1 {
-        return Err(NoJoin::Parity { left, odd: odd.len() });
+
+    /// The edges on the paths between partners; what two paths share is needed neither time.
+    fn join(&mut self) -> Join {
+        let (graph, odd) = (self.graph, self.odd);
+        let partners = self.matching.partners(odd.len() + self.left);
+        let mut needed = vec![false; graph.edges()];
+        let mut left = Vec::new();
+        // Stand-ins that are each other's: all that is paired costs nothing then, and may as well be left.
+        let mut spare =
+            partners[odd.len()..].iter().filter(|&&partner| partner as usize >= odd.len()).count();
+        for (k, &root) in odd.iter().enumerate() {
+            let partner = partners[k] as usize;
+            if partner >= odd.len() {
+                left.push(root);
+            } else if k < partner && spare > 0 {
+                left.extend([root, odd[partner]]);
+                spare -= 2;
+            } else if k < partner {
+                let goal = odd[partner];
+                self.search.run(graph, root, |vertex, _| vertex == goal);
+                for edge in self.search.path(graph, goal) {
+                    needed[edge as usize] ^= true;
+                }
+            }
+        }
+        left.sort_unstable();
+        let edges: Vec<u32> = (0..id(needed.len())).filter(|&edge| needed[edge as usize]).collect();
+        let weight = edges.iter().map(|&edge| graph.weight(edge)).sum::<i64>().cast_unsigned();
+        let certificate = Certificate::new(graph, odd, self.left, &self.matching);
+        Join { edges, weight, left, certificate }
     }
-    let mut search = Search::new(graph);
-    let (edges, reach) = candidates(graph, odd, &number, nearest, &mut search);
-    let mut matching = Matching::new(odd.len() + left, odd.len(), edges);
-    let mut pricer = Pricer::new(graph, odd, &number, reach);
-    // Closed first: stand-ins for ends then have little to change.
-    if left > 0 && left.is_multiple_of(2) && pricer.is_even_everywhere() {
-        solve(&mut matching, &mut pricer, &mut search, odd.len())?;
-    }
-    if left > 0 {
-        matching.bring_in(left, 0);
-    }
-    solve(&mut matching, &mut pricer, &mut search, odd.len() + left)?;
-    Ok(finish(graph, odd, &number, &matching, &mut search))
 }
 
 /// Pairs of near vertices, with four times their distance; and how far each vertex has been looked around.
@@ -81,78 +172,20 @@ fn candidates(
         search.run(graph, root, |vertex, distance| {
             let other = number[vertex as usize];
             if other == NONE || vertex == root {
-                return Go::On;
+                return false;
             }
             let own = id(k);
             found.push((own.min(other), own.max(other), 4 * distance));
             wanted -= 1;
-            if wanted > 0 {
-                return Go::On;
+            if wanted == 0 {
+                reach[k] = 4 * distance;
             }
-            reach[k] = 4 * distance;
-            Go::Stop
+            wanted == 0
         });
     }
     found.sort_unstable();
     found.dedup();
     (found.into_iter().map(|(a, b, weight)| ([a, b], weight)).collect(), reach)
-}
-
-/// Matches the first `vertices`, with all pairs that there are.
-fn solve(
-    matching: &mut Matching,
-    pricer: &mut Pricer,
-    search: &mut Search,
-    vertices: usize,
-) -> Result<(), NoJoin> {
-    loop {
-        matching.plant(vertices);
-        let missed = if matching.run().is_ok() {
-            let missed = pricer.missed(matching, search);
-            if missed.is_empty() {
-                return Ok(());
-            }
-            missed
-        } else {
-            let further = pricer.between_trees(matching);
-            if further.is_empty() {
-                return Err(NoJoin::Apart(pricer.unmatched(matching)));
-            }
-            matching.abandon();
-            further
-        };
-        for (a, b, weight) in missed {
-            matching.take_in(a, b, weight);
-        }
-    }
-}
-
-/// The edges on the paths between partners; what two paths share is needed neither time.
-fn finish(graph: &Graph, odd: &[u32], number: &[u32], matching: &Matching, search: &mut Search) -> Join {
-    let partners = matching.partners();
-    let mut needed = vec![false; graph.edges()];
-    let mut left = Vec::new();
-    // Stand-ins that are each other's: all that is paired costs nothing then, and may as well be left.
-    let mut spare = partners[odd.len()..].iter().filter(|&&partner| partner as usize >= odd.len()).count();
-    for (k, &root) in odd.iter().enumerate() {
-        let partner = partners[k] as usize;
-        if partner >= odd.len() {
-            left.push(root);
-        } else if k < partner && spare > 0 {
-            left.extend([root, odd[partner]]);
-            spare -= 2;
-        } else if k < partner {
-            let goal = odd[partner];
-            search.run(graph, root, |vertex, _| if vertex == goal { Go::Stop } else { Go::On });
-            for edge in search.path(graph, goal) {
-                needed[edge as usize] ^= true;
-            }
-        }
-    }
-    left.sort_unstable();
-    let edges: Vec<u32> = (0..id(needed.len())).filter(|&edge| needed[edge as usize]).collect();
-    let weight = edges.iter().map(|&edge| graph.weight(edge)).sum::<i64>().cast_unsigned();
-    Join { edges, weight, left, certificate: Certificate::new(graph, odd, number, matching) }
 }
 
 #[cfg(test)]

@@ -17,4 +17,4 @@ mod search;
 
 pub use certificate::{Broken, Certificate, Join, NO_SET, verify};
 pub use graph::{Graph, GraphError};
-pub use join::{NoJoin, cheapest_join};
+pub use join::{NoJoin, cheapest_join, cheapest_joins};

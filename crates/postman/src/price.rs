@@ -5,13 +5,13 @@ use std::collections::{BTreeMap, BinaryHeap};
 
 use crate::graph::{Graph, NONE, id};
 use crate::matching::Matching;
-use crate::search::{Go, Search};
 
 /// Looks at the graph with the duals of a matching in mind.
 pub(crate) struct Pricer<'a> {
     graph: &'a Graph,
     odd: &'a [u32],
-    number: &'a [u32],
+    /// Which odd vertex a vertex is.
+    number: Vec<u32>,
     /// All others at less than this, times four, were candidates.
     reach: Vec<i64>,
 }
@@ -50,7 +50,7 @@ pub(crate) fn flood(graph: &Graph, starts: &[(u32, u32, i64)], limit: i64) -> Ve
 }
 
 impl<'a> Pricer<'a> {
-    pub fn new(graph: &'a Graph, odd: &'a [u32], number: &'a [u32], reach: Vec<i64>) -> Self {
+    pub fn new(graph: &'a Graph, odd: &'a [u32], number: Vec<u32>, reach: Vec<i64>) -> Self {
         Self { graph, odd, number, reach }
     }
 
@@ -108,44 +108,47 @@ impl<'a> Pricer<'a> {
         self.odd.iter().enumerate().map(|(k, &vertex)| (id(k), vertex))
     }
 
-    /// Pairs nearer to each other than the duals between them allow, with four times their distance.
+    /// Pairs that lie on a path shorter than the duals between them allow, with four times its length; none when no pair is.
     ///
-    /// Of two vertices that were no candidates, each has others nearer to it: so one of them has a radius of more than half
-    /// its reach. From those alone is searched, and no further than where another radius may begin.
-    pub fn missed(&self, matching: &Matching, search: &mut Search) -> Vec<(u32, u32, i64)> {
-        let suspect = |&(k, _): &(u32, u32)| matching.radius(k) > self.reach[k as usize] / 2;
-        let suspects: Vec<(u32, u32)> = self.numbered().filter(suspect).collect();
+    /// Of two vertices that were no candidates each has others nearer to it, so that one of them has a radius of more than half
+    /// its reach. Where there is such a one, each vertex of the graph goes to the odd vertex that it lies deepest in. On the path
+    /// of a pair that is too near, of those within the largest blossom, all belong to that blossom, and somewhere the next
+    /// belongs to another of its members: the owners there are too near, too.
+    pub fn missed(&self, matching: &Matching, vertices: usize) -> Vec<(u32, u32, i64)> {
         let mut missed = Vec::new();
-        if suspects.is_empty() {
+        if self.numbered().all(|(k, _)| matching.radius(k) <= self.reach[k as usize] / 2) {
             return missed;
         }
+        let laminar = matching.laminar(vertices);
+        let around = laminar.around();
         let starts: Vec<_> = self.numbered().map(|(k, vertex)| (k, vertex, matching.radius(k))).collect();
-        let covered = flood(self.graph, &starts, 0);
-        for (own, root) in suspects {
-            let radius = matching.radius(own);
-            let around: BTreeMap<u32, i64> = matching.around(own).into_iter().collect();
-            search.run(self.graph, root, |vertex, distance| {
-                let distance = 4 * distance;
-                let at = covered[vertex as usize];
-                if at.odd == NONE || distance >= radius - at.beyond {
-                    return Go::Round;
-                }
-                let other = self.number[vertex as usize];
-                if other != NONE && other != own {
-                    let mut node = matching.parent(other);
-                    while node != NONE && !around.contains_key(&node) {
-                        node = matching.parent(node);
-                    }
-                    let common = around.get(&node).copied().unwrap_or(0);
-                    if distance < radius + matching.radius(other) - 2 * common {
-                        missed.push((own.min(other), own.max(other), distance));
-                    }
-                }
-                Go::On
-            });
+        let nearest = flood(self.graph, &starts, 0);
+        let mut try_pair = |a: u32, b: u32, beyond: i64| {
+            if a != b && beyond < 0 && beyond + 2 * common(&laminar.parents, &around, a, b) < 0 {
+                missed.push((a.min(b), a.max(b), beyond + matching.radius(a) + matching.radius(b)));
+            }
+        };
+        for edge in 0..id(self.graph.edges()) {
+            let [a, b] = self.graph.ends(edge).map(|end| nearest[end as usize]);
+            if a.odd != NONE && b.odd != NONE {
+                try_pair(a.odd, b.odd, a.beyond + b.beyond + 4 * self.graph.weight(edge));
+            }
+        }
+        for (own, vertex) in self.numbered() {
+            let at = nearest[vertex as usize];
+            try_pair(own, at.odd, at.beyond - matching.radius(own));
         }
         missed.sort_unstable();
-        missed.dedup();
+        missed.dedup_by_key(|&mut (a, b, _)| (a, b));
         missed
     }
+}
+
+/// The duals together of all that is around two vertices; `around` has those of each node and of all around it.
+pub(crate) fn common(parents: &[u32], around: &[i64], mut a: u32, mut b: u32) -> i64 {
+    while a != b {
+        let inner = if a < b { &mut a } else { &mut b };
+        *inner = parents[*inner as usize];
+    }
+    if a == NONE { 0 } else { around[a as usize] }
 }

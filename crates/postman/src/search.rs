@@ -26,8 +26,8 @@ impl Search {
         Self { reached, round: 0, queue: BinaryHeap::new() }
     }
 
-    /// Settles vertices in the order of their distance, each told to `settle`: whether the search goes on, and from it.
-    pub fn run(&mut self, graph: &Graph, root: u32, mut settle: impl FnMut(u32, i64) -> Go) {
+    /// Settles vertices in the order of their distance, until one is told to `is_last` for which it is true.
+    pub fn run(&mut self, graph: &Graph, root: u32, mut is_last: impl FnMut(u32, i64) -> bool) {
         self.round += 1;
         self.queue.clear();
         self.reach(root, 0, NONE);
@@ -35,10 +35,8 @@ impl Search {
             if distance > self.reached[vertex as usize].distance {
                 continue;
             }
-            match settle(vertex, distance) {
-                Go::On => {}
-                Go::Round => continue,
-                Go::Stop => return,
+            if is_last(vertex, distance) {
+                return;
             }
             for arc in graph.at(vertex) {
                 self.reach(arc.to, distance + arc.weight, arc.edge);
@@ -66,12 +64,4 @@ impl Search {
             })
         })
     }
-}
-
-/// What a search does at a vertex.
-pub(crate) enum Go {
-    On,
-    /// Not from this vertex.
-    Round,
-    Stop,
 }

@@ -9,9 +9,20 @@ pub(crate) struct Laminar {
     pub duals: Vec<i64>,
 }
 
+impl Laminar {
+    /// The dual of each and of all around it.
+    pub fn around(&self) -> Vec<i64> {
+        let mut around = self.duals.clone();
+        for (k, &parent) in self.parents.iter().enumerate().rev().filter(|&(_, &parent)| parent != NONE) {
+            around[k] += around[parent as usize];
+        }
+        around
+    }
+}
+
 impl Matching {
-    /// The vertices first, then the blossoms.
-    pub fn laminar(&self) -> Laminar {
+    /// The first `vertices`, which are all that take part, then the blossoms.
+    pub fn laminar(&self, vertices: usize) -> Laminar {
         let mut order: Vec<u32> = (id(self.vertices)..id(self.nodes.len()))
             .filter(|&n| self.is_used(n) && self.node(n).parent == NONE)
             .collect();
@@ -22,7 +33,7 @@ impl Matching {
             order.extend(members.filter(|&member| member as usize >= self.vertices));
             k += 1;
         }
-        order.extend((0..id(self.vertices)).rev());
+        order.extend((0..id(vertices)).rev());
         order.reverse();
         let mut place = vec![NONE; self.nodes.len()];
         for (k, &node) in order.iter().enumerate() {
@@ -54,26 +65,5 @@ impl Matching {
                 self.lower(end, by);
             }
         }
-    }
-
-    /// What a vertex has of each blossom around it and of those around that.
-    pub fn around(&self, vertex: u32) -> Vec<(u32, i64)> {
-        let mut around: Vec<(u32, i64)> = Vec::new();
-        let mut at = self.node(vertex).parent;
-        while at != NONE {
-            let node = self.node(at);
-            around.push((at, if node.parent == NONE { self.dual(at) } else { node.dual }));
-            at = node.parent;
-        }
-        let mut sum = 0;
-        for (_, dual) in around.iter_mut().rev() {
-            sum += *dual;
-            *dual = sum;
-        }
-        around
-    }
-
-    pub fn parent(&self, node: u32) -> u32 {
-        self.node(node).parent
     }
 }

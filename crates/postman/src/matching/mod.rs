@@ -337,9 +337,9 @@ impl Matching {
         }
     }
 
-    /// The edge that each of the first vertices is matched by: the vertex at its other end.
-    pub fn partners(&self) -> Vec<u32> {
-        let mut partners = vec![NONE; self.vertices];
+    /// The vertex that each of the first `vertices` is matched with.
+    pub fn partners(&self, vertices: usize) -> Vec<u32> {
+        let mut partners = vec![NONE; vertices];
         let outermost = (0..id(self.nodes.len())).filter(|&n| self.is_outermost(n) && self.is_used(n));
         let mut left: Vec<(u32, u32)> =
             outermost.map(|n| (n, self.node(n).mate)).filter(|&(_, mate)| mate != NONE).collect();

@@ -1,7 +1,7 @@
 //! Joins of graphs, against all joins that there are and against another solver.
 
 use proptest::prelude::*;
-use wirebend_postman::{Broken, Graph, Join, NoJoin, cheapest_join, verify};
+use wirebend_postman::{Broken, Graph, Join, NoJoin, cheapest_join, cheapest_joins, verify};
 
 type Edges = Vec<(u32, u32, u64)>;
 
@@ -96,6 +96,25 @@ proptest! {
             }
             Err(NoJoin::Apart(_)) => prop_assert_eq!(None, least(vertices, &edges, &odd, left)),
             Err(error) => prop_assert_eq!(error, NoJoin::Parity { left, odd: odd.len() }),
+        }
+    }
+}
+
+proptest! {
+    /// Each further wire saves as much as it can, and none costs more than the one before has saved.
+    #[test]
+    fn the_cost_of_more_wires_falls_ever_more_slowly((vertices, edges) in any_graph(), wires in 0_usize..6) {
+        let graph = graph(vertices, &edges);
+        let odd = graph.odd();
+        let joins = cheapest_joins(&graph, &odd, (2 * wires).min(odd.len())).unwrap();
+        prop_assert_eq!(joins.len(), wires.min(odd.len() / 2) + 1);
+        for (k, join) in joins.iter().enumerate() {
+            prop_assert_eq!(join.left.len(), 2 * k);
+            prop_assert_eq!(verify(&graph, &odd, join), Ok(()));
+            prop_assert_eq!(Some(join.weight), least(vertices, &edges, &odd, 2 * k));
+        }
+        for three in joins.windows(3) {
+            prop_assert!(three[0].weight - three[1].weight >= three[1].weight - three[2].weight);
         }
     }
 }
