@@ -70,6 +70,7 @@ const MAY_KNOW: &[(&str, &[&str])] = &[
     (
         "benches",
         &[
+            "crates/postman",
             "crates/core",
             "crates/profile",
             "crates/files",
