@@ -4,8 +4,11 @@
 //! vertices, so some edge of any join crosses its moat: the widths together are a bound from below, and a join that weighs
 //! as much is the cheapest.
 
+use std::collections::BTreeSet;
+
 use crate::graph::{Graph, NONE, id};
 use crate::matching::{Laminar, Matching};
+use crate::nested;
 use crate::price::{Nearest, flood};
 
 /// Edges that meet each odd vertex an odd number of times and every other an even number of times, but for those that are
@@ -50,6 +53,9 @@ pub enum Broken {
     /// The edges are no join of these vertices.
     #[error("vertex {0} is met by the wrong number of edges")]
     NoJoin(u32),
+    /// A vertex that is left is none of those asked for, or is left twice.
+    #[error("vertex {0} is not one of the odd vertices that can be left")]
+    Left(u32),
     /// A moat with a negative width.
     #[error("the moat of set {0} has a negative width")]
     Negative(usize),
@@ -65,6 +71,14 @@ pub enum Broken {
     /// The moats of an odd vertex and of a stand-in overlap.
     #[error("the moats between odd vertex {0} and a stand-in are wider than nothing")]
     OverlapAtEnd(u32),
+    /// The join weighs something else.
+    #[error("the edges weigh {weight}, not {told}")]
+    Weight {
+        /// What the join says.
+        told: u64,
+        /// What its edges weigh.
+        weight: u64,
+    },
     /// The bound is less than the join weighs.
     #[error("the moats are {bound} wide together, four times the weight of the join is {weight}")]
     NotTight {
@@ -87,6 +101,15 @@ impl Certificate {
     }
 }
 
+/// Lengths beyond this are none of a graph; sums of a few below it do not overflow.
+const MAX_LENGTH: u64 = 1 << 61;
+
+/// Whether no sum of them can overflow.
+fn are_small(widths: &[i64]) -> bool {
+    let sum = widths.iter().try_fold(0_u64, |sum, width| sum.checked_add(width.unsigned_abs()));
+    sum.is_some_and(|sum| sum <= MAX_LENGTH)
+}
+
 /// Proves that a join is the cheapest, by its certificate alone: with the graph and the vertices that it was asked for.
 ///
 /// # Errors
@@ -106,8 +129,15 @@ pub fn verify(graph: &Graph, odd: &[u32], join: &Join) -> Result<(), Broken> {
         || !parents.iter().all(|&parent| outer(parent))
         || !inside.iter().all(known)
         || odd.iter().any(|&vertex| vertex as usize >= graph.vertices())
+        || join.edges.iter().any(|&edge| edge as usize >= graph.edges())
+        || !are_small(widths)
+        || depths.iter().any(|depth| depth.unsigned_abs() > MAX_LENGTH)
     {
         return Err(Broken::Shape);
+    }
+    let mut can_be_left: BTreeSet<u32> = odd.iter().copied().collect();
+    if let Some(&vertex) = join.left.iter().find(|&vertex| !can_be_left.remove(vertex)) {
+        return Err(Broken::Left(vertex));
     }
     // What is left changes nothing at its vertex, all other odd vertices are met an odd number of times.
     let mut met = vec![false; graph.vertices()];
@@ -118,8 +148,7 @@ pub fn verify(graph: &Graph, odd: &[u32], join: &Join) -> Result<(), Broken> {
     if let Some(vertex) = met.iter().position(|&met| met) {
         return Err(Broken::NoJoin(id(vertex)));
     }
-    // The widths of a set's moat and of all around it; and which sets a join has to leave.
-    let mut around = widths.clone();
+    // Which sets a join has to leave.
     let mut is_odd: Vec<bool> = (0..sets).map(|set| set < singles).collect();
     for set in 0..sets {
         if widths[set] < 0 && !(odd.len()..singles).contains(&set) {
@@ -132,17 +161,7 @@ pub fn verify(graph: &Graph, odd: &[u32], join: &Join) -> Result<(), Broken> {
             is_odd[parents[set] as usize] ^= true;
         }
     }
-    for set in (0..sets).rev().filter(|&set| parents[set] != NO_SET) {
-        around[set] += around[parents[set] as usize];
-    }
-    // The widths of what is around both.
-    let common = |mut a: u32, mut b: u32| {
-        while a != b {
-            let inner = if a < b { &mut a } else { &mut b };
-            *inner = parents[*inner as usize];
-        }
-        if a == NO_SET { 0 } else { around[a as usize] }
-    };
+    let around = nested::around(parents, widths);
     for (k, &vertex) in odd.iter().enumerate() {
         if inside[vertex as usize] as usize != k || depths[vertex as usize] != 0 {
             return Err(Broken::Elsewhere(vertex));
@@ -168,7 +187,7 @@ pub fn verify(graph: &Graph, odd: &[u32], join: &Join) -> Result<(), Broken> {
     for edge in 0..id(graph.edges()) {
         let ends = graph.ends(edge).map(|end| (inside[end as usize], depths[end as usize]));
         let (a, b) = (ends[0].0, ends[1].0);
-        let both = if a == NO_SET || b == NO_SET { 0 } else { common(a, b) };
+        let both = if a == NO_SET || b == NO_SET { 0 } else { nested::common(parents, &around, a, b) };
         // How far from each end to where the moats begin that are around both, and how far into those it lies.
         let [(own_a, in_a), (own_b, in_b)] = ends.map(|(odd_one, depth)| {
             if odd_one == NO_SET {
@@ -182,6 +201,10 @@ pub fn verify(graph: &Graph, odd: &[u32], join: &Join) -> Result<(), Broken> {
         }
     }
     let bound: i64 = widths.iter().sum();
-    let weight = join.edges.iter().map(|&edge| 4 * graph.weight(edge)).sum();
+    let weight: i64 = join.edges.iter().map(|&edge| graph.weight(edge)).sum();
+    if weight.cast_unsigned() != join.weight {
+        return Err(Broken::Weight { told: join.weight, weight: weight.cast_unsigned() });
+    }
+    let weight = 4 * weight;
     if bound == weight { Ok(()) } else { Err(Broken::NotTight { bound, weight }) }
 }

@@ -12,6 +12,7 @@ mod certificate;
 mod graph;
 mod join;
 mod matching;
+mod nested;
 mod price;
 mod search;
 

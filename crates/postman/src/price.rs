@@ -4,7 +4,8 @@ use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap};
 
 use crate::graph::{Graph, NONE, id};
-use crate::matching::Matching;
+use crate::matching::{Laminar, Matching};
+use crate::nested::{around, common};
 
 /// Looks at the graph with the duals of a matching in mind.
 pub(crate) struct Pricer<'a> {
@@ -119,12 +120,12 @@ impl<'a> Pricer<'a> {
         if self.numbered().all(|(k, _)| matching.radius(k) <= self.reach[k as usize] / 2) {
             return missed;
         }
-        let laminar = matching.laminar(vertices);
-        let around = laminar.around();
+        let Laminar { parents, duals } = matching.laminar(vertices);
+        let around = around(&parents, &duals);
         let starts: Vec<_> = self.numbered().map(|(k, vertex)| (k, vertex, matching.radius(k))).collect();
         let nearest = flood(self.graph, &starts, 0);
         let mut try_pair = |a: u32, b: u32, beyond: i64| {
-            if a != b && beyond < 0 && beyond + 2 * common(&laminar.parents, &around, a, b) < 0 {
+            if a != b && beyond < 0 && beyond + 2 * common(&parents, &around, a, b) < 0 {
                 missed.push((a.min(b), a.max(b), beyond + matching.radius(a) + matching.radius(b)));
             }
         };
@@ -142,13 +143,4 @@ impl<'a> Pricer<'a> {
         missed.dedup_by_key(|&mut (a, b, _)| (a, b));
         missed
     }
-}
-
-/// The duals together of all that is around two vertices; `around` has those of each node and of all around it.
-pub(crate) fn common(parents: &[u32], around: &[i64], mut a: u32, mut b: u32) -> i64 {
-    while a != b {
-        let inner = if a < b { &mut a } else { &mut b };
-        *inner = parents[*inner as usize];
-    }
-    if a == NONE { 0 } else { around[a as usize] }
 }

@@ -219,7 +219,7 @@ proptest! {
 #[test]
 fn thousands_of_odd_vertices_are_joined_by_the_shortest_length() {
     // A ladder with cells of 10 mm: every vertex but its four corners has three edges.
-    let side = 901;
+    let side = 3001;
     let at = |row: usize, column: usize| row * side + column;
     let (mut points, mut edges) = (Vec::new(), Vec::new());
     for row in 0..2 {
@@ -238,9 +238,9 @@ fn thousands_of_odd_vertices_are_joined_by_the_shortest_length() {
     let component = w.components().remove(0);
     let closed = doubling(&w, &component, None, true).unwrap();
     // Each rung but the first and the last once more, or as much along the sides.
-    assert_eq!(closed.added, Length::from_mm(10.0 * 899.0).unwrap());
+    assert_eq!(closed.added, Length::from_mm(10.0 * 2999.0).unwrap());
     let open = doubling(&w, &component, None, false).unwrap();
-    assert_eq!(open.added, Length::from_mm(10.0 * 898.0).unwrap());
+    assert_eq!(open.added, Length::from_mm(10.0 * 2998.0).unwrap());
     let options = RouteOptions { doubled: open.edges, ..RouteOptions::default() };
-    assert_eq!(route(&w, &component, &options).unwrap().traversals.len(), edges.len() + 898);
+    assert_eq!(route(&w, &component, &options).unwrap().traversals.len(), edges.len() + 2998);
 }

@@ -1,4 +1,4 @@
-//! The blossoms as they are nested: what of the duals two vertices have in common, and where an edge that was missed goes in.
+//! The blossoms as they are nested, and how an edge that was missed is taken in.
 
 use super::Matching;
 use crate::graph::{NONE, id};
@@ -7,17 +7,6 @@ use crate::graph::{NONE, id};
 pub(crate) struct Laminar {
     pub parents: Vec<u32>,
     pub duals: Vec<i64>,
-}
-
-impl Laminar {
-    /// The dual of each and of all around it.
-    pub fn around(&self) -> Vec<i64> {
-        let mut around = self.duals.clone();
-        for (k, &parent) in self.parents.iter().enumerate().rev().filter(|&(_, &parent)| parent != NONE) {
-            around[k] += around[parent as usize];
-        }
-        around
-    }
 }
 
 impl Matching {

@@ -1,7 +1,7 @@
 //! Joins of graphs, against all joins that there are and against another solver.
 
 use proptest::prelude::*;
-use wirebend_postman::{Broken, Graph, Join, NoJoin, cheapest_join, cheapest_joins, verify};
+use wirebend_postman::{Broken, Graph, GraphError, Join, NoJoin, cheapest_join, cheapest_joins, verify};
 
 type Edges = Vec<(u32, u32, u64)>;
 
@@ -177,6 +177,41 @@ fn what_cannot_be_joined_is_said() {
     assert_eq!(cheapest_join(&apart, &[9, 0], 0), Err(NoJoin::NoSet(9)));
 }
 
+/// Edges without length make stand-ins each other's partners: as many are left all the same.
+#[test]
+fn as_many_are_left_as_were_asked_for() {
+    let edges = [
+        (2, 1, 10),
+        (0, 2, 1),
+        (2, 1, 0),
+        (0, 3, 10),
+        (0, 3, 10),
+        (1, 2, 10),
+        (1, 3, 10),
+        (1, 2, 10),
+        (1, 3, 10),
+        (1, 3, 0),
+    ];
+    let graph = graph(4, &edges);
+    assert_eq!(graph.odd(), [0, 1, 2, 3]);
+    for left in [0, 2, 4] {
+        assert_eq!(proved(&graph, &[0, 1, 2, 3], left).left.len(), left);
+    }
+}
+
+#[test]
+fn what_is_no_graph_is_refused() {
+    let refused = |vertices, edges: &[_]| Graph::new(vertices, edges).unwrap_err();
+    assert_eq!(refused(2, &[(0, 1, 1), (1, 2, 1)]), GraphError::NoVertex { edge: 1, vertex: 2, vertices: 2 });
+    let half = 1 << 57;
+    assert_eq!(refused(2, &[(0, 1, half), (0, 1, half)]), GraphError::TooHeavy { edge: 1 });
+    assert_eq!(refused(2, &[(0, 1, u64::MAX), (0, 1, 1)]), GraphError::TooHeavy { edge: 0 });
+    assert_eq!(refused(1 << 30, &[]), GraphError::TooMany(1 << 30));
+    // As heavy as may be: nothing overflows.
+    let heavy = graph(2, &[(0, 1, half)]);
+    assert_eq!(proved(&heavy, &[0, 1], 0).weight, half);
+}
+
 /// A proof holds for one answer alone: whatever is changed in it, or in the answer, is found.
 #[test]
 fn a_broken_certificate_is_refused() {
@@ -193,6 +228,14 @@ fn a_broken_certificate_is_refused() {
         assert!(matches!(broken(&|join| join.edges.truncate(join.edges.len() - 1)), Broken::NoJoin(_)));
         assert!(matches!(broken(&|join| join.certificate.widths[0] = -4), Broken::Negative(0)));
         assert!(matches!(broken(&|join| join.certificate.parents.truncate(3)), Broken::Shape));
+        assert!(matches!(broken(&|join| join.edges[0] = 1000), Broken::Shape));
+        assert!(matches!(broken(&|join| join.certificate.widths[0] = i64::MAX), Broken::Shape));
+        assert!(matches!(broken(&|join| join.certificate.depths[0] = i64::MIN), Broken::Shape));
+        assert!(matches!(broken(&|join| join.weight += 1), Broken::Weight { .. }));
+        if left > 0 {
+            assert!(matches!(broken(&|join| join.left[0] = join.left[1]), Broken::Left(_)));
+            assert!(matches!(broken(&|join| join.left[0] = 0), Broken::Left(0)));
+        }
         for set in 0..join.certificate.widths.len() {
             broken(&|join| join.certificate.widths[set] += 4);
             broken(&|join| join.certificate.widths[set] -= 4);
