@@ -32,14 +32,14 @@ def delaunay_sphere(edges, random):
 
 
 def graded(edges, random):
-    """A plane mesh whose edges are a hundred times as long at one side as at the other, as a decimated one's are."""
+    """A plane mesh that is much finer at one side than at the other, as a decimated one is."""
     points = random.random((edges // 3, 2))
     points[:, 0] = points[:, 0] ** 3
     return points * numpy.sqrt(len(points)), edges_of(scipy.spatial.Delaunay(points).simplices)
 
 
 def geometric(edges, random):
-    """Random points of a square, those near each other joined: four neighbours on either side of the mean of eight."""
+    """Random points of a square, each joined with those near it, eight on average."""
     points = random.random((edges // 4, 2)) * numpy.sqrt(edges // 4)
     return points, scipy.spatial.cKDTree(points).query_pairs(numpy.sqrt(8 / numpy.pi), output_type="ndarray")
 

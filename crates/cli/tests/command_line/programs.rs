@@ -28,8 +28,8 @@ fn a_program_planned_again_in_its_order_is_the_same_program() {
     let said = run_in(folder.path(), &again, b"").ended(0).err;
     assert!(said.contains("turned back into the design with the compensation of wirebend-kit"), "{said}");
     // Three decimals were kept: bends in one plane may be a thousandth of a degree out of it.
-    let is_turn = |&(letter, value): &(char, f64)| letter != 'R' || value.abs() > 0.01;
-    let second: Vec<_> = commands(folder.path(), "again.txt").into_iter().filter(is_turn).collect();
+    let is_command = |&(letter, value): &(char, f64)| letter != 'R' || value.abs() > 0.01;
+    let second: Vec<_> = commands(folder.path(), "again.txt").into_iter().filter(is_command).collect();
     assert_eq!(first.len(), second.len());
     for ((letter, value), (other, again)) in first.iter().zip(&second) {
         assert_eq!(letter, other);
