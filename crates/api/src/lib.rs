@@ -71,6 +71,7 @@ pub use wirebend_planning::simulate::{
     GapReport, SimulateRequest, SimulateResponse, SimulationModel, VertexReport,
 };
 pub use wirebend_planning::stage::StageName;
+pub use wirebend_planning::wires::{WiresRequest, WiresResponse, WiresRow};
 
 pub use wirebend_driver_host::api::{Capability, DoneBy, SettingCheck, Usb};
 pub use wirebend_driver_host::{

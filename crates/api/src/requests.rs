@@ -6,7 +6,7 @@ use schemars::generate::SchemaSettings;
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
 use wirebend_operation::{by_hand, machine_settings, ports, run, runs};
-use wirebend_planning::{catalogue, compare, drivers, dump, export, import, plan, profiles};
+use wirebend_planning::{catalogue, compare, drivers, dump, export, import, plan, profiles, wires};
 
 use crate::workspace::{self, ApiErrorReport, Work, Workspace};
 use crate::{
@@ -18,7 +18,7 @@ use crate::{
     PlanResponse, PortsRequest, PortsResponse, ProfileCheckRequest, ProfileCheckResponse,
     ProfileExplainRequest, ProfileExplainResponse, ProfileNewRequest, ProfileNewResponse, ReplayRequest,
     RunRequest, RunResponse, RunsExportRequest, RunsExportResponse, RunsRequest, RunsResponse,
-    RunsShowRequest, RunsShowResponse, SimulateRequest, SimulateResponse,
+    RunsShowRequest, RunsShowResponse, SimulateRequest, SimulateResponse, WiresRequest, WiresResponse,
 };
 
 macro_rules! requests {
@@ -140,6 +140,8 @@ requests! {
         Plan(PlanRequest) -> PlanResponse = plan::plan, "plan";
         /// Plans a wireframe for several machines and says what changes.
         Compare(CompareRequest) -> CompareResponse = compare::compare, "compare";
+        /// Plans a wireframe for more and more wires and says what each saves.
+        Wires(WiresRequest) -> WiresResponse = wires::wires, "wires";
         /// Writes what a machine, another program or a person reads.
         Export(ExportRequest) -> ExportResponse = export::export, "export";
         /// Simulates a job.

@@ -2,7 +2,7 @@
 
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::{Delta, EdgeId, VertexId};
-use wirebend_files::document::{Document, DocumentChange, ProfileSnapshot};
+use wirebend_files::document::{Document, DocumentChange, ProfileSnapshot, WireCount};
 
 use super::EditRequest;
 use crate::EditorError;
@@ -40,10 +40,19 @@ pub(super) fn change(
             }
             document.set_start(start)
         }
+        EditRequest::Wires { wires } => {
+            let wires = WireCount::new(*wires).ok_or(EditorError::NoWires)?;
+            let closed = document.set_closed(false).filter(|_| wires != WireCount::default());
+            both(document.set_wires(wires), closed)
+        }
+        EditRequest::Closed { closed } => {
+            let wires = document.set_wires(WireCount::default()).filter(|_| *closed);
+            both(document.set_closed(*closed), wires)
+        }
+        EditRequest::Reversed { reversed } => document.set_reversed(*reversed),
         EditRequest::Machine { machine, material } => {
             let (machine, material) = snapshots(&app.setup(machine, material.as_deref())?)?;
-            let parts = [document.set_machine(machine), document.set_material(material)];
-            parts.into_iter().flatten().reduce(DocumentChange::and)
+            both(document.set_machine(machine), document.set_material(material))
         }
         EditRequest::Notes { text } => document.set_notes(text.clone()),
         EditRequest::Units { units } => document.set_units(*units),
@@ -51,6 +60,10 @@ pub(super) fn change(
         EditRequest::Several { edits, .. } => Some(several(document, app, edits)?),
         _ => None,
     })
+}
+
+fn both(one: Option<DocumentChange>, other: Option<DocumentChange>) -> Option<DocumentChange> {
+    one.into_iter().chain(other).reduce(DocumentChange::and)
 }
 
 /// The difference that changes nothing.
@@ -78,6 +91,9 @@ fn several(
         document.set_material(last.material),
         document.set_doublings(last.doublings),
         document.set_start(last.start),
+        document.set_wires(last.wires),
+        document.set_closed(last.closed),
+        document.set_reversed(last.reversed),
         document.set_pins(last.pins),
         document.set_notes(last.notes),
         document.set_units(last.units),

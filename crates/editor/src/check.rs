@@ -103,6 +103,9 @@ impl Editor {
             material,
             doublings,
             start,
+            wires,
+            closed,
+            reversed,
             pins,
             notes,
             units,
@@ -115,6 +118,9 @@ impl Editor {
             material: material.clone(),
             doublings: doublings.clone(),
             start: *start,
+            wires: *wires,
+            closed: *closed,
+            reversed: *reversed,
             pins: pins.clone(),
             notes: notes.clone(),
             units: *units,
@@ -127,6 +133,9 @@ impl Editor {
         Document {
             doublings: self.document.doublings.clone(),
             start: self.document.start,
+            wires: self.document.wires,
+            closed: self.document.closed,
+            reversed: self.document.reversed,
             ..Document::new(self.document.wireframe.clone())
         }
     }

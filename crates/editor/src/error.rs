@@ -39,6 +39,9 @@ pub enum EditorError {
     /// The wire is to begin where nothing is.
     #[error("there is no vertex {0} for the wire to begin at")]
     NoVertex(u32),
+    /// No wire to bend.
+    #[error("a design is bent from one wire at least, not from none")]
+    NoWires,
     /// A change does not fit the design any more.
     #[error("the design has changed meanwhile: {0}")]
     Stale(#[from] StaleChange),
@@ -112,6 +115,7 @@ impl EditorError {
             | Self::Tolerance(_)
             | Self::LeastEdge(_)
             | Self::ArcStep(_)
+            | Self::NoWires
             | Self::Matrix => ErrorCode::Edit,
             Self::NoEdge(_) => ErrorCode::NoEdge,
             Self::NoVertex(_) => ErrorCode::NoVertex,
@@ -142,6 +146,7 @@ impl EditorError {
             | Self::Matrix
             | Self::NoEdge(_)
             | Self::NoVertex(_)
+            | Self::NoWires
             | Self::Stale(_)
             | Self::Damaged { .. }
             | Self::Unwritten(_) => Vec::new(),

@@ -117,6 +117,15 @@ pub enum EditRequest {
     Doublings { edges: Vec<u32> },
     /// Begins the wire at a vertex, or wherever it is best.
     Start { vertex: Option<u32> },
+    /// Bends the design from up to so many wires, as many as lessen what is laid twice. A closed wire is closed no more.
+    Wires {
+        #[schemars(range(min = 1))]
+        wires: u32,
+    },
+    /// Ends the wire where it starts, or not. One that does is the only one of its part.
+    Closed { closed: bool },
+    /// Runs the wire the other way, or not.
+    Reversed { reversed: bool },
     /// Another machine, and the wire in it; none: the one that the machine's profile names.
     Machine {
         /// Its id.

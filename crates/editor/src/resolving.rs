@@ -76,6 +76,9 @@ impl EditRequest {
             }
             Self::Doublings { .. }
             | Self::Start { .. }
+            | Self::Wires { .. }
+            | Self::Closed { .. }
+            | Self::Reversed { .. }
             | Self::Machine { .. }
             | Self::Notes { .. }
             | Self::Units { .. }
@@ -117,6 +120,9 @@ impl EditRequest {
             Self::Round { .. } => "round".to_owned(),
             Self::Doublings { .. } => "doubled edges".to_owned(),
             Self::Start { .. } => "start of the wire".to_owned(),
+            Self::Wires { .. } => "number of wires".to_owned(),
+            Self::Closed { .. } => "closed wire".to_owned(),
+            Self::Reversed { .. } => "direction of the wire".to_owned(),
             Self::Machine { .. } => "machine".to_owned(),
             Self::Notes { .. } => "notes".to_owned(),
             Self::Units { .. } => "units".to_owned(),

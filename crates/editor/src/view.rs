@@ -52,6 +52,12 @@ pub struct DesignState {
     pub doublings: Vec<u32>,
     /// The vertex where the wire starts.
     pub start: Option<u32>,
+    /// How many wires there may be.
+    pub wires: usize,
+    /// Whether the wire ends where it starts.
+    pub closed: bool,
+    /// Whether the wire runs the other way.
+    pub reversed: bool,
     /// Remarks on the whole.
     pub notes: String,
     /// The unit that lengths are shown in.
@@ -119,6 +125,9 @@ impl Editor {
             stencil: document.stencil_name().map(str::to_owned),
             doublings: document.doublings.iter().map(|id| id.0).collect(),
             start: document.start.map(|id| id.0),
+            wires: document.wires.get(),
+            closed: document.closed,
+            reversed: document.reversed,
             notes: document.notes.clone(),
             units: document.units,
             next: [next.vertex, next.edge],

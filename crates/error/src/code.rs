@@ -41,6 +41,7 @@ codes! {
     Declined = "declined",
     Document = "document",
     DocumentChanged = "document-changed",
+    DocumentClosedWires = "document-closed-wires",
     DocumentDangling = "document-dangling",
     DocumentEmpty = "document-empty",
     DocumentInconsistent = "document-inconsistent",

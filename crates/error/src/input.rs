@@ -29,6 +29,10 @@ pub enum InputName {
     Material,
     /// Whether edges may be doubled.
     Double,
+    /// Whether detours are made.
+    Detours,
+    /// How many wires there may be.
+    Wires,
     /// Whether the route ends where it starts.
     Closed,
     /// The vertex that the wire starts at.
@@ -69,6 +73,8 @@ impl InputName {
             Self::Program => "kind of program",
             Self::Material => "material",
             Self::Double => "doubled edges",
+            Self::Detours => "detours",
+            Self::Wires => "number of wires",
             Self::Closed => "closed route",
             Self::Start => "start",
             Self::Reverse => "direction",

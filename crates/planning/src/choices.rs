@@ -13,12 +13,18 @@ pub struct PlanChoices {
     /// Whether to travel the cheapest edges twice where there is no route otherwise.
     #[serde(default)]
     pub double: bool,
+    /// Whether to travel edges once more, too, where only such a detour avoids a bend that the machine cannot make.
+    #[serde(default)]
+    pub detours: bool,
+    /// How many wires there may be: as many of them as lessen what is doubled, and one at least for each part of the design.
+    #[schemars(range(min = 1))]
+    pub wires: Option<u32>,
     /// Whether the wire must end where it starts.
     #[serde(default)]
     pub closed: bool,
     /// The vertex where the wire starts.
     pub start: Option<u32>,
-    /// Whether the wire runs the other way.
+    /// Whether the wire runs the other way than the document says.
     #[serde(default)]
     pub reverse: bool,
     /// Whether the wire runs as the program runs from which the design was read.

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use wirebend_core::checks::Code;
 
 use crate::choices::PlanChoices;
-use crate::design::{DesignInput, Opened};
+use crate::design::DesignInput;
 use crate::plan::Planned;
 use crate::report::{DiagnosticReport, NoteReport, PlanReport, SeverityName, WireReport};
 use crate::{Installation, PlanningError, Progress};
@@ -136,11 +136,11 @@ pub fn compare(
     let others = request.against.iter().map(|machine| app.library.machine(machine));
     let others = others.collect::<Result<Vec<_>, _>>()?;
     let opened = app.designed(request.design.open(progress)?, &request.choices)?.with_wireframe()?;
-    let from = app.plan_design(copy(&opened), &request.choices, progress)?;
+    let from = app.plan_design(opened.copy(), &request.choices, progress)?;
     let mut notes = from.opened.notes.clone();
     let (from, before) = (MachineSide::new(&from), from.report());
     let mut beside = |choices: &PlanChoices| -> Result<(OtherSide, bool), PlanningError> {
-        let other = app.plan_design(copy(&opened), choices, progress)?;
+        let other = app.plan_design(opened.copy(), choices, progress)?;
         let (side, after) = (MachineSide::new(&other), other.report());
         notes.extend(other.opened.notes.into_iter().filter(|note| !notes.contains(note)).collect::<Vec<_>>());
         let fits = errors(&after).all(|(_, error)| error.code != Code::WireDoesNotFit);
@@ -166,20 +166,8 @@ pub fn compare(
     Ok(CompareResponse { from, to, notes })
 }
 
-/// The design once more: a plan keeps the one that it was computed from.
-fn copy(opened: &Opened) -> Opened {
-    Opened {
-        name: opened.name.clone(),
-        format: opened.format,
-        document: opened.document.clone(),
-        layers: Vec::new(),
-        program: opened.program.clone(),
-        notes: opened.notes.clone(),
-    }
-}
-
 impl MachineSide {
-    fn new(planned: &Planned) -> Self {
+    pub(crate) fn new(planned: &Planned) -> Self {
         let report = planned.report();
         let wires = report.wires();
         let number =

@@ -238,6 +238,18 @@ pub struct Opened {
 }
 
 impl Opened {
+    /// The design once more: a plan keeps the one that it was computed from.
+    pub(crate) fn copy(&self) -> Self {
+        Self {
+            name: self.name.clone(),
+            format: self.format,
+            document: self.document.clone(),
+            layers: Vec::new(),
+            program: self.program.clone(),
+            notes: self.notes.clone(),
+        }
+    }
+
     /// A design that is open already.
     pub const fn of(name: String, document: Document) -> Self {
         Self {

@@ -31,6 +31,7 @@ pub mod stage;
 pub mod stencil;
 pub mod text;
 mod turning_back;
+pub mod wires;
 
 pub use choices::PlanChoices;
 pub use design::{DesignInput, Input};

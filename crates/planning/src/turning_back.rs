@@ -80,6 +80,8 @@ impl Opened {
         }
         let given = [
             (InputName::Double, choices.double),
+            (InputName::Detours, choices.detours),
+            (InputName::Wires, choices.wires.is_some()),
             (InputName::Closed, choices.closed),
             (InputName::Start, choices.start.is_some()),
         ];

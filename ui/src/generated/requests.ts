@@ -194,6 +194,18 @@ export type EditRequest =
       vertex?: number | null;
     }
   | {
+      edit: "wires";
+      wires: number;
+    }
+  | {
+      closed: boolean;
+      edit: "closed";
+    }
+  | {
+      edit: "reversed";
+      reversed: boolean;
+    }
+  | {
       edit: "machine";
       /**
        * Its id.

@@ -515,6 +515,8 @@ export type InputName =
   | "program"
   | "material"
   | "double"
+  | "detours"
+  | "wires"
   | "closed"
   | "start"
   | "reverse"
@@ -648,6 +650,17 @@ export type RemedyReport =
       design_mm: number;
       edges: number[];
       remedy: "double_edges";
+    }
+  | {
+      /**
+       * The length that they add, in mm.
+       */
+      added_mm: number;
+      /**
+       * By id; one may be there more than once.
+       */
+      edges: number[];
+      remedy: "detour";
     }
   | {
       remedy: "find_doubling";
@@ -961,6 +974,18 @@ export type EditRequest =
       vertex: number | null;
     }
   | {
+      edit: "wires";
+      wires: number;
+    }
+  | {
+      closed: boolean;
+      edit: "closed";
+    }
+  | {
+      edit: "reversed";
+      reversed: boolean;
+    }
+  | {
       edit: "machine";
       /**
        * Its id.
@@ -1183,6 +1208,7 @@ export type ErrorCode =
   | "declined"
   | "document"
   | "document-changed"
+  | "document-closed-wires"
   | "document-dangling"
   | "document-empty"
   | "document-inconsistent"
@@ -2219,6 +2245,10 @@ export interface DesignState {
    */
   changed: boolean;
   /**
+   * Whether the wire ends where it starts.
+   */
+  closed: boolean;
+  /**
    * Edges that may be laid twice.
    */
   doublings: number[];
@@ -2254,6 +2284,10 @@ export interface DesignState {
    */
   redo: string | null;
   /**
+   * Whether the wire runs the other way.
+   */
+  reversed: boolean;
+  /**
    * The vertex where the wire starts.
    */
   start: number | null;
@@ -2270,6 +2304,10 @@ export interface DesignState {
    * Why changes are not kept safe: a person should save. Null where they are.
    */
   unkept: ProblemReport | null;
+  /**
+   * How many wires there may be.
+   */
+  wires: number;
 }
 export interface VertexView {
   /**
@@ -2837,6 +2875,7 @@ export interface FixesResponse {
  * Something that fixes what a check says. Lengths in mm.
  */
 export interface Fix {
+  after: FixTotals;
   change: FixChange;
   edit: EditRequest;
   /**
@@ -2853,6 +2892,31 @@ export interface Fix {
    * For a button: "Double 13 edges (+102.0 mm)", "Move vertex 41 by 3.2 mm".
    */
   title: string;
+}
+/**
+ * Sums over all wires of the design afterwards. Null where one of them is not known.
+ */
+export interface FixTotals {
+  /**
+   * Price of the designed length.
+   */
+  cost: number | null;
+  /**
+   * Designed length, mm.
+   */
+  length_mm: number | null;
+  /**
+   * Stock to load, mm.
+   */
+  stock_mm: number | null;
+  /**
+   * Time on the machine, s.
+   */
+  time_s: number | null;
+  /**
+   * How many wires there are.
+   */
+  wires: number;
 }
 /**
  * Sums over all wires of the design afterwards, less those of before. Null where one of them is not known, as
@@ -2915,7 +2979,7 @@ export interface Placed {
  */
 export interface FixPreview {
   /**
-   * Edges that would be detached from the others: the wires that are split off.
+   * Edges that would be detached from the others, or bent from further wires.
    */
   detached: number[][];
   /**

@@ -17,6 +17,8 @@ const INPUTS: Readonly<Record<InputName, string>> = {
   program: "the kind of program",
   material: "the material",
   double: "doubled edges",
+  detours: "detours",
+  wires: "the number of wires",
   closed: "the closed route",
   start: "the start",
   reverse: "the direction of the wire",

@@ -6,6 +6,7 @@ import type { Because, MachineState, OrderName, Phase } from "./machine/operator
 /** A design of which nothing was done. */
 export const designState = (given: Partial<DesignState> = {}): DesignState => ({
   changed: false,
+  closed: false,
   doublings: [],
   file: null,
   machine: null,
@@ -14,11 +15,13 @@ export const designState = (given: Partial<DesignState> = {}): DesignState => ({
   next: [1, 1],
   notes: "",
   redo: null,
+  reversed: false,
   start: null,
   stencil: null,
   undo: null,
   units: "mm",
   unkept: null,
+  wires: 1,
   ...given,
 });
 

@@ -10,7 +10,9 @@ use clap_complete::Shell;
 use wirebend_api::StageName;
 
 use live::{JogArgs, MachineSettingsArgs, PortsArgs, ReplayArgs, RunArgs, RunsCommand};
-pub(crate) use shared::{ChoiceArgs, DangerArgs, DesignArgs, ExportedArgs, KindArgs, OutputArgs, ReadArgs};
+pub(crate) use shared::{
+    ChoiceArgs, DangerArgs, DesignArgs, ExportedArgs, KindArgs, OutputArgs, ReadArgs, WireRange,
+};
 use shared::{parse_setting, stage_parser};
 
 const AFTER: &str = "\
@@ -85,7 +87,7 @@ pub(crate) enum Subcommands {
     },
     /// Find the route, make the program, compensate it, and write the job
     #[command(
-        after_help = "Examples:\n  wirebend plan examples/cube.obj --machine wirebend-kit --double -o cube.wbjob\n  wirebend plan examples/house.obj --machine wirebend-kit --compare pensa-diwire-pro"
+        after_help = "Examples:\n  wirebend plan examples/cube.obj --machine wirebend-kit --double -o cube.wbjob\n  wirebend plan examples/house.obj --machine wirebend-kit --compare pensa-diwire-pro\n  wirebend plan examples/cube.obj --machine wirebend-kit --wires 1..6"
     )]
     Plan {
         #[command(flatten)]

@@ -82,8 +82,14 @@ pub(crate) struct ChoiceArgs {
     /// Travel the cheapest edges twice where one wire cannot run otherwise
     #[arg(long)]
     pub double: bool,
-    /// End the wire where it starts
+    /// Travel edges twice, too, where only such a detour avoids a bend that the machine cannot make
     #[arg(long)]
+    pub detours: bool,
+    /// Bend the design from up to N wires, as many as lessen what is doubled; with `plan`, N..M compares numbers of wires
+    #[arg(long, value_name = "N", value_parser = parse_wires)]
+    pub wires: Option<WireRange>,
+    /// End the wire where it starts
+    #[arg(long, conflicts_with = "wires")]
     pub closed: bool,
     /// Vertex where the wire starts
     #[arg(long, value_name = "VERTEX")]
@@ -92,7 +98,7 @@ pub(crate) struct ChoiceArgs {
     #[arg(long)]
     pub reverse: bool,
     /// Keep the bend order of the imported program, from its start to its end
-    #[arg(long, conflicts_with_all = ["double", "closed", "start"])]
+    #[arg(long, conflicts_with_all = ["double", "detours", "wires", "closed", "start"])]
     pub keep_order: bool,
 }
 
@@ -113,6 +119,21 @@ pub(crate) struct DangerArgs {
     /// Write a program although a check says that it cannot be made
     #[arg(long)]
     pub despite_errors: bool,
+}
+
+/// A number of wires, or a range of them.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct WireRange {
+    pub from: u32,
+    pub to: u32,
+}
+
+/// `N` or `N..M`.
+fn parse_wires(text: &str) -> Result<WireRange, String> {
+    let (from, to) = text.split_once("..").unwrap_or((text, text));
+    let range = from.parse().ok().zip(to.parse().ok()).map(|(from, to)| WireRange { from, to });
+    let range = range.filter(|range| (1..=range.to).contains(&range.from));
+    range.ok_or_else(|| "expected a number of wires, at least 1, or a range such as 1..6".to_owned())
 }
 
 fn parse_format(word: &str) -> Result<Format, String> {

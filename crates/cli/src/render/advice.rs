@@ -221,6 +221,8 @@ const fn option(input: InputName) -> &'static str {
         InputName::Program => "--program",
         InputName::Material => "--material",
         InputName::Double => "--double",
+        InputName::Detours => "--detours",
+        InputName::Wires => "--wires",
         InputName::Closed => "--closed",
         InputName::Start => "--start",
         InputName::Reverse => "--reverse",

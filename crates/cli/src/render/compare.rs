@@ -79,11 +79,11 @@ fn table(out: &mut impl Write, found: &CompareResponse) -> std::io::Result<()> {
     )
 }
 
-fn unknown() -> String {
+pub(super) fn unknown() -> String {
     "unknown".to_owned()
 }
 
-fn cost(side: &MachineSide) -> String {
+pub(super) fn cost(side: &MachineSide) -> String {
     let currency = side.currency.as_deref().unwrap_or_default();
     side.cost.map_or_else(unknown, |cost| format!("{cost:.2} {currency}").trim_end().to_owned())
 }

@@ -11,6 +11,7 @@ mod profile;
 mod runs;
 mod simulate;
 mod tables;
+mod wires;
 
 use std::io::Write;
 
@@ -61,6 +62,7 @@ pub(crate) fn show(response: &Response, json: bool, contents: Contents) -> anyho
                 writeln!(std::io::stdout().lock(), "{}", serde_json::to_string_pretty(&found.value)?)?;
             }
             Response::Compare(found) => compare::compare(&mut err, found)?,
+            Response::Wires(found) => wires::wires(&mut err, found)?,
             Response::ProfileCheck(found) => profile::check(&mut err, found)?,
             Response::ProfileNew(found) => profile::new(&mut err, found)?,
             Response::ProfileExplain(found) => profile::explain(&mut anstream::stdout().lock(), found)?,
@@ -74,6 +76,7 @@ fn status(response: &Response) -> u8 {
         Response::Check(found) => found.feasible,
         Response::Plan(found) => found.report.feasible(),
         Response::Compare(found) => found.from.feasible,
+        Response::Wires(found) => found.rows.iter().any(|row| row.side.feasible),
         Response::ProfileCheck(found) => return if found.ok { exit::DONE } else { exit::BAD_INPUT },
         Response::DriverCheck(found) => return if found.kept { exit::DONE } else { exit::FAILURE },
         // A user who asked to accept it has to read that it is not accepted.

@@ -16,6 +16,7 @@ pub(super) fn of(remedies: &[RemedyReport]) -> Vec<&'static str> {
 fn option(remedy: &RemedyReport) -> Option<&'static str> {
     match remedy {
         RemedyReport::DoubleEdges { .. } | RemedyReport::FindDoubling => Some("--double"),
+        RemedyReport::Detour { .. } => Some("--detours"),
         RemedyReport::StartAtVertex | RemedyReport::EndAtVertex | RemedyReport::ChooseStart => {
             Some("--start VERTEX")
         }

@@ -10,11 +10,14 @@ use wirebend_api::{
     CheckRequest, Command, CompareRequest, DesignInput, DriverCheckRequest, DriverTrustRequest,
     DriversRequest, DumpRequest, ExportRequest, ImportRequest, Input, MachinesRequest, MaterialsRequest,
     Output, PlanChoices, PlanRequest, ProfileCheckRequest, ProfileExplainRequest, ProfileNewRequest,
-    ProfilePlace, SimulateRequest,
+    ProfilePlace, SimulateRequest, WiresRequest,
 };
 
 use crate::args::live::RunsCommand;
-use crate::args::{ChoiceArgs, DesignArgs, DriverCommand, OutputArgs, ProfileCommand, ReadArgs, Subcommands};
+use crate::args::{
+    ChoiceArgs, DangerArgs, DesignArgs, DriverCommand, OutputArgs, ProfileCommand, ReadArgs, Subcommands,
+    WireRange,
+};
 use crate::contents::Contents;
 use crate::usage::{BadInput, WrongUse};
 
@@ -47,28 +50,16 @@ pub(crate) fn prepare(command: Subcommands) -> anyhow::Result<Prepared> {
             Prepared::Command(Box::new(Command::Import(request)), contents)
         }
         Subcommands::Check { design: args, choices: chosen } => {
-            written(Command::Check(CheckRequest { design: design(&args)?, choices: choices(chosen) }))
+            written(Command::Check(CheckRequest { design: design(&args)?, choices: choices(chosen)? }))
         }
-        Subcommands::Plan { design: args, choices: chosen, compare, .. } if !compare.is_empty() => {
-            let (design, choices) = (design(&args)?, choices(chosen));
-            written(Command::Compare(CompareRequest { design, choices, against: compare }))
-        }
-        Subcommands::Plan { design: args, choices: chosen, output, danger, .. } => {
-            let (output, contents) = place(output, false);
-            let request = PlanRequest {
-                design: design(&args)?,
-                choices: choices(chosen),
-                make_job: contents == Contents::StandardOutput,
-                output,
-                despite_errors: danger.despite_errors,
-            };
-            Prepared::Command(Box::new(Command::Plan(request)), contents)
+        Subcommands::Plan { design: args, choices: chosen, output, danger, compare } => {
+            plan(&args, chosen, output, &danger, compare)?
         }
         Subcommands::Export { design: args, choices: chosen, format, settings, output, danger } => {
             let (output, contents) = place(output, true);
             let request = ExportRequest {
                 design: design(&DesignArgs { file: args.file, read: args.read })?,
-                choices: choices(chosen),
+                choices: choices(chosen)?,
                 format,
                 settings: settings.into_iter().collect(),
                 output,
@@ -94,7 +85,7 @@ pub(crate) fn prepare(command: Subcommands) -> anyhow::Result<Prepared> {
         Subcommands::MachineSettings(args) => written(live::machine_settings(args)),
         Subcommands::Runs { command } => live::runs(command.unwrap_or(RunsCommand::List)),
         Subcommands::Dump { stage, design: args, choices: chosen } => {
-            written(Command::Dump(DumpRequest { stage, design: design(&args)?, choices: choices(chosen) }))
+            written(Command::Dump(DumpRequest { stage, design: design(&args)?, choices: choices(chosen)? }))
         }
         Subcommands::Profile(ProfileCommand::Check { files }) => {
             written(Command::ProfileCheck(ProfileCheckRequest { files }))
@@ -120,6 +111,42 @@ pub(crate) fn prepare(command: Subcommands) -> anyhow::Result<Prepared> {
             Prepared::Text(text)
         }
     })
+}
+
+/// One plan, or several compared.
+fn plan(
+    args: &DesignArgs,
+    chosen: ChoiceArgs,
+    output: OutputArgs,
+    danger: &DangerArgs,
+    compare: Vec<String>,
+) -> anyhow::Result<Prepared> {
+    let design = design(args)?;
+    let written = |command| Ok(Prepared::Command(Box::new(command), Contents::Written));
+    if !compare.is_empty() {
+        return written(Command::Compare(CompareRequest {
+            design,
+            choices: choices(chosen)?,
+            against: compare,
+        }));
+    }
+    if let Some(WireRange { from, to }) = chosen.wires.filter(|range| range.from < range.to) {
+        if output.output.is_some() || output.force || danger.despite_errors {
+            let words = "numbers of wires are compared, and no job is made: give one number of wires";
+            return Err(WrongUse(words.to_owned()).into());
+        }
+        let choices = choices(ChoiceArgs { wires: None, ..chosen })?;
+        return written(Command::Wires(WiresRequest { design, choices, from, to }));
+    }
+    let (output, contents) = place(output, false);
+    let request = PlanRequest {
+        design,
+        choices: choices(chosen)?,
+        make_job: contents == Contents::StandardOutput,
+        output,
+        despite_errors: danger.despite_errors,
+    };
+    Ok(Prepared::Command(Box::new(Command::Plan(request)), contents))
 }
 
 /// Where a result goes: to a file, to the standard output for `-`, and without a name to the
@@ -178,7 +205,11 @@ fn design(args: &DesignArgs) -> anyhow::Result<DesignInput> {
     })
 }
 
-fn choices(args: ChoiceArgs) -> PlanChoices {
-    let ChoiceArgs { machine, material, double, closed, start, reverse, keep_order } = args;
-    PlanChoices { machine, material, double, closed, start, reverse, keep_order }
+fn choices(args: ChoiceArgs) -> Result<PlanChoices, WrongUse> {
+    let ChoiceArgs { machine, material, double, detours, wires, closed, start, reverse, keep_order } = args;
+    if wires.is_some_and(|range| range.from < range.to) {
+        return Err(WrongUse("a range of wires is for `plan` alone: give one number of wires".to_owned()));
+    }
+    let wires = wires.map(|range| range.to);
+    Ok(PlanChoices { machine, material, double, detours, wires, closed, start, reverse, keep_order })
 }

@@ -11,6 +11,7 @@ mod outputs;
 mod profiles;
 mod programs;
 mod results;
+mod several_wires;
 mod simulations;
 mod statuses;
 mod wrong_files;

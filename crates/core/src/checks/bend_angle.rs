@@ -3,6 +3,7 @@
 use super::{BendOf, Diagnostic, Fact, ROUNDING, ReachLimit, Remedy, Severity, Sourced, WireStages, is_near};
 use crate::compensate::{BendError, BendModel};
 use crate::units::Angle;
+use crate::wireframe::VertexId;
 
 pub(super) fn check(wire: &WireStages, found: &mut Vec<Diagnostic>) {
     // The schedule knows to which side each bend goes; before it, the wider side counts.
@@ -23,15 +24,20 @@ pub(super) fn check(wire: &WireStages, found: &mut Vec<Diagnostic>) {
             continue;
         }
         let room = (limit.value.abs() - bend.abs()).deg();
+        let location = wire.location_of_step(step);
         let (severity, fact) = if room < -ROUNDING {
-            (Severity::Error, Fact::BendTooSharp { bend, of: BendOf::Step, limit: limit.clone() })
+            let of = of_step(wire, location.vertices.first().copied());
+            (Severity::Error, Fact::BendTooSharp { bend, of, limit: limit.clone() })
         } else if is_near(room.max(0.0), limit.value.deg()) {
             (Severity::Warning, Fact::BendNearLimit { bend, limit: limit.clone() })
         } else {
             continue;
         };
-        let remedies = vec![Remedy::OpenAngle, Remedy::StartAtVertex];
-        found.push(Diagnostic { severity, location: wire.location_of_step(step), fact, remedies });
+        let mut remedies = vec![Remedy::OpenAngle, Remedy::StartAtVertex];
+        if severity == Severity::Error {
+            remedies.extend(location.vertices.iter().filter_map(|&vertex| Remedy::detour(wire, vertex)));
+        }
+        found.push(Diagnostic { severity, location, fact, remedies });
     }
     unreachable(wire, found);
 }
@@ -42,8 +48,10 @@ fn unreachable(wire: &WireStages, found: &mut Vec<Diagnostic>) {
         let (bend, fact, remedies) = match failed.error {
             BendError::OutOfReach { bend, max } => {
                 let reach = reach_limit(wire, bend);
-                let fact = Fact::BendOutOfReach { bend, of: BendOf::Step, max, reach };
-                (bend, fact, vec![Remedy::KeepBendBelow { max }])
+                let vertex = wire.vertex_of_step(failed.step);
+                let fact = Fact::BendOutOfReach { bend, of: of_step(wire, vertex), max, reach };
+                let detour = vertex.and_then(|vertex| Remedy::detour(wire, vertex));
+                (bend, fact, [Remedy::KeepBendBelow { max }].into_iter().chain(detour).collect())
             }
             BendError::TooSmall { bend } => {
                 (bend, Fact::BendTooSmall { bend }, vec![Remedy::EnlargeBend, Remedy::Straighten])
@@ -61,6 +69,12 @@ fn unreachable(wire: &WireStages, found: &mut Vec<Diagnostic>) {
         let location = wire.location_of_step(failed.step);
         found.push(Diagnostic { severity: Severity::Error, location, fact, remedies });
     }
+}
+
+/// Whether another route could avoid a bend at the vertex of a step.
+fn of_step(wire: &WireStages, vertex: Option<VertexId>) -> BendOf {
+    let is_forced = wire.forced.iter().any(|forced| Some(forced.vertex) == vertex);
+    if is_forced { BendOf::Forced } else { BendOf::Step }
 }
 
 /// What keeps the machine from a bend: the end of the axis, or the peg that slips off the wire before it.

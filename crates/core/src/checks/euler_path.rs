@@ -4,7 +4,7 @@ use super::{Diagnostic, Fact, Location, Remedy, Severity, WireStages};
 
 pub(super) fn check(wire: &WireStages, found: &mut Vec<Diagnostic>) {
     let odd = wire.wireframe.odd_vertices(wire.component, wire.doubled);
-    let allowed = if wire.closed { 0 } else { 2 };
+    let allowed = wire.odd_allowed;
     if odd.len() <= allowed {
         return;
     }

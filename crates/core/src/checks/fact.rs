@@ -219,7 +219,9 @@ pub enum Fact {
 pub enum BendOf {
     /// The bend that the route makes at a step.
     Step,
-    /// The gentlest of all bends between two edges of a vertex, where there is no route yet.
+    /// The same, where no route avoids one beyond the limit at this vertex.
+    Forced,
+    /// The least that the sharpest bend at a vertex can be, where there is no route yet.
     Vertex,
 }
 

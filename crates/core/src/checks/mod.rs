@@ -33,7 +33,7 @@ pub use remedy::Remedy;
 
 use crate::bend::NominalProgram;
 use crate::compensate::{CompensatedProgram, Compensation, StepError};
-use crate::route::{Doubling, Route};
+use crate::route::{Doubling, ForcedBend, Route};
 use crate::schedule::{RotationOutOfRange, ScheduledProgram};
 use crate::units::{Angle, Length};
 use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
@@ -87,10 +87,12 @@ pub struct WireStages<'a> {
     pub component: &'a Component,
     /// Edges that are travelled twice.
     pub doubled: &'a [EdgeId],
-    /// Whether it has to end where it starts.
-    pub closed: bool,
+    /// How many vertices of it may be odd.
+    pub odd_allowed: usize,
     /// The cheapest doubling, where it has no route without one.
     pub proposal: Option<&'a Doubling>,
+    /// Bends that no route avoids, or without a route none with the proposed doubling.
+    pub forced: &'a [ForcedBend],
     /// Its route.
     pub route: Option<&'a Route>,
     /// Its nominal program.

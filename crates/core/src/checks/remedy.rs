@@ -1,8 +1,9 @@
 //! What a person can do about a finding.
 
+use super::WireStages;
 use crate::route::Doubling;
 use crate::units::{Angle, Length};
-use crate::wireframe::{Component, EdgeId, Wireframe};
+use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
 
 /// A way to remove the cause of a finding, with the figures that it needs. Where it applies is the location of the
 /// finding. A front end has words for each, and offers what it can do of them.
@@ -42,6 +43,13 @@ pub enum Remedy {
         added: Length,
         /// The length of all edges of the wire without them.
         design: Length,
+    },
+    /// Double edges, besides those that are doubled or proposed: a detour around the bend. No other is shorter.
+    Detour {
+        /// The edges, in order of id; one may be there more than once.
+        edges: Vec<EdgeId>,
+        /// The length that they add to the wire.
+        added: Length,
     },
     /// Have the edges found whose doubling adds the least length.
     FindDoubling,
@@ -103,5 +111,12 @@ impl Remedy {
         let edges = component.edges.iter();
         let design = edges.map(|&edge| wireframe.edge_length(edge)).sum();
         Self::DoubleEdges { edges: doubling.edges.clone(), added: doubling.added, design }
+    }
+
+    /// The remedy of a bend at a vertex that no route avoids, where a detour does.
+    pub(crate) fn detour(wire: &WireStages, vertex: VertexId) -> Option<Self> {
+        let forced = wire.forced.iter().find(|forced| forced.vertex == vertex)?;
+        let Doubling { edges, added } = forced.detour.clone()?;
+        Some(Self::Detour { edges, added })
     }
 }

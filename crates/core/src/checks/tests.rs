@@ -1,5 +1,5 @@
 use super::*;
-use crate::plan::{DoublingChoice, Machine, PlanOptions, plan_wire};
+use crate::plan::{DoublingChoice, Machine, PlanOptions, plan_wires};
 use crate::testing::{chain, deg, from, mm, published_machine, wireframe};
 
 fn design(w: &Wireframe) -> Vec<Diagnostic> {
@@ -7,8 +7,8 @@ fn design(w: &Wireframe) -> Vec<Diagnostic> {
     check_design(&Design { wireframe: w, components: &components, weld_tolerance: mm(1e-3) })
 }
 
-fn on(machine: &Machine, w: &Wireframe, options: &PlanOptions) -> Vec<Diagnostic> {
-    plan_wire(w, &w.components()[0], machine, options, |_| ()).diagnostics
+pub(super) fn on(machine: &Machine, w: &Wireframe, options: &PlanOptions) -> Vec<Diagnostic> {
+    plan_wires(w, &w.components()[0], machine, options, |_| ()).remove(0).diagnostics
 }
 
 fn checked(w: &Wireframe) -> Vec<Diagnostic> {
@@ -16,7 +16,7 @@ fn checked(w: &Wireframe) -> Vec<Diagnostic> {
 }
 
 /// The only diagnostic with this code.
-fn only(found: &[Diagnostic], code: Code) -> &Diagnostic {
+pub(super) fn only(found: &[Diagnostic], code: Code) -> &Diagnostic {
     let mut with_code = found.iter().filter(|diagnostic| diagnostic.code() == code);
     let (first, second) = (with_code.next(), with_code.next());
     assert!(second.is_none(), "{code} is said twice: {found:#?}");
@@ -30,7 +30,7 @@ fn measured_mm(diagnostic: &Diagnostic) -> f64 {
     }
 }
 
-fn measured_deg(diagnostic: &Diagnostic) -> f64 {
+pub(super) fn measured_deg(diagnostic: &Diagnostic) -> f64 {
     degrees(diagnostic.measured())
 }
 
@@ -260,7 +260,7 @@ fn a_fold_back_is_judged_by_the_side_that_makes_it() {
     assert_eq!(only(&found, Code::FoldBack).severity, Severity::Warning, "the negative side makes it");
     let mut short_axis = direct_machine();
     short_axis.compensation.bend.axis_limit = Some(deg(130.0));
-    let plan = plan_wire(&tee, &tee.components()[0], &short_axis, &doubled, |_| ());
+    let plan = plan_wires(&tee, &tee.components()[0], &short_axis, &doubled, |_| ()).remove(0);
     assert!(!plan.is_feasible());
     assert!(only(&plan.diagnostics, Code::FoldBack).is_error(), "nothing else says why");
 }
@@ -297,50 +297,6 @@ fn what_is_beyond_a_limit_is_told_from_what_is_at_it() {
     let unreached = only(&found, Code::BendOutOfReach);
     assert!((measured_deg(unreached) - limit_deg(unreached) - 0.0004).abs() < 1e-6, "{unreached:?}");
     assert_eq!(unreached.remedies, [Remedy::KeepBendBelow { max }]);
-}
-
-/// A design with many odd vertices is drawn for long before it has a route.
-#[test]
-fn a_vertex_that_no_wire_can_pass_is_told_before_there_is_a_route() {
-    // Four spikes: at each tip two edges at 170°, and no route since four feet are odd.
-    let tip = |k: f64| {
-        let along = [k * 40.0, 0.0, 0.0];
-        let spread = 100.0 * f64::to_radians(5.0).tan();
-        [along, [along[0] - spread, 100.0, 0.0], [along[0] + spread, 100.0, 0.0]]
-    };
-    let mut points = Vec::new();
-    let mut edges = Vec::new();
-    for k in 0..4_u32 {
-        let first = points.len();
-        points.extend(tip(f64::from(k)));
-        edges.extend([(first, first + 1), (first, first + 2)]);
-    }
-    // A hub that all eight ends meet, and two more ends of it.
-    points.extend([[60., 400., 0.], [60., 500., 0.], [160., 500., 0.], [-40., 500., 0.]]);
-    let hub = points.len() - 4;
-    edges.extend((0..4).flat_map(|k| [(3 * k + 1, hub), (3 * k + 2, hub)]));
-    edges.extend([(hub, hub + 1), (hub, hub + 2), (hub, hub + 3)]);
-    let w = wireframe(&points, &edges);
-    let plan = plan_wire(&w, &w.components()[0], &published_machine(), &PlanOptions::default(), |_| ());
-    assert!(plan.route.is_none(), "three ends and a hub of eleven edges are odd");
-    let sharp: Vec<_> = plan.diagnostics.iter().filter(|d| d.code() == Code::BendTooSharp).collect();
-    let tips: Vec<_> = sharp.iter().map(|d| d.location.vertices[0].0).collect();
-    assert_eq!(tips, [0, 3, 6, 9], "{:#?}", plan.diagnostics);
-    // The edges of a tip are 10° apart: the wire turns by 170°.
-    assert!(sharp[0].is_error() && (measured_deg(sharp[0]) - 170.0).abs() < 1e-9, "{:?}", sharp[0]);
-    // A closed wire may have its two ends at one of them.
-    let closed = on(&published_machine(), &w, &PlanOptions { closed: true, ..PlanOptions::default() });
-    assert!(closed.iter().filter(|d| d.code() == Code::BendTooSharp).all(|d| !d.is_error()));
-    // With the axis cut short nothing else is out of reach before than behind: the same tips, by another limit.
-    let mut short_axis = published_machine();
-    short_axis.limits.max_bend.value = deg(175.0);
-    short_axis.limits.min_bend.value = deg(-175.0);
-    short_axis.compensation.bend.axis_limit = Some(deg(130.0));
-    let found = on(&short_axis, &w, &PlanOptions::default());
-    assert!(
-        found.iter().any(|d| d.code() == Code::BendOutOfReach && d.location.vertices == [VertexId(3)]),
-        "{found:#?}"
-    );
 }
 
 /// Half a degree drawn, and the wire comes out bent by a degree to the other side.

@@ -1,6 +1,6 @@
 //! Which edges to travel twice: the exact minimum-weight T-join of the odd vertices.
 
-use wirebend_postman::{Graph, cheapest_join};
+use wirebend_postman::{Graph, Join, cheapest_join, cheapest_joins};
 
 use super::RouteError;
 use super::network::{Link, Network};
@@ -29,39 +29,122 @@ pub fn doubling(
     start: Option<VertexId>,
     closed: bool,
 ) -> Result<Doubling, RouteError> {
-    if component.edges.is_empty() {
+    let network = Network::new(wireframe, component);
+    let start = known(&network, start)?;
+    let odd = ends(&network, start.filter(|_| !closed));
+    let left = match (closed, start) {
+        (true, _) => 0,
+        (false, None) => odd.len().min(2),
+        (false, Some(_)) => odd.len().min(1),
+    };
+    let join = cheapest_join(&graph(&network)?, &odd, left).map_err(|_| no_join(&network, left))?;
+    Ok(in_wireframe(wireframe, &network, &join))
+}
+
+/// The cheapest doublings for one open wire, for two, and so on up to so many: each further one leaves two more vertices odd.
+/// As many as there are, the last of them the first that needs no edge twice.
+///
+/// # Errors
+/// As [`doubling`].
+pub fn doublings(
+    wireframe: &Wireframe,
+    component: &Component,
+    start: Option<VertexId>,
+    wires: usize,
+) -> Result<Vec<Doubling>, RouteError> {
+    let network = Network::new(wireframe, component);
+    let odd = ends(&network, known(&network, start)?);
+    // What is wanted as a start is an end already.
+    let open = odd.len() % 2;
+    let left = odd.len().min(2 * wires.max(1) - open);
+    let joins = cheapest_joins(&graph(&network)?, &odd, left).map_err(|_| no_join(&network, left))?;
+    // Without a wanted start the first is closed; it is the answer where nothing is odd.
+    let closed = usize::from(open == 0 && joins.len() > 1);
+    let mut found: Vec<Doubling> =
+        joins[closed..].iter().map(|join| in_wireframe(wireframe, &network, join)).collect();
+    let enough = found.iter().position(|doubling| doubling.edges.is_empty());
+    found.truncate(enough.map_or(found.len(), |last| last + 1));
+    Ok(found)
+}
+
+/// What one part of a design gets of its wires.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Share {
+    /// How many wires, at least one.
+    pub wires: usize,
+    /// The cheapest doubling with so many, where it is known.
+    pub doubling: Option<Doubling>,
+}
+
+impl Default for Share {
+    /// One wire.
+    fn default() -> Self {
+        Self { wires: 1, doubling: None }
+    }
+}
+
+/// Shares out further wires, beyond one for each part, so that together the parts double the least length. Of each part the
+/// [`doublings`] are known; a further wire saves less than the one before it, so that each goes where it saves most.
+#[must_use]
+pub fn share_out(parts: Vec<Vec<Doubling>>, further: usize) -> Vec<Share> {
+    let mut wires = vec![1; parts.len()];
+    for _ in 0..further {
+        let saved = |part: usize| {
+            let next = parts[part].get(wires[part])?;
+            Some(parts[part][wires[part] - 1].added.mm() - next.added.mm())
+        };
+        let able = (0..parts.len()).filter_map(|part| Some((part, saved(part)?)));
+        // The first of those that save as much.
+        let Some((part, _)) = able.reduce(|best, next| if next.1 > best.1 { next } else { best }) else {
+            break;
+        };
+        wires[part] += 1;
+    }
+    let shares = wires.into_iter().zip(parts);
+    shares
+        .map(|(wires, mut part)| {
+            let doubling = (wires <= part.len()).then(|| part.swap_remove(wires - 1));
+            Share { wires, doubling }
+        })
+        .collect()
+}
+
+fn known(network: &Network, start: Option<VertexId>) -> Result<Option<usize>, RouteError> {
+    if network.links.is_empty() {
         return Err(RouteError::NoEdges);
     }
-    let network = Network::new(wireframe, component);
-    let start = match start {
-        Some(start) => Some(network.index(start).ok_or(RouteError::StartElsewhere(start))?),
-        None => None,
-    };
+    start.map(|start| network.index(start).ok_or(RouteError::StartElsewhere(start))).transpose()
+}
+
+/// The odd vertices, of which those that stay so are left. A wanted start is one of them without a choice: in the set it
+/// leaves it, not in it it joins it.
+fn ends(network: &Network, start: Option<usize>) -> Vec<u32> {
     let mut odd = network.odd(&[]);
-    if odd.is_empty() {
-        return Ok(Doubling::default());
-    }
-    // An open route leaves two vertices odd. A wanted start is one of them without a choice: in the set it leaves it, not in it
-    // it joins it.
-    let mut left = if closed { 0 } else { 2 };
-    if let Some(start) = start.filter(|_| !closed) {
+    if let Some(start) = start.filter(|_| !odd.is_empty()) {
         match odd.binary_search(&start) {
             Ok(at) => drop(odd.remove(at)),
             Err(at) => odd.insert(at, start),
         }
-        left = 1;
     }
+    // `graph` refuses what has more vertices than these numbers.
+    odd.into_iter().filter_map(|vertex| u32::try_from(vertex).ok()).collect()
+}
+
+fn graph(network: &Network) -> Result<Graph, RouteError> {
     let number = |vertex: usize| u32::try_from(vertex).map_err(|_| RouteError::TooLong);
     let edge = |link: &Link| Ok((number(link.a)?, number(link.b)?, link.length_nm.cast_unsigned()));
     let edges: Vec<_> = network.links.iter().map(edge).collect::<Result<_, _>>()?;
-    let odd: Vec<u32> = odd.into_iter().map(number).collect::<Result<_, _>>()?;
-    let graph = Graph::new(network.vertices.len(), &edges).map_err(|_| RouteError::TooLong)?;
-    // The odd vertices of each piece of a graph are even in number, so that there always is a join.
-    let join = cheapest_join(&graph, &odd, left).map_err(|_| {
-        let odd = network.odd(&[]).into_iter().map(|vertex| network.vertices[vertex]).collect();
-        RouteError::Odd { odd, closed }
-    })?;
+    Graph::new(network.vertices.len(), &edges).map_err(|_| RouteError::TooLong)
+}
+
+/// The odd vertices of each piece of a graph are even in number, so that there always is a join.
+fn no_join(network: &Network, allowed: usize) -> RouteError {
+    let odd = network.odd(&[]).into_iter().map(|vertex| network.vertices[vertex]).collect();
+    RouteError::Odd { odd, allowed }
+}
+
+fn in_wireframe(wireframe: &Wireframe, network: &Network, join: &Join) -> Doubling {
     let edges: Vec<EdgeId> = join.edges.iter().map(|&edge| network.links[edge as usize].id).collect();
     let added = edges.iter().map(|&edge| wireframe.edge_length(edge)).sum();
-    Ok(Doubling { edges, added })
+    Doubling { edges, added }
 }

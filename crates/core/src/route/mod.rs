@@ -1,11 +1,13 @@
-//! The route: one walk along the wire that uses every edge of a component.
+//! The route: one walk along the wire that uses every edge of a component, or one for each of several wires.
 //!
-//! An Euler path exists when no more than two vertices are odd. Where more are, some edges have to
-//! be travelled twice; which ones add the least length is [`doubling`]'s answer, and it is the
-//! caller's to accept. Which edge follows which is chosen so that the wire never folds straight
-//! back where another pairing exists, and then so that it bends as little as possible.
+//! An Euler path exists when no more than two vertices are odd; each further wire has room for two more. Where more are odd,
+//! some edges have to be travelled twice; which ones add the least length is [`doubling`]'s answer, and it is the caller's to
+//! accept. Which edge follows which is chosen so that the wire never folds straight back where another pairing exists, then
+//! so that as few bends as possible are beyond the limit, and then so that it bends as little as possible. Where no choice
+//! avoids a bend beyond the limit, [`forced_bends`] says so, and along which edges a detour would.
 
 mod doubling;
+mod forced;
 mod matching;
 mod network;
 mod pairing;
@@ -17,7 +19,8 @@ use pairing::Pairing;
 use crate::units::Angle;
 use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
 
-pub use doubling::{Doubling, doubling};
+pub use doubling::{Doubling, Share, doubling, doublings, share_out};
+pub use forced::{ForcedBend, forced_bends};
 
 /// One edge, travelled once.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -73,16 +76,32 @@ impl Route {
 }
 
 /// What a route has to satisfy.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct RouteOptions {
     /// Edges that are travelled once more than they are drawn; an edge may be listed repeatedly.
     pub doubled: Vec<EdgeId>,
     /// Where the wire starts; chosen when absent.
     pub start: Option<VertexId>,
-    /// Whether the wire must end where it starts.
+    /// How many open wires there may be, at least one.
+    pub wires: usize,
+    /// Whether there is to be one wire, which must end where it starts.
     pub closed: bool,
     /// The largest bend that the machine makes; larger ones are avoided where possible.
     pub max_bend: Option<Angle>,
+}
+
+impl Default for RouteOptions {
+    /// One open wire along every edge once.
+    fn default() -> Self {
+        Self { doubled: Vec::new(), start: None, wires: 1, closed: false, max_bend: None }
+    }
+}
+
+impl RouteOptions {
+    /// How many vertices may be odd: those where wires start and end.
+    const fn odd_allowed(&self) -> usize {
+        if self.closed { 0 } else { 2 * self.wires }
+    }
 }
 
 /// Why there is no route.
@@ -91,21 +110,21 @@ pub enum RouteError {
     /// The component has no edges.
     #[error("there is no edge to run along")]
     NoEdges,
-    /// Too many odd vertices for an open, or any for a closed route.
-    #[error("{} vertices have an odd number of edges; {} allowed", odd.len(), if *closed { "none is" } else { "2 are" })]
+    /// Too many odd vertices for open wires, or any for a closed one.
+    #[error("{} vertices have an odd number of edges; {allowed} may have", odd.len())]
     Odd {
         /// Which.
         odd: Vec<VertexId>,
-        /// Whether a closed route was asked for.
-        closed: bool,
+        /// How many may be odd.
+        allowed: usize,
     },
-    /// The wanted start is not one of the two odd vertices, where an open route has to start.
-    #[error("the wire cannot start at vertex {start}: it has to start at one of the odd vertices {} and {}", ends.0, ends.1)]
+    /// The wanted start is not one of the odd vertices, where open wires have to start.
+    #[error("no wire can start at vertex {start}: one has to start at an odd vertex, the first of which is {}", ends[0])]
     Start {
         /// The wanted start.
         start: VertexId,
-        /// The two vertices where it can.
-        ends: (VertexId, VertexId),
+        /// The vertices where one can: two or more.
+        ends: Vec<VertexId>,
     },
     /// The wanted start has no edge of this component.
     #[error("vertex {0} has no edge of this wire to start along")]
@@ -132,23 +151,61 @@ pub enum RouteError {
 /// one point a hundred times.
 const MAX_ENDS: usize = 200;
 
-/// A route through every edge of a component.
-///
-/// The result is the same on every run. An open route starts at `start` or, without one, at the odd
-/// vertex with the lower id; where every vertex is even the wire starts at `start` or so that its
-/// sharpest bend is the one that need not be made.
+/// A route of one wire through every edge of a component, whatever the options say of several.
 ///
 /// # Errors
-/// [`RouteError`] when there are too many odd vertices, or the start or a doubling does not fit.
+/// As [`routes`].
 pub fn route(
     wireframe: &Wireframe,
     component: &Component,
     options: &RouteOptions,
 ) -> Result<Route, RouteError> {
+    let mut found = routes(wireframe, component, &RouteOptions { wires: 1, ..options.clone() })?;
+    found.pop().ok_or(RouteError::NoEdges)
+}
+
+/// Routes that together pass every edge of a component: one for every two odd vertices, where each starts or ends, and where
+/// `start` is even and a wire is left for it, one more that starts there.
+///
+/// The result is the same on every run. Open routes start at `start` or, without one, at the odd vertices with the lowest
+/// ids; where every vertex is even the wire starts at `start` or so that its sharpest bend is the one that need not be made.
+///
+/// # Errors
+/// [`RouteError`] when there are too many odd vertices, or the start or a doubling does not fit.
+pub fn routes(
+    wireframe: &Wireframe,
+    component: &Component,
+    options: &RouteOptions,
+) -> Result<Vec<Route>, RouteError> {
+    let network = Network::new(wireframe, component);
+    let Layout { copies, wire_ends } = layout(&network, component, options)?;
+    let mut pairing = Pairing::new(&network, &copies, &wire_ends, options.max_bend);
+    trails::join(&mut pairing);
+    let mut last_on = vec![usize::MAX; network.links.len()];
+    let mut traversal = |wire: usize, (copy, forward): (usize, bool)| {
+        let link = &network.links[copies[copy]];
+        let (from, to) = if forward { (link.a, link.b) } else { (link.b, link.a) };
+        let again = std::mem::replace(&mut last_on[copies[copy]], wire) == wire;
+        Traversal { edge: link.id, from: network.vertices[from], to: network.vertices[to], again }
+    };
+    let walks = trails::walks(&pairing).into_iter().enumerate();
+    Ok(walks
+        .map(|(wire, walk)| Route {
+            traversals: walk.into_iter().map(|copy| traversal(wire, copy)).collect(),
+        })
+        .collect())
+}
+
+/// What is walked: every link once and each doubled one once more, and the vertices where wires start or end.
+struct Layout {
+    copies: Vec<usize>,
+    wire_ends: Vec<usize>,
+}
+
+fn layout(network: &Network, component: &Component, options: &RouteOptions) -> Result<Layout, RouteError> {
     if component.edges.is_empty() {
         return Err(RouteError::NoEdges);
     }
-    let network = Network::new(wireframe, component);
     let position = |edge: &EdgeId| {
         let found = network.links.binary_search_by_key(edge, |link| link.id);
         found.map_err(|_| RouteError::DoubledElsewhere(*edge))
@@ -158,20 +215,25 @@ pub fn route(
         Some(start) => Some(network.index(start).ok_or(RouteError::StartElsewhere(start))?),
         None => None,
     };
-    let odd = network.odd(&doubled);
-    if odd.len() > 2 || (options.closed && !odd.is_empty()) {
-        let odd = odd.into_iter().map(|vertex| network.vertices[vertex]).collect();
-        return Err(RouteError::Odd { odd, closed: options.closed });
+    let mut odd = network.odd(&doubled);
+    let ids = |odd: &[usize]| odd.iter().map(|&vertex| network.vertices[vertex]).collect();
+    if odd.len() > options.odd_allowed() {
+        return Err(RouteError::Odd { odd: ids(&odd), allowed: options.odd_allowed() });
     }
-    let ends = match (odd.as_slice(), start) {
-        (&[a, b], None) => Some((a, b)),
-        (&[a, b], Some(start)) if start == a => Some((a, b)),
-        (&[a, b], Some(start)) if start == b => Some((b, a)),
-        (&[a, b], Some(start)) => {
-            let id = |vertex: usize| network.vertices[vertex];
-            return Err(RouteError::Start { start: id(start), ends: (id(a), id(b)) });
+    let wire_ends = match start.map(|start| (start, odd.binary_search(&start))) {
+        None => odd,
+        Some((_, Ok(at))) => {
+            odd[..=at].rotate_right(1);
+            odd
         }
-        (_, start) => start.map(|start| (start, start)),
+        // A wire may end where one starts.
+        Some((start, Err(_))) if odd.is_empty() || odd.len() + 2 <= options.odd_allowed() => {
+            odd.splice(..0, [start, start]);
+            odd
+        }
+        Some((start, Err(_))) => {
+            return Err(RouteError::Start { start: network.vertices[start], ends: ids(&odd) });
+        }
     };
     let copies: Vec<usize> = (0..network.links.len()).chain(doubled).collect();
     let mut meeting = vec![0; network.vertices.len()];
@@ -183,21 +245,5 @@ pub fn route(
         let (vertex, ends) = (network.vertices[vertex], meeting[vertex]);
         return Err(RouteError::TooManyEnds { vertex, ends, max: MAX_ENDS });
     }
-    let mut pairing = Pairing::new(&network, &copies, ends, options.max_bend);
-    trails::join(&mut pairing);
-    let mut travelled = vec![false; network.links.len()];
-    let traversals = trails::walk(&pairing)
-        .into_iter()
-        .map(|(copy, forward)| {
-            let link = &network.links[copies[copy]];
-            let (from, to) = if forward { (link.a, link.b) } else { (link.b, link.a) };
-            Traversal {
-                edge: link.id,
-                from: network.vertices[from],
-                to: network.vertices[to],
-                again: std::mem::replace(&mut travelled[copies[copy]], true),
-            }
-        })
-        .collect();
-    Ok(Route { traversals })
+    Ok(Layout { copies, wire_ends })
 }

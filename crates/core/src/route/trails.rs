@@ -1,4 +1,4 @@
-//! Hierholzer's algorithm on a given pairing: follow it into closed trails, then join the trails
+//! Hierholzer's algorithm on a given pairing: follow it into trails, then join closed ones to others
 //! where they meet, each time at the vertex where that costs least.
 
 use std::cmp::Reverse;
@@ -11,14 +11,17 @@ use super::pairing::{End, Pairing};
 /// Two pairs of one vertex and what they would become, with what that adds to the cost.
 type PairChange = (i64, usize, [(End, End); 2], [(End, End); 2]);
 
-/// Joins all trails of a pairing into one. Each step takes the cheapest change of two pairs that
-/// belong to different trails; a change that folds the wire back is never the cheaper of the two that
+/// Joins the trails of a pairing until there is one for each wire. Each step takes the cheapest change of two pairs that
+/// belong to different trails, one of them closed; a change that folds the wire back is never the cheaper of the two that
 /// are possible.
 pub(super) fn join(pairing: &mut Pairing) {
     let mut trails = UnionFind::<usize>::new(pairing.end_count());
-    for copy in 0..pairing.end_count() / 2 {
-        // The two ends of the wire are joined as by an edge: an open route is a closed one cut there.
+    for copy in 0..pairing.copy_count() {
         trails.union(2 * copy, 2 * copy + 1);
+    }
+    // Open trails count as one: two of them have nothing to join for.
+    for end in pairing.wire_ends().skip(1) {
+        trails.union(pairing.wire_ends().start, end);
     }
     for end in 0..pairing.end_count() {
         trails.union(end, pairing.mate(end));
@@ -68,21 +71,34 @@ fn offer(
     }
 }
 
-/// Follows a pairing that is one trail: each copy with whether it is travelled from its first
+/// Follows a pairing whose trails are joined, one walk for each wire: each copy with whether it is travelled from its first
 /// vertex to its second. Without wire ends the loop is cut at its dearest transition.
-pub(super) fn walk(pairing: &Pairing) -> Vec<(usize, bool)> {
-    let mut leaving = if pairing.has_wire_ends() {
-        pairing.mate(2 * pairing.copy_count())
-    } else {
+pub(super) fn walks(pairing: &Pairing) -> Vec<Vec<(usize, bool)>> {
+    if pairing.wire_ends().is_empty() {
         let transitions = pairing.vertices().iter().flatten();
         // The first of the dearest ones, so that the choice does not depend on the run.
         let dearest = transitions.max_by_key(|&&(p, q)| (pairing.cost(p, q), Reverse((p, q))));
-        dearest.map_or(0, |&(p, q)| p.min(q))
-    };
-    let mut walk = Vec::with_capacity(pairing.copy_count());
+        return vec![walk(pairing, dearest.map_or(0, |&(p, q)| p.min(q))).0];
+    }
+    let mut walks = Vec::with_capacity(pairing.wire_ends().len() / 2);
+    let mut finished = Vec::new();
+    for end in pairing.wire_ends() {
+        if !finished.contains(&end) {
+            let (found, last) = walk(pairing, pairing.mate(end));
+            walks.push(found);
+            finished.push(last);
+        }
+    }
+    walks
+}
+
+/// Follows a trail from an end on, to where it ends or has come round; and the end after its last copy.
+fn walk(pairing: &Pairing, from: End) -> (Vec<(usize, bool)>, End) {
+    let mut leaving = from;
+    let mut walk = Vec::new();
     while walk.len() < pairing.copy_count() && !pairing.is_wire_end(leaving) {
         walk.push((leaving / 2, leaving.is_multiple_of(2)));
         leaving = pairing.mate(leaving ^ 1);
     }
-    walk
+    (walk, leaving)
 }

@@ -1,11 +1,11 @@
 use super::*;
-use crate::plan::{DoublingChoice, PlanOptions, WirePlan, plan_wire};
+use crate::plan::{DoublingChoice, PlanOptions, WirePlan, plan_wires};
 use crate::testing::{chain, deg, mm, published_machine, wireframe};
 use crate::wireframe::Wireframe;
 
 fn planned(w: &Wireframe) -> WirePlan {
     let options = PlanOptions { doubling: DoublingChoice::Cheapest, ..PlanOptions::default() };
-    plan_wire(w, &w.components()[0], &published_machine(), &options, |_| ())
+    plan_wires(w, &w.components()[0], &published_machine(), &options, |_| ()).remove(0)
 }
 
 fn with_input<T>(plan: &WirePlan, passes: &[Vec<usize>], then: impl FnOnce(&SimulationInput) -> T) -> T {

@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 
 use nalgebra::Point3;
 use proptest::prelude::*;
-use wirebend_core::route::{Route, RouteError, RouteOptions, doubling, route};
+use wirebend_core::route::{
+    Route, RouteError, RouteOptions, doubling, doublings, forced_bends, route, routes,
+};
 use wirebend_core::units::{Angle, Length};
 use wirebend_core::wireframe::{Component, EdgeId, Vertex, VertexId, Wireframe};
 
@@ -28,20 +30,43 @@ fn cube() -> Wireframe {
 
 /// A route uses each edge as often as it is asked for, in one unbroken walk.
 fn assert_covers(w: &Wireframe, component: &Component, found: &Route, doubled: &[EdgeId]) {
+    assert_all_cover(w, component, std::slice::from_ref(found), doubled);
+}
+
+/// Routes use each edge together as often as they are asked for, each in one unbroken walk.
+fn assert_all_cover(w: &Wireframe, component: &Component, found: &[Route], doubled: &[EdgeId]) {
     let mut wanted: BTreeMap<EdgeId, usize> = BTreeMap::new();
     for &edge in component.edges.iter().chain(doubled) {
         *wanted.entry(edge).or_default() += 1;
     }
     let mut used: BTreeMap<EdgeId, usize> = BTreeMap::new();
-    for t in &found.traversals {
-        let pass = used.entry(t.edge).or_default();
-        *pass += 1;
-        assert_eq!(t.again, *pass > 1);
-        let edge = w.edge(t.edge).unwrap();
-        assert!((edge.a, edge.b) == (t.from, t.to) || (edge.b, edge.a) == (t.from, t.to));
+    for route in found {
+        let mut passed: BTreeMap<EdgeId, usize> = BTreeMap::new();
+        for t in &route.traversals {
+            let pass = passed.entry(t.edge).or_default();
+            *pass += 1;
+            assert_eq!(t.again, *pass > 1);
+            let edge = w.edge(t.edge).unwrap();
+            assert!((edge.a, edge.b) == (t.from, t.to) || (edge.b, edge.a) == (t.from, t.to));
+        }
+        for (edge, passes) in passed {
+            *used.entry(edge).or_default() += passes;
+        }
+        assert!(route.traversals.windows(2).all(|pair| pair[0].to == pair[1].from));
     }
     assert_eq!(used, wanted);
-    assert!(found.traversals.windows(2).all(|pair| pair[0].to == pair[1].from));
+}
+
+/// How many bends of a route are beyond a limit, at each vertex that has one.
+fn bends_beyond(w: &Wireframe, found: &Route, limit: Angle) -> BTreeMap<VertexId, usize> {
+    let mut beyond = BTreeMap::new();
+    for pair in found.traversals.windows(2) {
+        let (one, next) = (w.direction(pair[0].edge, pair[0].from), w.direction(pair[1].edge, pair[1].from));
+        if one.unwrap().angle(&next.unwrap()).to_degrees() > limit.deg() + 1e-6 {
+            *beyond.entry(pair[0].to).or_default() += 1;
+        }
+    }
+    beyond
 }
 
 fn fold_backs(found: &Route) -> usize {
@@ -54,7 +79,7 @@ fn a_cube_needs_three_doubled_edges_and_no_fold_back() {
     let component = w.components().remove(0);
     let odd = w.odd_vertices(&component, &[]);
     let none = RouteOptions::default();
-    assert_eq!(route(&w, &component, &none), Err(RouteError::Odd { odd, closed: false }));
+    assert_eq!(route(&w, &component, &none), Err(RouteError::Odd { odd, allowed: 2 }));
     let open = doubling(&w, &component, None, false).unwrap();
     assert_eq!((open.edges.len(), open.added.mm()), (3, 90.0));
     let closed = doubling(&w, &component, None, true).unwrap();
@@ -93,7 +118,7 @@ fn starts_and_doublings_that_do_not_fit_are_refused_by_name() {
     let start = |v| RouteOptions { start: Some(VertexId(v)), ..RouteOptions::default() };
     assert_eq!(
         route(&w, &component, &start(1)),
-        Err(RouteError::Start { start: VertexId(1), ends: (VertexId(0), VertexId(2)) })
+        Err(RouteError::Start { start: VertexId(1), ends: vec![VertexId(0), VertexId(2)] })
     );
     assert_eq!(route(&w, &component, &start(3)), Err(RouteError::StartElsewhere(VertexId(3))));
     let other = RouteOptions { doubled: vec![EdgeId(2)], ..RouteOptions::default() };
@@ -177,7 +202,8 @@ fn min_by_trying(w: &Wireframe, component: &Component, allowed: usize, start: Op
         let chosen: Vec<EdgeId> =
             (0..component.edges.len()).filter(|k| subset >> k & 1 == 1).map(|k| component.edges[k]).collect();
         let odd = w.odd_vertices(component, &chosen);
-        let starts = start.is_none_or(|start| odd.is_empty() || odd.contains(&start));
+        let closes = odd.is_empty() || odd.len() + 2 <= allowed;
+        let starts = start.is_none_or(|start| closes || odd.contains(&start));
         if odd.len() <= allowed && starts {
             min = min.min(chosen.iter().map(|&e| w.edge_length(e).mm()).sum());
         }
@@ -205,12 +231,69 @@ proptest! {
         let start = start.map(VertexId).filter(|v| component.vertices.contains(v));
         let doubled = doubling(&w, &component, start, closed).unwrap().edges;
         let max_bend = Some(Angle::from_deg(limit).unwrap());
-        let options = RouteOptions { doubled: doubled.clone(), start, closed, max_bend };
+        let options = RouteOptions { doubled: doubled.clone(), start, closed, max_bend, ..RouteOptions::default() };
         let found = route(&w, &component, &options).unwrap();
         assert_covers(&w, &component, &found, &doubled);
         prop_assert!(start.is_none() || found.vertices().first().copied() == start);
         for pair in found.traversals.windows(2).filter(|pair| pair[0].edge == pair[1].edge) {
             prop_assert_eq!(w.incident(pair[0].to).len(), 1, "folded back where other edges meet");
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(60))]
+
+    /// Each further wire leaves two more vertices odd; it never adds more than the one before it saved.
+    #[test]
+    fn several_wires_share_all_edges(w in any_wireframe(8), wires in 1..5_usize, start in prop::option::of(0..8_u32)) {
+        let component = w.components().remove(0);
+        let start = start.map(VertexId).filter(|v| component.vertices.contains(v));
+        let found = doublings(&w, &component, start, wires).unwrap();
+        prop_assert!((1..=wires).contains(&found.len()));
+        prop_assert_eq!(found[0].added, doubling(&w, &component, start, false).unwrap().added);
+        let saved: Vec<f64> = found.windows(2).map(|pair| pair[0].added.mm() - pair[1].added.mm()).collect();
+        prop_assert!(saved.iter().all(|&saved| saved > -1e-6));
+        prop_assert!(saved.windows(2).all(|pair| pair[1] <= pair[0] + 1e-4), "{saved:?}");
+        if component.edges.len() <= 11 {
+            for (k, doubling) in found.iter().enumerate() {
+                let min = min_by_trying(&w, &component, 2 * k + 2, start);
+                prop_assert!((doubling.added.mm() - min).abs() < 1e-4, "{} for {min}", doubling.added.mm());
+            }
+        }
+        let doubled = found.last().unwrap().edges.clone();
+        let options = RouteOptions { doubled: doubled.clone(), start, wires, ..RouteOptions::default() };
+        let routes = routes(&w, &component, &options).unwrap();
+        assert_all_cover(&w, &component, &routes, &doubled);
+        let odd = w.odd_vertices(&component, &doubled);
+        let starts_anew = odd.is_empty() || start.is_some_and(|start| !odd.contains(&start));
+        prop_assert_eq!(routes.len(), odd.len() / 2 + usize::from(starts_anew));
+        prop_assert!(start.is_none() || routes[0].vertices().first().copied() == start);
+    }
+
+    /// What is called forced is beyond the limit on every route that is found; the detours leave nothing forced but what has none.
+    #[test]
+    fn detours_lead_around_forced_bends(
+        w in any_wireframe(12), limit in 60.0..170.0_f64, closed: bool, start in prop::option::of(0..8_u32),
+    ) {
+        let component = w.components().remove(0);
+        let start = start.map(VertexId).filter(|v| component.vertices.contains(v));
+        let doubled = doubling(&w, &component, start, closed).unwrap().edges;
+        let limit = Angle::from_deg(limit).unwrap();
+        let mut options = RouteOptions { doubled, start, closed, max_bend: Some(limit), ..RouteOptions::default() };
+        let forced = forced_bends(&w, &component, &options).unwrap();
+        let beyond = bends_beyond(&w, &route(&w, &component, &options).unwrap(), limit);
+        for bend in &forced {
+            prop_assert!(bend.bend > limit);
+            // The ends of a closed wire may lie at one of several.
+            prop_assert!(beyond.contains_key(&bend.vertex) || w.odd_vertices(&component, &options.doubled).is_empty());
+        }
+        options.doubled.extend(forced.iter().filter_map(|bend| bend.detour.clone()).flat_map(|detour| detour.edges));
+        let around = route(&w, &component, &options).unwrap();
+        assert_covers(&w, &component, &around, &options.doubled);
+        let without: Vec<VertexId> = forced.iter().filter(|bend| bend.detour.is_none()).map(|bend| bend.vertex).collect();
+        for left in forced_bends(&w, &component, &options).unwrap() {
+            prop_assert!(without.contains(&left.vertex), "{left:?}");
         }
     }
 }

@@ -10,7 +10,6 @@ use wirebend_files::document::Document;
 
 use super::super::EditRequest;
 use super::trials::Trials;
-use super::wires::together;
 use super::{Candidate, Finding};
 
 /// More wires than these are no answer.
@@ -149,4 +148,13 @@ fn near_fractions(wireframe: &Wireframe, wire: &WirePlan, parts: usize) -> Vec<u
         cuts.extend(nearest.map(|place| place.0).filter(|at| cuts.last() < Some(at)));
     }
     cuts
+}
+
+/// One edit as it is, several as one.
+fn together(mut edits: Vec<EditRequest>, label: String) -> Option<EditRequest> {
+    match edits.len() {
+        0 => None,
+        1 => edits.pop(),
+        _ => Some(EditRequest::Several { label, edits }),
+    }
 }

@@ -36,6 +36,8 @@ use wirebend_planning::report::DiagnosticReport;
 
 /// The most fixes for one diagnostic.
 const MAX_FOR_ONE: usize = 3;
+/// The most for odd vertices: one wire, and up to five more.
+const MAX_FOR_ODD: usize = 6;
 /// The most fixes for a design.
 const MAX_FIXES: usize = 60;
 
@@ -48,6 +50,7 @@ pub struct Fix {
     pub title: String,
     pub edit: EditRequest,
     pub change: FixChange,
+    pub after: FixTotals,
     /// How many errors there are afterwards.
     pub errors_after: usize,
     /// Whether the machine can make the design afterwards.
@@ -75,6 +78,21 @@ pub struct FixChange {
     pub warnings: i64,
 }
 
+/// Sums over all wires of the design afterwards. Null where one of them is not known.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct FixTotals {
+    /// How many wires there are.
+    pub wires: usize,
+    /// Designed length, mm.
+    pub length_mm: Option<f64>,
+    /// Stock to load, mm.
+    pub stock_mm: Option<f64>,
+    /// Time on the machine, s.
+    pub time_s: Option<f64>,
+    /// Price of the designed length.
+    pub cost: Option<f64>,
+}
+
 /// An edit that may fix something.
 #[derive(Debug, Clone, PartialEq)]
 struct Candidate {
@@ -91,8 +109,8 @@ struct Finding<'a> {
 
 impl Editor {
     /// What can be done about the errors and warnings of the design on its machine, in the order of
-    /// [`Editor::check`]: up to 3 fixes each, and 60 in all, with fewer for each where there are many. For each, those
-    /// come first that leave the fewest errors, then those that add the least wire. Nothing is changed.
+    /// [`Editor::check`]: up to 3 fixes each, 6 for odd vertices, and 60 in all, with fewer for each where there are many. For each, those
+    /// come first that leave the fewest errors, then those with the fewest wires, then those that add the least wire. Nothing is changed.
     ///
     /// A fix corrects what it is for, at its place, and brings no more errors than there were, those aside that could
     /// not be seen before for want of a route. At most 200 edits are tried, fewer of a design that takes long to plan.
@@ -145,17 +163,27 @@ fn fixes(document: Document, app: &Installation, setup: &Setup) -> Result<Vec<Fi
         tried.push((k, fixes_for(findings[k].diagnostic, all, &base, &mut trials)));
     }
     // Where there is no room for three each, there is one for as many as can be.
-    let room = |rank: usize| tried.iter().map(|(_, some)| some.len().min(rank)).sum::<usize>() <= MAX_FIXES;
+    let most = |k: usize| match findings[k].diagnostic.code() {
+        Code::NoEulerPath => MAX_FOR_ODD,
+        _ => MAX_FOR_ONE,
+    };
+    let taken = |k: usize, rank: usize| if rank == MAX_FOR_ONE { most(k) } else { rank };
+    let room = |rank: usize| {
+        tried.iter().map(|(k, some)| some.len().min(taken(*k, rank))).sum::<usize>() <= MAX_FIXES
+    };
     let each = (1..=MAX_FOR_ONE).rev().find(|&rank| room(rank)).unwrap_or(1);
-    let ranked = tried.into_iter().flat_map(|(k, some)| some.into_iter().take(each).map(move |one| (k, one)));
+    let ranked = tried
+        .into_iter()
+        .flat_map(|(k, some)| some.into_iter().take(taken(k, each)).map(move |one| (k, one)));
     let mut chosen: Vec<(usize, TriedFix)> = ranked.take(MAX_FIXES).collect();
     chosen.sort_by_key(|(k, _)| *k);
     let made = chosen.into_iter().map(|(k, (candidate, trial))| Fix {
         mends: base.check.diagnostics[k].clone(),
-        preview: FixPreview::of(trials.document(), &candidate.edit, &trial.change),
+        preview: FixPreview::of(trials.document(), &candidate.edit, &trial),
         title: candidate.title,
         edit: candidate.edit,
         change: FixChange::between(&base, &trial),
+        after: FixTotals::of(&trial.check),
         errors_after: trial.errors(),
         feasible_after: trial.check.feasible,
     });
@@ -190,8 +218,8 @@ fn fixes_for(
         }
     }
     let length = |trial: &Trial| sum(&trial.check, |wire| wire.length_mm).unwrap_or(f64::INFINITY);
-    offered
-        .sort_by(|(_, a), (_, b)| a.errors().cmp(&b.errors()).then_with(|| length(a).total_cmp(&length(b))));
+    let effort = |trial: &Trial| (trial.errors(), trial.wires.len());
+    offered.sort_by(|(_, a), (_, b)| effort(a).cmp(&effort(b)).then_with(|| length(a).total_cmp(&length(b))));
     offered
 }
 
@@ -213,6 +241,7 @@ fn candidates(finding: Finding, all: &[Finding], trials: &mut Trials) -> Vec<Can
             found.extend(bends::moves(finding, trials));
         }
         Code::BendTooSharp | Code::BendOutOfReach | Code::BendTooSmall => {
+            found.extend(wires::detour(finding, trials));
             found.extend(bends::moves(finding, trials));
             found.extend(cuts::at_step(finding));
             found.extend(starts::elsewhere(finding, trials));
@@ -221,7 +250,7 @@ fn candidates(finding: Finding, all: &[Finding], trials: &mut Trials) -> Vec<Can
             found.extend(starts::elsewhere(finding, trials));
             found.extend(cuts::at_step(finding));
             found.extend(bends::moves(finding, trials));
-            found.extend(wires::apart(finding, trials.document()));
+            found.extend(wires::none_doubled(trials));
         }
         Code::RotationOutOfRange => {
             found.extend(starts::elsewhere(finding, trials));
@@ -238,6 +267,18 @@ fn candidates(finding: Finding, all: &[Finding], trials: &mut Trials) -> Vec<Can
         Code::FoldBack | Code::SeveralWires | Code::NoEdges | Code::DoubledEdge | Code::WireDoesNotFit => {}
     }
     found
+}
+
+impl FixTotals {
+    fn of(check: &LiveCheck) -> Self {
+        Self {
+            wires: check.wires.len(),
+            length_mm: sum(check, |wire| wire.length_mm),
+            stock_mm: sum(check, |wire| wire.stock_mm),
+            time_s: sum(check, |wire| wire.time_s),
+            cost: sum(check, |wire| wire.cost),
+        }
+    }
 }
 
 impl FixChange {

@@ -2,10 +2,11 @@
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use wirebend_core::wireframe::{Edge, VertexId};
-use wirebend_files::document::{Document, DocumentChange};
+use wirebend_core::wireframe::{Edge, EdgeId, VertexId};
+use wirebend_files::document::Document;
 
 use super::super::{EditRequest, Moved};
+use super::trials::Trial;
 
 /// What a fix would change in the drawing. Positions in mm.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
@@ -18,13 +19,13 @@ pub struct FixPreview {
     pub gone_edges: Vec<u32>,
     /// Lines that would be new.
     pub new_edges: Vec<[[f64; 3]; 2]>,
-    /// Edges that would be detached from the others: the wires that are split off.
+    /// Edges that would be detached from the others, or bent from further wires.
     pub detached: Vec<Vec<u32>>,
 }
 
 impl FixPreview {
-    pub(super) fn of(document: &Document, edit: &EditRequest, change: &DocumentChange) -> Self {
-        let wireframe = &document.wireframe;
+    pub(super) fn of(document: &Document, edit: &EditRequest, after: &Trial) -> Self {
+        let (wireframe, change) = (&document.wireframe, &after.change);
         let mut preview = Self::default();
         for (id, change) in &change.wireframe.vertices {
             if let (Some(before), Some(after)) = (change.before, change.after)
@@ -52,10 +53,24 @@ impl FixPreview {
             }
         }
         if let Some(doublings) = &change.doublings {
-            let new = doublings.after.iter().filter(|id| !doublings.before.contains(id));
-            preview.doubled = new.map(|id| id.0).collect();
+            // An edge may be listed once for each further pass.
+            let mut before = doublings.before.clone();
+            let is_new = |id: &&EdgeId| match before.iter().position(|old| old == *id) {
+                Some(at) => {
+                    before.swap_remove(at);
+                    false
+                }
+                None => true,
+            };
+            preview.doubled = doublings.after.iter().filter(is_new).map(|id| id.0).collect();
+            preview.doubled.dedup();
         }
         preview.detached = detached(edit);
+        if change.wires.is_some() {
+            let others = after.wires.iter().skip(1);
+            let edges = others.map(|wire| wire.component.edges.iter().map(|id| id.0).collect());
+            preview.detached.extend(edges);
+        }
         preview
     }
 }

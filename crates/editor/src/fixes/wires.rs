@@ -1,11 +1,12 @@
-//! For odd vertices: edges laid twice, or several wires.
+//! For odd vertices: edges laid twice, or several wires; for bends that no route avoids: a detour.
 
-use std::collections::BTreeSet;
-
+use wirebend_core::checks::Remedy;
 use wirebend_core::plan::WirePlan;
-use wirebend_core::route::{RouteOptions, route};
-use wirebend_core::wireframe::{Component, EdgeId, VertexId};
+use wirebend_core::route::Share;
+use wirebend_core::units::Length;
+use wirebend_core::wireframe::{Component, EdgeId};
 use wirebend_files::document::Document;
+use wirebend_planning::plan::wires_of_parts;
 
 use super::super::EditRequest;
 use super::trials::Trials;
@@ -14,11 +15,13 @@ use super::{Candidate, Finding, shown_mm};
 /// More wires than these are no answer.
 const MAX_WIRES: usize = 6;
 
-/// The cheapest edges twice, or as many wires as it takes to lay none twice.
+/// The cheapest edges twice, or some more wires, as far as they save something.
 pub(super) fn candidates(finding: Finding, trials: &Trials) -> Vec<Candidate> {
     let Some(wire) = finding.wire else { return Vec::new() };
     let mut found: Vec<Candidate> = doubled(wire, trials).into_iter().collect();
-    found.extend(apart(finding, trials.document()));
+    let document = trials.document();
+    let counts = (2..=MAX_WIRES).map_while(|wires| shared_out(document, wires));
+    found.extend(counts.map(|shares| several(&shares, trials)));
     found
 }
 
@@ -31,15 +34,24 @@ fn doubled(wire: &WirePlan, trials: &Trials) -> Option<Candidate> {
     let mut edges: Vec<EdgeId> = doublings_elsewhere(trials.document(), &wire.component);
     edges.extend(&proposal.edges);
     edges.sort_unstable();
-    let count = match proposal.edges.len() {
+    Some(Candidate {
+        title: format!("Double {}", added(&proposal.edges, proposal.added, trials)),
+        edit: doublings(&edges),
+    })
+}
+
+/// "3 edges (+90.0 mm, +$0.18)".
+fn added(edges: &[EdgeId], length: Length, trials: &Trials) -> String {
+    let count = match edges.len() {
         1 => "1 edge".to_owned(),
         count => format!("{count} edges"),
     };
-    let cost = trials.price(proposal.added).map_or_else(String::new, |price| format!(", +{price}"));
-    Some(Candidate {
-        title: format!("Double {count} (+{}{cost})", shown_mm(proposal.added.mm())),
-        edit: EditRequest::Doublings { edges: edges.iter().map(|id| id.0).collect() },
-    })
+    let cost = trials.price(length).map_or_else(String::new, |price| format!(", +{price}"));
+    format!("{count} (+{}{cost})", shown_mm(length.mm()))
+}
+
+fn doublings(edges: &[EdgeId]) -> EditRequest {
+    EditRequest::Doublings { edges: edges.iter().map(|id| id.0).collect() }
 }
 
 fn doublings_elsewhere(document: &Document, component: &Component) -> Vec<EdgeId> {
@@ -47,82 +59,56 @@ fn doublings_elsewhere(document: &Document, component: &Component) -> Vec<EdgeId
     document.doublings.iter().filter(elsewhere).copied().collect()
 }
 
-/// A wire for every two odd vertices, each of which begins or ends one. No edge is laid twice.
-pub(super) fn apart(finding: Finding, document: &Document) -> Option<Candidate> {
-    let component = &finding.wire?.component;
-    let trails = trails(document, component)?;
-    let (_, off) = trails.split_first()?;
-    let mut edits = Vec::new();
-    let elsewhere = doublings_elsewhere(document, component);
-    if elsewhere.len() < document.doublings.len() {
-        edits.push(EditRequest::Doublings { edges: elsewhere.iter().map(|id| id.0).collect() });
-    }
-    if document.start.is_some_and(|start| component.vertices.binary_search(&start).is_ok()) {
-        edits.push(EditRequest::Start { vertex: None });
-    }
-    edits.extend(off.iter().map(|trail| EditRequest::Detach { edges: trail.clone() }));
-    let count = trails.len();
-    Some(Candidate {
-        title: format!("Divide it into {count} wires, none doubled"),
-        edit: together(edits, format!("split into {count} wires"))?,
-    })
+/// The wires of each part of the design, where as many are of use.
+fn shared_out(document: &Document, wires: usize) -> Option<Vec<Share>> {
+    let parts = document.wireframe.components();
+    let parts: Vec<&Component> = parts.iter().filter(|part| !part.edges.is_empty()).collect();
+    let shares = wires_of_parts(document, &parts, document.start, wires);
+    let used: usize = shares.iter().map(|share| share.wires).sum();
+    (wires > parts.len() && used == wires).then_some(shares)
 }
 
-/// One edit as it is, several as one.
-pub(super) fn together(mut edits: Vec<EditRequest>, label: String) -> Option<EditRequest> {
-    match edits.len() {
-        0 => None,
-        1 => edits.pop(),
-        _ => Some(EditRequest::Several { label, edits }),
+fn several(shares: &[Share], trials: &Trials) -> Candidate {
+    let wires: usize = shares.iter().map(|share| share.wires).sum();
+    let doubled = shares.iter().filter_map(|share| share.doubling.as_ref());
+    let length: Length = doubled.clone().map(|doubling| doubling.added).sum();
+    let edges: Vec<EdgeId> = doubled.flat_map(|doubling| doubling.edges.iter().copied()).collect();
+    let less = match edges.as_slice() {
+        [] => "no edge doubled".to_owned(),
+        edges => format!("double {}", added(edges, length, trials)),
+    };
+    Candidate {
+        title: format!("Bend {wires} wires, {less}"),
+        edit: EditRequest::Several {
+            label: format!("bend {wires} wires"),
+            edits: vec![
+                EditRequest::Wires { wires: u32::try_from(wires).unwrap_or(u32::MAX) },
+                doublings(&edges),
+            ],
+        },
     }
 }
 
-/// The edges of a component as trails that begin and end at odd vertices, each edge in one of them; none where one is
-/// enough, or too many are needed.
-///
-/// With lines between odd vertices that are none of the design, one walk covers everything. Where it runs along such a
-/// line, one trail ends and the next begins.
-fn trails(document: &Document, component: &Component) -> Option<Vec<Vec<u32>>> {
-    let odd = document.wireframe.odd_vertices(component, &[]);
-    if odd.len() < 4 || odd.len() / 2 > MAX_WIRES {
-        return None;
-    }
-    let mut joined = document.wireframe.clone();
-    let mut whole = component.clone();
-    let mut lines = BTreeSet::new();
-    for (a, b) in nearest_pairs(document, &odd) {
-        let line = joined.add_edge(a, b).ok()?;
-        whole.edges.push(line);
-        lines.insert(line);
-    }
-    let walk = route(&joined, &whole, &RouteOptions::default()).ok()?;
-    let parts = walk.traversals.split(|traversal| lines.contains(&traversal.edge));
-    let trails: Vec<Vec<u32>> = parts
-        .map(|part| part.iter().map(|traversal| traversal.edge.0).collect())
-        .filter(|trail: &Vec<u32>| !trail.is_empty())
-        .collect();
-    Some(trails)
+/// As many wires as it takes to double no edge.
+pub(super) fn none_doubled(trials: &Trials) -> Option<Candidate> {
+    let document = trials.document();
+    let shares = (2..=MAX_WIRES).map_while(|wires| shared_out(document, wires)).last()?;
+    let is_none = |share: &Share| share.doubling.as_ref().is_none_or(|doubling| doubling.edges.is_empty());
+    shares.iter().all(is_none).then(|| several(&shares, trials))
 }
 
-/// Pairs of odd vertices, nearest first, until two are left.
-fn nearest_pairs(document: &Document, odd: &[VertexId]) -> Vec<(VertexId, VertexId)> {
-    let at = |id: VertexId| document.wireframe.vertex(id).map(|vertex| vertex.position);
-    let mut left = odd.to_vec();
-    let mut pairs = Vec::new();
-    while left.len() > 2 {
-        let apart = |a: VertexId, b: VertexId| match (at(a), at(b)) {
-            (Some(a), Some(b)) => (a - b).norm(),
-            _ => f64::INFINITY,
-        };
-        let all = (0..left.len()).flat_map(|j| (0..j).map(move |k| (k, j)));
-        let Some((k, j)) =
-            all.min_by(|&(a, b), &(c, d)| apart(left[a], left[b]).total_cmp(&apart(left[c], left[d])))
-        else {
-            break;
-        };
-        pairs.push((left[k], left[j]));
-        left.remove(j);
-        left.remove(k);
-    }
-    pairs
+/// Edges laid twice so that the wire comes back to a vertex another way.
+pub(super) fn detour(finding: Finding, trials: &Trials) -> Option<Candidate> {
+    let wire = finding.wire?;
+    let (around, length) = finding.diagnostic.remedies.iter().find_map(|remedy| match remedy {
+        Remedy::Detour { edges, added } => Some((edges, added)),
+        _ => None,
+    })?;
+    // Without a route it goes around what is proposed.
+    let others = if wire.route.is_some() { &wire.doubled } else { &wire.proposal.edges };
+    let mut edges = doublings_elsewhere(trials.document(), &wire.component);
+    edges.extend(others.iter().chain(around));
+    edges.sort_unstable();
+    let title = format!("Take a detour: double {}", added(around, *length, trials));
+    Some(Candidate { title, edit: doublings(&edges) })
 }

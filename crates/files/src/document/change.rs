@@ -3,7 +3,7 @@
 use wirebend_core::wireframe::{Delta, EdgeId, StaleDelta, VertexId};
 
 use super::ids::{Pin, PinTarget};
-use super::project::Document;
+use super::project::{Document, WireCount};
 use super::snapshot::ProfileSnapshot;
 use super::stencil::StencilSource;
 use crate::length_unit::LengthUnit;
@@ -103,6 +103,12 @@ parts! {
     doublings, set_doublings: Vec<EdgeId>,
     /// Where the wire starts.
     start, set_start: Option<VertexId>,
+    /// How many wires there may be.
+    wires, set_wires: WireCount,
+    /// Whether the wire ends where it starts.
+    closed, set_closed: bool,
+    /// Whether the wire runs the other way.
+    reversed, set_reversed: bool,
     /// Remarks pinned to places.
     pins, set_pins: Vec<Pin>,
     /// Remarks on the whole.

@@ -8,6 +8,7 @@ use wirebend_core::wireframe::{Change, Delta, Edge, EdgeId, NextIds, Vertex, Ver
 
 use super::change::{DocumentChange, Replaced};
 use super::ids::{Pin, PinFile};
+use super::project::WireCount;
 use super::snapshot::ProfileSnapshot;
 use super::stencil::{StencilFile, StencilSource};
 use crate::length_unit::LengthUnit;
@@ -39,6 +40,12 @@ struct ChangeFile {
     #[serde(skip_serializing_if = "Option::is_none")]
     start: Option<Pair<u32>>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    wires: Option<[WireCount; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    closed: Option<[bool; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reversed: Option<[bool; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     pins: Option<[Vec<PinFile>; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     notes: Option<[String; 2]>,
@@ -66,6 +73,9 @@ impl DocumentChange {
             material: pair(self.material.as_deref(), Clone::clone),
             doublings: pair(self.doublings.as_deref(), |edges| edges.iter().map(|id| id.0).collect()),
             start: pair(self.start.as_deref(), |start| start.map(|id| id.0)),
+            wires: pair(self.wires.as_deref(), |wires| *wires),
+            closed: pair(self.closed.as_deref(), |closed| *closed),
+            reversed: pair(self.reversed.as_deref(), |reversed| *reversed),
             pins: pair(self.pins.as_deref(), |pins| pins.iter().map(PinFile::from).collect()),
             notes: pair(self.notes.as_deref(), Clone::clone),
             units: pair(self.units.as_deref(), |units| *units),
@@ -98,6 +108,9 @@ impl DocumentChange {
             material: swap(file.material, |material| material),
             doublings: swap(file.doublings, |edges: Vec<u32>| edges.into_iter().map(EdgeId).collect()),
             start: swap(file.start, |start| start.map(VertexId)),
+            wires: swap(file.wires, |wires| wires),
+            closed: swap(file.closed, |closed| closed),
+            reversed: swap(file.reversed, |reversed| reversed),
             pins: swap(file.pins, |pins: Vec<PinFile>| pins.into_iter().map(Pin::from).collect()),
             notes: swap(file.notes, |notes| notes),
             units: swap(file.units, |units| units),

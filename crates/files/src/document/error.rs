@@ -57,6 +57,13 @@ pub enum DocumentError {
         /// What it names.
         target: String,
     },
+    /// One wire that ends where it starts, and several wires.
+    #[error("{file}: \"closed\" is for one wire, and \"wires\" is {wires}")]
+    ClosedWires {
+        file: String,
+        /// How many there may be.
+        wires: usize,
+    },
     /// The embedded stencil cannot be unpacked.
     #[error("{file}: the embedded stencil is damaged: {message}")]
     StencilDamaged { file: String, message: String },
@@ -99,6 +106,7 @@ impl DocumentError {
             Self::Changed { .. } => ErrorCode::DocumentChanged,
             Self::Wireframe { .. } => ErrorCode::DocumentWireframe,
             Self::Dangling { .. } => ErrorCode::DocumentDangling,
+            Self::ClosedWires { .. } => ErrorCode::DocumentClosedWires,
             Self::StencilDamaged { .. } => ErrorCode::DocumentStencilDamaged,
             Self::Stencil { .. } => ErrorCode::DocumentStencil,
             Self::NotFinite { .. } => ErrorCode::DocumentNotFinite,
@@ -116,7 +124,8 @@ impl DocumentError {
             | Self::Empty { .. }
             | Self::NoSuchVersion { .. }
             | Self::Wireframe { .. }
-            | Self::Dangling { .. } => ErrorRemedy::UseLastCopy,
+            | Self::Dangling { .. }
+            | Self::ClosedWires { .. } => ErrorRemedy::UseLastCopy,
             Self::WrongFormat { .. } => ErrorRemedy::OpenAsItIs,
             Self::Newer { .. } => ErrorRemedy::UpdateProgram,
             Self::Changed { .. } | Self::Inconsistent { .. } => ErrorRemedy::PlanAgain,

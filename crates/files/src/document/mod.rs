@@ -22,7 +22,7 @@ pub use error::DocumentError;
 pub use hash::sha256_hex;
 pub use ids::{Pin, PinTarget};
 pub use job::{Job, JobContents, JobStep, JobWire};
-pub use project::{Document, SourceFile};
+pub use project::{Document, SourceFile, WireCount};
 pub use save::save_atomically;
 pub use schema::schemas;
 pub use snapshot::ProfileSnapshot;

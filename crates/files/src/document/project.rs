@@ -1,5 +1,7 @@
 //! `.wirebend`: the design that a person works on.
 
+use std::num::NonZeroU32;
+
 use nalgebra::Point3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -32,6 +34,12 @@ pub struct Document {
     pub doublings: Vec<EdgeId>,
     /// Where the wire has to start.
     pub start: Option<VertexId>,
+    /// How many wires there may be.
+    pub wires: WireCount,
+    /// Whether the wire has to end where it starts.
+    pub closed: bool,
+    /// Whether the wire runs the other way: it ends where it would start.
+    pub reversed: bool,
     /// Remarks pinned to vertices and edges.
     pub pins: Vec<Pin>,
     /// Remarks on the whole.
@@ -77,6 +85,15 @@ pub(crate) struct ProjectFile {
     /// The vertex that the wire starts at, by id.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     start: Option<u32>,
+    /// How many wires there may be: as many of them as lessen what is laid twice.
+    #[serde(default, skip_serializing_if = "WireCount::is_one")]
+    wires: WireCount,
+    /// Whether the wire has to end where it starts.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    closed: bool,
+    /// Whether the wire runs the other way: it ends where it would start.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    reversed: bool,
     /// Remarks on vertices and edges.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pins: Vec<PinFile>,
@@ -136,6 +153,41 @@ struct DesignPart<'a> {
     edges: &'a [EdgeFile],
     doublings: &'a [u32],
     start: Option<u32>,
+    #[serde(skip_serializing_if = "WireCount::is_one")]
+    wires: WireCount,
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    closed: bool,
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    reversed: bool,
+}
+
+/// How many wires there may be, at least one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(transparent)]
+pub struct WireCount(NonZeroU32);
+
+impl Default for WireCount {
+    fn default() -> Self {
+        Self(NonZeroU32::MIN)
+    }
+}
+
+impl WireCount {
+    /// So many; none for no wire.
+    #[must_use]
+    pub fn new(wires: u32) -> Option<Self> {
+        NonZeroU32::new(wires).map(Self)
+    }
+
+    #[must_use]
+    pub const fn get(self) -> usize {
+        self.0.get() as usize
+    }
+
+    #[allow(clippy::trivially_copy_pass_by_ref)] // as serde asks
+    const fn is_one(&self) -> bool {
+        self.0.get() == 1
+    }
 }
 
 impl Document {
@@ -158,12 +210,18 @@ impl Document {
             material: content.material,
             doublings: content.doublings.into_iter().map(EdgeId).collect(),
             start: content.start.map(VertexId),
+            wires: content.wires,
+            closed: content.closed,
+            reversed: content.reversed,
             pins: content.pins.into_iter().map(Pin::from).collect(),
             notes: content.notes,
             units: content.units,
             source: content.source,
         };
         document.check_references(file)?;
+        if document.closed && document.wires != WireCount::default() {
+            return Err(DocumentError::ClosedWires { file: file.to_owned(), wires: document.wires.get() });
+        }
         Ok(document)
     }
 
@@ -195,7 +253,7 @@ impl Document {
     }
 
     /// The SHA-256 of the canonical form of what the wire is planned from: vertices, edges,
-    /// doublings and start. Remarks, stencil, machine and material do not change it.
+    /// doublings and how the wires run. Remarks, stencil, machine and material do not change it.
     ///
     /// # Errors
     /// [`DocumentError::Write`].
@@ -208,6 +266,9 @@ impl Document {
             edges: &wireframe.edges,
             doublings: &doublings,
             start: self.start.map(|id| id.0),
+            wires: self.wires,
+            closed: self.closed,
+            reversed: self.reversed,
         })
     }
 
@@ -221,6 +282,9 @@ impl Document {
             material: self.material.clone(),
             doublings: self.doublings.iter().map(|id| id.0).collect(),
             start: self.start.map(|id| id.0),
+            wires: self.wires,
+            closed: self.closed,
+            reversed: self.reversed,
             pins: self.pins.iter().map(PinFile::from).collect(),
             notes: self.notes.clone(),
             units: self.units,

@@ -150,21 +150,25 @@ impl Content {
                 wanted: wanted.clone(),
             });
         }
-        let PlanChoices { machine: _, material, double, closed, start, reverse, keep_order } =
+        let PlanChoices { machine: _, material, double, detours, wires, closed, start, reverse, keep_order } =
             &request.choices;
         let other_material = material.as_ref().is_some_and(|id| *id != contents.material.id);
         if other_material
             || *double
+            || *detours
+            || wires.is_some()
             || *closed
             || start.is_some()
             || *reverse
             || *keep_order
             || !request.design.reads_plainly()
         {
-            use InputName::{Closed, Double, KeepOrder, Material, Reverse, Start};
+            use InputName::{Closed, Detours, Double, KeepOrder, Material, Reverse, Start, Wires};
             let given = [
                 (Material, other_material),
                 (Double, *double),
+                (Detours, *detours),
+                (Wires, wires.is_some()),
                 (Closed, *closed),
                 (Start, start.is_some()),
                 (Reverse, *reverse),

@@ -1,5 +1,6 @@
 //! `check` and `plan`: a design through the whole pipeline.
 
+mod choice;
 mod wire;
 
 use std::collections::BTreeMap;
@@ -9,11 +10,11 @@ use std::time::Instant;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_core::checks::{Design, Diagnostic, check_design};
-use wirebend_core::plan::{DoublingChoice, PlanOptions, Stage, WirePlan, plan_wire};
+use wirebend_core::plan::{PlanOptions, Stage, WirePlan, plan_wires};
 use wirebend_core::units::Length;
-use wirebend_core::wireframe::{Component, EdgeId, VertexId};
+use wirebend_core::wireframe::{Component, VertexId};
 use wirebend_error::ErrorRemedy;
-use wirebend_files::document::{Document, Job, JobContents, JobStep, JobWire, ProfileSnapshot};
+use wirebend_files::document::{Job, JobContents, JobStep, JobWire, ProfileSnapshot};
 
 use crate::choices::PlanChoices;
 use crate::design::{DesignInput, Opened};
@@ -22,6 +23,8 @@ use crate::output::Output;
 use crate::report::{DiagnosticReport, NoteReport, PlanReport, WireReport};
 use crate::stage::StageName;
 use crate::{Installation, PlanningError, Progress, text};
+pub use choice::wires_of_parts;
+use choice::{WireChoice, doubling_choice, start_in};
 
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 pub struct CheckRequest {
@@ -151,24 +154,38 @@ impl Installation {
         let mut timings = Vec::with_capacity(bent.len());
         let mut replaced = 0;
         progress.stage("planning");
+        let chosen = WireChoice::of(document, choices);
+        let shares = wires_of_parts(document, &bent, start, chosen.wires);
         for (index, component) in bent.iter().enumerate() {
             progress.advance(index as u64, bent.len() as u64);
-            let here = start.filter(|vertex| component.vertices.binary_search(vertex).is_ok());
+            let here = start_in(component, start);
+            let share = shares[index].wires;
             let options = PlanOptions {
-                doubling: doubling_choice(document, component, choices, here, &mut replaced),
-                closed: choices.closed,
+                wires: share,
+                doubling: doubling_choice(
+                    document,
+                    component,
+                    choices,
+                    &chosen,
+                    (here, share),
+                    &mut replaced,
+                ),
+                detours: choices.detours,
+                closed: chosen.closed,
                 start: here,
-                reversed: choices.reverse,
+                reversed: chosen.reversed,
                 settled: settled.clone(),
             };
             let mut took = BTreeMap::new();
             let mut last = Instant::now();
-            let plan = plan_wire(&document.wireframe, component, &setup.model, &options, |stage| {
+            let plans = plan_wires(&document.wireframe, component, &setup.model, &options, |stage| {
                 *took.entry(stage_name(stage)).or_default() += last.elapsed().as_secs_f64() * 1000.0;
                 last = Instant::now();
             });
-            wires.push(plan);
+            // Of several wires of a component, the first has the times of all.
             timings.push(took);
+            timings.resize(timings.len() + plans.len() - 1, BTreeMap::new());
+            wires.extend(plans);
         }
         progress.advance(bent.len() as u64, bent.len() as u64);
         if replaced > 0 {
@@ -188,27 +205,6 @@ impl Installation {
         }
         Ok(Planned { opened, setup, components: components.len(), wires, timings, design })
     }
-}
-
-/// The doublings that the document has accepted, where they make a route possible from the wanted start or nothing
-/// else was asked for; else the cheapest. Counts accepted ones that are not used.
-fn doubling_choice(
-    document: &Document,
-    component: &Component,
-    choices: &PlanChoices,
-    start: Option<VertexId>,
-    replaced: &mut usize,
-) -> DoublingChoice {
-    let here = |edge: &EdgeId| component.edges.binary_search(edge).is_ok();
-    let accepted: Vec<EdgeId> = document.doublings.iter().copied().filter(here).collect();
-    let odd = document.wireframe.odd_vertices(component, &accepted);
-    // An open wire whose ends are odd begins at one of them.
-    let begins = start.is_none_or(|start| odd.is_empty() || odd.contains(&start));
-    if choices.double && (!begins || odd.len() > if choices.closed { 0 } else { 2 }) {
-        *replaced += accepted.len();
-        return DoublingChoice::Cheapest;
-    }
-    DoublingChoice::Accepted(accepted)
 }
 
 /// A springback that was not measured is worth a test piece.

@@ -39,6 +39,13 @@ pub enum RemedyReport {
         /// The length of the wire's edges without them, in mm.
         design_mm: f64,
     },
+    /// Double edges, besides those that are doubled or proposed, for a detour around the bend; no other is shorter.
+    Detour {
+        /// By id; one may be there more than once.
+        edges: Vec<u32>,
+        /// The length that they add, in mm.
+        added_mm: f64,
+    },
     /// Have the edges found whose doubling adds the least length.
     FindDoubling,
     /// Add or delete edges until at most two vertices are odd.
@@ -114,6 +121,9 @@ impl From<&Remedy> for RemedyReport {
                 added_mm: added.mm(),
                 design_mm: design.mm(),
             },
+            Remedy::Detour { edges, added } => {
+                Self::Detour { edges: edges.iter().map(|id| id.0).collect(), added_mm: added.mm() }
+            }
             Remedy::FindDoubling => Self::FindDoubling,
             Remedy::ReduceOddVertices => Self::ReduceOddVertices,
             Remedy::StartAtVertex => Self::StartAtVertex,

@@ -9,10 +9,14 @@ use super::number::{digits_apart, digits_beside, of_bend};
 pub(super) fn too_sharp(at: &Location, of: BendOf, bend: Angle, limit: Angle) -> String {
     let digits = digits_beside(bend.abs().deg(), limit.abs().deg());
     let limit = match of {
-        BendOf::Step => limit,
+        BendOf::Step | BendOf::Forced => limit,
         BendOf::Vertex => limit.abs(),
     };
-    format!("{} is {bend:.digits$}, more than the machine can bend ({limit:.digits$})", name(at, of))
+    format!(
+        "{} is {bend:.digits$}, more than the machine can bend ({limit:.digits$}){}",
+        name(at, of),
+        unavoidable(of)
+    )
 }
 
 pub(super) fn near_limit(at: &Location, bend: Angle, limit: Angle) -> String {
@@ -25,13 +29,14 @@ pub(super) fn near_limit(at: &Location, bend: Angle, limit: Angle) -> String {
 
 pub(super) fn out_of_reach(at: &Location, of: BendOf, bend: Angle, max: Angle) -> String {
     let side = match of {
-        BendOf::Step => "to this side",
+        BendOf::Step | BendOf::Forced => "to this side",
         BendOf::Vertex => "to either side",
     };
     let digits = digits_apart(bend.abs().deg(), max.deg(), 2);
     format!(
-        "{} is {bend:.digits$}, out of reach: the largest possible bend {side} is {max:.digits$}",
-        name(at, of)
+        "{} is {bend:.digits$}, out of reach: the largest possible bend {side} is {max:.digits$}{}",
+        name(at, of),
+        unavoidable(of)
     )
 }
 
@@ -68,10 +73,17 @@ pub(super) fn fold_back_not_compensated(at: &Location, bend: Angle) -> String {
     )
 }
 
+fn unavoidable(of: BendOf) -> &'static str {
+    match of {
+        BendOf::Step | BendOf::Vertex => "",
+        BendOf::Forced => "; no route avoids it",
+    }
+}
+
 fn name(at: &Location, of: BendOf) -> String {
     let bend = match of {
-        BendOf::Step => "the bend",
-        BendOf::Vertex => "the gentlest bend",
+        BendOf::Step | BendOf::Forced => "the bend",
+        BendOf::Vertex => "whichever way the wire runs, the sharpest bend",
     };
     format!("{bend}{}", of_bend(at))
 }

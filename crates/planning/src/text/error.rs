@@ -8,17 +8,26 @@ use wirebend_files::number::thousands;
 
 use super::number::count;
 
+/// The most vertices that a list names.
+const MAX_NAMED: usize = 6;
+
 /// Why a wire has no route as it was asked for.
 pub(super) fn route(error: &RouteError) -> String {
     match error {
         RouteError::NoEdges => "the wire has no edge to run along".to_owned(),
-        RouteError::Odd { odd, closed } => {
-            let allowed = if *closed { "none may be" } else { "2 may be" };
-            format!("{} odd; {allowed}", count(odd.len(), "vertex is", "vertices are"))
+        RouteError::Odd { odd, allowed } => {
+            let allowed = if *allowed == 0 { "none".to_owned() } else { allowed.to_string() };
+            format!("{} odd; {allowed} may be", count(odd.len(), "vertex is", "vertices are"))
         }
-        RouteError::Start { start, ends: (a, b) } => format!(
-            "the wire cannot start at vertex {start}: it has to start at one of the odd vertices {a} and {b}"
-        ),
+        RouteError::Start { start, ends } => {
+            let first: Vec<String> = ends.iter().take(MAX_NAMED).map(ToString::to_string).collect();
+            let more = match ends.len().saturating_sub(MAX_NAMED) {
+                0 => String::new(),
+                more => format!(" and {more} more"),
+            };
+            let ends = first.join(", ") + &more;
+            format!("the wire cannot start at vertex {start}: it has to start at an odd vertex ({ends})")
+        }
         RouteError::StartElsewhere(vertex) => {
             format!("vertex {vertex} has no edge of this wire to start along")
         }

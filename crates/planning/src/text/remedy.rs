@@ -29,6 +29,10 @@ pub(super) fn clause(remedy: &Remedy) -> String {
                 "double {edges}: that adds {added:.1} ({share:.1} % of the design), the least possible"
             );
         }
+        Remedy::Detour { edges, added } => {
+            let edges = count(edges.len(), "more edge", "more edges");
+            return format!("take a detour: double {edges}, which adds {added:.1}, the least possible");
+        }
         Remedy::FindDoubling => "double the cheapest edges",
         Remedy::ReduceOddVertices => "add and delete edges until at most two vertices are odd",
         Remedy::StartAtVertex => "start the wire at this vertex",

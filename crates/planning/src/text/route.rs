@@ -3,8 +3,12 @@
 use wirebend_core::wireframe::EdgeId;
 
 pub(super) fn no_euler_path(odd: usize, allowed: usize) -> String {
-    let wire = if allowed == 0 { "closed wire" } else { "single wire" };
-    format!("{odd} vertices are odd: no {wire} runs through every edge once")
+    let wires = match allowed {
+        0 => "no closed wire runs".to_owned(),
+        2 => "no single wire runs".to_owned(),
+        more => format!("no {} wires run", more / 2),
+    };
+    format!("{odd} vertices are odd: {wires} through every edge once")
 }
 
 pub(super) fn doubled_edge(edge: EdgeId, passes: usize) -> String {

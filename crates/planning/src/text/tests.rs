@@ -59,6 +59,7 @@ fn findings_of_the_drawing_name_vertices_and_edges() {
 fn findings_of_the_route_say_why_there_is_none() {
     let odd = |allowed| Fact::NoEulerPath { odd: 8, allowed };
     let nowhere = Location::default;
+    says(nowhere(), odd(4), "8 vertices are odd: no 2 wires run through every edge once");
     says(nowhere(), odd(2), "8 vertices are odd: no single wire runs through every edge once");
     says(nowhere(), odd(0), "8 vertices are odd: no closed wire runs through every edge once");
     says(
@@ -69,11 +70,11 @@ fn findings_of_the_route_say_why_there_is_none() {
     let refused = |error, words| says(nowhere(), Fact::RouteRefused(error), words);
     refused(RouteError::NoEdges, "the wire has no edge to run along");
     let odd = vec![VertexId(1), VertexId(2), VertexId(3), VertexId(4)];
-    refused(RouteError::Odd { odd, closed: false }, "4 vertices are odd; 2 may be");
-    refused(RouteError::Odd { odd: vec![VertexId(1)], closed: true }, "1 vertex is odd; none may be");
+    refused(RouteError::Odd { odd, allowed: 2 }, "4 vertices are odd; 2 may be");
+    refused(RouteError::Odd { odd: vec![VertexId(1)], allowed: 0 }, "1 vertex is odd; none may be");
     refused(
-        RouteError::Start { start: VertexId(5), ends: (VertexId(1), VertexId(2)) },
-        "the wire cannot start at vertex 5: it has to start at one of the odd vertices 1 and 2",
+        RouteError::Start { start: VertexId(5), ends: vec![VertexId(1), VertexId(2)] },
+        "the wire cannot start at vertex 5: it has to start at an odd vertex (1, 2)",
     );
     refused(RouteError::StartElsewhere(VertexId(5)), "vertex 5 has no edge of this wire to start along");
     refused(RouteError::DoubledElsewhere(EdgeId(5)), "edge 5 is to be doubled but is not part of this wire");
@@ -141,7 +142,7 @@ fn findings_of_bends_name_the_vertex_or_else_the_step() {
     says(
         at(&[]),
         gentlest,
-        "the gentlest bend at vertex 4 is 170.0°, more than the machine can bend (155.0°)",
+        "whichever way the wire runs, the sharpest bend at vertex 4 is 170.0°, more than the machine can bend (155.0°)",
     );
     let near = Fact::BendNearLimit { bend: deg(150.0), limit: stated(deg(155.0)) };
     says(at(&[]), near, "the bend at vertex 4 is 150.0°, close to the most the machine can bend (155.0°)");
@@ -154,7 +155,7 @@ fn findings_of_bends_name_the_vertex_or_else_the_step() {
     says(
         at(&[]),
         unreached(BendOf::Vertex),
-        "the gentlest bend at vertex 4 is 90.00°, out of reach: the largest possible bend to either side is 85.00°",
+        "whichever way the wire runs, the sharpest bend at vertex 4 is 90.00°, out of reach: the largest possible bend to either side is 85.00°",
     );
     says(
         at(&[]),
@@ -245,7 +246,7 @@ fn limits_say_where_they_come_from() {
         (LimitSource::Stated(&reasoned), "the paper [kit, limits.min_feed_mm]"),
         (LimitSource::Stated(&stated(()).source), "the profile"),
         (LimitSource::WeldTolerance, "the weld tolerance"),
-        (LimitSource::EulerPath, "Euler: only the two ends of a wire may be odd"),
+        (LimitSource::EulerPath, "Euler: only the ends of wires may be odd"),
         (LimitSource::BendRadius(mm(3.0)), "bends of centreline radius 3.00 mm"),
         (
             LimitSource::Reach(&axis),

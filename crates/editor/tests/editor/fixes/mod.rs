@@ -108,7 +108,8 @@ fn promised(editor: &mut Editor, app: &Installation) -> Vec<Fix> {
     assert!(fixes.len() <= 60);
     for fix in &fixes {
         let alike = fixes.iter().filter(|other| other.mends == fix.mends);
-        assert!(alike.count() <= 3, "{}", fix.title);
+        let most = if fix.mends.code.as_str() == "no_euler_path" { 6 } else { 3 };
+        assert!(alike.count() <= most, "{}", fix.title);
         assert!(before.diagnostics.contains(&fix.mends), "{}", fix.title);
         let view = editor.view();
         let change = editor.edit(app, &fix.edit).unwrap();
@@ -135,6 +136,12 @@ fn promised(editor: &mut Editor, app: &Installation) -> Vec<Fix> {
             let measured = difference(&before, &after, figure);
             assert!(close(told, measured), "{said}: {told:?} is told, {measured:?} is measured");
         }
+        let sum =
+            |figure: fn(&WireFigures) -> Option<f64>| after.wires.iter().map(figure).sum::<Option<f64>>();
+        assert!(close(fix.after.stock_mm, sum(|wire| wire.stock_mm)), "{said}");
+        assert!(close(fix.after.time_s, sum(|wire| wire.time_s)), "{said}");
+        assert!(close(fix.after.cost, sum(|wire| wire.cost)), "{said}");
+        assert_eq!(fix.after.wires, after.wires.len(), "{said}");
         // Errors that a wire without a route, or without turns of the head, was not checked for.
         let further =
             [(|wire| !wire.route.is_empty()) as fn(&WireFigures) -> bool, |wire| wire.time_s.is_some()]
@@ -153,8 +160,12 @@ fn promised(editor: &mut Editor, app: &Installation) -> Vec<Fix> {
         let was: Vec<u32> = view.vertices.iter().map(|vertex| vertex.id).collect();
         let changed = change.vertices.iter().filter(|vertex| was.contains(&vertex.id)).count();
         assert_eq!(fix.preview.moved.len(), changed, "{said}");
-        let doubled = change.state.doublings.iter().filter(|edge| !view.state.doublings.contains(edge));
-        assert_eq!(fix.preview.doubled, doubled.copied().collect::<Vec<_>>(), "{said}");
+        let mut doubled = change.state.doublings.clone();
+        for edge in &view.state.doublings {
+            doubled.iter().position(|other| other == edge).map(|at| doubled.remove(at));
+        }
+        doubled.dedup();
+        assert_eq!(fix.preview.doubled, doubled, "{said}");
         editor.undo().unwrap();
         assert_eq!(editor.document(), &document, "{said}");
     }

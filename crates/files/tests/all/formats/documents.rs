@@ -12,7 +12,7 @@ use wirebend_core::wireframe::{EdgeId, NextIds, Vertex, VertexId, Wireframe};
 use wirebend_error::ErrorRemedy;
 use wirebend_files::document::{
     Document, DocumentError, Job, JobContents, JobStep, JobWire, Pin, PinTarget, ProfileSnapshot, SourceFile,
-    StencilSource, schemas, sha256_hex,
+    StencilSource, WireCount, schemas, sha256_hex,
 };
 use wirebend_files::read::{Format, LengthUnit, ReadOptions, read};
 
@@ -36,6 +36,9 @@ fn example() -> Document {
         material: Some(ProfileSnapshot { id: "aluminium-3".into(), snapshot: json!(null) }),
         doublings: vec![edge],
         start: Some(b),
+        wires: WireCount::new(3).unwrap(),
+        closed: false,
+        reversed: true,
         pins: vec![
             Pin { on: PinTarget::Vertex(a), text: "hold here".into() },
             Pin { on: PinTarget::Edge(edge), text: String::new() },
@@ -123,6 +126,8 @@ fn a_document_is_laid_out_for_people() {
             0
           ],
           "start": 1,
+          "wires": 3,
+          "reversed": true,
           "pins": [
             {
               "on": {"vertex": 0},
@@ -224,13 +229,15 @@ fn what_is_no_document_is_refused_with_advice() {
         with("\"vertex\": 0", "\"vertex\": 3"),
         with("\"edge\": 0", "\"edge\": 3"),
         with("\"doublings\": [\n    0", "\"doublings\": [\n    5"),
+        with("\"wires\": 3", "\"wires\": 0"),
+        with("\"wires\": 3", "\"wires\": 3,\n  \"closed\": true"),
     ];
     expect![[r#"
         document-json: a.wirebend, line 1, column 1: EOF while parsing an object [UseLastCopy]
         document-newer: a.wirebend: its version 2 is newer than 1, the newest known here [UpdateProgram]
         document-no-such-version: a.wirebend: there is no version 0 of this format: the file is damaged [UseLastCopy]
         document-wrong-format: a.wirebend: this is a "wbjob" file, expected "wirebend" [OpenAsItIs]
-        document-json: a.wirebend, line 28, column 12: unknown field `doubling`, expected one of `format`, `version`, `wireframe`, `stencil`, `machine`, `material`, `doublings`, `start`, `pins`, `notes`, `units`, `source` [UseLastCopy]
+        document-json: a.wirebend, line 28, column 12: unknown field `doubling`, expected one of `format`, `version`, `wireframe`, `stencil`, `machine`, `material`, `doublings`, `start`, `wires`, `closed`, `reversed`, `pins`, `notes`, `units`, `source` [UseLastCopy]
         document-wireframe: a.wirebend: vertex 1 exists already [UseLastCopy]
         document-wireframe: a.wirebend: (30, 0.3333333333333333, 9999999) is not a position: each coordinate must be a number within ±1 000 000 mm [UseLastCopy]
         document-wireframe: a.wirebend: there is no vertex 99 [UseLastCopy]
@@ -238,6 +245,8 @@ fn what_is_no_document_is_refused_with_advice() {
         document-dangling: a.wirebend: "pins" names vertex 3, which is not in the wireframe [UseLastCopy]
         document-dangling: a.wirebend: "pins" names edge 3, which is not in the wireframe [UseLastCopy]
         document-dangling: a.wirebend: "doublings" names edge 5, which is not in the wireframe [UseLastCopy]
+        document-json: a.wirebend, line 32, column 12: invalid value: integer `0`, expected a nonzero u32 [UseLastCopy]
+        document-closed-wires: a.wirebend: "closed" is for one wire, and "wires" is 3 [UseLastCopy]
     "#]].assert_eq(&refusals(&texts));
 }
 

@@ -1,0 +1,227 @@
+//! The whole pipeline for the wires of a component: every stage in order, as far as it gets, and what the checks say.
+
+mod routing;
+mod stages;
+
+use std::collections::BTreeMap;
+
+use nalgebra::Point3;
+
+use crate::bend::{Frame, NominalProgram};
+use crate::checks::{Diagnostic, Fact, Location, MachineLimits, Remedy, Severity, Sourced};
+use crate::compensate::{CompensatedProgram, Compensation};
+use crate::estimate::{TimeModel, WireModel};
+use crate::route::{Doubling, Route};
+use crate::schedule::{HeadLimits, ScheduledProgram};
+use crate::units::{Angle, Length};
+use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
+use routing::Routed;
+use stages::Stages;
+
+/// A machine with a wire in it: everything that the stages ask about.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Machine {
+    /// What it can do.
+    pub limits: MachineLimits,
+    /// What its head can do.
+    pub head: HeadLimits,
+    /// How its feeds and bends are compensated for.
+    pub compensation: Compensation,
+    /// How fast it is.
+    pub time: TimeModel,
+    /// The wire.
+    pub wire: WireModel,
+    /// Centreline radius of its bends.
+    pub bend_radius: Length,
+    /// A change of direction up to this is not bent: half of what the bend axis resolves.
+    pub straight: Angle,
+    /// How far its bends scatter (one standard deviation), where that is known.
+    pub scatter: Option<Sourced<Angle>>,
+}
+
+/// Which edges are travelled twice.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum DoublingChoice {
+    /// Those that a person has accepted.
+    Accepted(Vec<EdgeId>),
+    /// The cheapest that make a route possible.
+    Cheapest,
+}
+
+impl Default for DoublingChoice {
+    /// Every edge once.
+    fn default() -> Self {
+        Self::Accepted(Vec::new())
+    }
+}
+
+/// What a person may choose of a plan.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct PlanOptions {
+    /// How many wires there may be, at least one: as many of them as lessen what is doubled.
+    pub wires: usize,
+    /// Which edges are travelled twice.
+    pub doubling: DoublingChoice,
+    /// Whether edges are travelled once more, too, where only a detour avoids a bend that the machine cannot make.
+    pub detours: bool,
+    /// Whether the wire must end where it starts.
+    pub closed: bool,
+    /// Where the wire starts.
+    pub start: Option<VertexId>,
+    /// Whether the wire runs the other way: it ends where it would have started.
+    pub reversed: bool,
+    /// The walk, where it is settled: no other is looked for, and no edge is doubled but those that it passes again.
+    pub settled: Option<Route>,
+}
+
+impl Default for PlanOptions {
+    /// One open wire along every edge once.
+    fn default() -> Self {
+        Self {
+            wires: 1,
+            doubling: DoublingChoice::default(),
+            detours: false,
+            closed: false,
+            start: None,
+            reversed: false,
+            settled: None,
+        }
+    }
+}
+
+/// A stage of the pipeline that has been done.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stage {
+    /// Which edges to travel twice.
+    Doubling,
+    /// The walk along every edge.
+    Route,
+    /// The nominal program.
+    Program,
+    /// Signs and windings.
+    Schedule,
+    /// What the machine is told.
+    Compensate,
+    /// What cannot be made.
+    Check,
+}
+
+/// One wire through all stages, as far as it got.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WirePlan {
+    /// What it covers: a component, or a part of one that it shares with other wires.
+    pub component: Component,
+    /// Edges that are travelled twice.
+    pub doubled: Vec<EdgeId>,
+    /// The cheapest doubling for these options, whether or not it was applied.
+    pub proposal: Doubling,
+    /// The route.
+    pub route: Option<Route>,
+    /// The positions of the route's vertices, in mm.
+    pub path: Vec<Point3<f64>>,
+    /// The frame in which the nominal program starts.
+    pub start: Frame,
+    /// The nominal program.
+    pub nominal: Option<NominalProgram>,
+    /// The schedule.
+    pub scheduled: Option<ScheduledProgram>,
+    /// The compensated program.
+    pub compensated: Option<CompensatedProgram>,
+    /// What the checks say, doublings and refusals included.
+    pub diagnostics: Vec<Diagnostic>,
+    /// Seconds on the machine.
+    pub seconds: Option<f64>,
+    /// Stock to load.
+    pub stock: Option<Length>,
+}
+
+impl WirePlan {
+    /// A wire before all stages but its route.
+    fn new(component: Component, doubled: Vec<EdgeId>, proposal: Doubling, route: Option<Route>) -> Self {
+        Self {
+            component,
+            doubled,
+            proposal,
+            route,
+            path: Vec::new(),
+            start: Frame::default(),
+            nominal: None,
+            scheduled: None,
+            compensated: None,
+            diagnostics: Vec::new(),
+            seconds: None,
+            stock: None,
+        }
+    }
+
+    /// What the doubled edges add to the wire.
+    #[must_use]
+    pub fn doubled_length(&self, wireframe: &Wireframe) -> Length {
+        self.doubled.iter().map(|&edge| wireframe.edge_length(edge)).sum()
+    }
+
+    /// Whether the machine can make it: it has been compensated and no check objects.
+    #[must_use]
+    pub fn is_feasible(&self) -> bool {
+        self.compensated.is_some() && !self.diagnostics.iter().any(Diagnostic::is_error)
+    }
+}
+
+/// Plans the wires of one component: one, or where the options allow more, one for every two odd vertices. Whatever stands in the
+/// way of a stage becomes a diagnostic, and the stages after it are left out. `done` is told of each stage that has been done.
+pub fn plan_wires(
+    wireframe: &Wireframe,
+    component: &Component,
+    machine: &Machine,
+    options: &PlanOptions,
+    mut done: impl FnMut(Stage),
+) -> Vec<WirePlan> {
+    let Routed { doubled, proposal, mut routes, forced, refusals } =
+        routing::find(wireframe, component, machine, options, &mut done);
+    let stages = Stages { wireframe, machine, odd_allowed: routing::allowed(options), forced: &forced };
+    if routes.len() < 2 {
+        let mut plan = WirePlan::new(component.clone(), doubled, proposal, routes.pop());
+        stages.run(&mut plan, refusals, &mut done);
+        return vec![plan];
+    }
+    let added = |edges: &[EdgeId]| -> Length { edges.iter().map(|&edge| wireframe.edge_length(edge)).sum() };
+    let is_cheapest = added(&doubled) <= proposal.added;
+    let mut passes: BTreeMap<EdgeId, usize> = BTreeMap::new();
+    let plan_one = |route: Route| {
+        let doubled = routing::again(&route);
+        let least = if is_cheapest { added(&doubled) } else { Length::ZERO };
+        let proposal = Doubling { edges: Vec::new(), added: least };
+        let mut plan = WirePlan::new(along(&route), doubled, proposal, Some(route));
+        let beside = beside_others(&plan, &mut passes);
+        stages.run(&mut plan, beside, &mut done);
+        plan
+    };
+    routes.into_iter().map(plan_one).collect()
+}
+
+/// What one of several wires runs along.
+fn along(route: &Route) -> Component {
+    let mut edges: Vec<EdgeId> = route.traversals.iter().map(|traversal| traversal.edge).collect();
+    let mut vertices = route.vertices();
+    edges.sort_unstable();
+    edges.dedup();
+    vertices.sort_unstable();
+    vertices.dedup();
+    Component { vertices, edges }
+}
+
+/// The edges of one of several wires that others before it run along, too.
+fn beside_others(plan: &WirePlan, passes: &mut BTreeMap<EdgeId, usize>) -> Vec<Diagnostic> {
+    let before = passes.clone();
+    for traversal in plan.route.iter().flat_map(|route| &route.traversals) {
+        *passes.entry(traversal.edge).or_default() += 1;
+    }
+    let shared = plan.component.edges.iter().filter(|edge| before.contains_key(edge));
+    let said = shared.map(|&edge| Diagnostic {
+        severity: Severity::Info,
+        location: Location::at_edges([edge]),
+        fact: Fact::DoubledEdge { edge, passes: passes[&edge] },
+        remedies: vec![Remedy::LeaveRoom, Remedy::TieWires],
+    });
+    said.collect()
+}

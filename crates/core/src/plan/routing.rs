@@ -1,0 +1,187 @@
+//! From what was chosen to routes, or to why there is none.
+
+use super::{DoublingChoice, Machine, PlanOptions, Stage};
+use crate::checks::{Diagnostic, Fact, Location, Remedy, Severity};
+use crate::route::{
+    Doubling, ForcedBend, Route, RouteError, RouteOptions, Traversal, doubling, doublings, forced_bends,
+    routes,
+};
+use crate::units::Angle;
+use crate::wireframe::{Component, EdgeId, Wireframe};
+
+/// The routes of a component, and what the checks need to know of the search for them.
+pub(super) struct Routed {
+    /// Edges that are travelled twice.
+    pub doubled: Vec<EdgeId>,
+    /// The cheapest doubling for what was chosen.
+    pub proposal: Doubling,
+    /// One for each wire; none where none is possible.
+    pub routes: Vec<Route>,
+    /// Bends beyond the limit that no route avoids; without a route none with the proposed doubling.
+    pub forced: Vec<ForcedBend>,
+    /// Why there is no route, where it is not for odd vertices.
+    pub refusals: Vec<Diagnostic>,
+}
+
+/// Finds the routes of a component.
+pub(super) fn find(
+    wireframe: &Wireframe,
+    component: &Component,
+    machine: &Machine,
+    options: &PlanOptions,
+    done: &mut impl FnMut(Stage),
+) -> Routed {
+    let proposed = proposal(wireframe, component, options);
+    let mut found = Routed {
+        doubled: Vec::new(),
+        proposal: Doubling::default(),
+        routes: Vec::new(),
+        forced: Vec::new(),
+        refusals: Vec::new(),
+    };
+    match proposed {
+        Ok(proposal) => found.proposal = proposal,
+        Err(error) => found.refusals.push(refusal(error, None)),
+    }
+    found.doubled = match (&options.settled, &options.doubling) {
+        (Some(settled), _) => again(settled),
+        (None, DoublingChoice::Accepted(edges)) => edges.clone(),
+        (None, DoublingChoice::Cheapest) => found.proposal.edges.clone(),
+    };
+    done(Stage::Doubling);
+    if found.refusals.is_empty() {
+        let max_bend = Some(largest_bend(machine));
+        search(wireframe, component, options, max_bend, &mut found);
+    }
+    done(Stage::Route);
+    found
+}
+
+fn search(
+    wireframe: &Wireframe,
+    component: &Component,
+    options: &PlanOptions,
+    max_bend: Option<Angle>,
+    found: &mut Routed,
+) {
+    let mut wanted = RouteOptions {
+        doubled: found.doubled.clone(),
+        start: options.start,
+        wires: options.wires,
+        closed: options.closed,
+        max_bend,
+    };
+    if options.detours && options.settled.is_none() {
+        wanted.doubled.extend(detours(wireframe, component, &wanted));
+        found.doubled.clone_from(&wanted.doubled);
+    }
+    let forced = |wanted: &RouteOptions| forced_bends(wireframe, component, wanted).unwrap_or_default();
+    match find_routes(wireframe, component, &wanted, options) {
+        Ok(routes) => {
+            let is_bent = |route: &Route| is_bent_beyond(wireframe, route, &wanted);
+            if options.settled.is_none() && routes.iter().any(is_bent) {
+                found.forced = forced(&wanted);
+            }
+            found.routes = routes;
+        }
+        // The check of odd vertices says it with the cheapest way out; where a bend is in the way of that, it is said, too.
+        Err(RouteError::Odd { .. }) => {
+            found.forced = forced(&RouteOptions { doubled: found.proposal.edges.clone(), ..wanted });
+        }
+        Err(error) => {
+            let offered = Some(&found.proposal).filter(|proposal| !proposal.edges.is_empty());
+            let doubling = offered.map(|proposal| Remedy::double(proposal, wireframe, component));
+            found.refusals.push(refusal(error, doubling));
+        }
+    }
+}
+
+/// The cheapest doubling for what was chosen.
+fn proposal(
+    wireframe: &Wireframe,
+    component: &Component,
+    options: &PlanOptions,
+) -> Result<Doubling, RouteError> {
+    if options.settled.is_some() {
+        return Ok(Doubling::default());
+    }
+    if options.closed || options.wires < 2 {
+        return doubling(wireframe, component, options.start, options.closed);
+    }
+    let mut found = doublings(wireframe, component, options.start, options.wires)?;
+    Ok(found.pop().unwrap_or_default())
+}
+
+/// How many vertices may be odd.
+pub(super) const fn allowed(options: &PlanOptions) -> usize {
+    if options.closed { 0 } else { 2 * options.wires }
+}
+
+/// The largest bend that the machine makes of this wire, to whichever side.
+fn largest_bend(machine: &Machine) -> Angle {
+    let limits = &machine.limits;
+    let to = |limit: Angle| limit.abs().min(machine.compensation.bend.max_bend(limit));
+    to(limits.max_bend.value).max(to(limits.min_bend.value))
+}
+
+/// The edges of detours around all bends beyond the limit that have one.
+fn detours(wireframe: &Wireframe, component: &Component, wanted: &RouteOptions) -> Vec<EdgeId> {
+    // Without a route there is nothing to go around; the search for one says why.
+    let forced = forced_bends(wireframe, component, wanted).unwrap_or_default();
+    forced.into_iter().filter_map(|bend| bend.detour).flat_map(|detour| detour.edges).collect()
+}
+
+/// Whether a route has a bend beyond the limit.
+fn is_bent_beyond(wireframe: &Wireframe, route: &Route, wanted: &RouteOptions) -> bool {
+    let bend = |pair: &[Traversal]| {
+        let (from, to) = (
+            wireframe.direction(pair[0].edge, pair[0].from)?,
+            wireframe.direction(pair[1].edge, pair[1].from)?,
+        );
+        Some(Angle::computed(from.angle(&to)))
+    };
+    wanted.max_bend.is_some_and(|max| route.traversals.windows(2).filter_map(bend).any(|bend| bend > max))
+}
+
+/// The edges that a walk passes once more.
+pub(super) fn again(walk: &Route) -> Vec<EdgeId> {
+    let traversals = walk.traversals.iter();
+    traversals.filter(|traversal| traversal.again).map(|traversal| traversal.edge).collect()
+}
+
+fn find_routes(
+    wireframe: &Wireframe,
+    component: &Component,
+    wanted: &RouteOptions,
+    options: &PlanOptions,
+) -> Result<Vec<Route>, RouteError> {
+    let found = match &options.settled {
+        Some(settled) => vec![settled.clone()],
+        None => routes(wireframe, component, wanted)?,
+    };
+    Ok(if options.reversed { found.iter().map(Route::reversed).collect() } else { found })
+}
+
+/// The finding of a route that cannot be had.
+fn refusal(error: RouteError, doubling: Option<Remedy>) -> Diagnostic {
+    let location = match &error {
+        RouteError::Start { start, .. } | RouteError::StartElsewhere(start) => {
+            Location::at_vertices([*start])
+        }
+        RouteError::DoubledElsewhere(edge) => Location::at_edges([*edge]),
+        RouteError::Odd { odd, .. } => Location::at_vertices(odd.iter().copied()),
+        RouteError::NoEdges | RouteError::TooLong => Location::default(),
+        RouteError::TooManyEnds { vertex, .. } => Location::at_vertices([*vertex]),
+    };
+    let mut remedies = match error {
+        RouteError::TooLong | RouteError::TooManyEnds { .. } => vec![Remedy::SplitDesign],
+        RouteError::NoEdges => vec![Remedy::DrawEdges],
+        RouteError::Start { .. }
+        | RouteError::StartElsewhere(_)
+        | RouteError::DoubledElsewhere(_)
+        | RouteError::Odd { .. } => vec![Remedy::ChooseStart, Remedy::LeaveStartOpen],
+    };
+    // A start that no walk has is possible once the proposed edges are doubled.
+    remedies.extend(doubling.filter(|_| matches!(error, RouteError::Start { .. })));
+    Diagnostic { severity: Severity::Error, location, fact: Fact::RouteRefused(error), remedies }
+}

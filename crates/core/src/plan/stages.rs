@@ -1,0 +1,119 @@
+//! The stages after the route.
+
+use super::{Machine, Stage, WirePlan};
+use crate::bend::{PathError, program_of_path};
+use crate::checks::{Diagnostic, Fact, Location, Remedy, Severity, WireStages, check_wire};
+use crate::compensate::{StepError, compensate};
+use crate::estimate::stock;
+use crate::route::ForcedBend;
+use crate::schedule::{RotationOutOfRange, schedule};
+use crate::units::Angle;
+use crate::wireframe::Wireframe;
+
+/// What the stages of all wires of a component have in common.
+pub(super) struct Stages<'a> {
+    pub wireframe: &'a Wireframe,
+    pub machine: &'a Machine,
+    pub odd_allowed: usize,
+    pub forced: &'a [ForcedBend],
+}
+
+impl Stages<'_> {
+    /// Takes a wire from its route, if it has one, through all other stages.
+    pub fn run(&self, plan: &mut WirePlan, already: Vec<Diagnostic>, done: &mut impl FnMut(Stage)) {
+        let Self { wireframe, machine, .. } = *self;
+        let mut failures = Failures::default();
+        run_stages(wireframe, machine, plan, &mut failures, done);
+        plan.diagnostics = check_wire(&WireStages {
+            wireframe,
+            component: &plan.component,
+            doubled: &plan.doubled,
+            odd_allowed: self.odd_allowed,
+            proposal: Some(&plan.proposal).filter(|proposal| !proposal.edges.is_empty()),
+            forced: self.forced,
+            route: plan.route.as_ref(),
+            nominal: plan.nominal.as_ref(),
+            scheduled: plan.scheduled.as_ref(),
+            rotation: failures.rotation.as_ref(),
+            compensated: plan.compensated.as_ref(),
+            unbendable: &failures.unbendable,
+            compensation: &machine.compensation,
+            diameter: machine.wire.diameter,
+            bend_radius: machine.bend_radius,
+            straight: machine.straight,
+            scatter: machine.scatter.as_ref(),
+            limits: &machine.limits,
+        });
+        plan.diagnostics.extend(already);
+        plan.diagnostics.extend(failures.path.map(|error| path_failure(plan, error)));
+        plan.diagnostics.sort_by_key(|diagnostic| diagnostic.severity);
+        done(Stage::Check);
+    }
+}
+
+#[derive(Default)]
+struct Failures {
+    path: Option<PathError>,
+    rotation: Option<RotationOutOfRange>,
+    unbendable: Vec<StepError>,
+}
+
+/// From the route to the compensated program, as far as it goes.
+fn run_stages(
+    wireframe: &Wireframe,
+    machine: &Machine,
+    plan: &mut WirePlan,
+    failures: &mut Failures,
+    done: &mut impl FnMut(Stage),
+) {
+    let Some(route) = &plan.route else { return };
+    let position = |vertex| wireframe.vertex(vertex).map(|vertex| vertex.position);
+    plan.path = route.vertices().into_iter().filter_map(position).collect();
+    let (start, nominal) = match program_of_path(&plan.path, machine.straight) {
+        Ok(made) => made,
+        Err(error) => {
+            failures.path = Some(error);
+            return;
+        }
+    };
+    plan.start = start;
+    done(Stage::Program);
+    let limits = &machine.limits;
+    let bend_seconds = |bend: Angle| {
+        let within = bend >= limits.min_bend.value && bend <= limits.max_bend.value;
+        let command = machine.compensation.bend.command(bend).ok().filter(|_| within)?;
+        Some(machine.time.bend_seconds(command))
+    };
+    let scheduled = schedule(&nominal, &machine.head, bend_seconds);
+    plan.nominal = Some(nominal);
+    done(Stage::Schedule);
+    match scheduled {
+        Err(error) => failures.rotation = Some(error),
+        Ok(scheduled) => {
+            match compensate(&scheduled, &machine.compensation) {
+                Ok(program) => {
+                    plan.seconds = Some(machine.time.seconds(&program));
+                    plan.stock = Some(stock(&program, limits.tail.value));
+                    plan.compensated = Some(program);
+                }
+                Err(errors) => failures.unbendable = errors,
+            }
+            plan.scheduled = Some(scheduled);
+        }
+    }
+    done(Stage::Compensate);
+}
+
+/// The finding of a route with a segment without length. The check of the design names the edge by its vertices too.
+fn path_failure(plan: &WirePlan, error: PathError) -> Diagnostic {
+    let traversal = match error {
+        PathError::NoDirection(k) => plan.route.as_ref().and_then(|route| route.traversals.get(k)),
+        PathError::TooShort(_) => None,
+    };
+    Diagnostic {
+        severity: Severity::Error,
+        location: Location::at_edges(traversal.map(|t| t.edge)),
+        fact: Fact::NoPath(error),
+        remedies: vec![Remedy::DeleteEdge, Remedy::MergeVertices],
+    }
+}

@@ -1,0 +1,222 @@
+//! Bends beyond the limit that no choice of what follows what avoids, and the shortest detours around them.
+
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BinaryHeap};
+
+use super::doubling::Doubling;
+use super::matching::min_cost_pairs;
+use super::network::Network;
+use super::pairing::{End, Pairing};
+use super::{Layout, RouteError, RouteOptions, layout};
+use crate::units::Angle;
+use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
+
+/// A vertex whose edges cannot follow each other without a bend beyond the limit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ForcedBend {
+    /// The vertex.
+    pub vertex: VertexId,
+    /// Two edges that the wire bends between, by the least that the sharpest bend at this vertex can be.
+    pub edges: [EdgeId; 2],
+    /// By how much, as a magnitude.
+    pub bend: Angle,
+    /// Edges to travel once more, so that the wire leaves the vertex and comes back another way: the shortest. None where no
+    /// detour leads back within the limit.
+    pub detour: Option<Doubling>,
+}
+
+/// The vertices at which every route with these options has a bend beyond the limit. An edge that the wire has to go back along
+/// from a dead end is none: only the edges of two others are paired. One closed wire with a free start has its ends at the only
+/// one, where it needs no bend.
+///
+/// # Errors
+/// As [`routes`](super::routes).
+pub fn forced_bends(
+    wireframe: &Wireframe,
+    component: &Component,
+    options: &RouteOptions,
+) -> Result<Vec<ForcedBend>, RouteError> {
+    let network = Network::new(wireframe, component);
+    let Layout { copies, wire_ends } = layout(&network, component, options)?;
+    let pairing = Pairing::new(&network, &copies, &wire_ends, options.max_bend);
+    let is_forced = |pairs: &[(End, End)]| {
+        let has_length = |&(p, q): &(End, End)| pairing.has_direction(p) && pairing.has_direction(q);
+        pairs.iter().any(|&(p, q)| !pairing.allows(p, q)) && pairs.iter().all(has_length)
+    };
+    let forced: Vec<usize> = (0..network.vertices.len())
+        .filter(|&vertex| is_forced(&pairing.vertices()[vertex]) && has_two_edges(&pairing, vertex))
+        .collect();
+    if let ([only], []) = (forced.as_slice(), wire_ends.as_slice()) {
+        let beyond = pairing.vertices()[*only].iter().filter(|&&(p, q)| !pairing.allows(p, q));
+        if beyond.count() == 1 {
+            return Ok(Vec::new());
+        }
+    }
+    if forced.is_empty() {
+        return Ok(Vec::new());
+    }
+    let mut detours = Detours::new(&pairing);
+    Ok(forced.into_iter().map(|vertex| forced_at(wireframe, &pairing, vertex, &mut detours)).collect())
+}
+
+fn has_two_edges(pairing: &Pairing, vertex: usize) -> bool {
+    let mut edges = ends_at(pairing, vertex).into_iter().filter_map(|end| pairing.link_end(end));
+    edges.next().is_some_and(|first| edges.any(|other| other != first))
+}
+
+/// The ends that meet at a vertex, those of wires included.
+fn ends_at(pairing: &Pairing, vertex: usize) -> Vec<End> {
+    let mut ends: Vec<End> = pairing.vertices()[vertex].iter().flat_map(|&(p, q)| [p, q]).collect();
+    ends.sort_unstable();
+    ends
+}
+
+fn forced_at(wireframe: &Wireframe, pairing: &Pairing, vertex: usize, detours: &mut Detours) -> ForcedBend {
+    let network = pairing.network();
+    let ends = ends_at(pairing, vertex);
+    let (p, q) = gentlest(pairing, &ends);
+    let edge = |end: End| network.links[pairing.link_end(end).unwrap_or_default() / 2].id;
+    ForcedBend {
+        vertex: network.vertices[vertex],
+        edges: [edge(p), edge(q)],
+        bend: Angle::computed(pairing.bend_deg(p, q).to_radians()),
+        detour: detours.around(&ends).map(|links| {
+            let mut edges: Vec<EdgeId> = links.into_iter().map(|link| network.links[link].id).collect();
+            edges.sort_unstable();
+            let added = edges.iter().map(|&edge| wireframe.edge_length(edge)).sum();
+            Doubling { edges, added }
+        }),
+    }
+}
+
+/// The sharpest pair of the pairing whose sharpest is the gentlest.
+fn gentlest(pairing: &Pairing, ends: &[End]) -> (End, End) {
+    let mut pairs: Vec<(f64, (End, End))> = Vec::new();
+    for (k, &p) in ends.iter().enumerate() {
+        let others = ends[k + 1..].iter().filter(|&&q| !pairing.is_wire_end(p) && !pairing.is_wire_end(q));
+        pairs.extend(others.map(|&q| (pairing.bend_deg(p, q), (p, q))));
+    }
+    pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
+    // With more pairs allowed there is a perfect pairing at once or never.
+    let is_enough = |&(limit, _): &(f64, (End, End))| {
+        let allowed = |k: usize, j: usize| match [ends[k], ends[j]].map(|end| pairing.is_wire_end(end)) {
+            [true, true] => false,
+            [false, false] => pairing.is_within(ends[k], ends[j], limit),
+            _ => true,
+        };
+        let matched = min_cost_pairs(ends.len(), |k, j| allowed(k, j).then_some(0));
+        2 * matched.len() == ends.len()
+    };
+    let at = pairs.partition_point(|pair| !is_enough(pair));
+    pairs.get(at).or(pairs.last()).map_or((ends[0], ends[0]), |&(_, pair)| pair)
+}
+
+/// Shortest walks from a vertex back to it, with no bend beyond the limit. Ends are those of links: twice the link, plus one at its
+/// second vertex.
+struct Detours<'a> {
+    pairing: &'a Pairing<'a>,
+    /// The ends of links at each vertex.
+    at: Vec<Vec<End>>,
+}
+
+impl<'a> Detours<'a> {
+    fn new(pairing: &'a Pairing<'a>) -> Self {
+        let network = pairing.network();
+        let mut at = vec![Vec::new(); network.vertices.len()];
+        for (k, link) in network.links.iter().enumerate() {
+            at[link.a].push(2 * k);
+            at[link.b].push(2 * k + 1);
+        }
+        Self { pairing, at }
+    }
+
+    /// The vertex that an end of a link is at.
+    fn vertex(&self, end: End) -> usize {
+        let link = &self.pairing.network().links[end / 2];
+        if end.is_multiple_of(2) { link.a } else { link.b }
+    }
+
+    /// The links to travel once more so that all ends of a vertex can be paired, together the shortest; none where no walks
+    /// do it.
+    fn around(&mut self, ends: &[End]) -> Option<Vec<usize>> {
+        let of_link: Vec<Option<End>> = ends.iter().map(|&end| self.pairing.link_end(end)).collect();
+        let mut from: Vec<End> = of_link.iter().copied().flatten().collect();
+        from.sort_unstable();
+        from.dedup();
+        let mut walks = BTreeMap::new();
+        for &p in &from {
+            walks.insert(p, self.walks(p, &from));
+        }
+        let cost = |k: usize, j: usize| match (of_link[k], of_link[j]) {
+            (Some(p), Some(q)) if self.pairing.follows(p, q) => Some(0),
+            (Some(p), Some(q)) => walks.get(&p)?.get(&q).map(|(length, _)| *length),
+            (None, None) => None,
+            _ => Some(0),
+        };
+        let matched = min_cost_pairs(ends.len(), cost);
+        if 2 * matched.len() < ends.len() {
+            return None;
+        }
+        let mut links = Vec::new();
+        for (k, j) in matched {
+            if let (Some(p), Some(q)) = (of_link[k], of_link[j])
+                && !self.pairing.follows(p, q)
+            {
+                links.extend(&walks.get(&p)?.get(&q)?.1);
+            }
+        }
+        Some(links)
+    }
+
+    /// From an end by which the wire comes, the shortest walk to each end by which it can leave the same vertex, where it cannot
+    /// at once: its length in nm and its links.
+    fn walks(&self, from: End, to: &[End]) -> BTreeMap<End, (i64, Vec<usize>)> {
+        let home = self.vertex(from);
+        let can_leave = |&q: &End| {
+            !self.pairing.follows(from, q) && self.at[home].iter().any(|&last| self.pairing.follows(last, q))
+        };
+        let mut wanted: Vec<End> = to.iter().copied().filter(can_leave).collect();
+        let mut found = BTreeMap::new();
+        // By which end a link was left along, and the one before it.
+        let mut reached: BTreeMap<End, (i64, Option<End>)> = BTreeMap::new();
+        let mut queue = BinaryHeap::new();
+        let mut arrived = Some((from, 0, None));
+        while let Some((end, length, before)) = arrived.take() {
+            for &next in self.at[self.vertex(end)].iter().filter(|&&next| self.pairing.follows(end, next)) {
+                let further = length + self.pairing.network().links[next / 2].length_nm;
+                let known = reached.get(&next).is_some_and(|&(least, _)| least <= further);
+                if !known {
+                    reached.insert(next, (further, before));
+                    queue.push(Reverse((further, next)));
+                }
+            }
+            if wanted.is_empty() {
+                break;
+            }
+            while let Some(Reverse((length, leaving))) = queue.pop() {
+                if reached.get(&leaving).is_none_or(|&(least, _)| length > least) {
+                    continue;
+                }
+                let end = leaving ^ 1;
+                if self.vertex(end) == home {
+                    wanted.retain(|&q| {
+                        let is_back = self.pairing.follows(end, q);
+                        if is_back {
+                            found.insert(q, (length, links_to(&reached, leaving)));
+                        }
+                        !is_back
+                    });
+                }
+                arrived = Some((end, length, Some(leaving)));
+                break;
+            }
+        }
+        found
+    }
+}
+
+/// The links of a walk, the last first.
+fn links_to(reached: &BTreeMap<End, (i64, Option<End>)>, last: End) -> Vec<usize> {
+    let before = |end: &End| reached.get(end).and_then(|&(_, before)| before);
+    std::iter::successors(Some(last), before).map(|end| end / 2).collect()
+}

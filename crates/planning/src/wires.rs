@@ -1,0 +1,108 @@
+//! `plan --wires 1..6`: what several wires save of what is travelled twice, and what they cost.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use wirebend_core::units::Length;
+use wirebend_error::InputName;
+
+use crate::choices::PlanChoices;
+use crate::compare::MachineSide;
+use crate::design::DesignInput;
+use crate::plan::Planned;
+use crate::report::NoteReport;
+use crate::{Installation, PlanningError, Progress};
+
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct WiresRequest {
+    pub design: DesignInput,
+    /// How it is planned, the number of wires aside; the cheapest edges are always travelled twice.
+    pub choices: PlanChoices,
+    /// The fewest wires.
+    #[schemars(range(min = 1))]
+    pub from: u32,
+    /// The most wires.
+    pub to: u32,
+}
+
+/// The design from more and more wires, as far as they save something.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct WiresResponse {
+    pub rows: Vec<WiresRow>,
+    /// What was merged, ignored or assumed while reading, and what to know of the wires; each once.
+    pub notes: Vec<NoteReport>,
+}
+
+/// The design from so many wires.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct WiresRow {
+    pub wires: usize,
+    /// How many times edges are travelled beyond the first.
+    pub doubled_edges: usize,
+    /// Their length together, in mm.
+    pub doubled_mm: f64,
+    /// The designed length of all wires, in mm.
+    pub length_mm: f64,
+    /// Price of the stock, in the currency of the cost; null where the price is not known.
+    pub stock_cost: Option<f64>,
+    /// The figures on the machine.
+    #[serde(flatten)]
+    pub side: MachineSide,
+}
+
+pub fn wires(
+    app: &Installation,
+    request: &WiresRequest,
+    progress: &dyn Progress,
+) -> Result<WiresResponse, PlanningError> {
+    if request.from == 0 || request.from > request.to {
+        return Err(PlanningError::Value {
+            input: Some(InputName::Wires),
+            name: "the number of wires",
+            value: format!("{}..{}", request.from, request.to),
+            expected: "one number of wires, at least 1, or a range of such numbers, the smaller first",
+        });
+    }
+    let opened = app.designed(request.design.open(progress)?, &request.choices)?.with_wireframe()?;
+    let mut rows: Vec<WiresRow> = Vec::new();
+    let mut notes: Vec<NoteReport> = Vec::new();
+    for wires in request.from..=request.to {
+        let choices =
+            PlanChoices { wires: Some(wires), double: true, closed: false, ..request.choices.clone() };
+        let planned = app.plan_design(opened.copy(), &choices, progress)?;
+        let row = WiresRow::new(&planned);
+        for note in planned.opened.notes {
+            if !notes.contains(&note) {
+                notes.push(note);
+            }
+        }
+        let used = row.wires;
+        // Parts that do not touch need a wire each.
+        if rows.last().is_none_or(|last| last.wires < used) {
+            rows.push(row);
+        }
+        // More wires than save something are not used.
+        if used < wires as usize {
+            break;
+        }
+    }
+    Ok(WiresResponse { rows, notes })
+}
+
+impl WiresRow {
+    fn new(planned: &Planned) -> Self {
+        let wireframe = &planned.opened.document.wireframe;
+        let routes = planned.wires.iter().flat_map(|wire| &wire.route);
+        let travelled: Vec<_> = routes.flat_map(|route| &route.traversals).map(|t| t.edge).collect();
+        let length: Length = travelled.iter().map(|&edge| wireframe.edge_length(edge)).sum();
+        let stock_costs = planned.wires.iter().map(|wire| planned.setup.model.wire.cost(wire.stock?));
+        let design: Length = wireframe.edges().map(|(edge, _)| wireframe.edge_length(edge)).sum();
+        Self {
+            wires: planned.wires.len(),
+            doubled_edges: travelled.len().saturating_sub(wireframe.edge_count()),
+            doubled_mm: (length.mm() - design.mm()).max(0.0),
+            length_mm: length.mm(),
+            stock_cost: stock_costs.sum(),
+            side: MachineSide::new(planned),
+        }
+    }
+}
