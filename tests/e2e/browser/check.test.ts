@@ -46,15 +46,13 @@ it("fixes 22 odd vertices with the edges that add least, shows it before, and ta
   expect([doubles.edit.edges.length, added.toFixed(1)]).toEqual([11, "601.4"]);
 
   await fixesOf("22 odd vertices");
-  await check().getByText("Double 11 edges (+601.4 mm").waitFor();
-  await editor.button("Preview").click();
-  await check()
-    .getByText("Totals of stock, time and cost are shown once the wires are within the machine's limits.")
-    .waitFor();
-  expect(await editor.button("Preview").getAttribute("aria-pressed")).toBe("true");
+  const fix = check().locator(".fix", { hasText: "Double 11 edges (+601.4 mm" });
+  await fix.getByRole("button", { name: "Preview" }).click();
+  await fix.locator("tr", { hasText: "Wire" }).getByText("11\u202f821.4 mm").waitFor();
+  expect(await fix.getByRole("button", { name: "Preview" }).getAttribute("aria-pressed")).toBe("true");
   await editor.isClean("check-preview");
 
-  await editor.button("Apply").click();
+  await fix.getByRole("button", { name: "Apply" }).click();
   await check().getByText("One wire runs through every edge").waitFor();
   expect((await editor.design()).state.doublings.toSorted()).toEqual(doubles.edit.edges.toSorted());
   const all =
@@ -73,6 +71,35 @@ it("fixes 22 odd vertices with the edges that add least, shows it before, and ta
   await editor.button(/^Undo/).click();
   await check().getByText("22 odd vertices: no single wire").waitFor();
   expect((await editor.design()).state.doublings).toEqual([]);
+});
+
+it("bends a design from several wires, each with its figures beforehand, and closes it again", async () => {
+  await editor.take("bunny", "check", "edit");
+  await fixesOf("22 odd vertices");
+  const titles = await check().locator(".fix-title").allInnerTexts();
+  expect(titles.map((title) => title.replace(/ edges?.*/, ""))).toEqual([
+    "Double 11",
+    "Bend 2 wires, double 9",
+    "Bend 3 wires, double 8",
+    "Bend 4 wires, double 7",
+    "Bend 5 wires, double 6",
+    "Bend 6 wires, double 5",
+  ]);
+  const fix = check().locator(".fix", { hasText: "Bend 3 wires" });
+  const figures = await fix.locator(".muted").innerText();
+  expect(figures).toMatch(/^11\u202f[\d.]+ mm · stock [\d.]+ m · \d+:\d+ · \$[\d.]+ · gives 3 wires/);
+  await fix.getByRole("button", { name: "Apply" }).click();
+  await check().getByText("3 wires run through every edge").waitFor();
+
+  const most = editor.section("edit").getByLabel("Most wires");
+  await until(() => most.inputValue()).toBe("3");
+  const starts = async () => (await editor.loopback.ask("check", {})).wires.map(({ route }) => route[0]);
+  const before = await starts();
+  await editor.section("edit").getByLabel("Reversed: the wire runs the other way").click();
+  await until(async () => (await starts()).some((start, k) => start !== before[k])).toBe(true);
+  await editor.section("edit").getByLabel("Closed: the wire ends where it starts").click();
+  await until(() => most.inputValue()).toBe("1");
+  await check().getByText("6 odd vertices: no closed wire").waitFor();
 });
 
 it("says an edge is too short as soon as it is, and moves a vertex to fix it", async () => {

@@ -8,17 +8,27 @@ import { useDesign } from "../../state/design/design";
 import { applyFix, showFix, useFixes } from "../../state/design/fixes";
 import { totals } from "./totals";
 
-/** What changes, in a line: "+601.4 mm · +$1.20 · +2:10". */
+/** What changes, in a line: "+601.4 mm · +$1.20 · +2:10"; without a route, what there is then. */
 function useChange(): (fix: Fix) => string {
-  const { length } = useLengths();
-  return ({ change, errors_after }) => {
+  const { length, long } = useLengths();
+  return ({ change, after, errors_after }) => {
+    if (isFirst(change)) {
+      const parts = [
+        after.length_mm !== null && length(after.length_mm),
+        after.stock_mm !== null && `stock ${long(after.stock_mm)}`,
+        after.time_s !== null && time(after.time_s),
+        after.cost !== null && money(after.cost, change.currency),
+        afterwards(change, after, errors_after),
+      ];
+      return parts.filter(Boolean).join(" · ");
+    }
     const parts = [
       change.length_mm !== null && Math.abs(change.length_mm) >= 0.05 && signed(change.length_mm, length),
       change.cost !== null &&
         Math.abs(change.cost) >= 0.005 &&
         signed(change.cost, (value) => money(value, change.currency)),
       change.time_s !== null && Math.abs(change.time_s) >= 0.5 && signed(change.time_s, time),
-      afterwards(change, errors_after),
+      afterwards(change, after, errors_after),
     ];
     return parts.filter(Boolean).join(" · ");
   };
@@ -28,9 +38,10 @@ function useChange(): (fix: Fix) => string {
 const isFirst = ({ length_mm, stock_mm, time_s, cost }: Fix["change"]): boolean =>
   length_mm === null && stock_mm === null && time_s === null && cost === null;
 
-function afterwards(change: Fix["change"], errors: number): string {
+function afterwards(change: Fix["change"], { wires }: Fix["after"], errors: number): string {
   if (errors === 0) return `then ${LIMITS_ONLY}`;
-  return isFirst(change) ? `gives a wire with ${count(errors, "error")}` : `then ${count(errors, "error")}`;
+  const made = wires > 1 ? `${wires} wires` : "a wire";
+  return isFirst(change) ? `gives ${made} with ${count(errors, "error")}` : `then ${count(errors, "error")}`;
 }
 
 /** Before and after, while a fix is shown in the view. */
@@ -39,19 +50,24 @@ function Figures({ fix }: { readonly fix: Fix }) {
   const { length, long } = useLengths();
   const { change } = fix;
   const now = totals(check);
-  const row = (name: string, before: number | null, by: number | null, shown: (value: number) => string) => {
-    if (before === null && by === null) return null;
+  const row = (
+    name: string,
+    before: number | null,
+    by: number | null,
+    after: number | null,
+    shown: (value: number) => string,
+  ) => {
+    if (before === null && by === null && after === null) return null;
     const known = before !== null && by !== null;
-    // What was not known before has no difference: then only what is known is said.
     return (
       <tr key={name}>
         <th scope="row">{name}</th>
         <td>{before === null ? "\u2013" : shown(before)}</td>
-        <td>{known ? shown(before + by) : by !== null && before === null ? signed(by, shown) : "\u2013"}</td>
+        <td>{after !== null ? shown(after) : known ? shown(before + by) : "\u2013"}</td>
       </tr>
     );
   };
-  if (isFirst(change))
+  if (isFirst(change) && fix.after.time_s === null)
     return (
       <p className="muted small">
         Totals of stock, time and cost are shown once the wires are within the machine's limits.
@@ -68,10 +84,10 @@ function Figures({ fix }: { readonly fix: Fix }) {
         </tr>
       </thead>
       <tbody>
-        {row("Wire", now.length_mm, change.length_mm, length)}
-        {row("Stock", now.stock_mm, change.stock_mm, long)}
-        {row("Time", now.time_s, change.time_s, time)}
-        {row("Cost", now.cost, change.cost, (value) => money(value, change.currency ?? now.currency))}
+        {row("Wire", now.length_mm, change.length_mm, fix.after.length_mm, length)}
+        {row("Stock", now.stock_mm, change.stock_mm, fix.after.stock_mm, long)}
+        {row("Time", now.time_s, change.time_s, fix.after.time_s, time)}
+        {row("Cost", now.cost, change.cost, fix.after.cost, (value) => money(value, change.currency ?? now.currency))}
         <tr>
           <th scope="row">Errors</th>
           <td>{errors}</td>

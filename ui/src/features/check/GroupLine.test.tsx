@@ -30,6 +30,7 @@ const fix = {
   title: "Move vertex 3",
   mends: short,
   edit: { edit: "place", positions: [] },
+  after: { wires: 1, length_mm: null, stock_mm: null, time_s: null, cost: null },
   errors_after: 0,
   change: { length_mm: null, stock_mm: null, time_s: null, cost: null, currency: null },
 } as unknown as Fix;

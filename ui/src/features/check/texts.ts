@@ -15,7 +15,7 @@ export function valueText(
   return number(value, Number.isInteger(value) ? 0 : 1);
 }
 
-type Place = Pick<DiagnosticReport, "vertex" | "edge" | "edges" | "value">;
+type Place = Pick<DiagnosticReport, "vertex" | "edge" | "edges" | "value" | "limit">;
 
 /** How one and how several of a kind are named in a line of the list; null: its own message names it. */
 type Title = { one(report: Place): string; many(count: string): string } | null;
@@ -23,8 +23,8 @@ type Title = { one(report: Place): string; many(count: string): string } | null;
 /** A title for every kind of finding: one that is new does not compile before it is decided how it is named. */
 const TITLES: Readonly<Record<DiagnosticCode, Title>> = {
   no_euler_path: {
-    one: ({ value }) => `${number(value ?? 0, 0)} odd vertices: no single wire`,
-    many: (n) => `${n} parts that no single wire runs through`,
+    one: ({ value, limit }) => `${number(value ?? 0, 0)} odd vertices: ${tooFew(limit ?? 2)}`,
+    many: (n) => `${n} parts that their wires do not run through`,
   },
   edge_too_short: { one: (r) => `${edgeName(r)} too short`, many: (n) => `${n} edges too short` },
   edge_near_limit: {
@@ -81,6 +81,10 @@ const TITLES: Readonly<Record<DiagnosticCode, Title>> = {
   stock_too_long: null,
   wire_does_not_fit: null,
 };
+
+/** Two vertices may be odd for each open wire. */
+const tooFew = (allowed: number): string =>
+  allowed === 0 ? "no closed wire" : allowed === 2 ? "no single wire" : `more than ${count(allowed / 2, "wire")}`;
 
 function edgeName({ edge, edges }: Place): string {
   const all = edges && edges.length > 1 ? edges : null;

@@ -1,9 +1,12 @@
 import { Button } from "../../shared/controls/Button";
+import { Field } from "../../shared/controls/Field";
+import { Checkbox } from "../../shared/controls/inputs";
+import { NumberField } from "../../shared/controls/NumberField";
 import { count } from "../../shared/figures/format";
 import { edit, useDesign } from "../../state/design/design";
 import { edgesOf, useSelection, verticesOf } from "../../state/design/selection";
 
-/** Where the wire starts, and which edges are laid twice so that one wire can cover the rest. */
+/** How the wire runs: from where, which way, in how many pieces, and which edges it is laid along twice. */
 export function Route() {
   const design = useDesign();
   const selection = useSelection();
@@ -39,6 +42,33 @@ export function Route() {
           Start at the selected
         </Button>
       </div>
+      <Checkbox checked={state.reversed} onChange={(reversed) => void edit({ edit: "reversed", reversed })}>
+        Reversed: the wire runs the other way
+      </Checkbox>
+      <Checkbox checked={state.closed} onChange={(closed) => void edit({ edit: "closed", closed })}>
+        Closed: the wire ends where it starts
+      </Checkbox>
+      <Field
+        label="Most wires"
+        hint={
+          state.closed
+            ? "A closed wire is the only one of its part. More wires open it."
+            : "As many are used as make fewer edges double."
+        }
+      >
+        {({ id, "aria-describedby": below }) => (
+          <NumberField
+            id={id}
+            aria-describedby={below}
+            kind="whole"
+            label="Most wires"
+            value={state.wires}
+            min={1}
+            max={999}
+            onCommit={(wires) => void edit({ edit: "wires", wires })}
+          />
+        )}
+      </Field>
       <div className="row wrap">
         <span className="grow">
           {doubled.size === 0 ? "No edge is doubled" : `${count(doubled.size, "edge")} doubled`}
@@ -51,7 +81,7 @@ export function Route() {
         <Button
           small
           why={edges.length === 0 ? "Select edges first." : others.length === 0 ? "They are doubled already." : null}
-          onClick={() => void edit({ edit: "doublings", edges: [...doubled, ...others] })}
+          onClick={() => void edit({ edit: "doublings", edges: [...state.doublings, ...others] })}
         >
           Double the selected
         </Button>

@@ -33,6 +33,9 @@ export function Preview({ format }: { readonly format: FormatEntry }) {
     state?.material,
     state?.doublings,
     state?.start,
+    state?.wires,
+    state?.closed,
+    state?.reversed,
     unit,
   ]);
   const mine = shown?.format === format.id ? shown : null;

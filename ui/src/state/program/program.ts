@@ -12,7 +12,7 @@ import { playedWire } from "./played";
 interface Basis {
   readonly vertices: DesignStore["vertices"];
   readonly edges: DesignStore["edges"];
-  /** Machine, material, doublings and start as one text. */
+  /** Machine, material and how the wires run, as one text. */
   readonly choices: string;
   /** How often profiles were changed. */
   readonly profiles: number;
@@ -83,7 +83,8 @@ export function useOtherWire(): string | null {
 
 function basisNow(): Basis {
   const { vertices, edges, state } = useDesign.getState();
-  const choices = JSON.stringify([state?.machine, state?.material, state?.doublings, state?.start]);
+  const { machine, material, doublings, start, wires, closed, reversed } = state ?? {};
+  const choices = JSON.stringify([machine, material, doublings, start, wires, closed, reversed]);
   return { vertices, edges, choices, profiles: useMachines.getState().changes };
 }
 
