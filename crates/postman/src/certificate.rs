@@ -4,12 +4,12 @@
 //! vertices, so some edge of any join crosses its moat: the widths together are a bound from below, and a join that weighs
 //! as much is the cheapest.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, BinaryHeap};
 
 use crate::graph::{Graph, NONE, id};
 use crate::matching::{Laminar, Matching};
 use crate::nested;
-use crate::price::{Nearest, flood};
+use crate::search::Queued;
 
 /// Edges that meet each odd vertex an odd number of times and every other an even number of times, but for those that are
 /// left as they are.
@@ -90,15 +90,50 @@ pub enum Broken {
 }
 
 impl Certificate {
+    /// Of a matching that all of the odd vertices and so many stand-ins take part in. Each vertex of the graph goes to the odd one
+    /// that it lies deepest in.
     pub(crate) fn new(graph: &Graph, odd: &[u32], left: usize, matching: &Matching) -> Self {
         let Laminar { parents, duals } = matching.laminar(odd.len() + left);
         let start = |(number, &vertex): (usize, &u32)| (id(number), vertex, matching.radius(id(number)));
-        let starts: Vec<_> = odd.iter().enumerate().map(start).collect();
-        let nearest = flood(graph, &starts, 0);
+        let nearest = flood(graph, odd.iter().enumerate().map(start));
         let inside = nearest.iter().map(|at| at.odd).collect();
         let depth = |at: &Nearest| if at.odd == NONE { 0 } else { at.beyond + matching.radius(at.odd) };
         Self { parents, widths: duals, inside, depths: nearest.iter().map(depth).collect() }
     }
+}
+
+/// Which odd vertex a vertex lies nearest to, when from the distance the radius is taken.
+#[derive(Clone, Copy)]
+struct Nearest {
+    odd: u32,
+    /// Four times the distance, less the radius.
+    beyond: i64,
+}
+
+/// From odd vertices on, each with its radius, as far as they reach. An odd vertex that is listed is its own at a tie.
+fn flood(graph: &Graph, starts: impl ExactSizeIterator<Item = (u32, u32, i64)>) -> Vec<Nearest> {
+    let mut nearest = vec![Nearest { odd: NONE, beyond: i64::MAX }; graph.vertices()];
+    let mut queue = Vec::with_capacity(starts.len());
+    for (odd, vertex, radius) in starts {
+        nearest[vertex as usize] = Nearest { odd, beyond: -radius };
+        queue.push(Queued { distance: -radius, vertex });
+    }
+    let mut queue = BinaryHeap::from(queue);
+    while let Some(Queued { distance: beyond, vertex }) = queue.pop() {
+        let at = nearest[vertex as usize];
+        if beyond > at.beyond {
+            continue;
+        }
+        for arc in graph.at(vertex) {
+            let further = beyond + 4 * arc.weight;
+            let other = &mut nearest[arc.to as usize];
+            if further < other.beyond.min(0) {
+                *other = Nearest { odd: at.odd, beyond: further };
+                queue.push(Queued { distance: further, vertex: arc.to });
+            }
+        }
+    }
+    nearest
 }
 
 /// Lengths beyond this are none of a graph; sums of a few below it do not overflow.

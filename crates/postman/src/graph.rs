@@ -90,6 +90,21 @@ impl Graph {
         Ok(Self { first, arcs, edges })
     }
 
+    /// The same with its vertices in another order, in which each has a place, and with the lightest edges of each first.
+    pub(crate) fn in_order(&self, order: &[u32], place: &[u32]) -> Self {
+        let mut first = Vec::with_capacity(self.first.len());
+        let mut arcs = Vec::with_capacity(self.arcs.len());
+        for &vertex in order {
+            first.push(id(arcs.len()));
+            let row = arcs.len();
+            arcs.extend(self.at(vertex).iter().map(|&arc| Arc { to: place[arc.to as usize], ..arc }));
+            arcs[row..].sort_unstable_by_key(|arc| arc.weight);
+        }
+        first.push(id(arcs.len()));
+        let moved = |&(ends, weight): &([u32; 2], i64)| (ends.map(|end| place[end as usize]), weight);
+        Self { first, arcs, edges: self.edges.iter().map(moved).collect() }
+    }
+
     /// How many vertices it has.
     #[must_use]
     pub fn vertices(&self) -> usize {

@@ -1,13 +1,16 @@
-//! The cheapest join: candidates for pairs, their matching, and pairs that were missed, until there are none.
+//! The cheapest join: pairs of near vertices, their matching, with further pairs as it asks for them, and the paths between
+//! partners.
 
 use crate::certificate::{Certificate, Join};
-use crate::graph::{Graph, NONE, id};
-use crate::matching::Matching;
-use crate::price::Pricer;
-use crate::search::Search;
+use crate::graph::{Graph, id};
+use crate::matching::{Matching, Stop};
+use crate::near::Near;
+use crate::order::Ordered;
 
 /// To each odd vertex so many of the nearest others are candidates from the beginning.
-const NEAREST: usize = 14;
+const NEAREST: usize = 10;
+/// By which part of it the reach of a vertex is widened.
+const WIDER: i64 = 2;
 
 /// Why there is no join.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -44,27 +47,27 @@ pub fn cheapest_join(graph: &Graph, odd: &[u32], left: usize) -> Result<Join, No
 /// # Errors
 /// [`NoJoin`] where there is none that leaves so many.
 pub fn cheapest_joins(graph: &Graph, odd: &[u32], left: usize) -> Result<Vec<Join>, NoJoin> {
-    let mut solver = Solver::new(graph, odd, left, NEAREST)?;
+    let ordered = Ordered::new(graph, odd).map_err(NoJoin::NoSet)?;
+    let mut solver = Solver::new(&ordered, left, NEAREST)?;
     let counts = (odd.len() % 2..=left).step_by(2);
     counts.map(|count| solver.leave(count)).collect()
 }
 
 /// The first of these, with so many candidates for each vertex: fewer make more pairs that are missed at first.
 fn join_from(graph: &Graph, odd: &[u32], left: usize, nearest: usize) -> Result<Join, NoJoin> {
-    let mut solver = Solver::new(graph, odd, left, nearest)?;
+    let ordered = Ordered::new(graph, odd).map_err(NoJoin::NoSet)?;
+    let mut solver = Solver::new(&ordered, left, nearest)?;
     // Closed first: stand-ins for ends then have little to change.
-    if left > 0 && left.is_multiple_of(2) && solver.pricer.is_even_everywhere() {
+    if left > 0 && left.is_multiple_of(2) && solver.near.is_even_everywhere() {
         solver.solve()?;
     }
     solver.leave(left)
 }
 
-/// A matching of odd vertices, and what it is judged by.
+/// A matching of odd vertices, and what finds pairs for it.
 struct Solver<'a> {
-    graph: &'a Graph,
-    odd: &'a [u32],
-    search: Search,
-    pricer: Pricer<'a>,
+    problem: &'a Ordered,
+    near: Near<'a>,
     matching: Matching,
     /// Stand-ins that take part.
     left: usize,
@@ -72,21 +75,15 @@ struct Solver<'a> {
 
 impl<'a> Solver<'a> {
     /// With room for so many stand-ins.
-    fn new(graph: &'a Graph, odd: &'a [u32], left: usize, nearest: usize) -> Result<Self, NoJoin> {
-        let mut number = vec![NONE; graph.vertices()];
-        for (k, &vertex) in odd.iter().enumerate() {
-            match number.get_mut(vertex as usize) {
-                Some(number) if *number == NONE => *number = id(k),
-                _ => return Err(NoJoin::NoSet(vertex)),
-            }
-        }
+    fn new(problem: &'a Ordered, left: usize, nearest: usize) -> Result<Self, NoJoin> {
+        let Ordered { graph, odd, .. } = problem;
         if left > odd.len() || (odd.len() - left) % 2 == 1 {
             return Err(NoJoin::Parity { left, odd: odd.len() });
         }
-        let mut search = Search::new(graph);
-        let (edges, reach) = candidates(graph, odd, &number, nearest, &mut search);
-        let matching = Matching::new(odd.len() + left, odd.len(), edges);
-        Ok(Self { graph, odd, search, pricer: Pricer::new(graph, odd, number, reach), matching, left: 0 })
+        let mut near = Near::new(graph, odd);
+        let (edges, reach) = near.nearest(nearest);
+        let matching = Matching::new(odd.len() + left, reach, edges);
+        Ok(Self { problem, near, matching, left: 0 })
     }
 
     /// The cheapest join that leaves so many, no fewer than before.
@@ -96,55 +93,47 @@ impl<'a> Solver<'a> {
             self.left = left;
         }
         self.solve()?;
-        Ok(self.join())
+        Ok(self.problem.restore(self.join()))
     }
 
-    /// Matches all that take part, with all pairs that there are.
+    /// Matches all that take part, with further pairs of a vertex whenever it grows to where these could get tight.
     fn solve(&mut self) -> Result<(), NoJoin> {
-        let Self { matching, pricer, .. } = self;
-        let vertices = self.odd.len() + self.left;
+        self.matching.plant(self.problem.odd.len() + self.left);
         loop {
-            matching.plant(vertices);
-            let missed = if matching.run().is_ok() {
-                let missed = pricer.missed(matching, vertices);
-                if missed.is_empty() {
-                    return Ok(());
+            match self.matching.run() {
+                Stop::Matched => return Ok(()),
+                Stop::Stuck => return Err(NoJoin::Apart(self.problem.given(self.matching.unmatched()))),
+                Stop::AtReach(vertex) => {
+                    let known = self.matching.reach();
+                    let reach = (2 * self.matching.radius(vertex)).max(known[vertex as usize]);
+                    let longest = (reach + reach / WIDER) / 4 + 1;
+                    let (found, reach) = self.near.further(vertex, longest, known);
+                    self.matching.widen(vertex, reach, &found);
                 }
-                missed
-            } else {
-                let further = pricer.between_trees(matching);
-                if further.is_empty() {
-                    return Err(NoJoin::Apart(pricer.unmatched(matching)));
-                }
-                matching.abandon();
-                further
-            };
-            for (a, b, weight) in missed {
-                matching.take_in(a, b, weight);
             }
         }
     }
 
     /// The edges on the paths between partners; what two paths share is needed neither time.
     fn join(&mut self) -> Join {
-        let (graph, odd) = (self.graph, self.odd);
-        let partners = self.matching.partners(odd.len() + self.left);
+        let matching = &self.matching;
+        let (graph, count) = (&self.problem.graph, self.problem.odd.len());
+        let mates = matching.mates(count + self.left);
+        let partner = |mate: u32| matching.to(mate) as usize;
+        let given = |k: usize| self.problem.given(id(k));
         let mut needed = vec![false; graph.edges()];
         let mut left = Vec::new();
         // Stand-ins that are each other's: all that is paired costs nothing then, and may as well be left.
-        let mut spare =
-            partners[odd.len()..].iter().filter(|&&partner| partner as usize >= odd.len()).count();
-        for (k, &root) in odd.iter().enumerate() {
-            let partner = partners[k] as usize;
-            if partner >= odd.len() {
-                left.push(root);
-            } else if k < partner && spare > 0 {
-                left.extend([root, odd[partner]]);
+        let mut spare = mates[count..].iter().filter(|&&mate| partner(mate) >= count).count();
+        for (k, &mate) in mates[..count].iter().enumerate() {
+            let other = partner(mate);
+            if other >= count {
+                left.push(given(k));
+            } else if k < other && spare > 0 {
+                left.extend([given(k), given(other)]);
                 spare -= 2;
-            } else if k < partner {
-                let goal = odd[partner];
-                self.search.run(graph, root, |vertex, _| vertex == goal);
-                for edge in self.search.path(graph, goal) {
+            } else if k < other {
+                for edge in self.near.path(id(k), id(other), matching.weight(mate) / 4) {
                     needed[edge as usize] ^= true;
                 }
             }
@@ -152,40 +141,9 @@ impl<'a> Solver<'a> {
         left.sort_unstable();
         let edges: Vec<u32> = (0..id(needed.len())).filter(|&edge| needed[edge as usize]).collect();
         let weight = edges.iter().map(|&edge| graph.weight(edge)).sum::<i64>().cast_unsigned();
-        let certificate = Certificate::new(graph, odd, self.left, &self.matching);
+        let certificate = Certificate::new(graph, &self.problem.odd, self.left, matching);
         Join { edges, weight, left, certificate }
     }
-}
-
-/// Pairs of near vertices, with four times their distance; and how far each vertex has been looked around.
-fn candidates(
-    graph: &Graph,
-    odd: &[u32],
-    number: &[u32],
-    nearest: usize,
-    search: &mut Search,
-) -> (Vec<([u32; 2], i64)>, Vec<i64>) {
-    let mut found: Vec<(u32, u32, i64)> = Vec::with_capacity(odd.len() * nearest);
-    let mut reach = vec![i64::MAX; odd.len()];
-    for (k, &root) in odd.iter().enumerate() {
-        let mut wanted = nearest;
-        search.run(graph, root, |vertex, distance| {
-            let other = number[vertex as usize];
-            if other == NONE || vertex == root {
-                return false;
-            }
-            let own = id(k);
-            found.push((own.min(other), own.max(other), 4 * distance));
-            wanted -= 1;
-            if wanted == 0 {
-                reach[k] = 4 * distance;
-            }
-            wanted == 0
-        });
-    }
-    found.sort_unstable();
-    found.dedup();
-    (found.into_iter().map(|(a, b, weight)| ([a, b], weight)).collect(), reach)
 }
 
 #[cfg(test)]

@@ -12,8 +12,9 @@ mod certificate;
 mod graph;
 mod join;
 mod matching;
+mod near;
 mod nested;
-mod price;
+mod order;
 mod search;
 
 pub use certificate::{Broken, Certificate, Join, NO_SET, verify};

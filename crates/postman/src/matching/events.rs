@@ -2,22 +2,22 @@
 
 use std::cmp::Reverse;
 
-use super::{Label, Matching, Stuck, Tree};
+use super::{Label, Matching, Stop, Tree};
 use crate::graph::{NONE, id};
 
 impl Matching {
-    /// Matches all that take part.
-    ///
-    /// # Errors
-    /// [`Stuck`] when no edge is left that could get tight: where [`Self::is_even`] says so, further ones are needed.
-    pub fn run(&mut self) -> Result<(), Stuck> {
+    /// Matches all that take part, as far as edges are known.
+    pub fn run(&mut self) -> Stop {
         while self.growing > 0 {
-            let Reverse((time, what)) = self.queue.pop().ok_or(Stuck)?;
+            let Some(Reverse((time, what))) = self.queue.pop() else { return Stop::Stuck };
             // A vertex looks when it is due; nodes come behind the vertices, so that what joins does so before it opens.
             if (what as usize) < self.vertices {
                 if self.due[what as usize] == time {
                     self.due[what as usize] = i64::MAX;
                     self.now = time;
+                    if 2 * self.radius(what) >= self.reach[what as usize] && self.is_even(what) {
+                        return Stop::AtReach(what);
+                    }
                     self.look(what);
                 }
             } else {
@@ -30,7 +30,7 @@ impl Matching {
                 }
             }
         }
-        Ok(())
+        Stop::Matched
     }
 
     /// Makes a root of every free node of the first `vertices`, with nothing else in a tree.
@@ -42,13 +42,10 @@ impl Matching {
         for set in &mut self.sets {
             set.since = 0;
         }
-        let mut free: Vec<u32> = (0..id(self.nodes.len()))
+        let free: Vec<u32> = (0..id(self.nodes.len()))
             .filter(|&n| self.is_used(n) && (n as usize >= self.vertices || (n as usize) < vertices))
             .filter(|&n| self.is_outermost(n) && self.node(n).mate == NONE)
             .collect();
-        for root in &mut free {
-            *root = self.make_even(*root);
-        }
         self.growing = free.len();
         for (tree, &root) in free.iter().enumerate() {
             self.trees.push(Tree::default());
@@ -58,21 +55,6 @@ impl Matching {
         for &root in &free {
             self.wake(root);
         }
-    }
-
-    /// The free node, or what is left of it, with an even radius.
-    fn make_even(&mut self, mut free: u32) -> u32 {
-        let vertex = self.first_vertex(free);
-        while self.radius(vertex) % 2 != 0 {
-            if self.dual(free) != 0 {
-                self.lower(free, 1);
-            } else {
-                // Its cycle is as well matched without it; the one that stays free has the vertex.
-                self.open(free, vertex);
-                free = self.top(vertex);
-            }
-        }
-        free
     }
 
     /// Lets all vertices of a node that has become even look at their edges.
@@ -118,6 +100,9 @@ impl Matching {
             arc = self.next_later(vertex, arc);
         }
         self.has_looked[vertex as usize] = true;
+        if self.reach[vertex as usize] != i64::MAX {
+            wait = wait.min(self.reach[vertex as usize] / 2 - self.radius(vertex));
+        }
         if wait != i64::MAX {
             self.schedule(vertex, self.now + wait);
         }
@@ -151,14 +136,14 @@ impl Matching {
         true
     }
 
-    /// Whether a vertex is in an even node.
-    pub fn is_even(&self, vertex: u32) -> bool {
-        self.node(self.top(vertex)).label == Label::Even
+    /// An odd vertex that found no partner.
+    pub fn unmatched(&self) -> u32 {
+        (0..id(self.real)).find(|&v| self.is_even(v)).unwrap_or(NONE)
     }
 
-    /// Whether two vertices are in the same outermost node.
-    pub fn is_together(&self, a: u32, b: u32) -> bool {
-        self.top(a) == self.top(b)
+    /// Whether a vertex is in an even node.
+    fn is_even(&self, vertex: u32) -> bool {
+        self.node(self.top(vertex)).label == Label::Even
     }
 
     /// Even vertices that go towards one that has become free look again when they may meet it.

@@ -68,18 +68,6 @@ impl Matching {
         self.node_mut(node).tree = NONE;
     }
 
-    /// Gives up all trees; what is matched stays so.
-    pub fn abandon(&mut self) {
-        for Tree { nodes, .. } in std::mem::take(&mut self.trees) {
-            for node in nodes {
-                if self.is_used(node) && self.is_outermost(node) {
-                    self.leave(node);
-                }
-            }
-        }
-        self.has_looked.fill(true);
-    }
-
     /// The even node above an even one, and the arcs to it: to the odd one between, and from there.
     pub(super) fn above(&self, even: u32) -> Option<(u32, u32, u32)> {
         let mate = self.node(even).mate;

@@ -33,26 +33,4 @@ impl Matching {
             |&node: &u32| if self.node(node).parent == NONE { self.dual(node) } else { self.node(node).dual };
         Laminar { parents: order.iter().map(parent).collect(), duals: order.iter().map(dual).collect() }
     }
-
-    /// Takes in an edge that no dual has been held by, while nothing is in a tree. What the duals around its ends are too large by
-    /// is taken off them; they are free then.
-    pub fn take_in(&mut self, a: u32, b: u32, weight: i64) {
-        let arc = self.add_edge(a, b, weight);
-        if self.top(a) != self.top(b) && self.slack(arc) >= 0 {
-            return;
-        }
-        for end in [a, b] {
-            while self.top(end) != end {
-                self.open(self.top(end), end);
-            }
-        }
-        for end in [a, b] {
-            let excess = self.radius(a) + self.radius(b) - weight;
-            let by = excess.min(self.radius(end)).max(0);
-            if by > 0 {
-                self.part(end);
-                self.lower(end, by);
-            }
-        }
-    }
 }

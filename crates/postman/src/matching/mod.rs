@@ -79,6 +79,8 @@ pub(crate) struct Matching {
     set_of: Vec<u32>,
     /// Of a vertex, without the offset of its set: the sum of its dual and of those of all blossoms around it.
     radius: Vec<i64>,
+    /// Of a vertex: edges that are shorter are all known.
+    reach: Vec<i64>,
     edges: Vec<([u32; 2], i64)>,
     /// Arcs by vertex, of the edges that were there first.
     first: Vec<u32>,
@@ -99,14 +101,23 @@ pub(crate) struct Matching {
     round: u32,
 }
 
-/// No edge is left that could get tight.
-#[derive(Debug, PartialEq, Eq)]
-pub(crate) struct Stuck;
+/// Why trees have ceased to grow.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Stop {
+    /// All that take part are matched.
+    Matched,
+    /// No edge is left that could get tight.
+    Stuck,
+    /// A vertex grows to where further edges of it could get tight: [`Matching::widen`] is told of them.
+    AtReach(u32),
+}
 
 impl Matching {
     /// Of vertices of which the first `real` are such, with edges of weights that are multiples of 4. Vertices beyond have no
     /// part in it before [`Self::bring_in`].
-    pub fn new(vertices: usize, real: usize, edges: Vec<([u32; 2], i64)>) -> Self {
+    pub fn new(vertices: usize, mut reach: Vec<i64>, edges: Vec<([u32; 2], i64)>) -> Self {
+        let real = reach.len();
+        reach.resize(vertices, i64::MAX);
         let mut first = vec![0_u32; vertices + 2];
         for &([a, b], _) in &edges {
             first[a as usize + 2] += 1;
@@ -144,6 +155,7 @@ impl Matching {
             sets: (0..vertices).map(set).collect(),
             set_of: (0..vertices).map(id).collect(),
             radius: vec![0; vertices],
+            reach,
             early: edges.len(),
             edges,
             first,
@@ -167,11 +179,11 @@ impl Matching {
     fn begin_greedily(&mut self) {
         for v in 0..self.real {
             let least = self.row(v).iter().map(|&arc| self.edges[arc as usize / 2].1).min();
-            self.radius[v] = least.unwrap_or(0) / 2;
+            self.radius[v] = least.unwrap_or(0).min(self.reach[v]) / 2;
         }
         for v in 0..self.real {
             let Some(least) = self.row(v).iter().map(|&arc| self.slack(arc)).min() else { continue };
-            self.radius[v] += least;
+            self.radius[v] += least.min(self.reach[v] / 2 - self.radius[v]);
             let tight =
                 |arc: &&u32| self.slack(**arc) == 0 && self.nodes[self.to(**arc) as usize].mate == NONE;
             if self.nodes[v].mate == NONE
@@ -222,6 +234,20 @@ impl Matching {
         arc
     }
 
+    /// Of each vertex: edges that are shorter are all known.
+    pub fn reach(&self) -> &[i64] {
+        &self.reach
+    }
+
+    /// More edges of a vertex that has grown to half its reach, which is further now.
+    pub fn widen(&mut self, vertex: u32, reach: i64, edges: &[(u32, i64)]) {
+        self.reach[vertex as usize] = reach;
+        for &(other, weight) in edges {
+            self.add_edge(vertex, other, weight);
+        }
+        self.schedule(vertex, self.now);
+    }
+
     /// The outermost node around a vertex.
     fn top(&self, vertex: u32) -> u32 {
         self.sets[self.set_of[vertex as usize] as usize].node
@@ -266,27 +292,11 @@ impl Matching {
         };
     }
 
-    /// Makes the dual of an outermost node smaller, and with it the radius of its vertices.
-    fn lower(&mut self, node: u32, by: i64) {
-        let at = &mut self.nodes[node as usize];
-        at.dual -= by;
-        self.sets[at.set as usize].offset -= by;
-    }
-
     /// Matches the outermost nodes at the ends of an arc.
     fn join(&mut self, arc: u32) {
         for arc in [arc, arc ^ 1] {
             let node = self.top(self.from(arc));
             self.node_mut(node).mate = arc;
-        }
-    }
-
-    /// Frees an outermost node and what it is matched with.
-    fn part(&mut self, node: u32) {
-        let mate = std::mem::replace(&mut self.node_mut(node).mate, NONE);
-        if mate != NONE {
-            let other = self.top(self.to(mate));
-            self.node_mut(other).mate = NONE;
         }
     }
 
@@ -302,14 +312,6 @@ impl Matching {
         }
     }
 
-    /// One of the vertices of a node.
-    fn first_vertex(&self, mut node: u32) -> u32 {
-        while let Some(&(member, _)) = self.node(node).cycle.first() {
-            node = member;
-        }
-        node
-    }
-
     fn is_outermost(&self, node: u32) -> bool {
         self.node(node).parent == NONE
     }
@@ -320,7 +322,12 @@ impl Matching {
         while self.node(at).parent != blossom {
             at = self.node(at).parent;
         }
-        self.node(blossom).cycle.iter().position(|&(member, _)| member == at).unwrap_or_default()
+        self.place(blossom, at)
+    }
+
+    /// Where in a blossom's cycle a member is.
+    fn place(&self, blossom: u32, member: u32) -> usize {
+        self.node(blossom).cycle.iter().position(|&(other, _)| other == member).unwrap_or_default()
     }
 
     /// Lets stand-ins take part, which any real vertex can be matched with at no cost. All others are matched.
@@ -337,22 +344,23 @@ impl Matching {
         }
     }
 
-    /// The vertex that each of the first `vertices` is matched with.
-    pub fn partners(&self, vertices: usize) -> Vec<u32> {
-        let mut partners = vec![NONE; vertices];
+    /// The arc by which each of the first `vertices` is matched.
+    pub fn mates(&self, vertices: usize) -> Vec<u32> {
+        let mut mates = vec![NONE; vertices];
         let outermost = (0..id(self.nodes.len())).filter(|&n| self.is_outermost(n) && self.is_used(n));
         let mut left: Vec<(u32, u32)> =
             outermost.map(|n| (n, self.node(n).mate)).filter(|&(_, mate)| mate != NONE).collect();
         while let Some((node, mate)) = left.pop() {
-            if (node as usize) < self.vertices {
-                partners[node as usize] = self.to(mate);
-                continue;
+            let mut at = self.from(mate);
+            mates[at as usize] = mate;
+            while at != node {
+                let blossom = self.node(at).parent;
+                let pairs = self.pairs(blossom, self.place(blossom, at));
+                left.extend(pairs.flat_map(|(a, arc, b)| [(a, arc), (b, arc ^ 1)]));
+                at = blossom;
             }
-            let base = self.member_with(node, self.from(mate));
-            left.push((self.node(node).cycle[base].0, mate));
-            left.extend(self.pairs(node, base).flat_map(|(a, arc, b)| [(a, arc), (b, arc ^ 1)]));
         }
-        partners
+        mates
     }
 
     /// A vertex, or a blossom that there is.

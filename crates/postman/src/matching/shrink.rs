@@ -194,17 +194,4 @@ impl Matching {
             }
         }
     }
-
-    /// Opens an outermost blossom that is in no tree. What its dual held tight is tight no more: its mate is free then, and the
-    /// member with the vertex `free` too.
-    pub(super) fn open(&mut self, blossom: u32, free: u32) {
-        let dual = self.dual(blossom);
-        let mate = self.node(blossom).mate;
-        let out = if mate == NONE || dual > 0 { free } else { self.from(mate) };
-        if dual > 0 {
-            self.part(blossom);
-        }
-        self.lower(blossom, dual);
-        self.release(blossom, out);
-    }
 }
