@@ -1,6 +1,6 @@
 //! Which edges to travel twice: the exact minimum-weight T-join of the odd vertices.
 
-use wirebend_postman::{Graph, Join, cheapest_join, cheapest_joins};
+use wirebend_postman::{Graph, Join, cheapest_join, cheapest_joins, verify};
 
 use super::RouteError;
 use super::network::{Link, Network};
@@ -37,7 +37,9 @@ pub fn doubling(
         (false, None) => odd.len().min(2),
         (false, Some(_)) => odd.len().min(1),
     };
-    let join = cheapest_join(&graph(&network)?, &odd, left).map_err(|_| no_join(&network, left))?;
+    let graph = graph(&network)?;
+    let join = cheapest_join(&graph, &odd, left).map_err(|_| no_join(&network, left))?;
+    debug_assert_eq!(verify(&graph, &odd, &join), Ok(()));
     Ok(in_wireframe(wireframe, &network, &join))
 }
 
@@ -57,7 +59,9 @@ pub fn doublings(
     // What is wanted as a start is an end already.
     let open = odd.len() % 2;
     let left = odd.len().min(2 * wires.max(1) - open);
-    let joins = cheapest_joins(&graph(&network)?, &odd, left).map_err(|_| no_join(&network, left))?;
+    let graph = graph(&network)?;
+    let joins = cheapest_joins(&graph, &odd, left).map_err(|_| no_join(&network, left))?;
+    debug_assert!(joins.iter().all(|join| verify(&graph, &odd, join).is_ok()));
     // Without a wanted start the first is closed; it is the answer where nothing is odd.
     let closed = usize::from(open == 0 && joins.len() > 1);
     let mut found: Vec<Doubling> =
