@@ -3,8 +3,7 @@
 use super::{DoublingChoice, Machine, PlanOptions, Stage};
 use crate::checks::{Diagnostic, Fact, Location, Remedy, Severity};
 use crate::route::{
-    Doubling, ForcedBend, Route, RouteError, RouteOptions, Traversal, doubling, doublings, forced_bends,
-    routes,
+    Doubling, ForcedBend, Route, RouteError, RouteOptions, Routes, doubling, doublings, forced_bends, routes,
 };
 use crate::units::Angle;
 use crate::wireframe::{Component, EdgeId, Wireframe};
@@ -75,18 +74,12 @@ fn search(
         wanted.doubled.extend(detours(wireframe, component, &wanted));
         found.doubled.clone_from(&wanted.doubled);
     }
-    let forced = |wanted: &RouteOptions| forced_bends(wireframe, component, wanted).unwrap_or_default();
     match find_routes(wireframe, component, &wanted, options) {
-        Ok(routes) => {
-            let is_bent = |route: &Route| is_bent_beyond(wireframe, route, &wanted);
-            if options.settled.is_none() && routes.iter().any(is_bent) {
-                found.forced = forced(&wanted);
-            }
-            found.routes = routes;
-        }
+        Ok(Routes { routes, forced }) => (found.routes, found.forced) = (routes, forced),
         // The check of odd vertices says it with the cheapest way out; where a bend is in the way of that, it is said, too.
         Err(RouteError::Odd { .. }) => {
-            found.forced = forced(&RouteOptions { doubled: found.proposal.edges.clone(), ..wanted });
+            let proposed = RouteOptions { doubled: found.proposal.edges.clone(), ..wanted };
+            found.forced = forced_bends(wireframe, component, &proposed).unwrap_or_default();
         }
         Err(error) => {
             let offered = Some(&found.proposal).filter(|proposal| !proposal.edges.is_empty());
@@ -131,18 +124,6 @@ fn detours(wireframe: &Wireframe, component: &Component, wanted: &RouteOptions) 
     forced.into_iter().filter_map(|bend| bend.detour).flat_map(|detour| detour.edges).collect()
 }
 
-/// Whether a route has a bend beyond the limit.
-fn is_bent_beyond(wireframe: &Wireframe, route: &Route, wanted: &RouteOptions) -> bool {
-    let bend = |pair: &[Traversal]| {
-        let (from, to) = (
-            wireframe.direction(pair[0].edge, pair[0].from)?,
-            wireframe.direction(pair[1].edge, pair[1].from)?,
-        );
-        Some(Angle::computed(from.angle(&to)))
-    };
-    wanted.max_bend.is_some_and(|max| route.traversals.windows(2).filter_map(bend).any(|bend| bend > max))
-}
-
 /// The edges that a walk passes once more.
 pub(super) fn again(walk: &Route) -> Vec<EdgeId> {
     let traversals = walk.traversals.iter();
@@ -154,12 +135,15 @@ fn find_routes(
     component: &Component,
     wanted: &RouteOptions,
     options: &PlanOptions,
-) -> Result<Vec<Route>, RouteError> {
-    let found = match &options.settled {
-        Some(settled) => vec![settled.clone()],
+) -> Result<Routes, RouteError> {
+    let mut found = match &options.settled {
+        Some(settled) => Routes { routes: vec![settled.clone()], forced: Vec::new() },
         None => routes(wireframe, component, wanted)?,
     };
-    Ok(if options.reversed { found.iter().map(Route::reversed).collect() } else { found })
+    if options.reversed {
+        found.routes = found.routes.iter().map(Route::reversed).collect();
+    }
+    Ok(found)
 }
 
 /// The finding of a route that cannot be had.

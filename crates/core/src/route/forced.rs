@@ -25,9 +25,8 @@ pub struct ForcedBend {
     pub detour: Option<Doubling>,
 }
 
-/// The vertices at which every route with these options has a bend beyond the limit. An edge that the wire has to go back along
-/// from a dead end is none: only the edges of two others are paired. One closed wire with a free start has its ends at the only
-/// one, where it needs no bend.
+/// The vertices at which every route with these options has a bend beyond the limit, where one may be missing: as
+/// [`routes`](super::routes) finds them.
 ///
 /// # Errors
 /// As [`routes`](super::routes).
@@ -38,25 +37,32 @@ pub fn forced_bends(
 ) -> Result<Vec<ForcedBend>, RouteError> {
     let network = Network::new(wireframe, component);
     let Layout { copies, wire_ends } = layout(&network, component, options)?;
-    let pairing = Pairing::new(&network, &copies, &wire_ends, options.max_bend);
-    let is_forced = |pairs: &[(End, End)]| {
+    Ok(forced(wireframe, &Pairing::new(&network, &copies, &wire_ends, options.max_bend)))
+}
+
+/// The vertices at which a pairing has a bend beyond the limit although it is the best there. An edge that the wire has to go back
+/// along from a dead end is none: only the edges of two others are paired. One closed wire with a free start has its ends at the
+/// only one, where it needs no bend.
+pub(super) fn forced(wireframe: &Wireframe, pairing: &Pairing) -> Vec<ForcedBend> {
+    let is_forced = |&vertex: &usize| {
+        let pairs = &pairing.vertices()[vertex];
         let has_length = |&(p, q): &(End, End)| pairing.has_direction(p) && pairing.has_direction(q);
-        pairs.iter().any(|&(p, q)| !pairing.allows(p, q)) && pairs.iter().all(has_length)
+        pairs.iter().any(|&(p, q)| !pairing.allows(p, q))
+            && pairs.iter().all(has_length)
+            && has_two_edges(pairing, vertex)
     };
-    let forced: Vec<usize> = (0..network.vertices.len())
-        .filter(|&vertex| is_forced(&pairing.vertices()[vertex]) && has_two_edges(&pairing, vertex))
-        .collect();
-    if let ([only], []) = (forced.as_slice(), wire_ends.as_slice()) {
+    let forced: Vec<usize> = (0..pairing.vertices().len()).filter(is_forced).collect();
+    if let ([only], true) = (forced.as_slice(), pairing.wire_ends().is_empty()) {
         let beyond = pairing.vertices()[*only].iter().filter(|&&(p, q)| !pairing.allows(p, q));
         if beyond.count() == 1 {
-            return Ok(Vec::new());
+            return Vec::new();
         }
     }
     if forced.is_empty() {
-        return Ok(Vec::new());
+        return Vec::new();
     }
-    let mut detours = Detours::new(&pairing);
-    Ok(forced.into_iter().map(|vertex| forced_at(wireframe, &pairing, vertex, &mut detours)).collect())
+    let mut detours = Detours::new(pairing);
+    forced.into_iter().map(|vertex| forced_at(wireframe, pairing, vertex, &mut detours)).collect()
 }
 
 fn has_two_edges(pairing: &Pairing, vertex: usize) -> bool {

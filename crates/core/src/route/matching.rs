@@ -39,12 +39,13 @@ pub(super) fn min_cost_pairs(
 /// Marks a pair until the price of forbidden ones is known.
 const FORBIDDEN: i64 = -1;
 
-/// The partner of each thing in the cheapest of all ways to pair them; the first of equals.
+/// The partner of each thing in the cheapest of all ways to pair them, `FEW` at most; the first of equals.
 fn try_all(costs: &[i64], count: usize) -> Vec<usize> {
-    fn go(costs: &[i64], spent: i64, mates: &mut [usize], best: &mut (i64, Vec<usize>)) {
+    fn go(costs: &[i64], spent: i64, mates: &mut [usize], best: &mut (i64, [usize; FEW])) {
         let count = mates.len();
         let Some(a) = mates.iter().position(|&mate| mate == count) else {
-            *best = (spent, mates.to_vec());
+            best.0 = spent;
+            best.1[..count].copy_from_slice(mates);
             return;
         };
         for b in a + 1..count {
@@ -56,9 +57,9 @@ fn try_all(costs: &[i64], count: usize) -> Vec<usize> {
             }
         }
     }
-    let mut best = (i64::MAX, Vec::new());
-    go(costs, 0, &mut vec![count; count], &mut best);
-    best.1
+    let mut best = (i64::MAX, [0; FEW]);
+    go(costs, 0, &mut [count; FEW][..count], &mut best);
+    best.1[..count].to_vec()
 }
 
 #[cfg(test)]

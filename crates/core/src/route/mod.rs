@@ -161,7 +161,16 @@ pub fn route(
     options: &RouteOptions,
 ) -> Result<Route, RouteError> {
     let mut found = routes(wireframe, component, &RouteOptions { wires: 1, ..options.clone() })?;
-    found.pop().ok_or(RouteError::NoEdges)
+    found.routes.pop().ok_or(RouteError::NoEdges)
+}
+
+/// Routes, one for each wire, and what every such route has.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Routes {
+    /// The routes.
+    pub routes: Vec<Route>,
+    /// The bends beyond the limit that none avoids.
+    pub forced: Vec<ForcedBend>,
 }
 
 /// Routes that together pass every edge of a component: one for every two odd vertices, where each starts or ends, and where
@@ -176,10 +185,11 @@ pub fn routes(
     wireframe: &Wireframe,
     component: &Component,
     options: &RouteOptions,
-) -> Result<Vec<Route>, RouteError> {
+) -> Result<Routes, RouteError> {
     let network = Network::new(wireframe, component);
     let Layout { copies, wire_ends } = layout(&network, component, options)?;
     let mut pairing = Pairing::new(&network, &copies, &wire_ends, options.max_bend);
+    let forced = forced::forced(wireframe, &pairing);
     trails::join(&mut pairing);
     let mut last_on = vec![usize::MAX; network.links.len()];
     let mut traversal = |wire: usize, (copy, forward): (usize, bool)| {
@@ -189,11 +199,10 @@ pub fn routes(
         Traversal { edge: link.id, from: network.vertices[from], to: network.vertices[to], again }
     };
     let walks = trails::walks(&pairing).into_iter().enumerate();
-    Ok(walks
-        .map(|(wire, walk)| Route {
-            traversals: walk.into_iter().map(|copy| traversal(wire, copy)).collect(),
-        })
-        .collect())
+    let route = |(wire, walk): (usize, Vec<_>)| Route {
+        traversals: walk.into_iter().map(|copy| traversal(wire, copy)).collect(),
+    };
+    Ok(Routes { routes: walks.map(route).collect(), forced })
 }
 
 /// What is walked: every link once and each doubled one once more, and the vertices where wires start or end.

@@ -25,17 +25,50 @@ pub(super) struct Network {
     pub links: Vec<Link>,
 }
 
+/// Where vertices are in a list. Ids are dense but for what was deleted, so that a table of them is the fastest.
+enum Places<'a> {
+    Table { first: u32, places: Vec<u32> },
+    Search(&'a [VertexId]),
+}
+
+impl<'a> Places<'a> {
+    /// Of a list in order of id.
+    fn new(vertices: &'a [VertexId]) -> Self {
+        let (Some(first), Some(last)) = (vertices.first(), vertices.last()) else {
+            return Self::Search(vertices);
+        };
+        let span = (last.0 - first.0) as usize + 1;
+        if span > 4 * vertices.len() {
+            return Self::Search(vertices);
+        }
+        let mut places = vec![u32::MAX; span];
+        for (place, vertex) in (0..).zip(vertices) {
+            places[(vertex.0 - first.0) as usize] = place;
+        }
+        Self::Table { first: first.0, places }
+    }
+
+    fn of(&self, vertex: VertexId) -> Option<usize> {
+        match self {
+            Self::Table { first, places } => {
+                let place = places.get(vertex.0.checked_sub(*first)? as usize)?;
+                (*place != u32::MAX).then_some(*place as usize)
+            }
+            Self::Search(vertices) => vertices.binary_search(&vertex).ok(),
+        }
+    }
+}
+
 impl Network {
     pub fn new(wireframe: &Wireframe, component: &Component) -> Self {
         let position = |&id: &VertexId| wireframe.vertex(id).map(|vertex| (id, vertex.position));
         let (vertices, positions): (Vec<VertexId>, Vec<Point3<f64>>) =
             component.vertices.iter().filter_map(position).unzip();
+        let places = Places::new(&vertices);
         let mut links = Vec::with_capacity(component.edges.len());
         for &id in &component.edges {
             let Some(edge) = wireframe.edge(id) else { continue };
-            let (Ok(a), Ok(b)) = (vertices.binary_search(&edge.a), vertices.binary_search(&edge.b)) else {
-                continue;
-            };
+            let (Some(a), Some(b)) = (places.of(edge.a), places.of(edge.b)) else { continue };
             let vector = positions[b] - positions[a];
             let length = vector.norm();
             let direction = if length > 0.0 { vector / length } else { Vector3::zeros() };

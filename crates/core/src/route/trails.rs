@@ -26,27 +26,29 @@ pub(super) fn join(pairing: &mut Pairing) {
     for end in 0..pairing.end_count() {
         trails.union(end, pairing.mate(end));
     }
-    let mut changes = BinaryHeap::new();
-    for vertex in 0..pairing.vertices().len() {
-        let pairs = pairing.vertices()[vertex].clone();
-        offer(pairing, vertex, &pairs, &mut trails, &mut changes);
+    let mut changes = Vec::new();
+    for (vertex, pairs) in pairing.vertices().iter().enumerate() {
+        offer(pairing, vertex, pairs, &mut trails, &mut changes);
     }
+    let mut changes = BinaryHeap::from(changes);
+    let mut further = Vec::new();
     while let Some(Reverse((_, vertex, old, new))) = changes.pop() {
         let current = old.iter().all(|pair| pairing.vertices()[vertex].contains(pair));
         if current && trails.union(old[0].0, old[1].0) {
             pairing.replace(vertex, old, new);
-            offer(pairing, vertex, &new, &mut trails, &mut changes);
+            offer(pairing, vertex, &new, &mut trails, &mut further);
+            changes.extend(further.drain(..));
         }
     }
 }
 
-/// Puts every change of some pairs of a vertex that would join two trails into the queue.
+/// Lists every change of some pairs of a vertex that would join two trails.
 fn offer(
     pairing: &Pairing,
     vertex: usize,
     of: &[(End, End)],
     trails: &mut UnionFind<usize>,
-    changes: &mut BinaryHeap<Reverse<PairChange>>,
+    changes: &mut Vec<Reverse<PairChange>>,
 ) {
     let pairs = &pairing.vertices()[vertex];
     for &(a, b) in of {

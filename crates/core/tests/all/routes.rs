@@ -263,7 +263,7 @@ proptest! {
         }
         let doubled = found.last().unwrap().edges.clone();
         let options = RouteOptions { doubled: doubled.clone(), start, wires, ..RouteOptions::default() };
-        let routes = routes(&w, &component, &options).unwrap();
+        let routes = routes(&w, &component, &options).unwrap().routes;
         assert_all_cover(&w, &component, &routes, &doubled);
         let odd = w.odd_vertices(&component, &doubled);
         let starts_anew = odd.is_empty() || start.is_some_and(|start| !odd.contains(&start));
@@ -282,7 +282,9 @@ proptest! {
         let limit = Angle::from_deg(limit).unwrap();
         let mut options = RouteOptions { doubled, start, closed, max_bend: Some(limit), ..RouteOptions::default() };
         let forced = forced_bends(&w, &component, &options).unwrap();
-        let beyond = bends_beyond(&w, &route(&w, &component, &options).unwrap(), limit);
+        let found = routes(&w, &component, &options).unwrap();
+        prop_assert_eq!(&found.forced, &forced);
+        let beyond = bends_beyond(&w, &found.routes[0], limit);
         for bend in &forced {
             prop_assert!(bend.bend > limit);
             // The ends of a closed wire may lie at one of several.
