@@ -22,10 +22,8 @@ const MAX_TRIALS: usize = 200;
 const MIN_SHARE: usize = 4;
 /// The most work that trials take together, in units of about a millisecond.
 const MAX_WORK: usize = 1500;
-/// So many edges are planned in a unit, and so many odd vertices matched, whose time grows with their cube: 400 of
-/// them take a third of a second.
+/// So many edges are planned in a unit.
 const EDGES_A_UNIT: usize = 200;
-const ODD_A_UNIT: usize = 60;
 
 /// The design after an edit, or as it is.
 pub(super) struct Trial {
@@ -87,9 +85,7 @@ impl<'a> Trials<'a> {
     ) -> Result<(Trial, Self), EditorError> {
         let change = changing::unchanged(&document);
         let base = plan(document.clone(), change, setup)?;
-        let odd = |wire: &WirePlan| document.wireframe.odd_vertices(&wire.component, &[]).len();
-        let matched: usize = base.wires.iter().map(|wire| (odd(wire) / ODD_A_UNIT).pow(3)).sum();
-        let work = 1 + document.wireframe.edge_count() / EDGES_A_UNIT + matched;
+        let work = 1 + document.wireframe.edge_count() / EDGES_A_UNIT;
         let errors = base.errors();
         Ok((
             base,
