@@ -9,7 +9,8 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
-use criterion::{Criterion, criterion_group, criterion_main};
+use criterion::measurement::WallTime;
+use criterion::{BenchmarkGroup, Criterion, criterion_group, criterion_main};
 use nalgebra::Point3;
 use wirebend_api::{
     Command, DesignInput, EventSink, Input, Installation, NoProgress, Places, PlanChoices, PlanRequest,
@@ -78,30 +79,68 @@ fn whole_pipeline(c: &mut Criterion) {
     group.finish();
 }
 
-/// What a window asks while a person drags a vertex of 1000 edges: text in, text out.
+/// A plane of triangles, some of whose cells are divided the other way, so that hundreds of vertices are odd.
+fn sheet(side: u32) -> Wireframe {
+    let mut w = Wireframe::new();
+    for k in 0..side * side {
+        let (row, column) = (k / side, k % side);
+        w.add_vertex(Vertex::at(Point3::new(60.0 * f64::from(column), 60.0 * f64::from(row), 0.0))).unwrap();
+    }
+    let at = |row: u32, column: u32| VertexId(row * side + column);
+    for row in 0..side {
+        for column in 0..side {
+            let (right, down) = (column + 1 < side, row + 1 < side);
+            if right {
+                w.add_edge(at(row, column), at(row, column + 1)).unwrap();
+            }
+            if down {
+                w.add_edge(at(row, column), at(row + 1, column)).unwrap();
+            }
+            if right && down {
+                let (a, b) =
+                    if (row * 7 + column * 5) % 3 == 0 { (column, column + 1) } else { (column + 1, column) };
+                w.add_edge(at(row, a), at(row + 1, b)).unwrap();
+            }
+        }
+    }
+    w
+}
+
+/// What a window asks while a person drags a vertex: text in, text out.
 fn live_check(c: &mut Criterion) {
+    let mut group = c.benchmark_group("live-check");
+    let (column, sheet) = (column(34, 10), sheet(59));
+    assert!(sheet.edge_count() >= 10_000, "{}", sheet.edge_count());
+    let odd = sheet.odd_vertices(&sheet.components()[0], &[]).len();
+    assert!(odd > 1000, "{odd}");
+    for (name, wireframe) in [("column-1000-edges", column), ("sheet-10000-edges", sheet)] {
+        drag(&mut group, name, wireframe);
+    }
+    group.finish();
+}
+
+fn drag(group: &mut BenchmarkGroup<'_, WallTime>, name: &str, wireframe: Wireframe) {
     struct Nobody;
     impl EventSink for Nobody {
         fn emit(&self, _: &WindowEvent) {}
     }
     let workspace = Workspace::new(Places::default(), Arc::new(Nobody)).unwrap();
-    let bytes = wirebend_files::document::Document::new(column(34, 10)).to_bytes().unwrap();
+    let at = wireframe.vertex(VertexId(100)).unwrap().position;
+    let bytes = wirebend_files::document::Document::new(wireframe).to_bytes().unwrap();
     let open = serde_json::json!({
         "ask": "open",
-        "design": { "input": { "bytes": { "name": "column.wirebend", "bytes": bytes } } },
+        "design": { "input": { "bytes": { "name": "dragged.wirebend", "bytes": bytes } } },
     });
     workspace.ask_json(&open.to_string()).unwrap();
     let mut turn = 0.0_f64;
-    let mut group = c.benchmark_group("live-check");
-    group.bench_function("column-1000-edges", |b| {
+    group.bench_function(name, |b| {
         b.iter(|| {
             turn += 0.1;
-            let at = [150.0 + turn.sin(), turn.cos(), 600.0];
+            let at = [at.x + turn.sin(), at.y + turn.cos(), at.z];
             let check = serde_json::json!({ "ask": "check", "moved": [{ "vertex": 100, "at_mm": at }] });
             workspace.ask_json(black_box(&check.to_string())).unwrap()
         });
     });
-    group.finish();
 }
 
 fn euler_path_and_doubling(c: &mut Criterion) {

@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
-"""Graphs for the cheapest join of their odd vertices, and PyMatching's time for it: a peer of `make bench`.
+"""Graphs for the cheapest join of their odd vertices, and what PyMatching and NetworkX find: peers of `make bench`.
 
-`make FAMILY EDGES FILE` writes a graph of about so many edges, one `from to nanometres` a line. `join FILE` reads one and
-prints one JSON line: the weight of the cheapest join and the median time. Only the matching is timed, with the graph in
-PyMatching's own form.
+`make FAMILY EDGES FILE` writes a graph of about so many edges, one `from to nanometres` a line, and beside it a wireframe with
+the same edges, FILE.obj. `join FILE` reads a graph and prints one JSON line: the weight of PyMatching's cheapest join and the
+median time. Only the matching is timed, with the graph in PyMatching's own form. `random COUNT` prints so many random graphs, a
+JSON line each, with the weights of NetworkX's cheapest joins that leave no odd vertex and two.
 
     python benches/peers/joins.py make truss 10000 truss.txt
     python benches/peers/joins.py join truss.txt --runs 5
+    python benches/peers/joins.py random 200
 """
 
 import argparse
@@ -14,12 +16,14 @@ import json
 import statistics
 import time
 
+import networkx
 import numpy
 import pymatching
 import scipy.spatial
 
-# Nanometres of a unit: the edges of most families are about a unit long.
+# Nanometres of a unit: the edges of most families are about a unit long. In the wireframes they are so many millimetres.
 UNIT = 1_000_000
+MM = 40
 # PyMatching computes with whole weights up to this; longer ones are rounded.
 WHOLE = 2**24 - 2
 
@@ -93,6 +97,23 @@ def truss(edges, _):
     return points, numpy.vstack([pairs, pairs + count, *struts])
 
 
+def rings(edges, _):
+    """The same cut to a hexagon: the plate of a truss with so many rings of cells that it has about as many edges."""
+    count = max(1, round((edges / 27) ** 0.5))
+    points, pairs = truss(27 * (2 * count + 3) ** 2, None)
+    centre = points[:, :2].mean(axis=0)
+    near = [points[:, 2] == height for height in (0, points[:, 2].max())]
+    turns = numpy.array([[1, 0], [0.5, 3**0.5 / 2], [-0.5, 3**0.5 / 2]])
+    origin = points[near[0]][numpy.linalg.norm(points[near[0]][:, :2] - centre, axis=1).argmin()][:2]
+    normals = numpy.array([[0, 1], [3**0.5 / 2, 0.5], [3**0.5 / 2, -0.5]])
+    inside = (numpy.abs((points[:, :2] - origin) @ normals.T) <= count * 3**0.5 / 2 + 1e-9).all(axis=1)
+    kept = inside[pairs].all(axis=1)
+    used = numpy.unique(pairs[kept])
+    number = numpy.full(len(points), -1)
+    number[used] = numpy.arange(len(used))
+    return points[used], number[pairs[kept]]
+
+
 FAMILIES = {
     "delaunay-sphere": delaunay_sphere,
     "graded-mesh": graded,
@@ -100,6 +121,7 @@ FAMILIES = {
     "icosphere": icosphere,
     "isogrid": isogrid,
     "truss": truss,
+    "rings": rings,
 }
 
 
@@ -114,12 +136,25 @@ def write(family, edges, file):
     points, pairs = FAMILIES[family](edges, numpy.random.default_rng(20260101))
     lengths = numpy.linalg.norm(points[pairs[:, 0]] - points[pairs[:, 1]], axis=1)
     numpy.savetxt(file, numpy.c_[pairs, numpy.rint(lengths * UNIT)], fmt="%d")
+    if points.shape[1] == 2:
+        points = numpy.c_[points, numpy.zeros(len(points))]
+    with open(f"{file}.obj", "w", encoding="utf-8") as wireframe:
+        numpy.savetxt(wireframe, points * MM, fmt="v %.12f %.12f %.12f")
+        numpy.savetxt(wireframe, pairs + 1, fmt="l %d %d")
 
 
-def join(file, runs):
+def join(file, runs, is_open):
     table = numpy.loadtxt(file, dtype=numpy.int64, ndmin=2)
     ends, weights = table[:, :2], table[:, 2]
     odd = (numpy.bincount(ends.ravel()) % 2).astype(numpy.uint8)
+    count, edges, unit = len(odd), len(weights), int(numpy.gcd.reduce(weights))
+    weights //= unit
+    # Two vertices that an edge longer than any path joins with every odd one: each takes one of them, and these are left.
+    if is_open:
+        far, at = int(weights.max()) * count, numpy.flatnonzero(odd)
+        ends = numpy.vstack([ends, *(numpy.c_[at, numpy.full(len(at), count + end)] for end in (0, 1))])
+        weights = numpy.r_[weights, numpy.full(2 * len(at), far)]
+        odd = numpy.r_[odd, [1, 1]].astype(numpy.uint8)
     # Whole weights, halved until they fit: without that they are taken as they are.
     scale = 1
     while weights.max() // scale > WHOLE:
@@ -128,18 +163,52 @@ def join(file, runs):
     for edge, ((a, b), weight) in enumerate(zip(ends.tolist(), (weights // scale).tolist())):
         if a != b:
             matching.add_edge(a, b, weight=weight, fault_ids=edge, merge_strategy="smallest-weight")
-    matching.decode(odd)
     times_ms = []
-    for _ in range(runs):
+    # The first of several is not timed.
+    for run in range(runs + (runs > 1)):
         start = time.perf_counter()
         chosen = matching.decode(odd)
-        times_ms.append((time.perf_counter() - start) * 1000)
+        if run > 0 or runs == 1:
+            times_ms.append((time.perf_counter() - start) * 1000)
     print(json.dumps({
         "peer": "pymatching",
-        "weight_nm": int(weights[numpy.flatnonzero(chosen)].sum()),
+        "weight_nm": int(weights[:edges][numpy.flatnonzero(chosen[:edges])].sum()) * unit,
         "is_exact": scale == 1,
         "median_ms": round(statistics.median(times_ms), 3),
     }))
+
+
+def random_graphs(count):
+    """Connected graphs with up to 60 odd vertices, some edges as long as others, some doubled, some of no length."""
+    random = numpy.random.default_rng(20260102)
+    for _ in range(count):
+        vertices = int(random.integers(2, 70))
+        tree = [(int(random.integers(0, vertex)), vertex) for vertex in range(1, vertices)]
+        more = random.integers(0, vertices, (int(random.integers(0, 2 * vertices)), 2)).tolist()
+        edges = [(a, b, int(w)) for (a, b), w in zip(tree + more, random.integers(0, 40, len(tree) + len(more)))]
+        graph = networkx.Graph()
+        graph.add_nodes_from(range(vertices))
+        degrees = numpy.zeros(vertices, int)
+        for a, b, weight in edges:
+            degrees[a] += 1
+            degrees[b] += 1
+            if a != b:
+                graph.add_edge(a, b, nm=min(weight, graph.edges[a, b]["nm"] if graph.has_edge(a, b) else weight))
+        odd = [vertex for vertex in range(vertices) if degrees[vertex] % 2]
+        if len(odd) > 60:
+            continue
+        yield {"vertices": vertices, "edges": edges, "closed": matched(graph, odd, 0), "open": matched(graph, odd, 2)}
+
+
+def matched(graph, odd, left):
+    """The least length of paths that pair the odd vertices, of which so many are left."""
+    far = {vertex: networkx.single_source_dijkstra_path_length(graph, vertex, weight="nm") for vertex in odd}
+    pairs = networkx.Graph()
+    for k, a in enumerate(odd):
+        pairs.add_weighted_edges_from((a, b, far[a][b]) for b in odd[:k])
+        if len(odd) > 1:
+            pairs.add_weighted_edges_from((a, ("left", end), 0) for end in range(left))
+    return sum(pairs.edges[pair]["weight"] for pair in networkx.min_weight_matching(pairs))
 
 
 def main():
@@ -152,11 +221,17 @@ def main():
     joining = tasks.add_parser("join", help="time the peer on one")
     joining.add_argument("file")
     joining.add_argument("--runs", type=int, default=3)
+    joining.add_argument("--open", action="store_true", help="leave two odd vertices")
+    drawing = tasks.add_parser("random", help="print random graphs with NetworkX's joins")
+    drawing.add_argument("count", type=int)
     given = parser.parse_args()
     if given.task == "make":
         write(given.family, given.edges, given.file)
+    elif given.task == "join":
+        join(given.file, given.runs, given.open)
     else:
-        join(given.file, given.runs)
+        for graph in random_graphs(given.count):
+            print(json.dumps(graph))
 
 
 if __name__ == "__main__":
