@@ -11,6 +11,9 @@ use super::{Layout, RouteError, RouteOptions, layout};
 use crate::units::Angle;
 use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
 
+/// After so many links no way back is looked for any more: a detour goes around a few edges.
+const MAX_LINKS: usize = 5000;
+
 /// A vertex whose edges cannot follow each other without a bend beyond the limit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ForcedBend {
@@ -21,7 +24,7 @@ pub struct ForcedBend {
     /// By how much, as a magnitude.
     pub bend: Angle,
     /// Edges to travel once more, so that the wire leaves the vertex and comes back another way: the shortest. None where no
-    /// detour leads back within the limit.
+    /// walk leads back within the limit, or none around so few edges that it is worth it.
     pub detour: Option<Doubling>,
 }
 
@@ -123,6 +126,7 @@ struct Detours<'a> {
     pairing: &'a Pairing<'a>,
     /// The ends of links at each vertex.
     at: Vec<Vec<End>>,
+    search: Search,
 }
 
 impl<'a> Detours<'a> {
@@ -133,7 +137,7 @@ impl<'a> Detours<'a> {
             at[link.a].push(2 * k);
             at[link.b].push(2 * k + 1);
         }
-        Self { pairing, at }
+        Self { pairing, at, search: Search::new(2 * network.links.len()) }
     }
 
     /// The vertex that an end of a link is at.
@@ -176,53 +180,89 @@ impl<'a> Detours<'a> {
 
     /// From an end by which the wire comes, the shortest walk to each end by which it can leave the same vertex, where it cannot
     /// at once: its length in nm and its links.
-    fn walks(&self, from: End, to: &[End]) -> BTreeMap<End, (i64, Vec<usize>)> {
+    fn walks(&mut self, from: End, to: &[End]) -> BTreeMap<End, (i64, Vec<usize>)> {
         let home = self.vertex(from);
         let can_leave = |&q: &End| {
             !self.pairing.follows(from, q) && self.at[home].iter().any(|&last| self.pairing.follows(last, q))
         };
         let mut wanted: Vec<End> = to.iter().copied().filter(can_leave).collect();
         let mut found = BTreeMap::new();
-        // By which end a link was left along, and the one before it.
-        let mut reached: BTreeMap<End, (i64, Option<End>)> = BTreeMap::new();
-        let mut queue = BinaryHeap::new();
-        let mut arrived = Some((from, 0, None));
-        while let Some((end, length, before)) = arrived.take() {
-            for &next in self.at[self.vertex(end)].iter().filter(|&&next| self.pairing.follows(end, next)) {
-                let further = length + self.pairing.network().links[next / 2].length_nm;
-                let known = reached.get(&next).is_some_and(|&(least, _)| least <= further);
-                if !known {
-                    reached.insert(next, (further, before));
-                    queue.push(Reverse((further, next)));
-                }
-            }
+        self.search.begin();
+        self.go_on(from, 0, None);
+        for _ in 0..MAX_LINKS {
             if wanted.is_empty() {
                 break;
             }
-            while let Some(Reverse((length, leaving))) = queue.pop() {
-                if reached.get(&leaving).is_none_or(|&(least, _)| length > least) {
-                    continue;
-                }
-                let end = leaving ^ 1;
-                if self.vertex(end) == home {
-                    wanted.retain(|&q| {
-                        let is_back = self.pairing.follows(end, q);
-                        if is_back {
-                            found.insert(q, (length, links_to(&reached, leaving)));
-                        }
-                        !is_back
-                    });
-                }
-                arrived = Some((end, length, Some(leaving)));
-                break;
+            let Some((length, leaving)) = self.search.next() else { break };
+            let end = leaving ^ 1;
+            if self.vertex(end) == home {
+                wanted.retain(|&q| {
+                    let is_back = self.pairing.follows(end, q);
+                    if is_back {
+                        found.insert(q, (length, self.search.links_to(leaving)));
+                    }
+                    !is_back
+                });
             }
+            self.go_on(end, length, Some(leaving));
         }
         found
     }
+
+    /// Goes on from an end by which the wire comes, after the link that it left by another.
+    fn go_on(&mut self, end: End, length: i64, before: Option<End>) {
+        let links = &self.pairing.network().links;
+        for &next in self.at[self.vertex(end)].iter().filter(|&&next| self.pairing.follows(end, next)) {
+            self.search.reach(next, length + links[next / 2].length_nm, before);
+        }
+    }
 }
 
-/// The links of a walk, the last first.
-fn links_to(reached: &BTreeMap<End, (i64, Option<End>)>, last: End) -> Vec<usize> {
-    let before = |end: &End| reached.get(end).and_then(|&(_, before)| before);
-    std::iter::successors(Some(last), before).map(|end| end / 2).collect()
+/// Dijkstra's algorithm over the ends by which links are left; its memory is used again by the next search.
+struct Search {
+    round: u32,
+    reached: Vec<Reached>,
+    queue: BinaryHeap<Reverse<(i64, End)>>,
+}
+
+#[derive(Clone, Copy)]
+struct Reached {
+    round: u32,
+    length: i64,
+    before: Option<End>,
+}
+
+impl Search {
+    fn new(ends: usize) -> Self {
+        let reached = vec![Reached { round: 0, length: 0, before: None }; ends];
+        Self { round: 0, reached, queue: BinaryHeap::new() }
+    }
+
+    fn begin(&mut self) {
+        self.round += 1;
+        self.queue.clear();
+    }
+
+    fn reach(&mut self, end: End, length: i64, before: Option<End>) {
+        let reached = &mut self.reached[end];
+        if reached.round != self.round || length < reached.length {
+            *reached = Reached { round: self.round, length, before };
+            self.queue.push(Reverse((length, end)));
+        }
+    }
+
+    /// The next end by which the shortest walk leaves, with its length to the other end of that link.
+    fn next(&mut self) -> Option<(i64, End)> {
+        loop {
+            let Reverse((length, end)) = self.queue.pop()?;
+            if length == self.reached[end].length {
+                return Some((length, end));
+            }
+        }
+    }
+
+    /// The links of a walk, the last first.
+    fn links_to(&self, last: End) -> Vec<usize> {
+        std::iter::successors(Some(last), |&end| self.reached[end].before).map(|end| end / 2).collect()
+    }
 }
