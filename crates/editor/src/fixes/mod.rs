@@ -9,6 +9,7 @@ mod drawing;
 mod lengths;
 mod preview;
 mod scale;
+mod shares;
 mod starts;
 mod trials;
 mod verdict;

@@ -1,8 +1,11 @@
 //! What to draw of a fix before it is made.
 
+use std::collections::BTreeSet;
+
 use schemars::JsonSchema;
 use serde::Serialize;
-use wirebend_core::wireframe::{Edge, EdgeId, VertexId};
+use wirebend_core::plan::WirePlan;
+use wirebend_core::wireframe::{Edge, EdgeId, VertexId, Wireframe};
 use wirebend_files::document::Document;
 
 use super::super::{EditRequest, Moved};
@@ -66,13 +69,25 @@ impl FixPreview {
             preview.doubled.dedup();
         }
         preview.detached = detached(edit);
-        if change.wires.is_some() {
-            let others = after.wires.iter().skip(1);
-            let edges = others.map(|wire| wire.component.edges.iter().map(|id| id.0).collect());
-            preview.detached.extend(edges);
+        if change.wires.is_some() && preview.detached.is_empty() {
+            preview.detached = further_wires(wireframe, &after.wires);
         }
         preview
     }
+}
+
+/// The edges of each wire but the first of a part, where the parts are what they were.
+fn further_wires(wireframe: &Wireframe, wires: &[WirePlan]) -> Vec<Vec<u32>> {
+    let parts = wireframe.components();
+    let mut begun = BTreeSet::new();
+    let mut is_further = |wire: &&WirePlan| {
+        let first = wire.component.edges.first();
+        let part =
+            parts.iter().position(|part| first.is_some_and(|edge| part.edges.binary_search(edge).is_ok()));
+        !begun.insert(part)
+    };
+    let further = wires.iter().filter(&mut is_further);
+    further.map(|wire| wire.component.edges.iter().map(|id| id.0).collect()).collect()
 }
 
 fn detached(edit: &EditRequest) -> Vec<Vec<u32>> {

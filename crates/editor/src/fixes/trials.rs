@@ -1,14 +1,16 @@
 //! Edits tried on a copy of the design.
 
+use std::cell::OnceCell;
 use std::rc::Rc;
 
 use wirebend_core::checks::{Diagnostic, Severity};
 use wirebend_core::plan::{Machine, WirePlan};
+use wirebend_core::route::Share;
 use wirebend_files::document::{Document, DocumentChange};
 
 use super::super::check::LiveCheck;
 use super::super::{EditRequest, changing};
-use super::Finding;
+use super::{Finding, shares};
 use crate::EditorError;
 use wirebend_planning::PlanChoices;
 use wirebend_planning::design::Opened;
@@ -69,6 +71,8 @@ pub(super) struct Trials<'a> {
     tried: Vec<(EditRequest, Option<Rc<Trial>>)>,
     /// How many errors the design has.
     errors: usize,
+    /// The shares of its parts with further wires, once that was asked for.
+    further_wires: OnceCell<Vec<Vec<Share>>>,
     /// What a trial takes, and what is left.
     work: usize,
     left: usize,
@@ -87,10 +91,18 @@ impl<'a> Trials<'a> {
         let base = plan(document.clone(), change, setup)?;
         let work = 1 + document.wireframe.edge_count() / EDGES_A_UNIT;
         let errors = base.errors();
-        Ok((
-            base,
-            Self { document, app, setup, tried: Vec::new(), errors, work, left: MAX_WORK, until: MAX_TRIALS },
-        ))
+        let trials = Self {
+            document,
+            app,
+            setup,
+            tried: Vec::new(),
+            errors,
+            further_wires: OnceCell::new(),
+            work,
+            left: MAX_WORK,
+            until: MAX_TRIALS,
+        };
+        Ok((base, trials))
     }
 
     /// The design as it is.
@@ -101,6 +113,11 @@ impl<'a> Trials<'a> {
     /// How many errors it has.
     pub fn errors(&self) -> usize {
         self.errors
+    }
+
+    /// The shares of its parts with one further wire, with two, and so on while they are of use.
+    pub fn further_wires(&self) -> &[Vec<Share>] {
+        self.further_wires.get_or_init(|| shares::with_further_wires(&self.document))
     }
 
     /// The machine with its wire.

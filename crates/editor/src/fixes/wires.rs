@@ -6,22 +6,16 @@ use wirebend_core::route::Share;
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::{Component, EdgeId};
 use wirebend_files::document::Document;
-use wirebend_planning::plan::wires_of_parts;
 
 use super::super::EditRequest;
 use super::trials::Trials;
 use super::{Candidate, Finding, shown_mm};
 
-/// More wires than these are no answer.
-const MAX_WIRES: usize = 6;
-
 /// The cheapest edges twice, or some more wires, as far as they save something.
 pub(super) fn candidates(finding: Finding, trials: &Trials) -> Vec<Candidate> {
     let Some(wire) = finding.wire else { return Vec::new() };
     let mut found: Vec<Candidate> = doubled(wire, trials).into_iter().collect();
-    let document = trials.document();
-    let counts = (2..=MAX_WIRES).map_while(|wires| shared_out(document, wires));
-    found.extend(counts.map(|shares| several(&shares, trials)));
+    found.extend(trials.further_wires().iter().map(|shares| several(shares, trials)));
     found
 }
 
@@ -59,15 +53,6 @@ fn doublings_elsewhere(document: &Document, component: &Component) -> Vec<EdgeId
     document.doublings.iter().filter(elsewhere).copied().collect()
 }
 
-/// The wires of each part of the design, where as many are of use.
-fn shared_out(document: &Document, wires: usize) -> Option<Vec<Share>> {
-    let parts = document.wireframe.components();
-    let parts: Vec<&Component> = parts.iter().filter(|part| !part.edges.is_empty()).collect();
-    let shares = wires_of_parts(document, &parts, document.start, wires);
-    let used: usize = shares.iter().map(|share| share.wires).sum();
-    (wires > parts.len() && used == wires).then_some(shares)
-}
-
 fn several(shares: &[Share], trials: &Trials) -> Candidate {
     let wires: usize = shares.iter().map(|share| share.wires).sum();
     let doubled = shares.iter().filter_map(|share| share.doubling.as_ref());
@@ -91,10 +76,9 @@ fn several(shares: &[Share], trials: &Trials) -> Candidate {
 
 /// As many wires as it takes to double no edge.
 pub(super) fn none_doubled(trials: &Trials) -> Option<Candidate> {
-    let document = trials.document();
-    let shares = (2..=MAX_WIRES).map_while(|wires| shared_out(document, wires)).last()?;
+    let shares = trials.further_wires().last()?;
     let is_none = |share: &Share| share.doubling.as_ref().is_none_or(|doubling| doubling.edges.is_empty());
-    shares.iter().all(is_none).then(|| several(&shares, trials))
+    shares.iter().all(is_none).then(|| several(shares, trials))
 }
 
 /// Edges laid twice so that the wire comes back to a vertex another way.

@@ -5,6 +5,7 @@ mod drawing;
 mod examples;
 mod lengths;
 mod stock;
+mod wires;
 
 use serde_json::json;
 use wirebend_editor::{Editor, Fix, LiveCheck, WireFigures};
