@@ -16,10 +16,10 @@ use super::{Candidate, Finding};
 const MAX_PARTS: usize = 12;
 
 /// Two wires that meet at the bend of a step.
-pub(super) fn at_step(finding: Finding) -> Option<Candidate> {
+pub(super) fn at_step(finding: Finding, document: &Document) -> Option<Candidate> {
     let wire = finding.wire?;
     let span = wire.nominal.as_ref()?.spans.get(finding.diagnostic.location.step?)?;
-    cut(wire, &[span.end])
+    cut(document, wire, &[span.end])
 }
 
 /// Wires of about the same length, as few as fit the stock.
@@ -39,7 +39,8 @@ pub(super) fn into_equal_parts(finding: Finding, trials: &mut Trials) -> Option<
     }
     // Where vertices are far apart, one more may be needed.
     (parts..=parts + 1).find_map(|parts| {
-        let candidate = cut(wire, &near_fractions(&trials.document().wireframe, wire, parts))?;
+        let document = trials.document();
+        let candidate = cut(document, wire, &near_fractions(&document.wireframe, wire, parts))?;
         let trial = trials.of(&candidate.edit)?;
         let all_fit = trial.diagnostics().all(|diagnostic| diagnostic.code() != Code::StockTooLong);
         all_fit.then_some(candidate)
@@ -60,7 +61,7 @@ pub(super) fn within_step(finding: Finding, document: &Document) -> Option<Candi
     let half = length(straight) / 2.0;
     let off_middle = |at: &usize| (length(&straight[..at - span.start]) - half).abs();
     let at = (span.start + 1..span.end).min_by(|a, b| off_middle(a).total_cmp(&off_middle(b)))?;
-    cut(wire, &[at])
+    cut(document, wire, &[at])
 }
 
 fn split(document: &Document, wire: &WirePlan, at: usize, only: &Traversal) -> Option<Candidate> {
@@ -77,7 +78,8 @@ fn split(document: &Document, wire: &WirePlan, at: usize, only: &Traversal) -> O
     let mut edges: Vec<u32> = std::iter::once(behind).chain(rest).collect();
     edges.sort_unstable();
     edges.dedup();
-    let edits = vec![EditRequest::Split { edge: only.edge.0, at: 0.5 }, EditRequest::Detach { edges }];
+    let mut edits = vec![EditRequest::Split { edge: only.edge.0, at: 0.5 }, EditRequest::Detach { edges }];
+    edits.extend(more_wires(document, 1));
     Some(Candidate {
         title: format!("Split edge {} in the middle, into two wires", only.edge),
         edit: together(edits, "split into 2 wires".to_owned())?,
@@ -85,7 +87,7 @@ fn split(document: &Document, wire: &WirePlan, at: usize, only: &Traversal) -> O
 }
 
 /// Wires of a route, cut before some of its traversals. None where an edge would belong to two.
-fn cut(wire: &WirePlan, before: &[usize]) -> Option<Candidate> {
+fn cut(document: &Document, wire: &WirePlan, before: &[usize]) -> Option<Candidate> {
     let traversals = &wire.route.as_ref()?.traversals;
     if before.is_empty() || !before.iter().all(|&at| divides(traversals, at)) {
         return None;
@@ -98,6 +100,7 @@ fn cut(wire: &WirePlan, before: &[usize]) -> Option<Candidate> {
         edges.dedup();
         edits.push(EditRequest::Detach { edges });
     }
+    edits.extend(more_wires(document, before.len()));
     let vertices: Vec<String> =
         before.iter().filter_map(|&at| traversals.get(at)).map(|t| t.from.to_string()).collect();
     let title = match vertices.as_slice() {
@@ -110,6 +113,13 @@ fn cut(wire: &WirePlan, before: &[usize]) -> Option<Candidate> {
     // A start that a person has chosen stays with the first wire, which keeps its vertices.
     let label = format!("split into {} wires", vertices.len() + 1);
     Some(Candidate { title, edit: together(edits, label)? })
+}
+
+/// A wire for each piece that is cut off, where a design is bent from several: the others keep theirs.
+fn more_wires(document: &Document, pieces: usize) -> Option<EditRequest> {
+    let wires = document.wires.get();
+    let all = u32::try_from(wires + pieces).ok()?;
+    (wires > 1).then_some(EditRequest::Wires { wires: all })
 }
 
 /// Whether a route can be cut before a traversal: something is on both sides, and no edge on both.

@@ -244,18 +244,18 @@ fn candidates(finding: Finding, all: &[Finding], trials: &mut Trials) -> Vec<Can
         Code::BendTooSharp | Code::BendOutOfReach | Code::BendTooSmall => {
             found.extend(wires::detour(finding, trials));
             found.extend(bends::moves(finding, trials));
-            found.extend(cuts::at_step(finding));
+            found.extend(cuts::at_step(finding, trials.document()));
             found.extend(starts::elsewhere(finding, trials));
         }
         Code::FoldBack if finding.diagnostic.is_error() => {
             found.extend(starts::elsewhere(finding, trials));
-            found.extend(cuts::at_step(finding));
+            found.extend(cuts::at_step(finding, trials.document()));
             found.extend(bends::moves(finding, trials));
             found.extend(wires::none_doubled(trials));
         }
         Code::RotationOutOfRange => {
             found.extend(starts::elsewhere(finding, trials));
-            found.extend(cuts::at_step(finding));
+            found.extend(cuts::at_step(finding, trials.document()));
         }
         Code::StockTooLong => {
             found.extend(cuts::into_equal_parts(finding, trials));

@@ -1,10 +1,23 @@
-//! Fixes that bend a design from several wires.
+//! Fixes that bend a design from several wires, and fixes of a design that is.
 
 use serde_json::json;
 use wirebend_editor::Editor;
+use wirebend_planning::Installation;
 
-use super::{mend, on_kit, promised, titles};
+use super::{machine_with, mend, on_kit, promised, strand, titles};
 use crate::{app, edit};
+
+/// Of 600 mm of stock 200 mm can be fed.
+const SHORT_STOCK: &str =
+    r#""limits": {"max_stock_mm": {"value": 600, "source": "a test", "measured": false}}"#;
+
+/// Four struts that meet in the origin, two and two in line: one to each side along x, with what follows it.
+fn star(app: &Installation, machine: &str, left: &[[f64; 3]], right: &[[f64; 3]]) -> Editor {
+    let through: Vec<[f64; 3]> = left.iter().rev().chain(&[[0.0; 3]]).chain(right).copied().collect();
+    let mut editor = strand(app, machine, &through);
+    crossed(&mut editor, u32::try_from(left.len()).unwrap());
+    editor
+}
 
 /// A strut of 60 mm to each side of a vertex in the origin.
 fn crossed(editor: &mut Editor, center: u32) {
@@ -27,4 +40,29 @@ fn one_of_two_parts_is_bent_from_two_wires() {
     assert!(further.len() == 2 && !further.contains(&0), "half of the star, not the line: {further:?}");
     let check = mend(&mut editor, &app(), title);
     assert!(check.feasible && check.wires.len() == 3, "{check:?}");
+}
+
+/// Where a wire is cut there is a part more, which takes one of the wires: the rest needs as many as before.
+#[test]
+fn a_part_that_is_cut_off_has_a_wire_of_its_own() {
+    let (_folder, app) = machine_with(SHORT_STOCK);
+    // One wire is 360 mm long, or bends by 160°, or has an edge of 260 mm; the other is 120 mm long.
+    let out = |side: f64| [[60. * side, 0., 0.], [60. * side, 0., 60.], [120. * side, 0., 60.]];
+    let turn = f64::to_radians(20.0);
+    let sharp = [[70., 0., 0.], [70. - 70. * turn.cos(), 0., 70. * turn.sin()]];
+    let long = [[30., 0., 0.], [30., 0., 260.]];
+    for (left, right, code, title) in [
+        (&out(-1.)[..], &out(1.)[..], "stock_too_long", "Split at vertex 3 into two wires"),
+        (&[[-60., 0., 0.]], &sharp, "bend_too_sharp", "Split at vertex 2 into two wires"),
+        (&[[-30., 0., 0.]], &long, "feed_too_long", "Split edge 2 in the middle, into two wires"),
+    ] {
+        let mut editor = star(&app, "other", left, right);
+        edit(&mut editor, &json!({"edit": "wires", "wires": 2}));
+        let offered = titles(&promised(&mut editor, &app), code);
+        assert!(offered.contains(&title.to_owned()), "{code}: {offered:?}");
+        let check = mend(&mut editor, &app, title);
+        assert!(check.feasible && check.wires.len() == 3, "{check:?}");
+        assert_eq!(editor.state().undo.as_deref(), Some("split into 2 wires"));
+        assert_eq!(editor.state().wires, 3);
+    }
 }
