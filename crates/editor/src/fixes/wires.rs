@@ -88,10 +88,14 @@ pub(super) fn detour(finding: Finding, trials: &Trials) -> Option<Candidate> {
         Remedy::Detour { edges, added } => Some((edges, added)),
         _ => None,
     })?;
-    // Without a route it goes around what is proposed.
-    let others = if wire.route.is_some() { &wire.doubled } else { &wire.proposal.edges };
-    let mut edges = doublings_elsewhere(trials.document(), &wire.component);
-    edges.extend(others.iter().chain(around));
+    let document = trials.document();
+    let mut edges = if wire.route.is_some() {
+        document.doublings.clone()
+    } else {
+        // It goes around what is proposed.
+        [doublings_elsewhere(document, &wire.component), wire.proposal.edges.clone()].concat()
+    };
+    edges.extend(around);
     edges.sort_unstable();
     let title = format!("Take a detour: double {}", added(around, *length, trials));
     Some(Candidate { title, edit: doublings(&edges) })

@@ -9,7 +9,7 @@ use super::{codes, mend, promised, titles};
 use crate::{app, edit, example, open};
 
 /// The edges of a mesh's faces on the 293 dollar bender.
-fn frame(name: &str) -> Editor {
+pub(super) fn frame(name: &str) -> Editor {
     let input = DesignInput { face_edges: true, ..DesignInput::file(example(name)) };
     let (mut editor, _) = Editor::open(&input, None, &NoProgress).unwrap();
     edit(&mut editor, &json!({"edit": "machine", "machine": "wirebend-kit", "material": null}));

@@ -1,9 +1,10 @@
 //! Fixes that bend a design from several wires, and fixes of a design that is.
 
 use serde_json::json;
-use wirebend_editor::Editor;
+use wirebend_editor::{EditRequest, Editor};
 use wirebend_planning::Installation;
 
+use super::examples::frame;
 use super::{machine_with, mend, on_kit, promised, strand, titles};
 use crate::{app, edit};
 
@@ -64,5 +65,25 @@ fn a_part_that_is_cut_off_has_a_wire_of_its_own() {
         assert!(check.feasible && check.wires.len() == 3, "{check:?}");
         assert_eq!(editor.state().undo.as_deref(), Some("split into 2 wires"));
         assert_eq!(editor.state().wires, 3);
+    }
+}
+
+/// An edge that two wires pass once each is doubled, too: a detour leaves it so. Two corners of the bunny need one.
+#[test]
+fn a_detour_keeps_what_is_doubled() {
+    for wires in [2, 4] {
+        let mut editor = frame("bunny.obj");
+        let fixes = editor.fixes(&app()).unwrap();
+        let several = format!("Bend {wires} wires, ");
+        let several = fixes.iter().find(|fix| fix.title.starts_with(&several)).unwrap();
+        editor.edit(&app(), &several.edit).unwrap();
+        let doubled = editor.state().doublings;
+        let fixes = editor.fixes(&app()).unwrap();
+        let detours: Vec<_> = fixes.iter().filter(|fix| fix.title.starts_with("Take a detour")).collect();
+        assert_eq!(detours.len(), 2, "{wires}: {:?}", titles(&fixes, "bend_too_sharp"));
+        for fix in detours {
+            let EditRequest::Doublings { edges } = &fix.edit else { panic!("{fix:?}") };
+            assert!(doubled.iter().all(|edge| edges.contains(edge)), "{edges:?} without some of {doubled:?}");
+        }
     }
 }
