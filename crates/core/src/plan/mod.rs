@@ -185,7 +185,7 @@ pub fn plan_wires(
         return vec![plan];
     }
     let added = |edges: &[EdgeId]| -> Length { edges.iter().map(|&edge| wireframe.edge_length(edge)).sum() };
-    let is_cheapest = added(&doubled) <= proposal.added;
+    let is_cheapest = proposal.is_matched_by(added(&doubled));
     let mut passes: BTreeMap<EdgeId, usize> = BTreeMap::new();
     let plan_one = |route: Route| {
         let doubled = routing::again(&route);

@@ -16,6 +16,17 @@ pub struct Doubling {
     pub added: Length,
 }
 
+/// Sums of the same lengths in another order differ by less, mm.
+const ROUNDING_MM: f64 = 1e-6;
+
+impl Doubling {
+    /// Whether another doubling, which adds so much, is as good as this one.
+    #[must_use]
+    pub fn is_matched_by(&self, added: Length) -> bool {
+        added.mm() <= self.added.mm() + ROUNDING_MM
+    }
+}
+
 /// The edges whose doubling makes a route possible and adds the least length; no set is shorter.
 ///
 /// For an open route two odd vertices stay odd, the best two, and with a wanted `start` that one and

@@ -26,7 +26,7 @@ impl WireReport {
         let length_of = |edges: &mut dyn Iterator<Item = EdgeId>| -> Length {
             edges.map(|edge| wireframe.edge_length(edge)).sum()
         };
-        let doubled_mm = plan.doubled_length(wireframe).mm();
+        let doubled = plan.doubled_length(wireframe);
         Self {
             wireframe: WireframeReport {
                 vertices: plan.component.vertices.len(),
@@ -38,8 +38,8 @@ impl WireReport {
                 feeds: route.traversals.len(),
                 length_mm: length_of(&mut route.traversals.iter().map(|t| t.edge)).mm(),
                 doubled_edges: plan.doubled.len(),
-                doubled_mm,
-                optimal: doubled_mm <= plan.proposal.added.mm() + 1e-6,
+                doubled_mm: doubled.mm(),
+                optimal: plan.proposal.is_matched_by(doubled),
                 doubled: ids(&plan.doubled),
                 vertices: route.vertices().iter().map(|id| id.0).collect(),
                 edges: route.traversals.iter().map(|t| t.edge.0).collect(),
