@@ -10,7 +10,8 @@ pub struct PlanChoices {
     pub machine: Option<String>,
     /// The wire in it; absent, the one that the machine's profile names.
     pub material: Option<String>,
-    /// Whether to travel the cheapest edges twice where there is no route otherwise.
+    /// Whether to travel the cheapest edges twice where there is no route otherwise, and where several wires that are
+    /// chosen here need less than was accepted.
     #[serde(default)]
     pub double: bool,
     /// Whether to travel edges once more, too, where only such a detour avoids a bend that the machine cannot make.
@@ -19,7 +20,7 @@ pub struct PlanChoices {
     /// How many wires there may be: as many of them as lessen what is doubled, and one at least for each part of the design.
     #[schemars(range(min = 1))]
     pub wires: Option<u32>,
-    /// Whether the wire must end where it starts.
+    /// Whether the wire must end where it starts; not with several wires.
     #[serde(default)]
     pub closed: bool,
     /// The vertex where the wire starts.

@@ -15,7 +15,7 @@ use crate::{Installation, PlanningError, Progress};
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 pub struct WiresRequest {
     pub design: DesignInput,
-    /// How it is planned, the number of wires aside; the cheapest edges are always travelled twice.
+    /// How it is planned, the number of wires aside; the cheapest edges are always travelled twice, whatever was accepted.
     pub choices: PlanChoices,
     /// The fewest wires.
     #[schemars(range(min = 1))]
@@ -62,12 +62,17 @@ pub fn wires(
             expected: "one number of wires, at least 1, or a range of such numbers, the smaller first",
         });
     }
-    let opened = app.designed(request.design.open(progress)?, &request.choices)?.with_wireframe()?;
+    let mut opened = app.designed(request.design.open(progress)?, &request.choices)?.with_wireframe()?;
+    // What was accepted for one number of wires says nothing of the others.
+    opened.document.doublings.clear();
+    let parts = opened.document.wireframe.components();
+    let parts = parts.iter().filter(|part| !part.edges.is_empty()).count();
+    let least = u32::try_from(parts).map_or(request.to, |parts| parts.clamp(request.from, request.to));
     let mut rows: Vec<WiresRow> = Vec::new();
     let mut notes: Vec<NoteReport> = Vec::new();
-    for wires in request.from..=request.to {
-        let choices =
-            PlanChoices { wires: Some(wires), double: true, closed: false, ..request.choices.clone() };
+    // Parts that do not touch need a wire each: with fewer the plan is the same.
+    for wires in least..=request.to {
+        let choices = PlanChoices { wires: Some(wires), double: true, ..request.choices.clone() };
         let planned = app.plan_design(opened.copy(), &choices, progress)?;
         let row = WiresRow::new(&planned);
         for note in planned.opened.notes {
@@ -76,7 +81,6 @@ pub fn wires(
             }
         }
         let used = row.wires;
-        // Parts that do not touch need a wire each.
         if rows.last().is_none_or(|last| last.wires < used) {
             rows.push(row);
         }

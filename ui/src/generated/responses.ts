@@ -1199,6 +1199,7 @@ export type ErrorCode =
   | "begun-elsewhere"
   | "beyond-limit"
   | "busy"
+  | "closed-wires"
   | "compensated"
   | "confirmation-of-another"
   | "confirmation-used"

@@ -80,6 +80,34 @@ fn wires_are_shared_out_to_parts() {
     assert_eq!(figures, [[2, 2], [3, 0]]);
 }
 
+/// What was accepted for one wire does not keep further ones from saving it.
+#[test]
+fn further_wires_save_what_was_accepted_for_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |arguments: &[&str]| run_in(folder.path(), arguments, b"");
+    let cube = example("cube.obj");
+    let planned = run(&["plan", &cube, "-m", "wirebend-kit", "--double", "--json"]).ended(0).json();
+    run(&["import", &cube, "-o", "cube.wirebend"]).ended(0);
+    let path = folder.path().join("cube.wirebend");
+    let document = std::fs::read_to_string(&path).unwrap();
+    let end = document.rfind('}').unwrap();
+    let accepted = &planned["route"]["doubled"];
+    std::fs::write(&path, format!("{}, \"doublings\": {accepted}}}", document[..end].trim_end())).unwrap();
+    let plan = |rest: &[&str]| {
+        run(&[&["plan", "cube.wirebend", "-m", "wirebend-kit", "--json"], rest].concat()).ended(0).json()
+    };
+    let found = plan(&["--wires", "1..6"]);
+    let doubled = found["rows"].as_array().unwrap().iter().map(|row| row["doubled_edges"].as_u64().unwrap());
+    assert_eq!(doubled.collect::<Vec<_>>(), [3, 2, 1, 0]);
+    let four = plan(&["--wires", "4", "--double"]);
+    let wires = four["wires"].as_array().unwrap_or_else(|| panic!("{four}"));
+    assert_eq!((wires.len(), wires[0]["route"]["doubled_edges"].as_u64()), (4, Some(0)));
+    let note = four["notes"].to_string();
+    assert!(note.contains("3 accepted doublings add more length than so many wires need"), "{note}");
+    // Without --double nothing was asked for instead of them.
+    assert_eq!(plan(&["--wires", "4"])["route"]["doubled"], *accepted);
+}
+
 #[test]
 fn numbers_of_wires_that_cannot_be_are_refused() {
     for (rest, words) in [

@@ -48,6 +48,7 @@ impl PlanningError {
             | Self::OtherMachine { .. }
             | Self::FormatOfAnother { .. }
             | Self::Settled { .. }
+            | Self::ClosedWires { .. }
             | Self::NotAJob { .. }
             | Self::IsAJob { .. }
             | Self::Exists(_) => ErrorKind::Usage,
@@ -101,6 +102,7 @@ impl PlanningError {
             Self::OtherMachine { .. } => ErrorCode::OtherMachine,
             Self::FormatOfAnother { .. } => ErrorCode::FormatOfAnother,
             Self::Settled { .. } => ErrorCode::Settled,
+            Self::ClosedWires { .. } => ErrorCode::ClosedWires,
             Self::StartWithoutEdge { .. } => ErrorCode::StartWithoutEdge,
             Self::DamagedJob { .. } => ErrorCode::DamagedJob,
             Self::NotAJob { .. } => ErrorCode::NotAJob,

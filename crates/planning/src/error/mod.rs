@@ -172,6 +172,9 @@ pub enum PlanningError {
         /// What to do to have an effect.
         instead: Box<ErrorRemedy>,
     },
+    /// One wire that ends where it starts, and several wires.
+    #[error("a closed route is for one wire, and the number of wires is {wires}")]
+    ClosedWires { wires: u32 },
     /// The wanted start has no edge.
     #[error("the wire cannot start at vertex {vertex} of {name}: no edge ends there")]
     StartWithoutEdge { vertex: u32, name: String },

@@ -52,6 +52,10 @@ impl PlanningError {
             Self::Settled { inputs, instead, .. } => {
                 vec![R::LeaveOut { inputs: inputs.clone() }, (**instead).clone()]
             }
+            Self::ClosedWires { .. } => {
+                let leave_out = |input| R::LeaveOut { inputs: vec![input] };
+                [InputName::Closed, InputName::Wires].map(leave_out).into()
+            }
             Self::DamagedJob { .. } => vec![R::PlanAgain],
             Self::OtherMachine { wanted, .. } => vec![R::PlanForMachine { machine: Some(wanted.clone()) }],
             Self::Unwritable { .. } => vec![R::ExportAs { form: "template-svg or template-dxf".to_owned() }],

@@ -5,7 +5,9 @@ use wirebend_core::route::{Share, doublings, share_out};
 use wirebend_core::wireframe::{Component, EdgeId, VertexId};
 use wirebend_files::document::Document;
 
+use crate::PlanningError;
 use crate::choices::PlanChoices;
+use crate::report::NoteReport;
 
 /// What was chosen of the wires: in the request, else in the document.
 pub(super) struct WireChoice {
@@ -15,11 +17,16 @@ pub(super) struct WireChoice {
 }
 
 impl WireChoice {
-    pub fn of(document: &Document, choices: &PlanChoices) -> Self {
+    pub fn of(document: &Document, choices: &PlanChoices) -> Result<Self, PlanningError> {
         // A closed wire is the only one of its part.
-        let closed = choices.closed || document.closed && choices.wires.is_none();
+        let several = choices.wires.filter(|&wires| wires > 1);
+        if let Some(wires) = several.filter(|_| choices.closed) {
+            return Err(PlanningError::ClosedWires { wires });
+        }
+        let closed = choices.closed || document.closed && several.is_none();
         let wires = choices.wires.map_or(document.wires.get(), |wires| wires as usize);
-        Self { wires: if closed { 1 } else { wires }, closed, reversed: choices.reverse != document.reversed }
+        let wires = if closed { 1 } else { wires };
+        Ok(Self { wires, closed, reversed: choices.reverse != document.reversed })
     }
 }
 
@@ -47,24 +54,77 @@ pub fn wires_of_parts(
     share_out(curves.collect(), further)
 }
 
+/// Doublings that the document has accepted and that are not used.
+#[derive(Default)]
+pub(super) struct Replaced {
+    /// With them there is no route.
+    routeless: usize,
+    /// So many wires need less.
+    dearer: usize,
+}
+
+impl Replaced {
+    pub fn notes(&self) -> impl Iterator<Item = NoteReport> {
+        let note = |(count, why): (usize, &str)| NoteReport {
+            code: "doublings-replaced".into(),
+            count,
+            message: format!("{count} accepted doublings {why}: the cheapest ones are used instead"),
+            remedies: Vec::new(),
+        };
+        let dearer = (self.dearer, "add more length than so many wires need");
+        let all = [(self.routeless, "leave no route"), dearer].into_iter();
+        all.filter(|(count, _)| *count > 0).map(note)
+    }
+}
+
 /// The doublings that the document has accepted, where they make a route possible from the wanted start or nothing
-/// else was asked for; else the cheapest. Counts accepted ones that are not used.
+/// else was asked for; else the cheapest. Further wires that are asked for are to save doublings, accepted ones, too.
 pub(super) fn doubling_choice(
     document: &Document,
     component: &Component,
     choices: &PlanChoices,
     chosen: &WireChoice,
-    (start, wires): (Option<VertexId>, usize),
-    replaced: &mut usize,
+    (start, share): (Option<VertexId>, &Share),
+    replaced: &mut Replaced,
 ) -> DoublingChoice {
     let here = |edge: &EdgeId| component.edges.binary_search(edge).is_ok();
     let accepted: Vec<EdgeId> = document.doublings.iter().copied().filter(here).collect();
     let odd = document.wireframe.odd_vertices(component, &accepted);
     // An open wire whose ends are odd begins at one of them.
     let begins = start.is_none_or(|start| odd.is_empty() || odd.contains(&start));
-    if choices.double && (!begins || odd.len() > if chosen.closed { 0 } else { 2 * wires }) {
-        *replaced += accepted.len();
+    let ends = if chosen.closed { 0 } else { 2 * share.wires };
+    if choices.double && (!begins || odd.len() > ends) {
+        replaced.routeless += accepted.len();
+        return DoublingChoice::Cheapest;
+    }
+    let further = choices.double && choices.wires.is_some() && share.wires > 1;
+    let least = share.doubling.as_ref().filter(|_| further);
+    let added = accepted.iter().map(|&edge| document.wireframe.edge_length(edge)).sum();
+    if least.is_some_and(|least| !least.is_matched_by(added)) {
+        replaced.dearer += accepted.len();
         return DoublingChoice::Cheapest;
     }
     DoublingChoice::Accepted(accepted)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every front end has the same rule, whatever it leaves to a person to choose.
+    #[test]
+    fn a_closed_wire_is_refused_beside_others() {
+        let mut document = Document::new(wirebend_core::wireframe::Wireframe::new());
+        let chosen = |document: &Document, closed, wires| {
+            let choices = PlanChoices { wires, closed, ..PlanChoices::default() };
+            WireChoice::of(document, &choices).map(|chosen| (chosen.closed, chosen.wires))
+        };
+        let refused = chosen(&document, true, Some(3)).unwrap_err().to_string();
+        assert!(refused.contains("closed route") && refused.contains("number of wires is 3"), "{refused}");
+        assert_eq!(chosen(&document, true, Some(1)).unwrap(), (true, 1));
+        assert_eq!(chosen(&document, true, None).unwrap(), (true, 1));
+        document.closed = true;
+        assert_eq!(chosen(&document, false, Some(1)).unwrap(), (true, 1), "one wire may stay closed");
+        assert_eq!(chosen(&document, false, Some(3)).unwrap(), (false, 3));
+    }
 }

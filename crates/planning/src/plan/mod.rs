@@ -24,7 +24,7 @@ use crate::report::{DiagnosticReport, NoteReport, PlanReport, WireReport};
 use crate::stage::StageName;
 use crate::{Installation, PlanningError, Progress, text};
 pub use choice::wires_of_parts;
-use choice::{WireChoice, doubling_choice, start_in};
+use choice::{Replaced, WireChoice, doubling_choice, start_in};
 
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 pub struct CheckRequest {
@@ -125,6 +125,7 @@ impl Installation {
         let mut opened = opened;
         opened.require_designed()?;
         let settled = opened.settled(choices)?;
+        let chosen = WireChoice::of(&opened.document, choices)?;
         setup.driver.require_settings()?;
         opened.notes.extend(setup.driver.note.clone());
         opened.notes.extend(estimated_springback(&setup));
@@ -152,16 +153,15 @@ impl Installation {
             components.iter().filter(|component| !component.edges.is_empty()).collect();
         let mut wires = Vec::with_capacity(bent.len());
         let mut timings = Vec::with_capacity(bent.len());
-        let mut replaced = 0;
+        let mut replaced = Replaced::default();
         progress.stage("planning");
-        let chosen = WireChoice::of(document, choices);
         let shares = wires_of_parts(document, &bent, start, chosen.wires);
         for (index, component) in bent.iter().enumerate() {
             progress.advance(index as u64, bent.len() as u64);
             let here = start_in(component, start);
-            let share = shares[index].wires;
+            let share = &shares[index];
             let options = PlanOptions {
-                wires: share,
+                wires: share.wires,
                 doubling: doubling_choice(
                     document,
                     component,
@@ -188,16 +188,7 @@ impl Installation {
             wires.extend(plans);
         }
         progress.advance(bent.len() as u64, bent.len() as u64);
-        if replaced > 0 {
-            opened.notes.push(NoteReport {
-                code: "doublings-replaced".into(),
-                count: replaced,
-                message: format!(
-                    "{replaced} accepted doublings leave no route: the cheapest ones are used instead"
-                ),
-                remedies: Vec::new(),
-            });
-        }
+        opened.notes.extend(replaced.notes());
         // Of a single wire, everything is said with it.
         if let [wire] = wires.as_mut_slice() {
             wire.diagnostics.append(&mut design);
