@@ -35,7 +35,7 @@ codes! {
     SeveralWires = "several_wires",
     /// The wireframe has no edge to bend.
     NoEdges = "no_edges",
-    /// No single wire runs through every edge once.
+    /// No wire, or not so many wires as there may be, run through every edge once.
     NoEulerPath = "no_euler_path",
     /// The wanted start or the accepted doubled edges do not fit the wireframe, or it is too large to route.
     RouteRefused = "route_refused",

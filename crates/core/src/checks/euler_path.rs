@@ -1,4 +1,4 @@
-//! Whether one wire can run through every edge once.
+//! Whether a wire, or as many as there may be, can run through every edge once.
 
 use super::{Diagnostic, Fact, Location, Remedy, Severity, WireStages};
 

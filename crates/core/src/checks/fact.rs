@@ -61,11 +61,11 @@ pub enum Fact {
     },
     /// There is no route as it was asked for.
     RouteRefused(RouteError),
-    /// The wire runs along an edge more than once.
+    /// The wire, or several wires, run along an edge more than once.
     DoubledEdge {
         /// The edge.
         edge: EdgeId,
-        /// How many times the wire runs along it, two or more.
+        /// How many times all wires together run along it, two or more.
         passes: usize,
     },
     /// A designed edge, or a straight of several, is shorter than the machine's shortest.

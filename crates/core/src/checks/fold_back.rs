@@ -1,7 +1,5 @@
 //! Wire that runs back along itself: folds of 180°, and doubled edges.
 
-use std::collections::BTreeMap;
-
 use super::{Diagnostic, Fact, Location, Remedy, Severity, WireStages};
 use crate::units::Angle;
 
@@ -21,11 +19,7 @@ pub(super) fn check(wire: &WireStages, found: &mut Vec<Diagnostic>) {
             remedies: vec![Remedy::EndAtVertex, Remedy::ConnectVertex],
         });
     }
-    let mut passes_of: BTreeMap<_, usize> = BTreeMap::new();
-    for traversal in wire.route.into_iter().flat_map(|route| &route.traversals) {
-        *passes_of.entry(traversal.edge).or_default() += 1;
-    }
-    for (edge, passes) in passes_of.into_iter().filter(|&(_, passes)| passes > 1) {
+    for &(edge, passes) in wire.passed_again {
         found.push(Diagnostic {
             severity: Severity::Info,
             location: Location::at_edges([edge]),

@@ -93,6 +93,8 @@ pub struct WireStages<'a> {
     pub proposal: Option<&'a Doubling>,
     /// Bends that no route avoids, or without a route none with the proposed doubling.
     pub forced: &'a [ForcedBend],
+    /// Edges that are passed more than once, and how often: by this wire, or by several of which it is the last.
+    pub passed_again: &'a [(EdgeId, usize)],
     /// Its route.
     pub route: Option<&'a Route>,
     /// Its nominal program.

@@ -96,6 +96,21 @@ fn odd_vertices_come_with_the_cheapest_way_out() {
     assert_eq!(only(&found, Code::DoubledEdge).location.edges, [EdgeId(0)]);
 }
 
+/// Room has to be left for all wires along an edge, however they share its passes.
+#[test]
+fn an_edge_that_several_wires_pass_is_said_once_with_all_passes() {
+    // Two edges at each end of a bar that three wires pass.
+    let points =
+        [[0.; 3], [60., 0., 0.], [-50., 50., 0.], [-50., -50., 0.], [110., 50., 0.], [110., -50., 0.]];
+    let w = wireframe(&points, &[(0, 1), (0, 2), (0, 3), (1, 4), (1, 5)]);
+    let doubling = DoublingChoice::Accepted(vec![EdgeId(0), EdgeId(0)]);
+    let options = PlanOptions { wires: 3, doubling, ..PlanOptions::default() };
+    let plans = plan_wires(&w, &w.components()[0], &published_machine(), &options, |_| ());
+    assert_eq!(plans.len(), 3);
+    let found: Vec<Diagnostic> = plans.into_iter().flat_map(|plan| plan.diagnostics).collect();
+    assert_eq!(only(&found, Code::DoubledEdge).fact, Fact::DoubledEdge { edge: EdgeId(0), passes: 3 });
+}
+
 #[test]
 fn short_edges_are_judged_as_designed_and_as_fed() {
     // Between two right angles the middle edge gives up 2.230 mm: 27 mm are fed as 24.77.

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use nalgebra::Point3;
 
 use crate::bend::{Frame, NominalProgram};
-use crate::checks::{Diagnostic, Fact, Location, MachineLimits, Remedy, Severity, Sourced};
+use crate::checks::{Diagnostic, MachineLimits, Sourced};
 use crate::compensate::{CompensatedProgram, Compensation};
 use crate::estimate::{TimeModel, WireModel};
 use crate::route::{Doubling, Route};
@@ -178,25 +178,41 @@ pub fn plan_wires(
 ) -> Vec<WirePlan> {
     let Routed { doubled, proposal, mut routes, forced, refusals } =
         routing::find(wireframe, component, machine, options, &mut done);
-    let stages = Stages { wireframe, machine, odd_allowed: routing::allowed(options), forced: &forced };
+    let odd_allowed = routing::allowed(options);
+    let passed_again = passed_again(&routes);
+    let stages = Stages { wireframe, machine, odd_allowed, forced: &forced, passed_again };
     if routes.len() < 2 {
         let mut plan = WirePlan::new(component.clone(), doubled, proposal, routes.pop());
-        stages.run(&mut plan, refusals, &mut done);
+        stages.run(0, &mut plan, refusals, &mut done);
         return vec![plan];
     }
     let added = |edges: &[EdgeId]| -> Length { edges.iter().map(|&edge| wireframe.edge_length(edge)).sum() };
     let is_cheapest = proposal.is_matched_by(added(&doubled));
-    let mut passes: BTreeMap<EdgeId, usize> = BTreeMap::new();
-    let plan_one = |route: Route| {
+    let plan_one = |(index, route): (usize, Route)| {
         let doubled = routing::again(&route);
         let least = if is_cheapest { added(&doubled) } else { Length::ZERO };
         let proposal = Doubling { edges: Vec::new(), added: least };
         let mut plan = WirePlan::new(along(&route), doubled, proposal, Some(route));
-        let beside = beside_others(&plan, &mut passes);
-        stages.run(&mut plan, beside, &mut done);
+        stages.run(index, &mut plan, Vec::new(), &mut done);
         plan
     };
-    routes.into_iter().map(plan_one).collect()
+    routes.into_iter().enumerate().map(plan_one).collect()
+}
+
+/// For each wire the edges that are passed more than once and last by it, and how often by all wires together.
+fn passed_again(routes: &[Route]) -> Vec<Vec<(EdgeId, usize)>> {
+    let mut passes: BTreeMap<EdgeId, (usize, usize)> = BTreeMap::new();
+    for (wire, route) in routes.iter().enumerate() {
+        for traversal in &route.traversals {
+            let (count, last) = passes.entry(traversal.edge).or_default();
+            (*count, *last) = (*count + 1, wire);
+        }
+    }
+    let mut found = vec![Vec::new(); routes.len()];
+    for (edge, (count, last)) in passes.into_iter().filter(|(_, (count, _))| *count > 1) {
+        found[last].push((edge, count));
+    }
+    found
 }
 
 /// What one of several wires runs along.
@@ -208,20 +224,4 @@ fn along(route: &Route) -> Component {
     vertices.sort_unstable();
     vertices.dedup();
     Component { vertices, edges }
-}
-
-/// The edges of one of several wires that others before it run along, too.
-fn beside_others(plan: &WirePlan, passes: &mut BTreeMap<EdgeId, usize>) -> Vec<Diagnostic> {
-    let before = passes.clone();
-    for traversal in plan.route.iter().flat_map(|route| &route.traversals) {
-        *passes.entry(traversal.edge).or_default() += 1;
-    }
-    let shared = plan.component.edges.iter().filter(|edge| before.contains_key(edge));
-    let said = shared.map(|&edge| Diagnostic {
-        severity: Severity::Info,
-        location: Location::at_edges([edge]),
-        fact: Fact::DoubledEdge { edge, passes: passes[&edge] },
-        remedies: vec![Remedy::LeaveRoom, Remedy::TieWires],
-    });
-    said.collect()
 }

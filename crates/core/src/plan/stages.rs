@@ -8,7 +8,7 @@ use crate::estimate::stock;
 use crate::route::ForcedBend;
 use crate::schedule::{RotationOutOfRange, schedule};
 use crate::units::Angle;
-use crate::wireframe::Wireframe;
+use crate::wireframe::{EdgeId, Wireframe};
 
 /// What the stages of all wires of a component have in common.
 pub(super) struct Stages<'a> {
@@ -16,11 +16,19 @@ pub(super) struct Stages<'a> {
     pub machine: &'a Machine,
     pub odd_allowed: usize,
     pub forced: &'a [ForcedBend],
+    /// For each wire the edges of [`WireStages::passed_again`].
+    pub passed_again: Vec<Vec<(EdgeId, usize)>>,
 }
 
 impl Stages<'_> {
-    /// Takes a wire from its route, if it has one, through all other stages.
-    pub fn run(&self, plan: &mut WirePlan, already: Vec<Diagnostic>, done: &mut impl FnMut(Stage)) {
+    /// Takes a wire, by its index, from its route, if it has one, through all other stages.
+    pub fn run(
+        &self,
+        index: usize,
+        plan: &mut WirePlan,
+        already: Vec<Diagnostic>,
+        done: &mut impl FnMut(Stage),
+    ) {
         let Self { wireframe, machine, .. } = *self;
         let mut failures = Failures::default();
         run_stages(wireframe, machine, plan, &mut failures, done);
@@ -31,6 +39,7 @@ impl Stages<'_> {
             odd_allowed: self.odd_allowed,
             proposal: Some(&plan.proposal).filter(|proposal| !proposal.edges.is_empty()),
             forced: self.forced,
+            passed_again: self.passed_again.get(index).map_or(&[], Vec::as_slice),
             route: plan.route.as_ref(),
             nominal: plan.nominal.as_ref(),
             scheduled: plan.scheduled.as_ref(),
