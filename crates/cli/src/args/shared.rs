@@ -128,6 +128,13 @@ pub(crate) struct WireRange {
     pub to: u32,
 }
 
+impl WireRange {
+    /// Whether it is more than one number.
+    pub fn is_several(self) -> bool {
+        self.from < self.to
+    }
+}
+
 /// `N` or `N..M`.
 fn parse_wires(text: &str) -> Result<WireRange, String> {
     let (from, to) = text.split_once("..").unwrap_or((text, text));

@@ -124,13 +124,17 @@ fn plan(
     let design = design(args)?;
     let written = |command| Ok(Prepared::Command(Box::new(command), Contents::Written));
     if !compare.is_empty() {
+        if chosen.wires.is_some_and(WireRange::is_several) {
+            let words = "a range of wires cannot be combined with --compare: give one number of wires";
+            return Err(WrongUse(words.to_owned()).into());
+        }
         return written(Command::Compare(CompareRequest {
             design,
             choices: choices(chosen)?,
             against: compare,
         }));
     }
-    if let Some(WireRange { from, to }) = chosen.wires.filter(|range| range.from < range.to) {
+    if let Some(WireRange { from, to }) = chosen.wires.filter(|range| range.is_several()) {
         if output.output.is_some() || output.force || danger.despite_errors {
             let words = "numbers of wires are compared, and no job is made: give one number of wires";
             return Err(WrongUse(words.to_owned()).into());
@@ -207,7 +211,7 @@ fn design(args: &DesignArgs) -> anyhow::Result<DesignInput> {
 
 fn choices(args: ChoiceArgs) -> Result<PlanChoices, WrongUse> {
     let ChoiceArgs { machine, material, double, detours, wires, closed, start, reverse, keep_order } = args;
-    if wires.is_some_and(|range| range.from < range.to) {
+    if wires.is_some_and(WireRange::is_several) {
         return Err(WrongUse("a range of wires is for `plan` alone: give one number of wires".to_owned()));
     }
     let wires = wires.map(|range| range.to);

@@ -116,6 +116,7 @@ fn numbers_of_wires_that_cannot_be_are_refused() {
         (&["--wires", "many"], "expected a number of wires, at least 1"),
         (&["--wires", "2", "--closed"], "cannot be used with"),
         (&["--wires", "1..2", "-o", "cube.wbjob"], "give one number of wires"),
+        (&["--wires", "1..2", "--compare", "pensa-diwire-pro"], "cannot be combined with --compare"),
     ] {
         let said = plan("cube.obj", rest).ended(2).err;
         assert!(said.contains(words), "{said}");
