@@ -117,7 +117,8 @@ pub enum EditRequest {
     Doublings { edges: Vec<u32> },
     /// Begins the wire at a vertex, or wherever it is best.
     Start { vertex: Option<u32> },
-    /// Bends the design from up to so many wires, as many as lessen what is laid twice. A closed wire is closed no more.
+    /// Bends the design from up to so many wires, fewer where more would not save doubled edges. Those that are accepted stay
+    /// doubled. A closed wire is closed no more.
     Wires {
         #[schemars(range(min = 1))]
         wires: u32,

@@ -17,7 +17,8 @@ pub struct PlanChoices {
     /// Whether to travel edges once more, too, where only such a detour avoids a bend that the machine cannot make.
     #[serde(default)]
     pub detours: bool,
-    /// How many wires there may be: as many of them as lessen what is doubled, and one at least for each part of the design.
+    /// How many wires there may be: one at least for each part of the design, and fewer where more would not save doubled
+    /// edges.
     #[schemars(range(min = 1))]
     pub wires: Option<u32>,
     /// Whether the wire must end where it starts; not with several wires.

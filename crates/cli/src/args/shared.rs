@@ -79,13 +79,13 @@ pub(crate) struct ChoiceArgs {
     /// Wire in the machine, by id (see `wirebend materials`)
     #[arg(long, value_name = "ID")]
     pub material: Option<String>,
-    /// Travel the cheapest edges twice where one wire cannot run otherwise
+    /// Travel the cheapest edges twice where the wires cannot run otherwise
     #[arg(long)]
     pub double: bool,
     /// Travel edges twice, too, where only such a detour avoids a bend that the machine cannot make
     #[arg(long)]
     pub detours: bool,
-    /// Bend the design from up to N wires, as many as lessen what is doubled; with `plan`, N..M compares numbers of wires
+    /// Bend the design from up to N wires, fewer where more would not save doubled edges; with `plan`, N..M compares numbers of wires
     #[arg(long, value_name = "N", value_parser = parse_wires)]
     pub wires: Option<WireRange>,
     /// End the wire where it starts

@@ -58,7 +58,7 @@ impl Default for DoublingChoice {
 /// What a person may choose of a plan.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PlanOptions {
-    /// How many wires there may be, at least one: as many of them as lessen what is doubled.
+    /// How many wires there may be, at least one. Fewer are used where more would not save doubled edges.
     pub wires: usize,
     /// Which edges are travelled twice.
     pub doubling: DoublingChoice,

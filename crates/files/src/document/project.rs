@@ -85,7 +85,7 @@ pub(crate) struct ProjectFile {
     /// The vertex that the wire starts at, by id.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     start: Option<u32>,
-    /// How many wires there may be: as many of them as lessen what is laid twice.
+    /// How many wires there may be. Fewer are used where more would not save doubled edges.
     #[serde(default, skip_serializing_if = "WireCount::is_one")]
     wires: WireCount,
     /// Whether the wire has to end where it starts.

@@ -45,4 +45,11 @@ describe("the wire", () => {
     await act(async () => void wires?.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowUp", bubbles: true })));
     expect(asked()).toEqual([{ edit: "wires", wires: 3 }]);
   });
+
+  it("says that more pieces save no edge that a person has doubled", () => {
+    at.show(<Route />);
+    expect(at.host.textContent).toContain("Fewer are used where more would not save doubled edges.");
+    act(() => useDesign.setState({ state: designState({ wires: 2, doublings: [4] }) }));
+    expect(at.host.textContent).toContain("Doubled edges stay doubled: clear them");
+  });
 });

@@ -53,7 +53,9 @@ export function Route() {
         hint={
           state.closed
             ? "A closed wire is the only one of its part. More wires open it."
-            : "As many are used as make fewer edges double."
+            : doubled.size > 0
+              ? "Doubled edges stay doubled: clear them so that more wires can save them."
+              : "Fewer are used where more would not save doubled edges."
         }
       >
         {({ id, "aria-describedby": below }) => (
