@@ -62,8 +62,9 @@ fn several(shares: &[Share], trials: &Trials) -> Candidate {
         [] => "no edge doubled".to_owned(),
         edges => format!("double {}", added(edges, length, trials)),
     };
+    let kind = if trials.document().closed { "open wires" } else { "wires" };
     Candidate {
-        title: format!("Bend {wires} wires, {less}"),
+        title: format!("Bend {wires} {kind}, {less}"),
         edit: EditRequest::Several {
             label: format!("bend {wires} wires"),
             edits: vec![

@@ -102,6 +102,8 @@ fn a_closed_wire_is_the_only_one() {
     edit(&mut editor, &json!({"edit": "closed", "closed": true}));
     let state = editor.state();
     assert_eq!((state.wires, state.closed, state.reversed), (1, true, true));
+    let offered = titles(&promised(&mut editor, &app()), "no_euler_path");
+    assert!(offered.contains(&"Bend 4 open wires, no edge doubled".to_owned()), "{offered:?}");
     let check = mend(&mut editor, &app(), "Double 4 edges (+120.0 mm, +$0.24)");
     assert_eq!(check.wires[0].route.first(), check.wires[0].route.last());
     edit(&mut editor, &json!({"edit": "wires", "wires": 2}));
