@@ -54,7 +54,7 @@ pub struct LiveCheck {
     pub feasible: bool,
     /// Errors first.
     pub diagnostics: Vec<DiagnosticReport>,
-    /// One for each part that is not joined to others.
+    /// One for each wire: the wires of a part that is not joined to others follow one another.
     pub wires: Vec<WireFigures>,
     /// Why limits of the machine are not known, where they are not.
     pub limits_unknown: Option<String>,

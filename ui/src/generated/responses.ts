@@ -2079,7 +2079,7 @@ export interface LiveCheck {
    */
   limits_unknown: string | null;
   /**
-   * One for each part that is not joined to others.
+   * One for each wire: the wires of a part that is not joined to others follow one another.
    */
   wires: WireFigures[];
 }

@@ -44,7 +44,8 @@ pub enum Remedy {
         /// The length of all edges of the wire without them.
         design: Length,
     },
-    /// Double edges, besides those that are doubled or proposed: a detour around the bend. No other is shorter.
+    /// Double edges, besides those that are doubled or proposed: a detour around the bend, the shortest walk within the limit
+    /// at each turn.
     Detour {
         /// The edges, in order of id; one may be there more than once.
         edges: Vec<EdgeId>,

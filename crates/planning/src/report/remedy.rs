@@ -39,7 +39,8 @@ pub enum RemedyReport {
         /// The length of the wire's edges without them, in mm.
         design_mm: f64,
     },
-    /// Double edges, besides those that are doubled or proposed, for a detour around the bend; no other is shorter.
+    /// Double edges, besides those that are doubled or proposed, for a detour around the bend, the shortest walk within the limit
+    /// at each turn.
     Detour {
         /// By id; one may be there more than once.
         edges: Vec<u32>,

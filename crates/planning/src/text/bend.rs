@@ -76,7 +76,7 @@ pub(super) fn fold_back_not_compensated(at: &Location, bend: Angle) -> String {
 fn unavoidable(of: BendOf) -> &'static str {
     match of {
         BendOf::Step | BendOf::Vertex => "",
-        BendOf::Forced => "; no route avoids it",
+        BendOf::Forced => "; no other order of the edges avoids it",
     }
 }
 

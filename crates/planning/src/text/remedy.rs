@@ -31,7 +31,7 @@ pub(super) fn clause(remedy: &Remedy) -> String {
         }
         Remedy::Detour { edges, added } => {
             let edges = count(edges.len(), "more edge", "more edges");
-            return format!("take a detour: double {edges}, which adds {added:.1}, the least possible");
+            return format!("take a detour: double {edges}, which adds {added:.1}");
         }
         Remedy::FindDoubling => "double the cheapest edges",
         Remedy::ReduceOddVertices => "add and delete edges until at most two vertices are odd",

@@ -64,6 +64,11 @@ describe("the list of checks", () => {
     ]);
   });
 
+  it("says how many wires the odd vertices are too many for", () => {
+    expect(whatOf({ ...odd, value: 8, limit: 4 })).toBe("8 odd vertices: too many for 2 wires");
+    expect(groupsOf(check([odd, odd])).map(titleOf)).toEqual(["2 parts with too many odd vertices"]);
+  });
+
   it("names the worst value, its limit and where that comes from", () => {
     expect(groups.map((group) => figuresOf(group, "mm"))).toEqual([
       "Double 11 edges",
