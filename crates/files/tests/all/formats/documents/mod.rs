@@ -1,9 +1,12 @@
 //! Documents come back as they were, and what is no document is refused with advice.
 
+mod jobs;
+mod schemas;
+
 use std::fmt::Write as _;
 use std::io::Write as _;
 
-use expect_test::{expect, expect_file};
+use expect_test::expect;
 use nalgebra::Point3;
 use proptest::prelude::*;
 use serde_json::json;
@@ -11,12 +14,11 @@ use wirebend_core::mesh::Stencil;
 use wirebend_core::wireframe::{EdgeId, NextIds, Vertex, VertexId, Wireframe};
 use wirebend_error::ErrorRemedy;
 use wirebend_files::document::{
-    Document, DocumentError, Job, JobContents, JobStep, JobWire, Pin, PinTarget, ProfileSnapshot, SourceFile,
-    StencilSource, WireCount, schemas, sha256_hex,
+    Document, Job, Pin, PinTarget, ProfileSnapshot, SourceFile, StencilSource, WireCount, sha256_hex,
 };
 use wirebend_files::read::{Format, LengthUnit, ReadOptions, read};
 
-use super::{import_data, step};
+use super::import_data;
 
 fn example() -> Document {
     let mut wireframe = Wireframe::new();
@@ -46,48 +48,6 @@ fn example() -> Document {
         notes: "two\nlines".into(),
         units: LengthUnit::Inch,
         source: Some(SourceFile { file: "frame.obj".into(), sha256: sha256_hex(b"x") }),
-    }
-}
-
-fn example_job() -> JobContents {
-    let steps: Vec<JobStep> =
-        [step(30., 0., 45.), step(20., -90., 30.), step(10., 0., 0.)].map(JobStep::from).to_vec();
-    JobContents {
-        design_hash: example().design_hash().unwrap(),
-        machine: example().machine.unwrap(),
-        material: example().material.unwrap(),
-        wires: vec![JobWire {
-            vertices: vec![0, 1, 7, 1],
-            path_mm: vec![[0.1, 0.0, 0.0], [0.1 + 0.2, 1.0, 2.0], [30.0, 1.0, 2.0], [30.0, 9.0, 2.0]],
-            nominal: steps.clone(),
-            spans: vec![[0, 1], [1, 2], [2, 3]],
-            scheduled: steps.clone(),
-            compensated: steps,
-            stock_mm: 460.0,
-            time_s: 91.5,
-        }],
-        objections: vec!["edge 1 is too short".into()],
-    }
-}
-
-#[test]
-fn a_job_whose_stages_do_not_fit_each_other_is_refused() {
-    let cases: [fn(&mut JobWire); 6] = [
-        |wire| wire.path_mm.truncate(3),
-        |wire| wire.compensated.truncate(2),
-        |wire| wire.spans[2] = [2, 9],
-        |wire| wire.spans[1] = [2, 2],
-        |wire| wire.spans.truncate(1),
-        |wire| {
-            for stage in [&mut wire.nominal, &mut wire.scheduled, &mut wire.compensated] {
-                stage.clear();
-            }
-        },
-    ];
-    for damage in cases {
-        let mut contents = example_job();
-        damage(&mut contents.wires[0]);
-        assert!(matches!(Job::seal(contents), Err(DocumentError::Inconsistent { wire: 0, .. })));
     }
 }
 
@@ -315,61 +275,6 @@ fn the_design_hash_is_of_the_design_only() {
     let delta = nudge.resolve(&moved.wireframe).unwrap();
     moved.wireframe.commit(&delta).unwrap();
     assert_ne!(moved.design_hash().unwrap(), hash);
-}
-
-#[test]
-fn a_job_comes_back_as_it_was_and_only_so() {
-    let job = Job::seal(example_job()).unwrap();
-    let bytes = job.to_bytes().unwrap();
-    assert_eq!(Job::open(&bytes, "a.wbjob").unwrap(), job);
-    assert_eq!(job.contents(), &example_job());
-    let text = String::from_utf8(bytes).unwrap();
-    // Laid out anew it is the same job; with one digit changed it is none.
-    let value: serde_json::Value = serde_json::from_str(&text).unwrap();
-    assert_eq!(Job::open(value.to_string().as_bytes(), "a.wbjob").unwrap(), job);
-    let refused = |text: &str| Job::open(text.as_bytes(), "a.wbjob").unwrap_err();
-    assert!(matches!(refused(&text.replace("460.0", "460.1")), DocumentError::Changed { .. }));
-    assert!(
-        matches!(refused(&text.replace("20.4", "20.5")), DocumentError::Changed { .. }),
-        "profiles are sealed, too"
-    );
-    assert!(matches!(refused(&text.replace("\"hash\"", "\"hush\"")), DocumentError::Json { .. }));
-    expect!["a.wbjob: its version 9 is newer than 1, the newest known here"]
-        .assert_eq(&refused(&text.replace("\"version\": 1", "\"version\": 9")).to_string());
-    let error = read(text.as_bytes(), "a.wbjob", None, &ReadOptions::default()).unwrap_err();
-    assert_eq!(error.code(), "document-wrong-format", "a job is no wireframe: {error}");
-}
-
-#[test]
-fn a_job_with_a_number_that_is_none_is_not_sealed() {
-    let mut contents = example_job();
-    contents.wires[0].compensated[1].bend_deg = f64::NAN;
-    assert_eq!(Job::seal(contents).unwrap_err().code(), "document-not-finite");
-}
-
-#[test]
-fn the_schemas_are_the_committed_ones() {
-    for (name, text) in schemas() {
-        let path = format!("{}/schema/{name}", env!("CARGO_MANIFEST_DIR"));
-        expect_file![path].assert_eq(&text);
-    }
-}
-
-#[test]
-fn documents_fit_their_schemas_and_strangers_do_not() {
-    let mut packed = example();
-    packed.stencil = Some(StencilSource::Embedded { surface: Stencil::default(), name: "bunny.stl".into() });
-    let job = Job::seal(example_job()).unwrap().to_bytes().unwrap();
-    for ((name, schema), file) in schemas().into_iter().zip([job, packed.to_bytes().unwrap()]) {
-        let validator = jsonschema::validator_for(&serde_json::from_str(&schema).unwrap()).unwrap();
-        let mut value: serde_json::Value = serde_json::from_slice(&file).unwrap();
-        assert!(validator.is_valid(&value), "{name}: {:?}", validator.iter_errors(&value).next());
-        value["version"] = json!(2);
-        assert!(!validator.is_valid(&value), "{name} is of version 1");
-        value["version"] = json!(1);
-        value["colour"] = json!("red");
-        assert!(!validator.is_valid(&value), "{name} has no unknown keys");
-    }
 }
 
 fn any_document() -> impl Strategy<Value = Document> {
