@@ -1,0 +1,74 @@
+//! Distances of pieces that stand still.
+
+use nalgebra::Point3;
+use proptest::prelude::*;
+use wirebend_collide::{Solid, between_pieces, close_pairs, to_solid};
+
+use crate::sampled;
+
+proptest! {
+    #[test]
+    fn a_piece_is_as_far_from_a_solid_as_its_nearest_point(ends in sampled::points(2), solid in sampled::solid()) {
+        let near = to_solid([&ends[0], &ends[1]], &solid, 1e-6);
+        let wanted = sampled::piece(&solid, [ends[0], ends[1]], 2000);
+        prop_assert!(near.distance <= wanted.least + 1e-6, "{near:?} but {}", wanted.least);
+        prop_assert!(near.distance >= wanted.least - wanted.step - 1e-6, "{near:?} but {}", wanted.least);
+        let at = ends[0] + (ends[1] - ends[0]) * near.part;
+        prop_assert!((sampled::distance(&solid, &at) - near.distance).abs() < 1e-9);
+    }
+
+    #[test]
+    fn two_pieces_are_as_far_apart_as_capsules_of_no_thickness(ends in sampled::points(4)) {
+        let [one, other] = [[ends[0], ends[1]], [ends[2], ends[3]]];
+        let (distance, [s, t]) = between_pieces(&one, &other);
+        let at = |[from, to]: [Point3<f64>; 2], part: f64| from + (to - from) * part;
+        prop_assert!(((at(one, s) - at(other, t)).norm() - distance).abs() < 1e-9);
+        let steps = 0..=60;
+        let sampled = steps.clone().flat_map(|i| steps.clone().map(move |j| (i, j)));
+        let least = sampled.map(|(i, j)| {
+            (at(one, f64::from(i) / 60.0) - at(other, f64::from(j) / 60.0)).norm()
+        });
+        prop_assert!(least.fold(f64::INFINITY, f64::min) >= distance - 1e-9);
+        // The same by the signed distance of a thin capsule.
+        let half_length = (other[1] - other[0]).norm() / 2.0;
+        let way = other[1] - other[0];
+        let lie = nalgebra::UnitQuaternion::rotation_between(&nalgebra::Vector3::z(), &way);
+        if let Some(lie) = lie {
+            let place = nalgebra::Isometry3::from_parts(nalgebra::center(&other[0], &other[1]).into(), lie).inverse();
+            let [a, b] = one.map(|end| place * end);
+            let near = to_solid([&a, &b], &Solid::Capsule { radius: 0.0, half_length }, 1e-7);
+            prop_assert!((near.distance - distance).abs() < 1e-5, "{} {distance}", near.distance);
+        }
+    }
+
+    #[test]
+    fn close_pairs_are_all_that_a_look_at_every_pair_finds(ends in sampled::points(0..80), reach in 0.1..15.0_f64) {
+        let pieces: Vec<[Point3<f64>; 2]> = ends.chunks_exact(2).map(|pair| {
+            [pair[0], pair[0] + (pair[1] - pair[0]) * 0.2]
+        }).collect();
+        let found: Vec<[usize; 2]> = close_pairs(&pieces, reach, |[one, other]| one + 1 != other)
+            .iter().map(|pair| pair.pieces).collect();
+        let mut wanted = Vec::new();
+        for one in 0..pieces.len() {
+            for other in one + 2..pieces.len() {
+                if between_pieces(&pieces[one], &pieces[other]).0 < reach {
+                    wanted.push([one, other]);
+                }
+            }
+        }
+        prop_assert_eq!(found, wanted);
+    }
+}
+
+#[test]
+fn pieces_without_length_and_parallel_ones_have_their_distances() {
+    let point = [Point3::new(1.0, 2.0, 3.0); 2];
+    let line = [Point3::new(-5.0, 2.0, 0.0), Point3::new(5.0, 2.0, 0.0)];
+    let beside = [Point3::new(7.0, 2.0, 4.0), Point3::new(20.0, 2.0, 4.0)];
+    for (one, other, wanted) in
+        [(&point, &point, 0.0), (&point, &line, 3.0), (&line, &beside, 20.0_f64.sqrt()), (&line, &line, 0.0)]
+    {
+        let (distance, _) = between_pieces(one, other);
+        assert!((distance - wanted).abs() < 1e-12, "{distance} instead of {wanted}");
+    }
+}

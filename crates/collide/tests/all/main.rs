@@ -1,0 +1,5 @@
+//! Distances and contacts against sampling that shares no code with them.
+
+mod distances;
+mod sampled;
+mod sweeps;
