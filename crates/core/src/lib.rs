@@ -14,6 +14,7 @@
 
 pub mod bend;
 pub mod checks;
+pub mod clearance;
 pub mod compensate;
 pub mod curve;
 pub mod estimate;

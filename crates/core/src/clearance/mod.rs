@@ -1,0 +1,23 @@
+//! Clearance: where the wire that is already bent meets the machine, or the wire that is still to come, while a program runs.
+//!
+//! Frame of the machine as in [`crate::motion`]: mm, right-handed, the origin is where a bend begins, +x the way the wire
+//! leaves, z the bend axis of the head at its reference. Unlike there, a bend is an arc: the wire rolls around the pin. The
+//! part bent so far is rigid and moves as one; the machine is the solids of its profile, each moving with the frame, the head
+//! or the peg. The stock is one more obstacle: a capsule along -x.
+//!
+//! The wire at a bend touches pin, nozzle and peg by its nature. How much of it may do so is [`Body::contact_zone`]: along the
+//! wire that leaves, and along every strut that meets the one that is fed at a vertex: where a frame closes, the wire goes beside.
+//! A strut that runs along the same edge as the one that is fed lies beside it, and beside such bodies too.
+
+mod body;
+mod centreline;
+mod contact;
+mod stroke;
+mod zone;
+
+pub use body::{Bodies, Body, MovesWith};
+pub use contact::{Clearance, Contact, Obstacle, StockWire};
+pub use stroke::Phase;
+pub use zone::Passage;
+#[cfg(test)]
+mod tests;

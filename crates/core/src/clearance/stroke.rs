@@ -1,0 +1,278 @@
+//! The motions of a step.
+
+use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, UnitVector3, Vector3};
+use wirebend_collide::Motion;
+
+use super::body::{Bodies, Body, MovesWith};
+use super::centreline::Lie;
+use crate::compensate::PegGeometry;
+use crate::units::{Angle, Length};
+
+/// What moves in a part of a step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Phase {
+    /// The wire is fed.
+    Feed,
+    /// The head turns.
+    Rotate,
+    /// The peg, which is in, goes to the side of the wire from which it bends.
+    Approach,
+    /// The peg comes out.
+    PegOut,
+    /// The bend axis goes out and bends.
+    Bend,
+    /// The bend axis goes back, and the wire springs back.
+    Release,
+    /// The peg goes in.
+    PegIn,
+    /// The bend axis goes back to zero.
+    Return,
+}
+
+/// A motion between two states; everything moves evenly.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Stroke {
+    pub phase: Phase,
+    pub lie: Lie,
+    /// The head's z while it bends.
+    pub bend_axis: UnitVector3<f64>,
+    /// 1 or -1: to which side it bends.
+    pub side: f64,
+    /// Centreline radius of the bend, mm.
+    pub radius: f64,
+    pub from: State,
+    pub to: State,
+}
+
+/// Where everything is.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct State {
+    /// mm of the step's feed that are through the bend point.
+    pub fed: f64,
+    /// Radians that the wire is bent, not negative.
+    pub bent: f64,
+    /// Radians that the head has turned about +x.
+    pub head: f64,
+    /// Radians that the bend axis has turned about the head's z.
+    pub axis: f64,
+    /// mm that the peg is in.
+    pub peg_in: f64,
+}
+
+impl State {
+    fn between(&self, to: &Self, time: f64) -> Self {
+        let at = |from: f64, to: f64| from + (to - from) * time;
+        Self {
+            fed: at(self.fed, to.fed),
+            bent: at(self.bent, to.bent),
+            head: at(self.head, to.head),
+            axis: at(self.axis, to.axis),
+            peg_in: at(self.peg_in, to.peg_in),
+        }
+    }
+}
+
+impl Stroke {
+    /// How far that goes which the phase is about.
+    pub fn size(&self) -> f64 {
+        let Self { from, to, .. } = self;
+        let moved = match self.phase {
+            Phase::Feed => to.fed - from.fed,
+            Phase::Rotate => to.head - from.head,
+            Phase::PegOut | Phase::PegIn => to.peg_in - from.peg_in,
+            Phase::Approach | Phase::Bend | Phase::Release | Phase::Return => to.axis - from.axis,
+        };
+        moved.abs()
+    }
+
+    /// Where everything is at a time from 0 to 1.
+    pub fn at(&self, time: f64) -> State {
+        self.from.between(&self.to, time)
+    }
+
+    /// Whether a body moves past the wire.
+    pub fn moves(&self, body: MovesWith) -> bool {
+        let State { fed, bent, head, axis, peg_in } = self.from;
+        let wire = fed < self.to.fed || bent < self.to.bent;
+        // What springs back goes the way that it came, and was looked at there.
+        match body {
+            MovesWith::Frame => wire,
+            MovesWith::Head => wire || differs(head, self.to.head),
+            MovesWith::Peg => {
+                wire || differs(bent, self.to.bent)
+                    || differs(head, self.to.head)
+                    || differs(axis, self.to.axis)
+                    || differs(peg_in, self.to.peg_in)
+            }
+        }
+    }
+
+    /// From the frame of the design to that of the machine.
+    fn wire(&self, state: &State) -> Isometry3<f64> {
+        let Lie { turn, begin } = self.lie;
+        let fed = Translation3::new(state.fed, 0.0, 0.0);
+        let lying = fed * turn * Translation3::from(-begin.coords);
+        if state.bent <= 0.0 {
+            return lying;
+        }
+        let arc = self.radius * state.bent;
+        let rolled = UnitQuaternion::from_axis_angle(&self.bend_axis, self.side * state.bent);
+        let tangent = self.on_pin(state.bent);
+        Translation3::from(tangent) * rolled * Translation3::new(-arc, 0.0, 0.0) * lying
+    }
+
+    /// Where the wire leaves the pin when it is bent so far.
+    fn on_pin(&self, bent: f64) -> Vector3<f64> {
+        let across = self.bend_axis.cross(&Vector3::x()) * self.side;
+        Vector3::x() * (self.radius * bent.sin()) + across * (self.radius * (1.0 - bent.cos()))
+    }
+}
+
+fn differs(one: f64, other: f64) -> bool {
+    (one - other).abs() > 0.0
+}
+
+/// A stroke as a body sees it.
+pub(super) struct Seen<'a> {
+    pub stroke: &'a Stroke,
+    pub body: &'a Body,
+    pub pivot: f64,
+    /// From the frame of the machine to that of the body, where that is at its reference.
+    into: Isometry3<f64>,
+}
+
+impl<'a> Seen<'a> {
+    pub fn new(stroke: &'a Stroke, body: &'a Body, pivot: Length) -> Self {
+        Self { stroke, body, pivot: pivot.mm(), into: body.at.inverse() }
+    }
+}
+
+impl Motion for Seen<'_> {
+    fn pose(&self, time: f64) -> Isometry3<f64> {
+        let state = self.stroke.at(time);
+        let wire = self.stroke.wire(&state);
+        let head = || UnitQuaternion::from_axis_angle(&Vector3::x_axis(), -state.head);
+        match self.body.moves_with {
+            MovesWith::Frame => self.into * wire,
+            MovesWith::Head => self.into * head() * wire,
+            MovesWith::Peg => {
+                let back = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), -state.axis);
+                let to_pivot = Translation3::new(-self.pivot, 0.0, 0.0);
+                let from_pivot = Translation3::new(self.pivot, 0.0, state.peg_in);
+                self.into * from_pivot * back * to_pivot * head() * wire
+            }
+        }
+    }
+
+    fn most(&self, centre: &Point3<f64>, radius: f64) -> f64 {
+        let Stroke { lie, from, to, .. } = self.stroke;
+        let lying = lie.place(centre);
+        let away = |along: f64| (lying + Vector3::x() * along).norm();
+        let farthest = away(from.fed).max(away(to.fed)) + radius;
+        let mut most = (to.fed - from.fed).abs();
+        if from.bent.max(to.bent) > 0.0 {
+            // It turns about where it leaves the pin, a point that goes along the wire.
+            let arc = |bent: f64| self.stroke.radius * bent;
+            let arm = away(to.fed - arc(from.bent)).max(away(to.fed - arc(to.bent))) + radius;
+            most += (to.bent - from.bent).abs() * arm;
+        }
+        if self.body.moves_with != MovesWith::Frame {
+            most += (to.head - from.head).abs() * (lying.y.hypot(lying.z) + radius).min(farthest);
+        }
+        if self.body.moves_with == MovesWith::Peg {
+            // Rolled on the pin it is no farther than that and the pin's size.
+            let arm = farthest + 2.0 * self.stroke.radius * (1.0 + from.bent.max(to.bent)) + self.pivot.abs();
+            most += (to.axis - from.axis).abs() * arm + (to.peg_in - from.peg_in).abs();
+        }
+        most
+    }
+}
+
+/// What a step does, as far as its strokes ask.
+pub(super) struct Moves {
+    pub lie: Lie,
+    pub bend_axis: UnitVector3<f64>,
+    pub radius: f64,
+    /// mm.
+    pub fed: f64,
+    /// Head before and after it turns.
+    pub head: [Angle; 2],
+    /// The bend that is left in the wire.
+    pub bend: Angle,
+    /// How far the wire is bent before it springs back, as a magnitude.
+    pub pressed: Angle,
+    /// Where the bend axis goes.
+    pub told: Angle,
+}
+
+/// So many parts make a bend whose peg follows the wire: one for each so many radians.
+const PART_OF_BEND: f64 = 0.175;
+
+/// The strokes of a step, in order.
+pub(super) fn strokes(moves: &Moves, bodies: &Bodies, peg: Option<&PegGeometry>) -> Vec<Stroke> {
+    let Moves { lie, bend_axis, radius, fed, head, bend, .. } = *moves;
+    let bends = bend != Angle::ZERO;
+    let rest = bodies.peg_stroke.mm();
+    let mut state = State { head: head[0].rad(), peg_in: rest, ..State::default() };
+    let mut strokes = Vec::new();
+    let mut go = |phase: Phase, change: &dyn Fn(&mut State)| {
+        let from = state;
+        change(&mut state);
+        if state != from {
+            let side = bend.signum();
+            strokes.push(Stroke { phase, lie, bend_axis, side, radius, from, to: state });
+        }
+    };
+    go(Phase::Feed, &|state| state.fed = fed);
+    go(Phase::Rotate, &|state| state.head = head[1].rad());
+    if !bends {
+        return strokes;
+    }
+    let path = AxisPath::new(moves, bodies, peg);
+    go(Phase::Approach, &|state| state.axis = path.begin);
+    go(Phase::PegOut, &|state| state.peg_in = 0.0);
+    go(Phase::Bend, &|state| state.axis = path.touch);
+    for &(bent, axis) in &path.bending {
+        go(Phase::Bend, &|state| (state.bent, state.axis) = (bent, axis));
+    }
+    go(Phase::Release, &|state| (state.bent, state.axis) = (bend.abs().rad(), path.begin));
+    go(Phase::PegIn, &|state| state.peg_in = rest);
+    go(Phase::Return, &|state| state.axis = 0.0);
+    strokes
+}
+
+/// Where the bend axis is, radians.
+struct AxisPath {
+    /// Where the peg comes out.
+    begin: f64,
+    /// Where it touches the wire.
+    touch: f64,
+    /// How far the wire is bent, and where the axis is then.
+    bending: Vec<(f64, f64)>,
+}
+
+impl AxisPath {
+    fn new(moves: &Moves, bodies: &Bodies, peg: Option<&PegGeometry>) -> Self {
+        let (side, pressed) = (moves.bend.signum(), moves.pressed.rad());
+        let parts = (pressed / PART_OF_BEND).ceil().max(1.0);
+        let mut bent = 0.0;
+        let mut bending = Vec::new();
+        let touching = peg.and_then(|peg| peg.axis_for(Angle::ZERO));
+        let touch = touching.map_or_else(
+            // It stands as far from the wire on this side as it does at rest.
+            || -side * bodies.peg_rest.abs().rad() - bodies.peg_rest.rad(),
+            |touch| side * touch.rad(),
+        );
+        let begin = if touching.is_some() { touch - side * bodies.approach.rad() } else { touch };
+        let end = if touching.is_some() { moves.told.rad() } else { touch + moves.told.rad() };
+        let mut part = 0.0;
+        while part < parts {
+            part += 1.0;
+            bent = if part < parts { pressed * part / parts } else { pressed.max(bent) };
+            let follows = peg.filter(|_| part < parts).and_then(|peg| peg.axis_for(Angle::computed(bent)));
+            let axis = follows.map_or(touch + (end - touch) * part / parts, |axis| side * axis.rad());
+            bending.push((bent, axis));
+        }
+        Self { begin, touch, bending }
+    }
+}

@@ -1,0 +1,371 @@
+use nalgebra::{Isometry3, Point3, Rotation3, Unit, Vector3};
+use proptest::prelude::*;
+use wirebend_collide::Solid;
+
+use super::*;
+use crate::bend::{Frame, Step, program_of_path};
+use crate::compensate::BendModel;
+use crate::testing::{deg, mm, published_machine};
+use crate::units::{Angle, Length};
+use crate::wireframe::{EdgeId, VertexId};
+
+const RADIUS: f64 = 3.0;
+const WIRE: StockWire =
+    StockWire { diameter: Length::ZERO, bend_radius: Length::ZERO, tail: Length::ZERO, margin: Length::ZERO };
+
+fn wire() -> StockWire {
+    StockWire { diameter: mm(3.0), bend_radius: mm(RADIUS), tail: mm(400.0), ..WIRE }
+}
+
+fn step(feed: f64, rotate: f64, bend: f64) -> Step {
+    Step { feed: mm(feed), rotate: deg(rotate), bend: deg(bend) }
+}
+
+fn body(moves_with: MovesWith, solid: Solid, at: Isometry3<f64>) -> Body {
+    let [name, source] = ["body", "the test"].map(str::to_owned);
+    Body { name, moves_with, solid, at, contact_zone: Length::ZERO, source, measured: true }
+}
+
+/// A route that visits a vertex of its own with each step.
+fn passages(steps: &[Step]) -> Vec<Vec<(Passage, Length)>> {
+    let passage = |(k, step): (u32, &Step)| {
+        vec![(Passage { edge: EdgeId(k), from: VertexId(k), to: VertexId(k + 1) }, step.feed)]
+    };
+    (0..).zip(steps).map(passage).collect()
+}
+
+fn all_contacts(steps: &[Step], bodies: &Bodies, bend: &BendModel) -> Vec<Contact> {
+    let mut clearance =
+        Clearance::new((Frame::default(), steps), None, passages(steps), wire(), bodies, bend);
+    (0..clearance.steps()).flat_map(|step| clearance.contacts_of(step)).collect()
+}
+
+/// A bender that knows only pushing, turning and winding around a pin, and the wire as points 1 mm apart.
+struct Bender {
+    /// Where each point is, the last one at the bend point.
+    points: Vec<Point3<f64>>,
+    head: f64,
+    bends_before: f64,
+}
+
+/// How far a bend winds at a time, radians: 0.2°.
+const WIND: f64 = 0.000_872_664_6 * 4.0;
+
+impl Bender {
+    /// Runs a step; `see` is told of every state: the phase, how far it has come, the points of the rigid part, the head.
+    fn run(&mut self, step: &Step, pressed: f64, see: &mut impl FnMut(Phase, f64, &[Point3<f64>], f64)) {
+        let size = step.bend.abs().rad();
+        let corner = |bend: f64| RADIUS * (bend / 2.0).tan();
+        let fed = step.feed.mm() - corner(self.bends_before) - corner(size) + RADIUS * size;
+        let old = self.points.len();
+        let begin = self.points.clone();
+        let slices = (fed / 0.1).ceil();
+        let mut slice = 0.0;
+        while slice <= slices {
+            let by = fed * slice / slices;
+            self.points = begin.iter().map(|at| at + Vector3::x() * by).collect();
+            see(Phase::Feed, slice / slices, &self.points, self.head);
+            slice += 1.0;
+        }
+        let mut along = fed.floor();
+        while along >= 0.0 {
+            self.points.push(Point3::new(along, 0.0, 0.0));
+            along -= 1.0;
+        }
+        debug_assert!(self.points.len() > old);
+        let from = self.head;
+        let turns = (step.rotate.rad().abs() / WIND).ceil();
+        let mut turn = 1.0;
+        while turn <= turns {
+            self.head = from - step.rotate.rad() * turn / turns;
+            let rigid = self.points.len();
+            see(Phase::Rotate, turn / turns, &self.points[..rigid], self.head);
+            turn += 1.0;
+        }
+        if size > 0.0 {
+            self.wind(step.bend.signum(), pressed, Phase::Bend, see);
+            self.unwind(step.bend.signum(), pressed, size);
+        }
+        self.bends_before = size;
+    }
+
+    fn wind(
+        &mut self,
+        side: f64,
+        to: f64,
+        phase: Phase,
+        see: &mut impl FnMut(Phase, f64, &[Point3<f64>], f64),
+    ) {
+        let parts = (to / WIND).ceil();
+        let before: Vec<f64> = self.points.iter().map(|at| at.x).collect();
+        let was = self.points.clone();
+        let mut part = 0.0;
+        while part < parts {
+            let (bent, by) = (to * (part + 0.5) / parts, to / parts);
+            self.turn(side, bent, by);
+            part += 1.0;
+            see(phase, part / parts, &self.points, self.head);
+        }
+        // What was on the x axis within the arc is wound around the pin: it is not rigid, and nothing is asked about it.
+        for ((at, &x), was) in self.points.iter_mut().zip(&before).zip(&was) {
+            if was.y.abs() < 1e-9 && was.z.abs() < 1e-9 && x < RADIUS * to {
+                *at = Point3::new(f64::NAN, 0.0, 0.0);
+            }
+        }
+        self.points.retain(|at| !at.x.is_nan());
+    }
+
+    fn unwind(&mut self, side: f64, from: f64, to: f64) {
+        let parts = ((from - to) / WIND).ceil();
+        let mut part = 0.0;
+        while part < parts {
+            let bent = from - (from - to) * (part + 0.5) / parts;
+            self.turn(side, bent, -(from - to) / parts);
+            part += 1.0;
+        }
+    }
+
+    fn turn(&mut self, side: f64, bent: f64, by: f64) {
+        let head = Rotation3::from_axis_angle(&Vector3::x_axis(), self.head);
+        let axis = Unit::new_normalize(head * Vector3::z());
+        let across = head * Vector3::y() * side;
+        let about =
+            Point3::from(Vector3::x() * (RADIUS * bent.sin()) + across * (RADIUS * (1.0 - bent.cos())));
+        let turn = Rotation3::from_axis_angle(&axis, side * by);
+        for at in &mut self.points {
+            *at = about + turn * (*at - about);
+        }
+    }
+}
+
+/// Distance of a point from a body by sampling none of the code of the sweep: as the solid says, which has tests of its own.
+fn distance(body: &Body, at: &Point3<f64>, head: f64) -> f64 {
+    let turned = if body.moves_with == MovesWith::Head { head } else { 0.0 };
+    let at = Rotation3::from_axis_angle(&Vector3::x_axis(), -turned) * at;
+    body.solid.distance(&(body.at.inverse() * at))
+}
+
+/// The first contact of each step as the bender sees it, and the least distance of each step.
+fn sampled(steps: &[Step], body: &Body, bend: &BendModel) -> Vec<(Option<(Phase, f64)>, f64)> {
+    let mut bender = Bender { points: vec![Point3::origin()], head: 0.0, bends_before: 0.0 };
+    steps
+        .iter()
+        .map(|step| {
+            let pressed = bend.springback.as_ref().map_or(step.bend, |model| model.bend_to(step.bend));
+            let (mut first, mut least) = (None, f64::INFINITY);
+            bender.run(step, pressed.abs().rad(), &mut |phase, passed, points, head| {
+                let near = points.iter().map(|at| distance(body, at, head)).fold(f64::INFINITY, f64::min);
+                least = least.min(near);
+                if near < 1.5 && first.is_none() {
+                    first = Some((phase, passed));
+                }
+            });
+            (first, least)
+        })
+        .collect()
+}
+
+fn program() -> impl Strategy<Value = Vec<Step>> {
+    let bend = prop_oneof![15.0..120.0_f64, -120.0..-15.0_f64];
+    prop::collection::vec((25.0..90.0_f64, -150.0..150.0_f64, bend), 1..5).prop_map(|steps| {
+        let bends = steps.into_iter().map(|(feed, rotate, bend)| step(feed, rotate, bend));
+        bends.chain([step(40.0, 0.0, 0.0)]).collect()
+    })
+}
+
+fn obstacle() -> impl Strategy<Value = Body> {
+    let moves = prop_oneof![Just(MovesWith::Frame), Just(MovesWith::Head)];
+    let solid = (any::<bool>(), prop::array::uniform3(5.0..25.0_f64)).prop_map(|(round, [a, b, c])| {
+        if round {
+            Solid::Cylinder { radius: a, half_length: b }
+        } else {
+            Solid::Box { half: Vector3::new(a, b, c) }
+        }
+    });
+    (
+        moves,
+        solid,
+        prop::array::uniform3(-1.0..1.0_f64),
+        50.0..120.0_f64,
+        prop::array::uniform3(-2.0..2.0_f64),
+    )
+        .prop_map(|(moves, solid, way, far, lie)| {
+            // Beside the axis of the wire: what is on it is asked about with a contact zone.
+            let way = Vector3::new(way[0], way[1], way[2] + 1.5).normalize() * far;
+            body(moves, solid, Isometry3::new(way, Vector3::from(lie)))
+        })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(8))]
+
+    #[test]
+    fn contacts_are_those_of_a_bender_that_winds_wire_around_a_pin(steps in program(), body in obstacle()) {
+        let bend = published_machine().compensation.bend;
+        let bodies = Bodies { all: vec![body.clone()], ..Bodies::default() };
+        let found = all_contacts(&steps, &bodies, &bend);
+        let sampled = sampled(&steps, &body, &bend);
+        let mut before = false;
+        for (k, (first, least)) in sampled.into_iter().enumerate() {
+            let contact = found.iter().find(|one| one.step == k && one.obstacle == Obstacle::Body(0));
+            match (contact, first) {
+                // It goes on from the step before, or comes nearer than a point of the sampled wire by its spacing.
+                (None, Some((Phase::Feed, passed))) if before && passed < 0.01 => {}
+                (None, None) => prop_assert!(least > 1.5 - 1e-6),
+                (None, Some(at)) => prop_assert!(false, "step {k} misses the contact at {at:?}, {least}"),
+                (Some(found), None) => prop_assert!(found.depth.mm() < 0.2, "{found:?} but {least}"),
+                (Some(found), Some((phase, passed))) => {
+                    // The axis of a peg goes unevenly while the wire bends evenly.
+                    let pressed = bend.springback.as_ref().unwrap().bend_to(steps[k].bend);
+                    let own = if phase == Phase::Bend { found.bent.rad() / pressed.rad() } else { found.passed };
+                    prop_assert!((found.phase, own) <= (phase, passed + 0.001), "{found:?} {phase:?} {passed}");
+                    let depth = 1.5 - least;
+                    prop_assert!((found.depth.mm() - depth).abs() < 0.3, "{found:?}, depth {depth}");
+                    if found.phase == phase && depth > 0.5 {
+                        prop_assert!(passed - own < 0.2, "{found:?} {passed}");
+                    }
+                }
+            }
+            before = first.is_some();
+        }
+    }
+}
+
+#[test]
+fn a_wire_bent_down_to_a_table_meets_it_at_the_angle_of_the_right_triangle() {
+    // 100 mm beyond the bend, which winds around the pin: the end drops r (1 - cos β) + (l - r β) sin β.
+    let table = body(
+        MovesWith::Frame,
+        Solid::Box { half: Vector3::new(500.0, 500.0, 5.0) },
+        Isometry3::translation(0.0, 0.0, -65.0),
+    );
+    let bodies = Bodies { all: vec![table], ..Bodies::default() };
+    let bend = BendModel { springback: None, setback: None, axis_limit: None };
+    // The bend turns towards -z once the head has turned by -90° about the wire.
+    let steps = [step(50.0, 0.0, 0.5), step(100.0, 90.0, 90.0), step(30.0, 0.0, 0.0)];
+    let found = all_contacts(&steps, &bodies, &bend);
+    let contact = found.first().expect("60 mm below the wire is a table");
+    assert_eq!((contact.step, contact.phase, contact.obstacle), (1, Phase::Bend, Obstacle::Body(0)));
+    let tangent = RADIUS * (deg(0.5).rad() / 2.0).tan();
+    let length =
+        150.0 - RADIUS + RADIUS * std::f64::consts::FRAC_PI_2 - 2.0 * tangent + RADIUS * deg(0.5).rad();
+    let drop = |bent: f64| RADIUS * (1.0 - bent.cos()) + (length - RADIUS * bent) * bent.sin();
+    let (mut low, mut high) = (0.0, 1.5);
+    for _ in 0..60 {
+        let middle = f64::midpoint(low, high);
+        if drop(middle) < 60.0 - 1.5 { low = middle } else { high = middle }
+    }
+    // 0.5° out of the plane moves the end by less than 0.5 mm down.
+    assert!(
+        (contact.bent.rad() - low).abs() < 0.005,
+        "{} instead of {}",
+        contact.bent.deg(),
+        low.to_degrees()
+    );
+    assert!(contact.leg == 0 && contact.along.mm() < 1e-6, "{contact:?}");
+}
+
+/// The contacts with the stock of a wire along points.
+fn with_stock(path: &[[f64; 3]], vertices: &[u32]) -> Vec<Contact> {
+    let path: Vec<Point3<f64>> = path.iter().copied().map(Point3::from).collect();
+    let (start, program) = program_of_path(&path, deg(1e-9)).unwrap();
+    let bodies = Bodies::default();
+    let bend = BendModel { springback: None, setback: None, axis_limit: None };
+    let ends = |k: usize| [vertices[k], vertices[k + 1]];
+    let same = |j: usize, k: usize| ends(j) == ends(k) || ends(j) == [ends(k)[1], ends(k)[0]];
+    let passage = |k: usize| {
+        let edge = (0..k).find(|&j| same(j, k)).unwrap_or(k);
+        let [from, to] = ends(k).map(VertexId);
+        let edge = EdgeId(u32::try_from(edge).unwrap());
+        (Passage { edge, from, to }, Length::computed((path[k + 1] - path[k]).norm()))
+    };
+    let passages = program.spans.iter().map(|span| span.clone().map(passage).collect());
+    let mut clearance =
+        Clearance::new((start, &program.steps), None, passages.collect(), wire(), &bodies, &bend);
+    (0..clearance.steps()).flat_map(|step| clearance.contacts_of(step)).collect()
+}
+
+#[test]
+fn a_wire_that_is_drawn_through_itself_meets_the_stock_before_it_is_fed_there() {
+    // The fourth straight crosses the middle of the first one.
+    let path = [[0., 0., 0.], [100., 0., 0.], [100., 60., 0.], [50., 60., 0.], [50., -40., 0.]];
+    let found = with_stock(&path, &[0, 1, 2, 3, 4]);
+    let [contact] = &found[..] else { panic!("{found:?}") };
+    assert_eq!((contact.step, contact.leg, contact.phase), (2, 0, Phase::Bend));
+    assert_eq!(contact.obstacle, Obstacle::Stock);
+    // Centreline on centreline: as deep as the wire is thick.
+    assert!((contact.depth.mm() - 3.0).abs() < 0.05, "{contact:?}");
+}
+
+#[test]
+fn a_wire_that_passes_over_itself_by_more_than_its_diameter_meets_nothing() {
+    let path =
+        |over: f64| [[0., 0., 0.], [100., 0., 0.], [100., 60., over], [50., 60., over], [50., -40., over]];
+    assert!(with_stock(&path(3.1), &[0, 1, 2, 3, 4]).is_empty());
+    assert_eq!(with_stock(&path(2.5), &[0, 1, 2, 3, 4]).len(), 1);
+}
+
+#[test]
+fn struts_that_share_a_vertex_and_doubled_ones_do_not_meet() {
+    // A bow-tie through its middle, and a strut that is travelled twice.
+    let bow =
+        [[0., 0., 0.], [50., 50., 0.], [100., 100., 0.], [100., 0., 0.], [50., 50., 0.], [0., 100., 0.]];
+    assert!(with_stock(&bow, &[0, 1, 2, 3, 1, 4]).is_empty());
+    let twice = [[0., 0., 0.], [80., 0., 0.], [80., 80., 0.], [0., 0., 0.], [80., 0., 0.], [80., 0., 60.]];
+    assert!(with_stock(&twice, &[0, 1, 2, 0, 1, 3]).is_empty());
+}
+
+#[test]
+fn a_body_with_a_contact_zone_may_touch_the_wire_that_it_bends_and_no_other() {
+    let pin = |zone: f64| Bodies {
+        all: vec![Body {
+            contact_zone: mm(zone),
+            ..body(
+                MovesWith::Head,
+                Solid::Cylinder { radius: 1.5, half_length: 7.0 },
+                Isometry3::translation(0.0, 3.0, 0.0),
+            )
+        }],
+        ..Bodies::default()
+    };
+    let bend = BendModel { springback: None, setback: None, axis_limit: None };
+    let corner = [step(60.0, 0.0, 90.0), step(60.0, 0.0, 0.0)];
+    assert!(!all_contacts(&corner, &pin(0.0), &bend).is_empty());
+    assert!(all_contacts(&corner, &pin(10.0), &bend).is_empty());
+}
+
+#[test]
+fn the_peg_comes_out_on_the_side_from_which_it_bends() {
+    let machine = published_machine();
+    let peg = body(
+        MovesWith::Peg,
+        Solid::Cylinder { radius: 3.175, half_length: 10.0 },
+        Isometry3::translation(32.4, 0.0, 0.0),
+    );
+    let bodies = Bodies {
+        all: vec![peg],
+        pivot: mm(12.0),
+        peg_stroke: mm(15.0),
+        approach: deg(5.0),
+        peg_rest: Angle::ZERO,
+    };
+    // Straight wire of 60 mm: the peg may not touch it before it bends, and does not reach it while it is in.
+    for side in [1.0, -1.0] {
+        let steps = [step(60.0, 0.0, 90.0 * side), step(60.0, 0.0, 0.0)];
+        let found = all_contacts(&steps, &bodies, &machine.compensation.bend);
+        let contact = found.first().expect("it bends by touching");
+        assert_eq!(contact.phase, Phase::Bend, "{contact:?}");
+        assert!(contact.bent.abs().deg() < 0.5 && contact.passed < 0.1, "{contact:?}");
+    }
+}
+
+#[test]
+fn arcs_that_do_not_fit_and_folds_are_rounded_as_far_as_there_is_room() {
+    let bodies = Bodies::default();
+    let bend = BendModel { springback: None, setback: None, axis_limit: None };
+    let steps = [step(1.0, 0.0, 120.0), step(2.0, 0.0, 120.0), step(30.0, 0.0, 180.0), step(0.0, 0.0, 0.0)];
+    // No figure that is not one.
+    for contact in all_contacts(&steps, &bodies, &bend) {
+        assert!(contact.depth.mm().is_finite() && contact.passed.is_finite(), "{contact:?}");
+    }
+}

@@ -1,0 +1,122 @@
+//! Which parts of the wire count for a body.
+
+use std::collections::BTreeMap;
+
+use wirebend_collide::Interval;
+
+use super::stroke::Phase;
+use crate::units::Length;
+use crate::wireframe::{EdgeId, VertexId};
+
+/// An edge along which the wire runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Passage {
+    /// The edge.
+    pub edge: EdgeId,
+    /// From here.
+    pub from: VertexId,
+    /// To here.
+    pub to: VertexId,
+}
+
+/// Where the wire passes vertices and edges.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Passed {
+    /// For each passage of the route, in its order: what it runs along, and how long the wire is at its ends.
+    passages: Vec<(Passage, Interval)>,
+    at_vertex: BTreeMap<VertexId, Vec<usize>>,
+    on_edge: BTreeMap<EdgeId, Vec<usize>>,
+    /// For each step its passages.
+    of_step: Vec<std::ops::Range<usize>>,
+}
+
+/// How the wire may touch what is asked about.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Touch {
+    /// The stock, which the struts of a vertex meet there and nowhere else.
+    Stock,
+    /// A body, within so many mm of the bend; 0: not at all.
+    Body(f64),
+}
+
+impl Passed {
+    /// `legs`: for each step its passages and where its straight part lies along the wire, with the arcs on both sides.
+    pub fn new(legs: impl Iterator<Item = (Vec<(Passage, Length)>, Interval)>) -> Self {
+        let mut passed = Self::default();
+        for (passages, leg) in legs {
+            let first = passed.passages.len();
+            let whole: f64 = passages.iter().map(|(_, length)| length.mm()).sum();
+            let scale = if whole > 0.0 { (leg.to - leg.from) / whole } else { 0.0 };
+            let mut from = leg.from;
+            for (passage, length) in passages {
+                let index = passed.passages.len();
+                let to = from + length.mm() * scale;
+                for vertex in [passage.from, passage.to] {
+                    passed.at_vertex.entry(vertex).or_default().push(index);
+                }
+                passed.on_edge.entry(passage.edge).or_default().push(index);
+                passed.passages.push((passage, Interval { from, to }));
+                from = to;
+            }
+            passed.of_step.push(first..passed.passages.len());
+        }
+        passed
+    }
+
+    /// The parts of the wire that count while a step is in a phase. `out`: how long the rigid part of the wire is.
+    pub fn counting(&self, step: usize, phase: Phase, touch: Touch, out: f64) -> Vec<Interval> {
+        let mut excluded = Vec::new();
+        match touch {
+            Touch::Body(zone) if zone <= 0.0 => {}
+            Touch::Body(zone) => self.exclude(step, phase, Some(zone), out, &mut excluded),
+            Touch::Stock => self.exclude(step, phase, None, out, &mut excluded),
+        }
+        excluded.sort_by(|one, other| one.from.total_cmp(&other.from));
+        let mut counting = Vec::new();
+        let mut from = 0.0_f64;
+        for part in excluded {
+            if part.from > from {
+                counting.push(Interval { from, to: part.from.min(out) });
+            }
+            from = from.max(part.to);
+            if from >= out {
+                return counting;
+            }
+        }
+        counting.push(Interval { from, to: out });
+        counting
+    }
+
+    /// `zone`: of the struts at the bend; none: all of them.
+    fn exclude(&self, step: usize, phase: Phase, zone: Option<f64>, out: f64, excluded: &mut Vec<Interval>) {
+        let own = self.of_step.get(step).cloned().unwrap_or_default();
+        let next = self.of_step.get(step + 1).cloned().unwrap_or_default();
+        if let Some(zone) = zone {
+            excluded.push(Interval { from: out - zone, to: f64::INFINITY });
+        }
+        // The stock lies along the edges that are fed, or along those that are fed next.
+        let coming = if matches!(phase, Phase::Feed | Phase::Rotate) { own.clone() } else { next.clone() };
+        let ends = self.passages[coming].iter().flat_map(|(passage, _)| [passage.from, passage.to]);
+        for vertex in ends {
+            for &index in self.at_vertex.get(&vertex).into_iter().flatten().filter(|&&index| index < own.end)
+            {
+                let (passage, part) = self.passages[index];
+                let zone = zone.unwrap_or(f64::INFINITY);
+                if passage.from == vertex {
+                    excluded.push(Interval { from: part.from, to: part.to.min(part.from + zone) });
+                }
+                if passage.to == vertex {
+                    excluded.push(Interval { from: part.from.max(part.to - zone), to: part.to });
+                }
+            }
+        }
+        // What is doubled lies beside.
+        for index in own.clone().chain(next) {
+            for &other in self.on_edge.get(&self.passages[index].0.edge).into_iter().flatten() {
+                if other < own.end {
+                    excluded.push(self.passages[other].1);
+                }
+            }
+        }
+    }
+}
