@@ -1,6 +1,6 @@
 //! Convex solids by their signed distance.
 
-use nalgebra::{Point3, Vector3};
+use nalgebra::{Point3, Vector2, Vector3};
 
 /// A convex solid about the origin of its own frame; sizes in mm, none below 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,9 +45,9 @@ impl Solid {
                 if inside <= 0.0 { inside } else { beyond.sup(&Vector3::zeros()).norm() }
             }
             Self::Cylinder { radius, half_length } => {
-                let [across, along] = [at.x.hypot(at.y) - radius, at.z.abs() - half_length];
+                let [across, along] = [at.xy().coords.norm() - radius, at.z.abs() - half_length];
                 let inside = across.max(along);
-                if inside <= 0.0 { inside } else { across.max(0.0).hypot(along.max(0.0)) }
+                if inside <= 0.0 { inside } else { Vector2::new(across.max(0.0), along.max(0.0)).norm() }
             }
             Self::Capsule { radius, half_length } => {
                 (at - Point3::new(0.0, 0.0, at.z.clamp(-half_length, half_length))).norm() - radius
@@ -76,7 +76,7 @@ impl Solid {
                 out.component_mul(&at.coords.map(f64::signum))
             }
             Self::Cylinder { radius, half_length } => {
-                let from_axis = at.x.hypot(at.y);
+                let from_axis = at.xy().coords.norm();
                 let [across, along] = [from_axis - radius, at.z.abs() - half_length];
                 let side = if from_axis > 0.0 {
                     Vector3::new(at.x / from_axis, at.y / from_axis, 0.0)

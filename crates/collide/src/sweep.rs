@@ -50,6 +50,11 @@ impl Span {
         f64::midpoint(self.from, self.to)
     }
 
+    fn halves(self) -> [Self; 2] {
+        let middle = self.middle();
+        [Self { to: middle, ..self }, Self { from: middle, ..self }]
+    }
+
     fn half_length(self) -> f64 {
         (self.to - self.from) / 2.0
     }
@@ -61,8 +66,13 @@ impl Span {
 /// It is reported no later than it is, and no earlier than at a distance of `tolerance` more than `reach`.
 #[must_use]
 pub fn first_contact(task: &Task) -> Option<Meeting> {
+    let all = task.chain.all()?;
     let mut search = First { task, best: None };
-    search.look(task.chain.all()?, Span::WHOLE);
+    // Most of what meets in a motion has met before it.
+    search.look(all, Span { from: 0.0, to: 0.0 }, &task.motion.pose(0.0));
+    if search.best.is_none() {
+        search.look(all, Span::WHOLE, &task.motion.pose(Span::WHOLE.middle()));
+    }
     search.best
 }
 
@@ -72,17 +82,15 @@ struct First<'a> {
 }
 
 impl First<'_> {
-    /// Looks in a run of pieces, in a part of the motion; the earlier half of it first.
-    fn look(&mut self, run: Run, span: Span) {
+    /// Looks in a run of pieces, in a part of the motion; the earlier half of it first. `pose`: in the middle of it.
+    fn look(&mut self, run: Run, span: Span, pose: &Isometry3<f64>) {
         let task = self.task;
         let best = self.best.map_or(f64::INFINITY, |meeting| meeting.time);
         if span.from >= best || !counts(task.parts, task.chain.extent(run)) {
             return;
         }
         let ball = task.chain.ball(run);
-        let middle = span.middle();
-        let distance =
-            task.solid.distance(&(task.motion.pose(middle) * ball.centre)) - ball.radius - task.reach;
+        let distance = task.solid.distance(&(pose * ball.centre)) - ball.radius - task.reach;
         let most = task.motion.most(&ball.centre, ball.radius);
         let moves = most * span.half_length();
         if distance > moves + task.tolerance {
@@ -93,11 +101,12 @@ impl First<'_> {
             return;
         };
         if moves > ball.radius {
-            self.look(run, Span { to: middle, ..span });
-            self.look(run, Span { from: middle, ..span });
+            for half in span.halves() {
+                self.look(run, half, &task.motion.pose(half.middle()));
+            }
         } else {
             for half in halves {
-                self.look(half, span);
+                self.look(half, span, pose);
             }
         }
     }
@@ -128,61 +137,67 @@ impl First<'_> {
     }
 }
 
-/// The least distance between chain and solid over the motion, as far as it is below `reach`, no more than twice `tolerance`
-/// above the exact one; `None` where they do not come within `reach`.
+/// The least distance between chain and solid over the motion, as far as it is below `reach`; `None` where they do not come
+/// within it. It is above the exact one by twice `tolerance` at most, or by this share of how far it is below `reach`.
 #[must_use]
-pub fn closest(task: &Task) -> Option<Meeting> {
-    let mut search = Closest { task, best: None };
-    search.look(task.chain.all()?, Span::WHOLE);
+pub fn closest(task: &Task, share: f64) -> Option<Meeting> {
+    let mut search = Closest { task, share, best: None };
+    search.look(task.chain.all()?, Span::WHOLE, &task.motion.pose(Span::WHOLE.middle()));
     search.best
 }
 
 struct Closest<'a> {
     task: &'a Task<'a>,
+    share: f64,
     best: Option<Meeting>,
 }
 
 impl Closest<'_> {
-    fn look(&mut self, run: Run, span: Span) {
+    /// Looks in a run of pieces, in a part of the motion. `pose`: in the middle of it.
+    fn look(&mut self, run: Run, span: Span, pose: &Isometry3<f64>) {
         let task = self.task;
         if !counts(task.parts, task.chain.extent(run)) {
             return;
         }
         let ball = task.chain.ball(run);
-        let middle = span.middle();
-        let pose = task.motion.pose(middle);
         let moves = task.motion.most(&ball.centre, ball.radius) * span.half_length();
         let centre = task.solid.distance(&(pose * ball.centre));
         if centre - ball.radius - moves >= self.wanted() {
             return;
         }
-        if let Some(halves) = run.halves().filter(|_| moves <= ball.radius) {
+        let mut in_time = moves > ball.radius;
+        if let Some(halves) = run.halves().filter(|_| !in_time) {
             for half in halves {
-                self.look(half, span);
+                self.look(half, span, pose);
             }
             return;
         }
         if run.halves().is_none() {
+            in_time = false;
             for part in clipped(task.parts, task.chain.interval(run.first)) {
-                let near = nearest(task, run.first, part, &pose, self.wanted() + moves);
+                let near = nearest(task, run.first, part, pose, self.wanted() + moves);
                 if near.distance < self.wanted() {
-                    self.best = Some(Meeting { time: middle, ..near });
+                    self.best = Some(Meeting { time: span.middle(), ..near });
                 }
-                if near.distance - task.tolerance / 4.0 - moves < self.wanted() && moves > task.tolerance {
-                    self.look(run, Span { to: middle, ..span });
-                    self.look(run, Span { from: middle, ..span });
-                    return;
-                }
+                let may_be_nearer = near.distance - task.tolerance / 4.0 - moves < self.wanted();
+                in_time |= may_be_nearer && moves > self.tolerance();
             }
-            return;
         }
-        self.look(run, Span { to: middle, ..span });
-        self.look(run, Span { from: middle, ..span });
+        if in_time {
+            for half in span.halves() {
+                self.look(run, half, &task.motion.pose(half.middle()));
+            }
+        }
     }
 
     /// Only what is nearer than this is of interest.
     fn wanted(&self) -> f64 {
-        self.best.map_or(self.task.reach, |best| best.distance - self.task.tolerance)
+        self.best.map_or(self.task.reach, |best| best.distance - self.tolerance())
+    }
+
+    fn tolerance(&self) -> f64 {
+        let below = self.best.map_or(0.0, |best| self.task.reach - best.distance);
+        self.task.tolerance.max(self.share * below)
     }
 }
 

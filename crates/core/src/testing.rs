@@ -3,6 +3,7 @@
 use nalgebra::Point3;
 
 use crate::checks::{MachineLimits, Source, Sourced};
+use crate::clearance::Bodies;
 use crate::compensate::{BendModel, Compensation, FeedModel, PegGeometry, Springback};
 use crate::estimate::{TimeModel, WireModel};
 use crate::plan::Machine;
@@ -62,6 +63,7 @@ pub(crate) fn published_machine() -> Machine {
         wire: WireModel { diameter: mm(3.0), density_kg_per_m3: 2700.0, price_per_mm: Some(0.00199) },
         bend_radius: mm(3.0),
         straight: deg(0.01676 / 2.0),
+        bodies: Bodies::default(),
         scatter: None,
     }
 }

@@ -41,6 +41,8 @@ pub enum InputName {
     Reverse,
     /// Whether the order of a program is kept.
     KeepOrder,
+    /// The look for collisions.
+    Collisions,
     /// How often a job is simulated.
     Runs,
     /// The id of a new profile.
@@ -79,6 +81,7 @@ impl InputName {
             Self::Start => "start",
             Self::Reverse => "direction",
             Self::KeepOrder => "order of the program",
+            Self::Collisions => "check for collisions",
             Self::Runs => "number of runs",
             Self::ProfileId => "id",
             Self::ProfileName => "name",

@@ -32,4 +32,7 @@ pub struct PlanChoices {
     /// Whether the wire runs as the program runs from which the design was read.
     #[serde(default)]
     pub keep_order: bool,
+    /// Whether to look where the wire meets the machine or itself while it is bent.
+    #[serde(default)]
+    pub collisions: bool,
 }

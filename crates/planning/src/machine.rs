@@ -16,6 +16,7 @@ use wirebend_profile::{
 };
 
 use crate::PlanningError;
+use crate::bodies::bodies;
 use crate::drivers::Told;
 use crate::installation::Board;
 use crate::report::NoteReport;
@@ -207,6 +208,12 @@ fn model(
         },
         bend_radius: FeedModel::new(pin, diameter, wire.k_factor).bend_radius,
         straight: deg(figures.bend_resolution_deg / 2.0)?,
+        bodies: bodies(
+            machine.origin("shapes").map_or(machine.profile.id(), |origin| origin.id.as_str()),
+            machine.profile.shapes.as_deref().unwrap_or_default(),
+            figures,
+            wire.diameter_mm,
+        ),
         scatter: None, // from another profile: filled in by `Installation::setup`
     })
 }

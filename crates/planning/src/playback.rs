@@ -1,6 +1,6 @@
 //! A wire as it is played on its machine: what is drawn follows from these values without a rule of bending.
 
-use nalgebra::{Point3, Rotation3, Vector3};
+use nalgebra::Point3;
 use schemars::JsonSchema;
 use serde::Serialize;
 use wirebend_core::bend::{Frame, Step, replay};
@@ -10,7 +10,6 @@ use wirebend_core::motion::{MachineStep, Moment, Pose, moments, poses};
 use wirebend_core::plan::WirePlan;
 use wirebend_core::simulate::scheduled_start;
 use wirebend_core::units::{Angle, Length};
-use wirebend_profile::{Part, Shape, Solid};
 
 use crate::report::JobStep;
 
@@ -172,56 +171,6 @@ fn played_step(designed: &Step, seconds: StepSeconds, pose: &Pose, moments: &[Mo
     }
 }
 
-/// How far the peg's bodies, each in a box along its own axes, reach beyond the middle of the wire along the bend axis while
-/// the peg is out, mm: it goes in by as much, and by what the wire takes, to let the wire pass. 0 without such bodies.
-#[must_use]
-pub fn peg_top_mm(shapes: &[Shape]) -> f64 {
-    let top = |shape: &Shape| {
-        let half = match shape.solid {
-            Solid::Box { size_mm } => size_mm.map(|size| size / 2.0),
-            Solid::Cylinder { radius_mm, length_mm } => [radius_mm, radius_mm, length_mm / 2.0],
-        };
-        // None where it points along -z: that box reaches as far.
-        let turn = Rotation3::rotation_between(&Vector3::z(), &Vector3::from(shape.axis));
-        let turn = turn.unwrap_or_else(Rotation3::identity);
-        shape.at_mm[2] + turn.matrix().row(2).abs().transpose().dot(&Vector3::from(half))
-    };
-    shapes.iter().filter(|shape| shape.part == Part::Peg).map(top).fold(0.0, f64::max)
-}
-
 fn array(point: &Point3<f64>) -> [f64; 3] {
     point.coords.into()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Were it too low, a peg that is in would be drawn across the wire.
-    #[test]
-    fn the_top_of_a_peg_is_that_of_its_highest_body_however_that_lies() {
-        let peg = |part, length_mm, z, axis| Shape {
-            name: "rod".to_owned(),
-            part,
-            solid: Solid::Cylinder { radius_mm: 3.0, length_mm },
-            at_mm: [32.0, 0.0, z],
-            axis,
-            source: "the test".to_owned(),
-            measured: false,
-        };
-        let upright = peg(Part::Peg, 20.0, 0.0, [0.0, 0.0, 1.0]);
-        let upside_down = peg(Part::Peg, 20.0, 1.0, [0.0, 0.0, -2.0]);
-        let lying = peg(Part::Peg, 20.0, 5.0, [1.0, 0.0, 0.0]);
-        let head = peg(Part::Head, 90.0, 0.0, [0.0, 0.0, 1.0]);
-        for (shapes, top) in [
-            (vec![], 0.0),
-            (vec![head.clone()], 0.0),
-            (vec![upright.clone()], 10.0),
-            (vec![upright.clone(), upside_down], 11.0),
-            (vec![lying, head], 8.0),
-            (vec![peg(Part::Peg, 2.0, -30.0, [0.0, 0.0, 1.0])], 0.0),
-        ] {
-            assert!((peg_top_mm(&shapes) - top).abs() < 1e-12, "{shapes:?}");
-        }
-    }
 }

@@ -52,6 +52,16 @@ pub struct Shape {
     /// Where a cylinder's axis, or the z of a box, points; of any length. Absent: along z.
     #[serde(default = "along_z")]
     pub axis: [f64; 3],
+    /// So far from the bend point, along the wire that is being bent, that wire may touch the body, millimetres: for what
+    /// guides or bends the wire. Absent: nowhere.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    #[schemars(range(min = 0.0))]
+    pub contact_zone_mm: f64,
+    /// So far from a vertex other struts that meet there may touch the body, millimetres: they give way. Only with
+    /// `contact_zone_mm`. Absent: nowhere.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    #[schemars(range(min = 0.0))]
+    pub vertex_zone_mm: f64,
     /// Where the dimensions come from: a drawing, a measurement, or why they are estimates.
     #[schemars(length(min = 1))]
     pub source: String,
@@ -63,6 +73,11 @@ const fn along_z() -> [f64; 3] {
     [0.0, 0.0, 1.0]
 }
 
+#[allow(clippy::trivially_copy_pass_by_ref)] // as serde calls it
+fn is_zero(value: &f64) -> bool {
+    *value == 0.0
+}
+
 impl Shape {
     /// What cannot be in one.
     pub(crate) fn faults(&self, faults: &mut Vec<Fault>) {
@@ -72,6 +87,14 @@ impl Shape {
         };
         for size in sizes.into_iter().filter(|size| *size <= 0.0) {
             faults.push(Fault::new("shapes", size, format!("sizes of '{}' above 0", self.name)));
+        }
+        let zones = [self.contact_zone_mm, self.vertex_zone_mm];
+        for zone in zones.into_iter().filter(|zone| *zone < 0.0) {
+            faults.push(Fault::new("shapes", zone, format!("zones of '{}' of 0 or more", self.name)));
+        }
+        if self.contact_zone_mm <= 0.0 && self.vertex_zone_mm > 0.0 {
+            let expected = format!("a contact_zone_mm of '{}' above 0 beside its vertex_zone_mm", self.name);
+            faults.push(Fault::new("shapes", self.contact_zone_mm, expected));
         }
         if self.axis.iter().all(|part| *part == 0.0) {
             let expected = format!("a direction for the axis of '{}' that is not 0 0 0", self.name);

@@ -521,6 +521,7 @@ export type InputName =
   | "start"
   | "reverse"
   | "keep-order"
+  | "collisions"
   | "runs"
   | "profile-id"
   | "profile-name"
@@ -595,7 +596,9 @@ export type DiagnosticCode =
   | "feed_too_long"
   | "rotation_out_of_range"
   | "stock_too_long"
-  | "wire_does_not_fit";
+  | "wire_does_not_fit"
+  | "meets_machine"
+  | "meets_stock";
 /**
  * What can be done about a finding, where the finding is.
  */
@@ -729,6 +732,12 @@ export type RemedyReport =
     }
   | {
       remedy: "turn_bend_plane";
+    }
+  | {
+      remedy: "move_apart";
+    }
+  | {
+      remedy: "measure_body";
     }
   | {
       remedy: "choose_material";
@@ -2048,6 +2057,11 @@ export interface Shape {
    */
   axis: [number, number, number];
   /**
+   * So far from the bend point, along the wire that is being bent, that wire may touch the body, millimetres: for what
+   * guides or bends the wire. Absent: nowhere.
+   */
+  contact_zone_mm?: number;
+  /**
    * True when they were measured on the real machine.
    */
   measured: boolean;
@@ -2061,6 +2075,11 @@ export interface Shape {
    * Where the dimensions come from: a drawing, a measurement, or why they are estimates.
    */
   source: string;
+  /**
+   * So far from a vertex other struts that meet there may touch the body, millimetres: they give way. Only with
+   * `contact_zone_mm`. Absent: nowhere.
+   */
+  vertex_zone_mm?: number;
 }
 /**
  * What the checks say.

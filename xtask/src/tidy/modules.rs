@@ -38,7 +38,7 @@ const ORDER: &[(&str, &str)] = &[
     ),
     (
         "crates/planning",
-        "text report stage progress error output installation signs drivers machine job choices program design stencil \
+        "text report stage progress error output installation signs drivers bodies machine job choices program design stencil \
          turning_back plan compare wires catalogue import picture export dump profiles playback simulate",
     ),
     ("crates/editor", "view request error history edit_journal resolving changing check fixes"),

@@ -76,6 +76,7 @@ const MAY_KNOW: &[(&str, &[&str])] = &[
             "crates/profile",
             "crates/files",
             "crates/driver-host",
+            "crates/planning",
             "crates/api",
             "drivers/template",
             "tests/built",

@@ -7,8 +7,8 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use wirebend_files::document::save_atomically;
 use wirebend_files::read::read_file;
-use wirebend_planning::playback::peg_top_mm;
-use wirebend_profile::{BendFigures, Kind, Shape};
+use wirebend_planning::bodies::{peg_top_mm, pivot_mm};
+use wirebend_profile::{Kind, Shape};
 
 use super::Workspace;
 use crate::{
@@ -166,10 +166,7 @@ impl Workspace {
             rates: [figures.feed_rate_mm_per_s, figures.rotate_rate_deg_per_s, figures.bend_rate_deg_per_s],
             peg_top_mm: peg_top_mm(profile.shapes.as_deref().unwrap_or_default()),
             shapes: profile.shapes.clone().unwrap_or_default(),
-            pivot_mm: match figures.bend {
-                BendFigures::Peg { orbit_offset_mm, .. } => [orbit_offset_mm, 0.0, 0.0],
-                BendFigures::Direct { .. } => [0.0; 3],
-            },
+            pivot_mm: [pivot_mm(&figures), 0.0, 0.0],
             settings_schema: schema,
             settings,
         })

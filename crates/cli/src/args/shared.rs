@@ -100,6 +100,9 @@ pub(crate) struct ChoiceArgs {
     /// Keep the bend order of the imported program, from its start to its end
     #[arg(long, conflicts_with_all = ["double", "detours", "wires", "closed", "start"])]
     pub keep_order: bool,
+    /// Look where the wire hits the machine or itself while it is bent
+    #[arg(long)]
+    pub collisions: bool,
 }
 
 /// Where the result goes.

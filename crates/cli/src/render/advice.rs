@@ -227,6 +227,7 @@ const fn option(input: InputName) -> &'static str {
         InputName::Start => "--start",
         InputName::Reverse => "--reverse",
         InputName::KeepOrder => "--keep-order",
+        InputName::Collisions => "--collisions",
         InputName::Runs => "--runs",
         InputName::ProfileId => "the id",
         InputName::ProfileName => "--name",

@@ -50,7 +50,9 @@ fn option(remedy: &RemedyReport) -> Option<&'static str> {
         | RemedyReport::EnlargeBend
         | RemedyReport::Straighten
         | RemedyReport::EaseBends
-        | RemedyReport::TurnBendPlane => None,
+        | RemedyReport::TurnBendPlane
+        | RemedyReport::MoveApart
+        | RemedyReport::MeasureBody => None,
     }
 }
 

@@ -111,7 +111,12 @@ pub(super) fn check(out: &mut impl Write, found: &CheckResponse) -> std::io::Res
     let verdict = if found.feasible { "within the limits of" } else { "cannot be bent on" };
     summary(
         out,
-        &format!("{verdict} {} with {}{}", found.machine, found.material, unchecked(found.feasible)),
+        &format!(
+            "{verdict} {} with {}{}",
+            found.machine,
+            found.material,
+            unchecked(found.feasible && !found.collisions_checked)
+        ),
         &found.diagnostics.iter().collect::<Vec<_>>(),
     )
 }
@@ -122,13 +127,14 @@ pub(crate) fn diagnostics(out: &mut impl Write, report: &PlanReport) -> std::io:
     let mut all: Vec<&DiagnosticReport> = report.diagnostics().iter().chain(of_wires).collect();
     all.sort_by_key(|diagnostic| diagnostic.severity as u8);
     list(out, &all)?;
+    let checked = report.wires().iter().all(|wire| wire.collisions_checked);
     let verdict = if report.feasible() { "within the machine's limits" } else { "cannot be bent as it is" };
-    summary(out, &format!("{verdict}{}", unchecked(report.feasible())), &all)
+    summary(out, &format!("{verdict}{}", unchecked(report.feasible() && !checked)), &all)
 }
 
-/// What nothing looks at yet: that no limit is passed does not say that no part hits another.
-const fn unchecked(feasible: bool) -> &'static str {
-    if feasible { "; collisions not checked" } else { "" }
+/// That no limit is passed does not say that no part hits another.
+const fn unchecked(unchecked: bool) -> &'static str {
+    if unchecked { "; collisions not checked" } else { "" }
 }
 
 fn summary(out: &mut impl Write, verdict: &str, all: &[&DiagnosticReport]) -> std::io::Result<()> {

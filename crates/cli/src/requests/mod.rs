@@ -210,10 +210,32 @@ fn design(args: &DesignArgs) -> anyhow::Result<DesignInput> {
 }
 
 fn choices(args: ChoiceArgs) -> Result<PlanChoices, WrongUse> {
-    let ChoiceArgs { machine, material, double, detours, wires, closed, start, reverse, keep_order } = args;
+    let ChoiceArgs {
+        machine,
+        material,
+        double,
+        detours,
+        wires,
+        closed,
+        start,
+        reverse,
+        keep_order,
+        collisions,
+    } = args;
     if wires.is_some_and(WireRange::is_several) {
         return Err(WrongUse("a range of wires is for `plan` alone: give one number of wires".to_owned()));
     }
     let wires = wires.map(|range| range.to);
-    Ok(PlanChoices { machine, material, double, detours, wires, closed, start, reverse, keep_order })
+    Ok(PlanChoices {
+        machine,
+        material,
+        double,
+        detours,
+        wires,
+        closed,
+        start,
+        reverse,
+        keep_order,
+        collisions,
+    })
 }

@@ -73,6 +73,10 @@ codes! {
     StockTooLong = "stock_too_long",
     /// The wire is too thick or too thin for the machine.
     WireDoesNotFit = "wire_does_not_fit",
+    /// The wire already bent meets a body of the machine.
+    MeetsMachine = "meets_machine",
+    /// The wire already bent meets the wire that is still to be bent.
+    MeetsStock = "meets_stock",
 }
 
 impl fmt::Display for Code {

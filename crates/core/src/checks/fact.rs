@@ -3,6 +3,7 @@
 use super::code::Code;
 use super::limit::{Limit, LimitSource, Quantity, ReachLimit, Source, Sourced};
 use crate::bend::PathError;
+use crate::clearance::Phase;
 use crate::route::RouteError;
 use crate::units::{Angle, Length};
 use crate::wireframe::{EdgeId, VertexId};
@@ -212,6 +213,48 @@ pub enum Fact {
         /// Where the limit comes from that the wire is beyond.
         source: Source,
     },
+    /// The wire already bent meets a body of the machine.
+    MeetsMachine {
+        /// The edges of the straight part that meets it.
+        struck: Vec<EdgeId>,
+        /// What moves.
+        phase: Phase,
+        /// How much of the step is fed.
+        fed: Length,
+        /// How far the wire is bent, with the sign of the bend.
+        bent: Angle,
+        /// Where the head is, right-handed about +x of the machine.
+        head: Angle,
+        /// How far they are into each other at the worst of the step.
+        depth: Length,
+        /// In how many later steps they meet again.
+        later: usize,
+        /// What the body is called.
+        body: String,
+        /// Whether its dimensions were measured.
+        measured: bool,
+        /// None of it is allowed; the source is that of the body's dimensions.
+        limit: Sourced<Length>,
+    },
+    /// The wire already bent meets the wire that is still to be bent.
+    MeetsStock {
+        /// The edges of the straight part that meets it.
+        struck: Vec<EdgeId>,
+        /// What moves.
+        phase: Phase,
+        /// How much of the step is fed.
+        fed: Length,
+        /// How far the wire is bent, with the sign of the bend.
+        bent: Angle,
+        /// Where the head is, right-handed about +x of the machine.
+        head: Angle,
+        /// How far they are into each other at the worst of the step.
+        depth: Length,
+        /// In how many later steps they meet again.
+        later: usize,
+        /// Diameter of both.
+        diameter: Length,
+    },
 }
 
 /// Which bend a finding is about.
@@ -255,6 +298,8 @@ impl Fact {
             Self::FoldBack { .. } | Self::FoldBackNotCompensated { .. } => Code::FoldBack,
             Self::RotationOutOfRange { .. } => Code::RotationOutOfRange,
             Self::WireDoesNotFit { .. } => Code::WireDoesNotFit,
+            Self::MeetsMachine { .. } => Code::MeetsMachine,
+            Self::MeetsStock { .. } => Code::MeetsStock,
         }
     }
 
@@ -272,7 +317,9 @@ impl Fact {
             | Self::FeedLongerThanStock { feed: length, .. }
             | Self::ArcsOverlap { designed: length, .. }
             | Self::StockTooLong { needed: length, .. }
-            | Self::WireDoesNotFit { diameter: length, .. } => Quantity::Length(*length),
+            | Self::WireDoesNotFit { diameter: length, .. }
+            | Self::MeetsMachine { depth: length, .. }
+            | Self::MeetsStock { depth: length, .. } => Quantity::Length(*length),
             Self::BendTooSharp { bend, .. }
             | Self::BendNearLimit { bend, .. }
             | Self::BendOutOfReach { bend, .. }
@@ -309,7 +356,8 @@ impl Fact {
             | Self::FeedNearLimit { limit, .. }
             | Self::FeedTooLong { limit, .. }
             | Self::FeedLongerThanStock { limit, .. }
-            | Self::StockTooLong { limit, .. } => {
+            | Self::StockTooLong { limit, .. }
+            | Self::MeetsMachine { limit, .. } => {
                 Limit { value: Quantity::Length(limit.value), source: LimitSource::Stated(&limit.source) }
             }
             Self::ArcsOverlap { needed, bend_radius, .. } => {
@@ -342,6 +390,7 @@ impl Fact {
             | Self::SeveralWires { .. }
             | Self::NoEdges
             | Self::RouteRefused(_)
+            | Self::MeetsStock { .. }
             | Self::DoubledEdge { .. }
             | Self::BendTooSmall { .. }
             | Self::FoldBackNotCompensated { .. } => return None,

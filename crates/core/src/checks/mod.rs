@@ -7,6 +7,7 @@
 mod bend_angle;
 mod code;
 mod coincident;
+mod contact;
 mod diagnostic;
 mod edge_length;
 mod euler_path;
@@ -32,6 +33,7 @@ pub use limit::{Limit, LimitSource, Quantity, ReachLimit, Source, Sourced};
 pub use remedy::Remedy;
 
 use crate::bend::NominalProgram;
+use crate::clearance::{Body, FirstContact};
 use crate::compensate::{CompensatedProgram, Compensation, StepError};
 use crate::route::{Doubling, ForcedBend, Route};
 use crate::schedule::{RotationOutOfRange, ScheduledProgram};
@@ -107,6 +109,10 @@ pub struct WireStages<'a> {
     pub compensated: Option<&'a CompensatedProgram>,
     /// Why it has none.
     pub unbendable: &'a [StepError],
+    /// Where it meets the machine or itself, as far as somebody looked.
+    pub contacts: &'a [FirstContact],
+    /// The bodies of the machine.
+    pub bodies: &'a [Body],
     /// How it is compensated for.
     pub compensation: &'a Compensation,
     /// How thick it is.
@@ -171,6 +177,7 @@ pub fn check_wire(wire: &WireStages) -> Vec<Diagnostic> {
         rotation::check,
         stock_length::check,
         wire_diameter::check,
+        contact::check,
     ];
     let mut found = Vec::new();
     for check in checks {

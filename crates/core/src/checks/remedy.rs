@@ -98,6 +98,10 @@ pub enum Remedy {
     EaseBends,
     /// Turn the plane of the bend.
     TurnBendPlane,
+    /// Move the edges apart.
+    MoveApart,
+    /// Measure the body of the machine and enter its dimensions.
+    MeasureBody,
     /// Choose another material.
     ChooseMaterial,
     /// Choose another machine.

@@ -27,9 +27,13 @@ pub struct Body {
     pub solid: Solid,
     /// From its own frame to that of the machine, with the head at its reference and the bend axis at 0.
     pub at: Isometry3<f64>,
-    /// So far from a bend the wire may touch it.
+    /// So far from the bend point the wire that is being bent may touch it.
     pub contact_zone: Length,
-    /// Where its dimensions come from.
+    /// So far from their vertex other struts may touch it that meet the wire there.
+    pub vertex_zone: Length,
+    /// Where its dimensions are entered.
+    pub entry: String,
+    /// Where they come from.
     pub source: String,
     /// Whether they were measured on the real machine; otherwise they are estimates.
     pub measured: bool,

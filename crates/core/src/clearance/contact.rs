@@ -5,7 +5,7 @@ use wirebend_collide::{Interval, Meeting, Solid, Task, closest, first_contact};
 
 use super::body::{Bodies, Body, MovesWith};
 use super::centreline::{Centreline, Lie};
-use super::stroke::{Moves, Phase, Seen, Stroke, strokes};
+use super::stroke::{Moves, Phase, Seen, State, Stroke, strokes};
 use super::zone::{Passage, Passed, Touch};
 use crate::bend::{Frame, Step};
 use crate::compensate::BendModel;
@@ -16,6 +16,9 @@ use crate::units::{Angle, Length};
 const CHORD: f64 = 0.005;
 /// How exact distances are, mm.
 const EXACT: f64 = 0.005;
+/// How exact depths are, mm, and as a share of them.
+const DEPTH_EXACT: f64 = 0.02;
+const DEPTH_SHARE: f64 = 0.05;
 
 /// The wire that runs through the machine.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,6 +31,13 @@ pub struct StockWire {
     pub tail: Length,
     /// How far from each other things have to stay besides.
     pub margin: Length,
+}
+
+impl StockWire {
+    /// Things meet where the centreline is so near, mm.
+    fn reach(&self) -> f64 {
+        self.diameter.mm() / 2.0 + self.margin.mm()
+    }
 }
 
 /// What the wire meets.
@@ -60,8 +70,17 @@ pub struct Contact {
     pub leg: usize,
     /// Where on the wire it is, as the length from its start.
     pub along: Length,
-    /// How far they are into each other at the worst of the step, the margin included.
+}
+
+/// Where a wire first meets one thing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FirstContact {
+    /// The first contact with it.
+    pub contact: Contact,
+    /// How deep it is at the worst of that step.
     pub depth: Length,
+    /// In how many later steps they meet again.
+    pub later: usize,
 }
 
 /// A wire in a machine, whose steps are asked about one by one.
@@ -132,22 +151,37 @@ impl<'a> Clearance<'a> {
         self.steps.len()
     }
 
+    /// The first contact with each thing that the wire meets, in the order of its steps.
+    #[must_use]
+    pub fn first_contacts(mut self) -> Vec<FirstContact> {
+        let mut found: Vec<FirstContact> = Vec::new();
+        for step in 0..self.steps() {
+            for contact in self.contacts_of(step) {
+                if let Some(first) = found.iter_mut().find(|first| first.contact.obstacle == contact.obstacle)
+                {
+                    first.later += 1;
+                } else {
+                    found.push(FirstContact { contact, depth: self.depth(&contact), later: 0 });
+                }
+            }
+        }
+        found
+    }
+
     /// What the wire begins to meet in a step; the steps are asked for in order. One contact for each thing that it meets.
     pub fn contacts_of(&mut self, step: usize) -> Vec<Contact> {
-        let Some(strokes) = self.strokes(step) else { return Vec::new() };
-        let stock = &self.stock[step];
+        let Some(moves) = self.moves(step) else { return Vec::new() };
+        let mut asked = Asked::new(self, step, &moves);
         let all = self.bodies.all.iter().enumerate().map(|(index, body)| (Obstacle::Body(index), body));
-        let mut found = Vec::new();
+        let all: Vec<(Obstacle, &Body)> = all.chain([(Obstacle::Stock, &self.stock[step])]).collect();
         let mut met = Vec::new();
-        for (obstacle, body) in all.chain([(Obstacle::Stock, stock)]) {
-            let mut moving = strokes.iter().filter(|stroke| stroke.moves(body.moves_with));
-            let first = moving
-                .find_map(|stroke| Some((stroke, self.meet(step, stroke, obstacle, body, first_contact)?)));
-            let Some((stroke, meeting)) = first else { continue };
-            met.push(obstacle);
+        let mut found = Vec::new();
+        for one in all {
+            let Some((stroke, meeting)) = asked.first(one) else { continue };
+            met.push(one.0);
             let goes_on = stroke.phase == Phase::Feed && meeting.time <= 0.0;
-            if !(goes_on && self.met.contains(&obstacle)) {
-                found.push(self.contact(step, (stroke, meeting), obstacle, body, &strokes));
+            if !(goes_on && self.met.contains(&one.0)) {
+                found.push(asked.contact(one.0, (stroke, meeting)));
             }
         }
         self.met = met;
@@ -155,12 +189,30 @@ impl<'a> Clearance<'a> {
         found
     }
 
-    fn strokes(&self, step: usize) -> Option<Vec<Stroke>> {
+    /// How far the wire and what it meets are into each other at the worst of the step, the margin included; to a twentieth.
+    #[must_use]
+    pub fn depth(&self, contact: &Contact) -> Length {
+        let body = match contact.obstacle {
+            Obstacle::Body(index) => self.bodies.all.get(index),
+            Obstacle::Stock => self.stock.get(contact.step),
+        };
+        let Some((body, moves)) = body.zip(self.moves(contact.step)) else { return Length::ZERO };
+        let mut asked = Asked::new(self, contact.step, &moves);
+        let deepest = |task: &Task| closest(task, DEPTH_SHARE);
+        let mut least = self.wire.reach();
+        for stroke in asked.strokes(body) {
+            let near = asked.ask((contact.obstacle, body), &stroke, DEPTH_EXACT, deepest);
+            least = near.map_or(least, |near| least.min(near.distance));
+        }
+        Length::computed(self.wire.reach() - least)
+    }
+
+    fn moves(&self, step: usize) -> Option<Moves> {
         let (leg, bend) = (self.centreline.legs.get(step)?, self.steps[step].bend);
         let (lie, bend_axis) = self.lies[step];
         let springback = self.bend.springback.as_ref();
         let pressed = springback.map_or(bend, |springback| springback.bend_to(bend)).abs();
-        let moves = Moves {
+        Some(Moves {
             lie,
             bend_axis,
             radius: leg.radius,
@@ -169,68 +221,105 @@ impl<'a> Clearance<'a> {
             bend,
             pressed: if bend == Angle::ZERO { bend } else { pressed },
             told: self.told.get(step).copied().unwrap_or(bend),
-        };
-        Some(strokes(&moves, self.bodies, self.bend.setback.as_ref()))
+        })
+    }
+}
+
+/// A step that is asked about.
+struct Asked<'a> {
+    clearance: &'a Clearance<'a>,
+    step: usize,
+    /// For bodies of the peg.
+    in_parts: Vec<Stroke>,
+    /// For all others.
+    whole: Vec<Stroke>,
+    /// What counts of the wire, for each question that has come up.
+    counting: Vec<(Phase, Touch, Vec<Interval>)>,
+}
+
+impl<'a> Asked<'a> {
+    fn new(clearance: &'a Clearance<'a>, step: usize, moves: &Moves) -> Self {
+        let peg = clearance.bend.setback.as_ref();
+        let [in_parts, whole] = [true, false].map(|parts| strokes(moves, clearance.bodies, peg, parts));
+        Self { clearance, step, in_parts, whole, counting: Vec::new() }
     }
 
-    /// Asks about one body in one stroke.
-    fn meet(
-        &self,
-        step: usize,
+    /// The strokes in which a body moves past the wire.
+    fn strokes(&self, body: &Body) -> Vec<Stroke> {
+        let all = if body.moves_with == MovesWith::Peg { &self.in_parts } else { &self.whole };
+        all.iter().filter(|stroke| stroke.moves(body.moves_with)).copied().collect()
+    }
+
+    fn first(&mut self, one: (Obstacle, &Body)) -> Option<(Stroke, Meeting)> {
+        let mut strokes = self.strokes(one.1).into_iter();
+        strokes.find_map(|stroke| Some((stroke, self.ask(one, &stroke, EXACT, first_contact)?)))
+    }
+
+    fn ask(
+        &mut self,
+        (obstacle, body): (Obstacle, &Body),
         stroke: &Stroke,
-        obstacle: Obstacle,
-        body: &Body,
-        ask: fn(&Task) -> Option<Meeting>,
+        tolerance: f64,
+        ask: impl Fn(&Task) -> Option<Meeting>,
     ) -> Option<Meeting> {
-        let leg = &self.centreline.legs[step];
+        let clearance = self.clearance;
+        let leg = &clearance.centreline.legs[self.step];
         let out = if stroke.phase == Phase::Feed { leg.straight.from } else { leg.straight.to };
         let touch = match obstacle {
             Obstacle::Stock => Touch::Stock,
-            Obstacle::Body(_) => Touch::Body(body.contact_zone.mm()),
+            Obstacle::Body(_) => Touch::Body { wire: body.contact_zone.mm(), vertex: body.vertex_zone.mm() },
         };
-        let parts = self.passed.counting(step, stroke.phase, touch, out);
-        let motion = Seen::new(stroke, body, self.bodies.pivot);
-        let reach = self.wire.diameter.mm() / 2.0 + self.wire.margin.mm();
-        let chain = &self.centreline.chain;
-        ask(&Task { chain, parts: &parts, solid: &body.solid, motion: &motion, reach, tolerance: EXACT })
+        let known = self.counting.iter().position(|(phase, of, _)| (*phase, *of) == (stroke.phase, touch));
+        let known = known.unwrap_or_else(|| {
+            let parts = clearance.passed.counting(self.step, stroke.phase, touch, out);
+            self.counting.push((stroke.phase, touch, parts));
+            self.counting.len() - 1
+        });
+        ask(&Task {
+            chain: &clearance.centreline.chain,
+            parts: &self.counting[known].2,
+            solid: &body.solid,
+            motion: &Seen::new(stroke, body, clearance.bodies.pivot),
+            reach: clearance.wire.reach(),
+            tolerance,
+        })
     }
 
-    fn contact(
-        &self,
-        step: usize,
-        (stroke, meeting): (&Stroke, Meeting),
-        obstacle: Obstacle,
-        body: &Body,
-        strokes: &[Stroke],
-    ) -> Contact {
+    fn contact(&self, obstacle: Obstacle, (stroke, meeting): (Stroke, Meeting)) -> Contact {
+        let legs = &self.clearance.centreline.legs;
+        let leg = legs.partition_point(|leg| leg.straight.to + leg.arc / 2.0 < meeting.along);
         let state = stroke.at(meeting.time);
-        let moving = strokes.iter().filter(|stroke| stroke.moves(body.moves_with));
-        let nearest = moving.filter_map(|stroke| self.meet(step, stroke, obstacle, body, closest));
-        let least = nearest.map(|meeting| meeting.distance).fold(meeting.distance, f64::min);
-        let reach = self.wire.diameter.mm() / 2.0 + self.wire.margin.mm();
-        let legs = &self.centreline.legs;
-        let leg = legs.partition_point(|leg| leg.straight.to + leg.arc / 2.0 < meeting.along).min(step);
         Contact {
-            step,
+            step: self.step,
             phase: stroke.phase,
-            passed: passed_of(stroke, strokes, meeting.time),
+            passed: self.passed(&stroke, &state, meeting.time),
             fed: Length::computed(state.fed),
             head: Angle::computed(state.head),
             bent: Angle::computed(stroke.side * state.bent),
             obstacle,
-            leg,
+            leg: leg.min(self.step),
             along: Length::computed(meeting.along),
-            depth: Length::computed((reach - least).max(0.0)),
         }
     }
-}
 
-/// The part of a phase that has passed at a time of one of its strokes.
-fn passed_of(stroke: &Stroke, strokes: &[Stroke], time: f64) -> f64 {
-    let same = || strokes.iter().filter(|other| other.phase == stroke.phase);
-    let before: f64 = same().take_while(|other| !std::ptr::eq(*other, stroke)).map(Stroke::size).sum();
-    let whole: f64 = same().map(Stroke::size).sum();
-    if whole > 0.0 { (before + stroke.size() * time) / whole } else { time }
+    /// The part of a phase that has passed at a time of one of its strokes.
+    fn passed(&self, stroke: &Stroke, state: &State, time: f64) -> f64 {
+        let same = || self.in_parts.iter().filter(|other| other.phase == stroke.phase);
+        let whole: f64 = same().map(Stroke::size).sum();
+        let mut before = 0.0;
+        for part in same() {
+            let bending = part.to.bent > part.from.bent;
+            let time =
+                if bending { (state.bent - part.from.bent) / (part.to.bent - part.from.bent) } else { time };
+            let is_it = if bending { time <= 1.0 && state.bent > 0.0 } else { part.from == stroke.from };
+            if is_it {
+                before += part.size() * time;
+                break;
+            }
+            before += part.size();
+        }
+        if whole > 0.0 { (before / whole).min(1.0) } else { time }
+    }
 }
 
 /// For each leg the wire from the middle of the arc before it to the middle of the arc after it.
@@ -253,6 +342,8 @@ fn stock_after(length: f64, radius: f64) -> Body {
         solid: Solid::Capsule { radius, half_length },
         at: Isometry3::from_parts(Translation3::new(-half_length, 0.0, 0.0), lie),
         contact_zone: Length::ZERO,
+        vertex_zone: Length::ZERO,
+        entry: String::new(),
         source: String::new(),
         measured: true,
     }

@@ -5,9 +5,9 @@
 //! part bent so far is rigid and moves as one; the machine is the solids of its profile, each moving with the frame, the head
 //! or the peg. The stock is one more obstacle: a capsule along -x.
 //!
-//! The wire at a bend touches pin, nozzle and peg by its nature. How much of it may do so is [`Body::contact_zone`]: along the
-//! wire that leaves, and along every strut that meets the one that is fed at a vertex: where a frame closes, the wire goes beside.
-//! A strut that runs along the same edge as the one that is fed lies beside it, and beside such bodies too.
+//! The wire at a bend touches pin, nozzle and peg by its nature: [`Body::contact_zone`] says how much of it may. Other struts
+//! that meet the one that is fed at a vertex come near them, too, where a frame closes and the wire goes beside:
+//! [`Body::vertex_zone`]. A strut that runs along the same edge as the one that is fed lies beside it, and beside such bodies.
 
 mod body;
 mod centreline;
@@ -15,8 +15,10 @@ mod contact;
 mod stroke;
 mod zone;
 
+pub use wirebend_collide::Solid;
+
 pub use body::{Bodies, Body, MovesWith};
-pub use contact::{Clearance, Contact, Obstacle, StockWire};
+pub use contact::{Clearance, Contact, FirstContact, Obstacle, StockWire};
 pub use stroke::Phase;
 pub use zone::Passage;
 #[cfg(test)]

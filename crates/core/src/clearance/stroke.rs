@@ -177,7 +177,7 @@ impl Motion for Seen<'_> {
             most += (to.bent - from.bent).abs() * arm;
         }
         if self.body.moves_with != MovesWith::Frame {
-            most += (to.head - from.head).abs() * (lying.y.hypot(lying.z) + radius).min(farthest);
+            most += (to.head - from.head).abs() * (lying.yz().norm() + radius).min(farthest);
         }
         if self.body.moves_with == MovesWith::Peg {
             // Rolled on the pin it is no farther than that and the pin's size.
@@ -208,8 +208,14 @@ pub(super) struct Moves {
 /// So many parts make a bend whose peg follows the wire: one for each so many radians.
 const PART_OF_BEND: f64 = 0.175;
 
-/// The strokes of a step, in order.
-pub(super) fn strokes(moves: &Moves, bodies: &Bodies, peg: Option<&PegGeometry>) -> Vec<Stroke> {
+/// The strokes of a step, in order. `in_parts`: whether a bend is divided so that the peg follows the wire as it does;
+/// nothing else of the machine cares how.
+pub(super) fn strokes(
+    moves: &Moves,
+    bodies: &Bodies,
+    peg: Option<&PegGeometry>,
+    in_parts: bool,
+) -> Vec<Stroke> {
     let Moves { lie, bend_axis, radius, fed, head, bend, .. } = *moves;
     let bends = bend != Angle::ZERO;
     let rest = bodies.peg_stroke.mm();
@@ -228,7 +234,7 @@ pub(super) fn strokes(moves: &Moves, bodies: &Bodies, peg: Option<&PegGeometry>)
     if !bends {
         return strokes;
     }
-    let path = AxisPath::new(moves, bodies, peg);
+    let path = AxisPath::new(moves, bodies, peg, in_parts);
     go(Phase::Approach, &|state| state.axis = path.begin);
     go(Phase::PegOut, &|state| state.peg_in = 0.0);
     go(Phase::Bend, &|state| state.axis = path.touch);
@@ -252,9 +258,9 @@ struct AxisPath {
 }
 
 impl AxisPath {
-    fn new(moves: &Moves, bodies: &Bodies, peg: Option<&PegGeometry>) -> Self {
+    fn new(moves: &Moves, bodies: &Bodies, peg: Option<&PegGeometry>, in_parts: bool) -> Self {
         let (side, pressed) = (moves.bend.signum(), moves.pressed.rad());
-        let parts = (pressed / PART_OF_BEND).ceil().max(1.0);
+        let parts = if in_parts && peg.is_some() { (pressed / PART_OF_BEND).ceil().max(1.0) } else { 1.0 };
         let mut bent = 0.0;
         let mut bending = Vec::new();
         let touching = peg.and_then(|peg| peg.axis_for(Angle::ZERO));

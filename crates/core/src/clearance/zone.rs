@@ -31,12 +31,12 @@ pub(super) struct Passed {
 }
 
 /// How the wire may touch what is asked about.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Touch {
     /// The stock, which the struts of a vertex meet there and nowhere else.
     Stock,
-    /// A body, within so many mm of the bend; 0: not at all.
-    Body(f64),
+    /// A body: the wire that is being bent within so many mm, and other struts within so many mm of their vertex.
+    Body { wire: f64, vertex: f64 },
 }
 
 impl Passed {
@@ -67,9 +67,12 @@ impl Passed {
     pub fn counting(&self, step: usize, phase: Phase, touch: Touch, out: f64) -> Vec<Interval> {
         let mut excluded = Vec::new();
         match touch {
-            Touch::Body(zone) if zone <= 0.0 => {}
-            Touch::Body(zone) => self.exclude(step, phase, Some(zone), out, &mut excluded),
-            Touch::Stock => self.exclude(step, phase, None, out, &mut excluded),
+            Touch::Body { wire, .. } if wire <= 0.0 => {}
+            Touch::Body { wire, vertex } => {
+                excluded.push(Interval { from: out - wire, to: f64::INFINITY });
+                self.exclude(step, phase, vertex, &mut excluded);
+            }
+            Touch::Stock => self.exclude(step, phase, f64::INFINITY, &mut excluded),
         }
         excluded.sort_by(|one, other| one.from.total_cmp(&other.from));
         let mut counting = Vec::new();
@@ -87,13 +90,10 @@ impl Passed {
         counting
     }
 
-    /// `zone`: of the struts at the bend; none: all of them.
-    fn exclude(&self, step: usize, phase: Phase, zone: Option<f64>, out: f64, excluded: &mut Vec<Interval>) {
+    /// `zone`: how much of the struts at a vertex, mm.
+    fn exclude(&self, step: usize, phase: Phase, zone: f64, excluded: &mut Vec<Interval>) {
         let own = self.of_step.get(step).cloned().unwrap_or_default();
         let next = self.of_step.get(step + 1).cloned().unwrap_or_default();
-        if let Some(zone) = zone {
-            excluded.push(Interval { from: out - zone, to: f64::INFINITY });
-        }
         // The stock lies along the edges that are fed, or along those that are fed next.
         let coming = if matches!(phase, Phase::Feed | Phase::Rotate) { own.clone() } else { next.clone() };
         let ends = self.passages[coming].iter().flat_map(|(passage, _)| [passage.from, passage.to]);
@@ -101,7 +101,6 @@ impl Passed {
             for &index in self.at_vertex.get(&vertex).into_iter().flatten().filter(|&&index| index < own.end)
             {
                 let (passage, part) = self.passages[index];
-                let zone = zone.unwrap_or(f64::INFINITY);
                 if passage.from == vertex {
                     excluded.push(Interval { from: part.from, to: part.to.min(part.from + zone) });
                 }

@@ -1,5 +1,6 @@
 //! The whole pipeline for the wires of a component: every stage in order, as far as it gets, and what the checks say.
 
+mod contacts;
 mod routing;
 mod stages;
 
@@ -9,6 +10,7 @@ use nalgebra::Point3;
 
 use crate::bend::{Frame, NominalProgram};
 use crate::checks::{Diagnostic, MachineLimits, Sourced};
+use crate::clearance::{Bodies, FirstContact};
 use crate::compensate::{CompensatedProgram, Compensation};
 use crate::estimate::{TimeModel, WireModel};
 use crate::route::{Doubling, Route};
@@ -35,6 +37,8 @@ pub struct Machine {
     pub bend_radius: Length,
     /// A change of direction up to this is not bent: half of what the bend axis resolves.
     pub straight: Angle,
+    /// Its bodies.
+    pub bodies: Bodies,
     /// How far its bends scatter (one standard deviation), where that is known.
     pub scatter: Option<Sourced<Angle>>,
 }
@@ -57,6 +61,7 @@ impl Default for DoublingChoice {
 
 /// What a person may choose of a plan.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[allow(clippy::struct_excessive_bools)] // each is an option of its own
 pub struct PlanOptions {
     /// How many wires there may be, at least one. Fewer are used where more would not save doubled edges.
     pub wires: usize,
@@ -70,6 +75,8 @@ pub struct PlanOptions {
     pub start: Option<VertexId>,
     /// Whether the wire runs the other way: it ends where it would have started.
     pub reversed: bool,
+    /// Whether to look where the wire meets the machine or itself, which takes the longest.
+    pub contacts: bool,
     /// The walk, where it is settled: no other is looked for, and no edge is doubled but those that it passes again.
     pub settled: Option<Route>,
 }
@@ -84,6 +91,7 @@ impl Default for PlanOptions {
             closed: false,
             start: None,
             reversed: false,
+            contacts: false,
             settled: None,
         }
     }
@@ -102,6 +110,8 @@ pub enum Stage {
     Schedule,
     /// What the machine is told.
     Compensate,
+    /// Where the wire meets the machine.
+    Contacts,
     /// What cannot be made.
     Check,
 }
@@ -127,6 +137,8 @@ pub struct WirePlan {
     pub scheduled: Option<ScheduledProgram>,
     /// The compensated program.
     pub compensated: Option<CompensatedProgram>,
+    /// Where it meets the machine or itself while it is bent; none where nobody looked.
+    pub contacts: Option<Vec<FirstContact>>,
     /// What the checks say, doublings and refusals included.
     pub diagnostics: Vec<Diagnostic>,
     /// Seconds on the machine.
@@ -148,6 +160,7 @@ impl WirePlan {
             nominal: None,
             scheduled: None,
             compensated: None,
+            contacts: None,
             diagnostics: Vec::new(),
             seconds: None,
             stock: None,
@@ -178,9 +191,14 @@ pub fn plan_wires(
 ) -> Vec<WirePlan> {
     let Routed { doubled, proposal, mut routes, forced, refusals } =
         routing::find(wireframe, component, machine, options, &mut done);
-    let odd_allowed = routing::allowed(options);
-    let passed_again = passed_again(&routes);
-    let stages = Stages { wireframe, machine, odd_allowed, forced: &forced, passed_again };
+    let stages = Stages {
+        wireframe,
+        machine,
+        contacts: options.contacts,
+        odd_allowed: routing::allowed(options),
+        forced: &forced,
+        passed_again: passed_again(&routes),
+    };
     if routes.len() < 2 {
         let mut plan = WirePlan::new(component.clone(), doubled, proposal, routes.pop());
         stages.run(0, &mut plan, refusals, &mut done);

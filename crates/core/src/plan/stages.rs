@@ -1,5 +1,6 @@
 //! The stages after the route.
 
+use super::contacts;
 use super::{Machine, Stage, WirePlan};
 use crate::bend::{PathError, program_of_path};
 use crate::checks::{Diagnostic, Fact, Location, Remedy, Severity, WireStages, check_wire};
@@ -14,6 +15,8 @@ use crate::wireframe::{EdgeId, Wireframe};
 pub(super) struct Stages<'a> {
     pub wireframe: &'a Wireframe,
     pub machine: &'a Machine,
+    /// Whether to look for contacts.
+    pub contacts: bool,
     pub odd_allowed: usize,
     pub forced: &'a [ForcedBend],
     /// For each wire the edges of [`WireStages::passed_again`].
@@ -32,6 +35,10 @@ impl Stages<'_> {
         let Self { wireframe, machine, .. } = *self;
         let mut failures = Failures::default();
         run_stages(wireframe, machine, plan, &mut failures, done);
+        if self.contacts {
+            plan.contacts = contacts::find(wireframe, machine, plan);
+            done(Stage::Contacts);
+        }
         plan.diagnostics = check_wire(&WireStages {
             wireframe,
             component: &plan.component,
@@ -46,6 +53,8 @@ impl Stages<'_> {
             rotation: failures.rotation.as_ref(),
             compensated: plan.compensated.as_ref(),
             unbendable: &failures.unbendable,
+            contacts: plan.contacts.as_deref().unwrap_or_default(),
+            bodies: &machine.bodies.all,
             compensation: &machine.compensation,
             diameter: machine.wire.diameter,
             bend_radius: machine.bend_radius,

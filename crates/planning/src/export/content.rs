@@ -150,8 +150,18 @@ impl Content {
                 wanted: wanted.clone(),
             });
         }
-        let PlanChoices { machine: _, material, double, detours, wires, closed, start, reverse, keep_order } =
-            &request.choices;
+        let PlanChoices {
+            machine: _,
+            material,
+            double,
+            detours,
+            wires,
+            closed,
+            start,
+            reverse,
+            keep_order,
+            collisions,
+        } = &request.choices;
         let other_material = material.as_ref().is_some_and(|id| *id != contents.material.id);
         if other_material
             || *double
@@ -161,9 +171,12 @@ impl Content {
             || start.is_some()
             || *reverse
             || *keep_order
+            || *collisions
             || !request.design.reads_plainly()
         {
-            use InputName::{Closed, Detours, Double, KeepOrder, Material, Reverse, Start, Wires};
+            use InputName::{
+                Closed, Collisions, Detours, Double, KeepOrder, Material, Reverse, Start, Wires,
+            };
             let given = [
                 (Material, other_material),
                 (Double, *double),
@@ -173,6 +186,7 @@ impl Content {
                 (Start, start.is_some()),
                 (Reverse, *reverse),
                 (KeepOrder, *keep_order),
+                (Collisions, *collisions),
             ];
             let given = given.into_iter().filter_map(|(input, given)| given.then_some(input));
             let inputs = given.chain(request.design.read_otherwise()).collect();

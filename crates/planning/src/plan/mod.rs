@@ -55,6 +55,8 @@ pub struct CheckResponse {
     pub material: String,
     /// Whether the machine can make it.
     pub feasible: bool,
+    /// Whether it was looked at where the wire meets the machine or itself: only on request, and not without a route.
+    pub collisions_checked: bool,
     /// What the checks say, errors first; each is of one wire or of the design.
     pub diagnostics: Vec<DiagnosticReport>,
     /// What was merged, ignored or assumed while reading.
@@ -174,6 +176,7 @@ impl Installation {
                 closed: chosen.closed,
                 start: here,
                 reversed: chosen.reversed,
+                contacts: choices.collisions,
                 settled: settled.clone(),
             };
             let mut took = BTreeMap::new();
@@ -220,11 +223,17 @@ const fn stage_name(stage: Stage) -> &'static str {
         Stage::Program => "program",
         Stage::Schedule => "schedule",
         Stage::Compensate => "compensate",
+        Stage::Contacts => "contacts",
         Stage::Check => "check",
     }
 }
 
 impl Planned {
+    /// Whether it was looked at where each wire meets the machine or itself.
+    pub fn collisions_checked(&self) -> bool {
+        !self.wires.is_empty() && self.wires.iter().all(|wire| wire.contacts.is_some())
+    }
+
     /// Whether the machine can make all of it.
     pub fn feasible(&self) -> bool {
         !self.wires.is_empty()
@@ -303,6 +312,7 @@ pub fn check(
     let mut all: Vec<&Diagnostic> = planned.design.iter().chain(of_wires).collect();
     all.sort_by_key(|diagnostic| diagnostic.severity);
     Ok(CheckResponse {
+        collisions_checked: planned.collisions_checked(),
         machine: planned.setup.machine_id().to_owned(),
         material: planned.setup.material_id().to_owned(),
         feasible: planned.feasible(),

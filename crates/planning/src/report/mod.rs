@@ -127,6 +127,8 @@ pub struct WireReport {
     pub diagnostics: Vec<DiagnosticReport>,
     /// Whether the machine can make it.
     pub feasible: bool,
+    /// Whether it was looked at where the wire meets the machine or itself: only on request, and not without a route.
+    pub collisions_checked: bool,
     /// Time on the machine, in s.
     pub time_s: Option<f64>,
     /// Price of the wire that is fed, in `currency`; null where the price is not known, and where nothing can be fed.

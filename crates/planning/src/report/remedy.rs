@@ -93,6 +93,10 @@ pub enum RemedyReport {
     EaseBends,
     /// Turn the plane of the bend.
     TurnBendPlane,
+    /// Move the edges apart.
+    MoveApart,
+    /// Measure the body of the machine and enter its dimensions.
+    MeasureBody,
     /// Choose another material.
     ChooseMaterial,
     /// Choose another machine.
@@ -145,6 +149,8 @@ impl From<&Remedy> for RemedyReport {
             Remedy::Straighten => Self::Straighten,
             Remedy::EaseBends => Self::EaseBends,
             Remedy::TurnBendPlane => Self::TurnBendPlane,
+            Remedy::MoveApart => Self::MoveApart,
+            Remedy::MeasureBody => Self::MeasureBody,
             Remedy::ChooseMaterial => Self::ChooseMaterial,
             Remedy::ChooseMachine => Self::ChooseMachine,
             Remedy::ChooseMachineWithRotation => Self::ChooseMachineWithRotation,

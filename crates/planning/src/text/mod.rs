@@ -6,6 +6,7 @@
 //! sentence without a full stop, which begins in lower case.
 
 mod bend;
+mod contact;
 mod drawing;
 pub mod error;
 mod limit;
@@ -65,6 +66,14 @@ pub fn message(diagnostic: &Diagnostic) -> String {
         Fact::RotationOutOfRange { wanted, range, .. } => machine::rotation_out_of_range(at, *wanted, *range),
         Fact::StockTooLong { needed, tail, limit } => machine::stock_too_long(*needed, *tail, limit.value),
         Fact::WireDoesNotFit { diameter, range, .. } => machine::wire_does_not_fit(*diameter, *range),
+        Fact::MeetsMachine { struck, phase, fed, bent, head, depth, later, body, measured, .. } => {
+            let moment = contact::moment(at, *phase, *fed, *bent, *head);
+            contact::meets_machine(&moment, struck, body, (*depth, *later), *measured)
+        }
+        Fact::MeetsStock { struck, phase, fed, bent, head, depth, later, .. } => {
+            let moment = contact::moment(at, *phase, *fed, *bent, *head);
+            contact::meets_stock(&moment, struck, (*depth, *later))
+        }
     }
 }
 

@@ -54,6 +54,8 @@ pub(super) fn clause(remedy: &Remedy) -> String {
         Remedy::Straighten => "make the edges straight there",
         Remedy::EaseBends => "make its bends gentler",
         Remedy::TurnBendPlane => "turn the plane of the bend",
+        Remedy::MoveApart => "move the edges apart",
+        Remedy::MeasureBody => "measure it and enter its dimensions in the machine's profile",
         Remedy::ChooseMaterial => "choose another material",
         Remedy::ChooseMachine => "choose another machine",
         Remedy::ChooseMachineWithRotation => "choose a machine whose head turns farther",

@@ -333,6 +333,8 @@ fn every_remedy_is_a_clause() {
         Remedy::Straighten,
         Remedy::EaseBends,
         Remedy::TurnBendPlane,
+        Remedy::MoveApart,
+        Remedy::MeasureBody,
         Remedy::ChooseMaterial,
         Remedy::ChooseMachine,
         Remedy::ChooseMachineWithRotation,

@@ -15,7 +15,7 @@ export function valueText(
   return number(value, Number.isInteger(value) ? 0 : 1);
 }
 
-type Place = Pick<DiagnosticReport, "vertex" | "edge" | "edges" | "value" | "limit">;
+type Place = Pick<DiagnosticReport, "vertex" | "edge" | "edges" | "value" | "limit" | "step">;
 
 /** How one and how several of a kind are named in a line of the list; null: its own message names it. */
 type Title = { one(report: Place): string; many(count: string): string } | null;
@@ -60,6 +60,14 @@ const TITLES: Readonly<Record<DiagnosticCode, Title>> = {
     one: (r) => `Corner${at(r)} gentler than the axis resolves`,
     many: (n) => `${n} corners gentler than the axis resolves`,
   },
+  meets_machine: {
+    one: (r) => `The wire hits the machine${inStep(r)}`,
+    many: (n) => `The wire hits ${n} bodies of the machine`,
+  },
+  meets_stock: {
+    one: (r) => `The wire hits itself${inStep(r)}`,
+    many: (n) => `The wire hits itself: ${n} times`,
+  },
   rotation_out_of_range: {
     one: (r) => `The head would have to turn too far${at(r)}`,
     many: (n) => `The head would have to turn too far at ${n} places`,
@@ -89,6 +97,10 @@ const tooMany = (allowed: number): string =>
 function edgeName({ edge, edges }: Place): string {
   const all = edges && edges.length > 1 ? edges : null;
   return all ? `Edges ${all.join(", ")}` : `Edge ${edge ?? "?"}`;
+}
+
+function inStep({ step }: Place): string {
+  return step === null || step === undefined ? "" : ` in step ${step + 1}`;
 }
 
 function at({ vertex }: Place): string {

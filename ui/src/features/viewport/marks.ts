@@ -11,6 +11,8 @@ const ABOUT_EDGES: ReadonlySet<string> = new Set([
   "arcs_overlap",
   "zero_length_edge",
   "parallel_edges",
+  "meets_machine",
+  "meets_stock",
 ]);
 const ABOUT_VERTICES: ReadonlySet<string> = new Set([
   "bend_too_sharp",

@@ -1,0 +1,57 @@
+//! `--collisions`: where the wire hits the machine or itself.
+
+use std::fs;
+
+use crate::{example, run};
+
+/// A wire in a plane, whose last straight part crosses the middle of its first.
+const THROUGH_ITSELF: &str =
+    "v 0 0 0\nv 100 0 0\nv 100 60 0\nv 50 60 0\nv 50 -40 0\nl 1 2\nl 2 3\nl 3 4\nl 4 5\n";
+
+#[test]
+fn a_wire_drawn_through_itself_cannot_be_bent() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("through.obj");
+    fs::write(&file, THROUGH_ITSELF).unwrap();
+    let file = file.to_str().unwrap();
+    let check = |more: &[&str]| run(&[&["check", file, "-m", "table-bender", "--json"], more].concat());
+    let without = check(&[]).ended(0).json();
+    assert_eq!(without["collisions_checked"], false);
+    let found = check(&["--collisions"]).ended(4).json();
+    assert_eq!((&found["collisions_checked"], &found["feasible"]), (&true.into(), &false.into()));
+    let all = found["diagnostics"].as_array().unwrap();
+    let itself: Vec<_> = all.iter().filter(|one| one["code"] == "meets_stock").collect();
+    let [one] = &itself[..] else { panic!("{all:?}") };
+    // While the third corner is bent, the first straight part swings onto the wire that follows.
+    assert_eq!(
+        (&one["severity"], &one["step"], &one["edges"]),
+        (&"error".into(), &2.into(), &serde_json::json!([0, 3]))
+    );
+    // Centreline on centreline they are into each other by the diameter of the wire, 3 mm.
+    let depth = one["value"].as_f64().unwrap();
+    assert!((depth - 3.0).abs() < 0.15, "{depth}");
+}
+
+#[test]
+fn a_body_that_is_only_estimated_is_a_warning_that_says_so() {
+    let said = run(&["check", &example("house.obj"), "-m", "wirebend-kit", "--collisions"]).ended(0);
+    assert!(
+        said.err.contains("warning[meets_machine]") && said.err.contains("its dimensions are estimates"),
+        "{}",
+        said.err
+    );
+    assert!(said.err.contains("[wirebend-kit, shapes: head]"), "{}", said.err);
+    assert!(!said.err.contains("collisions not checked"), "{}", said.err);
+    let without = run(&["check", &example("house.obj"), "-m", "wirebend-kit"]).ended(0);
+    assert!(without.err.contains("collisions not checked") && !without.err.contains("meets_machine"));
+}
+
+#[test]
+fn a_job_is_exported_as_it_was_planned() {
+    let folder = tempfile::tempdir().unwrap();
+    let job = folder.path().join("house.wbjob");
+    let job = job.to_str().unwrap();
+    run(&["plan", &example("house.obj"), "-m", "wirebend-kit", "-o", job]).ended(0);
+    let refused = run(&["export", job, "--format", "svg", "-o", "-", "--collisions"]);
+    assert!(refused.err.contains("--collisions"), "{}", refused.err);
+}

@@ -1,0 +1,56 @@
+//! Whether the wire already bent meets the machine, or the wire that is still to come.
+
+use super::{Diagnostic, Fact, Location, Remedy, Severity, Source, Sourced, WireStages};
+use crate::clearance::{Contact, FirstContact, Obstacle};
+use crate::units::Length;
+
+pub(super) fn check(wire: &WireStages, found: &mut Vec<Diagnostic>) {
+    found.extend(wire.contacts.iter().filter_map(|contact| finding(wire, contact)));
+}
+
+fn finding(wire: &WireStages, first: &FirstContact) -> Option<Diagnostic> {
+    let FirstContact { contact, depth, later } = *first;
+    let struck = wire.edges_of_step(contact.leg);
+    let mut location = wire.location_of_step(contact.step);
+    let Contact { phase, fed, bent, head, .. } = contact;
+    let Obstacle::Body(body) = contact.obstacle else {
+        // The stock lies where the next straight part will be.
+        let next = wire.edges_of_step(contact.step + 1);
+        let edges = struck.iter().chain(&next).copied().collect();
+        return Some(Diagnostic {
+            // Wires that touch give way to each other; where one is in the middle of the other, neither can.
+            severity: if depth > Length::computed(wire.diameter.mm() / 2.0) {
+                Severity::Error
+            } else {
+                Severity::Warning
+            },
+            location: Location { edges, ..location },
+            fact: Fact::MeetsStock { struck, phase, fed, bent, head, depth, later, diameter: wire.diameter },
+            remedies: vec![Remedy::MoveApart, Remedy::ChooseStart, Remedy::SplitDesign],
+        });
+    };
+    let body = wire.bodies.get(body)?;
+    location.edges.clone_from(&struck);
+    let source = Source { reason: Some(body.source.clone()), entry: body.entry.clone() };
+    // What is only estimated may be elsewhere: it is worth a look, not an error.
+    let severity = if body.measured { Severity::Error } else { Severity::Warning };
+    let own = [Remedy::ChooseStart, Remedy::SplitDesign, Remedy::ChooseMachine];
+    let measure = (!body.measured).then_some(Remedy::MeasureBody);
+    Some(Diagnostic {
+        severity,
+        location,
+        fact: Fact::MeetsMachine {
+            struck,
+            phase,
+            fed,
+            bent,
+            head,
+            depth,
+            later,
+            body: body.name.clone(),
+            measured: body.measured,
+            limit: Sourced { value: Length::ZERO, source },
+        },
+        remedies: measure.into_iter().chain(own).collect(),
+    })
+}

@@ -1,0 +1,58 @@
+//! Where the wire meets the machine or itself.
+
+use wirebend_core::checks::Location;
+use wirebend_core::clearance::Phase;
+use wirebend_core::units::{Angle, Length};
+use wirebend_core::wireframe::EdgeId;
+
+use super::number::count;
+
+/// "when step 12 is bent to 63.4°".
+pub(super) fn moment(at: &Location, phase: Phase, fed: Length, bent: Angle, head: Angle) -> String {
+    let what = match phase {
+        Phase::Feed => format!("has fed {fed:.1}"),
+        Phase::Rotate => format!("has the head at {head:.1}"),
+        Phase::Approach => "brings the peg to its side".to_owned(),
+        Phase::PegOut => "puts the peg out".to_owned(),
+        Phase::Bend => format!("has bent it to {bent:.1}"),
+        Phase::Release => "takes the bend axis back".to_owned(),
+        Phase::PegIn => "takes the peg in".to_owned(),
+        Phase::Return => "returns the bend axis to zero".to_owned(),
+    };
+    at.step.map(|step| format!(" when step {} {what}", step + 1)).unwrap_or_default()
+}
+
+/// `deep`: how deep, and in how many later steps again.
+pub(super) fn meets_machine(
+    moment: &str,
+    struck: &[EdgeId],
+    body: &str,
+    deep: (Length, usize),
+    measured: bool,
+) -> String {
+    let estimated = if measured { "" } else { "; its dimensions are estimates" };
+    format!("{} the {body}{moment}{}{estimated}", goes_into(struck, deep.0), again(deep.1))
+}
+
+pub(super) fn meets_stock(moment: &str, struck: &[EdgeId], deep: (Length, usize)) -> String {
+    format!("{} the wire that is still to be bent{moment}{}", goes_into(struck, deep.0), again(deep.1))
+}
+
+fn goes_into(struck: &[EdgeId], depth: Length) -> String {
+    format!("the wire{} goes {depth:.1} into", along(struck))
+}
+
+fn again(later: usize) -> String {
+    if later == 0 { String::new() } else { format!(", and in {}", count(later, "later step", "later steps")) }
+}
+
+/// " of edge 3", or " of edges 3, 4" where a straight part has several.
+fn along(edges: &[EdgeId]) -> String {
+    let names: Vec<String> = edges.iter().map(ToString::to_string).collect();
+    let noun = match edges.len() {
+        0 => return String::new(),
+        1 => "edge",
+        _ => "edges",
+    };
+    format!(" of {noun} {}", names.join(", "))
+}
