@@ -1,0 +1,95 @@
+//! Contacts of random programs with the machine: how long they take, and whether a bender that only pushes, turns and winds points
+//! finds the same.
+
+#![allow(clippy::print_stdout, reason = "its output is the table")]
+
+mod bender;
+
+use std::time::Instant;
+
+use anyhow::{Context, Result, ensure};
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use wirebend_core::bend::{Frame, Step};
+use wirebend_core::clearance::{Clearance, Contact, Passage, StockWire};
+use wirebend_core::plan::Machine;
+use wirebend_core::units::{Angle, Length};
+use wirebend_core::wireframe::{EdgeId, VertexId};
+use wirebend_planning::machine::Setup;
+use wirebend_profile::Library;
+
+/// So many programs are compared with the bender.
+const PROGRAMS: u64 = 1000;
+/// How many bends the programs have whose time is measured.
+const BENDS: [usize; 4] = [10, 100, 300, 1000];
+
+fn main() -> Result<()> {
+    let library = Library::shipped()?;
+    let machine = library.machine("wirebend-kit")?;
+    let material = library.material(machine.profile.default_material.as_deref().context("a material")?)?;
+    let machine = Setup::new(machine, material)?.model;
+    let programs = std::env::args().nth(1).map_or(Ok(PROGRAMS), |number| number.parse())?;
+    times(&machine)?;
+    bender::compare(&machine, programs)
+}
+
+fn times(machine: &Machine) -> Result<()> {
+    println!("{:>8} {:>14} {:>14} {:>10}", "bends", "all, ms", "first, ms", "contacts");
+    for bends in BENDS {
+        let steps = program(u64::try_from(bends)?, bends)?;
+        let runs = 5;
+        let mut best = (f64::INFINITY, f64::INFINITY, 0);
+        for _ in 0..runs {
+            let begin = Instant::now();
+            let found = clearance(machine, &steps).first_contacts();
+            let all = begin.elapsed().as_secs_f64() * 1000.0;
+            let begin = Instant::now();
+            let mut one = clearance(machine, &steps);
+            let first = (0..one.steps()).find_map(|step| one.contacts_of(step).first().copied());
+            let first_ms = begin.elapsed().as_secs_f64() * 1000.0;
+            ensure!(first.is_some() != found.is_empty(), "the first contact is one of all");
+            let contacts = found.iter().map(|first| 1 + first.later).sum::<usize>();
+            best = (best.0.min(all), best.1.min(first_ms), contacts);
+        }
+        println!("{bends:>8} {:>14.2} {:>14.2} {:>10}", best.0, best.1, best.2);
+    }
+    Ok(())
+}
+
+/// A program of so many bends, each of another size and plane.
+fn program(seed: u64, bends: usize) -> Result<Vec<Step>> {
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    let mut steps = Vec::with_capacity(bends + 1);
+    for _ in 0..bends {
+        let size = random.random_range(15.0..120.0);
+        steps.push(Step {
+            feed: Length::from_mm(random.random_range(25.0..60.0))?,
+            rotate: Angle::from_deg(random.random_range(-150.0..150.0))?,
+            bend: Angle::from_deg(if random.random_bool(0.5) { size } else { -size })?,
+        });
+    }
+    steps.push(Step { feed: Length::from_mm(40.0)?, ..Step::default() });
+    Ok(steps)
+}
+
+/// Each step runs along an edge of its own.
+fn clearance<'a>(machine: &'a Machine, steps: &[Step]) -> Clearance<'a> {
+    let passage = |(k, step): (u32, &Step)| {
+        vec![(Passage { edge: EdgeId(k), from: VertexId(k), to: VertexId(k + 1) }, step.feed)]
+    };
+    let wire = StockWire {
+        diameter: machine.wire.diameter,
+        bend_radius: machine.bend_radius,
+        tail: machine.limits.tail.value,
+        margin: Length::ZERO,
+    };
+    let passages = (0..).zip(steps).map(passage).collect();
+    let bend = &machine.compensation.bend;
+    Clearance::new((Frame::default(), steps), None, passages, wire, &machine.bodies, bend)
+}
+
+/// All contacts of a program.
+fn contacts(machine: &Machine, steps: &[Step]) -> Vec<Contact> {
+    let mut clearance = clearance(machine, steps);
+    (0..clearance.steps()).flat_map(|step| clearance.contacts_of(step)).collect()
+}
