@@ -22,4 +22,6 @@ pub use contact::{Clearance, Contact, FirstContact, Obstacle, StockWire};
 pub use stroke::Phase;
 pub use zone::Passage;
 #[cfg(test)]
+mod bender;
+#[cfg(test)]
 mod tests;

@@ -1,7 +1,8 @@
-use nalgebra::{Isometry3, Point3, Rotation3, Unit, Vector3};
+use nalgebra::{Isometry3, Point3, Rotation3, Vector3};
 use proptest::prelude::*;
 use wirebend_collide::Solid;
 
+use super::bender::{Bender, RADIUS};
 use super::*;
 use crate::bend::{Frame, Step, program_of_path};
 use crate::compensate::BendModel;
@@ -9,7 +10,6 @@ use crate::testing::{deg, mm, published_machine};
 use crate::units::{Angle, Length};
 use crate::wireframe::{EdgeId, VertexId};
 
-const RADIUS: f64 = 3.0;
 const WIRE: StockWire =
     StockWire { diameter: Length::ZERO, bend_radius: Length::ZERO, tail: Length::ZERO, margin: Length::ZERO };
 
@@ -70,104 +70,6 @@ fn all_of(mut clearance: Clearance) -> Vec<Deep> {
         }
     }
     all
-}
-
-/// A bender that knows only pushing, turning and winding around a pin, and the wire as points 1 mm apart.
-struct Bender {
-    /// Where each point is, the last one at the bend point.
-    points: Vec<Point3<f64>>,
-    head: f64,
-    bends_before: f64,
-}
-
-/// How far a bend winds at a time, radians: 0.2°.
-const WIND: f64 = 0.000_872_664_6 * 4.0;
-
-impl Bender {
-    /// Runs a step; `see` is told of every state: the phase, how far it has come, the points of the rigid part, the head.
-    fn run(&mut self, step: &Step, pressed: f64, see: &mut impl FnMut(Phase, f64, &[Point3<f64>], f64)) {
-        let size = step.bend.abs().rad();
-        let corner = |bend: f64| RADIUS * (bend / 2.0).tan();
-        let fed = step.feed.mm() - corner(self.bends_before) - corner(size) + RADIUS * size;
-        let old = self.points.len();
-        let begin = self.points.clone();
-        let slices = (fed / 0.1).ceil();
-        let mut slice = 0.0;
-        while slice <= slices {
-            let by = fed * slice / slices;
-            self.points = begin.iter().map(|at| at + Vector3::x() * by).collect();
-            see(Phase::Feed, slice / slices, &self.points, self.head);
-            slice += 1.0;
-        }
-        let mut along = fed.floor();
-        while along >= 0.0 {
-            self.points.push(Point3::new(along, 0.0, 0.0));
-            along -= 1.0;
-        }
-        debug_assert!(self.points.len() > old);
-        let from = self.head;
-        let turns = (step.rotate.rad().abs() / WIND).ceil();
-        let mut turn = 1.0;
-        while turn <= turns {
-            self.head = from - step.rotate.rad() * turn / turns;
-            let rigid = self.points.len();
-            see(Phase::Rotate, turn / turns, &self.points[..rigid], self.head);
-            turn += 1.0;
-        }
-        if size > 0.0 {
-            self.wind(step.bend.signum(), pressed, Phase::Bend, see);
-            self.unwind(step.bend.signum(), pressed, size);
-        }
-        self.bends_before = size;
-    }
-
-    fn wind(
-        &mut self,
-        side: f64,
-        to: f64,
-        phase: Phase,
-        see: &mut impl FnMut(Phase, f64, &[Point3<f64>], f64),
-    ) {
-        let parts = (to / WIND).ceil();
-        let before: Vec<f64> = self.points.iter().map(|at| at.x).collect();
-        let was = self.points.clone();
-        let mut part = 0.0;
-        while part < parts {
-            let (bent, by) = (to * (part + 0.5) / parts, to / parts);
-            self.turn(side, bent, by);
-            part += 1.0;
-            see(phase, part / parts, &self.points, self.head);
-        }
-        // What was on the x axis within the arc is wound around the pin: it is not rigid, and nothing is asked about it.
-        for ((at, &x), was) in self.points.iter_mut().zip(&before).zip(&was) {
-            if was.y.abs() < 1e-9 && was.z.abs() < 1e-9 && x < RADIUS * to {
-                *at = Point3::new(f64::NAN, 0.0, 0.0);
-            }
-        }
-        self.points.retain(|at| !at.x.is_nan());
-    }
-
-    fn unwind(&mut self, side: f64, from: f64, to: f64) {
-        let parts = ((from - to) / WIND).ceil();
-        let mut part = 0.0;
-        while part < parts {
-            let bent = from - (from - to) * (part + 0.5) / parts;
-            self.turn(side, bent, -(from - to) / parts);
-            part += 1.0;
-        }
-    }
-
-    fn turn(&mut self, side: f64, bent: f64, by: f64) {
-        let head = Rotation3::from_axis_angle(&Vector3::x_axis(), self.head);
-        let axis = Unit::new_normalize(head * Vector3::z());
-        let across = head * Vector3::y() * side;
-        let about =
-            Point3::from(Vector3::x() * (RADIUS * bent.sin()) + across * (RADIUS * (1.0 - bent.cos())));
-        let turn = Rotation3::from_axis_angle(&axis, side * by);
-        for at in &mut self.points {
-            *at = about + turn * (*at - about);
-        }
-    }
 }
 
 /// Distance of a point from a body by sampling none of the code of the sweep: as the solid says, which has tests of its own.
