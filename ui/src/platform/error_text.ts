@@ -23,6 +23,7 @@ const INPUTS: Readonly<Record<InputName, string>> = {
   start: "the start",
   reverse: "the direction of the wire",
   "keep-order": "the order of the program",
+  collisions: "the check for collisions",
   runs: "the number of runs",
   "profile-id": "the id",
   "profile-name": "the name",
