@@ -93,7 +93,9 @@ impl Case {
             (record["outcome"].as_str(), record["made"].as_u64()),
             (Some("finished"), Some(LINES as u64))
         );
-        assert_eq!(record["interruptions"].as_array().unwrap().len(), 1, "{record}");
+        // Without power the controller starts anew and its port goes: which is noticed first, and whether both are, is chance.
+        let most = if matches!(self.what, What::PowerLost) { 2 } else { 1 };
+        assert!((1..=most).contains(&record["interruptions"].as_array().unwrap().len()), "{record}");
         went
     }
 
