@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::time::SystemTime;
 
 use wirebend_driver_host::jobs::{Journal, JournalError, Record, Written};
 
@@ -27,6 +28,11 @@ impl StoredRun {
     /// What was done, as far as the journal can be read.
     pub fn record(&self) -> Option<Record> {
         self.read.as_ref().ok().and_then(|written| Record::of(&written.entries))
+    }
+
+    /// When its last line was written, where the disk says so.
+    pub fn last_written(&self) -> Option<SystemTime> {
+        fs::metadata(&self.path).and_then(|metadata| metadata.modified()).ok()
     }
 }
 

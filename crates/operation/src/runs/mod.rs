@@ -98,9 +98,13 @@ pub fn list(
     let Ok(folder) = RunsFolder::of(app) else {
         return Ok(RunsResponse { folder: None, runs: Vec::new() });
     };
-    let mut runs: Vec<RunEntry> = folder.all()?.iter().map(RunEntry::of).collect();
-    // Their stamps are such that their order is that of time.
-    runs.sort_by(|a, b| (&a.started, &a.id).cmp(&(&b.started, &b.id)));
+    let mut runs: Vec<_> = folder.all()?.iter().map(|run| (run.last_written(), RunEntry::of(run))).collect();
+    // Their stamps are such that their order is that of time. They count whole seconds: of wires that were begun in the same one,
+    // the first to be over was begun first, as a machine bends one at a time.
+    runs.sort_by(|(a_written, a), (b_written, b)| {
+        (&a.started, a_written, &a.id).cmp(&(&b.started, b_written, &b.id))
+    });
+    let runs = runs.into_iter().map(|(_, run)| run).collect();
     Ok(RunsResponse { folder: Some(folder.path().to_owned()), runs })
 }
 
