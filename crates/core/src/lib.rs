@@ -23,6 +23,7 @@ pub mod motion;
 pub mod plan;
 pub mod route;
 pub mod schedule;
+pub mod search;
 pub mod simulate;
 #[cfg(test)]
 mod testing;

@@ -43,6 +43,8 @@ pub enum InputName {
     KeepOrder,
     /// The look for collisions.
     Collisions,
+    /// The search for wires that hit nothing.
+    AvoidCollisions,
     /// How often a job is simulated.
     Runs,
     /// The id of a new profile.
@@ -82,6 +84,7 @@ impl InputName {
             Self::Reverse => "direction",
             Self::KeepOrder => "order of the program",
             Self::Collisions => "check for collisions",
+            Self::AvoidCollisions => "search without collisions",
             Self::Runs => "number of runs",
             Self::ProfileId => "id",
             Self::ProfileName => "name",

@@ -35,4 +35,13 @@ pub struct PlanChoices {
     /// Whether to look where the wire meets the machine or itself while it is bent.
     #[serde(default)]
     pub collisions: bool,
+    /// Whether to search for wires that hit neither the machine nor themselves: another walk, other sides and windings of bends, and
+    /// where that is not enough, more wires. With `keep_order` sides and windings alone are searched.
+    #[serde(default)]
+    pub avoid_collisions: bool,
+    /// How many steps the search may check for each number of wires; absent, 20,000.
+    #[schemars(range(min = 1))]
+    pub search_effort: Option<u32>,
+    /// Where the chance of the search begins; absent, 1. The same seed finds the same.
+    pub search_seed: Option<u64>,
 }

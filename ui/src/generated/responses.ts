@@ -522,6 +522,7 @@ export type InputName =
   | "reverse"
   | "keep-order"
   | "collisions"
+  | "avoid-collisions"
   | "runs"
   | "profile-id"
   | "profile-name"
@@ -598,7 +599,8 @@ export type DiagnosticCode =
   | "stock_too_long"
   | "wire_does_not_fit"
   | "meets_machine"
-  | "meets_stock";
+  | "meets_stock"
+  | "no_clear_program";
 /**
  * What can be done about a finding, where the finding is.
  */
@@ -735,6 +737,15 @@ export type RemedyReport =
     }
   | {
       remedy: "move_apart";
+    }
+  | {
+      remedy: "avoid_collisions";
+    }
+  | {
+      remedy: "search_longer";
+    }
+  | {
+      remedy: "allow_wires";
     }
   | {
       remedy: "measure_body";

@@ -103,6 +103,15 @@ pub(crate) struct ChoiceArgs {
     /// Look where the wire hits the machine or itself while it is bent
     #[arg(long)]
     pub collisions: bool,
+    /// Search for wires that hit nothing: another walk, other sides of the bends, and if need be more wires (with --wires N, up to N)
+    #[arg(long, conflicts_with = "reverse")]
+    pub avoid_collisions: bool,
+    /// Steps that the search may check for each number of wires
+    #[arg(long, value_name = "STEPS", requires = "avoid_collisions", value_parser = clap::value_parser!(u32).range(1..))]
+    pub effort: Option<u32>,
+    /// Seed of the search; the same seed finds the same
+    #[arg(long = "search-seed", value_name = "SEED", requires = "avoid_collisions")]
+    pub search_seed: Option<u64>,
 }
 
 /// Where the result goes.

@@ -20,6 +20,9 @@ fn option(remedy: &RemedyReport) -> Option<&'static str> {
         RemedyReport::StartAtVertex | RemedyReport::EndAtVertex | RemedyReport::ChooseStart => {
             Some("--start VERTEX")
         }
+        RemedyReport::AvoidCollisions => Some("--avoid-collisions"),
+        RemedyReport::SearchLonger => Some("--effort STEPS"),
+        RemedyReport::AllowWires => Some("--wires N"),
         RemedyReport::TakeFaceEdges => Some("--face-edges"),
         RemedyReport::ChooseMaterial => Some("--material ID"),
         RemedyReport::ChooseMachine | RemedyReport::ChooseMachineWithRotation => Some("--machine ID"),

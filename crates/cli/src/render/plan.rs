@@ -102,6 +102,11 @@ fn wire(out: &mut impl Write, report: &WireReport) -> std::io::Result<()> {
     if !figures.is_empty() {
         line(out, "takes", figures.join(", "))?;
     }
+    if let Some(search) = &report.search {
+        let found =
+            if search.found { "a program without collisions" } else { "no program without a collision" };
+        line(out, "search", format!("{found}; steps checked: {}", search.steps_checked))?;
+    }
     Ok(())
 }
 

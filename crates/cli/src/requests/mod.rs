@@ -221,6 +221,9 @@ fn choices(args: ChoiceArgs) -> Result<PlanChoices, WrongUse> {
         reverse,
         keep_order,
         collisions,
+        avoid_collisions,
+        effort,
+        search_seed,
     } = args;
     if wires.is_some_and(WireRange::is_several) {
         return Err(WrongUse("a range of wires is for `plan` alone: give one number of wires".to_owned()));
@@ -237,5 +240,8 @@ fn choices(args: ChoiceArgs) -> Result<PlanChoices, WrongUse> {
         reverse,
         keep_order,
         collisions,
+        avoid_collisions,
+        search_effort: effort,
+        search_seed,
     })
 }

@@ -55,3 +55,49 @@ fn a_job_is_exported_as_it_was_planned() {
     let refused = run(&["export", job, "--format", "svg", "-o", "-", "--collisions"]);
     assert!(refused.err.contains("--collisions"), "{}", refused.err);
 }
+
+/// What hits the head as it comes is bent another way round; the job that is written hits nothing.
+#[test]
+fn a_program_without_collisions_is_searched_for_and_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let job = folder.path().join("house.wbjob");
+    let job = job.to_str().unwrap();
+    let search =
+        ["plan", &example("house.obj"), "-m", "wirebend-kit", "--avoid-collisions", "--json", "-o", job];
+    let found = run(&search).ended(0).json();
+    assert_eq!((&found["search"]["found"], &found["collisions_checked"]), (&true.into(), &true.into()));
+    assert_eq!(found["diagnostics"], serde_json::json!([]));
+    // Every edge once, as without a search: six of them, 292 mm together.
+    assert_eq!(found["route"]["feeds"], 6);
+    let length = found["route"]["length_mm"].as_f64().unwrap();
+    assert!((length - 292.0).abs() < 0.1, "{length}");
+    // The job makes the design: without errors no vertex is off by more than arithmetic.
+    let made = run(&["simulate", job, "--json"]).ended(0).json();
+    let vertices = made["wires"][0]["vertices"].as_array().unwrap();
+    assert_eq!(vertices.len(), 7);
+    for vertex in vertices {
+        assert!(vertex["mean_mm"].as_f64().unwrap() < 1e-6, "{vertex}");
+    }
+}
+
+#[test]
+fn a_search_without_success_says_what_is_in_the_way() {
+    let search =
+        ["plan", &example("cup-holder.obj"), "-m", "wirebend-kit", "--avoid-collisions", "--wires", "1"];
+    let said = run(&search).ended(0);
+    assert!(said.err.contains("warning[no_clear_program]"), "{}", said.err);
+    assert!(said.err.contains("every walk of one wire was tried"), "{}", said.err);
+    // It was searched for, so that it is not proposed again.
+    assert!(!said.err.contains("--avoid-collisions"), "{}", said.err);
+    let wires =
+        run(&["plan", &example("cup-holder.obj"), "-m", "wirebend-kit", "--avoid-collisions", "--json"]);
+    let wires = wires.ended(0).json();
+    assert_eq!(wires["wires"].as_array().unwrap().len(), 2);
+}
+
+#[test]
+fn a_search_has_steps_to_check() {
+    let search = ["plan", &example("house.obj"), "-m", "wirebend-kit", "--avoid-collisions", "--effort", "0"];
+    run(&search).ended(2);
+    run(&["plan", &example("house.obj"), "-m", "wirebend-kit", "--effort", "5"]).ended(2);
+}

@@ -77,6 +77,8 @@ codes! {
     MeetsMachine = "meets_machine",
     /// The wire already bent meets the wire that is still to be bent.
     MeetsStock = "meets_stock",
+    /// No program was found whose wire meets nothing.
+    NoClearProgram = "no_clear_program",
 }
 
 impl fmt::Display for Code {

@@ -12,11 +12,13 @@ fn finding(wire: &WireStages, first: &FirstContact) -> Option<Diagnostic> {
     let FirstContact { contact, depth, later } = *first;
     let struck = wire.edges_of_step(contact.leg);
     let mut location = wire.location_of_step(contact.step);
+    let search = (!wire.searched).then_some(Remedy::AvoidCollisions);
     let Contact { phase, fed, bent, head, .. } = contact;
     let Obstacle::Body(body) = contact.obstacle else {
         // The stock lies where the next straight part will be.
         let next = wire.edges_of_step(contact.step + 1);
         let edges = struck.iter().chain(&next).copied().collect();
+        let own = [Remedy::MoveApart, Remedy::ChooseStart, Remedy::SplitDesign];
         return Some(Diagnostic {
             // Wires that touch give way to each other; where one is in the middle of the other, neither can.
             severity: if depth > Length::computed(wire.diameter.mm() / 2.0) {
@@ -26,7 +28,7 @@ fn finding(wire: &WireStages, first: &FirstContact) -> Option<Diagnostic> {
             },
             location: Location { edges, ..location },
             fact: Fact::MeetsStock { struck, phase, fed, bent, head, depth, later, diameter: wire.diameter },
-            remedies: vec![Remedy::MoveApart, Remedy::ChooseStart, Remedy::SplitDesign],
+            remedies: search.into_iter().chain(own).collect(),
         });
     };
     let body = wire.bodies.get(body)?;
@@ -51,6 +53,6 @@ fn finding(wire: &WireStages, first: &FirstContact) -> Option<Diagnostic> {
             measured: body.measured,
             limit: Sourced { value: Length::ZERO, source },
         },
-        remedies: measure.into_iter().chain(own).collect(),
+        remedies: measure.into_iter().chain(search).chain(own).collect(),
     })
 }

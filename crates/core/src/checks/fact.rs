@@ -3,7 +3,7 @@
 use super::code::Code;
 use super::limit::{Limit, LimitSource, Quantity, ReachLimit, Source, Sourced};
 use crate::bend::PathError;
-use crate::clearance::Phase;
+use crate::clearance::{Obstacle, Phase};
 use crate::route::RouteError;
 use crate::units::{Angle, Length};
 use crate::wireframe::{EdgeId, VertexId};
@@ -255,6 +255,19 @@ pub enum Fact {
         /// Diameter of both.
         diameter: Length,
     },
+    /// A search has found no program whose wire meets nothing.
+    NoClearProgram {
+        /// How many steps were asked about.
+        checks: u64,
+        /// Whether every walk of one wire was tried.
+        exhausted: bool,
+        /// What was in the way where it came farthest; none where it came nowhere, or where the head could not turn so far.
+        obstacle: Option<Obstacle>,
+        /// What that is called, where it is a body of the machine.
+        body: Option<String>,
+        /// How many edges were passed there, and how many there are, counted as often as they are to be passed.
+        passed: Option<(usize, usize)>,
+    },
 }
 
 /// Which bend a finding is about.
@@ -300,6 +313,7 @@ impl Fact {
             Self::WireDoesNotFit { .. } => Code::WireDoesNotFit,
             Self::MeetsMachine { .. } => Code::MeetsMachine,
             Self::MeetsStock { .. } => Code::MeetsStock,
+            Self::NoClearProgram { .. } => Code::NoClearProgram,
         }
     }
 
@@ -336,7 +350,8 @@ impl Fact {
             Self::NoPath(_)
             | Self::ParallelEdges { .. }
             | Self::IsolatedVertex { .. }
-            | Self::RouteRefused(_) => return None,
+            | Self::RouteRefused(_)
+            | Self::NoClearProgram { .. } => return None,
         })
     }
 
@@ -391,6 +406,7 @@ impl Fact {
             | Self::NoEdges
             | Self::RouteRefused(_)
             | Self::MeetsStock { .. }
+            | Self::NoClearProgram { .. }
             | Self::DoubledEdge { .. }
             | Self::BendTooSmall { .. }
             | Self::FoldBackNotCompensated { .. } => return None,

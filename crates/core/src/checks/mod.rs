@@ -109,6 +109,8 @@ pub struct WireStages<'a> {
     pub compensated: Option<&'a CompensatedProgram>,
     /// Why it has none.
     pub unbendable: &'a [StepError],
+    /// Whether a walk, signs and windings that meet nothing were searched for.
+    pub searched: bool,
     /// Where it meets the machine or itself, as far as somebody looked.
     pub contacts: &'a [FirstContact],
     /// The bodies of the machine.

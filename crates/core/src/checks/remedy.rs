@@ -100,6 +100,12 @@ pub enum Remedy {
     TurnBendPlane,
     /// Move the edges apart.
     MoveApart,
+    /// Search for a walk, signs and windings with which the wire meets nothing.
+    AvoidCollisions,
+    /// Search longer.
+    SearchLonger,
+    /// Allow more wires.
+    AllowWires,
     /// Measure the body of the machine and enter its dimensions.
     MeasureBody,
     /// Choose another material.

@@ -5,17 +5,17 @@ use wirebend_collide::{Interval, Meeting, Solid, Task, closest, first_contact};
 
 use super::body::{Bodies, Body, MovesWith};
 use super::centreline::{Centreline, Lie};
-use super::stroke::{Moves, Phase, Seen, State, Stroke, strokes};
+use super::stroke::{Moves, Phase, Seen, State, StepRun, Stroke, strokes};
 use super::zone::{Passage, Passed, Touch};
 use crate::bend::{Frame, Step};
 use crate::compensate::BendModel;
-use crate::motion::poses;
+use crate::motion::{bend_axis, poses};
 use crate::units::{Angle, Length};
 
 /// How far a chord may be from the arc that it stands for, mm.
 const CHORD: f64 = 0.005;
 /// How exact distances are, mm.
-const EXACT: f64 = 0.005;
+pub(super) const EXACT: f64 = 0.005;
 /// How exact depths are, mm, and as a share of them.
 const DEPTH_EXACT: f64 = 0.02;
 const DEPTH_SHARE: f64 = 0.05;
@@ -86,17 +86,17 @@ pub struct FirstContact {
 /// A wire in a machine, whose steps are asked about one by one.
 #[derive(Debug, Clone)]
 pub struct Clearance<'a> {
-    bodies: &'a Bodies,
-    bend: &'a BendModel,
+    pub(super) bodies: &'a Bodies,
+    pub(super) bend: &'a BendModel,
     wire: StockWire,
     centreline: Centreline,
     passed: Passed,
     steps: Vec<Step>,
     told: Vec<Angle>,
-    lies: Vec<(Lie, nalgebra::UnitVector3<f64>)>,
+    pub(super) lies: Vec<Lie>,
     /// Before each step, and after the last.
     heads: Vec<Angle>,
-    stock: Vec<Body>,
+    pub(super) stock: Vec<Body>,
     /// What the wire has met in the last step that was asked about.
     met: Vec<Obstacle>,
 }
@@ -117,7 +117,7 @@ impl<'a> Clearance<'a> {
         let lies = poses(start, steps)
             .iter()
             .zip(&centreline.legs)
-            .map(|(pose, leg)| (Lie { turn: pose.turn, begin: leg.begin }, pose.bend_axis))
+            .map(|(pose, leg)| Lie { turn: pose.turn, begin: leg.begin })
             .collect();
         let mut heads = vec![Angle::ZERO];
         let mut head = Angle::ZERO;
@@ -208,25 +208,33 @@ impl<'a> Clearance<'a> {
     }
 
     fn moves(&self, step: usize) -> Option<Moves> {
-        let (leg, bend) = (self.centreline.legs.get(step)?, self.steps[step].bend);
-        let (lie, bend_axis) = self.lies[step];
+        let run =
+            StepRun { head: [self.heads[step], self.heads[step + 1]], bend: self.steps.get(step)?.bend };
+        let told = self.told.get(step).copied().unwrap_or(run.bend);
+        self.moves_of(step, &run, told)
+    }
+
+    /// `told`: where the bend axis goes.
+    pub(super) fn moves_of(&self, step: usize, run: &StepRun, told: Angle) -> Option<Moves> {
+        let StepRun { head, bend } = *run;
+        let leg = self.centreline.legs.get(step)?;
         let springback = self.bend.springback.as_ref();
         let pressed = springback.map_or(bend, |springback| springback.bend_to(bend)).abs();
         Some(Moves {
-            lie,
-            bend_axis,
+            lie: self.lies[step],
+            bend_axis: bend_axis(head[1]),
             radius: leg.radius,
             fed: leg.fed(),
-            head: [self.heads[step], self.heads[step + 1]],
+            head,
             bend,
             pressed: if bend == Angle::ZERO { bend } else { pressed },
-            told: self.told.get(step).copied().unwrap_or(bend),
+            told,
         })
     }
 }
 
 /// A step that is asked about.
-struct Asked<'a> {
+pub(super) struct Asked<'a> {
     clearance: &'a Clearance<'a>,
     step: usize,
     /// For bodies of the peg.
@@ -238,14 +246,14 @@ struct Asked<'a> {
 }
 
 impl<'a> Asked<'a> {
-    fn new(clearance: &'a Clearance<'a>, step: usize, moves: &Moves) -> Self {
+    pub fn new(clearance: &'a Clearance<'a>, step: usize, moves: &Moves) -> Self {
         let peg = clearance.bend.setback.as_ref();
         let [in_parts, whole] = [true, false].map(|parts| strokes(moves, clearance.bodies, peg, parts));
         Self { clearance, step, in_parts, whole, counting: Vec::new() }
     }
 
     /// The strokes in which a body moves past the wire.
-    fn strokes(&self, body: &Body) -> Vec<Stroke> {
+    pub fn strokes(&self, body: &Body) -> Vec<Stroke> {
         let all = if body.moves_with == MovesWith::Peg { &self.in_parts } else { &self.whole };
         all.iter().filter(|stroke| stroke.moves(body.moves_with)).copied().collect()
     }
@@ -255,7 +263,7 @@ impl<'a> Asked<'a> {
         strokes.find_map(|stroke| Some((stroke, self.ask(one, &stroke, EXACT, first_contact)?)))
     }
 
-    fn ask(
+    pub fn ask(
         &mut self,
         (obstacle, body): (Obstacle, &Body),
         stroke: &Stroke,

@@ -12,6 +12,7 @@
 mod body;
 mod centreline;
 mod contact;
+mod run;
 mod stroke;
 mod zone;
 
@@ -19,8 +20,9 @@ pub use wirebend_collide::Solid;
 
 pub use body::{Bodies, Body, MovesWith};
 pub use contact::{Clearance, Contact, FirstContact, Obstacle, StockWire};
-pub use stroke::Phase;
-pub use zone::Passage;
+pub use run::StepPart;
+pub use stroke::{Phase, StepRun};
+pub use zone::{Passage, passages};
 #[cfg(test)]
 mod bender;
 #[cfg(test)]

@@ -188,6 +188,15 @@ impl Motion for Seen<'_> {
     }
 }
 
+/// One way to run a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StepRun {
+    /// Where the head is before it turns and while it bends, right-handed about +x of the machine.
+    pub head: [Angle; 2],
+    /// The bend that is left in the wire, signed as it is run.
+    pub bend: Angle,
+}
+
 /// What a step does, as far as its strokes ask.
 pub(super) struct Moves {
     pub lie: Lie,

@@ -5,8 +5,9 @@ use std::collections::BTreeMap;
 use wirebend_collide::Interval;
 
 use super::stroke::Phase;
+use crate::route::Traversal;
 use crate::units::Length;
-use crate::wireframe::{EdgeId, VertexId};
+use crate::wireframe::{EdgeId, VertexId, Wireframe};
 
 /// An edge along which the wire runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -17,6 +18,20 @@ pub struct Passage {
     pub from: VertexId,
     /// To here.
     pub to: VertexId,
+}
+
+/// For each step of a route the edges along which it is fed, with their lengths. `spans`: which traversals each step has.
+#[must_use]
+pub fn passages(
+    wireframe: &Wireframe,
+    traversals: &[Traversal],
+    spans: &[std::ops::Range<usize>],
+) -> Vec<Vec<(Passage, Length)>> {
+    let passage = |&Traversal { edge, from, to, .. }: &Traversal| {
+        (Passage { edge, from, to }, wireframe.edge_length(edge))
+    };
+    let of_step = |span: &std::ops::Range<usize>| traversals.get(span.clone()).unwrap_or_default();
+    spans.iter().map(|span| of_step(span).iter().map(passage).collect()).collect()
 }
 
 /// Where the wire passes vertices and edges.

@@ -94,7 +94,7 @@ fn at_reference(frame: &Frame) -> UnitQuaternion<f64> {
 }
 
 /// The head's z when it has turned about +x.
-fn bend_axis(head: Angle) -> Unit<Vector3<f64>> {
+pub(crate) fn bend_axis(head: Angle) -> Unit<Vector3<f64>> {
     Unit::new_unchecked(Vector3::new(0.0, -head.rad().sin(), head.rad().cos()))
 }
 

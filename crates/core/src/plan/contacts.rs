@@ -1,7 +1,7 @@
 //! Where the wire of a plan meets the machine.
 
 use super::{Machine, WirePlan};
-use crate::clearance::{Clearance, FirstContact, Passage, StockWire};
+use crate::clearance::{Clearance, FirstContact, StockWire, passages};
 use crate::compensate::CompensatedProgram;
 use crate::simulate::scheduled_start;
 use crate::units::Length;
@@ -11,25 +11,25 @@ use crate::wireframe::Wireframe;
 pub(super) fn find(wireframe: &Wireframe, machine: &Machine, plan: &WirePlan) -> Option<Vec<FirstContact>> {
     let (nominal, scheduled) = (plan.nominal.as_ref()?, plan.scheduled.as_ref()?);
     let route = plan.route.as_ref()?;
-    let passages = nominal.spans.iter().map(|span| {
-        let along = route.traversals.get(span.clone()).unwrap_or_default();
-        let passage = |edge, from, to| (Passage { edge, from, to }, wireframe.edge_length(edge));
-        along.iter().map(|one| passage(one.edge, one.from, one.to)).collect()
-    });
-    let wire = StockWire {
-        diameter: machine.wire.diameter,
-        bend_radius: machine.bend_radius,
-        tail: machine.limits.tail.value,
-        margin: Length::ZERO,
-    };
+    let passages = passages(wireframe, &route.traversals, &nominal.spans);
     let steps = &scheduled.steps;
     let clearance = Clearance::new(
         (scheduled_start(plan.start, steps), steps),
         plan.compensated.as_ref().map(CompensatedProgram::steps),
-        passages.collect(),
-        wire,
+        passages,
+        stock_wire(machine),
         &machine.bodies,
         &machine.compensation.bend,
     );
     Some(clearance.first_contacts())
+}
+
+/// The wire as it runs through the machine.
+pub(super) fn stock_wire(machine: &Machine) -> StockWire {
+    StockWire {
+        diameter: machine.wire.diameter,
+        bend_radius: machine.bend_radius,
+        tail: machine.limits.tail.value,
+        margin: Length::ZERO,
+    }
 }

@@ -2,6 +2,7 @@
 
 mod contacts;
 mod routing;
+mod searching;
 mod stages;
 
 use std::collections::BTreeMap;
@@ -15,9 +16,11 @@ use crate::compensate::{CompensatedProgram, Compensation};
 use crate::estimate::{TimeModel, WireModel};
 use crate::route::{Doubling, Route};
 use crate::schedule::{HeadLimits, ScheduledProgram};
+use crate::search::{Obstruction, SearchOptions};
 use crate::units::{Angle, Length};
 use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
 use routing::Routed;
+use searching::Searching;
 use stages::Stages;
 
 /// A machine with a wire in it: everything that the stages ask about.
@@ -77,6 +80,9 @@ pub struct PlanOptions {
     pub reversed: bool,
     /// Whether to look where the wire meets the machine or itself, which takes the longest.
     pub contacts: bool,
+    /// How to search for wires that meet nothing while they are bent; none where the first ones will do. Where a walk is settled,
+    /// signs and windings alone are searched.
+    pub search: Option<SearchOptions>,
     /// The walk, where it is settled: no other is looked for, and no edge is doubled but those that it passes again.
     pub settled: Option<Route>,
 }
@@ -92,6 +98,7 @@ impl Default for PlanOptions {
             start: None,
             reversed: false,
             contacts: false,
+            search: None,
             settled: None,
         }
     }
@@ -110,10 +117,42 @@ pub enum Stage {
     Schedule,
     /// What the machine is told.
     Compensate,
+    /// The search for wires that meet nothing.
+    Search,
     /// Where the wire meets the machine.
     Contacts,
     /// What cannot be made.
     Check,
+}
+
+/// Hears how far planning is.
+pub trait PlanObserver {
+    /// A stage has been done.
+    fn done(&mut self, stage: Stage);
+
+    /// A search has asked about so many steps, of so many at most. Whether it goes on; else it ends with the best that it has.
+    fn searching(&mut self, _checks: u64, _of: u64) -> bool {
+        true
+    }
+}
+
+impl<F: FnMut(Stage)> PlanObserver for F {
+    fn done(&mut self, stage: Stage) {
+        self(stage);
+    }
+}
+
+/// What came of a search, of all wires of a component together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Searched {
+    /// Whether wires were found that meet nothing.
+    pub found: bool,
+    /// How many steps were asked about.
+    pub checks: u64,
+    /// Whether every walk of one wire was tried.
+    pub exhausted: bool,
+    /// What was in the way where it came farthest.
+    pub obstruction: Option<Obstruction>,
 }
 
 /// One wire through all stages, as far as it got.
@@ -137,6 +176,8 @@ pub struct WirePlan {
     pub scheduled: Option<ScheduledProgram>,
     /// The compensated program.
     pub compensated: Option<CompensatedProgram>,
+    /// What came of the search for wires that meet nothing; none where there was none.
+    pub searched: Option<Searched>,
     /// Where it meets the machine or itself while it is bent; none where nobody looked.
     pub contacts: Option<Vec<FirstContact>>,
     /// What the checks say, doublings and refusals included.
@@ -160,6 +201,7 @@ impl WirePlan {
             nominal: None,
             scheduled: None,
             compensated: None,
+            searched: None,
             contacts: None,
             diagnostics: Vec::new(),
             seconds: None,
@@ -181,26 +223,39 @@ impl WirePlan {
 }
 
 /// Plans the wires of one component: one, or where the options allow more, one for every two odd vertices. Whatever stands in the
-/// way of a stage becomes a diagnostic, and the stages after it are left out. `done` is told of each stage that has been done.
+/// way of a stage becomes a diagnostic, and the stages after it are left out.
 pub fn plan_wires(
     wireframe: &Wireframe,
     component: &Component,
     machine: &Machine,
     options: &PlanOptions,
-    mut done: impl FnMut(Stage),
+    mut observer: impl PlanObserver,
 ) -> Vec<WirePlan> {
-    let Routed { doubled, proposal, mut routes, forced, refusals } =
-        routing::find(wireframe, component, machine, options, &mut done);
+    let Routed { mut doubled, mut proposal, mut routes, forced, mut refusals } =
+        routing::find(wireframe, component, machine, options, &mut |stage| observer.done(stage));
+    let mut schedules: Vec<ScheduledProgram> = Vec::new();
+    let mut searched = None;
+    let search = Searching { wireframe, component, machine, options };
+    if let Some(found) = search.find(&routes, &forced, &mut observer) {
+        refusals.extend(search.finding(&found.searched));
+        (routes, schedules) = found.wires.into_iter().map(|wire| (wire.route, wire.scheduled)).unzip();
+        doubled = searching::doubled(&routes);
+        proposal = search.proposal(routes.len()).unwrap_or(proposal);
+        searched = Some(found.searched);
+        observer.done(Stage::Search);
+    }
+    let mut done = |stage| observer.done(stage);
     let stages = Stages {
         wireframe,
         machine,
-        contacts: options.contacts,
+        contacts: options.contacts || options.search.is_some(),
         odd_allowed: routing::allowed(options),
         forced: &forced,
         passed_again: passed_again(&routes),
     };
     if routes.len() < 2 {
         let mut plan = WirePlan::new(component.clone(), doubled, proposal, routes.pop());
+        (plan.scheduled, plan.searched) = (schedules.pop(), searched);
         stages.run(0, &mut plan, refusals, &mut done);
         return vec![plan];
     }
@@ -211,7 +266,9 @@ pub fn plan_wires(
         let least = if is_cheapest { added(&doubled) } else { Length::ZERO };
         let proposal = Doubling { edges: Vec::new(), added: least };
         let mut plan = WirePlan::new(along(&route), doubled, proposal, Some(route));
-        stages.run(index, &mut plan, Vec::new(), &mut done);
+        (plan.scheduled, plan.searched) = (schedules.get(index).cloned(), searched);
+        let of_all = if index == 0 { std::mem::take(&mut refusals) } else { Vec::new() };
+        stages.run(index, &mut plan, of_all, &mut done);
         plan
     };
     routes.into_iter().enumerate().map(plan_one).collect()

@@ -90,7 +90,7 @@ fn search(
 }
 
 /// The cheapest doubling for what was chosen.
-fn proposal(
+pub(super) fn proposal(
     wireframe: &Wireframe,
     component: &Component,
     options: &PlanOptions,
@@ -111,7 +111,7 @@ pub(super) const fn allowed(options: &PlanOptions) -> usize {
 }
 
 /// The largest bend that the machine makes of this wire, to whichever side.
-fn largest_bend(machine: &Machine) -> Angle {
+pub(super) fn largest_bend(machine: &Machine) -> Angle {
     let limits = &machine.limits;
     let to = |limit: Angle| limit.abs().min(machine.compensation.bend.max_bend(limit));
     to(limits.max_bend.value).max(to(limits.min_bend.value))

@@ -53,6 +53,7 @@ impl Stages<'_> {
             rotation: failures.rotation.as_ref(),
             compensated: plan.compensated.as_ref(),
             unbendable: &failures.unbendable,
+            searched: plan.searched.is_some(),
             contacts: plan.contacts.as_deref().unwrap_or_default(),
             bodies: &machine.bodies.all,
             compensation: &machine.compensation,
@@ -67,6 +68,14 @@ impl Stages<'_> {
         plan.diagnostics.sort_by_key(|diagnostic| diagnostic.severity);
         done(Stage::Check);
     }
+}
+
+/// How long a bend takes, s; none where it cannot be made.
+pub(super) fn bend_seconds(machine: &Machine, bend: Angle) -> Option<f64> {
+    let limits = &machine.limits;
+    let within = bend >= limits.min_bend.value && bend <= limits.max_bend.value;
+    let command = machine.compensation.bend.command(bend).ok().filter(|_| within)?;
+    Some(machine.time.bend_seconds(command))
 }
 
 #[derive(Default)]
@@ -97,12 +106,10 @@ fn run_stages(
     plan.start = start;
     done(Stage::Program);
     let limits = &machine.limits;
-    let bend_seconds = |bend: Angle| {
-        let within = bend >= limits.min_bend.value && bend <= limits.max_bend.value;
-        let command = machine.compensation.bend.command(bend).ok().filter(|_| within)?;
-        Some(machine.time.bend_seconds(command))
+    let scheduled = match plan.scheduled.take() {
+        Some(searched) => Ok(searched),
+        None => schedule(&nominal, &machine.head, |bend| bend_seconds(machine, bend)),
     };
-    let scheduled = schedule(&nominal, &machine.head, bend_seconds);
     plan.nominal = Some(nominal);
     done(Stage::Schedule);
     match scheduled {

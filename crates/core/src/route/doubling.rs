@@ -48,7 +48,7 @@ pub fn doubling(
         (false, None) => odd.len().min(2),
         (false, Some(_)) => odd.len().min(1),
     };
-    let graph = graph(&network)?;
+    let graph = graph(&network, |length| length)?;
     let join = cheapest_join(&graph, &odd, left).map_err(|_| no_join(&network, left))?;
     debug_assert_eq!(verify(&graph, &odd, &join), Ok(()));
     Ok(in_wireframe(wireframe, &network, &join))
@@ -70,7 +70,7 @@ pub fn doublings(
     // What is wanted as a start is an end already.
     let open = odd.len() % 2;
     let left = odd.len().min(2 * wires.max(1) - open);
-    let graph = graph(&network)?;
+    let graph = graph(&network, |length| length)?;
     let joins = cheapest_joins(&graph, &odd, left).map_err(|_| no_join(&network, left))?;
     debug_assert!(joins.iter().all(|join| verify(&graph, &odd, join).is_ok()));
     // Without a wanted start the first is closed; it is the answer where nothing is odd.
@@ -80,6 +80,27 @@ pub fn doublings(
     let enough = found.iter().position(|doubling| doubling.edges.is_empty());
     found.truncate(enough.map_or(found.len(), |last| last + 1));
     Ok(found)
+}
+
+/// A doubling for so many open wires, or for a closed one, that is the cheapest for other weights of the edges than their lengths:
+/// `weigh` gives them, whole nm for nm, for one edge after the other. With weights that are nearly the lengths it is another
+/// of those that are equally short.
+///
+/// # Errors
+/// As [`doubling`].
+pub(crate) fn doubling_weighed(
+    wireframe: &Wireframe,
+    component: &Component,
+    (start, closed): (Option<VertexId>, bool),
+    wires: usize,
+    weigh: impl FnMut(u64) -> u64,
+) -> Result<Doubling, RouteError> {
+    let network = Network::new(wireframe, component);
+    let start = known(&network, start)?;
+    let odd = ends(&network, start.filter(|_| !closed));
+    let left = if closed { 0 } else { odd.len().min(2 * wires.max(1) - odd.len() % 2) };
+    let join = cheapest_join(&graph(&network, weigh)?, &odd, left).map_err(|_| no_join(&network, left))?;
+    Ok(in_wireframe(wireframe, &network, &join))
 }
 
 /// What one part of a design gets of its wires.
@@ -145,10 +166,11 @@ fn ends(network: &Network, start: Option<usize>) -> Vec<u32> {
     odd.into_iter().filter_map(|vertex| u32::try_from(vertex).ok()).collect()
 }
 
-fn graph(network: &Network) -> Result<Graph, RouteError> {
+fn graph(network: &Network, mut weigh: impl FnMut(u64) -> u64) -> Result<Graph, RouteError> {
     let number = |vertex: usize| u32::try_from(vertex).map_err(|_| RouteError::TooLong);
-    let edge = |link: &Link| Ok((number(link.a)?, number(link.b)?, link.length_nm.cast_unsigned()));
-    let edges: Vec<_> = network.links.iter().map(edge).collect::<Result<_, _>>()?;
+    let mut edge =
+        |link: &Link| Ok((number(link.a)?, number(link.b)?, weigh(link.length_nm.cast_unsigned())));
+    let edges: Vec<_> = network.links.iter().map(&mut edge).collect::<Result<_, _>>()?;
     Graph::new(network.vertices.len(), &edges).map_err(|_| RouteError::TooLong)
 }
 

@@ -19,6 +19,7 @@ use pairing::Pairing;
 use crate::units::Angle;
 use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
 
+pub(crate) use doubling::doubling_weighed;
 pub use doubling::{Doubling, Share, doubling, doublings, share_out};
 pub use forced::{ForcedBend, forced_bends};
 

@@ -58,13 +58,19 @@ struct BendChoice {
 
 /// Nanoseconds that a bend takes to its own side and to the other.
 #[derive(Debug, Clone, Copy)]
-struct BendCost {
+pub(crate) struct BendCost {
     kept: i64,
     flipped: i64,
 }
 
 impl BendCost {
-    const fn of(self, flipped: bool) -> i64 {
+    /// `bend_seconds`: as [`schedule`] has it. A bend that cannot be made weighs more than any number of turns.
+    pub fn new(bend: Angle, bend_seconds: impl Fn(Angle) -> Option<f64>) -> Self {
+        let cost = |bend| nanoseconds(bend_seconds(bend).unwrap_or(1.0e6));
+        Self { kept: cost(bend), flipped: cost(-bend) }
+    }
+
+    pub const fn of(self, flipped: bool) -> i64 {
         if flipped { self.flipped } else { self.kept }
     }
 }
@@ -88,15 +94,8 @@ pub fn schedule(
     if bends.is_empty() {
         return Ok(unturned(program));
     }
-    let costs: Vec<BendCost> = bends
-        .iter()
-        .map(|&step| {
-            let bend = program.steps[step].bend;
-            // A bend that cannot be made weighs more than any number of turns.
-            let cost = |bend| nanoseconds(bend_seconds(bend).unwrap_or(1.0e6));
-            BendCost { kept: cost(bend), flipped: cost(-bend) }
-        })
-        .collect();
+    let costs: Vec<BendCost> =
+        bends.iter().map(|&step| BendCost::new(program.steps[step].bend, &bend_seconds)).collect();
     // The wire is round: before the first bend it has no side, so that bend is made with the head at
     // zero, to either side.
     let mut best: Option<(i64, Vec<BendChoice>)> = None;
@@ -111,7 +110,11 @@ pub fn schedule(
         }
     }
     match (best, refused) {
-        (Some((_, choices)), _) => Ok(build(program, &bends, &choices)),
+        (Some((_, choices)), _) => {
+            let chosen: Vec<(Angle, bool)> =
+                choices.iter().map(|choice| (choice.head, choice.flipped)).collect();
+            Ok(build(program, &bends, &chosen))
+        }
         (None, Some(error)) => Err(error),
         (None, None) => Ok(unturned(program)),
     }
@@ -179,7 +182,7 @@ const MAX_HALF_TURNS: f64 = 40.0;
 
 /// Every angle of the head within its limits, and within twenty turns, at which a bend can be made, nearest to zero first,
 /// with whether the bend is then flipped.
-fn head_angles(unflipped: Angle, limits: &HeadLimits) -> Vec<(Angle, bool)> {
+pub(crate) fn head_angles(unflipped: Angle, limits: &HeadLimits) -> Vec<(Angle, bool)> {
     // Rounding of a sum of angles must not push the head over a limit that it just reaches.
     let slack = Angle::computed(1e-9);
     let span = limits.max.deg().max(-limits.min.deg());
@@ -194,15 +197,17 @@ fn head_angles(unflipped: Angle, limits: &HeadLimits) -> Vec<(Angle, bool)> {
     head_angles
 }
 
-fn build(program: &NominalProgram, bends: &[usize], choices: &[BendChoice]) -> ScheduledProgram {
+/// The program whose bends, by the indices of their steps, are made with the head at these angles, flipped or not.
+pub(crate) fn build(program: &NominalProgram, bends: &[usize], chosen: &[(Angle, bool)]) -> ScheduledProgram {
     let mut scheduled = ScheduledProgram::default();
     let mut head = Angle::ZERO;
     for (k, step) in program.steps.iter().enumerate() {
         let mut made = Step { feed: step.feed, ..Step::default() };
         if let Ok(at) = bends.binary_search(&k) {
-            made.rotate = choices[at].head - head;
-            made.bend = if choices[at].flipped { -step.bend } else { step.bend };
-            head = choices[at].head;
+            let (angle, flipped) = chosen[at];
+            made.rotate = angle - head;
+            made.bend = if flipped { -step.bend } else { step.bend };
+            head = angle;
         }
         scheduled.steps.push(made);
         scheduled.head.push(head);
@@ -211,7 +216,7 @@ fn build(program: &NominalProgram, bends: &[usize], choices: &[BendChoice]) -> S
 }
 
 #[allow(clippy::cast_possible_truncation)] // a job takes hours, not centuries
-fn nanoseconds(seconds: f64) -> i64 {
+pub(crate) fn nanoseconds(seconds: f64) -> i64 {
     // Rounds, since time is not negative; `round` is a call, and this runs once for every pair of choices.
     (seconds * 1.0e9 + 0.5) as i64
 }

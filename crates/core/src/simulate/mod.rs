@@ -188,15 +188,18 @@ pub fn fractions(path: &[Point3<f64>], spans: impl IntoIterator<Item = Range<usi
     spans.into_iter().map(parts).collect()
 }
 
-/// The frame in which scheduled steps make what their nominal program makes from `start`: turned by
-/// half a turn about the first feed where the first bend goes to the negative side.
+/// The frame in which scheduled steps make what their nominal program makes from `start`: turned about the first feed against
+/// what the head turns before the first bend, and by half a turn where that goes to the negative side.
 #[must_use]
 pub fn scheduled_start(start: Frame, scheduled: &[Step]) -> Frame {
     let mut frame = start;
-    let first_bend = scheduled.iter().find(|step| step.bend != Angle::ZERO);
-    if first_bend.is_some_and(|step| step.bend < Angle::ZERO) {
+    let Some(first_bend) = scheduled.iter().position(|step| step.bend != Angle::ZERO) else { return frame };
+    if scheduled[first_bend].bend < Angle::ZERO {
         frame.rotate(Angle::HALF_TURN);
     }
+    // What is turned before it is made up for: its plane is where it is.
+    let turned: Angle = scheduled[..=first_bend].iter().map(|step| step.rotate).sum();
+    frame.rotate(-turned);
     frame
 }
 

@@ -253,7 +253,7 @@ fn candidates(finding: Finding, all: &[Finding], trials: &mut Trials) -> Vec<Can
             found.extend(bends::moves(finding, trials));
             found.extend(wires::none_doubled(trials));
         }
-        Code::RotationOutOfRange | Code::MeetsMachine | Code::MeetsStock => {
+        Code::RotationOutOfRange | Code::MeetsMachine | Code::MeetsStock | Code::NoClearProgram => {
             found.extend(starts::elsewhere(finding, trials));
             found.extend(cuts::at_step(finding, trials.document()));
         }

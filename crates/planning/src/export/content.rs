@@ -161,35 +161,27 @@ impl Content {
             reverse,
             keep_order,
             collisions,
+            avoid_collisions,
+            search_effort,
+            search_seed,
         } = &request.choices;
         let other_material = material.as_ref().is_some_and(|id| *id != contents.material.id);
-        if other_material
-            || *double
-            || *detours
-            || wires.is_some()
-            || *closed
-            || start.is_some()
-            || *reverse
-            || *keep_order
-            || *collisions
-            || !request.design.reads_plainly()
-        {
-            use InputName::{
-                Closed, Collisions, Detours, Double, KeepOrder, Material, Reverse, Start, Wires,
-            };
-            let given = [
-                (Material, other_material),
-                (Double, *double),
-                (Detours, *detours),
-                (Wires, wires.is_some()),
-                (Closed, *closed),
-                (Start, start.is_some()),
-                (Reverse, *reverse),
-                (KeepOrder, *keep_order),
-                (Collisions, *collisions),
-            ];
-            let given = given.into_iter().filter_map(|(input, given)| given.then_some(input));
-            let inputs = given.chain(request.design.read_otherwise()).collect();
+        let searches = *avoid_collisions || search_effort.is_some() || search_seed.is_some();
+        let given = [
+            (InputName::Material, other_material),
+            (InputName::Double, *double),
+            (InputName::Detours, *detours),
+            (InputName::Wires, wires.is_some()),
+            (InputName::Closed, *closed),
+            (InputName::Start, start.is_some()),
+            (InputName::Reverse, *reverse),
+            (InputName::KeepOrder, *keep_order),
+            (InputName::Collisions, *collisions),
+            (InputName::AvoidCollisions, searches),
+        ];
+        let given = given.into_iter().filter_map(|(input, given)| given.then_some(input));
+        let inputs: Vec<InputName> = given.chain(request.design.read_otherwise()).collect();
+        if !inputs.is_empty() || !request.design.reads_plainly() {
             let instead = Box::new(ErrorRemedy::PlanAgain);
             return Err(PlanningError::Settled { name: name.to_owned(), inputs, instead });
         }

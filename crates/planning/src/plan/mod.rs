@@ -10,7 +10,8 @@ use std::time::Instant;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_core::checks::{Design, Diagnostic, check_design};
-use wirebend_core::plan::{PlanOptions, Stage, WirePlan, plan_wires};
+use wirebend_core::plan::{PlanObserver, PlanOptions, Stage, WirePlan, plan_wires};
+use wirebend_core::search::SearchOptions;
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::{Component, VertexId};
 use wirebend_error::ErrorRemedy;
@@ -177,14 +178,12 @@ impl Installation {
                 start: here,
                 reversed: chosen.reversed,
                 contacts: choices.collisions,
+                search: search_options(choices),
                 settled: settled.clone(),
             };
             let mut took = BTreeMap::new();
-            let mut last = Instant::now();
-            let plans = plan_wires(&document.wireframe, component, &setup.model, &options, |stage| {
-                *took.entry(stage_name(stage)).or_default() += last.elapsed().as_secs_f64() * 1000.0;
-                last = Instant::now();
-            });
+            let observer = Observed { progress, took: &mut took, last: Instant::now(), searching: false };
+            let plans = plan_wires(&document.wireframe, component, &setup.model, &options, observer);
             // Of several wires of a component, the first has the times of all.
             timings.push(took);
             timings.resize(timings.len() + plans.len() - 1, BTreeMap::new());
@@ -198,6 +197,40 @@ impl Installation {
             wire.diagnostics.sort_by_key(|diagnostic| diagnostic.severity);
         }
         Ok(Planned { opened, setup, components: components.len(), wires, timings, design })
+    }
+}
+
+/// How to search, where that is wanted. With a number of wires that is chosen no more are searched for.
+fn search_options(choices: &PlanChoices) -> Option<SearchOptions> {
+    let usual = SearchOptions::default();
+    choices.avoid_collisions.then(|| SearchOptions {
+        effort: choices.search_effort.map_or(usual.effort, u64::from),
+        seed: choices.search_seed.unwrap_or(usual.seed),
+        max_wires: choices.wires.map_or(usual.max_wires, |wires| wires as usize),
+    })
+}
+
+/// What a plan tells of itself: progress, and what each stage took.
+struct Observed<'a> {
+    progress: &'a dyn Progress,
+    /// ms.
+    took: &'a mut BTreeMap<&'static str, f64>,
+    last: Instant,
+    searching: bool,
+}
+
+impl PlanObserver for Observed<'_> {
+    fn done(&mut self, stage: Stage) {
+        *self.took.entry(stage_name(stage)).or_default() += self.last.elapsed().as_secs_f64() * 1000.0;
+        self.last = Instant::now();
+    }
+
+    fn searching(&mut self, checks: u64, of: u64) -> bool {
+        if !std::mem::replace(&mut self.searching, true) {
+            self.progress.stage("searching for a program without collisions");
+        }
+        self.progress.advance(checks, of);
+        true
     }
 }
 
@@ -223,6 +256,7 @@ const fn stage_name(stage: Stage) -> &'static str {
         Stage::Program => "program",
         Stage::Schedule => "schedule",
         Stage::Compensate => "compensate",
+        Stage::Search => "search",
         Stage::Contacts => "contacts",
         Stage::Check => "check",
     }

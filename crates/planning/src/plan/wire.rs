@@ -8,7 +8,8 @@ use wirebend_core::wireframe::{EdgeId, Wireframe};
 
 use crate::machine::Setup;
 use crate::report::{
-    CompensatedReport, DiagnosticReport, JobStep, ProgramReport, RouteReport, WireReport, WireframeReport,
+    CompensatedReport, DiagnosticReport, JobStep, ProgramReport, RouteReport, SearchReport, WireReport,
+    WireframeReport,
 };
 
 impl WireReport {
@@ -58,6 +59,9 @@ impl WireReport {
             diagnostics: plan.diagnostics.iter().map(DiagnosticReport::from).collect(),
             feasible: plan.is_feasible(),
             collisions_checked: plan.contacts.is_some(),
+            search: plan
+                .searched
+                .map(|searched| SearchReport { found: searched.found, steps_checked: searched.checks }),
             time_s: plan.seconds,
             cost: fed.and_then(|fed| wire.cost(fed)),
             stock_cost: plan.stock.and_then(|stock| wire.cost(stock)),

@@ -102,6 +102,15 @@ pub struct ProgramReport {
     pub steps: Vec<JobStep>,
 }
 
+/// What came of a search for wires that hit nothing.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct SearchReport {
+    /// Whether it has found some.
+    pub found: bool,
+    /// How many steps it has checked.
+    pub steps_checked: u64,
+}
+
 /// What is sent to the machine.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct CompensatedReport {
@@ -129,6 +138,9 @@ pub struct WireReport {
     pub feasible: bool,
     /// Whether it was looked at where the wire meets the machine or itself: only on request, and not without a route.
     pub collisions_checked: bool,
+    /// What came of the search for wires that hit nothing, of all wires of a part of the design together; absent where nobody searched.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub search: Option<SearchReport>,
     /// Time on the machine, in s.
     pub time_s: Option<f64>,
     /// Price of the wire that is fed, in `currency`; null where the price is not known, and where nothing can be fed.

@@ -95,6 +95,12 @@ pub enum RemedyReport {
     TurnBendPlane,
     /// Move the edges apart.
     MoveApart,
+    /// Search for an order of the bends with which the wire meets nothing.
+    AvoidCollisions,
+    /// Search longer.
+    SearchLonger,
+    /// Allow more wires.
+    AllowWires,
     /// Measure the body of the machine and enter its dimensions.
     MeasureBody,
     /// Choose another material.
@@ -150,6 +156,9 @@ impl From<&Remedy> for RemedyReport {
             Remedy::EaseBends => Self::EaseBends,
             Remedy::TurnBendPlane => Self::TurnBendPlane,
             Remedy::MoveApart => Self::MoveApart,
+            Remedy::AvoidCollisions => Self::AvoidCollisions,
+            Remedy::SearchLonger => Self::SearchLonger,
+            Remedy::AllowWires => Self::AllowWires,
             Remedy::MeasureBody => Self::MeasureBody,
             Remedy::ChooseMaterial => Self::ChooseMaterial,
             Remedy::ChooseMachine => Self::ChooseMachine,

@@ -1,7 +1,7 @@
 //! Where the wire meets the machine or itself.
 
 use wirebend_core::checks::Location;
-use wirebend_core::clearance::Phase;
+use wirebend_core::clearance::{Obstacle, Phase};
 use wirebend_core::units::{Angle, Length};
 use wirebend_core::wireframe::EdgeId;
 
@@ -36,6 +36,34 @@ pub(super) fn meets_machine(
 
 pub(super) fn meets_stock(moment: &str, struck: &[EdgeId], deep: (Length, usize)) -> String {
     format!("{} the wire that is still to be bent{moment}{}", goes_into(struck, deep.0), again(deep.1))
+}
+
+/// How much was searched.
+pub(super) fn searched(checks: u64, exhausted: bool) -> String {
+    if exhausted {
+        "every walk of one wire was tried".to_owned()
+    } else {
+        format!("{checks} steps were checked")
+    }
+}
+
+/// `passed`: how many edges of how many.
+pub(super) fn no_clear_program(
+    at: &Location,
+    searched: &str,
+    obstacle: Option<Obstacle>,
+    body: Option<&str>,
+    passed: Option<(usize, usize)>,
+) -> String {
+    let found = format!("no program without a collision was found: {searched}");
+    let Some((passed, of)) = passed else { return found };
+    let what = match (obstacle, body) {
+        (Some(Obstacle::Body(_)), Some(body)) => format!("the wire would hit the {body}"),
+        (Some(_), _) => "the wire would hit the wire that is still to be bent".to_owned(),
+        (None, _) => "the head cannot turn far enough".to_owned(),
+    };
+    let place = at.vertices.first().map(|vertex| format!(" at vertex {vertex}")).unwrap_or_default();
+    format!("{found}; it came to edge {passed} of {of}, where{place} {what}")
 }
 
 fn goes_into(struck: &[EdgeId], depth: Length) -> String {

@@ -74,6 +74,10 @@ pub fn message(diagnostic: &Diagnostic) -> String {
             let moment = contact::moment(at, *phase, *fed, *bent, *head);
             contact::meets_stock(&moment, struck, (*depth, *later))
         }
+        Fact::NoClearProgram { checks, exhausted, obstacle, body, passed } => {
+            let searched = contact::searched(*checks, *exhausted);
+            contact::no_clear_program(at, &searched, *obstacle, body.as_deref(), *passed)
+        }
     }
 }
 

@@ -68,6 +68,10 @@ const TITLES: Readonly<Record<DiagnosticCode, Title>> = {
     one: (r) => `The wire hits itself${inStep(r)}`,
     many: (n) => `The wire hits itself: ${n} times`,
   },
+  no_clear_program: {
+    one: (r) => `No program without a collision was found${at(r)}`,
+    many: (n) => `${n} parts have no program without a collision`,
+  },
   rotation_out_of_range: {
     one: (r) => `The head would have to turn too far${at(r)}`,
     many: (n) => `The head would have to turn too far at ${n} places`,

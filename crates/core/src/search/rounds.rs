@@ -1,0 +1,130 @@
+//! The rounds of a search for so many wires: from every start, with more and more chance in the order of moves and in what is doubled.
+
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+use super::heads::Stand;
+use super::trail::Passes;
+use super::walk::Walk;
+use super::{Bender, Found, Obstruction, SearchOptions, SearchTask, stands};
+use crate::route::doubling_weighed;
+use crate::units::Length;
+use crate::wireframe::{Component, EdgeId, Wireframe};
+
+/// How far the weights of edges are from their lengths in each round, as a share of them; the last one stays. The first doubling is the
+/// cheapest, the next ones are equally short, and later ones a little longer: a doubled edge costs less than a further wire.
+const SPREADS: [f64; 10] = [0.0, 1e-6, 1e-6, 1e-6, 1e-6, 0.1, 1e-6, 0.3, 1e-6, 0.6];
+
+/// From so many starts and stands at most a round begins; of more, chance takes some.
+const MAX_BEGINS: usize = 16;
+
+/// A search for so many wires.
+pub(super) struct Search<'a> {
+    pub wireframe: &'a Wireframe,
+    pub component: &'a Component,
+    pub bender: &'a Bender<'a>,
+    pub task: &'a SearchTask<'a>,
+    pub options: &'a SearchOptions,
+    pub wires: usize,
+    /// How many steps were asked about.
+    pub checks: u64,
+    /// Whether every walk was tried.
+    pub exhausted: bool,
+    /// What was in the way where it came farthest.
+    pub obstruction: Option<Obstruction>,
+}
+
+impl Search<'_> {
+    /// The best wires that it finds: after the first ones it goes on for as long again.
+    pub fn run(&mut self, go_on: &mut impl FnMut(u64) -> bool) -> Option<Found> {
+        let mut rng = ChaCha8Rng::seed_from_u64(self.options.seed);
+        let mut best: Option<(Found, Order)> = None;
+        let mut until = self.options.effort;
+        for round in 0.. {
+            let spread = SPREADS[round % SPREADS.len()];
+            let doubled = self.doubled(spread, &mut rng)?;
+            let passes = Passes::new(self.wireframe, self.component, &doubled);
+            let none = vec![false; passes.all.len()];
+            if passes.wires_needed(&none, None) > self.wires {
+                return None;
+            }
+            let (begins, are_all) = self.begins(&passes, round > 0, &mut rng);
+            let mut exhausted = self.wires == 1 && doubled.is_empty() && are_all;
+            for begin in begins {
+                let mut walk = Walk::new(self.wireframe, self.bender, &passes, self.wires, &mut rng);
+                let before = self.checks;
+                let noise = f64::from(u32::try_from(round.min(8)).unwrap_or(8)) / 2.0;
+                let found = walk
+                    .descend(begin, noise, &mut |checks| before + checks < until && go_on(before + checks));
+                // Where nothing can be asked at all, it must come to an end, too.
+                self.checks += walk.checks.max(1);
+                let is_farther =
+                    |new: &Obstruction| self.obstruction.is_none_or(|old| new.share() >= old.share());
+                if let Some(obstruction) = walk.obstruction.filter(is_farther) {
+                    self.obstruction = Some(obstruction);
+                }
+                exhausted &= walk.exhausted;
+                if let Some(found) = found {
+                    if best.is_none() {
+                        until = until.min(2 * self.checks);
+                    }
+                    let order = self.order(&found, &doubled);
+                    if best.as_ref().is_none_or(|(_, best)| order < *best) {
+                        best = Some((found, order));
+                    }
+                }
+                if self.checks >= until || !go_on(self.checks) {
+                    return best.map(|(found, _)| found);
+                }
+            }
+            // All trails of a wire were looked at, however it stands.
+            if exhausted && round > 0 {
+                self.exhausted = true;
+                return best.map(|(found, _)| found);
+            }
+        }
+        None
+    }
+
+    /// Which edges are passed once more.
+    fn doubled(&self, spread: f64, rng: &mut ChaCha8Rng) -> Option<Vec<EdgeId>> {
+        let task = self.task;
+        if let Some(doubled) = task.doubled {
+            return Some(doubled.to_vec());
+        }
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss)]
+        // up to 1e15 nm
+        let mut weigh = |length: u64| {
+            let more = if spread > 0.0 { spread * rng.random::<f64>() } else { 0.0 };
+            length + (length as f64 * more) as u64
+        };
+        let ends = (task.start, task.closed);
+        Some(doubling_weighed(self.wireframe, self.component, ends, self.wires, &mut weigh).ok()?.edges)
+    }
+
+    /// Where wires may begin and how they stand, in an order of chance; and whether these are all.
+    fn begins(&self, passes: &Passes, turned: bool, rng: &mut ChaCha8Rng) -> (Vec<(usize, Stand)>, bool) {
+        let none = vec![false; passes.all.len()];
+        let chosen = self.task.start.and_then(|start| passes.vertices.binary_search(&start).ok());
+        let starts = chosen.map_or_else(|| passes.starts(&none), |start| vec![start]);
+        let stands = stands(self.bender.head, turned);
+        let mut begins: Vec<(usize, Stand)> =
+            stands.into_iter().flat_map(|stand| starts.iter().map(move |&start| (start, stand))).collect();
+        for k in (1..begins.len()).rev() {
+            begins.swap(k, rng.random_range(0..=k));
+        }
+        let count = begins.len();
+        begins.truncate(MAX_BEGINS);
+        (begins, count <= MAX_BEGINS)
+    }
+
+    fn order(&self, found: &Found, doubled: &[EdgeId]) -> Order {
+        let added: Length = doubled.iter().map(|&edge| self.wireframe.edge_length(edge)).sum();
+        let nanoseconds = found.wires.iter().map(|wire| wire.nanoseconds).sum();
+        // Sums in another order differ by less than a thousandth of a millimetre.
+        (found.wires.len(), Length::computed((added.mm() * 1000.0).round()), nanoseconds)
+    }
+}
+
+/// Fewer wires first, then less that is doubled, then less time.
+type Order = (usize, Length, i64);
