@@ -71,6 +71,7 @@ const MAY_KNOW: &[(&str, &[&str])] = &[
     (
         "benches",
         &[
+            "crates/collide",
             "crates/postman",
             "crates/core",
             "crates/profile",
