@@ -84,7 +84,7 @@ impl InputName {
             Self::Reverse => "direction",
             Self::KeepOrder => "order of the program",
             Self::Collisions => "check for collisions",
-            Self::AvoidCollisions => "search without collisions",
+            Self::AvoidCollisions => "search for a program without collisions",
             Self::Runs => "number of runs",
             Self::ProfileId => "id",
             Self::ProfileName => "name",

@@ -106,7 +106,7 @@ pub(crate) struct ChoiceArgs {
     /// Search for wires that hit nothing: another walk, other sides of the bends, and if need be more wires (with --wires N, up to N)
     #[arg(long, conflicts_with = "reverse")]
     pub avoid_collisions: bool,
-    /// Steps that the search may check for each number of wires
+    /// Steps that the search may check for each number of wires, 20000 by default
     #[arg(long, value_name = "STEPS", requires = "avoid_collisions", value_parser = clap::value_parser!(u32).range(1..))]
     pub effort: Option<u32>,
     /// Seed of the search; the same seed finds the same

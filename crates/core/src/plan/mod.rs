@@ -236,7 +236,7 @@ pub fn plan_wires(
     let mut schedules: Vec<ScheduledProgram> = Vec::new();
     let mut searched = None;
     let search = Searching { wireframe, component, machine, options };
-    if let Some(found) = search.find(&routes, &forced, &mut observer) {
+    if let Some(found) = search.find((&routes, &doubled), &forced, &mut observer) {
         refusals.extend(search.finding(&found.searched));
         (routes, schedules) = found.wires.into_iter().map(|wire| (wire.route, wire.scheduled)).unzip();
         doubled = searching::doubled(&routes);
@@ -249,6 +249,7 @@ pub fn plan_wires(
         wireframe,
         machine,
         contacts: options.contacts || options.search.is_some(),
+        searched: options.search.is_some(),
         odd_allowed: routing::allowed(options),
         forced: &forced,
         passed_again: passed_again(&routes),

@@ -2,11 +2,14 @@
 
 use std::collections::BTreeSet;
 
-use super::stages::bend_seconds;
-use super::{DoublingChoice, Machine, PlanObserver, PlanOptions, Searched, contacts, routing};
-use crate::checks::{Diagnostic, Fact, Location, Remedy, Severity};
+use super::stages::{Stages, bend_seconds};
+use super::{
+    DoublingChoice, Machine, PlanObserver, PlanOptions, Searched, WirePlan, along, contacts, routing,
+};
+use crate::checks::{Code, Diagnostic, Fact, Location, Remedy, Severity};
 use crate::clearance::Obstacle;
 use crate::route::{Doubling, ForcedBend, Route};
+use crate::schedule::ScheduledProgram;
 use crate::search::{Bender, FoundWire, Obstruction, SearchTask, search};
 use crate::wireframe::{Component, EdgeId, Wireframe};
 
@@ -28,12 +31,14 @@ impl Searching<'_> {
     /// Searches where it is wanted and there are routes that a machine can bend.
     pub fn find(
         &self,
-        routes: &[Route],
+        (routes, doubled): (&[Route], &[EdgeId]),
         forced: &[ForcedBend],
         observer: &mut impl PlanObserver,
     ) -> Option<Instead> {
         let Self { wireframe, component, machine, options } = *self;
         let wanted = options.search.as_ref().filter(|_| !routes.is_empty() && forced.is_empty())?;
+        // As in edges that are too short.
+        let anyway = routes.iter().flat_map(|route| errors(&self.planned(route, None, false))).collect();
         let bender = Bender {
             head: &machine.head,
             bend: &machine.compensation.bend,
@@ -42,11 +47,11 @@ impl Searching<'_> {
             straight: machine.straight,
             max_bend: routing::largest_bend(machine),
             seconds: &|bend| bend_seconds(machine, bend),
+            accepts: &|route, scheduled| self.accepts(route, scheduled, &anyway),
         };
-        let doubled = match &options.doubling {
-            DoublingChoice::Accepted(edges) => Some(edges.as_slice()),
-            DoublingChoice::Cheapest => None,
-        };
+        // Detours are around bends that no other doubling avoids.
+        let is_free = options.doubling == DoublingChoice::Cheapest && !options.detours;
+        let doubled = (!is_free).then_some(doubled);
         let task = SearchTask {
             routes,
             doubled,
@@ -54,7 +59,7 @@ impl Searching<'_> {
             closed: options.closed,
             keep_routes: options.settled.is_some(),
         };
-        let most = wanted.effort.saturating_mul(wanted.max_wires as u64);
+        let most = if options.closed { wanted.effort } else { wanted.most_checks() };
         let outcome =
             search(wireframe, component, &bender, &task, wanted, |checks| observer.searching(checks, most))?;
         let searched = Searched {
@@ -64,6 +69,31 @@ impl Searching<'_> {
             obstruction: outcome.obstruction,
         };
         Some(Instead { wires: outcome.best.wires, searched })
+    }
+
+    /// Whether a wire meets nothing and has no errors but those that the routes have anyway.
+    fn accepts(&self, route: &Route, scheduled: &ScheduledProgram, anyway: &BTreeSet<Code>) -> bool {
+        let plan = self.planned(route, Some(scheduled), true);
+        let is_clear = plan.contacts.as_ref().is_some_and(Vec::is_empty) && plan.compensated.is_some();
+        is_clear && errors(&plan).is_subset(anyway)
+    }
+
+    /// A wire through all stages.
+    fn planned(&self, route: &Route, scheduled: Option<&ScheduledProgram>, contacts: bool) -> WirePlan {
+        let stages = Stages {
+            wireframe: self.wireframe,
+            machine: self.machine,
+            contacts,
+            searched: true,
+            odd_allowed: 2,
+            forced: &[],
+            passed_again: Vec::new(),
+        };
+        let doubled = routing::again(route);
+        let mut plan = WirePlan::new(along(route), doubled, Doubling::default(), Some(route.clone()));
+        plan.scheduled = scheduled.cloned();
+        stages.run(0, &mut plan, Vec::new(), &mut |_| ());
+        plan
     }
 
     /// The cheapest doubling for so many wires.
@@ -84,8 +114,10 @@ impl Searching<'_> {
             _ => None,
         };
         let measure = body.filter(|body| !body.measured).map(|_| Remedy::MeasureBody);
-        let longer = (!exhausted).then_some(Remedy::SearchLonger);
-        let further = [Remedy::AllowWires, Remedy::MoveApart, Remedy::ChooseMachine];
+        let keeps_walk = self.options.settled.is_some();
+        let longer = (!exhausted && !keeps_walk).then_some(Remedy::SearchLonger);
+        let more = (!keeps_walk && !self.options.closed).then_some(Remedy::AllowWires);
+        let further = [Remedy::MoveApart, Remedy::ChooseMachine];
         Some(Diagnostic {
             severity: Severity::Warning,
             location: Location::at_vertices(obstruction.and_then(|obstruction| obstruction.vertex)),
@@ -96,9 +128,14 @@ impl Searching<'_> {
                 body: body.map(|body| body.name.clone()),
                 passed: obstruction.map(|obstruction| (obstruction.passed, obstruction.of)),
             },
-            remedies: measure.into_iter().chain(longer).chain(further).collect(),
+            remedies: measure.into_iter().chain(longer).chain(more).chain(further).collect(),
         })
     }
+}
+
+/// What a wire cannot be made for.
+fn errors(plan: &WirePlan) -> BTreeSet<Code> {
+    plan.diagnostics.iter().filter(|found| found.is_error()).map(Diagnostic::code).collect()
 }
 
 /// The edges that wires together pass more than once, as often as beyond the first time.

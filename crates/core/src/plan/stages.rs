@@ -17,6 +17,8 @@ pub(super) struct Stages<'a> {
     pub machine: &'a Machine,
     /// Whether to look for contacts.
     pub contacts: bool,
+    /// Whether wires that meet nothing were searched for.
+    pub searched: bool,
     pub odd_allowed: usize,
     pub forced: &'a [ForcedBend],
     /// For each wire the edges of [`WireStages::passed_again`].
@@ -53,7 +55,7 @@ impl Stages<'_> {
             rotation: failures.rotation.as_ref(),
             compensated: plan.compensated.as_ref(),
             unbendable: &failures.unbendable,
-            searched: plan.searched.is_some(),
+            searched: self.searched,
             contacts: plan.contacts.as_deref().unwrap_or_default(),
             bodies: &machine.bodies.all,
             compensation: &machine.compensation,

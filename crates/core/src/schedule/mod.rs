@@ -22,8 +22,8 @@ pub struct HeadLimits {
 /// turns and may exceed 180°.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ScheduledProgram {
-    /// The steps. Replay gives the same path as the nominal program, turned by half a turn about the
-    /// first feed where the first bend goes to the negative side.
+    /// The steps. Replay gives the same path as the nominal program, turned about the first feed by what the head turns before the
+    /// first bend, and by half a turn where that goes to the negative side.
     pub steps: Vec<Step>,
     /// The absolute angle of the head during each step's bend; it starts at zero.
     pub head: Vec<Angle>,

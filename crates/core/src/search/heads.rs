@@ -99,7 +99,14 @@ impl StepQuestion<'_> {
         let mut layer = Layer { unflipped, states: Vec::new(), obstacle: feeds.obstacle };
         let mut bends: [Option<Met>; 2] = [None, None];
         let mut turns = BTreeMap::new();
+        // A side that the machine cannot bend to is left out, where it can bend to the other.
+        let makes = [false, true]
+            .map(|flipped| self.signed(flipped))
+            .map(|bend| (self.bender.seconds)(bend).is_some());
         for (head, flipped) in ways {
+            if !makes[usize::from(flipped)] && makes[usize::from(!flipped)] {
+                continue;
+            }
             let bend = bends[usize::from(flipped)]
                 .get_or_insert_with(|| self.met(StepPart::Bend, [head, head], flipped));
             let bend = *bend;
@@ -182,8 +189,12 @@ impl StepQuestion<'_> {
         feeds
     }
 
+    fn signed(&self, flipped: bool) -> Angle {
+        if flipped { -self.step.bend } else { self.step.bend }
+    }
+
     fn met(&self, part: StepPart, head: [Angle; 2], flipped: bool) -> Met {
-        let bend = if flipped { -self.step.bend } else { self.step.bend };
+        let bend = self.signed(flipped);
         let run = StepRun { head: head.map(|head| -head), bend };
         let obstacle = self.clearance.obstacle(self.index, part, &run);
         let weight = match obstacle {

@@ -35,6 +35,8 @@ pub struct Bender<'a> {
     pub max_bend: Angle,
     /// How long a signed bend takes, s; none where it cannot be made to that side.
     pub seconds: &'a dyn Fn(Angle) -> Option<f64>,
+    /// The last word on a wire that meets nothing as far as the search sees: whether every check of it agrees.
+    pub accepts: &'a dyn Fn(&Route, &ScheduledProgram) -> bool,
 }
 
 /// What is searched for.
@@ -50,7 +52,15 @@ pub struct SearchOptions {
 
 impl Default for SearchOptions {
     fn default() -> Self {
-        Self { effort: 20_000, seed: 1, max_wires: 6 }
+        Self { effort: 20_000, seed: 1, max_wires: 32 }
+    }
+}
+
+impl SearchOptions {
+    /// How many steps are asked about at most, one number of wires after the other; fewer where more wires are of no use.
+    #[must_use]
+    pub fn most_checks(&self) -> u64 {
+        self.effort.saturating_mul(ladder(self.max_wires.max(1)).count() as u64)
     }
 }
 
@@ -59,7 +69,7 @@ impl Default for SearchOptions {
 pub struct SearchTask<'a> {
     /// The routes that are there.
     pub routes: &'a [Route],
-    /// Which edges are passed once more; none: the cheapest for each number of wires.
+    /// Which edges are passed once more; none: the cheapest for each number of wires, and where those do not help, dearer ones.
     pub doubled: Option<&'a [EdgeId]>,
     /// Where the wire starts, if that is chosen.
     pub start: Option<VertexId>,
@@ -113,13 +123,14 @@ impl Obstruction {
 /// What came of a search.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SearchOutcome {
-    /// The best that was found: that which meets nothing, else that which meets least.
+    /// What was found, else the routes that were there, bent so that they meet least.
     pub best: Found,
     /// Whether it meets nothing.
     pub is_clear: bool,
     /// How many steps were asked about.
     pub checks: u64,
-    /// Whether every walk of one wire was tried, with every sign and winding, as far as more wires were not allowed.
+    /// Whether every walk of one wire was tried, with every sign and winding, where more wires were not allowed: the part standing about
+    /// the wire in steps of 45°.
     pub exhausted: bool,
     /// What was in the way where it came farthest without a contact; none where nothing had to be searched.
     pub obstruction: Option<Obstruction>,
@@ -144,49 +155,66 @@ pub fn search(
         bent.min_by_key(|found| (found.met, found.nanoseconds))
     };
     let first = Found { wires: task.routes.iter().map(best_of).collect::<Option<_>>()? };
+    let is_accepted = |wire: &FoundWire| wire.met == 0 && (bender.accepts)(&wire.route, &wire.scheduled);
     let mut outcome = SearchOutcome {
-        is_clear: first.met() == 0,
+        is_clear: first.wires.iter().all(is_accepted),
         best: first,
         checks: task.routes.iter().map(|route| route.traversals.len() as u64).sum(),
         exhausted: false,
         obstruction: None,
     };
-    if outcome.is_clear || task.keep_routes {
+    if task.keep_routes {
         return Some(outcome);
     }
-    let most = if task.closed { 1 } else { options.max_wires.max(1) };
-    for wires in 1..=most {
-        let mut search = Search {
-            wireframe,
-            component,
-            bender,
-            task,
-            options,
-            wires,
-            checks: 0,
-            exhausted: false,
-            obstruction: None,
-        };
+    // What is clear may need fewer wires still.
+    let most = match (outcome.is_clear, task.closed) {
+        (true, _) => task.routes.len() - 1,
+        (false, true) => 1,
+        (false, false) => options.max_wires.max(1),
+    };
+    let mut attempt = |wires: usize, outcome: &mut SearchOutcome| -> bool {
+        let mut search = Search::new((wireframe, component), bender, task, options, wires);
         let before = outcome.checks;
         let found = search.run(&mut |checks| go_on(before + checks));
         outcome.checks += search.checks;
         outcome.exhausted = search.exhausted && most == 1;
-        outcome.obstruction = search.obstruction.or(outcome.obstruction);
+        outcome.obstruction = farther(outcome.obstruction, search.obstruction);
+        let is_found = found.is_some();
         if let Some(found) = found {
             (outcome.best, outcome.is_clear) = (found, true);
-            return Some(outcome);
         }
-        if !go_on(outcome.checks) {
+        is_found
+    };
+    let mut too_few = 0;
+    for wires in ladder(most) {
+        if attempt(wires, &mut outcome) {
+            // Fewer than that, down to what was too few.
+            while outcome.best.wires.len() > too_few + 1
+                && attempt(outcome.best.wires.len() - 1, &mut outcome)
+            {}
             break;
         }
+        too_few = wires;
     }
     Some(outcome)
 }
 
-impl Found {
-    fn met(&self) -> u64 {
-        self.wires.iter().map(|wire| wire.met).sum()
+/// That of two which came farther.
+fn farther(one: Option<Obstruction>, other: Option<Obstruction>) -> Option<Obstruction> {
+    match (one, other) {
+        (Some(one), Some(other)) => Some(if other.share() >= one.share() { other } else { one }),
+        (one, other) => one.or(other),
     }
+}
+
+/// Numbers of wires to try, in wider and wider steps.
+fn ladder(most: usize) -> impl Iterator<Item = usize> {
+    let steps = std::iter::successors(Some(1_usize), |&wires| match wires {
+        0..4 => Some(wires + 1),
+        _ if wires.is_power_of_two() => Some(wires / 2 * 3),
+        _ => Some(wires / 3 * 4),
+    });
+    steps.take_while(move |&wires| wires < most).chain((most > 0).then_some(most))
 }
 
 /// How a wire may stand about its own axis: with the head at its reference for the first bend, to either side; and where `turned` says

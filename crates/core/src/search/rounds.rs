@@ -6,13 +6,13 @@ use rand_chacha::ChaCha8Rng;
 use super::heads::Stand;
 use super::trail::Passes;
 use super::walk::Walk;
-use super::{Bender, Found, Obstruction, SearchOptions, SearchTask, stands};
+use super::{Bender, Found, Obstruction, SearchOptions, SearchTask, farther, stands};
 use crate::route::doubling_weighed;
 use crate::units::Length;
 use crate::wireframe::{Component, EdgeId, Wireframe};
 
-/// How far the weights of edges are from their lengths in each round, as a share of them; the last one stays. The first doubling is the
-/// cheapest, the next ones are equally short, and later ones a little longer: a doubled edge costs less than a further wire.
+/// How far the weights of edges are from their lengths in each round, as a share of them, over and over. The first doubling is the
+/// cheapest, the next ones are equally short, and some are longer: a doubled edge costs less than a further wire.
 const SPREADS: [f64; 10] = [0.0, 1e-6, 1e-6, 1e-6, 1e-6, 0.1, 1e-6, 0.3, 1e-6, 0.6];
 
 /// From so many starts and stands at most a round begins; of more, chance takes some.
@@ -34,7 +34,27 @@ pub(super) struct Search<'a> {
     pub obstruction: Option<Obstruction>,
 }
 
-impl Search<'_> {
+impl<'a> Search<'a> {
+    pub const fn new(
+        (wireframe, component): (&'a Wireframe, &'a Component),
+        bender: &'a Bender<'a>,
+        task: &'a SearchTask<'a>,
+        options: &'a SearchOptions,
+        wires: usize,
+    ) -> Self {
+        Self {
+            wireframe,
+            component,
+            bender,
+            task,
+            options,
+            wires,
+            checks: 0,
+            exhausted: false,
+            obstruction: None,
+        }
+    }
+
     /// The best wires that it finds: after the first ones it goes on for as long again.
     pub fn run(&mut self, go_on: &mut impl FnMut(u64) -> bool) -> Option<Found> {
         let mut rng = ChaCha8Rng::seed_from_u64(self.options.seed);
@@ -42,14 +62,17 @@ impl Search<'_> {
         let mut until = self.options.effort;
         for round in 0.. {
             let spread = SPREADS[round % SPREADS.len()];
-            let doubled = self.doubled(spread, &mut rng)?;
+            // Doubled for fewer wires, there are some left that may begin anywhere.
+            let wires = self.wires - (round / 2) % self.wires;
+            let Some(doubled) = self.doubled(wires, spread, &mut rng) else { break };
             let passes = Passes::new(self.wireframe, self.component, &doubled);
             let none = vec![false; passes.all.len()];
             if passes.wires_needed(&none, None) > self.wires {
-                return None;
+                break;
             }
             let (begins, are_all) = self.begins(&passes, round > 0, &mut rng);
-            let mut exhausted = self.wires == 1 && doubled.is_empty() && are_all;
+            let is_settled = self.task.doubled.is_some() || doubled.is_empty();
+            let mut exhausted = self.wires == 1 && is_settled && are_all;
             for begin in begins {
                 let mut walk = Walk::new(self.wireframe, self.bender, &passes, self.wires, &mut rng);
                 let before = self.checks;
@@ -58,11 +81,7 @@ impl Search<'_> {
                     .descend(begin, noise, &mut |checks| before + checks < until && go_on(before + checks));
                 // Where nothing can be asked at all, it must come to an end, too.
                 self.checks += walk.checks.max(1);
-                let is_farther =
-                    |new: &Obstruction| self.obstruction.is_none_or(|old| new.share() >= old.share());
-                if let Some(obstruction) = walk.obstruction.filter(is_farther) {
-                    self.obstruction = Some(obstruction);
-                }
+                self.obstruction = farther(self.obstruction, walk.obstruction);
                 exhausted &= walk.exhausted;
                 if let Some(found) = found {
                     if best.is_none() {
@@ -77,17 +96,17 @@ impl Search<'_> {
                     return best.map(|(found, _)| found);
                 }
             }
-            // All trails of a wire were looked at, however it stands.
+            // All trails of a wire were looked at, with the part in every position that is tried.
             if exhausted && round > 0 {
                 self.exhausted = true;
                 return best.map(|(found, _)| found);
             }
         }
-        None
+        best.map(|(found, _)| found)
     }
 
-    /// Which edges are passed once more.
-    fn doubled(&self, spread: f64, rng: &mut ChaCha8Rng) -> Option<Vec<EdgeId>> {
+    /// Which edges are passed once more, for so many wires.
+    fn doubled(&self, wires: usize, spread: f64, rng: &mut ChaCha8Rng) -> Option<Vec<EdgeId>> {
         let task = self.task;
         if let Some(doubled) = task.doubled {
             return Some(doubled.to_vec());
@@ -99,7 +118,7 @@ impl Search<'_> {
             length + (length as f64 * more) as u64
         };
         let ends = (task.start, task.closed);
-        Some(doubling_weighed(self.wireframe, self.component, ends, self.wires, &mut weigh).ok()?.edges)
+        Some(doubling_weighed(self.wireframe, self.component, ends, wires, &mut weigh).ok()?.edges)
     }
 
     /// Where wires may begin and how they stand, in an order of chance; and whether these are all.

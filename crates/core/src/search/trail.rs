@@ -1,9 +1,10 @@
 //! What is walked: the edges of a component as often as they are to be passed, and how many wires what is left of them needs.
 
+use std::collections::BTreeMap;
+
 use nalgebra::Point3;
 use petgraph::unionfind::UnionFind;
 
-use crate::route::Traversal;
 use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
 
 /// An edge that is to be passed once; a doubled one has several.
@@ -50,22 +51,7 @@ impl Passes {
     /// How many wires are needed for what is not used, of which one continues at `here`, where it has something left to run
     /// along: that wire counts, too.
     pub fn wires_needed(&self, used: &[bool], here: Option<usize>) -> usize {
-        let mut parts = UnionFind::<usize>::new(self.positions.len());
-        let mut odd = vec![false; self.positions.len()];
-        for pass in self.left(used) {
-            parts.union(pass.ends[0], pass.ends[1]);
-            for end in pass.ends {
-                odd[end] ^= true;
-            }
-        }
-        // Of each part with edges: how many odd vertices it has.
-        let mut odd_in: std::collections::BTreeMap<usize, usize> = std::collections::BTreeMap::new();
-        for pass in self.left(used) {
-            odd_in.entry(parts.find_mut(pass.ends[0])).or_default();
-        }
-        for vertex in (0..odd.len()).filter(|&vertex| odd[vertex]) {
-            *odd_in.entry(parts.find_mut(vertex)).or_default() += 1;
-        }
+        let Left { mut parts, odd, odd_in } = self.left(used);
         let begins = here.map(|here| (parts.find_mut(here), odd[here]));
         let of_part = |(part, odd): (usize, usize)| match begins {
             // A wire that begins at an even vertex of a part that has odd ones ends at an odd one, and there is one more.
@@ -77,22 +63,44 @@ impl Passes {
         if stuck { needed + 1 } else { needed }
     }
 
-    /// The vertices where a further wire can begin without one more being needed.
+    /// The vertices where a further wire can begin without one more being needed: the odd ones, and where a part has none, all.
     pub fn starts(&self, used: &[bool]) -> Vec<usize> {
-        let needed = self.wires_needed(used, None);
-        let with_edges =
-            (0..self.positions.len()).filter(|&vertex| self.at[vertex].iter().any(|&pass| !used[pass]));
-        with_edges.filter(|&vertex| self.wires_needed(used, Some(vertex)) == needed).collect()
+        let Left { mut parts, odd, odd_in } = self.left(used);
+        let mut may_begin = |&vertex: &usize| match odd_in.get(&parts.find_mut(vertex)) {
+            Some(0) => true,
+            Some(_) => odd[vertex],
+            None => false,
+        };
+        (0..self.positions.len()).filter(|vertex| may_begin(vertex)).collect()
     }
 
-    pub fn traversal(&self, pass: usize, from: usize, walked: &[(usize, usize)]) -> Traversal {
-        let Pass { edge, .. } = self.all[pass];
-        let to = self.all[pass].other(from);
-        let again = walked.iter().any(|&(before, _)| self.all[before].edge == edge);
-        Traversal { edge, from: self.vertices[from], to: self.vertices[to], again }
+    fn left(&self, used: &[bool]) -> Left {
+        let mut parts = UnionFind::<usize>::new(self.positions.len());
+        let mut odd = vec![false; self.positions.len()];
+        let left = || self.all.iter().zip(used).filter(|(_, used)| !**used).map(|(pass, _)| pass);
+        for pass in left() {
+            parts.union(pass.ends[0], pass.ends[1]);
+            for end in pass.ends {
+                odd[end] ^= true;
+            }
+        }
+        let mut odd_in: BTreeMap<usize, usize> = BTreeMap::new();
+        for pass in left() {
+            odd_in.entry(parts.find_mut(pass.ends[0])).or_default();
+        }
+        for vertex in (0..odd.len()).filter(|&vertex| odd[vertex]) {
+            *odd_in.entry(parts.find_mut(vertex)).or_default() += 1;
+        }
+        Left { parts, odd, odd_in }
     }
+}
 
-    fn left<'a>(&'a self, used: &'a [bool]) -> impl Iterator<Item = &'a Pass> {
-        self.all.iter().zip(used).filter(|(_, used)| !**used).map(|(pass, _)| pass)
-    }
+/// What is not used.
+struct Left {
+    /// Vertices that are joined by it.
+    parts: UnionFind<usize>,
+    /// Whether a vertex has an odd number of its ends.
+    odd: Vec<bool>,
+    /// For each part with edges, by a vertex of it, how many odd vertices it has.
+    odd_in: BTreeMap<usize, usize>,
 }

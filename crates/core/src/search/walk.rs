@@ -60,8 +60,8 @@ pub(super) struct Walk<'a> {
     pub obstruction: Option<Obstruction>,
 }
 
-/// A trail is given up after so many dead ends for each pass.
-const DEAD_ENDS: usize = 3;
+/// A trail is given up after so many dead ends, and so many for each pass.
+const DEAD_ENDS: [usize; 2] = [10, 3];
 
 impl<'a> Walk<'a> {
     pub fn new(
@@ -109,7 +109,7 @@ impl<'a> Walk<'a> {
             }
             let Some(next) = node.untried.pop() else {
                 dead_ends += 1;
-                if dead_ends > DEAD_ENDS * self.passes.all.len() + 10 {
+                if dead_ends > DEAD_ENDS[0] + DEAD_ENDS[1] * self.passes.all.len() {
                     return None;
                 }
                 if let Some(taken) = nodes.pop().and_then(|node| node.taken) {
@@ -135,8 +135,14 @@ impl<'a> Walk<'a> {
 
     /// All wires, once everything is used.
     fn found(&mut self) -> Option<Found> {
-        let last = self.wire.found(self.wireframe, self.passes, self.bender)?;
+        let last = self.accepted()?;
         Some(Found { wires: self.finished.iter().cloned().chain([last]).collect() })
+    }
+
+    /// The open wire as it ends, where every check agrees.
+    fn accepted(&self) -> Option<FoundWire> {
+        let found = self.wire.found(self.wireframe, self.passes, self.bender)?;
+        (self.bender.accepts)(&found.route, &found.scheduled).then_some(found)
     }
 
     /// Makes a move, or leaves everything as it is where that is not possible.
@@ -162,7 +168,7 @@ impl<'a> Walk<'a> {
                     self.wire = before;
                     return None;
                 }
-                let Some(found) = self.wire.found(self.wireframe, self.passes, self.bender) else {
+                let Some(found) = self.accepted() else {
                     self.wire = before;
                     return None;
                 };
@@ -193,14 +199,17 @@ impl<'a> Walk<'a> {
 
     /// Whether the open wire can be made as far as it goes.
     fn settle(&mut self, ends: bool) -> bool {
-        self.checks += 1;
+        let settled = self.wire.layers.len();
         let straight_on = !ends && self.goes_straight_on();
         let left = self.passes.all.iter().zip(&self.used).filter(|(_, used)| !**used);
         let still_to_come: Length = left.map(|(pass, _)| self.wireframe.edge_length(pass.edge)).sum();
         let (wireframe, passes, bender) = (self.wireframe, self.passes, self.bender);
-        match self.wire.settle(wireframe, passes, bender, (ends, straight_on), still_to_come, false) {
+        let result = self.wire.settle(wireframe, passes, bender, (ends, straight_on), still_to_come, false);
+        self.checks += (self.wire.layers.len() - settled) as u64;
+        match result {
             Ok(()) => true,
             Err(blocked) => {
+                self.checks += 1;
                 self.note(blocked);
                 false
             }

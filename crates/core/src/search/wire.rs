@@ -1,7 +1,9 @@
 //! A wire while it is laid out: what it has run along, and the ways to bend that.
 
+use std::collections::BTreeSet;
+
 use super::heads::{Layer, Stand, StepQuestion, scheduled};
-use super::trail::Passes;
+use super::trail::{Pass, Passes};
 use super::{Bender, FoundWire};
 use crate::bend::{NominalProgram, program_of_path};
 use crate::clearance::{Clearance, Obstacle, StockWire, passages};
@@ -69,12 +71,14 @@ impl OpenWire {
 
     /// What it has run along.
     pub fn route(&self, passes: &Passes) -> Route {
-        let walked = self.walked.iter().enumerate();
-        Route {
-            traversals: walked
-                .map(|(k, &(pass, from))| passes.traversal(pass, from, &self.walked[..k]))
-                .collect(),
-        }
+        let mut seen = BTreeSet::new();
+        let traversal = |&(pass, from): &(usize, usize)| {
+            let Pass { edge, .. } = passes.all[pass];
+            let to = passes.all[pass].other(from);
+            let [from, to] = [from, to].map(|place| passes.vertices[place]);
+            Traversal { edge, from, to, again: !seen.insert(edge) }
+        };
+        Route { traversals: self.walked.iter().map(traversal).collect() }
     }
 
     /// It with the best of the ways to bend it, once it ends.

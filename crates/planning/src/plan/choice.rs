@@ -93,6 +93,9 @@ pub(super) fn doubling_choice(
     // An open wire whose ends are odd begins at one of them.
     let begins = start.is_none_or(|start| odd.is_empty() || odd.contains(&start));
     let ends = if chosen.closed { 0 } else { 2 * share.wires };
+    if choices.double && choices.avoid_collisions && accepted.is_empty() {
+        return DoublingChoice::Cheapest;
+    }
     if choices.double && (!begins || odd.len() > ends) {
         replaced.routeless += accepted.len();
         return DoublingChoice::Cheapest;

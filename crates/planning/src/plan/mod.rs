@@ -178,12 +178,13 @@ impl Installation {
                 start: here,
                 reversed: chosen.reversed,
                 contacts: choices.collisions,
-                search: search_options(choices),
+                search: search_options(choices, share.wires),
                 settled: settled.clone(),
             };
             let mut took = BTreeMap::new();
             let observer = Observed { progress, took: &mut took, last: Instant::now(), searching: false };
             let plans = plan_wires(&document.wireframe, component, &setup.model, &options, observer);
+            progress.stage("planning");
             // Of several wires of a component, the first has the times of all.
             timings.push(took);
             timings.resize(timings.len() + plans.len() - 1, BTreeMap::new());
@@ -200,13 +201,13 @@ impl Installation {
     }
 }
 
-/// How to search, where that is wanted. With a number of wires that is chosen no more are searched for.
-fn search_options(choices: &PlanChoices) -> Option<SearchOptions> {
+/// How to search, where that is wanted. Where a number of wires is chosen, a part of the design has no more than its share.
+fn search_options(choices: &PlanChoices, share: usize) -> Option<SearchOptions> {
     let usual = SearchOptions::default();
     choices.avoid_collisions.then(|| SearchOptions {
         effort: choices.search_effort.map_or(usual.effort, u64::from),
         seed: choices.search_seed.unwrap_or(usual.seed),
-        max_wires: choices.wires.map_or(usual.max_wires, |wires| wires as usize),
+        max_wires: if choices.wires.is_some() || share > 1 { share } else { usual.max_wires },
     })
 }
 

@@ -63,7 +63,7 @@ pub(super) fn no_clear_program(
         (None, _) => "the head cannot turn far enough".to_owned(),
     };
     let place = at.vertices.first().map(|vertex| format!(" at vertex {vertex}")).unwrap_or_default();
-    format!("{found}; it came to edge {passed} of {of}, where{place} {what}")
+    format!("{found}; the search got as far as edge {passed} of {of}:{place} {what}")
 }
 
 fn goes_into(struck: &[EdgeId], depth: Length) -> String {

@@ -55,7 +55,7 @@ pub(super) fn clause(remedy: &Remedy) -> String {
         Remedy::EaseBends => "make its bends gentler",
         Remedy::TurnBendPlane => "turn the plane of the bend",
         Remedy::MoveApart => "move the edges apart",
-        Remedy::AvoidCollisions => "have another order of the bends searched for",
+        Remedy::AvoidCollisions => "search for a program without collisions",
         Remedy::SearchLonger => "search longer",
         Remedy::AllowWires => "allow more wires",
         Remedy::MeasureBody => "measure it and enter its dimensions in the machine's profile",

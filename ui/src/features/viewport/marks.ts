@@ -13,7 +13,6 @@ const ABOUT_EDGES: ReadonlySet<string> = new Set([
   "parallel_edges",
   "meets_machine",
   "meets_stock",
-  "no_clear_program",
 ]);
 const ABOUT_VERTICES: ReadonlySet<string> = new Set([
   "bend_too_sharp",
