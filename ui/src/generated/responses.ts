@@ -575,6 +575,7 @@ export type DiagnosticCode =
   | "zero_length_edge"
   | "parallel_edges"
   | "coincident_vertices"
+  | "edges_meet"
   | "isolated_vertex"
   | "several_wires"
   | "no_edges"
@@ -614,6 +615,12 @@ export type RemedyReport =
     }
   | {
       remedy: "tie_wires";
+    }
+  | {
+      remedy: "fasten_there";
+    }
+  | {
+      remedy: "join_edges";
     }
   | {
       remedy: "draw_edges";

@@ -27,6 +27,8 @@ fn option(remedy: &RemedyReport) -> Option<&'static str> {
         | RemedyReport::LeaveTouching
         | RemedyReport::LeaveRoom
         | RemedyReport::TieWires
+        | RemedyReport::FastenThere
+        | RemedyReport::JoinEdges
         | RemedyReport::DrawEdges
         | RemedyReport::DeleteEdge
         | RemedyReport::DeleteParallelEdge

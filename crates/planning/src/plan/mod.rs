@@ -145,8 +145,12 @@ impl Installation {
         progress.stage("checking the design");
         let components = document.wireframe.components();
         let weld_tolerance = Length::from_mm(crate::design::default_weld_mm()).unwrap_or_default();
-        let mut design =
-            check_design(&Design { wireframe: &document.wireframe, components: &components, weld_tolerance });
+        let mut design = check_design(&Design {
+            wireframe: &document.wireframe,
+            components: &components,
+            weld_tolerance,
+            diameter: setup.model.wire.diameter,
+        });
         if let Some(VertexId(vertex)) = start.filter(|&vertex| document.wireframe.incident(vertex).is_empty())
         {
             return Err(PlanningError::StartWithoutEdge { vertex, name: opened.name });
