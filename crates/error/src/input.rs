@@ -43,6 +43,8 @@ pub enum InputName {
     KeepOrder,
     /// The look for collisions.
     Collisions,
+    /// How far the wire has to stay from what it could hit.
+    Clearance,
     /// How often a job is simulated.
     Runs,
     /// The id of a new profile.
@@ -82,6 +84,7 @@ impl InputName {
             Self::Reverse => "direction",
             Self::KeepOrder => "order of the program",
             Self::Collisions => "check for collisions",
+            Self::Clearance => "clearance",
             Self::Runs => "number of runs",
             Self::ProfileId => "id",
             Self::ProfileName => "name",

@@ -35,4 +35,8 @@ pub struct PlanChoices {
     /// Whether to look where the wire meets the machine or itself while it is bent.
     #[serde(default)]
     pub collisions: bool,
+    /// How far the wire has to stay from what it could hit, besides, mm; with `collisions`.
+    #[serde(default)]
+    #[schemars(range(min = 0.0))]
+    pub collision_margin_mm: f64,
 }

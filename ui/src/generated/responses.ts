@@ -522,6 +522,7 @@ export type InputName =
   | "reverse"
   | "keep-order"
   | "collisions"
+  | "clearance"
   | "runs"
   | "profile-id"
   | "profile-name"

@@ -24,6 +24,7 @@ const INPUTS: Readonly<Record<InputName, string>> = {
   reverse: "the direction of the wire",
   "keep-order": "the order of the program",
   collisions: "the check for collisions",
+  clearance: "the clearance",
   runs: "the number of runs",
   "profile-id": "the id",
   "profile-name": "the name",

@@ -103,6 +103,15 @@ pub(crate) struct ChoiceArgs {
     /// Look where the wire hits the machine or itself while it is bent
     #[arg(long)]
     pub collisions: bool,
+    /// With --collisions, also name what comes nearer than this without hitting, in mm
+    #[arg(
+        long,
+        value_name = "MM",
+        default_value_t = 0.0,
+        requires = "collisions",
+        allow_negative_numbers = true
+    )]
+    pub clearance: f64,
 }
 
 /// Where the result goes.

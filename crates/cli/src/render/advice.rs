@@ -228,6 +228,7 @@ const fn option(input: InputName) -> &'static str {
         InputName::Reverse => "--reverse",
         InputName::KeepOrder => "--keep-order",
         InputName::Collisions => "--collisions",
+        InputName::Clearance => "--clearance",
         InputName::Runs => "--runs",
         InputName::ProfileId => "the id",
         InputName::ProfileName => "--name",

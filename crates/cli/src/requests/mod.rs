@@ -221,6 +221,7 @@ fn choices(args: ChoiceArgs) -> Result<PlanChoices, WrongUse> {
         reverse,
         keep_order,
         collisions,
+        clearance,
     } = args;
     if wires.is_some_and(WireRange::is_several) {
         return Err(WrongUse("a range of wires is for `plan` alone: give one number of wires".to_owned()));
@@ -237,5 +238,6 @@ fn choices(args: ChoiceArgs) -> Result<PlanChoices, WrongUse> {
         reverse,
         keep_order,
         collisions,
+        collision_margin_mm: clearance,
     })
 }

@@ -75,6 +75,33 @@ fn a_body_that_is_only_estimated_is_a_warning_that_says_so() {
     assert!(without.err.contains("collisions not checked") && !without.err.contains("meets_machine"));
 }
 
+/// Straight parts that pass each other 4 mm from centre to centre, of wire 3 mm thick, have 1 mm between them.
+#[test]
+fn what_comes_nearer_than_the_clearance_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("passing.obj");
+    let passing = THROUGH_ITSELF.replace("50 60 0", "50 60 4").replace("50 -40 0", "50 -40 4");
+    fs::write(&file, passing).unwrap();
+    let check =
+        |more: &[&str]| run(&[&["check", file.to_str().unwrap(), "-m", "table-bender"], more].concat());
+    for enough in [&["--collisions"][..], &["--collisions", "--clearance", "0.9"]] {
+        let said = check(enough).ended(0).err;
+        assert!(!said.contains("meets_stock"), "{said}");
+    }
+    let said = check(&["--collisions", "--clearance", "2"]).ended(0).err;
+    let words = "warning[meets_stock]: step 3: the wire of edge 0 comes within 1.0 mm of the wire that is still to be bent";
+    assert!(said.contains(words), "{said}");
+    for wrong in ["-1", "nan", "inf"] {
+        let said = check(&["--collisions", "--clearance", wrong]).ended(2).err;
+        assert!(
+            said.contains("error: the clearance is ") && said.contains("expected zero or more"),
+            "{said}"
+        );
+        assert!(said.contains("help: correct --clearance"), "{said}");
+    }
+    assert!(check(&["--clearance", "1"]).ended(2).err.contains("--collisions"));
+}
+
 #[test]
 fn a_job_is_exported_as_it_was_planned() {
     let folder = tempfile::tempdir().unwrap();
@@ -83,4 +110,6 @@ fn a_job_is_exported_as_it_was_planned() {
     run(&["plan", &example("house.obj"), "-m", "wirebend-kit", "-o", job]).ended(0);
     let refused = run(&["export", job, "--format", "svg", "-o", "-", "--collisions"]);
     assert!(refused.err.contains("--collisions"), "{}", refused.err);
+    let refused = run(&["export", job, "--format", "svg", "-o", "-", "--collisions", "--clearance", "1"]).err;
+    assert!(refused.contains("--collisions") && refused.contains("--clearance"), "{refused}");
 }

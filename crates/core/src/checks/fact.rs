@@ -242,8 +242,10 @@ pub enum Fact {
         bent: Angle,
         /// Where the head is, right-handed about +x of the machine.
         head: Angle,
-        /// How far they are into each other at the worst of the step.
+        /// How far they are into each other at the worst of the step, the margin included.
         depth: Length,
+        /// How far from each other they have to stay.
+        margin: Length,
         /// In how many later steps they meet again.
         later: usize,
         /// What the body is called.
@@ -265,8 +267,10 @@ pub enum Fact {
         bent: Angle,
         /// Where the head is, right-handed about +x of the machine.
         head: Angle,
-        /// How far they are into each other at the worst of the step.
+        /// How far they are into each other at the worst of the step, the margin included.
         depth: Length,
+        /// How far from each other they have to stay.
+        margin: Length,
         /// In how many later steps they meet again.
         later: usize,
         /// Diameter of both.

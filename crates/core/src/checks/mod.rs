@@ -114,6 +114,8 @@ pub struct WireStages<'a> {
     pub unbendable: &'a [StepError],
     /// Where it meets the machine or itself, as far as somebody looked.
     pub contacts: &'a [FirstContact],
+    /// How far it has to stay from what it could meet: depths are counted from there.
+    pub margin: Length,
     /// The bodies of the machine.
     pub bodies: &'a [Body],
     /// How it is compensated for.

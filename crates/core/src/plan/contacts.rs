@@ -7,8 +7,14 @@ use crate::simulate::scheduled_start;
 use crate::units::Length;
 use crate::wireframe::Wireframe;
 
-/// The first contact with each thing that the wire meets, once it has been scheduled, in the order of its steps.
-pub(super) fn find(wireframe: &Wireframe, machine: &Machine, plan: &WirePlan) -> Option<Vec<FirstContact>> {
+/// The first contact with each thing that the wire meets or comes nearer to than a margin, once it has been scheduled, in the
+/// order of its steps.
+pub(super) fn find(
+    wireframe: &Wireframe,
+    machine: &Machine,
+    plan: &WirePlan,
+    margin: Length,
+) -> Option<Vec<FirstContact>> {
     let (nominal, scheduled) = (plan.nominal.as_ref()?, plan.scheduled.as_ref()?);
     let route = plan.route.as_ref()?;
     let passages = nominal.spans.iter().map(|span| {
@@ -20,7 +26,7 @@ pub(super) fn find(wireframe: &Wireframe, machine: &Machine, plan: &WirePlan) ->
         diameter: machine.wire.diameter,
         bend_radius: machine.bend_radius,
         tail: machine.limits.tail.value,
-        margin: Length::ZERO,
+        margin,
     };
     let steps = &scheduled.steps;
     let clearance = Clearance::new(

@@ -75,8 +75,9 @@ pub struct PlanOptions {
     pub start: Option<VertexId>,
     /// Whether the wire runs the other way: it ends where it would have started.
     pub reversed: bool,
-    /// Whether to look where the wire meets the machine or itself, which takes the longest.
-    pub contacts: bool,
+    /// Whether to look where the wire meets the machine or itself, which takes the longest; and how far they have to stay
+    /// from each other.
+    pub contacts: Option<Length>,
     /// The walk, where it is settled: no other is looked for, and no edge is doubled but those that it passes again.
     pub settled: Option<Route>,
 }
@@ -91,7 +92,7 @@ impl Default for PlanOptions {
             closed: false,
             start: None,
             reversed: false,
-            contacts: false,
+            contacts: None,
             settled: None,
         }
     }

@@ -161,7 +161,9 @@ impl Content {
             reverse,
             keep_order,
             collisions,
+            collision_margin_mm,
         } = &request.choices;
+        let clearance = *collision_margin_mm != 0.0;
         let other_material = material.as_ref().is_some_and(|id| *id != contents.material.id);
         if other_material
             || *double
@@ -172,10 +174,11 @@ impl Content {
             || *reverse
             || *keep_order
             || *collisions
+            || clearance
             || !request.design.reads_plainly()
         {
             use InputName::{
-                Closed, Collisions, Detours, Double, KeepOrder, Material, Reverse, Start, Wires,
+                Clearance, Closed, Collisions, Detours, Double, KeepOrder, Material, Reverse, Start, Wires,
             };
             let given = [
                 (Material, other_material),
@@ -187,6 +190,7 @@ impl Content {
                 (Reverse, *reverse),
                 (KeepOrder, *keep_order),
                 (Collisions, *collisions),
+                (Clearance, clearance),
             ];
             let given = given.into_iter().filter_map(|(input, given)| given.then_some(input));
             let inputs = given.chain(request.design.read_otherwise()).collect();

@@ -13,7 +13,7 @@ use wirebend_core::checks::{Design, Diagnostic, check_design};
 use wirebend_core::plan::{PlanOptions, Stage, WirePlan, plan_wires};
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::{Component, VertexId};
-use wirebend_error::ErrorRemedy;
+use wirebend_error::{ErrorRemedy, InputName};
 use wirebend_files::document::{Job, JobContents, JobStep, JobWire, ProfileSnapshot};
 
 use crate::choices::PlanChoices;
@@ -127,6 +127,7 @@ impl Installation {
         let mut opened = opened;
         opened.require_designed()?;
         let settled = opened.settled(choices)?;
+        let margin = collision_margin(choices)?;
         let chosen = WireChoice::of(&opened.document, choices)?;
         setup.driver.require_settings()?;
         opened.notes.extend(setup.driver.note.clone());
@@ -180,7 +181,7 @@ impl Installation {
                 closed: chosen.closed,
                 start: here,
                 reversed: chosen.reversed,
-                contacts: choices.collisions,
+                contacts: choices.collisions.then_some(margin),
                 settled: settled.clone(),
             };
             let mut took = BTreeMap::new();
@@ -203,6 +204,17 @@ impl Installation {
         }
         Ok(Planned { opened, setup, components: components.len(), wires, timings, design })
     }
+}
+
+/// How far the wire has to stay from what it could hit.
+fn collision_margin(choices: &PlanChoices) -> Result<Length, PlanningError> {
+    let margin = Length::from_mm(choices.collision_margin_mm).ok().filter(|margin| *margin >= Length::ZERO);
+    margin.ok_or_else(|| PlanningError::Value {
+        input: Some(InputName::Clearance),
+        name: "the clearance",
+        value: format!("{} mm", choices.collision_margin_mm),
+        expected: "zero or more",
+    })
 }
 
 /// A springback that was not measured is worth a test piece.
