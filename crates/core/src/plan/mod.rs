@@ -14,7 +14,9 @@ use crate::clearance::{Bodies, FirstContact};
 use crate::compensate::{CompensatedProgram, Compensation};
 use crate::estimate::{TimeModel, WireModel};
 use crate::route::{Doubling, Route};
+use crate::sag::{Sag, max_sag};
 use crate::schedule::{HeadLimits, ScheduledProgram};
+use crate::simulate::scheduled_start;
 use crate::units::{Angle, Length};
 use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
 use routing::Routed;
@@ -172,6 +174,13 @@ impl WirePlan {
     #[must_use]
     pub fn doubled_length(&self, wireframe: &Wireframe) -> Length {
         self.doubled.iter().map(|&edge| wireframe.edge_length(edge)).sum()
+    }
+
+    /// How far the part already bent sags at most while the machine bends it, once it has been scheduled; see [`crate::sag`].
+    #[must_use]
+    pub fn max_sag(&self, wire: &WireModel) -> Option<Sag> {
+        let steps = &self.scheduled.as_ref()?.steps;
+        max_sag(scheduled_start(self.start, steps), steps, wire)
     }
 
     /// Whether the machine can make it: it has been compensated and no check objects.

@@ -20,7 +20,7 @@ use crate::choices::PlanChoices;
 use crate::design::{DesignInput, Opened};
 use crate::machine::Setup;
 use crate::output::Output;
-use crate::report::{DiagnosticReport, NoteReport, PlanReport, WireReport};
+use crate::report::{DiagnosticReport, NoteReport, PlanReport, SagReport, WireReport};
 use crate::stage::StageName;
 use crate::{Installation, PlanningError, Progress, text};
 pub use choice::wires_of_parts;
@@ -43,6 +43,9 @@ pub struct PlanRequest {
     /// Whether to return the job, where it does not go to a file.
     #[serde(default)]
     pub make_job: bool,
+    /// Whether to work out how far the part already bent sags under its own weight.
+    #[serde(default)]
+    pub sag: bool,
     /// Whether to write a job although a check says that it cannot be made.
     #[serde(default)]
     pub despite_errors: bool,
@@ -350,7 +353,12 @@ pub fn plan(
     if let Some(first) = planned.timings.first_mut() {
         first.insert("read", read_ms);
     }
-    let report = planned.report();
+    let mut report = planned.report();
+    if request.sag {
+        for (wire, plan) in report.wires_mut().iter_mut().zip(&planned.wires) {
+            wire.sag = plan.max_sag(&planned.setup.model.wire).map(SagReport::from);
+        }
+    }
     let mut made = (None, None, Vec::new());
     let wanted = request.output.is_some() || request.make_job;
     let withheld = wanted && !planned.feasible() && !request.despite_errors;

@@ -58,6 +58,7 @@ impl WireReport {
             diagnostics: plan.diagnostics.iter().map(DiagnosticReport::from).collect(),
             feasible: plan.is_feasible(),
             collisions_checked: plan.contacts.is_some(),
+            sag: None,
             time_s: plan.seconds,
             cost: fed.and_then(|fed| wire.cost(fed)),
             stock_cost: plan.stock.and_then(|stock| wire.cost(stock)),
