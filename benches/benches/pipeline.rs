@@ -30,7 +30,14 @@ fn planning(name: &str, bytes: Vec<u8>, face_edges: bool, double: bool) -> Comma
     let design = DesignInput { input, face_edges, ..DesignInput::file(PathBuf::new()) };
     let machine = Some("wirebend-kit".to_owned());
     let choices = PlanChoices { machine, double, ..PlanChoices::default() };
-    Command::Plan(PlanRequest { design, choices, output: None, make_job: false, despite_errors: true })
+    Command::Plan(PlanRequest {
+        design,
+        choices,
+        output: None,
+        make_job: false,
+        sag: false,
+        despite_errors: true,
+    })
 }
 
 /// A column of triangles: rings of `around` vertices, every vertex of degree 4 or 6 but for the rims, so

@@ -1,5 +1,7 @@
 //! Pairs of straight pieces that come close to each other.
 
+use std::ops::ControlFlow;
+
 use nalgebra::{Point3, Vector3};
 
 use crate::between_pieces;
@@ -19,10 +21,14 @@ pub struct ClosePair {
 const FEW: usize = 8;
 
 /// All pairs of pieces that come closer than `reach`, in order of their indices; only those for which `counts` says so.
+///
+/// No more than `most` pairs with boxes so close are looked at: where everything is within reach of everything, the time
+/// would grow with the square of their number. Pairs of the first pieces are found then, and not those of the others.
 #[must_use]
 pub fn close_pairs(
     pieces: &[[Point3<f64>; 2]],
     reach: f64,
+    most: usize,
     counts: impl Fn([usize; 2]) -> bool,
 ) -> Vec<ClosePair> {
     let corners: Vec<Corners> = pieces.iter().map(Corners::of).collect();
@@ -31,17 +37,28 @@ pub fn close_pairs(
     if !order.is_empty() {
         grow(&mut tree, &mut order, &corners, 0);
     }
-    let search = Search { pieces, corners: &corners, order: &order, tree: &tree, reach };
+    let search = Search { corners: &corners, order: &order, tree: &tree, reach };
     let mut found = Vec::new();
+    let mut left = most;
     for index in 0..pieces.len() {
-        search.look(0, index, &mut |other| {
-            if other > index && counts([index, other]) {
+        let stopped = search.look(0, index, &mut |other| {
+            // Both pieces of a pair come to it.
+            if other <= index {
+                return ControlFlow::Continue(());
+            }
+            let Some(rest) = left.checked_sub(1) else { return ControlFlow::Break(()) };
+            left = rest;
+            if counts([index, other]) {
                 let (distance, parts) = between_pieces(&pieces[index], &pieces[other]);
                 if distance < reach {
                     found.push(ClosePair { pieces: [index, other], distance, parts });
                 }
             }
+            ControlFlow::Continue(())
         });
+        if stopped.is_break() {
+            break;
+        }
     }
     found.sort_by_key(|pair| pair.pieces);
     found
@@ -97,7 +114,6 @@ fn grow(tree: &mut Vec<Node>, order: &mut [usize], corners: &[Corners], first: u
 }
 
 struct Search<'a> {
-    pieces: &'a [[Point3<f64>; 2]],
     corners: &'a [Corners],
     order: &'a [usize],
     tree: &'a [Node],
@@ -105,22 +121,28 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Gives each piece in a node whose box is near that of piece `index`.
-    fn look(&self, node: usize, index: usize, near: &mut impl FnMut(usize)) {
-        debug_assert!(index < self.pieces.len());
-        let Node { corners, first, end, second } = &self.tree[node];
+    /// Gives each piece in a node whose box is near that of piece `index`, until told to stop.
+    fn look(
+        &self,
+        node: usize,
+        index: usize,
+        near: &mut impl FnMut(usize) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
+        let Some(Node { corners, first, end, second }) = self.tree.get(node) else {
+            return ControlFlow::Continue(());
+        };
         if !corners.is_within(self.reach, &self.corners[index]) {
-            return;
+            return ControlFlow::Continue(());
         }
         if let Some(second) = *second {
-            self.look(node + 1, index, near);
-            self.look(second, index, near);
-            return;
+            self.look(node + 1, index, near)?;
+            return self.look(second, index, near);
         }
         for &other in &self.order[*first..*end] {
             if self.corners[other].is_within(self.reach, &self.corners[index]) {
-                near(other);
+                near(other)?;
             }
         }
+        ControlFlow::Continue(())
     }
 }

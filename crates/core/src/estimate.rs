@@ -76,6 +76,8 @@ pub struct WireModel {
     pub diameter: Length,
     /// Density, in kg/m³.
     pub density_kg_per_m3: f64,
+    /// Young's modulus, in gigapascal.
+    pub youngs_modulus_gpa: f64,
     /// Price of a millimetre; none where nobody knows.
     pub price_per_mm: Option<f64>,
 }

@@ -22,6 +22,7 @@ pub mod mesh;
 pub mod motion;
 pub mod plan;
 pub mod route;
+pub mod sag;
 pub mod schedule;
 pub mod search;
 pub mod simulate;

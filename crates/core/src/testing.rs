@@ -60,7 +60,12 @@ pub(crate) fn published_machine() -> Machine {
             bend_deg_per_s: 15.1,
             fixed_per_bend_s: 5.0,
         },
-        wire: WireModel { diameter: mm(3.0), density_kg_per_m3: 2700.0, price_per_mm: Some(0.00199) },
+        wire: WireModel {
+            diameter: mm(3.0),
+            density_kg_per_m3: 2700.0,
+            youngs_modulus_gpa: 68.03,
+            price_per_mm: Some(0.00199),
+        },
         bend_radius: mm(3.0),
         straight: deg(0.01676 / 2.0),
         bodies: Bodies::default(),

@@ -45,6 +45,8 @@ pub enum InputName {
     Collisions,
     /// The search for wires that hit nothing.
     AvoidCollisions,
+    /// How far the wire has to stay from what it could hit.
+    Clearance,
     /// How often a job is simulated.
     Runs,
     /// The id of a new profile.
@@ -85,6 +87,7 @@ impl InputName {
             Self::KeepOrder => "order of the program",
             Self::Collisions => "check for collisions",
             Self::AvoidCollisions => "search for a program without collisions",
+            Self::Clearance => "clearance",
             Self::Runs => "number of runs",
             Self::ProfileId => "id",
             Self::ProfileName => "name",

@@ -44,4 +44,8 @@ pub struct PlanChoices {
     pub search_effort: Option<u32>,
     /// Where the chance of the search begins; absent, 1. The same seed finds the same.
     pub search_seed: Option<u64>,
+    /// How far the wire has to stay from what it could hit, besides, mm; with `collisions`.
+    #[serde(default)]
+    #[schemars(range(min = 0.0))]
+    pub collision_margin_mm: f64,
 }

@@ -204,6 +204,7 @@ fn model(
         wire: WireModel {
             diameter,
             density_kg_per_m3: wire.density_kg_per_m3,
+            youngs_modulus_gpa: wire.youngs_modulus_gpa,
             price_per_mm: wire.price_per_mm,
         },
         bend_radius: FeedModel::new(pin, diameter, wire.k_factor).bend_radius,

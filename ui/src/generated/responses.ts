@@ -523,6 +523,7 @@ export type InputName =
   | "keep-order"
   | "collisions"
   | "avoid-collisions"
+  | "clearance"
   | "runs"
   | "profile-id"
   | "profile-name"
@@ -576,6 +577,7 @@ export type DiagnosticCode =
   | "zero_length_edge"
   | "parallel_edges"
   | "coincident_vertices"
+  | "edges_meet"
   | "isolated_vertex"
   | "several_wires"
   | "no_edges"
@@ -616,6 +618,12 @@ export type RemedyReport =
     }
   | {
       remedy: "tie_wires";
+    }
+  | {
+      remedy: "fasten_there";
+    }
+  | {
+      remedy: "join_edges";
     }
   | {
       remedy: "draw_edges";

@@ -25,6 +25,7 @@ const INPUTS: Readonly<Record<InputName, string>> = {
   "keep-order": "the order of the program",
   collisions: "the check for collisions",
   "avoid-collisions": "the search for a program without collisions",
+  clearance: "the clearance",
   runs: "the number of runs",
   "profile-id": "the id",
   "profile-name": "the name",

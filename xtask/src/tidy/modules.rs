@@ -18,7 +18,7 @@ const FLAT: usize = 25;
 const ORDER: &[(&str, &str)] = &[
     (
         "crates/core",
-        "units mesh curve wireframe route bend schedule compensate estimate simulate motion clearance search checks plan",
+        "units mesh curve wireframe route bend schedule compensate estimate simulate motion sag clearance search checks plan",
     ),
     (
         "crates/profile",

@@ -10,6 +10,7 @@ use std::time::Instant;
 use anyhow::{Context, Result, ensure};
 use wirebend_core::plan::{DoublingChoice, Machine, PlanOptions, WirePlan, plan_wires};
 use wirebend_core::search::SearchOptions;
+use wirebend_core::units::Length;
 use wirebend_core::wireframe::Wireframe;
 use wirebend_files::read::{Format, ReadOptions, read};
 use wirebend_planning::machine::Setup;
@@ -86,7 +87,11 @@ struct Shown {
 fn show(name: &str, wireframe: &Wireframe, machine: &Machine, effort: u64) -> Result<Shown> {
     let components = wireframe.components();
     let component = components.first().context("a component")?;
-    let first = PlanOptions { doubling: DoublingChoice::Cheapest, contacts: true, ..PlanOptions::default() };
+    let first = PlanOptions {
+        doubling: DoublingChoice::Cheapest,
+        contacts: Some(Length::ZERO),
+        ..PlanOptions::default()
+    };
     let begin = Instant::now();
     let plain = plan_wires(wireframe, component, machine, &first, |_| ());
     let plain_ms = begin.elapsed().as_secs_f64() * 1000.0;

@@ -220,6 +220,7 @@ impl Workspace {
             choices: PlanChoices::default(),
             output: Some(asked.output.clone()),
             make_job: false,
+            sag: false,
             despite_errors: asked.despite_errors,
         };
         let planned = wirebend_planning::plan::plan(&self.installation(), &request, progress)?;

@@ -101,6 +101,9 @@ pub(crate) enum Subcommands {
         /// Say what changes on another machine, by id, instead of making a job; may be given again
         #[arg(long, value_name = "ID", conflicts_with_all = ["output", "force", "despite_errors"])]
         compare: Vec<String>,
+        /// Say how far the part already bent sags under its own weight while it is bent
+        #[arg(long, conflicts_with = "compare")]
+        sag: bool,
     },
     /// Write what a machine, another program or a person reads
     #[command(

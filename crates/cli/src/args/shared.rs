@@ -112,6 +112,15 @@ pub(crate) struct ChoiceArgs {
     /// Seed of the search; the same seed finds the same
     #[arg(long = "search-seed", value_name = "SEED", requires = "avoid_collisions")]
     pub search_seed: Option<u64>,
+    /// With --collisions, also name what comes nearer than this without hitting, in mm
+    #[arg(
+        long,
+        value_name = "MM",
+        default_value_t = 0.0,
+        requires = "collisions",
+        allow_negative_numbers = true
+    )]
+    pub clearance: f64,
 }
 
 /// Where the result goes.

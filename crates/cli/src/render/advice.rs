@@ -229,6 +229,7 @@ const fn option(input: InputName) -> &'static str {
         InputName::KeepOrder => "--keep-order",
         InputName::Collisions => "--collisions",
         InputName::AvoidCollisions => "--avoid-collisions",
+        InputName::Clearance => "--clearance",
         InputName::Runs => "--runs",
         InputName::ProfileId => "the id",
         InputName::ProfileName => "--name",

@@ -30,6 +30,8 @@ fn option(remedy: &RemedyReport) -> Option<&'static str> {
         | RemedyReport::LeaveTouching
         | RemedyReport::LeaveRoom
         | RemedyReport::TieWires
+        | RemedyReport::FastenThere
+        | RemedyReport::JoinEdges
         | RemedyReport::DrawEdges
         | RemedyReport::DeleteEdge
         | RemedyReport::DeleteParallelEdge

@@ -89,6 +89,14 @@ fn wire(out: &mut impl Write, report: &WireReport) -> std::io::Result<()> {
             ),
         )?;
     }
+    if let Some(sag) = report.sag {
+        let words = format!(
+            "{:.1} mm at the free end in step {}, under its own weight",
+            sag.deflection_mm,
+            sag.step + 1
+        );
+        line(out, "sags", words)?;
+    }
     let mut figures = Vec::new();
     figures.extend(report.time_s.map(|seconds| format!("{} on the machine", duration(seconds))));
     let with_stock = |fed: String, stock: Option<String>| match stock {

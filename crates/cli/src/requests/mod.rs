@@ -52,8 +52,8 @@ pub(crate) fn prepare(command: Subcommands) -> anyhow::Result<Prepared> {
         Subcommands::Check { design: args, choices: chosen } => {
             written(Command::Check(CheckRequest { design: design(&args)?, choices: choices(chosen)? }))
         }
-        Subcommands::Plan { design: args, choices: chosen, output, danger, compare } => {
-            plan(&args, chosen, output, &danger, compare)?
+        Subcommands::Plan { design: args, choices: chosen, output, danger, compare, sag } => {
+            plan(&args, chosen, output, &danger, compare, sag)?
         }
         Subcommands::Export { design: args, choices: chosen, format, settings, output, danger } => {
             let (output, contents) = place(output, true);
@@ -120,6 +120,7 @@ fn plan(
     output: OutputArgs,
     danger: &DangerArgs,
     compare: Vec<String>,
+    sag: bool,
 ) -> anyhow::Result<Prepared> {
     let design = design(args)?;
     let written = |command| Ok(Prepared::Command(Box::new(command), Contents::Written));
@@ -135,7 +136,7 @@ fn plan(
         }));
     }
     if let Some(WireRange { from, to }) = chosen.wires.filter(|range| range.is_several()) {
-        if output.output.is_some() || output.force || danger.despite_errors {
+        if output.output.is_some() || output.force || danger.despite_errors || sag {
             let words = "numbers of wires are compared, and no job is made: give one number of wires";
             return Err(WrongUse(words.to_owned()).into());
         }
@@ -149,6 +150,7 @@ fn plan(
         make_job: contents == Contents::StandardOutput,
         output,
         despite_errors: danger.despite_errors,
+        sag,
     };
     Ok(Prepared::Command(Box::new(Command::Plan(request)), contents))
 }
@@ -224,6 +226,7 @@ fn choices(args: ChoiceArgs) -> Result<PlanChoices, WrongUse> {
         avoid_collisions,
         effort,
         search_seed,
+        clearance,
     } = args;
     if wires.is_some_and(WireRange::is_several) {
         return Err(WrongUse("a range of wires is for `plan` alone: give one number of wires".to_owned()));
@@ -243,5 +246,6 @@ fn choices(args: ChoiceArgs) -> Result<PlanChoices, WrongUse> {
         avoid_collisions,
         search_effort: effort,
         search_seed,
+        collision_margin_mm: clearance,
     })
 }

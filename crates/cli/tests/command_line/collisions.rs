@@ -15,8 +15,11 @@ fn a_wire_drawn_through_itself_cannot_be_bent() {
     fs::write(&file, THROUGH_ITSELF).unwrap();
     let file = file.to_str().unwrap();
     let check = |more: &[&str]| run(&[&["check", file, "-m", "table-bender", "--json"], more].concat());
-    let without = check(&[]).ended(0).json();
+    // What the finished part cannot be is said without them.
+    let without = check(&[]).ended(4).json();
     assert_eq!(without["collisions_checked"], false);
+    let said: Vec<_> = without["diagnostics"].as_array().unwrap().iter().map(|one| &one["code"]).collect();
+    assert_eq!(said, ["edges_meet"]);
     let found = check(&["--collisions"]).ended(4).json();
     assert_eq!((&found["collisions_checked"], &found["feasible"]), (&true.into(), &false.into()));
     let all = found["diagnostics"].as_array().unwrap();
@@ -30,6 +33,32 @@ fn a_wire_drawn_through_itself_cannot_be_bent() {
     // Centreline on centreline they are into each other by the diameter of the wire, 3 mm.
     let depth = one["value"].as_f64().unwrap();
     assert!((depth - 3.0).abs() < 0.15, "{depth}");
+}
+
+/// Two struts that cross: no bender can make one wire go through another, whatever the machine and the route.
+#[test]
+fn crossing_struts_are_an_error_with_their_place_and_what_to_do() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("through.obj");
+    let file_name = file.to_str().unwrap();
+    let check = || run(&["check", file_name, "-m", "table-bender"]);
+    fs::write(&file, THROUGH_ITSELF).unwrap();
+    let said = check().ended(4).err;
+    assert!(
+        said.contains(
+            "error[edges_meet]: edges 0 and 3 meet 50.0 mm from vertex 0: 0.0 mm from centre to centre"
+        ),
+        "{said}"
+    );
+    assert!(said.contains("limit from the diameter of the wire"), "{said}");
+    assert!(said.contains("help: join them there with a vertex, or move the edges apart"), "{said}");
+    // With 2 mm between them, of wire 3 mm thick, they press on each other; with 4 mm there is room.
+    for (height, warnings) in [("2", 1), ("4", 0)] {
+        let apart = THROUGH_ITSELF.replace("50 60 0", &format!("50 60 {height}"));
+        fs::write(&file, apart.replace("50 -40 0", &format!("50 -40 {height}"))).unwrap();
+        let said = check().ended(0).err;
+        assert_eq!(said.matches("warning[edges_meet]").count(), warnings, "{said}");
+    }
 }
 
 #[test]
@@ -46,6 +75,33 @@ fn a_body_that_is_only_estimated_is_a_warning_that_says_so() {
     assert!(without.err.contains("collisions not checked") && !without.err.contains("meets_machine"));
 }
 
+/// Straight parts that pass each other 4 mm from centre to centre, of wire 3 mm thick, have 1 mm between them.
+#[test]
+fn what_comes_nearer_than_the_clearance_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("passing.obj");
+    let passing = THROUGH_ITSELF.replace("50 60 0", "50 60 4").replace("50 -40 0", "50 -40 4");
+    fs::write(&file, passing).unwrap();
+    let check =
+        |more: &[&str]| run(&[&["check", file.to_str().unwrap(), "-m", "table-bender"], more].concat());
+    for enough in [&["--collisions"][..], &["--collisions", "--clearance", "0.9"]] {
+        let said = check(enough).ended(0).err;
+        assert!(!said.contains("meets_stock"), "{said}");
+    }
+    let said = check(&["--collisions", "--clearance", "2"]).ended(0).err;
+    let words = "warning[meets_stock]: step 3: the wire of edge 0 comes within 1.0 mm of the wire that is still to be bent";
+    assert!(said.contains(words), "{said}");
+    for wrong in ["-1", "nan", "inf"] {
+        let said = check(&["--collisions", "--clearance", wrong]).ended(2).err;
+        assert!(
+            said.contains("error: the clearance is ") && said.contains("expected zero or more"),
+            "{said}"
+        );
+        assert!(said.contains("help: correct --clearance"), "{said}");
+    }
+    assert!(check(&["--clearance", "1"]).ended(2).err.contains("--collisions"));
+}
+
 #[test]
 fn a_job_is_exported_as_it_was_planned() {
     let folder = tempfile::tempdir().unwrap();
@@ -54,6 +110,8 @@ fn a_job_is_exported_as_it_was_planned() {
     run(&["plan", &example("house.obj"), "-m", "wirebend-kit", "-o", job]).ended(0);
     let refused = run(&["export", job, "--format", "svg", "-o", "-", "--collisions"]);
     assert!(refused.err.contains("--collisions"), "{}", refused.err);
+    let refused = run(&["export", job, "--format", "svg", "-o", "-", "--collisions", "--clearance", "1"]).err;
+    assert!(refused.contains("--collisions") && refused.contains("--clearance"), "{refused}");
 }
 
 /// What hits the head as it comes is bent another way round; the job that is written hits nothing.

@@ -2,6 +2,25 @@
 
 use crate::{assert_fits, example, run, run_in};
 
+/// A straight wire that is fed out is a cantilever: w L⁴ / (8 E I) = 0.7006 mm for 300 mm of the 3 mm aluminium, with
+/// w = 1.8716e-4 N/mm and E I = 270.5e3 N mm².
+#[test]
+fn a_plan_says_how_far_the_part_sags_where_it_is_asked() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("straight.obj"), "v 0 0 0\nv 300 0 0\nl 1 2\n").unwrap();
+    let plan = |more: &[&str]| {
+        run_in(folder.path(), &[&["plan", "straight.obj", "--machine", "wirebend-kit"], more].concat(), b"")
+    };
+    let said = plan(&["--sag"]).ended(0).err;
+    assert!(said.contains("sags        0.7 mm at the free end in step 1, under its own weight"), "{said}");
+    let found = plan(&["--sag", "--json"]).ended(0).json();
+    assert_fits("plan", &found);
+    let deflection = found["sag"]["deflection_mm"].as_f64().unwrap();
+    assert!((deflection - 0.7006).abs() < 1e-4 && found["sag"]["step"] == 0, "{}", found["sag"]);
+    assert!(plan(&["--json"]).ended(0).json()["sag"].is_null());
+    assert!(plan(&["--sag", "--wires", "1..3"]).ended(2).err.contains("numbers of wires are compared"));
+}
+
 #[test]
 fn every_result_fits_its_schema() {
     let folder = tempfile::tempdir().unwrap();

@@ -46,7 +46,7 @@ proptest! {
         let pieces: Vec<[Point3<f64>; 2]> = ends.chunks_exact(2).map(|pair| {
             [pair[0], pair[0] + (pair[1] - pair[0]) * 0.2]
         }).collect();
-        let found: Vec<[usize; 2]> = close_pairs(&pieces, reach, |[one, other]| one + 1 != other)
+        let found: Vec<[usize; 2]> = close_pairs(&pieces, reach, usize::MAX, |[one, other]| one + 1 != other)
             .iter().map(|pair| pair.pieces).collect();
         let mut wanted = Vec::new();
         for one in 0..pieces.len() {
@@ -56,8 +56,32 @@ proptest! {
                 }
             }
         }
-        prop_assert_eq!(found, wanted);
+        prop_assert_eq!(&found, &wanted);
+        // As many looks as there are pairs suffice, and with fewer only the last ones are missed.
+        let pairs = pieces.len() * pieces.len().saturating_sub(1) / 2;
+        for most in [pairs, pairs / 2] {
+            let found = close_pairs(&pieces, reach, most, |[one, other]| one + 1 != other);
+            let found: Vec<[usize; 2]> = found.iter().map(|pair| pair.pieces).collect();
+            prop_assert!(most < pairs || found == wanted);
+            let complete = found.last().map_or(0, |pair| pair[0]);
+            prop_assert!(wanted.iter().take_while(|pair| pair[0] < complete).all(|pair| found.contains(pair)));
+        }
     }
+}
+
+/// A design in metres that is read as one in millimetres: everything is within reach of everything.
+#[test]
+fn what_is_crowded_takes_no_longer_than_told() {
+    let pieces: Vec<[Point3<f64>; 2]> = (0..1000)
+        .map(|k| [Point3::new(f64::from(k) * 1e-4, 0.0, 0.0), Point3::new(f64::from(k) * 1e-4, 1.0, 0.0)])
+        .collect();
+    let looked = std::cell::Cell::new(0);
+    let counts = |_| {
+        looked.set(looked.get() + 1);
+        true
+    };
+    assert_eq!(close_pairs(&pieces, 3.0, 5000, counts).len(), 5000);
+    assert_eq!(looked.get(), 5000);
 }
 
 #[test]

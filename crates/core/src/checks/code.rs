@@ -29,6 +29,8 @@ codes! {
     ParallelEdges = "parallel_edges",
     /// Two vertices lie within the weld tolerance of each other but are not merged.
     CoincidentVertices = "coincident_vertices",
+    /// Two edges come closer than the wire is thick where nothing joins them.
+    EdgesMeet = "edges_meet",
     /// A vertex has no edge, so that no wire passes through it.
     IsolatedVertex = "isolated_vertex",
     /// The wireframe is not connected: it takes several wires.

@@ -10,6 +10,7 @@ pub(super) fn check(wire: &WireStages, found: &mut Vec<Diagnostic>) {
 
 fn finding(wire: &WireStages, first: &FirstContact) -> Option<Diagnostic> {
     let FirstContact { contact, depth, later } = *first;
+    let margin = wire.margin;
     let struck = wire.edges_of_step(contact.leg);
     let mut location = wire.location_of_step(contact.step);
     let search = (!wire.searched).then_some(Remedy::AvoidCollisions);
@@ -21,21 +22,31 @@ fn finding(wire: &WireStages, first: &FirstContact) -> Option<Diagnostic> {
         let own = [Remedy::MoveApart, Remedy::ChooseStart, Remedy::SplitDesign];
         return Some(Diagnostic {
             // Wires that touch give way to each other; where one is in the middle of the other, neither can.
-            severity: if depth > Length::computed(wire.diameter.mm() / 2.0) {
+            severity: if depth > margin + Length::computed(wire.diameter.mm() / 2.0) {
                 Severity::Error
             } else {
                 Severity::Warning
             },
             location: Location { edges, ..location },
-            fact: Fact::MeetsStock { struck, phase, fed, bent, head, depth, later, diameter: wire.diameter },
+            fact: Fact::MeetsStock {
+                struck,
+                phase,
+                fed,
+                bent,
+                head,
+                depth,
+                later,
+                diameter: wire.diameter,
+                margin,
+            },
             remedies: search.into_iter().chain(own).collect(),
         });
     };
     let body = wire.bodies.get(body)?;
     location.edges.clone_from(&struck);
     let source = Source { reason: Some(body.source.clone()), entry: body.entry.clone() };
-    // What is only estimated may be elsewhere: it is worth a look, not an error.
-    let severity = if body.measured { Severity::Error } else { Severity::Warning };
+    // What is only estimated may be elsewhere, and what only comes near does not hit: worth a look, not an error.
+    let severity = if body.measured && depth >= margin { Severity::Error } else { Severity::Warning };
     let own = [Remedy::ChooseStart, Remedy::SplitDesign, Remedy::ChooseMachine];
     let measure = (!body.measured).then_some(Remedy::MeasureBody);
     Some(Diagnostic {
@@ -48,6 +59,7 @@ fn finding(wire: &WireStages, first: &FirstContact) -> Option<Diagnostic> {
             bent,
             head,
             depth,
+            margin,
             later,
             body: body.name.clone(),
             measured: body.measured,
@@ -56,3 +68,6 @@ fn finding(wire: &WireStages, first: &FirstContact) -> Option<Diagnostic> {
         remedies: measure.into_iter().chain(search).chain(own).collect(),
     })
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,7 +1,9 @@
 //! What a finding says, as figures.
 
+mod figures;
+
 use super::code::Code;
-use super::limit::{Limit, LimitSource, Quantity, ReachLimit, Source, Sourced};
+use super::limit::{ReachLimit, Source, Sourced};
 use crate::bend::PathError;
 use crate::clearance::{Obstacle, Phase};
 use crate::route::RouteError;
@@ -40,6 +42,21 @@ pub enum Fact {
         distance: Length,
         /// Up to this distance vertices are taken to be meant as one.
         tolerance: Length,
+    },
+    /// Two edges come closer than the wire is thick where nothing joins them.
+    EdgesMeet {
+        /// The edges, the one with the lower id foremost.
+        edges: [EdgeId; 2],
+        /// The vertex of each of them that is within the diameter of the place.
+        near: [Option<VertexId>; 2],
+        /// The first vertex of each of them.
+        from: [VertexId; 2],
+        /// How far along each of them the place is, from its first vertex.
+        along: [Length; 2],
+        /// How far the centrelines are apart there.
+        distance: Length,
+        /// Diameter of the wire.
+        diameter: Length,
     },
     /// A vertex has no edge.
     IsolatedVertex {
@@ -225,8 +242,10 @@ pub enum Fact {
         bent: Angle,
         /// Where the head is, right-handed about +x of the machine.
         head: Angle,
-        /// How far they are into each other at the worst of the step.
+        /// How far they are into each other at the worst of the step, the margin included.
         depth: Length,
+        /// How far from each other they have to stay.
+        margin: Length,
         /// In how many later steps they meet again.
         later: usize,
         /// What the body is called.
@@ -248,8 +267,10 @@ pub enum Fact {
         bent: Angle,
         /// Where the head is, right-handed about +x of the machine.
         head: Angle,
-        /// How far they are into each other at the worst of the step.
+        /// How far they are into each other at the worst of the step, the margin included.
         depth: Length,
+        /// How far from each other they have to stay.
+        margin: Length,
         /// In how many later steps they meet again.
         later: usize,
         /// Diameter of both.
@@ -289,6 +310,7 @@ impl Fact {
             Self::ZeroLengthEdge { .. } | Self::NoPath(_) => Code::ZeroLengthEdge,
             Self::ParallelEdges { .. } => Code::ParallelEdges,
             Self::CoincidentVertices { .. } => Code::CoincidentVertices,
+            Self::EdgesMeet { .. } => Code::EdgesMeet,
             Self::IsolatedVertex { .. } => Code::IsolatedVertex,
             Self::SeveralWires { .. } => Code::SeveralWires,
             Self::NoEdges => Code::NoEdges,
@@ -315,101 +337,5 @@ impl Fact {
             Self::MeetsStock { .. } => Code::MeetsStock,
             Self::NoClearProgram { .. } => Code::NoClearProgram,
         }
-    }
-
-    /// What was measured or counted; `None` where the finding has no figure.
-    #[must_use]
-    pub const fn measured(&self) -> Option<Quantity> {
-        Some(match self {
-            Self::ZeroLengthEdge { length, .. }
-            | Self::EdgeTooShort { length, .. }
-            | Self::EdgeNearLimit { length, .. }
-            | Self::CoincidentVertices { distance: length, .. }
-            | Self::FeedTooShort { feed: length, .. }
-            | Self::FeedNearLimit { feed: length, .. }
-            | Self::FeedTooLong { feed: length, .. }
-            | Self::FeedLongerThanStock { feed: length, .. }
-            | Self::ArcsOverlap { designed: length, .. }
-            | Self::StockTooLong { needed: length, .. }
-            | Self::WireDoesNotFit { diameter: length, .. }
-            | Self::MeetsMachine { depth: length, .. }
-            | Self::MeetsStock { depth: length, .. } => Quantity::Length(*length),
-            Self::BendTooSharp { bend, .. }
-            | Self::BendNearLimit { bend, .. }
-            | Self::BendOutOfReach { bend, .. }
-            | Self::BendTooSmall { bend }
-            | Self::BendInScatter { bend, .. }
-            | Self::CornerNotMade { corner: bend, .. }
-            | Self::FoldBackNotCompensated { bend }
-            | Self::RotationOutOfRange { wanted: bend, .. } => Quantity::Angle(*bend),
-            Self::FoldBack { .. } => Quantity::Angle(Angle::HALF_TURN),
-            Self::SeveralWires { wires: count }
-            | Self::NoEulerPath { odd: count, .. }
-            | Self::DoubledEdge { passes: count, .. } => Quantity::Count(*count),
-            Self::NoEdges => Quantity::Count(0),
-            Self::NoPath(_)
-            | Self::ParallelEdges { .. }
-            | Self::IsolatedVertex { .. }
-            | Self::RouteRefused(_)
-            | Self::NoClearProgram { .. } => return None,
-        })
-    }
-
-    /// The limit that [`Fact::measured`] is held against; `None` where there is none.
-    #[must_use]
-    pub fn limit(&self) -> Option<Limit<'_>> {
-        Some(match self {
-            Self::CoincidentVertices { tolerance, .. } => {
-                Limit { value: Quantity::Length(*tolerance), source: LimitSource::WeldTolerance }
-            }
-            Self::NoEulerPath { allowed, .. } => {
-                Limit { value: Quantity::Count(*allowed), source: LimitSource::EulerPath }
-            }
-            Self::EdgeTooShort { limit, .. }
-            | Self::EdgeNearLimit { limit, .. }
-            | Self::FeedTooShort { limit, .. }
-            | Self::FeedNearLimit { limit, .. }
-            | Self::FeedTooLong { limit, .. }
-            | Self::FeedLongerThanStock { limit, .. }
-            | Self::StockTooLong { limit, .. }
-            | Self::MeetsMachine { limit, .. } => {
-                Limit { value: Quantity::Length(limit.value), source: LimitSource::Stated(&limit.source) }
-            }
-            Self::ArcsOverlap { needed, bend_radius, .. } => {
-                Limit { value: Quantity::Length(*needed), source: LimitSource::BendRadius(*bend_radius) }
-            }
-            Self::BendTooSharp { limit, .. }
-            | Self::BendNearLimit { limit, .. }
-            | Self::BendInScatter { scatter: limit, .. }
-            | Self::FoldBack { limit } => {
-                Limit { value: Quantity::Angle(limit.value), source: LimitSource::Stated(&limit.source) }
-            }
-            Self::BendOutOfReach { max, reach, .. } => {
-                Limit { value: Quantity::Angle(*max), source: LimitSource::Reach(reach) }
-            }
-            Self::CornerNotMade { straight, .. } => {
-                Limit { value: Quantity::Angle(*straight), source: LimitSource::AxisResolution }
-            }
-            Self::RotationOutOfRange { wanted, range: [min, max], source } => {
-                let limit = if *wanted < Angle::ZERO { min } else { max };
-                Limit { value: Quantity::Angle(*limit), source: LimitSource::Stated(source) }
-            }
-            Self::WireDoesNotFit { diameter, range: [min, max], source } => {
-                let limit = if diameter < min { min } else { max };
-                Limit { value: Quantity::Length(*limit), source: LimitSource::Stated(source) }
-            }
-            Self::ZeroLengthEdge { .. }
-            | Self::NoPath(_)
-            | Self::ParallelEdges { .. }
-            | Self::IsolatedVertex { .. }
-            | Self::SeveralWires { .. }
-            | Self::NoEdges
-            | Self::RouteRefused(_)
-            | Self::MeetsStock { .. }
-            | Self::NoClearProgram { .. }
-            | Self::DoubledEdge { .. }
-            | Self::BendTooSmall { .. }
-            | Self::FoldBackNotCompensated { .. } => return None,
-        })
     }
 }

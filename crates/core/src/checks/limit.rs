@@ -82,6 +82,8 @@ pub enum LimitSource<'a> {
     Stated(&'a Source),
     /// Within the weld tolerance vertices are taken to be meant as one.
     WeldTolerance,
+    /// Centrelines of wires that touch are a diameter apart.
+    Diameter,
     /// Euler: a walk that uses every edge once has odd vertices only at its two ends.
     EulerPath,
     /// Bends of this centreline radius take so much of an edge.

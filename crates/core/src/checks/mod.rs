@@ -10,6 +10,7 @@ mod coincident;
 mod contact;
 mod diagnostic;
 mod edge_length;
+mod edges_meet;
 mod euler_path;
 mod fact;
 mod feed_length;
@@ -69,7 +70,7 @@ pub struct MachineLimits {
     pub axis_source: Source,
 }
 
-/// A wireframe, before any machine is asked.
+/// A wireframe and how thick its wire is, before any machine is asked.
 #[derive(Debug, Clone, Copy)]
 pub struct Design<'a> {
     /// The wireframe.
@@ -78,6 +79,8 @@ pub struct Design<'a> {
     pub components: &'a [Component],
     /// Vertices closer than this are taken to be meant as one.
     pub weld_tolerance: Length,
+    /// How thick the wire is.
+    pub diameter: Length,
 }
 
 /// One wire, with the stages that it has got through.
@@ -113,6 +116,8 @@ pub struct WireStages<'a> {
     pub searched: bool,
     /// Where it meets the machine or itself, as far as somebody looked.
     pub contacts: &'a [FirstContact],
+    /// How far it has to stay from what it could meet: depths are counted from there.
+    pub margin: Length,
     /// The bodies of the machine.
     pub bodies: &'a [Body],
     /// How it is compensated for.
@@ -156,7 +161,8 @@ impl WireStages<'_> {
 /// Everything worth saying about a design, in the order of the checks.
 #[must_use]
 pub fn check_design(design: &Design) -> Vec<Diagnostic> {
-    let checks = [zero_length::check, parallel_edges::check, coincident::check, wires::check];
+    let checks =
+        [zero_length::check, parallel_edges::check, coincident::check, edges_meet::check, wires::check];
     let mut found = Vec::new();
     for check in checks {
         check(design, &mut found);

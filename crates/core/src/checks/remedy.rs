@@ -17,6 +17,10 @@ pub enum Remedy {
     LeaveRoom,
     /// Tie the wires that run side by side along an edge.
     TieWires,
+    /// Weld or tie the wires where they touch.
+    FastenThere,
+    /// Put a vertex where two edges come close, which joins them.
+    JoinEdges,
     /// Draw edges.
     DrawEdges,
     /// Take the edges of a model's faces.

@@ -4,7 +4,12 @@ use crate::testing::{chain, deg, from, mm, published_machine, wireframe};
 
 fn design(w: &Wireframe) -> Vec<Diagnostic> {
     let components = w.components();
-    check_design(&Design { wireframe: w, components: &components, weld_tolerance: mm(1e-3) })
+    check_design(&Design {
+        wireframe: w,
+        components: &components,
+        weld_tolerance: mm(1e-3),
+        diameter: mm(3.0),
+    })
 }
 
 pub(super) fn on(machine: &Machine, w: &Wireframe, options: &PlanOptions) -> Vec<Diagnostic> {

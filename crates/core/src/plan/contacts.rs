@@ -7,8 +7,14 @@ use crate::simulate::scheduled_start;
 use crate::units::Length;
 use crate::wireframe::Wireframe;
 
-/// The first contact with each thing that the wire meets, once it has been scheduled, in the order of its steps.
-pub(super) fn find(wireframe: &Wireframe, machine: &Machine, plan: &WirePlan) -> Option<Vec<FirstContact>> {
+/// The first contact with each thing that the wire meets or comes nearer to than a margin, once it has been scheduled, in the
+/// order of its steps.
+pub(super) fn find(
+    wireframe: &Wireframe,
+    machine: &Machine,
+    plan: &WirePlan,
+    margin: Length,
+) -> Option<Vec<FirstContact>> {
     let (nominal, scheduled) = (plan.nominal.as_ref()?, plan.scheduled.as_ref()?);
     let route = plan.route.as_ref()?;
     let passages = passages(wireframe, &route.traversals, &nominal.spans);
@@ -17,7 +23,7 @@ pub(super) fn find(wireframe: &Wireframe, machine: &Machine, plan: &WirePlan) ->
         (scheduled_start(plan.start, steps), steps),
         plan.compensated.as_ref().map(CompensatedProgram::steps),
         passages,
-        stock_wire(machine),
+        stock_wire(machine, margin),
         &machine.bodies,
         &machine.compensation.bend,
     );
@@ -25,11 +31,11 @@ pub(super) fn find(wireframe: &Wireframe, machine: &Machine, plan: &WirePlan) ->
 }
 
 /// The wire as it runs through the machine.
-pub(super) fn stock_wire(machine: &Machine) -> StockWire {
+pub(super) fn stock_wire(machine: &Machine, margin: Length) -> StockWire {
     StockWire {
         diameter: machine.wire.diameter,
         bend_radius: machine.bend_radius,
         tail: machine.limits.tail.value,
-        margin: Length::ZERO,
+        margin,
     }
 }

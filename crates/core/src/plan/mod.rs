@@ -15,8 +15,10 @@ use crate::clearance::{Bodies, FirstContact};
 use crate::compensate::{CompensatedProgram, Compensation};
 use crate::estimate::{TimeModel, WireModel};
 use crate::route::{Doubling, Route};
+use crate::sag::{Sag, max_sag};
 use crate::schedule::{HeadLimits, ScheduledProgram};
 use crate::search::{Obstruction, SearchOptions};
+use crate::simulate::scheduled_start;
 use crate::units::{Angle, Length};
 use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
 use routing::Routed;
@@ -78,8 +80,9 @@ pub struct PlanOptions {
     pub start: Option<VertexId>,
     /// Whether the wire runs the other way: it ends where it would have started.
     pub reversed: bool,
-    /// Whether to look where the wire meets the machine or itself, which takes the longest.
-    pub contacts: bool,
+    /// Whether to look where the wire meets the machine or itself, which takes the longest; and how far they have to stay
+    /// from each other.
+    pub contacts: Option<Length>,
     /// How to search for wires that meet nothing while they are bent; none where the first ones will do. Where a walk is settled,
     /// signs and windings alone are searched.
     pub search: Option<SearchOptions>,
@@ -97,7 +100,7 @@ impl Default for PlanOptions {
             closed: false,
             start: None,
             reversed: false,
-            contacts: false,
+            contacts: None,
             search: None,
             settled: None,
         }
@@ -215,6 +218,13 @@ impl WirePlan {
         self.doubled.iter().map(|&edge| wireframe.edge_length(edge)).sum()
     }
 
+    /// How far the part already bent sags at most while the machine bends it, once it has been scheduled; see [`crate::sag`].
+    #[must_use]
+    pub fn max_sag(&self, wire: &WireModel) -> Option<Sag> {
+        let steps = &self.scheduled.as_ref()?.steps;
+        max_sag(scheduled_start(self.start, steps), steps, wire)
+    }
+
     /// Whether the machine can make it: it has been compensated and no check objects.
     #[must_use]
     pub fn is_feasible(&self) -> bool {
@@ -248,7 +258,7 @@ pub fn plan_wires(
     let stages = Stages {
         wireframe,
         machine,
-        contacts: options.contacts || options.search.is_some(),
+        contacts: options.contacts.or(options.search.as_ref().map(|_| Length::ZERO)),
         searched: options.search.is_some(),
         odd_allowed: routing::allowed(options),
         forced: &forced,

@@ -11,6 +11,7 @@ use crate::clearance::Obstacle;
 use crate::route::{Doubling, ForcedBend, Route};
 use crate::schedule::ScheduledProgram;
 use crate::search::{Bender, FoundWire, Obstruction, SearchTask, search};
+use crate::units::Length;
 use crate::wireframe::{Component, EdgeId, Wireframe};
 
 /// A search for the wires of a component.
@@ -38,12 +39,12 @@ impl Searching<'_> {
         let Self { wireframe, component, machine, options } = *self;
         let wanted = options.search.as_ref().filter(|_| !routes.is_empty() && forced.is_empty())?;
         // As in edges that are too short.
-        let anyway = routes.iter().flat_map(|route| errors(&self.planned(route, None, false))).collect();
+        let anyway = routes.iter().flat_map(|route| errors(&self.planned(route, None, None))).collect();
         let bender = Bender {
             head: &machine.head,
             bend: &machine.compensation.bend,
             bodies: &machine.bodies,
-            wire: contacts::stock_wire(machine),
+            wire: contacts::stock_wire(machine, self.margin()),
             straight: machine.straight,
             max_bend: routing::largest_bend(machine),
             seconds: &|bend| bend_seconds(machine, bend),
@@ -73,13 +74,23 @@ impl Searching<'_> {
 
     /// Whether a wire meets nothing and has no errors but those that the routes have anyway.
     fn accepts(&self, route: &Route, scheduled: &ScheduledProgram, anyway: &BTreeSet<Code>) -> bool {
-        let plan = self.planned(route, Some(scheduled), true);
+        let plan = self.planned(route, Some(scheduled), Some(self.margin()));
         let is_clear = plan.contacts.as_ref().is_some_and(Vec::is_empty) && plan.compensated.is_some();
         is_clear && errors(&plan).is_subset(anyway)
     }
 
+    /// How far the wire has to stay from what it could hit.
+    fn margin(&self) -> Length {
+        self.options.contacts.unwrap_or_default()
+    }
+
     /// A wire through all stages.
-    fn planned(&self, route: &Route, scheduled: Option<&ScheduledProgram>, contacts: bool) -> WirePlan {
+    fn planned(
+        &self,
+        route: &Route,
+        scheduled: Option<&ScheduledProgram>,
+        contacts: Option<Length>,
+    ) -> WirePlan {
         let stages = Stages {
             wireframe: self.wireframe,
             machine: self.machine,

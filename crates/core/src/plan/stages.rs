@@ -8,15 +8,15 @@ use crate::compensate::{StepError, compensate};
 use crate::estimate::stock;
 use crate::route::ForcedBend;
 use crate::schedule::{RotationOutOfRange, schedule};
-use crate::units::Angle;
+use crate::units::{Angle, Length};
 use crate::wireframe::{EdgeId, Wireframe};
 
 /// What the stages of all wires of a component have in common.
 pub(super) struct Stages<'a> {
     pub wireframe: &'a Wireframe,
     pub machine: &'a Machine,
-    /// Whether to look for contacts.
-    pub contacts: bool,
+    /// Whether to look for contacts, and how far things have to stay from each other.
+    pub contacts: Option<Length>,
     /// Whether wires that meet nothing were searched for.
     pub searched: bool,
     pub odd_allowed: usize,
@@ -37,8 +37,8 @@ impl Stages<'_> {
         let Self { wireframe, machine, .. } = *self;
         let mut failures = Failures::default();
         run_stages(wireframe, machine, plan, &mut failures, done);
-        if self.contacts {
-            plan.contacts = contacts::find(wireframe, machine, plan);
+        if let Some(margin) = self.contacts {
+            plan.contacts = contacts::find(wireframe, machine, plan, margin);
             done(Stage::Contacts);
         }
         plan.diagnostics = check_wire(&WireStages {
@@ -57,6 +57,7 @@ impl Stages<'_> {
             unbendable: &failures.unbendable,
             searched: self.searched,
             contacts: plan.contacts.as_deref().unwrap_or_default(),
+            margin: self.contacts.unwrap_or_default(),
             bodies: &machine.bodies.all,
             compensation: &machine.compensation,
             diameter: machine.wire.diameter,

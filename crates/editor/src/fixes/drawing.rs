@@ -52,7 +52,7 @@ pub(super) fn candidates(finding: Finding, all: &[Finding], document: &Document)
     }
 }
 
-fn merged(stays: u32, goes: u32) -> Candidate {
+pub(super) fn merged(stays: u32, goes: u32) -> Candidate {
     Candidate {
         title: format!("Merge vertices {stays} and {goes}"),
         edit: EditRequest::Merge { vertices: vec![stays, goes], at: MergePlace::First },

@@ -6,6 +6,7 @@
 mod bends;
 mod cuts;
 mod drawing;
+mod joins;
 mod lengths;
 mod preview;
 mod scale;
@@ -231,6 +232,7 @@ fn candidates(finding: Finding, all: &[Finding], trials: &mut Trials) -> Vec<Can
         Code::ZeroLengthEdge | Code::ParallelEdges | Code::CoincidentVertices | Code::IsolatedVertex => {
             found.extend(drawing::candidates(finding, all, trials.document()));
         }
+        Code::EdgesMeet => found.extend(joins::candidates(finding, trials.document())),
         Code::RouteRefused => found.extend(starts::anywhere(finding, trials.document())),
         Code::NoEulerPath => found.extend(wires::candidates(finding, trials)),
         Code::EdgeTooShort

@@ -26,6 +26,7 @@ pub(super) fn same_place(one: &Diagnostic, other: &Diagnostic) -> bool {
             Code::ZeroLengthEdge | Code::ParallelEdges => {
                 one.location.edges.first() == other.location.edges.first()
             }
+            Code::EdgesMeet => one.location.edges == other.location.edges,
             Code::NoEulerPath | Code::StockTooLong | Code::RouteRefused => true,
             _ => one.location.vertices.first() == other.location.vertices.first(),
         }

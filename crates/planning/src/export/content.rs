@@ -164,7 +164,9 @@ impl Content {
             avoid_collisions,
             search_effort,
             search_seed,
+            collision_margin_mm,
         } = &request.choices;
+        let clearance = *collision_margin_mm != 0.0;
         let other_material = material.as_ref().is_some_and(|id| *id != contents.material.id);
         let searches = *avoid_collisions || search_effort.is_some() || search_seed.is_some();
         let given = [
@@ -178,6 +180,7 @@ impl Content {
             (InputName::KeepOrder, *keep_order),
             (InputName::Collisions, *collisions),
             (InputName::AvoidCollisions, searches),
+            (InputName::Clearance, clearance),
         ];
         let given = given.into_iter().filter_map(|(input, given)| given.then_some(input));
         let inputs: Vec<InputName> = given.chain(request.design.read_otherwise()).collect();

@@ -14,14 +14,14 @@ use wirebend_core::plan::{PlanObserver, PlanOptions, Stage, WirePlan, plan_wires
 use wirebend_core::search::SearchOptions;
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::{Component, VertexId};
-use wirebend_error::ErrorRemedy;
+use wirebend_error::{ErrorRemedy, InputName};
 use wirebend_files::document::{Job, JobContents, JobStep, JobWire, ProfileSnapshot};
 
 use crate::choices::PlanChoices;
 use crate::design::{DesignInput, Opened};
 use crate::machine::Setup;
 use crate::output::Output;
-use crate::report::{DiagnosticReport, NoteReport, PlanReport, WireReport};
+use crate::report::{DiagnosticReport, NoteReport, PlanReport, SagReport, WireReport};
 use crate::stage::StageName;
 use crate::{Installation, PlanningError, Progress, text};
 pub use choice::wires_of_parts;
@@ -44,6 +44,9 @@ pub struct PlanRequest {
     /// Whether to return the job, where it does not go to a file.
     #[serde(default)]
     pub make_job: bool,
+    /// Whether to work out how far the part already bent sags under its own weight.
+    #[serde(default)]
+    pub sag: bool,
     /// Whether to write a job although a check says that it cannot be made.
     #[serde(default)]
     pub despite_errors: bool,
@@ -128,6 +131,7 @@ impl Installation {
         let mut opened = opened;
         opened.require_designed()?;
         let settled = opened.settled(choices)?;
+        let margin = collision_margin(choices)?;
         let chosen = WireChoice::of(&opened.document, choices)?;
         setup.driver.require_settings()?;
         opened.notes.extend(setup.driver.note.clone());
@@ -146,8 +150,12 @@ impl Installation {
         progress.stage("checking the design");
         let components = document.wireframe.components();
         let weld_tolerance = Length::from_mm(crate::design::default_weld_mm()).unwrap_or_default();
-        let mut design =
-            check_design(&Design { wireframe: &document.wireframe, components: &components, weld_tolerance });
+        let mut design = check_design(&Design {
+            wireframe: &document.wireframe,
+            components: &components,
+            weld_tolerance,
+            diameter: setup.model.wire.diameter,
+        });
         if let Some(VertexId(vertex)) = start.filter(|&vertex| document.wireframe.incident(vertex).is_empty())
         {
             return Err(PlanningError::StartWithoutEdge { vertex, name: opened.name });
@@ -177,7 +185,7 @@ impl Installation {
                 closed: chosen.closed,
                 start: here,
                 reversed: chosen.reversed,
-                contacts: choices.collisions,
+                contacts: (choices.collisions || choices.avoid_collisions).then_some(margin),
                 search: search_options(choices, share.wires),
                 settled: settled.clone(),
             };
@@ -233,6 +241,17 @@ impl PlanObserver for Observed<'_> {
         self.progress.advance(checks, of);
         true
     }
+}
+
+/// How far the wire has to stay from what it could hit.
+fn collision_margin(choices: &PlanChoices) -> Result<Length, PlanningError> {
+    let margin = Length::from_mm(choices.collision_margin_mm).ok().filter(|margin| *margin >= Length::ZERO);
+    margin.ok_or_else(|| PlanningError::Value {
+        input: Some(InputName::Clearance),
+        name: "the clearance",
+        value: format!("{} mm", choices.collision_margin_mm),
+        expected: "zero or more",
+    })
 }
 
 /// A springback that was not measured is worth a test piece.
@@ -369,7 +388,12 @@ pub fn plan(
     if let Some(first) = planned.timings.first_mut() {
         first.insert("read", read_ms);
     }
-    let report = planned.report();
+    let mut report = planned.report();
+    if request.sag {
+        for (wire, plan) in report.wires_mut().iter_mut().zip(&planned.wires) {
+            wire.sag = plan.max_sag(&planned.setup.model.wire).map(SagReport::from);
+        }
+    }
     let mut made = (None, None, Vec::new());
     let wanted = request.output.is_some() || request.make_job;
     let withheld = wanted && !planned.feasible() && !request.despite_errors;

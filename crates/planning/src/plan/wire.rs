@@ -62,6 +62,7 @@ impl WireReport {
             search: plan
                 .searched
                 .map(|searched| SearchReport { found: searched.found, steps_checked: searched.checks }),
+            sag: None,
             time_s: plan.seconds,
             cost: fed.and_then(|fed| wire.cost(fed)),
             stock_cost: plan.stock.and_then(|stock| wire.cost(stock)),

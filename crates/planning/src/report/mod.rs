@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use wirebend_core::sag::Sag;
 use wirebend_error::ErrorRemedy;
 use wirebend_files::read::Note;
 
@@ -122,6 +123,21 @@ pub struct CompensatedReport {
     pub stock_mm: f64,
 }
 
+/// How far the part already bent sags at most under its own weight while it is bent.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+pub struct SagReport {
+    /// How far its free end is from where it would be without weight, mm.
+    pub deflection_mm: f64,
+    /// The step of the program in which that is, counted from 0: at the end of its feed, or while it bends.
+    pub step: usize,
+}
+
+impl From<Sag> for SagReport {
+    fn from(sag: Sag) -> Self {
+        Self { deflection_mm: sag.deflection.mm(), step: sag.step }
+    }
+}
+
 /// One wire through all stages. A stage that was not reached is null; the diagnostics say why.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct WireReport {
@@ -141,6 +157,9 @@ pub struct WireReport {
     /// What came of the search for wires that hit nothing, of all wires of a part of the design together; absent where nobody searched.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub search: Option<SearchReport>,
+    /// How far it sags while it is bent: only on request, and not without a program.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sag: Option<SagReport>,
     /// Time on the machine, in s.
     pub time_s: Option<f64>,
     /// Price of the wire that is fed, in `currency`; null where the price is not known, and where nothing can be fed.
@@ -179,6 +198,13 @@ impl PlanReport {
     pub fn wires(&self) -> &[WireReport] {
         match self {
             Self::One(wire) => std::slice::from_ref(wire),
+            Self::Several { wires, .. } => wires,
+        }
+    }
+
+    pub(crate) fn wires_mut(&mut self) -> &mut [WireReport] {
+        match self {
+            Self::One(wire) => std::slice::from_mut(wire),
             Self::Several { wires, .. } => wires,
         }
     }

@@ -17,6 +17,10 @@ pub enum RemedyReport {
     LeaveRoom,
     /// Tie wires that run side by side.
     TieWires,
+    /// Weld or tie wires where they touch.
+    FastenThere,
+    /// Put a vertex where two edges come close, which joins them.
+    JoinEdges,
     DrawEdges,
     /// Take the edges of a model's faces.
     TakeFaceEdges,
@@ -118,6 +122,8 @@ impl From<&Remedy> for RemedyReport {
             Remedy::LeaveTouching => Self::LeaveTouching,
             Remedy::LeaveRoom => Self::LeaveRoom,
             Remedy::TieWires => Self::TieWires,
+            Remedy::FastenThere => Self::FastenThere,
+            Remedy::JoinEdges => Self::JoinEdges,
             Remedy::DrawEdges => Self::DrawEdges,
             Remedy::TakeFaceEdges => Self::TakeFaceEdges,
             Remedy::DeleteEdge => Self::DeleteEdge,

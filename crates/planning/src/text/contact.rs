@@ -22,7 +22,7 @@ pub(super) fn moment(at: &Location, phase: Phase, fed: Length, bent: Angle, head
     at.step.map(|step| format!(" when step {} {what}", step + 1)).unwrap_or_default()
 }
 
-/// `deep`: how deep, and in how many later steps again.
+/// `deep`: how deep, less than zero where it only comes near, and in how many later steps again.
 pub(super) fn meets_machine(
     moment: &str,
     struck: &[EdgeId],
@@ -67,6 +67,9 @@ pub(super) fn no_clear_program(
 }
 
 fn goes_into(struck: &[EdgeId], depth: Length) -> String {
+    if depth < Length::ZERO {
+        return format!("the wire{} comes within {:.1} of", along(struck), -depth);
+    }
     format!("the wire{} goes {depth:.1} into", along(struck))
 }
 

@@ -5,7 +5,7 @@ use wirebend_core::checks::Location;
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::{EdgeId, VertexId};
 
-use super::number::count;
+use super::number::{count, digits_beside};
 
 pub(super) fn zero_length(edge: EdgeId, [a, b]: [VertexId; 2]) -> String {
     format!("edge {edge} from vertex {a} to vertex {b} has no length")
@@ -31,6 +31,39 @@ pub(super) fn parallel([first, second]: [EdgeId; 2], [a, b]: [VertexId; 2]) -> S
 
 pub(super) fn coincident([first, second]: [VertexId; 2], distance: Length) -> String {
     format!("vertices {first} and {second} are {distance:.4} apart but not merged")
+}
+
+/// What meets where: "edges 3 and 9 meet 35.0 mm from vertex 1".
+pub(super) fn meeting(
+    edges: [EdgeId; 2],
+    near: [Option<VertexId>; 2],
+    from: [VertexId; 2],
+    along: [Length; 2],
+) -> String {
+    let [one, other] = edges;
+    let on_edge = |side: usize, vertex: VertexId| {
+        format!("edge {} meets vertex {vertex}, {:.1} from vertex {}", edges[side], along[side], from[side])
+    };
+    match near {
+        [Some(vertex), Some(second)] => format!("vertices {vertex} and {second} meet but are not merged"),
+        [Some(vertex), None] => on_edge(1, vertex),
+        [None, Some(vertex)] => on_edge(0, vertex),
+        [None, None] => {
+            format!("edges {one} and {other} meet {:.1} from vertex {}", along[0], from[0])
+        }
+    }
+}
+
+pub(super) fn edges_meet(meeting: &str, distance: Length, diameter: Length, through: bool) -> String {
+    let digits = digits_beside(distance.mm(), diameter.mm());
+    let what = if through {
+        "they run through each other"
+    } else {
+        "they press on each other there, or snap past each other while they are bent"
+    };
+    format!(
+        "{meeting}: {distance:.digits$} from centre to centre, and the wire is {diameter:.digits$} thick; {what}"
+    )
 }
 
 pub(super) fn isolated(vertex: VertexId) -> String {

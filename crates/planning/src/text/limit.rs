@@ -8,6 +8,7 @@ pub fn source(source: LimitSource) -> String {
     match source {
         LimitSource::Stated(source) => source.to_string(),
         LimitSource::WeldTolerance => "the weld tolerance".to_owned(),
+        LimitSource::Diameter => "the diameter of the wire".to_owned(),
         LimitSource::EulerPath => "Euler: only the ends of wires may be odd".to_owned(),
         LimitSource::BendRadius(radius) => format!("bends of centreline radius {radius:.2}"),
         LimitSource::Reach(ReachLimit::Axis { needed, travel }) => format!(

@@ -33,6 +33,10 @@ pub fn message(diagnostic: &Diagnostic) -> String {
         Fact::NoPath(error) => drawing::no_path(error, at),
         Fact::ParallelEdges { edges, ends } => drawing::parallel(*edges, *ends),
         Fact::CoincidentVertices { vertices, distance, .. } => drawing::coincident(*vertices, *distance),
+        Fact::EdgesMeet { edges, near, from, along, distance, diameter } => {
+            let meeting = drawing::meeting(*edges, *near, *from, *along);
+            drawing::edges_meet(&meeting, *distance, *diameter, diagnostic.is_error())
+        }
         Fact::IsolatedVertex { vertex } => drawing::isolated(*vertex),
         Fact::SeveralWires { wires } => drawing::several_wires(*wires),
         Fact::NoEdges => drawing::no_edges(),
@@ -66,13 +70,15 @@ pub fn message(diagnostic: &Diagnostic) -> String {
         Fact::RotationOutOfRange { wanted, range, .. } => machine::rotation_out_of_range(at, *wanted, *range),
         Fact::StockTooLong { needed, tail, limit } => machine::stock_too_long(*needed, *tail, limit.value),
         Fact::WireDoesNotFit { diameter, range, .. } => machine::wire_does_not_fit(*diameter, *range),
-        Fact::MeetsMachine { struck, phase, fed, bent, head, depth, later, body, measured, .. } => {
+        Fact::MeetsMachine {
+            struck, phase, fed, bent, head, depth, margin, later, body, measured, ..
+        } => {
             let moment = contact::moment(at, *phase, *fed, *bent, *head);
-            contact::meets_machine(&moment, struck, body, (*depth, *later), *measured)
+            contact::meets_machine(&moment, struck, body, (*depth - *margin, *later), *measured)
         }
-        Fact::MeetsStock { struck, phase, fed, bent, head, depth, later, .. } => {
+        Fact::MeetsStock { struck, phase, fed, bent, head, depth, margin, later, .. } => {
             let moment = contact::moment(at, *phase, *fed, *bent, *head);
-            contact::meets_stock(&moment, struck, (*depth, *later))
+            contact::meets_stock(&moment, struck, (*depth - *margin, *later))
         }
         Fact::NoClearProgram { checks, exhausted, obstacle, body, passed } => {
             let searched = contact::searched(*checks, *exhausted);

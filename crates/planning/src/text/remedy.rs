@@ -11,6 +11,8 @@ pub(super) fn clause(remedy: &Remedy) -> String {
         Remedy::LeaveTouching => "leave them where two wires are meant to touch",
         Remedy::LeaveRoom => "leave room for the wires side by side",
         Remedy::TieWires => "tie them together",
+        Remedy::FastenThere => "weld or tie them there",
+        Remedy::JoinEdges => "join them there with a vertex",
         Remedy::DrawEdges => "draw edges",
         Remedy::TakeFaceEdges => "take the edges of a model's faces",
         Remedy::DeleteEdge => "delete the edge",

@@ -49,6 +49,41 @@ fn findings_of_the_drawing_name_vertices_and_edges() {
     says(nowhere(), parallel, "edges 3 and 9 both join vertices 1 and 2");
     let close = Fact::CoincidentVertices { vertices: [a, b], distance: mm(5e-4), tolerance: mm(1e-3) };
     says(nowhere(), close, "vertices 1 and 2 are 0.0005 mm apart but not merged");
+    let meet = |near| Fact::EdgesMeet {
+        edges: [EdgeId(3), EdgeId(9)],
+        near,
+        from: [a, b],
+        along: [mm(35.0), mm(0.5)],
+        distance: mm(1.0),
+        diameter: mm(3.0),
+    };
+    let nearer = "1.0 mm from centre to centre, and the wire is 3.0 mm thick";
+    let through = "they run through each other";
+    says(
+        nowhere(),
+        meet([None, None]),
+        &format!("edges 3 and 9 meet 35.0 mm from vertex 1: {nearer}; {through}"),
+    );
+    says(
+        nowhere(),
+        meet([None, Some(b)]),
+        &format!("edge 3 meets vertex 2, 35.0 mm from vertex 1: {nearer}; {through}"),
+    );
+    says(
+        nowhere(),
+        meet([Some(a), None]),
+        &format!("edge 9 meets vertex 1, 0.5 mm from vertex 2: {nearer}; {through}"),
+    );
+    let touch = |near| {
+        let fact = meet(near);
+        message(&Diagnostic { severity: Severity::Warning, ..finding(nowhere(), fact, Vec::new()) })
+    };
+    assert_eq!(
+        touch([Some(a), Some(b)]),
+        format!(
+            "vertices 1 and 2 meet but are not merged: {nearer}; they press on each other there, or snap past each other while they are bent"
+        )
+    );
     says(nowhere(), Fact::IsolatedVertex { vertex: a }, "vertex 1 has no edge: no wire passes through it");
     let several = Fact::SeveralWires { wires: 3 };
     says(nowhere(), several, "the wireframe is not connected: it takes 3 wires");
@@ -302,6 +337,8 @@ fn every_remedy_is_a_clause() {
         Remedy::LeaveTouching,
         Remedy::LeaveRoom,
         Remedy::TieWires,
+        Remedy::FastenThere,
+        Remedy::JoinEdges,
         Remedy::DrawEdges,
         Remedy::TakeFaceEdges,
         Remedy::DeleteEdge,

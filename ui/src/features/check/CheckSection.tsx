@@ -46,7 +46,7 @@ export function CheckSection() {
               ))}
               {check?.limits_unknown && <Line tone="warning" what={sentence(check.limits_unknown)} />}
               {check && isCompensated(check) && (
-                <Line tone="info" what="Collisions with the machine or with the wire itself are not checked" />
+                <Line tone="info" what="Collisions while the wire is bent are not checked" />
               )}
             </ul>
             <Checkbox checked={annotations} onChange={setAnnotations}>

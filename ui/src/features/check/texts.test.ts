@@ -87,6 +87,27 @@ describe("the list of checks", () => {
     expect(group && figuresOf(group, "mm")).toMatch(/^least 25\.4 mm/);
   });
 
+  it("names what meets where, and how near, of a warning as of an error", () => {
+    const meet = (severity: "error" | "warning", value: number): DiagnosticReport => ({
+      code: "edges_meet",
+      severity,
+      edge: 2,
+      edges: [2, 7],
+      value,
+      limit: 3,
+      limit_source: "the diameter of the wire",
+      unit: "mm",
+      message: "edges 2 and 7 meet",
+      help: "join them there",
+    });
+    expect(whatOf(meet("error", 0))).toBe("Edges 2 and 7 meet");
+    expect(whatOf({ ...meet("error", 0), vertex: 4 })).toBe("Edges 2 and 7 meet at vertex 4");
+    expect(whatOf({ ...meet("warning", 2), vertex: 4, vertices: [4, 9] })).toBe("Vertices 4 and 9 meet");
+    const [group] = groupsOf(check([meet("warning", 2.5), meet("warning", 1.8)]));
+    expect(group && titleOf(group)).toBe("2 places where the wire meets itself");
+    expect(group && figuresOf(group, "mm")).toMatch(/^least 1\.8 mm, limit 3\.0 mm/);
+  });
+
   it("says what it does not know in the words that came", () => {
     expect(whatOf({ code: "stock_too_long", severity: "error", message: "the spool is empty", help: "" })).toBe(
       "The spool is empty",
@@ -116,6 +137,9 @@ describe("the list of checks", () => {
 
 describe("what is fine", () => {
   it("is only what was checked: without a route nothing of bends is said", () => {
+    const through: DiagnosticReport = { code: "edges_meet", severity: "error", edges: [2, 7], message: "", help: "" };
+    expect(fineOf(check([through]))).not.toContain("No wire through another");
+    expect(fineOf(check([]))).toContain("No wire through another");
     const unrouted = { ...wire, length_mm: null, stock_mm: null, bends: null };
     expect(fineOf(check([odd], [unrouted]))).toEqual([]);
     expect(fineOf(check([], [{ ...wire, stock_mm: null }]))).toEqual(["One wire runs through every edge"]);

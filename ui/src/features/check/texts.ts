@@ -15,7 +15,7 @@ export function valueText(
   return number(value, Number.isInteger(value) ? 0 : 1);
 }
 
-type Place = Pick<DiagnosticReport, "vertex" | "edge" | "edges" | "value" | "limit" | "step">;
+type Place = Pick<DiagnosticReport, "vertex" | "vertices" | "edge" | "edges" | "value" | "limit" | "step">;
 
 /** How one and how several of a kind are named in a line of the list; null: its own message names it. */
 type Title = { one(report: Place): string; many(count: string): string } | null;
@@ -80,6 +80,7 @@ const TITLES: Readonly<Record<DiagnosticCode, Title>> = {
     one: (r) => `Vertices lie on each other${at(r)}`,
     many: (n) => `${n} pairs of vertices lie on each other`,
   },
+  edges_meet: { one: meeting, many: (n) => `${n} places where the wire meets itself` },
   isolated_vertex: { one: (r) => `Vertex ${r.vertex ?? "?"} has no edge`, many: (n) => `${n} vertices have no edge` },
   zero_length_edge: { one: (r) => `${edgeName(r)} has no length`, many: (n) => `${n} edges have no length` },
   parallel_edges: { one: (r) => `${edgeName(r)} lies on another`, many: (n) => `${n} edges lie on others` },
@@ -101,6 +102,13 @@ const tooMany = (allowed: number): string =>
 function edgeName({ edge, edges }: Place): string {
   const all = edges && edges.length > 1 ? edges : null;
   return all ? `Edges ${all.join(", ")}` : `Edge ${edge ?? "?"}`;
+}
+
+/** Two edges, an edge and a vertex, or two vertices; one or no vertex comes as `vertex` alone. */
+function meeting({ vertex, vertices, edges }: Place): string {
+  if (vertices && vertices.length > 1) return `Vertices ${vertices.join(" and ")} meet`;
+  const both = edges?.join(" and ") ?? "?";
+  return `Edges ${both} meet${vertex === null || vertex === undefined ? "" : ` at vertex ${vertex}`}`;
 }
 
 function inStep({ step }: Place): string {
@@ -144,7 +152,9 @@ export function titleOf({ reports }: Group): string {
 }
 
 /** Whether the limit is a least: an error is below it, what is close to it is above. */
-function isLeast({ value, limit, severity }: DiagnosticReport): boolean {
+function isLeast({ code, value, limit, severity }: DiagnosticReport): boolean {
+  // Below the diameter wires touch; how far below says how bad that is.
+  if (code === "edges_meet") return true;
   const below = Math.abs(value ?? 0) < Math.abs(limit ?? 0);
   return severity === "error" ? below : !below;
 }
@@ -227,6 +237,7 @@ export function fineOf(check: LiveCheck): string[] {
   }
   if (!isCompensated(check)) return fine;
   const bends = wires.reduce((sum, wire) => sum + (wire.bends ?? 0), 0);
+  if (free("edges_meet")) fine.push("No wire through another");
   if (free("edge_too_short", "edge_near_limit", "arcs_overlap", "zero_length_edge")) fine.push("Edges long enough");
   if (free("feed_too_short", "feed_near_limit", "feed_too_long")) fine.push("Feeds within the machine's limits");
   if (free("bend_too_sharp", "bend_near_limit", "bend_out_of_reach", "bend_too_small", "fold_back"))

@@ -11,6 +11,7 @@ const ABOUT_EDGES: ReadonlySet<string> = new Set([
   "arcs_overlap",
   "zero_length_edge",
   "parallel_edges",
+  "edges_meet",
   "meets_machine",
   "meets_stock",
 ]);

@@ -37,6 +37,7 @@ fn designed(case: &Case) -> Vec<Vec<Step>> {
         choices: case.choices(MACHINE),
         output: None,
         make_job,
+        sag: false,
         despite_errors,
     };
     let Ok(Response::Plan(found)) = cases::run(&Command::Plan(request)) else { panic!("no plan") };
@@ -125,6 +126,7 @@ fn a_job_is_printed_like_its_design() {
         choices: case.choices(MACHINE),
         output: None,
         make_job: true,
+        sag: false,
         despite_errors: false,
     };
     let Ok(Response::Plan(plan)) = cases::run(&Command::Plan(request)) else { panic!("no plan") };

@@ -1,11 +1,12 @@
 //! Time, mass, cost, and what errors do.
 
 use nalgebra::Point3;
-use wirebend_core::bend::{Step, program_of_path};
+use wirebend_core::bend::{Frame, Step, program_of_path};
 use wirebend_core::compensate::{
     BendModel, CompensatedProgram, Compensation, FeedModel, PegGeometry, Springback, compensate,
 };
 use wirebend_core::estimate::{TimeModel, WireModel};
+use wirebend_core::sag::max_sag;
 use wirebend_core::schedule::ScheduledProgram;
 use wirebend_core::simulate::{ErrorModel, ErrorReport, ErrorTerm, SimulationInput, fractions, simulate};
 
@@ -15,6 +16,7 @@ use crate::physics::{deg, mm};
 pub fn claims(page: &mut Document) {
     times(page);
     wire(page);
+    sag(page);
     errors(page);
 }
 
@@ -64,10 +66,25 @@ fn wire(page: &mut Document) {
     let wire = WireModel {
         diameter: mm(diameter.value),
         density_kg_per_m3: density.value,
+        youngs_modulus_gpa: 68.03,
         price_per_mm: Some(price.value),
     };
     mass.is(wire.mass_g(mm(1000.0)));
     cost.is(wire.cost(mm(1000.0)).unwrap());
+}
+
+fn sag(page: &mut Document) {
+    let [diameter, modulus, density, deflection, length] =
+        page.sentence("A straight aluminium wire of {} mm with {} GPa and {} kg/m³ sags by {} mm at {} mm.");
+    let wire = WireModel {
+        diameter: mm(diameter.value),
+        density_kg_per_m3: density.value,
+        youngs_modulus_gpa: modulus.value,
+        price_per_mm: None,
+    };
+    let straight = Step { feed: mm(length.value), ..Step::default() };
+    let found = max_sag(Frame::default(), &[straight], &wire).unwrap();
+    deflection.is(found.deflection.mm());
 }
 
 /// A wire through points, bent with errors on a machine that compensates nothing.

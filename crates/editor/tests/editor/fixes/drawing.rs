@@ -37,6 +37,38 @@ fn what_is_too_much_is_deleted() {
     assert_eq!(titles(&fixes, "parallel_edges").len(), 2);
 }
 
+/// A wire drawn through itself is joined where it crosses, or one of its edges makes room.
+#[test]
+fn edges_through_each_other_are_joined_or_moved_apart() {
+    let crossing = [[0., 0., 0.], [100., 0., 0.], [100., 60., 0.], [50., 60., 0.], [50., -40., 0.]];
+    let mut editor = on_kit(&crossing);
+    let fixes = promised(&mut editor, &app());
+    assert!(titles(&fixes, "edges_meet").len() >= 2, "{:?}", titles(&fixes, "edges_meet"));
+    let check = mend(&mut editor, &app(), "Join edges 0 and 3 with a vertex");
+    assert!(check.feasible && !codes(&check).contains(&"edges_meet"), "{check:?}");
+    let joint: Vec<_> = editor.document().wireframe.vertices().filter(|(id, _)| id.0 > 4).collect();
+    assert_eq!(joint.len(), 1);
+    assert!((joint[0].1.position - nalgebra::Point3::new(50.0, 0.0, 0.0)).norm() < 1e-9);
+    // 3.05 mm away: the diameter, and a little for rounding; a button says it with one digit.
+    let mut editor = on_kit(&crossing);
+    let check = mend(&mut editor, &app(), "Move edge 3 by 3.0 mm");
+    assert!(!codes(&check).contains(&"edges_meet"), "{check:?}");
+}
+
+#[test]
+fn edges_that_end_on_others_are_joined_to_them() {
+    let mut editor = on_kit(&[[0., 0., 0.], [100., 0., 0.]]);
+    // A corner 0.5 mm beside the middle of the first edge.
+    edit(&mut editor, &json!({"edit": "draw", "through_mm": [[20, 60, 0], [50, 0.5, 0], [80, 60, 0]]}));
+    let check = mend(&mut editor, &app(), "Join edge 0 to vertex 3");
+    assert!(!codes(&check).contains(&"edges_meet"), "{check:?}");
+    // Two ends that nearly meet.
+    let mut editor = on_kit(&[[0., 0., 0.], [60., 0., 0.]]);
+    edit(&mut editor, &json!({"edit": "draw", "through_mm": [[60, 0.8, 0], [60, 60, 0]]}));
+    let check = mend(&mut editor, &app(), "Merge vertices 1 and 2");
+    assert_eq!((check.wires.len(), codes(&check).contains(&"edges_meet")), (1, false));
+}
+
 #[test]
 fn a_start_that_does_not_fit_is_given_up() {
     let mut editor = on_kit(&[[0., 0., 0.], [60., 0., 0.], [60., 60., 0.]]);

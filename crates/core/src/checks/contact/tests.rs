@@ -1,0 +1,59 @@
+use nalgebra::{Isometry3, Vector3};
+use wirebend_collide::Solid;
+
+use super::super::tests::on;
+use super::super::{Code, Diagnostic, Fact, Severity};
+use crate::clearance::{Bodies, Body, MovesWith};
+use crate::plan::PlanOptions;
+use crate::testing::{chain, mm, published_machine};
+use crate::units::Length;
+
+/// What is said of a wall so far from the bend point, when a wire 3 mm thick is fed towards it until its first leg, which
+/// stands across, has its centreline at 60 mm.
+fn wall_at(x: f64, margin: f64) -> Vec<Diagnostic> {
+    let half = Vector3::new(5.0, 200.0, 200.0);
+    let wall = Body {
+        name: "wall".to_owned(),
+        moves_with: MovesWith::Frame,
+        solid: Solid::Box { half },
+        at: Isometry3::translation(x + half.x, 0.0, 0.0),
+        contact_zone: Length::ZERO,
+        vertex_zone: Length::ZERO,
+        entry: "shapes".to_owned(),
+        source: "the test".to_owned(),
+        measured: true,
+    };
+    let mut machine = published_machine();
+    machine.bodies = Bodies { all: vec![wall], ..Bodies::default() };
+    let corner = chain(&[[0., 0., 0.], [40., 0., 0.], [40., 60., 0.]]);
+    let options = PlanOptions { contacts: Some(mm(margin)), ..PlanOptions::default() };
+    let mut found = on(&machine, &corner, &options);
+    found.retain(|diagnostic| diagnostic.code() == Code::MeetsMachine);
+    found
+}
+
+/// A measured body that the wire hits is an error; that it comes nearer than asked is a warning.
+#[test]
+fn what_is_too_near_is_said_and_only_what_hits_is_an_error() {
+    for (gap, margin, severity, depth) in [
+        (1.0, 0.0, None, 0.0),
+        (1.0, 0.9, None, 0.0),
+        (1.0, 1.5, Some(Severity::Warning), 0.5),
+        (-0.5, 0.0, Some(Severity::Error), 0.5),
+        (-0.5, 1.5, Some(Severity::Error), 2.0),
+    ] {
+        let found = wall_at(60.0 + 1.5 + gap, margin);
+        assert_eq!(
+            found.first().map(|hit| hit.severity),
+            severity,
+            "{gap} mm apart, {margin} mm asked: {found:?}"
+        );
+        let Some(Fact::MeetsMachine { depth: said, margin: asked, .. }) = found.first().map(|hit| &hit.fact)
+        else {
+            continue;
+        };
+        // Depths are found to a twentieth.
+        assert!((said.mm() - depth).abs() <= 0.05 * depth + 0.02, "{said} instead of {depth}");
+        assert_eq!(*asked, mm(margin));
+    }
+}
