@@ -45,6 +45,9 @@ pub(super) struct Passed {
     of_step: Vec<std::ops::Range<usize>>,
 }
 
+/// What sums of the same lengths may differ by, mm: no part of the wire is as short.
+const ROUNDING: f64 = 1e-6;
+
 /// How the wire may touch what is asked about.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Touch {
@@ -93,11 +96,11 @@ impl Passed {
         let mut counting = Vec::new();
         let mut from = 0.0_f64;
         for part in excluded {
-            if part.from > from {
+            if part.from > from + ROUNDING {
                 counting.push(Interval { from, to: part.from.min(out) });
             }
             from = from.max(part.to);
-            if from >= out {
+            if from + ROUNDING >= out {
                 return counting;
             }
         }
