@@ -153,9 +153,21 @@ impl<'a> Clearance<'a> {
 
     /// The first contact with each thing that the wire meets, in the order of its steps.
     #[must_use]
-    pub fn first_contacts(mut self) -> Vec<FirstContact> {
+    pub fn first_contacts(self) -> Vec<FirstContact> {
+        self.first_contacts_while(|_| true).unwrap_or_default()
+    }
+
+    /// The same for whoever may be stopped: `goes_on` is asked before each step, with its index. `None` where it does not.
+    #[must_use]
+    pub fn first_contacts_while(
+        mut self,
+        mut goes_on: impl FnMut(usize) -> bool,
+    ) -> Option<Vec<FirstContact>> {
         let mut found: Vec<FirstContact> = Vec::new();
         for step in 0..self.steps() {
+            if !goes_on(step) {
+                return None;
+            }
             for contact in self.contacts_of(step) {
                 if let Some(first) = found.iter_mut().find(|first| first.contact.obstacle == contact.obstacle)
                 {
@@ -165,7 +177,7 @@ impl<'a> Clearance<'a> {
                 }
             }
         }
-        found
+        Some(found)
     }
 
     /// What the wire begins to meet in a step; the steps are asked for in order. One contact for each thing that it meets.

@@ -17,6 +17,7 @@ use crate::route::{Doubling, Route};
 use crate::schedule::{HeadLimits, ScheduledProgram};
 use crate::units::{Angle, Length};
 use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
+pub use contacts::find_contacts;
 use routing::Routed;
 use stages::Stages;
 

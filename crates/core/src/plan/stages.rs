@@ -40,32 +40,49 @@ impl Stages<'_> {
             done(Stage::Contacts);
         }
         plan.diagnostics = check_wire(&WireStages {
-            wireframe,
-            component: &plan.component,
-            doubled: &plan.doubled,
             odd_allowed: self.odd_allowed,
             proposal: Some(&plan.proposal).filter(|proposal| !proposal.edges.is_empty()),
             forced: self.forced,
             passed_again: self.passed_again.get(index).map_or(&[], Vec::as_slice),
-            route: plan.route.as_ref(),
-            nominal: plan.nominal.as_ref(),
-            scheduled: plan.scheduled.as_ref(),
             rotation: failures.rotation.as_ref(),
-            compensated: plan.compensated.as_ref(),
             unbendable: &failures.unbendable,
-            contacts: plan.contacts.as_deref().unwrap_or_default(),
-            bodies: &machine.bodies.all,
-            compensation: &machine.compensation,
-            diameter: machine.wire.diameter,
-            bend_radius: machine.bend_radius,
-            straight: machine.straight,
-            scatter: machine.scatter.as_ref(),
-            limits: &machine.limits,
+            ..stages_of(wireframe, machine, plan)
         });
         plan.diagnostics.extend(already);
         plan.diagnostics.extend(failures.path.map(|error| path_failure(plan, error)));
         plan.diagnostics.sort_by_key(|diagnostic| diagnostic.severity);
         done(Stage::Check);
+    }
+}
+
+/// What checks see of a plan, which does not say why a stage was left out.
+pub(super) fn stages_of<'a>(
+    wireframe: &'a Wireframe,
+    machine: &'a Machine,
+    plan: &'a WirePlan,
+) -> WireStages<'a> {
+    WireStages {
+        wireframe,
+        component: &plan.component,
+        doubled: &plan.doubled,
+        odd_allowed: 0,
+        proposal: None,
+        forced: &[],
+        passed_again: &[],
+        route: plan.route.as_ref(),
+        nominal: plan.nominal.as_ref(),
+        scheduled: plan.scheduled.as_ref(),
+        rotation: None,
+        compensated: plan.compensated.as_ref(),
+        unbendable: &[],
+        contacts: plan.contacts.as_deref().unwrap_or_default(),
+        bodies: &machine.bodies.all,
+        compensation: &machine.compensation,
+        diameter: machine.wire.diameter,
+        bend_radius: machine.bend_radius,
+        straight: machine.straight,
+        scatter: machine.scatter.as_ref(),
+        limits: &machine.limits,
     }
 }
 
