@@ -8,6 +8,7 @@
 pub mod bodies;
 pub mod catalogue;
 pub mod choices;
+pub mod collisions;
 pub mod compare;
 pub mod design;
 pub mod drivers;

@@ -1414,6 +1414,7 @@ export interface Responses {
   "clear-recent": Started;
   "clear-recording": Recorded;
   close: DesignOpened;
+  collisions: Collisions;
   compare: CompareResponse;
   connect: MachineNow;
   "copy-machine": ProfileNewResponse;
@@ -1450,6 +1451,7 @@ export interface Responses {
   "save-wireframe": SavedWireframe;
   "show-lengths": LengthsShown;
   start: Started;
+  "stop-collisions": CollisionsStopped;
   undo: EditMade;
 }
 /**
@@ -2421,6 +2423,73 @@ export interface NoteReport {
   remedies?: ErrorRemedy[];
 }
 /**
+ * Where the wires of a design meet the machine or themselves while they are bent.
+ */
+export interface Collisions {
+  /**
+   * How many bodies the machine's profile has.
+   */
+  bodies: number;
+  /**
+   * Whether every wire was looked at to its end: not where it was stopped, and not without a route.
+   */
+  checked: boolean;
+  /**
+   * Of each wire in the order of its steps.
+   */
+  contacts: ContactReport[];
+  /**
+   * How many of them have dimensions that were not measured.
+   */
+  estimates: number;
+  /**
+   * Whether somebody has stopped it, or asked for a later one.
+   */
+  stopped: boolean;
+}
+/**
+ * A first contact of a wire with one thing that it meets, as it is played.
+ */
+export interface ContactReport {
+  /**
+   * The part of the step's time that has passed by then, from 0 to 1.
+   */
+  at: number;
+  /**
+   * The body of the machine that it meets, by its place in the profile from 0; null: the wire that is still to be bent.
+   */
+  body: number | null;
+  /**
+   * What the body is called.
+   */
+  body_name: string | null;
+  /**
+   * How deep they are in each other at the worst of that step, mm.
+   */
+  depth_mm: number;
+  /**
+   * Whether where it is depends on dimensions that were not measured.
+   */
+  estimated: boolean;
+  finding: DiagnosticReport;
+  /**
+   * In how many later steps they meet again.
+   */
+  later: number;
+  /**
+   * The step, from 0, that has made the part of the wire that is met.
+   */
+  leg: number;
+  /**
+   * The step in which it happens, from 0.
+   */
+  step: number;
+  /**
+   * The wire, from 0, of those that have a program.
+   */
+  wire: number;
+}
+/**
  * The design on several machines.
  */
 export interface CompareResponse {
@@ -2917,6 +2986,10 @@ export interface Fix {
  * Sums over all wires of the design afterwards. Null where one of them is not known.
  */
 export interface FixTotals {
+  /**
+   * How many things they meet while they are bent; null where that was not looked for.
+   */
+  collisions: number | null;
   /**
    * Price of the designed length.
    */
@@ -3646,6 +3719,10 @@ export interface SavedWireframe {
 export interface LengthsShown {
   unit: ShownUnit;
 }
+/**
+ * Nothing is looked for any more.
+ */
+export interface CollisionsStopped {}
 export interface Events {
   operator: OperatorEvent;
   refusal: ApiErrorReport;
