@@ -103,14 +103,20 @@ describe("the list of checks", () => {
   });
 
   it("counts each place in its phrase", () => {
-    expect(phraseOf(all, true, false)).toEqual({ phrase: "3 to fix", tone: "error" });
-    expect(phraseOf(check([near]), true, false)).toEqual({
+    expect(phraseOf(all, true, false, "unchecked")).toEqual({ phrase: "3 to fix", tone: "error" });
+    expect(phraseOf(check([near]), true, false, "unchecked")).toEqual({
       phrase: "1 to look at; no collision check",
       tone: "warning",
     });
-    expect(phraseOf(check([]), true, false)).toEqual({ phrase: "within limits; no collision check", tone: "fine" });
-    expect(phraseOf(null, false, false).phrase).toBe("no machine chosen");
-    expect(phraseOf(check([]), true, true).phrase).toBe("nothing to check yet");
+    expect(phraseOf(check([near]), true, false, "checked").phrase).toBe("1 to look at");
+    expect(phraseOf(check([]), true, false, "unchecked")).toEqual({
+      phrase: "within limits; no collision check",
+      tone: "fine",
+    });
+    expect(phraseOf(check([]), true, false, "checking").phrase).toBe("within limits; checking collisions");
+    expect(phraseOf(check([]), true, false, "checked").phrase).toBe("within limits; no collision found");
+    expect(phraseOf(null, false, false, "unchecked").phrase).toBe("no machine chosen");
+    expect(phraseOf(check([]), true, true, "unchecked").phrase).toBe("nothing to check yet");
   });
 });
 

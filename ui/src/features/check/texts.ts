@@ -1,6 +1,7 @@
-import type { DiagnosticCode, DiagnosticReport, LiveCheck } from "../../generated/responses";
+import type { Collisions, DiagnosticCode, DiagnosticReport, LiveCheck } from "../../generated/responses";
 import { angle, count, type DisplayUnit, length, number, sentence } from "../../shared/figures/format";
 import type { Tone } from "../../shared/lists/Mark";
+import type { Known } from "../../state/design/collisions";
 import { isCompensated } from "../viewport/marks";
 
 /** A measured value or a limit with its unit; null where there is none. */
@@ -190,13 +191,18 @@ function many(check: LiveCheck, severity: DiagnosticReport["severity"]): number 
 }
 
 /** As short as the head of a section is narrow. */
-const NOT_CHECKED = "no collision check";
+const OF_COLLISIONS: Readonly<Record<Known, string>> = {
+  checked: "no collision found",
+  checking: "checking collisions",
+  unchecked: "no collision check",
+};
 
 /** The state of the checks in a phrase. */
 export function phraseOf(
   check: LiveCheck | null,
   machine: boolean,
   empty: boolean,
+  collisions: Known,
 ): { phrase: string; tone: Tone | null } {
   if (empty) return { phrase: "nothing to check yet", tone: null };
   if (!machine) return { phrase: "no machine chosen", tone: null };
@@ -204,10 +210,21 @@ export function phraseOf(
   const errors = many(check, "error");
   if (errors > 0) return { phrase: `${errors} to fix`, tone: "error" };
   const warnings = many(check, "warning");
-  if (warnings > 0) return { phrase: `${warnings} to look at; ${NOT_CHECKED}`, tone: "warning" };
+  const rest = collisions === "checked" ? "" : `; ${OF_COLLISIONS[collisions]}`;
+  if (warnings > 0) return { phrase: `${warnings} to look at${rest}`, tone: "warning" };
   return check.feasible
-    ? { phrase: `within limits; ${NOT_CHECKED}`, tone: "fine" }
+    ? { phrase: `within limits; ${OF_COLLISIONS[collisions]}`, tone: "fine" }
     : { phrase: "cannot be made", tone: "error" };
+}
+
+/** How many bodies of the machine are only estimated: "5 of 6 bodies are estimates"; null where all are measured. */
+export function estimatesOf({ bodies, estimates }: Pick<Collisions, "bodies" | "estimates">): string | null {
+  if (bodies === 0) return "The machine's profile has no bodies: only the wire itself was looked at.";
+  if (estimates === 0) return null;
+  if (estimates < bodies) return `${estimates} of ${bodies} bodies of the machine are estimates.`;
+  return bodies === 1
+    ? "The machine's only body is an estimate."
+    : `All ${bodies} bodies of the machine are estimates.`;
 }
 
 /** What was checked and is fine: only what the figures show to have been checked, of all wires. */
