@@ -26,8 +26,6 @@ pub struct ContactReport {
     pub leg: usize,
     /// The body of the machine that it meets, by its place in the profile from 0; null: the wire that is still to be bent.
     pub body: Option<usize>,
-    /// What the body is called.
-    pub body_name: Option<String>,
     /// How deep they are in each other at the worst of that step, mm.
     pub depth_mm: f64,
     /// In how many later steps they meet again.
@@ -111,7 +109,6 @@ fn contacts_of(plan: &WirePlan, wire: usize, setup: &Setup, findings: &[Diagnost
             at: moments.get(contact.step).map_or(0.0, |moments| contact.time_in(moments, bend)),
             leg: contact.leg,
             body,
-            body_name: known.map(|body| body.name.clone()),
             depth_mm: depth.mm(),
             later,
             estimated: known.is_some_and(|body| !body.measured),

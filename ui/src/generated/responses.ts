@@ -2108,6 +2108,10 @@ export interface LiveCheck {
  * A finding: what is wrong or worth knowing.
  */
 export interface DiagnosticReport {
+  /**
+   * The body of the machine that the wire hits, as its profile calls it.
+   */
+  body?: string | null;
   code: DiagnosticCode;
   /**
    * The edge that it is about foremost.
@@ -2460,10 +2464,6 @@ export interface ContactReport {
    */
   body: number | null;
   /**
-   * What the body is called.
-   */
-  body_name: string | null;
-  /**
    * How deep they are in each other at the worst of that step, mm.
    */
   depth_mm: number;
@@ -2642,6 +2642,10 @@ export interface Findings {
  * One thing to know of a wire, or of the design.
  */
 export interface WireDiagnostic {
+  /**
+   * The body of the machine that the wire hits, as its profile calls it.
+   */
+  body?: string | null;
   code: DiagnosticCode;
   /**
    * The edge that it is about foremost.

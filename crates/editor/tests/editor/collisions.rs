@@ -38,7 +38,7 @@ fn a_contact_is_placed_in_the_time_of_its_step_and_names_the_body_by_its_place_i
     assert!(contact.leg <= contact.step && contact.finding.step == Some(contact.step));
     let shapes = app().setup("wirebend-kit", None).unwrap().machine.profile.shapes.unwrap();
     let shape = &shapes[contact.body.unwrap()];
-    assert_eq!((Some(&shape.name), contact.estimated), (contact.body_name.as_ref(), !shape.measured));
+    assert_eq!((Some(&shape.name), contact.estimated), (contact.finding.body.as_ref(), !shape.measured));
     assert_eq!(
         (found.bodies, found.estimates),
         (shapes.len(), shapes.iter().filter(|s| !s.measured).count())

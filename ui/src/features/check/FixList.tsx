@@ -5,7 +5,8 @@ import { count, LIMITS_ONLY, money, signed, time } from "../../shared/figures/fo
 import { useLengths } from "../../shared/figures/unit";
 import { useInSight } from "../../shared/lists/sight";
 import { useDesign } from "../../state/design/design";
-import { applyFix, isCollision, showFix, useFixes } from "../../state/design/fixes";
+import { isCollision } from "../../state/design/findings";
+import { applyFix, showFix, useFixes } from "../../state/design/fixes";
 import { totals } from "./totals";
 
 /** What changes, in a line: "+601.4 mm · +$1.20 · +2:10"; without a route, what there is then. */

@@ -2,6 +2,7 @@ import type { Collisions, DiagnosticCode, DiagnosticReport, LiveCheck } from "..
 import { angle, count, type DisplayUnit, length, number, sentence } from "../../shared/figures/format";
 import type { Tone } from "../../shared/lists/Mark";
 import type { Known } from "../../state/design/collisions";
+import { isCollision } from "../../state/design/findings";
 import { isCompensated } from "../viewport/marks";
 
 /** A measured value or a limit with its unit; null where there is none. */
@@ -16,7 +17,13 @@ export function valueText(
   return number(value, Number.isInteger(value) ? 0 : 1);
 }
 
-type Place = Pick<DiagnosticReport, "vertex" | "edge" | "edges" | "value" | "limit" | "step">;
+/** The measured value of a finding, for a label; null where it has none. */
+export function measureText({ code, value, unit }: DiagnosticReport, shown: DisplayUnit): string | null {
+  const text = unit ? valueText(value, unit, shown) : null;
+  return text !== null && isCollision(code) ? `${text} deep` : text;
+}
+
+type Place = Pick<DiagnosticReport, "vertex" | "edge" | "edges" | "value" | "limit" | "step" | "body">;
 
 /** How one and how several of a kind are named in a line of the list; null: its own message names it. */
 type Title = { one(report: Place): string; many(count: string): string } | null;
@@ -62,7 +69,7 @@ const TITLES: Readonly<Record<DiagnosticCode, Title>> = {
     many: (n) => `${n} corners gentler than the axis resolves`,
   },
   meets_machine: {
-    one: (r) => `The wire hits the machine${inStep(r)}`,
+    one: (r) => `The wire hits the ${r.body ?? "machine"}${inStep(r)}`,
     many: (n) => `The wire hits ${n} bodies of the machine`,
   },
   meets_stock: {
@@ -140,8 +147,9 @@ export function titleOf({ reports }: Group): string {
   );
 }
 
-/** Whether the limit is a least: an error is below it, what is close to it is above. */
-function isLeast({ value, limit, severity }: DiagnosticReport): boolean {
+/** Whether the limit is a least: an error is below it, what is close to it is above. How deep a collision is has no least. */
+function isLeast({ code, value, limit, severity }: DiagnosticReport): boolean {
+  if (isCollision(code)) return false;
   const below = Math.abs(value ?? 0) < Math.abs(limit ?? 0);
   return severity === "error" ? below : !below;
 }
@@ -163,6 +171,12 @@ export function figuresOf({ reports }: Group, unit: DisplayUnit): string {
   if (!worst) return "";
   // A count says it all in the line above; what to do about it says more.
   if (!worst.unit) return sentence(worst.help);
+  if (isCollision(worst.code)) {
+    const deep = `${reports.length === 1 ? "" : "up to "}${measureText(worst, unit)}`;
+    // What is measured is an error.
+    const estimated = worst.code === "meets_machine" && worst.severity === "warning";
+    return estimated ? `${deep}; dimensions are estimates` : deep;
+  }
   const [value, limit] = [valueText(worst.value, worst.unit, unit), valueText(worst.limit, worst.unit, unit)];
   const which = reports.length === 1 ? "" : isLeast(worst) ? "least " : "most ";
   const what = OF_FEEDS.has(worst.code) ? "fed " : "";

@@ -4,6 +4,7 @@ import type { Preview, SceneDesign, Vec3 } from "../../scene/interface";
 import { asking } from "../asking/work";
 import { useView } from "../window/view";
 import { edit, useDesign } from "./design";
+import { isCollision } from "./findings";
 
 interface FixStore {
   /** Of the checks without collisions, then of collisions. */
@@ -16,10 +17,6 @@ interface FixStore {
 }
 
 export const useFixes = create<FixStore>()(() => ({ fixes: [], of: null, ofCollisions: null, shown: null }));
-
-/** Findings that only a check for collisions makes: each fix of them was tried with one. */
-export const isCollision = (code: DiagnosticReport["code"]): boolean =>
-  code === "meets_machine" || code === "meets_stock";
 
 const ofLimits = ({ mends }: Fix): boolean => !isCollision(mends.code);
 const ofCollisions = (fix: Fix): boolean => !ofLimits(fix);
