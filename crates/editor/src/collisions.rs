@@ -36,7 +36,7 @@ impl Editor {
 }
 
 impl CollisionCheck {
-    /// Looks where the wires meet the machine or themselves. `goes_on` is asked before each step, with how many of how many steps are
+    /// Looks where the wires meet the machine or themselves. `goes_on` is asked again and again, with how many of how many steps are
     /// done: where it does not, nothing is known.
     pub fn run(self, goes_on: &mut dyn FnMut(usize, usize) -> bool) -> Result<Collisions, EditorError> {
         let opened = Opened::of(self.name, self.document);

@@ -6,8 +6,9 @@ use serde::Serialize;
 use wirebend_core::checks::Diagnostic;
 use wirebend_core::clearance::{Body, FirstContact, Obstacle};
 use wirebend_core::motion::moments;
-use wirebend_core::plan::{WirePlan, find_contacts};
+use wirebend_core::plan::{WirePlan, clearance, keep_contacts};
 
+use crate::contacts::first_contacts;
 use crate::machine::Setup;
 use crate::plan::Planned;
 use crate::playback::machine_steps;
@@ -52,8 +53,8 @@ pub struct Collisions {
 }
 
 impl Planned {
-    /// Looks where the wires meet the machine or themselves, and adds what the checks say of it to each. `goes_on` is asked before each
-    /// step, with how many of how many steps are done.
+    /// Looks where the wires meet the machine or themselves, and adds what the checks say of it to each. `goes_on` is asked again
+    /// and again, with how many of how many steps are done.
     pub fn find_collisions(&mut self, goes_on: &mut dyn FnMut(usize, usize) -> bool) -> Collisions {
         let wireframe = &self.opened.document.wireframe;
         let of = self.wires.iter().filter_map(steps_of).sum();
@@ -61,14 +62,15 @@ impl Planned {
         let (mut wire, mut done) = (0, 0);
         for plan in &mut self.wires {
             let Some(steps) = steps_of(plan) else { continue };
-            let look = |step: usize| {
-                all.stopped = all.stopped || !goes_on(done + step, of);
-                !all.stopped
+            let machine = &self.setup.model;
+            let contacts = match clearance(wireframe, machine, plan) {
+                None => None,
+                Some(clearance) => match first_contacts(&clearance, |step| goes_on(done + step, of)) {
+                    None => return Collisions { stopped: true, ..Collisions::of(&self.setup) },
+                    found => found,
+                },
             };
-            let findings = find_contacts(wireframe, &self.setup.model, plan, look);
-            if all.stopped {
-                return Collisions { stopped: true, ..Collisions::of(&self.setup) };
-            }
+            let findings = keep_contacts(wireframe, machine, plan, contacts);
             all.contacts.extend(contacts_of(plan, wire, &self.setup, &findings));
             plan.diagnostics.extend(findings);
             plan.diagnostics.sort_by_key(|diagnostic| diagnostic.severity);

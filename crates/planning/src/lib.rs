@@ -10,6 +10,7 @@ pub mod catalogue;
 pub mod choices;
 pub mod collisions;
 pub mod compare;
+mod contacts;
 pub mod design;
 pub mod drivers;
 pub mod dump;

@@ -1,5 +1,7 @@
 //! Contacts of a program.
 
+use std::ops::Range;
+
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 use wirebend_collide::{Interval, Meeting, Solid, Task, closest, first_contact};
 
@@ -83,6 +85,21 @@ pub struct FirstContact {
     pub later: usize,
 }
 
+/// The first contacts of a wire, from those of parts of it in the order of their steps.
+#[must_use]
+pub fn merge_contacts(parts: impl IntoIterator<Item = Vec<FirstContact>>) -> Vec<FirstContact> {
+    let mut found: Vec<FirstContact> = Vec::new();
+    for contact in parts.into_iter().flatten() {
+        let known = found.iter_mut().find(|first| first.contact.obstacle == contact.contact.obstacle);
+        if let Some(first) = known {
+            first.later += 1 + contact.later;
+        } else {
+            found.push(contact);
+        }
+    }
+    found
+}
+
 /// A wire in a machine, whose steps are asked about one by one.
 #[derive(Debug, Clone)]
 pub struct Clearance<'a> {
@@ -159,18 +176,30 @@ impl<'a> Clearance<'a> {
 
     /// The same for whoever may be stopped: `goes_on` is asked before each step, with its index. `None` where it does not.
     #[must_use]
-    pub fn first_contacts_while(
-        mut self,
+    pub fn first_contacts_while(mut self, goes_on: impl FnMut(usize) -> bool) -> Option<Vec<FirstContact>> {
+        self.first_contacts_in(0..self.steps(), goes_on)
+    }
+
+    /// The same of some steps, so that several threads can share a long wire: what is found of steps that follow one another gives
+    /// the whole by [`merge_contacts`].
+    pub fn first_contacts_in(
+        &mut self,
+        steps: Range<usize>,
         mut goes_on: impl FnMut(usize) -> bool,
     ) -> Option<Vec<FirstContact>> {
+        self.met.clear();
+        if let Some(before) = steps.start.checked_sub(1) {
+            // What it meets already is no new contact.
+            self.contacts_of(before);
+        }
         let mut found: Vec<FirstContact> = Vec::new();
-        for step in 0..self.steps() {
+        for step in steps {
             if !goes_on(step) {
                 return None;
             }
             for contact in self.contacts_of(step) {
-                if let Some(first) = found.iter_mut().find(|first| first.contact.obstacle == contact.obstacle)
-                {
+                let known = found.iter_mut().find(|first| first.contact.obstacle == contact.obstacle);
+                if let Some(first) = known {
                     first.later += 1;
                 } else {
                     found.push(FirstContact { contact, depth: self.depth(&contact), later: 0 });

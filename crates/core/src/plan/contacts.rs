@@ -1,35 +1,35 @@
 //! Where the wire of a plan meets the machine.
 
-use super::stages::stages_of;
+use super::seen::stages_of;
 use super::{Machine, WirePlan};
+use crate::bend::{Frame, Step};
 use crate::checks::{Diagnostic, check_contacts};
 use crate::clearance::{Clearance, FirstContact, Passage, StockWire};
 use crate::compensate::CompensatedProgram;
+use crate::route::Doubling;
 use crate::simulate::scheduled_start;
 use crate::units::Length;
-use crate::wireframe::Wireframe;
+use crate::wireframe::{Component, Wireframe};
 
 /// The first contact with each thing that the wire meets, once it has been scheduled, in the order of its steps.
 pub(super) fn find(wireframe: &Wireframe, machine: &Machine, plan: &WirePlan) -> Option<Vec<FirstContact>> {
     Some(clearance(wireframe, machine, plan)?.first_contacts())
 }
 
-/// Looks where a wire that was planned without it meets the machine or itself, and keeps that in the plan. Gives what the checks
-/// say of each contact, in their order. `goes_on` is asked before each step, with its index: where it does not, or where the
-/// wire has not been scheduled, the plan has no contacts.
-pub fn find_contacts(
+/// Keeps in a plan where its wire meets the machine or itself, which was looked for after all else: `None` where that is not
+/// known. Gives what the checks say of each contact, in their order.
+pub fn keep_contacts(
     wireframe: &Wireframe,
     machine: &Machine,
     plan: &mut WirePlan,
-    goes_on: impl FnMut(usize) -> bool,
+    contacts: Option<Vec<FirstContact>>,
 ) -> Vec<Diagnostic> {
-    let clearance = clearance(wireframe, machine, plan);
-    plan.contacts = clearance.and_then(|clearance| clearance.first_contacts_while(goes_on));
+    plan.contacts = contacts;
     check_contacts(&stages_of(wireframe, machine, plan))
 }
 
 /// The wire of a plan in its machine, once it has been scheduled.
-fn clearance<'a>(wireframe: &Wireframe, machine: &'a Machine, plan: &WirePlan) -> Option<Clearance<'a>> {
+pub fn clearance<'a>(wireframe: &Wireframe, machine: &'a Machine, plan: &WirePlan) -> Option<Clearance<'a>> {
     let (nominal, scheduled) = (plan.nominal.as_ref()?, plan.scheduled.as_ref()?);
     let route = plan.route.as_ref()?;
     let passages = nominal.spans.iter().map(|span| {
@@ -37,19 +37,51 @@ fn clearance<'a>(wireframe: &Wireframe, machine: &'a Machine, plan: &WirePlan) -
         let passage = |edge, from, to| (Passage { edge, from, to }, wireframe.edge_length(edge));
         along.iter().map(|one| passage(one.edge, one.from, one.to)).collect()
     });
-    let wire = StockWire {
+    let told = plan.compensated.as_ref().map(CompensatedProgram::steps);
+    let start = scheduled_start(plan.start, &scheduled.steps);
+    Some(in_machine(machine, (start, &scheduled.steps), told, passages.collect()))
+}
+
+/// A wire that was planned before, such as that of a job.
+#[derive(Debug, Clone)]
+pub struct ScheduledWire {
+    /// Where its steps begin.
+    pub start: Frame,
+    /// As scheduled, from corner to corner.
+    pub steps: Vec<Step>,
+    /// As compensated: where the bend axis goes in each.
+    pub told: Vec<Step>,
+    /// The edges of each step, with their lengths.
+    pub passages: Vec<Vec<(Passage, Length)>>,
+}
+
+impl ScheduledWire {
+    /// The wire in its machine.
+    #[must_use]
+    pub fn clearance<'a>(&self, machine: &'a Machine) -> Clearance<'a> {
+        in_machine(machine, (self.start, &self.steps), Some(&self.told), self.passages.clone())
+    }
+
+    /// What the checks say of its contacts, in their order; without edges, which only a plan has.
+    #[must_use]
+    pub fn check(&self, machine: &Machine, contacts: Vec<FirstContact>) -> Vec<Diagnostic> {
+        let proposal = Doubling { edges: Vec::new(), added: Length::ZERO };
+        let mut plan = WirePlan::new(Component::default(), Vec::new(), proposal, None);
+        keep_contacts(&Wireframe::new(), machine, &mut plan, Some(contacts))
+    }
+}
+
+fn in_machine<'a>(
+    machine: &'a Machine,
+    wire: (Frame, &[Step]),
+    told: Option<&[Step]>,
+    passages: Vec<Vec<(Passage, Length)>>,
+) -> Clearance<'a> {
+    let stock = StockWire {
         diameter: machine.wire.diameter,
         bend_radius: machine.bend_radius,
         tail: machine.limits.tail.value,
         margin: Length::ZERO,
     };
-    let steps = &scheduled.steps;
-    Some(Clearance::new(
-        (scheduled_start(plan.start, steps), steps),
-        plan.compensated.as_ref().map(CompensatedProgram::steps),
-        passages.collect(),
-        wire,
-        &machine.bodies,
-        &machine.compensation.bend,
-    ))
+    Clearance::new(wire, told, passages, stock, &machine.bodies, &machine.compensation.bend)
 }

@@ -2,6 +2,7 @@
 
 mod contacts;
 mod routing;
+mod seen;
 mod stages;
 
 use std::collections::BTreeMap;
@@ -17,7 +18,7 @@ use crate::route::{Doubling, Route};
 use crate::schedule::{HeadLimits, ScheduledProgram};
 use crate::units::{Angle, Length};
 use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
-pub use contacts::find_contacts;
+pub use contacts::{ScheduledWire, clearance, keep_contacts};
 use routing::Routed;
 use stages::Stages;
 

@@ -1,6 +1,7 @@
 //! The stages after the route.
 
 use super::contacts;
+use super::seen::stages_of;
 use super::{Machine, Stage, WirePlan};
 use crate::bend::{PathError, program_of_path};
 use crate::checks::{Diagnostic, Fact, Location, Remedy, Severity, WireStages, check_wire};
@@ -52,37 +53,6 @@ impl Stages<'_> {
         plan.diagnostics.extend(failures.path.map(|error| path_failure(plan, error)));
         plan.diagnostics.sort_by_key(|diagnostic| diagnostic.severity);
         done(Stage::Check);
-    }
-}
-
-/// What checks see of a plan, which does not say why a stage was left out.
-pub(super) fn stages_of<'a>(
-    wireframe: &'a Wireframe,
-    machine: &'a Machine,
-    plan: &'a WirePlan,
-) -> WireStages<'a> {
-    WireStages {
-        wireframe,
-        component: &plan.component,
-        doubled: &plan.doubled,
-        odd_allowed: 0,
-        proposal: None,
-        forced: &[],
-        passed_again: &[],
-        route: plan.route.as_ref(),
-        nominal: plan.nominal.as_ref(),
-        scheduled: plan.scheduled.as_ref(),
-        rotation: None,
-        compensated: plan.compensated.as_ref(),
-        unbendable: &[],
-        contacts: plan.contacts.as_deref().unwrap_or_default(),
-        bodies: &machine.bodies.all,
-        compensation: &machine.compensation,
-        diameter: machine.wire.diameter,
-        bend_radius: machine.bend_radius,
-        straight: machine.straight,
-        scatter: machine.scatter.as_ref(),
-        limits: &machine.limits,
     }
 }
 
