@@ -5,10 +5,10 @@ use std::num::NonZero;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-use wirebend_core::clearance::{Clearance, FirstContact, merge_contacts};
+use wirebend_core::clearance::{Clearance, FirstContact};
 
 /// So many steps are looked at in one go: few, so that all are done at about the same time.
-const STEPS: usize = 16;
+const STEPS: usize = 12;
 /// More do not help: what is shared out has to be set up by each.
 const MAX_THREADS: usize = 4;
 
@@ -32,7 +32,7 @@ pub fn first_contacts(
         return None;
     }
     let found = search.found.into_inner().unwrap_or_else(PoisonError::into_inner);
-    Some(merge_contacts(found.into_values()))
+    Some(clearance.merged(found.into_values()))
 }
 
 /// What the threads share.

@@ -85,21 +85,6 @@ pub struct FirstContact {
     pub later: usize,
 }
 
-/// The first contacts of a wire, from those of parts of it in the order of their steps.
-#[must_use]
-pub fn merge_contacts(parts: impl IntoIterator<Item = Vec<FirstContact>>) -> Vec<FirstContact> {
-    let mut found: Vec<FirstContact> = Vec::new();
-    for contact in parts.into_iter().flatten() {
-        let known = found.iter_mut().find(|first| first.contact.obstacle == contact.contact.obstacle);
-        if let Some(first) = known {
-            first.later += 1 + contact.later;
-        } else {
-            found.push(contact);
-        }
-    }
-    found
-}
-
 /// A wire in a machine, whose steps are asked about one by one.
 #[derive(Debug, Clone)]
 pub struct Clearance<'a> {
@@ -177,11 +162,12 @@ impl<'a> Clearance<'a> {
     /// The same for whoever may be stopped: `goes_on` is asked before each step, with its index. `None` where it does not.
     #[must_use]
     pub fn first_contacts_while(mut self, goes_on: impl FnMut(usize) -> bool) -> Option<Vec<FirstContact>> {
-        self.first_contacts_in(0..self.steps(), goes_on)
+        let all = self.first_contacts_in(0..self.steps(), goes_on)?;
+        Some(self.merged([all]))
     }
 
-    /// The same of some steps, so that several threads can share a long wire: what is found of steps that follow one another gives
-    /// the whole by [`merge_contacts`].
+    /// The same of some steps, so that several threads can share a long wire. How deep they are is not measured yet: what is found of
+    /// steps that follow one another gives the whole by [`Clearance::merged`].
     pub fn first_contacts_in(
         &mut self,
         steps: Range<usize>,
@@ -202,11 +188,26 @@ impl<'a> Clearance<'a> {
                 if let Some(first) = known {
                     first.later += 1;
                 } else {
-                    found.push(FirstContact { contact, depth: self.depth(&contact), later: 0 });
+                    found.push(FirstContact { contact, depth: Length::ZERO, later: 0 });
                 }
             }
         }
         Some(found)
+    }
+
+    /// The first contacts of the whole wire, from those of its parts in the order of their steps.
+    #[must_use]
+    pub fn merged(&self, parts: impl IntoIterator<Item = Vec<FirstContact>>) -> Vec<FirstContact> {
+        let mut found: Vec<FirstContact> = Vec::new();
+        for first in parts.into_iter().flatten() {
+            let known = found.iter_mut().find(|known| known.contact.obstacle == first.contact.obstacle);
+            if let Some(known) = known {
+                known.later += 1 + first.later;
+            } else {
+                found.push(FirstContact { depth: self.depth(&first.contact), ..first });
+            }
+        }
+        found
     }
 
     /// What the wire begins to meet in a step; the steps are asked for in order. One contact for each thing that it meets.

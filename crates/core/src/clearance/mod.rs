@@ -19,7 +19,7 @@ mod zone;
 pub use wirebend_collide::Solid;
 
 pub use body::{Bodies, Body, MovesWith};
-pub use contact::{Clearance, Contact, FirstContact, Obstacle, StockWire, merge_contacts};
+pub use contact::{Clearance, Contact, FirstContact, Obstacle, StockWire};
 pub use stroke::Phase;
 pub use zone::Passage;
 #[cfg(test)]

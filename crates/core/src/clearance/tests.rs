@@ -321,7 +321,7 @@ proptest! {
             .step_by(size)
             .map(|from| shared.first_contacts_in(from..steps.len().min(from + size), |_| true).unwrap())
             .collect();
-        prop_assert_eq!(merge_contacts(parts), made().first_contacts());
+        prop_assert_eq!(made().merged(parts), made().first_contacts());
         prop_assert_eq!(made().first_contacts_while(|step| step + 1 < steps.len()), None);
     }
 }
