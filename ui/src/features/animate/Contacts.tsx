@@ -26,7 +26,7 @@ export function Contacts() {
           ))}
         </ul>
       )}
-      {contacts.length === 0 && <Nothing />}
+      {contacts.length === 0 ? <Nothing /> : <Estimates />}
       {elsewhere > 0 && <p className="muted small">{count(elsewhere, "collision")} of other wires</p>}
     </div>
   );
@@ -47,6 +47,13 @@ function Contact({ contact }: { readonly contact: PlayedContact }) {
       sub={depthOf(contact, unit)}
     />
   );
+}
+
+/** How many bodies are not measured, once for all of the list. */
+function Estimates() {
+  const found = useDesign(({ collisions }) => collisions?.found);
+  const text = found && estimatesOf(found);
+  return text ? <p className="muted small">{text}</p> : null;
 }
 
 /** Why there are none. */

@@ -9,11 +9,11 @@ export function hitOf({ step, body, finding }: Pick<ContactReport, "step" | "bod
   return `Step ${step + 1} hits the ${finding.body ?? "machine"}`;
 }
 
-/** "2.1 mm deep, in 3 later steps again; dimensions are estimates". */
+/** "2.1 mm deep, in 3 later steps again; estimate". */
 export function depthOf(
   { depth_mm, later, estimated }: Pick<ContactReport, "depth_mm" | "later" | "estimated">,
   unit: DisplayUnit,
 ): string {
   const again = later > 0 ? `, in ${count(later, "later step")} again` : "";
-  return `${length(depth_mm, unit)} deep${again}${estimated ? "; dimensions are estimates" : ""}`;
+  return `${length(depth_mm, unit)} deep${again}${estimated ? "; estimate" : ""}`;
 }
