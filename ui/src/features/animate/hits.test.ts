@@ -11,6 +11,6 @@ it("names the step as it is counted and the body as its profile does", () => {
 
 it("says how deep it is, whether it comes again, and what is only an estimate", () => {
   expect(depthOf(contact, "mm")).toBe("2.1 mm deep");
-  expect(depthOf({ ...contact, later: 1, estimated: true }, "mm")).toBe("2.1 mm deep, in 1 later step again; estimate");
-  expect(depthOf({ ...contact, later: 12 }, "inch")).toBe("0.084 in deep, in 12 later steps again");
+  expect(depthOf({ ...contact, later: 1, estimated: true }, "mm")).toBe("2.1 mm deep, in 1 more step; estimate");
+  expect(depthOf({ ...contact, later: 12 }, "inch")).toBe("0.084 in deep, in 12 more steps");
 });

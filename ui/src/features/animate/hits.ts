@@ -9,11 +9,11 @@ export function hitOf({ step, body, finding }: Pick<ContactReport, "step" | "bod
   return `Step ${step + 1} hits the ${finding.body ?? "machine"}`;
 }
 
-/** "2.1 mm deep, in 3 later steps again; estimate". */
+/** "2.1 mm deep, in 3 more steps; estimate". */
 export function depthOf(
   { depth_mm, later, estimated }: Pick<ContactReport, "depth_mm" | "later" | "estimated">,
   unit: DisplayUnit,
 ): string {
-  const again = later > 0 ? `, in ${count(later, "later step")} again` : "";
+  const again = later > 0 ? `, in ${count(later, "more step")}` : "";
   return `${length(depth_mm, unit)} deep${again}${estimated ? "; estimate" : ""}`;
 }
