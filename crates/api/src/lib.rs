@@ -39,6 +39,7 @@ pub use wirebend_planning::catalogue::{
     MachineEntry, MachinesRequest, MachinesResponse, MaterialEntry, MaterialsRequest, MaterialsResponse,
 };
 pub use wirebend_planning::choices::PlanChoices;
+pub use wirebend_planning::collisions::{Collisions, ContactReport};
 pub use wirebend_planning::compare::{
     Change, CompareRequest, CompareResponse, Findings, MachineSide, OtherSide, WireDiagnostic, WireStep,
 };

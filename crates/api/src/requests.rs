@@ -10,7 +10,7 @@ use wirebend_planning::{catalogue, compare, drivers, dump, export, import, plan,
 
 use crate::workspace::{self, ApiErrorReport, Work, Workspace};
 use crate::{
-    ApiError, CheckRequest, CheckResponse, CompareRequest, CompareResponse, DriverCheckRequest,
+    ApiError, CheckRequest, CheckResponse, Collisions, CompareRequest, CompareResponse, DriverCheckRequest,
     DriverCheckResponse, DriverTrustRequest, DriverTrustResponse, DriversRequest, DriversResponse,
     DumpRequest, DumpResponse, ExportRequest, ExportResponse, FrontEnd, ImportRequest, ImportResponse,
     Installation, JogRequest, JogResponse, LiveCheck, MachineSettingsRequest, MachineSettingsResponse,
@@ -218,6 +218,10 @@ requests! {
         Redo(workspace::Redo) -> workspace::EditMade = Workspace::redo, "redo";
         /// Checks the design on its machine.
         Check(workspace::CheckDesign) -> LiveCheck = Workspace::check, "check";
+        /// Looks where the wires of the design meet the machine or themselves.
+        Collisions(workspace::CheckCollisions) -> Collisions = Workspace::collisions, "collisions";
+        /// Stops looking for that.
+        StopCollisions(workspace::StopCollisions) -> workspace::CollisionsStopped = Workspace::stop_collisions, "stop-collisions";
         /// What would fix what the checks say, each tried beforehand.
         Fixes(workspace::FixesRequest) -> workspace::FixesResponse = Workspace::fixes, "fixes";
         /// The program of the design, as it is played.

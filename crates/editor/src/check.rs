@@ -66,11 +66,7 @@ impl Editor {
     /// # Errors
     /// [`EditorError::Planning`] where none is chosen; [`EditorError`] when a vertex is not there or goes nowhere.
     pub fn check(&mut self, app: &Installation, moved: &[Moved]) -> Result<LiveCheck, EditorError> {
-        let mut document = self.planned_part();
-        for &Moved { vertex, at_mm } in moved {
-            let edit = Edit::Place { vertex: VertexId(vertex), position: at_mm.into() };
-            document.wireframe.apply(&edit).map_err(EditorError::from)?;
-        }
+        let document = self.moved_part(moved)?;
         let (names, setup) = self.take_setup(app)?;
         let opened = Opened::of(self.name.clone(), document);
         let planned = Installation::plan_with(opened, setup, &PlanChoices::default(), &NoProgress)?;
@@ -126,6 +122,16 @@ impl Editor {
             units: *units,
             source: source.clone(),
         }
+    }
+
+    /// What is planned of the design, with some vertices elsewhere than they are.
+    pub(super) fn moved_part(&self, moved: &[Moved]) -> Result<Document, EditorError> {
+        let mut document = self.planned_part();
+        for &Moved { vertex, at_mm } in moved {
+            let edit = Edit::Place { vertex: VertexId(vertex), position: at_mm.into() };
+            document.wireframe.apply(&edit).map_err(EditorError::from)?;
+        }
+        Ok(document)
     }
 
     /// What is planned of the design: the stencil is no part of what is bent.

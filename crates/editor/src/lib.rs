@@ -8,6 +8,7 @@
 
 mod changing;
 mod check;
+mod collisions;
 mod edit_journal;
 mod error;
 mod fixes;
@@ -23,6 +24,7 @@ use wirebend_error::ProblemReport;
 use wirebend_files::document::{Document, DocumentChange, StencilSource, save_atomically};
 
 pub use check::{LiveCheck, Moved, WireFigures};
+pub use collisions::CollisionCheck;
 use edit_journal::EditJournal;
 pub use edit_journal::Unsaved;
 pub use error::EditorError;

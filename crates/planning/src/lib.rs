@@ -8,7 +8,9 @@
 pub mod bodies;
 pub mod catalogue;
 pub mod choices;
+pub mod collisions;
 pub mod compare;
+mod contacts;
 pub mod design;
 pub mod drivers;
 pub mod dump;

@@ -101,15 +101,7 @@ pub fn played(plan: &WirePlan, time: &TimeModel) -> Option<PlayedWire> {
     let route = plan.route.as_ref()?;
     let told = plan.compensated.as_ref().map(CompensatedProgram::steps);
     let start = scheduled_start(plan.start, &scheduled.steps);
-    let machine: Vec<MachineStep> = scheduled
-        .steps
-        .iter()
-        .enumerate()
-        .map(|(index, designed)| {
-            let told = told.and_then(|told| told.get(index)).unwrap_or(designed);
-            MachineStep { designed: *designed, told: *told, seconds: time.step_seconds(told) }
-        })
-        .collect();
+    let machine = machine_steps(plan, time)?;
     let poses = poses(start, &scheduled.steps);
     let steps = machine.iter().zip(&poses).zip(moments(&machine)).zip(&nominal.spans).enumerate();
     let steps = steps.map(|(index, (((step, pose), moments), span))| {
@@ -130,6 +122,16 @@ pub fn played(plan: &WirePlan, time: &TimeModel) -> Option<PlayedWire> {
         stock_mm: plan.stock.map(Length::mm),
         time_s: plan.seconds,
     })
+}
+
+/// What the machine does in each step of a planned wire; `None` where it has no program.
+pub(crate) fn machine_steps(plan: &WirePlan, time: &TimeModel) -> Option<Vec<MachineStep>> {
+    let told = plan.compensated.as_ref().map(CompensatedProgram::steps);
+    let steps = plan.scheduled.as_ref()?.steps.iter().enumerate().map(|(index, designed)| {
+        let told = told.and_then(|told| told.get(index)).unwrap_or(designed);
+        MachineStep { designed: *designed, told: *told, seconds: time.step_seconds(told) }
+    });
+    Some(steps.collect())
 }
 
 /// A wire that moves by hand have bent, as ordered, in the frame of the turtle that begins it: x along the wire, z its bend

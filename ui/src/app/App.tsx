@@ -19,6 +19,7 @@ import { Timeline } from "../features/timeline/Timeline";
 import { Toolbar } from "../features/toolbar/Toolbar";
 import { TopBar } from "../features/topbar/TopBar";
 import { TraceSection } from "../features/trace/TraceSection";
+import { Hit } from "../features/viewport/Hit";
 import { HoverCard } from "../features/viewport/HoverCard";
 import { ViewName } from "../features/viewport/ViewName";
 import { Viewport } from "../features/viewport/Viewport";
@@ -40,6 +41,7 @@ export function App() {
           <Unsaved />
           <OpenNotes />
           <HoverCard />
+          <Hit />
           <Hints />
         </Guard>
         <Problems />

@@ -28,12 +28,12 @@ it("the preview of a fix goes away with the first checks of a drag", () => {
   useDesign.setState({
     vertices: new Map([0, 1].map((id) => [id, { id, at: [id * 10, 0, 0] as const, support: false }])),
     edges: new Map([[5, { id: 5, a: 0, b: 1 }]]),
-    check: { ...check },
+    limits: { ...check },
   });
   showFix({ preview: { ...nothing, doubled: [5] } } as unknown as Fix);
   expect(useView.getState().preview?.edges).toHaveLength(1);
   // What a drag changes at first is what the checks say.
-  useDesign.setState({ check: { ...check } });
+  useDesign.setState({ limits: { ...check } });
   expect(useFixes.getState().shown).toBeNull();
   expect(useView.getState().preview).toBeNull();
 });

@@ -1,3 +1,4 @@
+import { lookForCollisions } from "../state/design/collisions";
 import { useDesign } from "../state/design/design";
 import { hideFix, previewGone } from "../state/design/fixes";
 import { keepSelected } from "../state/design/selection";
@@ -44,7 +45,8 @@ function followChanges(): End {
         if (state) showWire();
       },
     ),
-    whenChanged(useDesign, ({ vertices, edges, state, check }) => [vertices, edges, state, check], hideFix),
+    whenChanged(useDesign, ({ vertices, edges, state, limits }) => [vertices, edges, state, limits], hideFix),
+    whenChanged(useDesign, ({ limits }) => [limits], lookForCollisions),
     whenChanged(useDesign, ({ vertices, edges }) => [vertices, edges], keepSelected),
     whenChanged(useDesign, ({ state }) => [state?.machine], forgetExports),
     whenChanged(useDesign, ({ vertices, edges }) => [vertices, edges], hideByHand),

@@ -9,7 +9,7 @@ const platform = vi.hoisted(() => {
     return () => void heard.delete(what);
   };
   return {
-    ask: vi.fn(async () => ({ problems: [], formats: [] })),
+    ask: vi.fn(async () => ({ problems: [], formats: [], wires: [] })),
     stop: vi.fn(async () => {}),
     setTitle: vi.fn(),
     listen: hears("told"),

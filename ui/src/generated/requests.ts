@@ -409,6 +409,7 @@ export interface Requests {
   "clear-recent": ClearRecent;
   "clear-recording": ClearRecording;
   close: CloseDesign;
+  collisions: CheckCollisions;
   compare: CompareDesign;
   connect: ConnectMachine;
   "copy-machine": CopyMachine;
@@ -445,6 +446,7 @@ export interface Requests {
   "save-wireframe": SaveWireframe;
   "show-lengths": ShowLengths;
   start: Start;
+  "stop-collisions": StopCollisions;
   undo: Undo;
 }
 /**
@@ -519,6 +521,15 @@ export interface ClearRecording {}
  * Closes the design; what is not saved is gone. An empty one takes its place.
  */
 export interface CloseDesign {}
+/**
+ * Checks the design for collisions, with some vertices elsewhere than they are. One that is under way is stopped.
+ */
+export interface CheckCollisions {
+  /**
+   * Vertices that are being dragged.
+   */
+  moved?: Moved[];
+}
 /**
  * Plans the open design for other machines and says what changes.
  */
@@ -641,7 +652,12 @@ export interface ExportsRequest {}
 /**
  * Asks what would fix what the checks say.
  */
-export interface FixesRequest {}
+export interface FixesRequest {
+  /**
+   * Of collisions, instead of all else: each fix is tried with a check for collisions, which takes longer.
+   */
+  collisions?: boolean;
+}
 /**
  * What to look into.
  */
@@ -851,6 +867,10 @@ export interface ShowLengths {
  * What a window needs when it opens.
  */
 export interface Start {}
+/**
+ * Stops the check for collisions that is under way, and the search for what would fix them.
+ */
+export interface StopCollisions {}
 /**
  * Undoes the last change.
  */

@@ -1433,6 +1433,7 @@ export interface Responses {
   "clear-recent": Started;
   "clear-recording": Recorded;
   close: DesignOpened;
+  collisions: Collisions;
   compare: CompareResponse;
   connect: MachineNow;
   "copy-machine": ProfileNewResponse;
@@ -1469,6 +1470,7 @@ export interface Responses {
   "save-wireframe": SavedWireframe;
   "show-lengths": LengthsShown;
   start: Started;
+  "stop-collisions": CollisionsStopped;
   undo: EditMade;
 }
 /**
@@ -2125,6 +2127,10 @@ export interface LiveCheck {
  * A finding: what is wrong or worth knowing.
  */
 export interface DiagnosticReport {
+  /**
+   * The body of the machine that the wire hits, as its profile calls it.
+   */
+  body?: string | null;
   code: DiagnosticCode;
   /**
    * The edge that it is about foremost.
@@ -2440,6 +2446,69 @@ export interface NoteReport {
   remedies?: ErrorRemedy[];
 }
 /**
+ * Where the wires of a design meet the machine or themselves while they are bent.
+ */
+export interface Collisions {
+  /**
+   * How many bodies the machine's profile has.
+   */
+  bodies: number;
+  /**
+   * Whether every wire was looked at to its end: not where it was stopped, and not without a route.
+   */
+  checked: boolean;
+  /**
+   * Of each wire in the order of its steps.
+   */
+  contacts: ContactReport[];
+  /**
+   * How many of them have dimensions that were not measured.
+   */
+  estimates: number;
+  /**
+   * Whether somebody has stopped it, or asked for a later one.
+   */
+  stopped: boolean;
+}
+/**
+ * A first contact of a wire with one thing that it meets, as it is played.
+ */
+export interface ContactReport {
+  /**
+   * The part of the step's time that has passed by then, from 0 to 1.
+   */
+  at: number;
+  /**
+   * The body of the machine that it meets, by its place in the profile from 0; null: the wire that is still to be bent.
+   */
+  body: number | null;
+  /**
+   * How deep they are in each other at the worst of that step, mm.
+   */
+  depth_mm: number;
+  /**
+   * Whether where it is depends on dimensions that were not measured.
+   */
+  estimated: boolean;
+  finding: DiagnosticReport;
+  /**
+   * In how many later steps they meet again.
+   */
+  later: number;
+  /**
+   * The step, from 0, that has made the part of the wire that is met.
+   */
+  leg: number;
+  /**
+   * The step in which it happens, from 0.
+   */
+  step: number;
+  /**
+   * The wire, from 0, of those that have a program.
+   */
+  wire: number;
+}
+/**
  * The design on several machines.
  */
 export interface CompareResponse {
@@ -2592,6 +2661,10 @@ export interface Findings {
  * One thing to know of a wire, or of the design.
  */
 export interface WireDiagnostic {
+  /**
+   * The body of the machine that the wire hits, as its profile calls it.
+   */
+  body?: string | null;
   code: DiagnosticCode;
   /**
    * The edge that it is about foremost.
@@ -2936,6 +3009,10 @@ export interface Fix {
  * Sums over all wires of the design afterwards. Null where one of them is not known.
  */
 export interface FixTotals {
+  /**
+   * How many things they meet while they are bent; null where that was not looked for.
+   */
+  collisions: number | null;
   /**
    * Price of the designed length.
    */
@@ -3665,6 +3742,10 @@ export interface SavedWireframe {
 export interface LengthsShown {
   unit: ShownUnit;
 }
+/**
+ * Nothing is looked for any more.
+ */
+export interface CollisionsStopped {}
 export interface Events {
   operator: OperatorEvent;
   refusal: ApiErrorReport;

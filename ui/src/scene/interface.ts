@@ -211,6 +211,12 @@ export interface Played {
   readonly pegTop: number;
 }
 
+/** What touches what: the part of the wire that a step has made, and a body by its place in `bodies`; null: the wire that is still to come. */
+export interface Touch {
+  readonly leg: number;
+  readonly body: number | null;
+}
+
 export type Shown = "designed" | "made" | "both";
 
 /** What a fix would do, shown before it is done. */

@@ -17,6 +17,7 @@ import type {
   Shown,
   SnapSettings,
   Tool,
+  Touch,
 } from "./interface";
 import { spacingText } from "./layers/grid_spacing";
 import { Overlay } from "./layers/overlay";
@@ -270,6 +271,12 @@ export class Viewport {
   /** So many steps of what is played were really done; null or 0 for none. */
   setProgress(steps: number | null): void {
     this.stage.playback.setProgress(steps ?? 0);
+    this.frames.request();
+  }
+
+  /** What touches what where it is played, drawn red. */
+  setTouches(touches: readonly Touch[]): void {
+    this.stage.playback.setTouches(touches);
     this.frames.request();
   }
 

@@ -109,7 +109,11 @@ pub struct CheckDesign {
 
 /// Asks what would fix what the checks say.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
-pub struct FixesRequest {}
+pub struct FixesRequest {
+    /// Of collisions, instead of all else: each fix is tried with a check for collisions, which takes longer.
+    #[serde(default)]
+    pub collisions: bool,
+}
 
 /// What would fix what the checks say.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
@@ -211,11 +215,17 @@ impl Workspace {
         Ok(self.open().check(&self.installation(), &asked.moved)?)
     }
 
-    pub(crate) fn fixes(&self, _: &FixesRequest, _: &dyn Progress) -> Result<FixesResponse, ApiError> {
+    pub(crate) fn fixes(&self, asked: &FixesRequest, _: &dyn Progress) -> Result<FixesResponse, ApiError> {
         let app = self.installation();
         // The user keeps dragging meanwhile.
         let search = self.open().fix_search(&app)?;
-        Ok(FixesResponse { fixes: search.fixes(&app)? })
+        let fixes = if asked.collisions {
+            let of = self.collision_checks.now();
+            search.collision_fixes(&app, &|| self.collision_checks.is_last(of))?
+        } else {
+            search.fixes(&app)?
+        };
+        Ok(FixesResponse { fixes })
     }
 
     pub(crate) fn save(&self, asked: &SaveDesign, _: &dyn Progress) -> Result<DesignOpened, ApiError> {

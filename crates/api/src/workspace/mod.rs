@@ -7,7 +7,7 @@
 #![allow(clippy::unnecessary_wraps, clippy::unused_self, reason = "every request has a schema")]
 
 mod about;
-
+mod collisions;
 mod design;
 mod error;
 mod examples;
@@ -30,6 +30,7 @@ use wirebend_files::document::DocumentError;
 
 use crate::{ApiError, Editor, Installation, Operator, OperatorEvent, Places};
 pub use about::{AboutRequest, AboutResponse};
+pub use collisions::{CheckCollisions, CollisionsStopped, StopCollisions};
 pub use design::{
     CheckDesign, ClearRecent, CloseDesign, DesignOpened, DiscardUnsaved, EditDesign, EditMade, FixesRequest,
     FixesResponse, NewDesign, OpenDesign, OpenExample, PutStencil, Redo, RestoreUnsaved, SaveDesign, Start,
@@ -92,6 +93,7 @@ pub struct Workspace {
     open: Mutex<Editor>,
     operator: Mutex<Option<Arc<Operator>>>,
     events: Arc<dyn EventSink>,
+    collision_checks: collisions::CollisionChecks,
 }
 
 impl Workspace {
@@ -103,7 +105,8 @@ impl Workspace {
         let app = places.installation()?;
         let open = empty(&app, &places, None)?;
         let (installation, operator) = (RwLock::new(Arc::new(app)), Mutex::new(None));
-        Ok(Self { places, installation, open: Mutex::new(open), operator, events })
+        let collision_checks = collisions::CollisionChecks::default();
+        Ok(Self { places, installation, open: Mutex::new(open), operator, events, collision_checks })
     }
 
     /// The profiles and drivers as they were when they were last read.
@@ -127,6 +130,7 @@ impl Workspace {
 
     /// The program ends: what moves is stopped, and the port closed. What no file has is offered at the next start.
     pub fn leave(&self) {
+        self.collision_checks.begin();
         self.let_go();
         self.open().leave();
     }

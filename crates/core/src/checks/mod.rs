@@ -194,6 +194,13 @@ pub fn check_wire(wire: &WireStages) -> Vec<Diagnostic> {
     found
 }
 
+/// What is said of the contacts of a wire alone, one for each in their order.
+pub(crate) fn check_contacts(wire: &WireStages) -> Vec<Diagnostic> {
+    let mut found = Vec::new();
+    contact::check(wire, &mut found);
+    found
+}
+
 /// What arithmetic may leave between a value and a limit that it is at, mm or degrees.
 const ROUNDING: f64 = 1e-9;
 

@@ -1,5 +1,7 @@
 //! Contacts of a program.
 
+use std::ops::Range;
+
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 use wirebend_collide::{Interval, Meeting, Solid, Task, closest, first_contact};
 
@@ -153,16 +155,56 @@ impl<'a> Clearance<'a> {
 
     /// The first contact with each thing that the wire meets, in the order of its steps.
     #[must_use]
-    pub fn first_contacts(mut self) -> Vec<FirstContact> {
+    pub fn first_contacts(self) -> Vec<FirstContact> {
+        self.first_contacts_while(|_| true).unwrap_or_default()
+    }
+
+    /// The same for whoever may be stopped: `goes_on` is asked before each step, with its index. `None` where it does not.
+    #[must_use]
+    pub fn first_contacts_while(mut self, goes_on: impl FnMut(usize) -> bool) -> Option<Vec<FirstContact>> {
+        let all = self.first_contacts_in(0..self.steps(), goes_on)?;
+        Some(self.merged([all]))
+    }
+
+    /// The same of some steps, so that several threads can share a long wire. How deep they are is not measured yet: what is found of
+    /// steps that follow one another gives the whole by [`Clearance::merged`].
+    pub fn first_contacts_in(
+        &mut self,
+        steps: Range<usize>,
+        mut goes_on: impl FnMut(usize) -> bool,
+    ) -> Option<Vec<FirstContact>> {
+        self.met.clear();
+        if let Some(before) = steps.start.checked_sub(1) {
+            // What it meets already is no new contact.
+            self.contacts_of(before);
+        }
         let mut found: Vec<FirstContact> = Vec::new();
-        for step in 0..self.steps() {
+        for step in steps {
+            if !goes_on(step) {
+                return None;
+            }
             for contact in self.contacts_of(step) {
-                if let Some(first) = found.iter_mut().find(|first| first.contact.obstacle == contact.obstacle)
-                {
+                let known = found.iter_mut().find(|first| first.contact.obstacle == contact.obstacle);
+                if let Some(first) = known {
                     first.later += 1;
                 } else {
-                    found.push(FirstContact { contact, depth: self.depth(&contact), later: 0 });
+                    found.push(FirstContact { contact, depth: Length::ZERO, later: 0 });
                 }
+            }
+        }
+        Some(found)
+    }
+
+    /// The first contacts of the whole wire, from those of its parts in the order of their steps.
+    #[must_use]
+    pub fn merged(&self, parts: impl IntoIterator<Item = Vec<FirstContact>>) -> Vec<FirstContact> {
+        let mut found: Vec<FirstContact> = Vec::new();
+        for first in parts.into_iter().flatten() {
+            let known = found.iter_mut().find(|known| known.contact.obstacle == first.contact.obstacle);
+            if let Some(known) = known {
+                known.later += 1 + first.later;
+            } else {
+                found.push(FirstContact { depth: self.depth(&first.contact), ..first });
             }
         }
         found

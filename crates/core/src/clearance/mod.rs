@@ -12,6 +12,7 @@
 mod body;
 mod centreline;
 mod contact;
+mod moment;
 mod run;
 mod stroke;
 mod zone;

@@ -301,3 +301,27 @@ fn arcs_that_do_not_fit_and_folds_are_rounded_as_far_as_there_is_room() {
         assert!(contact.depth.mm().is_finite() && contact.passed.is_finite(), "{contact:?}");
     }
 }
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 32, ..ProptestConfig::default() })]
+
+    /// Threads share the steps of a wire: what they find together must be what one finds alone.
+    #[test]
+    fn a_wire_that_is_shared_out_meets_what_it_meets_as_a_whole(
+        steps in program(),
+        one in obstacle(),
+        other in obstacle(),
+        size in 1_usize..4,
+    ) {
+        let bodies = Bodies { all: vec![one, other], ..Bodies::default() };
+        let bend = BendModel { springback: None, setback: None, axis_limit: None };
+        let made = || Clearance::new((Frame::default(), &steps), None, passages(&steps), wire(), &bodies, &bend);
+        let mut shared = made();
+        let parts: Vec<_> = (0..steps.len())
+            .step_by(size)
+            .map(|from| shared.first_contacts_in(from..steps.len().min(from + size), |_| true).unwrap())
+            .collect();
+        prop_assert_eq!(made().merged(parts), made().first_contacts());
+        prop_assert_eq!(made().first_contacts_while(|step| step + 1 < steps.len()), None);
+    }
+}

@@ -1,11 +1,15 @@
 //! Where the wire of a plan meets the machine.
 
+use super::seen::stages_of;
 use super::{Machine, WirePlan};
-use crate::clearance::{Clearance, FirstContact, StockWire, passages};
+use crate::bend::{Frame, Step};
+use crate::checks::{Diagnostic, check_contacts};
+use crate::clearance::{Clearance, FirstContact, Passage, StockWire, passages};
 use crate::compensate::CompensatedProgram;
+use crate::route::Doubling;
 use crate::simulate::scheduled_start;
 use crate::units::Length;
-use crate::wireframe::Wireframe;
+use crate::wireframe::{Component, Wireframe};
 
 /// The first contact with each thing that the wire meets or comes nearer to than a margin, once it has been scheduled, in the
 /// order of its steps.
@@ -15,19 +19,74 @@ pub(super) fn find(
     plan: &WirePlan,
     margin: Length,
 ) -> Option<Vec<FirstContact>> {
+    Some(clearance(wireframe, machine, plan, margin)?.first_contacts())
+}
+
+/// Keeps in a plan where its wire meets the machine or itself, which was looked for after all else: `None` where that is not
+/// known. Gives what the checks say of each contact, in their order.
+pub fn keep_contacts(
+    wireframe: &Wireframe,
+    machine: &Machine,
+    plan: &mut WirePlan,
+    contacts: Option<Vec<FirstContact>>,
+) -> Vec<Diagnostic> {
+    plan.contacts = contacts;
+    check_contacts(&stages_of(wireframe, machine, plan))
+}
+
+/// The wire of a plan in its machine, once it has been scheduled. `margin`: how far things have to stay from each other.
+pub fn clearance<'a>(
+    wireframe: &Wireframe,
+    machine: &'a Machine,
+    plan: &WirePlan,
+    margin: Length,
+) -> Option<Clearance<'a>> {
     let (nominal, scheduled) = (plan.nominal.as_ref()?, plan.scheduled.as_ref()?);
     let route = plan.route.as_ref()?;
     let passages = passages(wireframe, &route.traversals, &nominal.spans);
-    let steps = &scheduled.steps;
-    let clearance = Clearance::new(
-        (scheduled_start(plan.start, steps), steps),
-        plan.compensated.as_ref().map(CompensatedProgram::steps),
-        passages,
-        stock_wire(machine, margin),
-        &machine.bodies,
-        &machine.compensation.bend,
-    );
-    Some(clearance.first_contacts())
+    let told = plan.compensated.as_ref().map(CompensatedProgram::steps);
+    let start = scheduled_start(plan.start, &scheduled.steps);
+    Some(in_machine(machine, (start, &scheduled.steps), told, passages, margin))
+}
+
+/// A wire that was planned before, such as that of a job.
+#[derive(Debug, Clone)]
+pub struct ScheduledWire {
+    /// Where its steps begin.
+    pub start: Frame,
+    /// As scheduled, from corner to corner.
+    pub steps: Vec<Step>,
+    /// As compensated: where the bend axis goes in each.
+    pub told: Vec<Step>,
+    /// The edges of each step, with their lengths.
+    pub passages: Vec<Vec<(Passage, Length)>>,
+}
+
+impl ScheduledWire {
+    /// The wire in its machine.
+    #[must_use]
+    pub fn clearance<'a>(&self, machine: &'a Machine) -> Clearance<'a> {
+        in_machine(machine, (self.start, &self.steps), Some(&self.told), self.passages.clone(), Length::ZERO)
+    }
+
+    /// What the checks say of its contacts, in their order; without edges, which only a plan has.
+    #[must_use]
+    pub fn check(&self, machine: &Machine, contacts: Vec<FirstContact>) -> Vec<Diagnostic> {
+        let proposal = Doubling { edges: Vec::new(), added: Length::ZERO };
+        let mut plan = WirePlan::new(Component::default(), Vec::new(), proposal, None);
+        keep_contacts(&Wireframe::new(), machine, &mut plan, Some(contacts))
+    }
+}
+
+fn in_machine<'a>(
+    machine: &'a Machine,
+    wire: (Frame, &[Step]),
+    told: Option<&[Step]>,
+    passages: Vec<Vec<(Passage, Length)>>,
+    margin: Length,
+) -> Clearance<'a> {
+    let stock = stock_wire(machine, margin);
+    Clearance::new(wire, told, passages, stock, &machine.bodies, &machine.compensation.bend)
 }
 
 /// The wire as it runs through the machine.

@@ -3,6 +3,7 @@
 mod contacts;
 mod routing;
 mod searching;
+mod seen;
 mod stages;
 
 use std::collections::BTreeMap;
@@ -21,6 +22,7 @@ use crate::search::{Obstruction, SearchOptions};
 use crate::simulate::scheduled_start;
 use crate::units::{Angle, Length};
 use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
+pub use contacts::{ScheduledWire, clearance, keep_contacts};
 use routing::Routed;
 use searching::Searching;
 use stages::Stages;

@@ -1,6 +1,7 @@
 //! The stages after the route.
 
 use super::contacts;
+use super::seen::stages_of;
 use super::{Machine, Stage, WirePlan};
 use crate::bend::{PathError, program_of_path};
 use crate::checks::{Diagnostic, Fact, Location, Remedy, Severity, WireStages, check_wire};
@@ -42,29 +43,15 @@ impl Stages<'_> {
             done(Stage::Contacts);
         }
         plan.diagnostics = check_wire(&WireStages {
-            wireframe,
-            component: &plan.component,
-            doubled: &plan.doubled,
             odd_allowed: self.odd_allowed,
             proposal: Some(&plan.proposal).filter(|proposal| !proposal.edges.is_empty()),
             forced: self.forced,
             passed_again: self.passed_again.get(index).map_or(&[], Vec::as_slice),
-            route: plan.route.as_ref(),
-            nominal: plan.nominal.as_ref(),
-            scheduled: plan.scheduled.as_ref(),
             rotation: failures.rotation.as_ref(),
-            compensated: plan.compensated.as_ref(),
             unbendable: &failures.unbendable,
             searched: self.searched,
-            contacts: plan.contacts.as_deref().unwrap_or_default(),
             margin: self.contacts.unwrap_or_default(),
-            bodies: &machine.bodies.all,
-            compensation: &machine.compensation,
-            diameter: machine.wire.diameter,
-            bend_radius: machine.bend_radius,
-            straight: machine.straight,
-            scatter: machine.scatter.as_ref(),
-            limits: &machine.limits,
+            ..stages_of(wireframe, machine, plan)
         });
         plan.diagnostics.extend(already);
         plan.diagnostics.extend(failures.path.map(|error| path_failure(plan, error)));

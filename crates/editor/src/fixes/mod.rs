@@ -85,6 +85,8 @@ pub struct FixChange {
 pub struct FixTotals {
     /// How many wires there are.
     pub wires: usize,
+    /// How many things they meet while they are bent; null where that was not looked for.
+    pub collisions: Option<usize>,
     /// Designed length, mm.
     pub length_mm: Option<f64>,
     /// Stock to load, mm.
@@ -141,17 +143,35 @@ pub struct FixSearch {
 
 impl FixSearch {
     pub fn fixes(self, app: &Installation) -> Result<Vec<Fix>, EditorError> {
-        fixes(self.document, app, &self.setup)
+        let (base, mut trials) = Trials::begin(self.document, app, &self.setup)?;
+        Ok(fixes(&base, &mut trials, |code| !is_collision(code)))
     }
+
+    /// What can be done about collisions alone, likewise: each edit is tried with a check for them. `goes_on` is asked again and again;
+    /// where it does not there are none.
+    pub fn collision_fixes(
+        self,
+        app: &Installation,
+        goes_on: &dyn Fn() -> bool,
+    ) -> Result<Vec<Fix>, EditorError> {
+        let (base, mut trials) = Trials::with_collisions(self.document, app, &self.setup, goes_on)?;
+        let fixes = fixes(&base, &mut trials, is_collision);
+        Ok(if goes_on() { fixes } else { Vec::new() })
+    }
+}
+
+/// Whether only a check for collisions says it.
+fn is_collision(code: Code) -> bool {
+    matches!(code, Code::MeetsMachine | Code::MeetsStock)
 }
 
 /// An edit that fixes something, with the design after it.
 type TriedFix = (Candidate, Rc<Trial>);
 
-fn fixes(document: Document, app: &Installation, setup: &Setup) -> Result<Vec<Fix>, EditorError> {
-    let (base, mut trials) = Trials::begin(document, app, setup)?;
+fn fixes(base: &Trial, trials: &mut Trials, wanted: fn(Code) -> bool) -> Vec<Fix> {
     let findings = base.findings();
     let mut to_fix = to_fix(&findings);
+    to_fix.retain(|&k| wanted(findings[k].diagnostic.code()));
     let neediest = scale::neediest(&findings, &to_fix, &trials.document().wireframe);
     // Where there are more than can be tried, what fixes most is not to be left out.
     to_fix.sort_by_key(|&k| neediest.is_none_or(|(neediest, _)| k != neediest));
@@ -159,10 +179,10 @@ fn fixes(document: Document, app: &Installation, setup: &Setup) -> Result<Vec<Fi
     for (done, &k) in to_fix.iter().enumerate() {
         trials.share(to_fix.len() - done);
         let factor = neediest.filter(|(neediest, _)| k == *neediest);
-        let scaled = factor.and_then(|(_, factor)| scale::up(factor, &mut trials));
-        let others = candidates(findings[k], &findings, &mut trials);
+        let scaled = factor.and_then(|(_, factor)| scale::up(factor, trials));
+        let others = candidates(findings[k], &findings, trials);
         let all = scaled.into_iter().chain(others);
-        tried.push((k, fixes_for(findings[k].diagnostic, all, &base, &mut trials)));
+        tried.push((k, fixes_for(findings[k].diagnostic, all, base, trials)));
     }
     // Where there is no room for three each, there is one for as many as can be.
     let most = |k: usize| match findings[k].diagnostic.code() {
@@ -184,12 +204,12 @@ fn fixes(document: Document, app: &Installation, setup: &Setup) -> Result<Vec<Fi
         preview: FixPreview::of(trials.document(), &candidate.edit, &trial),
         title: candidate.title,
         edit: candidate.edit,
-        change: FixChange::between(&base, &trial),
-        after: FixTotals::of(&trial.check),
+        change: FixChange::between(base, &trial),
+        after: FixTotals::of(&trial),
         errors_after: trial.errors(),
         feasible_after: trial.check.feasible,
     });
-    Ok(made.collect())
+    made.collect()
 }
 
 /// The findings that are worth a fix. Of an edge that is travelled twice some are said twice, and count once.
@@ -255,7 +275,12 @@ fn candidates(finding: Finding, all: &[Finding], trials: &mut Trials) -> Vec<Can
             found.extend(bends::moves(finding, trials));
             found.extend(wires::none_doubled(trials));
         }
-        Code::RotationOutOfRange | Code::MeetsMachine | Code::MeetsStock | Code::NoClearProgram => {
+        Code::RotationOutOfRange | Code::NoClearProgram => {
+            found.extend(starts::elsewhere(finding, trials));
+            found.extend(cuts::at_step(finding, trials.document()));
+        }
+        Code::MeetsMachine | Code::MeetsStock => {
+            found.push(starts::reversed(trials.document()));
             found.extend(starts::elsewhere(finding, trials));
             found.extend(cuts::at_step(finding, trials.document()));
         }
@@ -273,9 +298,11 @@ fn candidates(finding: Finding, all: &[Finding], trials: &mut Trials) -> Vec<Can
 }
 
 impl FixTotals {
-    fn of(check: &LiveCheck) -> Self {
+    fn of(Trial { check, wires, .. }: &Trial) -> Self {
+        let met = wires.iter().map(|wire| wire.contacts.as_ref().map(Vec::len));
         Self {
             wires: check.wires.len(),
+            collisions: met.sum(),
             length_mm: sum(check, |wire| wire.length_mm),
             stock_mm: sum(check, |wire| wire.stock_mm),
             time_s: sum(check, |wire| wire.time_s),

@@ -21,7 +21,13 @@ pub(super) fn anywhere(finding: Finding, document: &Document) -> Vec<Candidate> 
     document.start.filter(|&start| here(start)).map(|_| clear).into_iter().collect()
 }
 
-/// The start with the fewest errors, where that is fewer than there are.
+/// The same wire from its other end.
+pub(super) fn reversed(document: &Document) -> Candidate {
+    let edit = EditRequest::Reversed { reversed: !document.reversed };
+    Candidate { title: "Bend from the other end".to_owned(), edit }
+}
+
+/// The start with the fewest errors, where that is fewer than there are; of collisions, which may be warnings, with the fewest findings.
 pub(super) fn elsewhere(finding: Finding, trials: &mut Trials) -> Option<Candidate> {
     let wire = finding.wire?;
     // There is one start: that of another wire is not taken away.
@@ -29,19 +35,20 @@ pub(super) fn elsewhere(finding: Finding, trials: &mut Trials) -> Option<Candida
     if of_another.is_some() {
         return None;
     }
-    let mut best: Option<(usize, Candidate)> = None;
+    let mut best: Option<((usize, usize), Candidate)> = None;
     for start in possible(trials.document(), wire, finding.diagnostic.location.vertices.first().copied()) {
         let candidate = Candidate {
             title: format!("Start at vertex {start}"),
             edit: EditRequest::Start { vertex: Some(start.0) },
         };
         let Some(trial) = trials.of(&candidate.edit) else { continue };
-        if best.as_ref().is_none_or(|(errors, _)| trial.errors() < *errors) {
-            best = Some((trial.errors(), candidate));
+        let trouble = trials.trouble(&trial);
+        if best.as_ref().is_none_or(|(least, _)| trouble < *least) {
+            best = Some((trouble, candidate));
         }
     }
-    let (errors, candidate) = best?;
-    (errors < trials.errors()).then_some(candidate)
+    let (trouble, candidate) = best?;
+    (trouble < trials.trouble_now()).then_some(candidate)
 }
 
 /// Where a wire may begin: at an odd vertex, and where there is none at any.

@@ -26,6 +26,8 @@ const MIN_SHARE: usize = 4;
 const MAX_WORK: usize = 1500;
 /// So many edges are planned in a unit.
 const EDGES_A_UNIT: usize = 200;
+/// The same where collisions are looked for: an edge takes about a unit, and more time is given.
+const MAX_COLLISION_WORK: usize = 6000;
 
 /// The design after an edit, or as it is.
 pub(super) struct Trial {
@@ -69,8 +71,11 @@ pub(super) struct Trials<'a> {
     setup: &'a Setup,
     /// What was tried; none where the edit or the plan was refused.
     tried: Vec<(EditRequest, Option<Rc<Trial>>)>,
-    /// How many errors the design has.
+    /// How many errors and warnings the design has.
     errors: usize,
+    warnings: usize,
+    /// Whether each is looked at for collisions; asked again and again whether it goes on.
+    collisions: Option<&'a dyn Fn() -> bool>,
     /// The shares of its parts with further wires, once that was asked for.
     further_wires: OnceCell<Vec<Vec<Share>>>,
     /// What a trial takes, and what is left.
@@ -87,19 +92,41 @@ impl<'a> Trials<'a> {
         app: &'a Installation,
         setup: &'a Setup,
     ) -> Result<(Trial, Self), EditorError> {
+        Self::begin_with(document, app, setup, None)
+    }
+
+    /// The same with a look for collisions in each, as long as it goes on.
+    pub fn with_collisions(
+        document: Document,
+        app: &'a Installation,
+        setup: &'a Setup,
+        goes_on: &'a dyn Fn() -> bool,
+    ) -> Result<(Trial, Self), EditorError> {
+        Self::begin_with(document, app, setup, Some(goes_on))
+    }
+
+    fn begin_with(
+        document: Document,
+        app: &'a Installation,
+        setup: &'a Setup,
+        collisions: Option<&'a dyn Fn() -> bool>,
+    ) -> Result<(Trial, Self), EditorError> {
         let change = changing::unchanged(&document);
-        let base = plan(document.clone(), change, setup)?;
-        let work = 1 + document.wireframe.edge_count() / EDGES_A_UNIT;
-        let errors = base.errors();
+        let base = plan(document.clone(), change, setup, collisions)?;
+        let edges = document.wireframe.edge_count();
+        let work = 1 + if collisions.is_some() { edges } else { edges / EDGES_A_UNIT };
+        let (errors, warnings) = (base.errors(), base.warnings());
         let trials = Self {
             document,
             app,
             setup,
             tried: Vec::new(),
             errors,
+            warnings,
+            collisions,
             further_wires: OnceCell::new(),
             work,
-            left: MAX_WORK,
+            left: if collisions.is_some() { MAX_COLLISION_WORK } else { MAX_WORK },
             until: MAX_TRIALS,
         };
         Ok((base, trials))
@@ -110,9 +137,14 @@ impl<'a> Trials<'a> {
         &self.document
     }
 
-    /// How many errors it has.
-    pub fn errors(&self) -> usize {
-        self.errors
+    /// What is to become less: errors, and where collisions are looked for, warnings after them.
+    pub fn trouble(&self, trial: &Trial) -> (usize, usize) {
+        (trial.errors(), if self.collisions.is_some() { trial.warnings() } else { 0 })
+    }
+
+    /// The same of the design as it is.
+    pub fn trouble_now(&self) -> (usize, usize) {
+        (self.errors, if self.collisions.is_some() { self.warnings } else { 0 })
     }
 
     /// The shares of its parts with one further wire, with two, and so on while they are of use.
@@ -155,13 +187,24 @@ impl<'a> Trials<'a> {
         let change = changing::change(&self.document, self.app, edit).ok().flatten()?;
         let mut document = self.document.clone();
         document.commit(&change).ok()?;
-        plan(document, change, self.setup).ok()
+        if self.collisions.is_some_and(|goes_on| !goes_on()) {
+            return None;
+        }
+        plan(document, change, self.setup, self.collisions).ok()
     }
 }
 
-fn plan(document: Document, change: DocumentChange, setup: &Setup) -> Result<Trial, EditorError> {
+fn plan(
+    document: Document,
+    change: DocumentChange,
+    setup: &Setup,
+    collisions: Option<&dyn Fn() -> bool>,
+) -> Result<Trial, EditorError> {
     let opened = Opened::of(String::new(), document);
-    let planned = Installation::plan_with(opened, setup.clone(), &PlanChoices::default(), &NoProgress)?;
+    let mut planned = Installation::plan_with(opened, setup.clone(), &PlanChoices::default(), &NoProgress)?;
+    if let Some(goes_on) = collisions {
+        planned.find_collisions(&mut |_, _| goes_on());
+    }
     Ok(Trial { change, check: LiveCheck::of(&planned), wires: planned.wires, design: planned.design })
 }
 

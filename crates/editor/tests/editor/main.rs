@@ -4,6 +4,7 @@
 #![allow(clippy::print_stdout)] // what the program that is killed says
 
 mod checks;
+mod collisions;
 mod edits;
 mod fixes;
 mod kept;

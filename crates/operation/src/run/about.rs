@@ -8,8 +8,10 @@ use wirebend_driver_host::api::{DoneBy, ReferenceBy};
 use super::task::Task;
 use crate::OperationError;
 use crate::live::Connection;
+use wirebend_planning::job::JobCollisions;
 use wirebend_planning::machine::planned_despite;
 use wirebend_planning::report::shown_deg;
+use wirebend_planning::text::shown;
 
 /// What will happen to a wire. `anew`: it is begun, with new wire. `homes`: the reference is found first.
 pub fn about(
@@ -64,9 +66,7 @@ pub fn about(
             shown_deg(head)
         ));
     }
-    lines.push(
-        "whether the wire meets the machine or itself is not checked: watch it, with STOP at hand".to_owned(),
-    );
+    lines.extend(collisions(task, wire)?);
     if connection.session.done_by() == DoneBy::Clock {
         lines.push(
             "this machine does not report whether it runs what it is sent: watch it, and see that it is at this port"
@@ -79,6 +79,19 @@ pub fn about(
     }
     lines.extend(task.stale());
     lines.extend(task.job.contents().objections.iter().map(|error| planned_despite(error)));
+    Ok(lines)
+}
+
+/// What is known of collisions, and that a person watches in any case.
+fn collisions(task: &Task, wire: usize) -> Result<Vec<String>, OperationError> {
+    const WATCH: &str = "watch it, with STOP at hand";
+    task.progress.stage("checking for collisions");
+    let found = JobCollisions::of(task.wire(wire)?, &task.setup);
+    let mut lines = shown(|| found.lines());
+    match lines.last_mut().filter(|_| !found.some()) {
+        Some(last) => *last = format!("{last}: {WATCH}"),
+        None => lines.push(WATCH.to_owned()),
+    }
     Ok(lines)
 }
 

@@ -6,6 +6,7 @@ use nalgebra::Point3;
 use wirebend_core::bend::Step;
 use wirebend_core::units::{Angle, Length};
 use wirebend_error::{ErrorRemedy, InputName};
+use wirebend_files::document::JobWire;
 use wirebend_files::write::{Mark, PictureWire};
 
 use super::ExportRequest;
@@ -15,7 +16,7 @@ use crate::job::Stages;
 use crate::job::{is_job, open_job};
 use crate::machine::{Setup, accepted_errors, kept_steps, restored};
 use crate::picture;
-use crate::plan::Planned;
+use crate::plan::{Planned, job_wire};
 use crate::report::{NoteReport, PlanReport};
 use crate::text;
 use crate::{Installation, PlanningError, Progress};
@@ -28,6 +29,8 @@ pub(super) struct Wire {
     pub time_s: Option<f64>,
     /// Segments of the path along edges that are travelled more than once.
     pub doubled: Vec<usize>,
+    /// As a job has it; none where it is not compensated.
+    pub kept: Option<JobWire>,
 }
 
 impl Wire {
@@ -109,6 +112,7 @@ impl Content {
                 compensated: plan.compensated.as_ref().map(|program| program.steps().to_vec()),
                 stock_mm: plan.stock.map(Length::mm),
                 time_s: plan.seconds,
+                kept: job_wire(plan),
                 doubled: plan.route.as_ref().map_or_else(Vec::new, |route| {
                     passed_twice(&route.traversals.iter().map(|t| t.edge).collect::<Vec<_>>())
                 }),
@@ -196,6 +200,7 @@ impl Content {
                 compensated: Some(kept_steps(&wire.compensated)?),
                 stock_mm: Some(wire.stock_mm),
                 time_s: Some(wire.time_s),
+                kept: Some(wire.clone()),
                 doubled: passed_twice(&ends.collect::<Vec<_>>()),
             })
         });

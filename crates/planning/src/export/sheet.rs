@@ -6,8 +6,10 @@ use wirebend_profile::{Profile as _, Sourced, Springback};
 
 use super::content::{Content, Wire};
 use super::print::{Print, letters_replaced};
+use crate::job::JobCollisions;
 use crate::machine::Setup;
 use crate::report::{DiagnosticReport, PlanReport, SeverityName};
+use crate::text;
 
 /// A job sheet as PDF.
 pub(super) fn encode(content: &mut Content, print: &Print) -> Vec<u8> {
@@ -29,9 +31,39 @@ fn sheet(content: &Content, print: &Print) -> JobSheet {
         figures: figures(setup),
         wires: content.wires.iter().map(|wire| sheet_wire(setup, wire)).collect(),
         findings: content.report.as_deref().map(findings).unwrap_or_default(),
+        collisions: collisions(content),
         notes: content.notes.iter().map(|note| note.message.clone()).collect(),
         paper: print.paper,
     }
+}
+
+/// What is known of the collisions of each wire, in millimetres as all that is kept.
+fn collisions(content: &Content) -> Vec<String> {
+    let several = content.wires.len() > 1;
+    let report = content.report.as_deref();
+    let looked = |index: usize| {
+        report.and_then(|report| report.wires().get(index)).is_some_and(|wire| wire.collisions_checked)
+    };
+    let of_wire = |(index, wire): (usize, &Wire)| {
+        let lines = match &wire.kept {
+            Some(kept) => match JobCollisions::of(kept, &content.setup) {
+                // They are among the findings.
+                found if found.some() && looked(index) => Vec::new(),
+                found => text::kept(|| found.lines()),
+            },
+            None => vec!["collisions are not checked: there is no compensated program".to_owned()],
+        };
+        let of = if several { format!("wire {}: ", index + 1) } else { String::new() };
+        lines.into_iter().map(move |line| sentence(&format!("{of}{line}"))).collect::<Vec<_>>()
+    };
+    content.wires.iter().enumerate().flat_map(of_wire).collect()
+}
+
+/// A line of a list as a sentence.
+fn sentence(line: &str) -> String {
+    let mut letters = line.chars();
+    let first = letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default();
+    format!("{first}{}.", letters.as_str())
 }
 
 fn sheet_wire(setup: &Setup, wire: &Wire) -> SheetWire {

@@ -1,5 +1,6 @@
 //! Jobs: whether a file is one, and what drivers and sessions are given of it.
 
+mod collisions;
 mod driver;
 mod work;
 
@@ -10,6 +11,7 @@ use wirebend_files::read::decode;
 
 use crate::error::PlanningError;
 
+pub use collisions::JobCollisions;
 pub use driver::{Stages, job};
 pub use work::{opened, work};
 

@@ -338,7 +338,7 @@ impl Planned {
     }
 }
 
-fn job_wire(plan: &WirePlan) -> Option<JobWire> {
+pub(crate) fn job_wire(plan: &WirePlan) -> Option<JobWire> {
     let (route, nominal) = (plan.route.as_ref()?, plan.nominal.as_ref()?);
     let (scheduled, compensated) = (plan.scheduled.as_ref()?, plan.compensated.as_ref()?);
     let steps = |steps: &[wirebend_core::bend::Step]| steps.iter().copied().map(JobStep::from).collect();

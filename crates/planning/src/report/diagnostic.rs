@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Serialize, Serializer};
-use wirebend_core::checks::{Code, Diagnostic, LimitSource, Quantity, Severity};
+use wirebend_core::checks::{Code, Diagnostic, Fact, LimitSource, Quantity, Severity};
 
 use super::remedy::RemedyReport;
 use crate::text;
@@ -55,6 +55,9 @@ pub struct DiagnosticReport {
     /// All its edges, where there are several.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub edges: Vec<u32>,
+    /// The body of the machine that the wire hits, as its profile calls it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub body: Option<String>,
     /// What was measured, in `unit`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub value: Option<f64>,
@@ -93,6 +96,10 @@ impl From<&Diagnostic> for DiagnosticReport {
             step: diagnostic.location.step,
             vertices: several(vertices),
             edges: several(edges),
+            body: match &diagnostic.fact {
+                Fact::MeetsMachine { body, .. } => Some(body.clone()),
+                _ => None,
+            },
             value: measured.map(|measured| number(measured).0),
             limit: limit.map(|limit| number(limit.value).0),
             unit: measured.or(limit.map(|limit| limit.value)).and_then(|q| number(q).1),
@@ -144,7 +151,7 @@ impl JsonSchema for CodeSchema {
 #[cfg(test)]
 mod tests {
     use serde_json::json;
-    use wirebend_core::checks::{Fact, Location, Remedy};
+    use wirebend_core::checks::{Location, Remedy};
     use wirebend_core::units::Length;
     use wirebend_core::wireframe::{EdgeId, VertexId};
 

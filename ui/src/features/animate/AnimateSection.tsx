@@ -3,6 +3,7 @@ import { useDesign } from "../../state/design/design";
 import { makeProgram, useProgram, useStale } from "../../state/program/program";
 import { useUi } from "../../state/window/ui";
 import { Section } from "../panel/Section";
+import { Contacts } from "./Contacts";
 import { Generate } from "./Generate";
 import { Player } from "./Player";
 import { Shown } from "./Shown";
@@ -26,6 +27,7 @@ export function AnimateSection() {
       {some && (
         <>
           <Player />
+          <Contacts />
           <Shown />
           <StepTable />
         </>

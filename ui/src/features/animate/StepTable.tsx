@@ -3,7 +3,9 @@ import { useLengths } from "../../shared/figures/unit";
 import { Rows, type RowsHandle } from "../../shared/lists/Rows";
 import { useDesign } from "../../state/design/design";
 import { stepOf } from "../../state/program/clock";
+import { type PlayedContact, useContacts } from "../../state/program/contacts";
 import { goTo, usePlayback, useProgram } from "../../state/program/program";
+import { hitOf } from "./hits";
 import { namedSteps, spoken, stepRow } from "./steps";
 
 /** px. */
@@ -15,6 +17,7 @@ export function StepTable() {
   const { program, wire } = useProgram();
   const { unit, name, length } = useLengths();
   const check = useDesign((design) => design.check);
+  const { contacts } = useContacts();
   const rows = useRef<RowsHandle>(null);
   const id = useId();
   const one = program?.wires[wire];
@@ -25,6 +28,7 @@ export function StepTable() {
     if (current >= 0) rows.current?.reveal(current);
   }, [current]);
   if (!program || !one) return null;
+  const hitsOf = (index: number) => contacts.filter(({ step }) => step === index);
   const named = new Set(namedSteps(check?.diagnostics ?? [], program.wires.length));
   const keys = (event: KeyboardEvent) => {
     const moves: Partial<Record<string, number>> = {
@@ -74,6 +78,7 @@ export function StepTable() {
             >
               <span className="step-number" aria-hidden="true">
                 {row.number}
+                <StepHits hits={hitsOf(index)} />
               </span>
               {row.designed.map((figure, part) => (
                 // biome-ignore lint/suspicious/noArrayIndexKey: feed, rotate, bend: always these three
@@ -82,7 +87,9 @@ export function StepTable() {
                   <small>{row.told?.[part] ?? ""}</small>
                 </span>
               ))}
-              <span className="visually-hidden">{spoken(one, index, length)}</span>
+              <span className="visually-hidden">
+                {[spoken(one, index, length), ...hitsOf(index).map(hitOf)].join("; ")}
+              </span>
             </div>
           );
         }}
@@ -90,4 +97,11 @@ export function StepTable() {
       <p className="muted small">As designed; in grey what is sent to the machine.</p>
     </div>
   );
+}
+
+/** A diamond, as on the timeline, where the wire hits something in a step. */
+function StepHits({ hits }: { readonly hits: readonly PlayedContact[] }) {
+  if (hits.length === 0) return null;
+  const error = hits.some(({ finding }) => finding.severity === "error");
+  return <span className={`step-hit ${error ? "error" : "warning"}`} title={hits.map(hitOf).join("; ")} />;
 }

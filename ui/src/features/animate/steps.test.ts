@@ -70,6 +70,10 @@ describe("namedSteps", () => {
     expect(namedSteps([error(5), error(2), error(5), error(null), error(3, "warning")], 1)).toEqual([2, 5]);
   });
 
+  it("leaves collisions out, which have marks of their own", () => {
+    expect(namedSteps([{ ...error(5), code: "meets_stock" }], 1)).toEqual([]);
+  });
+
   it("does not guess whose steps they are", () => {
     expect(namedSteps([error(5)], 2)).toEqual([]);
   });

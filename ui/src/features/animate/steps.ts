@@ -11,6 +11,7 @@ import {
   speed,
   time,
 } from "../../shared/figures/format";
+import { isCollision } from "../../state/design/findings";
 import type { Speeds } from "../../state/program/clock";
 
 type Motion = PlayedWire["steps"][number]["designed"];
@@ -53,11 +54,11 @@ export function spoken(wire: PlayedWire, index: number, shown: (mm: number) => s
   return `step ${index + 1} of ${wire.steps.length}: ${parts.join(", ")}`;
 }
 
-/** Steps that a diagnostic names, each once, ascending. Only for a design of one wire is it known whose steps they are. */
+/** Steps that a diagnostic names, collisions aside, each once, ascending. Only for a design of one wire is it known whose steps they are. */
 export function namedSteps(diagnostics: readonly DiagnosticReport[], wires: number): readonly number[] {
   if (wires !== 1) return [];
-  const steps = diagnostics.flatMap(({ step, severity }) =>
-    severity === "error" && typeof step === "number" ? [step] : [],
+  const steps = diagnostics.flatMap(({ code, step, severity }) =>
+    severity === "error" && typeof step === "number" && !isCollision(code) ? [step] : [],
   );
   return [...new Set(steps)].toSorted((a, b) => a - b);
 }

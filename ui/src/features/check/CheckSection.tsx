@@ -2,12 +2,13 @@ import { useEffect } from "react";
 import { Checkbox } from "../../shared/controls/inputs";
 import { count, sentence } from "../../shared/figures/format";
 import { Line } from "../../shared/lists/Line";
+import { useKnown } from "../../state/design/collisions";
 import { useDesign } from "../../state/design/design";
 import { needFixes } from "../../state/design/fixes";
 import { useUi } from "../../state/window/ui";
 import { setAnnotations, useView } from "../../state/window/view";
 import { Section } from "../panel/Section";
-import { isCompensated } from "../viewport/marks";
+import { Collisions } from "./Collisions";
 import { GroupLine } from "./GroupLine";
 import { fineOf, groupsOf, phraseOf } from "./texts";
 import "./check.css";
@@ -20,7 +21,7 @@ export function CheckSection() {
   const { check, state, vertices } = useDesign();
   const open = useUi((ui) => ui.open.includes("check"));
   const annotations = useView((view) => view.annotations);
-  const { phrase, tone } = phraseOf(check, Boolean(state?.machine), vertices.size === 0);
+  const { phrase, tone } = phraseOf(check, Boolean(state?.machine), vertices.size === 0, useKnown());
   useEffect(() => {
     if (!open || !check?.diagnostics.some(({ severity }) => severity !== "info")) return;
     const timer = setTimeout(() => void needFixes(), REST);
@@ -45,9 +46,7 @@ export function CheckSection() {
                 <Line key={text} tone="fine" what={text} />
               ))}
               {check?.limits_unknown && <Line tone="warning" what={sentence(check.limits_unknown)} />}
-              {check && isCompensated(check) && (
-                <Line tone="info" what="Collisions while the wire is bent are not checked" />
-              )}
+              <Collisions />
             </ul>
             <Checkbox checked={annotations} onChange={setAnnotations}>
               Annotations in the view

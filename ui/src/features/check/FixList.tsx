@@ -5,6 +5,7 @@ import { count, LIMITS_ONLY, money, signed, time } from "../../shared/figures/fo
 import { useLengths } from "../../shared/figures/unit";
 import { useInSight } from "../../shared/lists/sight";
 import { useDesign } from "../../state/design/design";
+import { isCollision } from "../../state/design/findings";
 import { applyFix, showFix, useFixes } from "../../state/design/fixes";
 import { totals } from "./totals";
 
@@ -38,8 +39,10 @@ function useChange(): (fix: Fix) => string {
 const isFirst = ({ length_mm, stock_mm, time_s, cost }: Fix["change"]): boolean =>
   length_mm === null && stock_mm === null && time_s === null && cost === null;
 
-function afterwards(change: Fix["change"], { wires }: Fix["after"], errors: number): string {
-  if (errors === 0) return `then ${LIMITS_ONLY}`;
+function afterwards(change: Fix["change"], { wires, collisions }: Fix["after"], errors: number): string {
+  // Only a fix of a collision was tried with a check for them.
+  const left = collisions === 0 ? "no collision found" : collisions === null ? null : count(collisions, "collision");
+  if (errors === 0) return `then ${left ?? LIMITS_ONLY}`;
   const made = wires > 1 ? `${wires} wires` : "a wire";
   return isFirst(change) ? `gives ${made} with ${count(errors, "error")}` : `then ${count(errors, "error")}`;
 }
@@ -100,19 +103,19 @@ function Figures({ fix }: { readonly fix: Fix }) {
 
 /** Changes that would fix it, each tried on a copy before: shown in the view, and made with one click that undo takes back. */
 export function FixList({ fixes }: { readonly fixes: readonly Fix[] }) {
-  const { shown, of } = useFixes();
-  const check = useDesign((design) => design.check);
+  const { shown, of, ofCollisions } = useFixes();
+  const { limits, collisions } = useDesign();
   const [made, setMade] = useState<Fix | null>(null);
   const change = useChange();
   const box = useRef<HTMLUListElement>(null);
   useInSight(box, true);
   // A fix is of the design as it was looked at: the second click of a double one would make it again of another one.
-  const why =
-    made !== null && fixes.includes(made)
-      ? "The fix is being applied."
-      : of !== check
-        ? "The design has changed since."
-        : null;
+  const isOld = (fix: Fix) =>
+    isCollision(fix.mends.code) ? ofCollisions !== (collisions?.found ?? null) : of !== limits;
+  const whyNot = (fix: Fix): string | null => {
+    if (made !== null && fixes.includes(made)) return "The fix is being applied.";
+    return isOld(fix) ? "The design has changed since." : null;
+  };
   const apply = async (fix: Fix) => {
     const before = useDesign.getState().state;
     setMade(fix);
@@ -132,7 +135,7 @@ export function FixList({ fixes }: { readonly fixes: readonly Fix[] }) {
               <Button small pressed={now} onClick={() => showFix(now ? null : fix)}>
                 Preview
               </Button>
-              <Button small kind="primary" why={why} onClick={() => void apply(fix)}>
+              <Button small kind="primary" why={whyNot(fix)} onClick={() => void apply(fix)}>
                 Apply
               </Button>
             </div>

@@ -1,6 +1,7 @@
 import { useEffect, useRef, useState } from "react";
 import type { DiagnosticReport } from "../../generated/responses";
 import { Button } from "../../shared/controls/Button";
+import { sentence } from "../../shared/figures/format";
 import { useUnit } from "../../shared/figures/unit";
 import { Mark } from "../../shared/lists/Mark";
 import { useDesign } from "../../state/design/design";
@@ -9,7 +10,7 @@ import { highlight, select } from "../../state/design/selection";
 import { frame } from "../../state/window/view";
 import { placesOf } from "../viewport/marks";
 import { FixList } from "./FixList";
-import { figuresOf, type Group, sourceOf, TONES, titleOf, valueText, whatOf } from "./texts";
+import { figuresOf, type Group, measureText, sourceOf, TONES, titleOf, whatOf } from "./texts";
 import { wayOut } from "./ways";
 
 /** More places than these are not listed one by one. */
@@ -56,10 +57,10 @@ function Member({ report }: { readonly report: DiagnosticReport }) {
   return (
     <li {...pointing.line}>
       <div className="member">
-        <button type="button" className="check-what" onClick={() => show([report])} {...pointing.button}>
+        <button type="button" className="line-button" onClick={() => show([report])} {...pointing.button}>
           {whatOf(report)}
         </button>
-        <span className="muted">{valueText(report.value, report.unit, unit)}</span>
+        <span className="muted member-value">{measureText(report, unit)}</span>
         {fixes.length > 0 && (
           <Button kind="link" aria-expanded={open} onClick={() => setOpen(!open)}>
             Fix…
@@ -93,7 +94,7 @@ export function GroupLine({ group }: { readonly group: Group }) {
       <Mark tone={TONES[severity]} />
       <div className="line-what">
         {somewhere ? (
-          <button type="button" className="check-what" onClick={() => show(reports)} {...pointing.button}>
+          <button type="button" className="line-button" onClick={() => show(reports)} {...pointing.button}>
             {titleOf(group)}
           </button>
         ) : (
@@ -127,7 +128,7 @@ export function GroupLine({ group }: { readonly group: Group }) {
               {reports.length > MAX && <li className="muted">and {reports.length - MAX} more</li>}
             </ul>
           )}
-          {single && first.unit && first.help && <p className="muted small">{first.help}.</p>}
+          {single && first.unit && first.help && <p className="muted small">{sentence(first.help)}.</p>}
         </div>
       )}
     </li>

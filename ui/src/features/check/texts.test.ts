@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { DiagnosticReport, LiveCheck, WireFigures } from "../../generated/responses";
-import { figuresOf, fineOf, groupsOf, phraseOf, titleOf, valueText, whatOf } from "./texts";
+import { estimatesOf, figuresOf, fineOf, groupsOf, phraseOf, titleOf, valueText, whatOf } from "./texts";
 
 const short = (edge: number, value: number): DiagnosticReport => ({
   code: "edge_too_short",
@@ -108,6 +108,32 @@ describe("the list of checks", () => {
     expect(group && figuresOf(group, "mm")).toMatch(/^least 1\.8 mm, limit 3\.0 mm/);
   });
 
+  it("says what a collision hits and how deep, and takes the deepest of several", () => {
+    const hit = (step: number, value: number, more: Partial<DiagnosticReport> = {}): DiagnosticReport => ({
+      ...short(1, value),
+      code: "meets_machine",
+      severity: "warning",
+      body: "head",
+      step,
+      limit: 0,
+      ...more,
+    });
+    expect(whatOf(hit(2, 3.7))).toBe("The wire hits the head in step 3");
+    const [one, several] = [[hit(2, 3.7)], [hit(2, 3.7), hit(4, 5.2), hit(6, 1)]].map((all) => groupsOf(check(all))[0]);
+    expect(one && figuresOf(one, "mm")).toBe("3.7 mm deep; dimensions are estimates");
+    expect(several && figuresOf(several, "mm")).toBe("up to 5.2 mm deep; dimensions are estimates");
+    const [measured] = groupsOf(check([hit(2, 3.7, { severity: "error" })]));
+    expect(measured && figuresOf(measured, "mm")).toBe("3.7 mm deep");
+    expect(whatOf(hit(0, 3, { code: "meets_stock", body: null }))).toBe("The wire hits itself in step 1");
+  });
+
+  it("says of how many bodies the dimensions are estimates", () => {
+    expect(estimatesOf({ bodies: 6, estimates: 0 })).toBeNull();
+    expect(estimatesOf({ bodies: 6, estimates: 5 })).toBe("5 of 6 bodies of the machine are estimates.");
+    expect(estimatesOf({ bodies: 6, estimates: 6 })).toBe("All 6 bodies of the machine are estimates.");
+    expect(estimatesOf({ bodies: 0, estimates: 0 })).toMatch(/no bodies/);
+  });
+
   it("says what it does not know in the words that came", () => {
     expect(whatOf({ code: "stock_too_long", severity: "error", message: "the spool is empty", help: "" })).toBe(
       "The spool is empty",
@@ -124,14 +150,20 @@ describe("the list of checks", () => {
   });
 
   it("counts each place in its phrase", () => {
-    expect(phraseOf(all, true, false)).toEqual({ phrase: "3 to fix", tone: "error" });
-    expect(phraseOf(check([near]), true, false)).toEqual({
+    expect(phraseOf(all, true, false, "unchecked")).toEqual({ phrase: "3 to fix", tone: "error" });
+    expect(phraseOf(check([near]), true, false, "unchecked")).toEqual({
       phrase: "1 to look at; no collision check",
       tone: "warning",
     });
-    expect(phraseOf(check([]), true, false)).toEqual({ phrase: "within limits; no collision check", tone: "fine" });
-    expect(phraseOf(null, false, false).phrase).toBe("no machine chosen");
-    expect(phraseOf(check([]), true, true).phrase).toBe("nothing to check yet");
+    expect(phraseOf(check([near]), true, false, "checked").phrase).toBe("1 to look at");
+    expect(phraseOf(check([]), true, false, "unchecked")).toEqual({
+      phrase: "within limits; no collision check",
+      tone: "fine",
+    });
+    expect(phraseOf(check([]), true, false, "checking").phrase).toBe("within limits; checking collisions");
+    expect(phraseOf(check([]), true, false, "checked").phrase).toBe("within limits; no collision found");
+    expect(phraseOf(null, false, false, "unchecked").phrase).toBe("no machine chosen");
+    expect(phraseOf(check([]), true, true, "unchecked").phrase).toBe("nothing to check yet");
   });
 });
 

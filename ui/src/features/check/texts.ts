@@ -1,6 +1,8 @@
-import type { DiagnosticCode, DiagnosticReport, LiveCheck } from "../../generated/responses";
+import type { Collisions, DiagnosticCode, DiagnosticReport, LiveCheck } from "../../generated/responses";
 import { angle, count, type DisplayUnit, length, number, sentence } from "../../shared/figures/format";
 import type { Tone } from "../../shared/lists/Mark";
+import type { Known } from "../../state/design/collisions";
+import { isCollision } from "../../state/design/findings";
 import { isCompensated } from "../viewport/marks";
 
 /** A measured value or a limit with its unit; null where there is none. */
@@ -15,7 +17,13 @@ export function valueText(
   return number(value, Number.isInteger(value) ? 0 : 1);
 }
 
-type Place = Pick<DiagnosticReport, "vertex" | "vertices" | "edge" | "edges" | "value" | "limit" | "step">;
+/** The measured value of a finding, for a label; null where it has none. */
+export function measureText({ code, value, unit }: DiagnosticReport, shown: DisplayUnit): string | null {
+  const text = unit ? valueText(value, unit, shown) : null;
+  return text !== null && isCollision(code) ? `${text} deep` : text;
+}
+
+type Place = Pick<DiagnosticReport, "vertex" | "vertices" | "edge" | "edges" | "value" | "limit" | "step" | "body">;
 
 /** How one and how several of a kind are named in a line of the list; null: its own message names it. */
 type Title = { one(report: Place): string; many(count: string): string } | null;
@@ -61,7 +69,7 @@ const TITLES: Readonly<Record<DiagnosticCode, Title>> = {
     many: (n) => `${n} corners gentler than the axis resolves`,
   },
   meets_machine: {
-    one: (r) => `The wire hits the machine${inStep(r)}`,
+    one: (r) => `The wire hits the ${r.body ?? "machine"}${inStep(r)}`,
     many: (n) => `The wire hits ${n} bodies of the machine`,
   },
   meets_stock: {
@@ -151,10 +159,11 @@ export function titleOf({ reports }: Group): string {
   );
 }
 
-/** Whether the limit is a least: an error is below it, what is close to it is above. */
+/** Whether the limit is a least: an error is below it, what is close to it is above. How deep a collision is has no least. */
 function isLeast({ code, value, limit, severity }: DiagnosticReport): boolean {
   // Below the diameter wires touch; how far below says how bad that is.
   if (code === "edges_meet") return true;
+  if (isCollision(code)) return false;
   const below = Math.abs(value ?? 0) < Math.abs(limit ?? 0);
   return severity === "error" ? below : !below;
 }
@@ -176,6 +185,12 @@ export function figuresOf({ reports }: Group, unit: DisplayUnit): string {
   if (!worst) return "";
   // A count says it all in the line above; what to do about it says more.
   if (!worst.unit) return sentence(worst.help);
+  if (isCollision(worst.code)) {
+    const deep = `${reports.length === 1 ? "" : "up to "}${measureText(worst, unit)}`;
+    // What is measured is an error.
+    const estimated = worst.code === "meets_machine" && worst.severity === "warning";
+    return estimated ? `${deep}; dimensions are estimates` : deep;
+  }
   const [value, limit] = [valueText(worst.value, worst.unit, unit), valueText(worst.limit, worst.unit, unit)];
   const which = reports.length === 1 ? "" : isLeast(worst) ? "least " : "most ";
   const what = OF_FEEDS.has(worst.code) ? "fed " : "";
@@ -204,13 +219,18 @@ function many(check: LiveCheck, severity: DiagnosticReport["severity"]): number 
 }
 
 /** As short as the head of a section is narrow. */
-const NOT_CHECKED = "no collision check";
+const OF_COLLISIONS: Readonly<Record<Known, string>> = {
+  checked: "no collision found",
+  checking: "checking collisions",
+  unchecked: "no collision check",
+};
 
 /** The state of the checks in a phrase. */
 export function phraseOf(
   check: LiveCheck | null,
   machine: boolean,
   empty: boolean,
+  collisions: Known,
 ): { phrase: string; tone: Tone | null } {
   if (empty) return { phrase: "nothing to check yet", tone: null };
   if (!machine) return { phrase: "no machine chosen", tone: null };
@@ -218,10 +238,21 @@ export function phraseOf(
   const errors = many(check, "error");
   if (errors > 0) return { phrase: `${errors} to fix`, tone: "error" };
   const warnings = many(check, "warning");
-  if (warnings > 0) return { phrase: `${warnings} to look at; ${NOT_CHECKED}`, tone: "warning" };
+  const rest = collisions === "checked" ? "" : `; ${OF_COLLISIONS[collisions]}`;
+  if (warnings > 0) return { phrase: `${warnings} to look at${rest}`, tone: "warning" };
   return check.feasible
-    ? { phrase: `within limits; ${NOT_CHECKED}`, tone: "fine" }
+    ? { phrase: `within limits; ${OF_COLLISIONS[collisions]}`, tone: "fine" }
     : { phrase: "cannot be made", tone: "error" };
+}
+
+/** How many bodies of the machine are only estimated: "5 of 6 bodies are estimates"; null where all are measured. */
+export function estimatesOf({ bodies, estimates }: Pick<Collisions, "bodies" | "estimates">): string | null {
+  if (bodies === 0) return "The machine's profile has no bodies: only the wire itself was looked at.";
+  if (estimates === 0) return null;
+  if (estimates < bodies) return `${estimates} of ${bodies} bodies of the machine are estimates.`;
+  return bodies === 1
+    ? "The machine's only body is an estimate."
+    : `All ${bodies} bodies of the machine are estimates.`;
 }
 
 /** What was checked and is fine: only what the figures show to have been checked, of all wires. */

@@ -1,11 +1,14 @@
 import { useDesign } from "../../state/design/design";
 import type { Prospect } from "./buttons";
 
-/** What there is to bend of the open design, as far as the checks know. */
+/**
+ * What there is to bend of the open design, as far as the checks know. Collisions are no reason to refuse: they are named before
+ * a person says yes.
+ */
 export function useProspect(): Prospect {
-  const { check, edges } = useDesign();
+  const { limits, edges } = useDesign();
   return {
-    program: edges.size > 0 && (check?.wires.some(({ time_s }) => time_s !== null) ?? false),
-    feasible: check?.feasible ?? false,
+    program: edges.size > 0 && (limits?.wires.some(({ time_s }) => time_s !== null) ?? false),
+    feasible: limits?.feasible ?? false,
   };
 }

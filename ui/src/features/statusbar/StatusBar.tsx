@@ -6,6 +6,7 @@ import { useUnit } from "../../shared/figures/unit";
 import { Mark } from "../../shared/lists/Mark";
 import { useProblems } from "../../state/asking/problems";
 import { useWork } from "../../state/asking/work";
+import { useKnown } from "../../state/design/collisions";
 import { useDesign } from "../../state/design/design";
 import { lengthOf } from "../../state/design/geometry";
 import { useUi } from "../../state/window/ui";
@@ -18,7 +19,7 @@ export function StatusBar() {
   const unit = useUnit();
   const messages = useProblems((problems) => problems.problems.length);
   const showSection = useUi((ui) => ui.showSection);
-  const checks = checksPhrase(check);
+  const checks = checksPhrase(check, useKnown());
   const saved = savedPhrase(state);
   const drawn = useMemo(() => lengthOf(edges.keys(), { vertices, edges }), [vertices, edges]);
   return (

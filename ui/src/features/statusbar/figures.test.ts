@@ -85,20 +85,28 @@ const found = (severity: DiagnosticReport["severity"]): DiagnosticReport => ({
 
 describe("checksPhrase", () => {
   it("counts what has to be fixed, then what is worth a look", () => {
-    expect(checksPhrase(check([], [found("error"), found("warning"), found("error")], false))).toEqual({
+    expect(checksPhrase(check([], [found("error"), found("warning"), found("error")], false), "checked")).toEqual({
       text: "2 to fix",
       tone: "error",
     });
-    expect(checksPhrase(check([], [found("warning"), found("info")]))).toEqual({ text: "1 warning", tone: "warning" });
-    expect(checksPhrase(check([], [found("info")]))).toEqual({
-      text: "within the machine's limits; collisions not checked",
-      tone: "fine",
+    expect(checksPhrase(check([], [found("warning"), found("info")]), "checked")).toEqual({
+      text: "1 warning",
+      tone: "warning",
     });
-    expect(checksPhrase(null)).toBeNull();
+    expect(checksPhrase(null, "unchecked")).toBeNull();
+  });
+
+  it.each([
+    ["checked", "no collision found"],
+    ["checking", "checking collisions"],
+    ["unchecked", "collisions not checked"],
+  ] as const)("says of a design that is fine whether collisions are %s", (known, said) => {
+    const text = `within the machine's limits; ${said}`;
+    expect(checksPhrase(check([], [found("info")]), known)).toEqual({ text, tone: "fine" });
   });
 
   it("does not call fine what is not feasible", () => {
-    expect(checksPhrase(check([], [], false))?.tone).toBe("error");
+    expect(checksPhrase(check([], [], false), "checked")?.tone).toBe("error");
   });
 });
 

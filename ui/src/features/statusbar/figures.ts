@@ -12,6 +12,7 @@ import {
   number,
   time,
 } from "../../shared/figures/format";
+import type { Known } from "../../state/design/collisions";
 import type { DesignState } from "../../state/design/design";
 
 export interface Figure {
@@ -92,9 +93,16 @@ export function savedPhrase(state: DesignState | null): { readonly text: string;
   return { text, warning: state.unkept ? errorText(state.unkept) : null };
 }
 
-/** "3 to fix", "2 to look at", "within the machine's limits; collisions not checked"; null before the first answer. */
+const FINE: Readonly<Record<Known, string>> = {
+  checked: "within the machine's limits; no collision found",
+  checking: "within the machine's limits; checking collisions",
+  unchecked: LIMITS_ONLY,
+};
+
+/** "3 to fix", "2 warnings", "within the machine's limits; no collision found"; null before the first answer. */
 export function checksPhrase(
   check: LiveCheck | null,
+  collisions: Known,
 ): { readonly text: string; readonly tone: "error" | "warning" | "fine" } | null {
   if (!check) return null;
   const of = (severity: string) => check.diagnostics.filter((diagnostic) => diagnostic.severity === severity).length;
@@ -102,7 +110,7 @@ export function checksPhrase(
   if (errors > 0) return { text: `${errors} to fix`, tone: "error" };
   if (!check.feasible) return { text: "not feasible", tone: "error" };
   if (warnings > 0) return { text: `${count(warnings, "warning")}`, tone: "warning" };
-  return { text: LIMITS_ONLY, tone: "fine" };
+  return { text: FINE[collisions], tone: "fine" };
 }
 
 /** What long work is called, by what was asked for. */
@@ -121,6 +129,7 @@ const ASKS: Readonly<Record<string, string>> = {
   drivers: "Loading drivers",
   "machine-view": "Loading the driver",
   fixes: "Searching for fixes",
+  collisions: "Checking for collisions",
   ports: "Looking for ports",
   order: "Reading the machine",
   connect: "Connecting",

@@ -6,6 +6,7 @@ import { useDesign } from "../../state/design/design";
 import { hideByHand, useByHand } from "../../state/machine/by_hand";
 import { useRun } from "../../state/machine/run";
 import { machineSeconds, stepOf } from "../../state/program/clock";
+import { useContacts } from "../../state/program/contacts";
 import { back, forward, reset, scrub, useSpeeds } from "../../state/program/player";
 import {
   goTo,
@@ -32,6 +33,7 @@ export function Timeline() {
   const { length } = useLengths();
   const check = useDesign((design) => design.check);
   const byHand = useByHand(({ played, moves }) => (played ? moves : null));
+  const { contacts } = useContacts();
   const one = program?.wires[wire];
   if (!program || !one) return null;
   const total = one.steps.length;
@@ -83,6 +85,7 @@ export function Timeline() {
         of={total}
         text={spoken(one, at, length)}
         ticks={namedSteps(check?.diagnostics ?? [], program.wires.length)}
+        contacts={contacts}
         off={live}
         onChange={scrub}
         onKeyDown={keys}

@@ -1,11 +1,16 @@
 import type { KeyboardEvent } from "react";
+import { sentence } from "../../shared/figures/format";
+import type { PlayedContact } from "../../state/program/contacts";
+import { jump } from "../../state/program/player";
+import { hitOf } from "../animate/hits";
 
-/** The whole program as a line to slide on. `ticks`: steps, from 0, that something is wrong with. */
+/** The whole program as a line to slide on. `ticks`: steps, from 0, that something is wrong with; `contacts`: where the wire hits something. */
 export function Track({
   value,
   of,
   text,
   ticks,
+  contacts,
   off,
   onChange,
   onKeyDown,
@@ -15,6 +20,7 @@ export function Track({
   /** Said instead of the number. */
   readonly text: string;
   readonly ticks: readonly number[];
+  readonly contacts: readonly PlayedContact[];
   readonly off: boolean;
   readonly onChange: (value: number) => void;
   readonly onKeyDown: (event: KeyboardEvent) => void;
@@ -44,6 +50,20 @@ export function Track({
         onChange={(event) => onChange(Number(event.currentTarget.value))}
         onKeyDown={onKeyDown}
       />
+      {/* Above the line, where they leave it free to slide on. The list under Animate has them for the keyboard. */}
+      {contacts.map((contact) => (
+        <button
+          key={`${contact.step} ${contact.body}`}
+          type="button"
+          tabIndex={-1}
+          className={`track-contact ${contact.finding.severity}`}
+          style={{ "--at": contact.position / Math.max(of, 1) } as Record<string, number>}
+          title={`${hitOf(contact)}: ${sentence(contact.finding.message)}`}
+          aria-label={`Go to the collision: ${hitOf(contact)}`}
+          disabled={off}
+          onClick={() => jump(contact.position)}
+        />
+      ))}
     </span>
   );
 }

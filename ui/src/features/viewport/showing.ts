@@ -1,16 +1,18 @@
 import type { DiagnosticReport } from "../../generated/responses";
+import type { Touch } from "../../scene/interface";
 import type { Viewport as Scene } from "../../scene/viewport";
 import { lengthFormat } from "../../shared/figures/format";
 import { useDesign } from "../../state/design/design";
 import { useSelection } from "../../state/design/selection";
 import { useFiles } from "../../state/files/files";
 import { useByHand } from "../../state/machine/by_hand";
-import { usePlayback } from "../../state/program/program";
+import { touchesNow } from "../../state/program/contacts";
+import { usePlayback, useProgram } from "../../state/program/program";
 import { shownTheme, systemTheme } from "../../state/window/theme";
 import { useUi } from "../../state/window/ui";
 import { useUnits } from "../../state/window/units";
 import { planeOf, useView } from "../../state/window/view";
-import { valueText } from "../check/texts";
+import { measureText } from "../check/texts";
 import { labelsOf, marksOf } from "./marks";
 
 /** Calls `apply` now and whenever what `pick` gives has changed. */
@@ -38,7 +40,7 @@ export function show(scene: Scene): () => void {
   const labels = () => {
     const { check, vertices, edges } = useDesign.getState();
     const { unit } = useUnits.getState();
-    const figure = (report: DiagnosticReport) => (report.unit ? valueText(report.value, report.unit, unit) : null);
+    const figure = (report: DiagnosticReport) => measureText(report, unit);
     scene.setLabels(
       useView.getState().annotations && !isShownOnMachine() ? labelsOf(check, { vertices, edges }, figure) : [],
     );
@@ -51,6 +53,12 @@ export function show(scene: Scene): () => void {
     if (vertices.size > 0 || stencil !== null) return;
     justOpened = false;
     scene.frame();
+  };
+  let touched: readonly Touch[] = [];
+  const touches = () => {
+    const now = touchesNow();
+    if (now.length + touched.length > 0) scene.setTouches(now);
+    touched = now;
   };
   const theme = () => scene.setTheme(shownTheme(useUi.getState().theme));
   const system = systemTheme();
@@ -135,6 +143,21 @@ export function show(scene: Scene): () => void {
       ({ played, step, shown }) => {
         if (played) scene.setTime(step, shown);
       },
+    ),
+    follow(
+      usePlayback,
+      ({ played, step }) => [played, step],
+      () => touches(),
+    ),
+    follow(
+      useProgram,
+      ({ basis, wire }) => [basis, wire],
+      () => touches(),
+    ),
+    follow(
+      useDesign,
+      ({ collisions, version }) => [collisions, version],
+      () => touches(),
     ),
     follow(
       useByHand,

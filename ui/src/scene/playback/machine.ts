@@ -2,6 +2,7 @@
 
 import {
   BoxGeometry,
+  BufferAttribute,
   type BufferGeometry,
   CylinderGeometry,
   Group,
@@ -18,22 +19,27 @@ import type { Theme } from "../drawing/theme";
 import type { MachineBody, Vec3 } from "../interface";
 
 const VERTEX = /* glsl */ `
+attribute float touched;
+varying float vTouched;
 varying vec3 vNormal;
 varying float vDepth;
 void main() {
   vec4 seen = modelViewMatrix * vec4(position, 1.0);
   vNormal = normalMatrix * normal;
+  vTouched = touched;
   vDepth = -seen.z;
   gl_Position = projectionMatrix * seen;
 }`;
 
 const FRAGMENT = /* glsl */ `
 uniform vec3 colour;
+uniform vec3 red;
+varying float vTouched;
 varying vec3 vNormal;
 varying float vDepth;
 ${GLSL}
 void main() {
-  gl_FragColor = vec4(faded(lit(colour, normalize(vNormal)), vDepth, gl_FragCoord.xy), 1.0);
+  gl_FragColor = vec4(faded(lit(mix(colour, red, vTouched), normalize(vNormal)), vDepth, gl_FragCoord.xy), 1.0);
 }`;
 
 type Part = MachineBody["part"];
@@ -50,6 +56,9 @@ export class Machine {
   /** mm along its own axis that the peg goes in by, so that the wire passes over it. */
   private stroke = 0;
   private readonly meshes: { part: Part; mesh: Mesh<BufferGeometry, ShaderMaterial> }[] = [];
+  /** For each body, by its place in the profile, where its corners are in the attribute that says whether it is touched. */
+  private readonly corners = new Map<number, { touched: BufferAttribute; from: number; to: number }>();
+  private touching: readonly number[] = [];
 
   constructor(private readonly uniforms: Shared) {
     this.group.add(this.head);
@@ -62,20 +71,50 @@ export class Machine {
     this.stroke = top + wire / 2 + CLEAR;
     this.peg.position.set(orbit, 0, 0);
     for (const part of PARTS) {
-      const solids = bodies.filter((body) => body.part === part).map((body) => solid(body, part === "peg" ? orbit : 0));
+      const own = bodies.flatMap((body, index) => (body.part === part ? [{ body, index }] : []));
+      const solids = own.map(({ body }) => solid(body, part === "peg" ? orbit : 0));
       if (solids.length === 0) continue;
-      const mesh = new Mesh(mergeGeometries(solids), this.material());
+      const merged = mergeGeometries(solids);
+      const touched = new BufferAttribute(new Float32Array(merged.getAttribute("position").count), 1);
+      merged.setAttribute("touched", touched);
+      let from = 0;
+      own.forEach(({ index }, place) => {
+        const to = from + (solids[place]?.getAttribute("position").count ?? 0);
+        this.corners.set(index, { touched, from, to });
+        from = to;
+      });
+      const mesh = new Mesh(merged, this.material());
       mesh.name = part;
       for (const one of solids) one.dispose();
       (part === "frame" ? this.group : part === "peg" ? this.peg : this.head).add(mesh);
       this.meshes.push({ part, mesh });
     }
     this.paint(theme);
+    this.mark(this.touching, 1);
   }
 
   paint(theme: Theme): void {
-    for (const { part, mesh } of this.meshes)
+    for (const { part, mesh } of this.meshes) {
       (mesh.material.uniforms.colour?.value as Vector3 | undefined)?.set(...theme.machine[part]);
+      (mesh.material.uniforms.red?.value as Vector3 | undefined)?.set(...theme.error);
+    }
+  }
+
+  /** The bodies that the wire touches, by their places in the profile. */
+  touch(bodies: readonly number[]): void {
+    if (bodies.join() === this.touching.join()) return;
+    this.mark(this.touching, 0);
+    this.mark(bodies, 1);
+    this.touching = bodies;
+  }
+
+  private mark(bodies: readonly number[], value: number): void {
+    for (const body of bodies) {
+      const corners = this.corners.get(body);
+      if (!corners) continue;
+      corners.touched.array.fill(value, corners.from, corners.to);
+      corners.touched.needsUpdate = true;
+    }
   }
 
   /** Degrees: the head about +x, the bend axis about the head's z. `out`: of the peg, from 0 to 1. */
@@ -90,6 +129,7 @@ export class Machine {
   }
 
   private clear(): void {
+    this.corners.clear();
     for (const { mesh } of this.meshes.splice(0)) {
       mesh.removeFromParent();
       mesh.geometry.dispose();
@@ -101,7 +141,7 @@ export class Machine {
     return new ShaderMaterial({
       vertexShader: VERTEX,
       fragmentShader: FRAGMENT,
-      uniforms: { ...this.uniforms, colour: { value: new Vector3() } },
+      uniforms: { ...this.uniforms, colour: { value: new Vector3() }, red: { value: new Vector3() } },
     });
   }
 }

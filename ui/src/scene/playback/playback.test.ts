@@ -156,6 +156,28 @@ it("shows the wire as made, also where the program asked for something else", ()
   expect(playback.group.children.filter((child) => (child as Mesh).isMesh && child.visible).length).toBe(1);
 });
 
+it("draws what touches what red, each body alone, and all as before when nothing touches any more", () => {
+  const playback = new Playback(shared(), THEMES.dark);
+  const mark = { ...given(played().bodies[0]), name: "mark", at: [0, 0, 30] as const };
+  playback.play(played({ bodies: [...played().bodies, mark] }));
+  playback.setTime(1.5, "designed");
+  const touched = (part: string): number[] => [
+    ...(given(playback.group.getObjectByName(part)) as Mesh).geometry.getAttribute("touched").array,
+  ];
+  // A box has 24 corners: arm and mark are one mesh, the arm first.
+  playback.setTouches([{ leg: 0, body: 2 }]);
+  expect(touched("head")).toEqual([...Array(24).fill(0), ...Array(24).fill(1)]);
+  expect(touched("peg").every((one) => one === 0)).toBe(true);
+  playback.setTouches([
+    { leg: 0, body: 1 },
+    { leg: 1, body: null },
+  ]);
+  expect(touched("head").every((one) => one === 0)).toBe(true);
+  expect(touched("peg").every((one) => one === 1)).toBe(true);
+  playback.setTouches([]);
+  expect(touched("peg").every((one) => one === 0)).toBe(true);
+});
+
 it("shows nothing, and does not stop, for an empty program or path", () => {
   const point: PlayedPath = { corners: [[0, 0, 0]], poses: [] };
   for (const change of [{ steps: [] }, { designed: NO_WIRE }, { designed: point }, { made: NO_WIRE }]) {

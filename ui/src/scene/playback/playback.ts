@@ -4,7 +4,7 @@ import { Group, Vector3 } from "three";
 import type { Shared } from "../drawing/shading";
 import type { Rgb, Theme } from "../drawing/theme";
 import { Tubes } from "../drawing/tubes";
-import type { Moment, Played, PlayedPath, Shown, Vec3 } from "../interface";
+import type { Moment, Played, PlayedPath, Shown, Touch, Vec3 } from "../interface";
 import { along, scale, subtract } from "../vec";
 import { Machine, reach } from "./machine";
 import { momentAt, stepAt } from "./moments";
@@ -26,8 +26,8 @@ class Wire {
     this.tubes = new Tubes(uniforms, { radius: wireDiameter / 2, least: 1.1, most: 1000, sides: 10, round: true });
   }
 
-  /** `made` steps of the program are really done already and coloured so. */
-  show(step: number, { fed, bent }: Moment, colour: Rgb, made: number, theme: Theme): void {
+  /** `made` steps of the program are really done already and coloured so; what touches something is red. */
+  show(step: number, { fed, bent }: Moment, colour: Rgb, made: number, touches: readonly Touch[], theme: Theme): void {
     const { corners, poses } = this.path;
     const index = Math.min(step, poses.length - 1);
     const pose = poses[index];
@@ -41,8 +41,9 @@ class Wire {
     const whole = isFed ? index + 1 : index;
     const partial = !isFed && fed > 0;
     tubes.count = whole + (partial ? 1 : 0) + 1;
-    const key = `${whole} ${partial} ${made} ${theme.text} ${colour.join()}`;
-    if (key !== this.styled) this.style(whole + (partial ? 1 : 0), colour, made, theme);
+    const touched = touches.map(({ leg, body }) => `${leg}/${body}`).join();
+    const key = `${whole} ${partial} ${made} ${touched} ${theme.text} ${colour.join()}`;
+    if (key !== this.styled) this.style(whole + (partial ? 1 : 0), colour, made, touches, theme);
     this.styled = key;
     if (partial) tubes.place(whole, begin, here);
     const behind = new Vector3(-1, 0, 0).applyQuaternion(turn.clone().invert());
@@ -68,15 +69,18 @@ class Wire {
     this.tubes.dispose();
   }
 
-  private style(segments: number, colour: Rgb, made: number, theme: Theme): void {
+  private style(segments: number, colour: Rgb, made: number, touches: readonly Touch[], theme: Theme): void {
     const { path, tubes } = this;
+    const legs = new Set(touches.map(({ leg }) => leg));
+    const toCome = touches.some(({ body }) => body === null);
     const madeUntil = Math.min(made, path.poses.length);
     for (let at = 0; at < segments; at += 1) {
       const [from, to] = [path.corners[at], path.corners[at + 1]];
-      if (from && to) tubes.set(at, from, to, { colour: at < madeUntil ? theme.fine : colour });
+      const own = at < madeUntil ? theme.fine : colour;
+      if (from && to) tubes.set(at, from, to, { colour: legs.has(at) ? theme.error : own });
     }
     const end = path.corners[segments] ?? path.corners[0];
-    if (end) tubes.set(segments, end, end, { colour: theme.vertex, dim: 0.45 });
+    if (end) tubes.set(segments, end, end, toCome ? { colour: theme.error } : { colour: theme.vertex, dim: 0.45 });
   }
 }
 
@@ -89,6 +93,7 @@ export class Playback {
   private time = 0;
   private shown: Shown = "designed";
   private progress = 0;
+  private touches: readonly Touch[] = [];
 
   constructor(
     private readonly uniforms: Shared,
@@ -144,6 +149,13 @@ export class Playback {
     this.update();
   }
 
+  /** What touches what, drawn red. */
+  setTouches(touches: readonly Touch[]): void {
+    this.touches = touches;
+    this.machine.touch(touches.flatMap(({ body }) => (body === null ? [] : [body])));
+    this.update();
+  }
+
   paint(theme: Theme): void {
     this.theme = theme;
     this.machine.paint(theme);
@@ -162,8 +174,8 @@ export class Playback {
     if (!at || !now) return;
     const showMade = this.made !== null && this.shown !== "designed";
     const showDesigned = !showMade || this.shown === "both";
-    this.designed?.show(at.step, now, theme.edge, this.progress, theme);
-    this.made?.show(at.step, now, theme.made, showDesigned ? 0 : this.progress, theme);
+    this.designed?.show(at.step, now, theme.edge, this.progress, this.touches, theme);
+    this.made?.show(at.step, now, theme.made, showDesigned ? 0 : this.progress, this.touches, theme);
     if (this.designed) this.designed.tubes.mesh.visible = showDesigned;
     if (this.made) this.made.tubes.mesh.visible = showMade;
     this.machine.pose(now.head, now.bendAxis, now.pegOut);

@@ -130,5 +130,5 @@ export function ago(seconds: number): string {
   return `${count(Math.floor(seconds / 86_400), "day")} ago`;
 }
 
-/** What a design without errors is: no limit is passed, and nothing has looked at whether one part hits another. */
+/** What a design without errors is where nothing has looked at whether one part hits another. */
 export const LIMITS_ONLY = "within the machine's limits; collisions not checked";

@@ -1,6 +1,14 @@
 import { create } from "zustand";
 import type { EditRequest } from "../../generated/requests";
-import type { DesignView, EditMade, LiveCheck, NoteReport, ViewChange } from "../../generated/responses";
+import type {
+  Collisions,
+  DesignView,
+  DiagnosticReport,
+  EditMade,
+  LiveCheck,
+  NoteReport,
+  ViewChange,
+} from "../../generated/responses";
 import { platform } from "../../platform";
 import type { Moved, SceneDesign, SceneEdge, SceneStencil, SceneVertex } from "../../scene/interface";
 import { tell, told } from "../asking/problems";
@@ -13,10 +21,27 @@ export type DesignState = DesignView["state"];
 export interface DesignStore extends SceneDesign {
   readonly state: DesignState | null;
   readonly stencil: SceneStencil | null;
-  /** What the checks say of it as it is, or of where it is dragged to. Null before the first answer, or without a machine. */
+  /** What the checks say of it as it is, or of where it is dragged to, collisions included as far as they are known. Null before the first answer, or without a machine. */
   readonly check: LiveCheck | null;
+  /** The same without collisions, and which vertices were dragged for it. */
+  readonly limits: LiveCheck | null;
+  readonly dragged: readonly Moved[];
+  /** The collisions that are shown; null where they are not known. */
+  readonly collisions: CollisionsOf | null;
+  /** How often the design was changed or another one opened. */
+  readonly version: number;
   /** What was merged, ignored or assumed while the file was read. */
   readonly notes: readonly NoteReport[];
+}
+
+const UNCHECKED = { check: null, limits: null, dragged: [], collisions: null } as const;
+
+/** Where the wires hit the machine or themselves, and in which version of the design. */
+export interface CollisionsOf {
+  readonly found: Collisions;
+  readonly version: number;
+  /** Whether vertices were being dragged. */
+  readonly dragged: boolean;
 }
 
 export const useDesign = create<DesignStore>()(() => ({
@@ -24,7 +49,8 @@ export const useDesign = create<DesignStore>()(() => ({
   edges: new Map<number, SceneEdge>(),
   state: null,
   stencil: null,
-  check: null,
+  ...UNCHECKED,
+  version: 0,
   notes: [],
 }));
 
@@ -36,7 +62,8 @@ export async function showDesign(view: DesignView, notes: readonly NoteReport[])
   const vertices = new Map(view.vertices.map(({ id, at_mm, support }) => [id, { id, at: at_mm, support }] as const));
   const edges = new Map(view.edges.map((edge) => [edge.id, edge] as const));
   shown += 1;
-  useDesign.setState({ vertices, edges, state: view.state, notes, check: null, stencil: null });
+  const version = useDesign.getState().version + 1;
+  useDesign.setState({ vertices, edges, state: view.state, notes, stencil: null, version, ...UNCHECKED });
   // What was dragged was of the design before.
   wanted = null;
   if (view.stencil) await readStencil();
@@ -44,11 +71,11 @@ export async function showDesign(view: DesignView, notes: readonly NoteReport[])
 
 /** Brings the copy up to date with a change; what is not named in it stays the same object. It is called in its turn. */
 export async function applyChange(change: ViewChange): Promise<void> {
-  const { vertices, edges } = useDesign.getState();
+  const { vertices, edges, version } = useDesign.getState();
   const seen = change.vertices.map(({ id, at_mm, support }) => ({ id, at: at_mm, support }));
   const newVertices = withChanges(vertices, seen, change.gone_vertices);
   const newEdges = withChanges(edges, change.edges, change.gone_edges);
-  useDesign.setState({ vertices: newVertices, edges: newEdges, state: change.state });
+  useDesign.setState({ vertices: newVertices, edges: newEdges, state: change.state, version: version + 1 });
   if (change.stencil) await readStencil();
   checkDesign();
 }
@@ -112,6 +139,30 @@ export async function redo(): Promise<void> {
   await changed(() => platform.ask("redo", {}));
 }
 
+/** As the Rust side takes them. */
+export const movedOf = (moved: readonly Moved[]) =>
+  moved.map(({ vertex, at }) => ({ vertex, at_mm: [...at] as [number, number, number] }));
+
+/** Errors first, as everywhere. */
+const ORDER: readonly DiagnosticReport["severity"][] = ["error", "warning", "info"];
+
+function withCollisions(limits: LiveCheck | null, collisions: CollisionsOf | null): LiveCheck | null {
+  if (!limits || !collisions || collisions.found.contacts.length === 0) return limits;
+  const findings = collisions.found.contacts.map(({ finding }) => finding);
+  const all = [...limits.diagnostics, ...findings];
+  return {
+    ...limits,
+    feasible: limits.feasible && !findings.some(({ severity }) => severity === "error"),
+    diagnostics: all.toSorted((a, b) => ORDER.indexOf(a.severity) - ORDER.indexOf(b.severity)),
+  };
+}
+
+/** Shows where the wires hit something, or that it is not known. */
+export function showCollisions(collisions: CollisionsOf | null): void {
+  const { limits, collisions: before } = useDesign.getState();
+  if (collisions !== before) useDesign.setState({ collisions, check: withCollisions(limits, collisions) });
+}
+
 let checking = false;
 let wanted: readonly Moved[] | null = null;
 let answered: Promise<void> = Promise.resolve();
@@ -134,22 +185,24 @@ async function checkWanted(): Promise<void> {
   checking = true;
   try {
     while (wanted) {
-      const moved = wanted.map(({ vertex, at }) => ({ vertex, at_mm: [...at] as [number, number, number] }));
+      const dragged = wanted;
       wanted = null;
       if (isBeingReplaced()) continue;
       const { state, vertices } = useDesign.getState();
       // Of an empty design there is nothing to say that a person does not see.
       if (!state?.machine || vertices.size === 0) {
-        useDesign.setState({ check: null });
+        useDesign.setState(UNCHECKED);
         continue;
       }
       const design = shown;
       const isGone = () => design !== shown || isBeingReplaced();
       const asked = platform
-        .ask("check", { moved })
+        .ask("check", { moved: movedOf(dragged) })
         .catch((error: unknown) => (isGone() ? null : Promise.reject(error)));
-      const check = await told(asked);
-      if (!isGone()) useDesign.setState({ check });
+      const limits = await told(asked);
+      if (isGone()) continue;
+      const { collisions } = useDesign.getState();
+      useDesign.setState({ limits, dragged, check: withCollisions(limits, collisions) });
     }
   } finally {
     checking = false;

@@ -1,28 +1,49 @@
 import { create } from "zustand";
-import type { DiagnosticReport, Fix, FixPreview, LiveCheck } from "../../generated/responses";
+import type { Collisions, DiagnosticReport, Fix, FixPreview, LiveCheck } from "../../generated/responses";
 import type { Preview, SceneDesign, Vec3 } from "../../scene/interface";
 import { asking } from "../asking/work";
 import { useView } from "../window/view";
 import { edit, useDesign } from "./design";
+import { isCollision } from "./findings";
 
 interface FixStore {
+  /** Of the checks without collisions, then of collisions. */
   readonly fixes: readonly Fix[];
   /** The checks that they are of; others have to be asked for when these are others. */
   readonly of: LiveCheck | null;
+  readonly ofCollisions: Collisions | null;
   /** The one that is shown in the view. */
   readonly shown: Fix | null;
 }
 
-export const useFixes = create<FixStore>()(() => ({ fixes: [], of: null, shown: null }));
+export const useFixes = create<FixStore>()(() => ({ fixes: [], of: null, ofCollisions: null, shown: null }));
+
+const ofLimits = ({ mends }: Fix): boolean => !isCollision(mends.code);
+const ofCollisions = (fix: Fix): boolean => !ofLimits(fix);
 
 /** Asks for the fixes of the checks as they are, unless they were asked for. */
 export async function needFixes(): Promise<void> {
-  const { check } = useDesign.getState();
-  if (!check || useFixes.getState().of === check) return;
-  useFixes.setState({ of: check, fixes: [] });
+  await Promise.all([needFixesOfLimits(), needFixesOfCollisions()]);
+}
+
+async function needFixesOfLimits(): Promise<void> {
+  const { limits } = useDesign.getState();
+  if (!limits || useFixes.getState().of === limits) return;
+  useFixes.setState(({ fixes }) => ({ of: limits, fixes: fixes.filter(ofCollisions) }));
   // Fixes are an offer: where none can be had the checks say anyway what is wrong.
-  const { fixes } = await asking("fixes", {}).catch(() => ({ fixes: [] }));
-  if (useFixes.getState().of === check) useFixes.setState({ fixes });
+  const { fixes: found } = await asking("fixes", {}).catch(() => ({ fixes: [] }));
+  if (useFixes.getState().of !== limits) return;
+  useFixes.setState(({ fixes }) => ({ fixes: [...found, ...fixes.filter(ofCollisions)] }));
+}
+
+async function needFixesOfCollisions(): Promise<void> {
+  const found = useDesign.getState().collisions?.found ?? null;
+  if (useFixes.getState().ofCollisions === found) return;
+  useFixes.setState(({ fixes }) => ({ ofCollisions: found, fixes: fixes.filter(ofLimits) }));
+  if (!found || found.contacts.length === 0) return;
+  const { fixes: more } = await asking("fixes", { collisions: true }).catch(() => ({ fixes: [] }));
+  if (useFixes.getState().ofCollisions !== found) return;
+  useFixes.setState(({ fixes }) => ({ fixes: [...fixes.filter(ofLimits), ...more] }));
 }
 
 const same = (a: DiagnosticReport, b: DiagnosticReport): boolean =>

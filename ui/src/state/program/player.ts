@@ -3,6 +3,7 @@
 import { create } from "zustand";
 import { store, stored } from "../window/ui";
 import { advance, type Speeds, stepBack, stepForward, USUAL_SPEEDS } from "./clock";
+import { stopBetween } from "./contacts";
 import { goTo, pause, show, usePlayback } from "./program";
 
 const KEY = "wirebend.speeds";
@@ -51,6 +52,12 @@ function frame(now: number): void {
   before = now;
   const seconds = played.steps.map((one) => one.seconds);
   const next = advance(seconds, step, passed, useSpeeds.getState());
+  const stop = stopBetween(step, next);
+  if (stop !== null) {
+    usePlayback.setState({ step: stop, playing: false });
+    before = null;
+    return;
+  }
   if (next >= seconds.length) {
     usePlayback.setState({ step: seconds.length, playing: false });
     before = null;
@@ -85,6 +92,11 @@ export function back(): void {
 
 export function reset(): void {
   void goTo(0);
+}
+
+/** To a moment of the program, such as where the wire hits something. */
+export function jump(position: number): void {
+  void goTo(position);
 }
 
 /** While a person slides: nothing is asked for, and playing pauses. */

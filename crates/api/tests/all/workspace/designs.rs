@@ -201,3 +201,21 @@ fn a_state_folder_that_cannot_be_written_is_told_with_the_design() {
     let started = Window::at(home).ask("start", json!({}));
     assert!(started["design"]["state"]["unkept"]["message"].as_str().unwrap().contains("state"), "{started}");
 }
+
+/// The window asks for collisions after each change, and again and again while it looks for them.
+#[test]
+fn collisions_are_found_beside_the_other_checks_and_stopping_when_nothing_runs_is_no_error() {
+    let window = Window::new();
+    window.ask("open-example", json!({"id": "house"}));
+    let found = window.ask("collisions", json!({}));
+    assert_eq!((&found["checked"], &found["stopped"]), (&true.into(), &false.into()));
+    let contacts = found["contacts"].as_array().unwrap();
+    assert_eq!(contacts[0]["finding"]["code"], "meets_machine");
+    assert_eq!(window.ask("stop-collisions", json!({})), json!({}));
+    assert_eq!(window.ask("collisions", json!({"moved": []}))["contacts"], found["contacts"]);
+    for fix in window.ask("fixes", json!({"collisions": true}))["fixes"].as_array().unwrap() {
+        assert_eq!(fix["mends"]["code"], "meets_machine");
+    }
+    let others = window.ask("fixes", json!({}))["fixes"].to_string();
+    assert!(!others.contains("meets_machine"), "{others}");
+}

@@ -29,6 +29,8 @@ pub struct JobSheet {
     pub wires: Vec<SheetWire>,
     /// What the checks say.
     pub findings: Vec<Finding>,
+    /// What is known of collisions: lines for people.
+    pub collisions: Vec<String>,
     /// What was assumed or left out.
     pub notes: Vec<String>,
     /// What it is printed on.
@@ -141,7 +143,10 @@ fn checks(flow: &mut Flow, sheet: &JobSheet) {
         flow.text(verdict, Type::new(3.2));
     }
     if sheet.feasible {
-        flow.text("Within the machine's limits; collisions not checked.", Type::new(3.2));
+        flow.text("Within the machine's limits.", Type::new(3.2));
+    }
+    for line in &sheet.collisions {
+        flow.text(line, Type::new(3.2));
     }
     for finding in &sheet.findings {
         let Finding { severity, code, message, help } = finding;

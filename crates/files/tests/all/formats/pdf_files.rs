@@ -247,6 +247,7 @@ fn sheet(steps: usize) -> JobSheet {
         design_hash: "85d6f3525c4cd9c0223b".into(),
         job_hash: Some("d8139931d706aaaaaaaa".into()),
         feasible: false,
+        collisions: vec!["No collision found.".to_owned()],
         machine: "WireBend-kit".into(),
         material: "Aluminium, Ø 3 mm".into(),
         figures: vec![Figure {

@@ -1,0 +1,39 @@
+//! What the checks see of a wire.
+
+use super::{Machine, WirePlan};
+use crate::checks::WireStages;
+use crate::units::Length;
+use crate::wireframe::Wireframe;
+
+/// What checks see of a plan, which does not say why a stage was left out.
+pub(super) fn stages_of<'a>(
+    wireframe: &'a Wireframe,
+    machine: &'a Machine,
+    plan: &'a WirePlan,
+) -> WireStages<'a> {
+    WireStages {
+        wireframe,
+        component: &plan.component,
+        doubled: &plan.doubled,
+        odd_allowed: 0,
+        proposal: None,
+        forced: &[],
+        passed_again: &[],
+        route: plan.route.as_ref(),
+        nominal: plan.nominal.as_ref(),
+        scheduled: plan.scheduled.as_ref(),
+        rotation: None,
+        compensated: plan.compensated.as_ref(),
+        unbendable: &[],
+        searched: plan.searched.is_some(),
+        margin: Length::ZERO,
+        contacts: plan.contacts.as_deref().unwrap_or_default(),
+        bodies: &machine.bodies.all,
+        compensation: &machine.compensation,
+        diameter: machine.wire.diameter,
+        bend_radius: machine.bend_radius,
+        straight: machine.straight,
+        scatter: machine.scatter.as_ref(),
+        limits: &machine.limits,
+    }
+}

@@ -1,0 +1,86 @@
+//! Collisions of the open design, looked for beside the other checks.
+
+use serde_json::json;
+use wirebend_editor::Moved;
+use wirebend_planning::plan::CheckRequest;
+use wirebend_planning::{DesignInput, NoProgress, PlanChoices};
+
+use crate::{app, edit, example, open};
+
+/// The window and the command line say the same of a file.
+#[test]
+fn it_says_what_the_command_says() {
+    for name in ["house.obj", "cube-8-edges.obj", "spring.obj", "two-parts.obj"] {
+        let mut editor = open(name);
+        edit(&mut editor, &json!({"edit": "machine", "machine": "wirebend-kit", "material": null}));
+        let before = editor.document().clone();
+        let found = editor.collision_check(&app(), &[]).unwrap().run(&mut |_, _| true).unwrap();
+        let choices =
+            PlanChoices { machine: Some("wirebend-kit".into()), collisions: true, ..PlanChoices::default() };
+        let request = CheckRequest { design: DesignInput::file(example(name)), choices };
+        let said = wirebend_planning::plan::check(&app(), &request, &NoProgress).unwrap();
+        assert_eq!(found.checked, said.collisions_checked, "{name}");
+        let mut findings: Vec<_> = found.contacts.into_iter().map(|contact| contact.finding).collect();
+        findings.sort_by_key(|finding| finding.severity != wirebend_planning::report::SeverityName::Error);
+        let meets = said.diagnostics.into_iter().filter(|one| one.code.as_str().starts_with("meets_"));
+        assert_eq!(findings, meets.collect::<Vec<_>>(), "{name}");
+        assert_eq!(editor.document(), &before, "nothing was changed by asking");
+    }
+}
+
+/// Playback stops where the contact is, and draws what touches what.
+#[test]
+fn a_contact_is_placed_in_the_time_of_its_step_and_names_the_body_by_its_place_in_the_profile() {
+    let mut editor = open("house.obj");
+    let found = editor.collision_check(&app(), &[]).unwrap().run(&mut |_, _| true).unwrap();
+    let [contact] = &found.contacts[..] else { panic!("{found:?}") };
+    assert!(contact.at > 0.0 && contact.at < 1.0, "{contact:?}");
+    assert!(contact.leg <= contact.step && contact.finding.step == Some(contact.step));
+    let shapes = app().setup("wirebend-kit", None).unwrap().machine.profile.shapes.unwrap();
+    let shape = &shapes[contact.body.unwrap()];
+    assert_eq!((Some(&shape.name), contact.estimated), (contact.finding.body.as_ref(), !shape.measured));
+    assert_eq!(
+        (found.bodies, found.estimates),
+        (shapes.len(), shapes.iter().filter(|s| !s.measured).count())
+    );
+}
+
+/// A person who drags does not wait for what was asked before.
+#[test]
+fn it_is_stopped_between_two_steps_and_says_then_that_nothing_is_known() {
+    let mut editor = open("house.obj");
+    let mut seen = Vec::new();
+    let check = editor.collision_check(&app(), &[]).unwrap();
+    let stopped = check.run(&mut |done, of| {
+        seen.push((done, of));
+        done < 2
+    });
+    let stopped = stopped.unwrap();
+    assert!(stopped.stopped && !stopped.checked && stopped.contacts.is_empty(), "{stopped:?}");
+    assert_eq!(seen, [(0, 5), (1, 5), (2, 5)]);
+    assert!(editor.collision_check(&app(), &[Moved { vertex: 99, at_mm: [0.0; 3] }]).is_err());
+}
+
+/// Without a route nothing is bent, and nothing can be said of collisions.
+#[test]
+fn a_design_without_a_route_is_not_checked() {
+    let mut editor = open("cube.obj");
+    let found = editor.collision_check(&app(), &[]).unwrap().run(&mut |_, _| true).unwrap();
+    assert!(!found.checked && !found.stopped && found.contacts.is_empty(), "{found:?}");
+}
+
+/// Every fix was tried with a check for collisions, and what is no collision has its fixes elsewhere.
+#[test]
+fn a_fix_of_a_collision_leaves_fewer_of_them() {
+    let mut editor = open("house.obj");
+    let before = editor.collision_check(&app(), &[]).unwrap().run(&mut |_, _| true).unwrap();
+    let fixes = editor.fix_search(&app()).unwrap().collision_fixes(&app(), &|| true).unwrap();
+    for fix in &fixes {
+        assert!(fix.mends.code.as_str().starts_with("meets_"), "{fix:?}");
+        editor.edit(&app(), &fix.edit).unwrap();
+        let after = editor.collision_check(&app(), &[]).unwrap().run(&mut |_, _| true).unwrap();
+        assert!(after.checked && after.contacts.len() < before.contacts.len(), "{fix:?}");
+        editor.undo().unwrap();
+    }
+    assert!(editor.fix_search(&app()).unwrap().collision_fixes(&app(), &|| false).unwrap().is_empty());
+}

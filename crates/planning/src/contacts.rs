@@ -1,0 +1,70 @@
+//! The search for contacts of a wire, shared by the processors of the computer.
+
+use std::collections::BTreeMap;
+use std::num::NonZero;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+use wirebend_core::clearance::{Clearance, FirstContact};
+
+/// So many steps are looked at in one go: few, so that all are done at about the same time.
+const STEPS: usize = 12;
+/// More do not help: what is shared out has to be set up by each.
+const MAX_THREADS: usize = 4;
+
+/// The first contacts of a wire, as [`Clearance::first_contacts`] has them. `goes_on` is asked again and again, with how many steps are
+/// done: `None` where it does not.
+pub fn first_contacts(
+    clearance: &Clearance,
+    mut goes_on: impl FnMut(usize) -> bool,
+) -> Option<Vec<FirstContact>> {
+    let search = Search::default();
+    let parts = clearance.steps().div_ceil(STEPS);
+    let others = std::thread::available_parallelism().map_or(1, NonZero::get).min(MAX_THREADS).min(parts);
+    std::thread::scope(|scope| {
+        for _ in 1..others {
+            scope.spawn(|| search.take(clearance, || true));
+        }
+        // The caller's own thread asks whether it goes on.
+        search.take(clearance, || goes_on(search.done.load(Ordering::Relaxed)));
+    });
+    if search.stopped.into_inner() {
+        return None;
+    }
+    let found = search.found.into_inner().unwrap_or_else(PoisonError::into_inner);
+    Some(clearance.merged(found.into_values()))
+}
+
+/// What the threads share.
+#[derive(Default)]
+struct Search {
+    next: AtomicUsize,
+    done: AtomicUsize,
+    stopped: AtomicBool,
+    /// By part of the wire, in its order.
+    found: Mutex<BTreeMap<usize, Vec<FirstContact>>>,
+}
+
+impl Search {
+    /// Looks at one part after the other until none is left.
+    fn take(&self, clearance: &Clearance, mut goes_on: impl FnMut() -> bool) {
+        let mut clearance = clearance.clone();
+        loop {
+            let part = self.next.fetch_add(1, Ordering::Relaxed);
+            let from = part * STEPS;
+            if from >= clearance.steps() {
+                return;
+            }
+            let found = clearance.first_contacts_in(from..clearance.steps().min(from + STEPS), |_| {
+                let goes_on = goes_on() && !self.stopped.load(Ordering::Relaxed);
+                self.done.fetch_add(1, Ordering::Relaxed);
+                goes_on
+            });
+            let Some(found) = found else {
+                self.stopped.store(true, Ordering::Relaxed);
+                return;
+            };
+            self.found.lock().unwrap_or_else(PoisonError::into_inner).insert(part, found);
+        }
+    }
+}

@@ -1,0 +1,182 @@
+//! Where the wire of a job meets the machine or itself: a job has what was planned, and the profile that it was planned with.
+
+use std::collections::BTreeMap;
+use std::time::{Duration, Instant};
+
+use nalgebra::Point3;
+use wirebend_core::bend::program_of_path;
+use wirebend_core::checks::Diagnostic;
+use wirebend_core::clearance::Passage;
+use wirebend_core::plan::ScheduledWire;
+use wirebend_core::simulate::scheduled_start;
+use wirebend_core::units::Length;
+use wirebend_core::wireframe::{EdgeId, VertexId};
+use wirebend_files::document::JobWire;
+
+use crate::contacts::first_contacts;
+use crate::machine::{Setup, kept_steps};
+use crate::text;
+
+/// So many are named.
+const MAX_NAMED: usize = 3;
+/// A person who arms a machine, or writes a sheet, waits no longer for it.
+const PATIENCE: Duration = Duration::from_secs(10);
+
+/// What is known of where the wire of a job meets the machine or itself.
+pub enum JobCollisions {
+    /// It was looked at to its end.
+    Checked {
+        /// What the checks say of each contact.
+        findings: Vec<Diagnostic>,
+        /// How many bodies the machine's profile has.
+        bodies: usize,
+        /// How many of them have dimensions that were not measured.
+        estimates: usize,
+    },
+    /// It could not be looked at.
+    Unknown {
+        /// Why: a clause.
+        why: String,
+    },
+}
+
+impl JobCollisions {
+    /// Of a wire on the machine of its job.
+    pub fn of(wire: &JobWire, setup: &Setup) -> Self {
+        let wire = match scheduled(wire, setup) {
+            Ok(wire) => wire,
+            Err(why) => return Self::Unknown { why },
+        };
+        let until = Instant::now() + PATIENCE;
+        let clearance = wire.clearance(&setup.model);
+        let Some(contacts) = first_contacts(&clearance, |_| Instant::now() < until) else {
+            return Self::Unknown { why: format!("looking for them takes longer than {PATIENCE:?}") };
+        };
+        let findings = wire.check(&setup.model, contacts);
+        let bodies = &setup.model.bodies.all;
+        let estimates = bodies.iter().filter(|body| !body.measured).count();
+        Self::Checked { findings, bodies: bodies.len(), estimates }
+    }
+
+    /// Whether it is known that there are some.
+    pub fn some(&self) -> bool {
+        matches!(self, Self::Checked { findings, .. } if !findings.is_empty())
+    }
+
+    /// What to say of it: lines that begin in lower case, without a full stop. At most three collisions are named, errors
+    /// first.
+    pub fn lines(&self) -> Vec<String> {
+        match self {
+            Self::Unknown { why } => vec![format!("collisions are not checked: {why}")],
+            Self::Checked { findings, bodies, estimates } if findings.is_empty() => {
+                vec![none_found(*bodies, *estimates)]
+            }
+            Self::Checked { findings, .. } => {
+                let mut worst: Vec<&Diagnostic> = findings.iter().collect();
+                worst.sort_by_key(|finding| finding.severity);
+                let mut lines: Vec<String> = worst.into_iter().take(MAX_NAMED).map(text::message).collect();
+                match findings.len().saturating_sub(MAX_NAMED) {
+                    0 => {}
+                    1 => lines.push("and 1 more collision".to_owned()),
+                    more => lines.push(format!("and {more} more collisions")),
+                }
+                lines
+            }
+        }
+    }
+}
+
+fn none_found(bodies: usize, estimates: usize) -> String {
+    match (bodies, estimates) {
+        (0, _) => "no collision of the wire with itself found; the machine's profile has no bodies to check"
+            .to_owned(),
+        (_, 0) => "no collision found with the machine's bodies".to_owned(),
+        _ => {
+            let noun = if bodies == 1 { "body is an estimate" } else { "bodies are estimates" };
+            format!("no collision found with the machine's bodies ({estimates} of {bodies} {noun})")
+        }
+    }
+}
+
+/// The wire as the search for contacts wants it; otherwise why that cannot be.
+fn scheduled(wire: &JobWire, setup: &Setup) -> Result<ScheduledWire, String> {
+    let damaged = |error: crate::PlanningError| error.to_string();
+    let (steps, told) =
+        (kept_steps(&wire.scheduled).map_err(damaged)?, kept_steps(&wire.compensated).map_err(damaged)?);
+    let path: Vec<Point3<f64>> = wire.path_mm.iter().copied().map(Point3::from).collect();
+    let (start, _) = program_of_path(&path, setup.model.straight).map_err(|error| error.to_string())?;
+    if wire.spans.len() != steps.len() || told.len() != steps.len() || path.len() != wire.vertices.len() {
+        return Err("the job does not say along what each step runs".to_owned());
+    }
+    // A job has no edges: those that join the same two vertices lie beside each other.
+    let mut edges: BTreeMap<[u32; 2], EdgeId> = BTreeMap::new();
+    let mut passage = |k: usize| {
+        let (from, to) = (*wire.vertices.get(k)?, *wire.vertices.get(k + 1)?);
+        let next = EdgeId(u32::try_from(edges.len()).unwrap_or(u32::MAX));
+        let edge = *edges.entry([from.min(to), from.max(to)]).or_insert(next);
+        let length = Length::from_mm((path.get(k + 1)? - path.get(k)?).norm()).ok()?;
+        Some((Passage { edge, from: VertexId(from), to: VertexId(to) }, length))
+    };
+    let passages = wire.spans.iter().map(|&[from, to]| (from..to).filter_map(&mut passage).collect());
+    Ok(ScheduledWire { start: scheduled_start(start, &steps), passages: passages.collect(), steps, told })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::design::DesignInput;
+    use crate::machine::restored;
+    use crate::{Installation, NoProgress, PlanChoices};
+
+    /// A person who arms a machine would be told something else than the window says of the design.
+    #[test]
+    fn a_job_collides_where_its_design_does() {
+        let app = Installation::new(&[]).unwrap();
+        for (name, collide) in [("house", true), ("cube-8-edges", true), ("u-sample", false)] {
+            let example = format!("{}/../../examples/{name}.obj", env!("CARGO_MANIFEST_DIR"));
+            let opened = DesignInput::file(example.into()).open(&NoProgress).unwrap();
+            let choices = PlanChoices { machine: Some("wirebend-kit".into()), ..PlanChoices::default() };
+            let mut planned = app.plan_design(opened, &choices, &NoProgress).unwrap();
+            let job = planned.job().unwrap().unwrap();
+            let setup = restored(name, job.contents()).unwrap();
+            let found = JobCollisions::of(&job.contents().wires[0], &setup);
+            let of_design = planned.find_collisions(&mut |_, _| true);
+            let JobCollisions::Checked { findings, bodies, estimates } = &found else { panic!("{name}") };
+            assert_eq!((*bodies, *estimates), (of_design.bodies, of_design.estimates));
+            let steps = |all: &[Diagnostic]| all.iter().map(|one| one.location.step).collect::<Vec<_>>();
+            let wanted: Vec<_> = of_design.contacts.iter().map(|contact| Some(contact.step)).collect();
+            assert_eq!(steps(findings), wanted, "{name}");
+            assert_eq!((found.some(), of_design.contacts.is_empty()), (collide, !collide), "{name}");
+        }
+    }
+
+    #[test]
+    fn at_most_three_collisions_are_named_and_without_any_it_says_what_is_only_an_estimate() {
+        let app = Installation::new(&[]).unwrap();
+        let example = format!("{}/../../examples/house.obj", env!("CARGO_MANIFEST_DIR"));
+        let opened = DesignInput::file(example.into()).open(&NoProgress).unwrap();
+        let choices = PlanChoices { machine: Some("wirebend-kit".into()), ..PlanChoices::default() };
+        let planned = app.plan_design(opened, &choices, &NoProgress).unwrap();
+        let mut wire = planned.job().unwrap().unwrap().contents().wires[0].clone();
+        let JobCollisions::Checked { findings, .. } = JobCollisions::of(&wire, &planned.setup) else {
+            panic!()
+        };
+        let lines = |count: usize, bodies, estimates| {
+            let findings = findings.iter().cycle().take(count).cloned().collect();
+            JobCollisions::Checked { findings, bodies, estimates }.lines()
+        };
+        assert_eq!(
+            lines(0, 6, 5),
+            ["no collision found with the machine's bodies (5 of 6 bodies are estimates)"]
+        );
+        assert_eq!(lines(0, 6, 0), ["no collision found with the machine's bodies"]);
+        assert!(lines(0, 0, 0)[0].contains("has no bodies"));
+        assert_eq!(lines(3, 6, 6).len(), 3);
+        assert!(lines(1, 6, 6)[0].starts_with("the wire goes "), "{:?}", lines(1, 6, 6));
+        assert_eq!(lines(4, 6, 6)[3], "and 1 more collision");
+        assert_eq!(lines(5, 6, 6)[3], "and 2 more collisions");
+        wire.spans.pop();
+        let said = JobCollisions::of(&wire, &planned.setup).lines();
+        assert_eq!(said, ["collisions are not checked: the job does not say along what each step runs"]);
+    }
+}

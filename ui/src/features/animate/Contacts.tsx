@@ -1,0 +1,69 @@
+import { Checkbox } from "../../shared/controls/inputs";
+import { count } from "../../shared/figures/format";
+import { useUnit } from "../../shared/figures/unit";
+import { Line } from "../../shared/lists/Line";
+import { useCollisions } from "../../state/design/collisions";
+import { useDesign } from "../../state/design/design";
+import { type PlayedContact, setStops, useContacts, useStops } from "../../state/program/contacts";
+import { jump } from "../../state/program/player";
+import { usePlayback } from "../../state/program/program";
+import { estimatesOf } from "../check/texts";
+import { depthOf, hitOf } from "./hits";
+
+/** Where the wire hits something, and whether playing stops there. */
+export function Contacts() {
+  const { contacts, elsewhere } = useContacts();
+  const stops = useStops(({ on }) => on);
+  return (
+    <div className="stack">
+      <Checkbox checked={stops} onChange={setStops}>
+        Stop at collisions
+      </Checkbox>
+      {contacts.length > 0 && (
+        <ul className="animate-contacts" aria-label="Collisions">
+          {contacts.map((contact) => (
+            <Contact key={`${contact.step} ${contact.body}`} contact={contact} />
+          ))}
+        </ul>
+      )}
+      {contacts.length === 0 ? <Nothing /> : <Estimates />}
+      {elsewhere > 0 && <p className="muted small">{count(elsewhere, "collision")} of other wires</p>}
+    </div>
+  );
+}
+
+function Contact({ contact }: { readonly contact: PlayedContact }) {
+  const unit = useUnit();
+  const live = usePlayback((playback) => playback.live);
+  const what = hitOf(contact);
+  return (
+    <Line
+      tone={contact.finding.severity}
+      what={
+        <button type="button" className="line-button" disabled={live} onClick={() => jump(contact.position)}>
+          {what}
+        </button>
+      }
+      sub={depthOf(contact, unit)}
+    />
+  );
+}
+
+/** How many bodies are not measured, once for all of the list. */
+function Estimates() {
+  const found = useDesign(({ collisions }) => collisions?.found);
+  const text = found && estimatesOf(found);
+  return text ? <p className="muted small">{text}</p> : null;
+}
+
+/** Why there are none. */
+function Nothing() {
+  const { stands } = useCollisions();
+  const found = useDesign(({ collisions }) => collisions?.found);
+  const text = found?.checked
+    ? ["No collision found.", estimatesOf(found)].filter(Boolean).join(" ")
+    : stands === "running" || stands === "waiting"
+      ? "Checking for collisions…"
+      : "Collisions are not checked.";
+  return <p className="muted small">{text}</p>;
+}

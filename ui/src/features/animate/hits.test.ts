@@ -1,0 +1,16 @@
+import { expect, it } from "vitest";
+import { depthOf, hitOf } from "./hits";
+
+const finding = { code: "meets_machine" as const, severity: "error" as const, body: "head", message: "", help: "" };
+const contact = { step: 4, body: 2, finding, depth_mm: 2.13, later: 0, estimated: false };
+
+it("names the step as it is counted and the body as its profile does", () => {
+  expect(hitOf(contact)).toBe("Step 5 hits the head");
+  expect(hitOf({ ...contact, body: null })).toBe("Step 5: the wire hits itself");
+});
+
+it("says how deep it is, whether it comes again, and what is only an estimate", () => {
+  expect(depthOf(contact, "mm")).toBe("2.1 mm deep");
+  expect(depthOf({ ...contact, later: 1, estimated: true }, "mm")).toBe("2.1 mm deep, in 1 more step; estimate");
+  expect(depthOf({ ...contact, later: 12 }, "inch")).toBe("0.084 in deep, in 12 more steps");
+});

@@ -1,0 +1,84 @@
+/** Where the wire that is played hits something: the collisions that Check knows, as moments of the program. */
+
+import { create } from "zustand";
+import type { ContactReport } from "../../generated/responses";
+import type { Touch } from "../../scene/interface";
+import { useDesign } from "../design/design";
+import { store, stored } from "../window/ui";
+import { isUpToDate, usePlayback, useProgram, useStale } from "./program";
+
+/** A collision, and where in the program it is: its step with the part of it that has passed. */
+export interface PlayedContact extends ContactReport {
+  readonly position: number;
+}
+
+/** Less than a picture shows. */
+const NEAR = 1e-6;
+
+const NONE: readonly PlayedContact[] = [];
+
+/** Of the same answer the same ones. */
+const known = new WeakMap<readonly ContactReport[], readonly PlayedContact[]>();
+
+function played(contacts: readonly ContactReport[]): readonly PlayedContact[] {
+  const before = known.get(contacts);
+  if (before) return before;
+  // The end of a step is the beginning of the next, where it would look like one of that.
+  const all = contacts.map((contact) => ({ ...contact, position: contact.step + Math.min(contact.at, 1 - NEAR) }));
+  const sorted = all.toSorted((a, b) => a.position - b.position);
+  known.set(contacts, sorted);
+  return sorted;
+}
+
+/** Those of all wires of the program; none where they are of another design than it is. */
+function ofProgram(upToDate: boolean): readonly PlayedContact[] {
+  const { collisions, version } = useDesign.getState();
+  if (!collisions || collisions.dragged || collisions.version !== version || !upToDate) return NONE;
+  return played(collisions.found.contacts);
+}
+
+/** Those of the wire that is shown, in their order. */
+const contactsNow = (): readonly PlayedContact[] => {
+  const { wire } = useProgram.getState();
+  return ofProgram(isUpToDate()).filter((contact) => contact.wire === wire);
+};
+
+/** The same for what is drawn anew when they change: of the wire that is shown, and how many the others have. */
+export function useContacts(): { readonly contacts: readonly PlayedContact[]; readonly elsewhere: number } {
+  useDesign(({ collisions }) => collisions);
+  useDesign(({ version }) => version);
+  const wire = useProgram((program) => program.wire);
+  const all = ofProgram(!useStale());
+  const contacts = all.filter((contact) => contact.wire === wire);
+  return { contacts, elsewhere: all.length - contacts.length };
+}
+
+/** The collisions of the step that is under way that have happened at a position, the last one first. */
+export function metAt(contacts: readonly PlayedContact[], position: number): readonly PlayedContact[] {
+  const step = Math.floor(position);
+  return contacts.filter((one) => one.step === step && one.position <= position + NEAR).toReversed();
+}
+
+/** What touches what at the position that is shown. */
+export function touchesNow(): readonly Touch[] {
+  const { played: shown, step } = usePlayback.getState();
+  if (!shown) return [];
+  return metAt(contactsNow(), step).map(({ leg, body }) => ({ leg, body }));
+}
+
+const KEY = "wirebend.stop-at-collisions";
+
+/** Whether playing pauses where the wire hits something. */
+export const useStops = create<{ readonly on: boolean }>()(() => ({ on: stored(KEY) !== "false" }));
+
+export function setStops(on: boolean): void {
+  useStops.setState({ on });
+  store(KEY, String(on));
+}
+
+/** Where playing from one position to another pauses; null where it goes on. */
+export function stopBetween(from: number, to: number): number | null {
+  if (!useStops.getState().on) return null;
+  const next = contactsNow().find(({ position }) => position > from + NEAR && position <= to);
+  return next?.position ?? null;
+}
