@@ -278,7 +278,7 @@ pub enum Fact {
     },
     /// A search has found no program whose wire meets nothing.
     NoClearProgram {
-        /// How many steps were asked about.
+        /// How many steps were checked.
         checks: u64,
         /// Whether every walk of one wire was tried.
         exhausted: bool,

@@ -135,7 +135,7 @@ pub trait PlanObserver {
     /// A stage has been done.
     fn done(&mut self, stage: Stage);
 
-    /// A search has asked about so many steps, of so many at most. Whether it goes on; else it ends with the best that it has.
+    /// A search has checked so many steps, of so many at most. Whether it goes on; else it ends with the best that it has.
     fn searching(&mut self, _checks: u64, _of: u64) -> bool {
         true
     }
@@ -152,7 +152,7 @@ impl<F: FnMut(Stage)> PlanObserver for F {
 pub struct Searched {
     /// Whether wires were found that meet nothing.
     pub found: bool,
-    /// How many steps were asked about.
+    /// How many steps were checked.
     pub checks: u64,
     /// Whether every walk of one wire was tried.
     pub exhausted: bool,

@@ -23,7 +23,7 @@ pub(super) struct Searching<'a> {
 }
 
 /// Wires instead of the first ones.
-pub(super) struct Instead {
+pub(super) struct SearchedWires {
     pub wires: Vec<FoundWire>,
     pub searched: Searched,
 }
@@ -35,7 +35,7 @@ impl Searching<'_> {
         (routes, doubled): (&[Route], &[EdgeId]),
         forced: &[ForcedBend],
         observer: &mut impl PlanObserver,
-    ) -> Option<Instead> {
+    ) -> Option<SearchedWires> {
         let Self { wireframe, component, machine, options } = *self;
         let wanted = options.search.as_ref().filter(|_| !routes.is_empty() && forced.is_empty())?;
         // As in edges that are too short.
@@ -69,7 +69,7 @@ impl Searching<'_> {
             exhausted: outcome.exhausted,
             obstruction: outcome.obstruction,
         };
-        Some(Instead { wires: outcome.best.wires, searched })
+        Some(SearchedWires { wires: outcome.best.wires, searched })
     }
 
     /// Whether a wire meets nothing and has no errors but those that the routes have anyway.

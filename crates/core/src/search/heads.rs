@@ -13,16 +13,16 @@ use super::Bender;
 const SURE: u64 = 1 << 32;
 const ESTIMATED: u64 = 1;
 
-/// How the wire stands about its own axis: how the first bend is made.
+/// How the part is turned about the axis of the wire: how the first bend is made.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Stand {
+pub(super) struct Orientation {
     /// Angle of the head during the first bend, as the schedule counts it.
     pub head: Angle,
     /// Whether that bend goes to the negative side.
     pub flipped: bool,
 }
 
-impl Stand {
+impl Orientation {
     /// How far the part is turned about +x of the machine, beside one whose first bend is made at the reference.
     pub fn turn(self) -> Angle {
         let half = if self.flipped { Angle::HALF_TURN } else { Angle::ZERO };
@@ -74,7 +74,7 @@ pub(super) struct StepQuestion<'a> {
     pub index: usize,
     pub step: Step,
     /// How the first bend is made, where this is it.
-    pub stand: Option<Stand>,
+    pub orientation: Option<Orientation>,
     /// Whether ways that meet something are kept, too.
     pub despite_contacts: bool,
 }
@@ -87,12 +87,14 @@ impl StepQuestion<'_> {
         if self.step.bend == Angle::ZERO {
             return self.fed(before, &feeds);
         }
-        let unflipped = match self.stand {
-            Some(Stand { head, flipped }) => head + if flipped { Angle::HALF_TURN } else { Angle::ZERO },
+        let unflipped = match self.orientation {
+            Some(Orientation { head, flipped }) => {
+                head + if flipped { Angle::HALF_TURN } else { Angle::ZERO }
+            }
             None => (before.unflipped + self.step.rotate).wrapped(),
         };
-        let ways = match self.stand {
-            Some(Stand { head, flipped }) => vec![(head, flipped)],
+        let ways = match self.orientation {
+            Some(Orientation { head, flipped }) => vec![(head, flipped)],
             None => head_angles(unflipped, self.bender.head),
         };
         let cost = BendCost::new(self.step.bend, self.bender.seconds);
@@ -156,8 +158,8 @@ impl StepQuestion<'_> {
         let mut best: Option<(u64, i64, usize)> = None;
         let mut obstacle = feeds.obstacle;
         for (met, spent, k) in ways {
-            let is_out = |found: (u64, i64, usize)| found <= (met, spent, k);
-            if best.is_some_and(is_out) || (met > 0 && !self.despite_contacts) {
+            let cannot_improve = |found: (u64, i64, usize)| found <= (met, spent, k);
+            if best.is_some_and(cannot_improve) || (met > 0 && !self.despite_contacts) {
                 break;
             }
             let from = &before.states[k];

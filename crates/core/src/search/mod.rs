@@ -16,7 +16,7 @@ use crate::route::Route;
 use crate::schedule::{HeadLimits, ScheduledProgram};
 use crate::units::Angle;
 use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
-use heads::Stand;
+use heads::Orientation;
 use rounds::Search;
 
 /// The machine that a program is searched for.
@@ -42,7 +42,7 @@ pub struct Bender<'a> {
 /// What is searched for.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SearchOptions {
-    /// How many steps may be asked about for each number of wires.
+    /// How many steps may be checked for each number of wires.
     pub effort: u64,
     /// Where chance begins.
     pub seed: u64,
@@ -57,7 +57,7 @@ impl Default for SearchOptions {
 }
 
 impl SearchOptions {
-    /// How many steps are asked about at most, one number of wires after the other; fewer where more wires are of no use.
+    /// How many steps are checked at most, one number of wires after the other; fewer where more wires are of no use.
     #[must_use]
     pub fn most_checks(&self) -> u64 {
         self.effort.saturating_mul(ladder(self.max_wires.max(1)).count() as u64)
@@ -127,7 +127,7 @@ pub struct SearchOutcome {
     pub best: Found,
     /// Whether it meets nothing.
     pub is_clear: bool,
-    /// How many steps were asked about.
+    /// How many steps were checked.
     pub checks: u64,
     /// Whether every walk of one wire was tried, with every sign and winding, where more wires were not allowed: the part standing about
     /// the wire in steps of 45°.
@@ -136,7 +136,7 @@ pub struct SearchOutcome {
     pub obstruction: Option<Obstruction>,
 }
 
-/// Searches for wires along all edges of a component that meet nothing while they are bent. `go_on` is told how many steps were
+/// Searches for wires along all edges of a component that meet nothing while they are bent. `should_continue` is told how many steps were
 /// asked about; the search ends where it says no, with the best that there is. `None`: the routes that are there cannot be bent at
 /// all.
 pub fn search(
@@ -145,13 +145,13 @@ pub fn search(
     bender: &Bender,
     task: &SearchTask,
     options: &SearchOptions,
-    mut go_on: impl FnMut(u64) -> bool,
+    mut should_continue: impl FnMut(u64) -> bool,
 ) -> Option<SearchOutcome> {
-    let stands = stands(bender.head, task.keep_routes);
+    let orientations = orientations(bender.head, task.keep_routes);
     let best_of = |route: &Route| {
         let backwards = (!task.keep_routes && task.start.is_none()).then(|| route.reversed());
         let ways = [Some(route.clone()), backwards].into_iter().flatten();
-        let bent = ways.filter_map(|route| wire::bend_route(wireframe, &route, bender, &stands));
+        let bent = ways.filter_map(|route| wire::bend_route(wireframe, &route, bender, &orientations));
         bent.min_by_key(|found| (found.met, found.nanoseconds))
     };
     let first = Found { wires: task.routes.iter().map(best_of).collect::<Option<_>>()? };
@@ -175,7 +175,7 @@ pub fn search(
     let mut attempt = |wires: usize, outcome: &mut SearchOutcome| -> bool {
         let mut search = Search::new((wireframe, component), bender, task, options, wires);
         let before = outcome.checks;
-        let found = search.run(&mut |checks| go_on(before + checks));
+        let found = search.run(&mut |checks| should_continue(before + checks));
         outcome.checks += search.checks;
         outcome.exhausted = search.exhausted && most == 1;
         outcome.obstruction = farther(outcome.obstruction, search.obstruction);
@@ -219,16 +219,16 @@ fn ladder(most: usize) -> impl Iterator<Item = usize> {
 
 /// How a wire may stand about its own axis: with the head at its reference for the first bend, to either side; and where `turned` says
 /// so, turned to the sides, too, as far as the head goes.
-fn stands(limits: &HeadLimits, turned: bool) -> Vec<Stand> {
-    let stand = |(degrees, flipped): (i32, bool)| Stand {
+fn orientations(limits: &HeadLimits, turned: bool) -> Vec<Orientation> {
+    let orientation = |(degrees, flipped): (i32, bool)| Orientation {
         head: Angle::computed(f64::from(degrees).to_radians()),
         flipped,
     };
     let at_reference = [(0, false), (0, true)];
     let aside = [45, -45, 90, -90, 135, -135].map(|degrees| (degrees, false));
     let aside = aside.into_iter().filter(|_| turned);
-    let within = |stand: &Stand| stand.head >= limits.min && stand.head <= limits.max;
-    at_reference.into_iter().chain(aside).map(stand).filter(within).collect()
+    let within = |orientation: &Orientation| orientation.head >= limits.min && orientation.head <= limits.max;
+    at_reference.into_iter().chain(aside).map(orientation).filter(within).collect()
 }
 
 #[cfg(test)]

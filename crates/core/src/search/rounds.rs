@@ -3,10 +3,10 @@
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use super::heads::Stand;
+use super::heads::Orientation;
 use super::trail::Passes;
 use super::walk::Walk;
-use super::{Bender, Found, Obstruction, SearchOptions, SearchTask, farther, stands};
+use super::{Bender, Found, Obstruction, SearchOptions, SearchTask, farther, orientations};
 use crate::route::doubling_weighed;
 use crate::units::Length;
 use crate::wireframe::{Component, EdgeId, Wireframe};
@@ -15,7 +15,7 @@ use crate::wireframe::{Component, EdgeId, Wireframe};
 /// cheapest, the next ones are equally short, and some are longer: a doubled edge costs less than a further wire.
 const SPREADS: [f64; 10] = [0.0, 1e-6, 1e-6, 1e-6, 1e-6, 0.1, 1e-6, 0.3, 1e-6, 0.6];
 
-/// From so many starts and stands at most a round begins; of more, chance takes some.
+/// From so many starts and orientations at most a round begins; of more, chance takes some.
 const MAX_BEGINS: usize = 16;
 
 /// A search for so many wires.
@@ -26,7 +26,7 @@ pub(super) struct Search<'a> {
     pub task: &'a SearchTask<'a>,
     pub options: &'a SearchOptions,
     pub wires: usize,
-    /// How many steps were asked about.
+    /// How many steps were checked.
     pub checks: u64,
     /// Whether every walk was tried.
     pub exhausted: bool,
@@ -56,7 +56,7 @@ impl<'a> Search<'a> {
     }
 
     /// The best wires that it finds: after the first ones it goes on for as long again.
-    pub fn run(&mut self, go_on: &mut impl FnMut(u64) -> bool) -> Option<Found> {
+    pub fn run(&mut self, should_continue: &mut impl FnMut(u64) -> bool) -> Option<Found> {
         let mut rng = ChaCha8Rng::seed_from_u64(self.options.seed);
         let mut best: Option<(Found, Order)> = None;
         let mut until = self.options.effort;
@@ -77,9 +77,10 @@ impl<'a> Search<'a> {
                 let mut walk = Walk::new(self.wireframe, self.bender, &passes, self.wires, &mut rng);
                 let before = self.checks;
                 let noise = f64::from(u32::try_from(round.min(8)).unwrap_or(8)) / 2.0;
-                let found = walk
-                    .descend(begin, noise, &mut |checks| before + checks < until && go_on(before + checks));
-                // Where nothing can be asked at all, it must come to an end, too.
+                let found = walk.descend(begin, noise, &mut |checks| {
+                    before + checks < until && should_continue(before + checks)
+                });
+                // Where nothing can be checked at all, it must come to an end, too.
                 self.checks += walk.checks.max(1);
                 self.obstruction = farther(self.obstruction, walk.obstruction);
                 exhausted &= walk.exhausted;
@@ -92,7 +93,7 @@ impl<'a> Search<'a> {
                         best = Some((found, order));
                     }
                 }
-                if self.checks >= until || !go_on(self.checks) {
+                if self.checks >= until || !should_continue(self.checks) {
                     return best.map(|(found, _)| found);
                 }
             }
@@ -122,13 +123,20 @@ impl<'a> Search<'a> {
     }
 
     /// Where wires may begin and how they stand, in an order of chance; and whether these are all.
-    fn begins(&self, passes: &Passes, turned: bool, rng: &mut ChaCha8Rng) -> (Vec<(usize, Stand)>, bool) {
+    fn begins(
+        &self,
+        passes: &Passes,
+        turned: bool,
+        rng: &mut ChaCha8Rng,
+    ) -> (Vec<(usize, Orientation)>, bool) {
         let none = vec![false; passes.all.len()];
         let chosen = self.task.start.and_then(|start| passes.vertices.binary_search(&start).ok());
         let starts = chosen.map_or_else(|| passes.starts(&none), |start| vec![start]);
-        let stands = stands(self.bender.head, turned);
-        let mut begins: Vec<(usize, Stand)> =
-            stands.into_iter().flat_map(|stand| starts.iter().map(move |&start| (start, stand))).collect();
+        let orientations = orientations(self.bender.head, turned);
+        let mut begins: Vec<(usize, Orientation)> = orientations
+            .into_iter()
+            .flat_map(|orientation| starts.iter().map(move |&start| (start, orientation)))
+            .collect();
         for k in (1..begins.len()).rev() {
             begins.swap(k, rng.random_range(0..=k));
         }

@@ -2,7 +2,7 @@ use nalgebra::{Isometry3, Vector3};
 use proptest::prelude::*;
 use wirebend_collide::Solid;
 
-use super::heads::Stand;
+use super::heads::Orientation;
 use super::trail::Passes;
 use super::*;
 use crate::bend::{Step, program_of_path};
@@ -222,7 +222,7 @@ proptest! {
     fn the_search_and_the_check_agree(
         turns in prop::collection::vec((30.0_f64..80.0, -170.0_f64..170.0, 20.0_f64..120.0), 2..6),
         flips in prop::collection::vec(any::<bool>(), 6),
-        stand in prop::sample::select(vec![0.0, 90.0, -45.0]),
+        orientation in prop::sample::select(vec![0.0, 90.0, -45.0]),
     ) {
         let mut steps: Vec<Step> = turns
             .iter()
@@ -245,7 +245,7 @@ proptest! {
         let wire = StockWire { diameter: mm(3.0), bend_radius: mm(3.0), tail: mm(400.0), margin: Length::ZERO };
         // A schedule: each bend to a side, with the head as near to zero as that allows.
         let bends: Vec<usize> = (0..program.steps.len()).filter(|&k| program.steps[k].bend != Angle::ZERO).collect();
-        let mut unflipped = deg(stand);
+        let mut unflipped = deg(orientation);
         let mut chosen = Vec::new();
         for (k, &step) in bends.iter().enumerate() {
             if k > 0 {
@@ -259,7 +259,7 @@ proptest! {
         let begins = scheduled_start(start, &scheduled.steps);
         let mut whole = Clearance::new((begins, &scheduled.steps), None, passages.clone(), wire, &machine.bodies, bend);
         let (first_head, first_flipped) = chosen[0];
-        let first = Stand { head: first_head, flipped: first_flipped };
+        let first = Orientation { head: first_head, flipped: first_flipped };
         let parts = Clearance::new((start, &program.steps), None, passages, wire, &machine.bodies, bend)
             .turned(first.turn());
         let mut head = Angle::ZERO;
@@ -310,8 +310,10 @@ fn no_other_choice_of_signs_and_windings_is_better() {
         turns + steps.iter().map(|step| bend_seconds(step.bend)).sum::<f64>()
     };
     let (mut tried, mut clear) = (0, 0);
-    let mut choices: Vec<Vec<(Angle, bool)>> =
-        stands(&machine.head, true).iter().map(|stand| vec![(stand.head, stand.flipped)]).collect();
+    let mut choices: Vec<Vec<(Angle, bool)>> = orientations(&machine.head, true)
+        .iter()
+        .map(|orientation| vec![(orientation.head, orientation.flipped)])
+        .collect();
     while let Some(chosen) = choices.pop() {
         if chosen.len() < bends.len() {
             let half = |flipped: bool| if flipped { Angle::HALF_TURN } else { Angle::ZERO };

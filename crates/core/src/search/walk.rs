@@ -6,7 +6,7 @@
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
-use super::heads::Stand;
+use super::heads::Orientation;
 use super::trail::Passes;
 use super::wire::{Blocked, OpenWire};
 use super::{Bender, Found, FoundWire, Obstruction};
@@ -52,7 +52,7 @@ pub(super) struct Walk<'a> {
     rng: &'a mut ChaCha8Rng,
     /// How much chance there is in the order of moves.
     noise: f64,
-    /// How many steps were asked about.
+    /// How many steps were checked.
     pub checks: u64,
     /// Whether all trails from the start were looked at, and none is possible.
     pub exhausted: bool,
@@ -71,7 +71,7 @@ impl<'a> Walk<'a> {
         wires: usize,
         rng: &'a mut ChaCha8Rng,
     ) -> Self {
-        let stand = Stand { head: Angle::ZERO, flipped: false };
+        let orientation = Orientation { head: Angle::ZERO, flipped: false };
         Self {
             wireframe,
             bender,
@@ -79,7 +79,7 @@ impl<'a> Walk<'a> {
             wires,
             used: vec![false; passes.all.len()],
             count: 0,
-            wire: OpenWire::new(0, stand),
+            wire: OpenWire::new(0, orientation),
             finished: Vec::new(),
             rng,
             noise: 0.0,
@@ -89,22 +89,22 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// Looks for a trail from a start until it has found one, comes into too many dead ends, or `go_on` says no; it is told how
-    /// many steps were asked about.
+    /// Looks for a trail from a start until it has found one, comes into too many dead ends, or `should_continue` says no; it is told how
+    /// many steps were checked.
     pub fn descend(
         &mut self,
-        (start, stand): (usize, Stand),
+        (start, orientation): (usize, Orientation),
         noise: f64,
-        go_on: &mut impl FnMut(u64) -> bool,
+        should_continue: &mut impl FnMut(u64) -> bool,
     ) -> Option<Found> {
         self.used.fill(false);
         (self.count, self.noise) = (0, noise);
-        self.wire = OpenWire::new(start, stand);
+        self.wire = OpenWire::new(start, orientation);
         self.finished.clear();
         let mut dead_ends = 0;
         let mut nodes = vec![Node { taken: None, untried: self.moves() }];
         while let Some(node) = nodes.last_mut() {
-            if !go_on(self.checks) {
+            if !should_continue(self.checks) {
                 return None;
             }
             let Some(next) = node.untried.pop() else {
@@ -174,7 +174,7 @@ impl<'a> Walk<'a> {
                 };
                 self.finished.push(found);
                 let flipped = self.rng.random::<bool>();
-                self.wire = OpenWire::new(vertex, Stand { flipped, ..before.stand });
+                self.wire = OpenWire::new(vertex, Orientation { flipped, ..before.orientation });
                 Some(Taken { what, settled: 0, before: Some(before) })
             }
         }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::heads::{Layer, Stand, StepQuestion, scheduled};
+use super::heads::{Layer, Orientation, StepQuestion, scheduled};
 use super::trail::{Pass, Passes};
 use super::{Bender, FoundWire};
 use crate::bend::{NominalProgram, program_of_path};
@@ -15,7 +15,7 @@ use crate::wireframe::Wireframe;
 #[derive(Debug, Clone)]
 pub(super) struct OpenWire {
     pub start: usize,
-    pub stand: Stand,
+    pub orientation: Orientation,
     /// The passes that it has run along, each with the vertex where that begins.
     pub walked: Vec<(usize, usize)>,
     /// The ways to make each step, as far as they are settled.
@@ -32,8 +32,8 @@ pub(super) struct Blocked {
 }
 
 impl OpenWire {
-    pub const fn new(start: usize, stand: Stand) -> Self {
-        Self { start, stand, walked: Vec::new(), layers: Vec::new() }
+    pub const fn new(start: usize, orientation: Orientation) -> Self {
+        Self { start, orientation, walked: Vec::new(), layers: Vec::new() }
     }
 
     /// The vertex where it is.
@@ -53,14 +53,16 @@ impl OpenWire {
         despite_contacts: bool,
     ) -> Result<(), Blocked> {
         let route = self.route(passes);
-        let Some(laid) = Laid::new(wireframe, &route.traversals, bender, self.stand, still_to_come) else {
+        let Some(trial) =
+            TrialWire::new(wireframe, &route.traversals, bender, self.orientation, still_to_come)
+        else {
             return Ok(());
         };
-        let steps = laid.program.steps.len();
+        let steps = trial.program.steps.len();
         let until = if ends { steps } else { (steps - 1).saturating_sub(usize::from(goes_straight_on)) };
         for index in self.layers.len()..until {
             let before = self.layers.last().cloned().unwrap_or_else(Layer::first);
-            let layer = laid.question(bender, self.stand, index, despite_contacts).after(&before);
+            let layer = trial.question(bender, self.orientation, index, despite_contacts).after(&before);
             if layer.states.is_empty() {
                 return Err(Blocked { step: index, obstacle: layer.obstacle });
             }
@@ -91,19 +93,19 @@ impl OpenWire {
 }
 
 /// A route with a program and what is in the machine while it runs.
-struct Laid<'a> {
+struct TrialWire<'a> {
     program: NominalProgram,
     clearance: Clearance<'a>,
     first_bend: usize,
 }
 
-impl<'a> Laid<'a> {
+impl<'a> TrialWire<'a> {
     /// None where the route has no program.
     fn new(
         wireframe: &Wireframe,
         traversals: &[Traversal],
         bender: &Bender<'a>,
-        stand: Stand,
+        orientation: Orientation,
         still_to_come: Length,
     ) -> Option<Self> {
         let (start, program) = program_of_path(&path(wireframe, traversals), bender.straight).ok()?;
@@ -112,13 +114,13 @@ impl<'a> Laid<'a> {
         let clearance =
             Clearance::new((start, &program.steps), None, passages, wire, bender.bodies, bender.bend);
         let first_bend = program.steps.iter().position(|step| step.bend != Angle::ZERO).unwrap_or(usize::MAX);
-        Some(Self { clearance: clearance.turned(stand.turn()), program, first_bend })
+        Some(Self { clearance: clearance.turned(orientation.turn()), program, first_bend })
     }
 
     fn question<'b>(
         &'b self,
         bender: &'b Bender<'b>,
-        stand: Stand,
+        orientation: Orientation,
         index: usize,
         despite_contacts: bool,
     ) -> StepQuestion<'b> {
@@ -127,7 +129,7 @@ impl<'a> Laid<'a> {
             clearance: &self.clearance,
             index,
             step: self.program.steps[index],
-            stand: (index == self.first_bend).then_some(stand),
+            orientation: (index == self.first_bend).then_some(orientation),
             despite_contacts,
         }
     }
@@ -138,18 +140,18 @@ pub(super) fn bend_route(
     wireframe: &Wireframe,
     route: &Route,
     bender: &Bender,
-    stands: &[Stand],
+    orientations: &[Orientation],
 ) -> Option<FoundWire> {
-    let bend = |&stand: &Stand| {
-        let laid = Laid::new(wireframe, &route.traversals, bender, stand, Length::ZERO)?;
+    let bend = |&orientation: &Orientation| {
+        let trial = TrialWire::new(wireframe, &route.traversals, bender, orientation, Length::ZERO)?;
         let mut layers: Vec<Layer> = Vec::new();
-        for index in 0..laid.program.steps.len() {
+        for index in 0..trial.program.steps.len() {
             let before = layers.last().cloned().unwrap_or_else(Layer::first);
-            layers.push(laid.question(bender, stand, index, true).after(&before));
+            layers.push(trial.question(bender, orientation, index, true).after(&before));
         }
-        found(&laid.program, route.clone(), &layers)
+        found(&trial.program, route.clone(), &layers)
     };
-    stands.iter().filter_map(bend).min_by_key(|found| (found.met, found.nanoseconds))
+    orientations.iter().filter_map(bend).min_by_key(|found| (found.met, found.nanoseconds))
 }
 
 fn found(program: &NominalProgram, route: Route, layers: &[Layer]) -> Option<FoundWire> {

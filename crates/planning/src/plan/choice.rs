@@ -2,6 +2,7 @@
 
 use wirebend_core::plan::DoublingChoice;
 use wirebend_core::route::{Share, doublings, share_out};
+use wirebend_core::search::SearchOptions;
 use wirebend_core::wireframe::{Component, EdgeId, VertexId};
 use wirebend_files::document::Document;
 
@@ -108,6 +109,16 @@ pub(super) fn doubling_choice(
         return DoublingChoice::Cheapest;
     }
     DoublingChoice::Accepted(accepted)
+}
+
+/// How to search, where that is wanted. Where a number of wires is chosen, a part of the design has no more than its share.
+pub(super) fn search_options(choices: &PlanChoices, share: usize) -> Option<SearchOptions> {
+    let usual = SearchOptions::default();
+    choices.avoid_collisions.then(|| SearchOptions {
+        effort: choices.search_effort.map_or(usual.effort, u64::from),
+        seed: choices.search_seed.unwrap_or(usual.seed),
+        max_wires: if choices.wires.is_some() || share > 1 { share } else { usual.max_wires },
+    })
 }
 
 #[cfg(test)]

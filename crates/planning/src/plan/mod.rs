@@ -1,6 +1,7 @@
 //! `check` and `plan`: a design through the whole pipeline.
 
 mod choice;
+mod observed;
 mod wire;
 
 use std::collections::BTreeMap;
@@ -10,8 +11,7 @@ use std::time::Instant;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_core::checks::{Design, Diagnostic, check_design};
-use wirebend_core::plan::{PlanObserver, PlanOptions, Stage, WirePlan, plan_wires};
-use wirebend_core::search::SearchOptions;
+use wirebend_core::plan::{PlanOptions, WirePlan, plan_wires};
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::{Component, VertexId};
 use wirebend_error::{ErrorRemedy, InputName};
@@ -25,7 +25,8 @@ use crate::report::{DiagnosticReport, NoteReport, PlanReport, SagReport, WireRep
 use crate::stage::StageName;
 use crate::{Installation, PlanningError, Progress, text};
 pub use choice::wires_of_parts;
-use choice::{Replaced, WireChoice, doubling_choice, start_in};
+use choice::{Replaced, WireChoice, doubling_choice, search_options, start_in};
+use observed::Observed;
 
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 pub struct CheckRequest {
@@ -190,7 +191,7 @@ impl Installation {
                 settled: settled.clone(),
             };
             let mut took = BTreeMap::new();
-            let observer = Observed { progress, took: &mut took, last: Instant::now(), searching: false };
+            let observer = Observed::new(progress, &mut took);
             let plans = plan_wires(&document.wireframe, component, &setup.model, &options, observer);
             progress.stage("planning");
             // Of several wires of a component, the first has the times of all.
@@ -206,40 +207,6 @@ impl Installation {
             wire.diagnostics.sort_by_key(|diagnostic| diagnostic.severity);
         }
         Ok(Planned { opened, setup, components: components.len(), wires, timings, design })
-    }
-}
-
-/// How to search, where that is wanted. Where a number of wires is chosen, a part of the design has no more than its share.
-fn search_options(choices: &PlanChoices, share: usize) -> Option<SearchOptions> {
-    let usual = SearchOptions::default();
-    choices.avoid_collisions.then(|| SearchOptions {
-        effort: choices.search_effort.map_or(usual.effort, u64::from),
-        seed: choices.search_seed.unwrap_or(usual.seed),
-        max_wires: if choices.wires.is_some() || share > 1 { share } else { usual.max_wires },
-    })
-}
-
-/// What a plan tells of itself: progress, and what each stage took.
-struct Observed<'a> {
-    progress: &'a dyn Progress,
-    /// ms.
-    took: &'a mut BTreeMap<&'static str, f64>,
-    last: Instant,
-    searching: bool,
-}
-
-impl PlanObserver for Observed<'_> {
-    fn done(&mut self, stage: Stage) {
-        *self.took.entry(stage_name(stage)).or_default() += self.last.elapsed().as_secs_f64() * 1000.0;
-        self.last = Instant::now();
-    }
-
-    fn searching(&mut self, checks: u64, of: u64) -> bool {
-        if !std::mem::replace(&mut self.searching, true) {
-            self.progress.stage("searching for a program without collisions");
-        }
-        self.progress.advance(checks, of);
-        true
     }
 }
 
@@ -267,19 +234,6 @@ fn estimated_springback(setup: &Setup) -> Option<NoteReport> {
         message: format!("the springback of {} is an estimate and was not measured", setup.material_id()),
         remedies: vec![ErrorRemedy::BendTestPiece],
     })
-}
-
-const fn stage_name(stage: Stage) -> &'static str {
-    match stage {
-        Stage::Doubling => "doubling",
-        Stage::Route => "route",
-        Stage::Program => "program",
-        Stage::Schedule => "schedule",
-        Stage::Compensate => "compensate",
-        Stage::Search => "search",
-        Stage::Contacts => "contacts",
-        Stage::Check => "check",
-    }
 }
 
 impl Planned {
