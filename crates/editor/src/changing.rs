@@ -2,9 +2,9 @@
 
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::{Delta, EdgeId, VertexId};
-use wirebend_files::document::{Document, DocumentChange, ProfileSnapshot, WireCount};
+use wirebend_files::document::{Document, DocumentChange, ProfileSnapshot, Walk, WireCount};
 
-use super::EditRequest;
+use super::{ChosenWalk, EditRequest};
 use crate::EditorError;
 use wirebend_planning::Installation;
 use wirebend_planning::design::default_weld_mm;
@@ -25,31 +25,36 @@ pub(super) fn change(
         }
         return Ok(Some(DocumentChange::of_edit(document, delta)));
     }
+    // Walks that were chosen are for the wires as they were.
+    let anew = |change: Option<DocumentChange>| {
+        change.and_then(|change| both(Some(change), document.set_walks(Vec::new())))
+    };
     Ok(match request {
         EditRequest::Doublings { edges } => {
             let missing = edges.iter().find(|&&edge| document.wireframe.edge(EdgeId(edge)).is_none());
             if let Some(&edge) = missing {
                 return Err(EditorError::NoEdge(edge));
             }
-            document.set_doublings(edges.iter().copied().map(EdgeId).collect())
+            anew(document.set_doublings(edges.iter().copied().map(EdgeId).collect()))
         }
         EditRequest::Start { vertex } => {
             let start = vertex.map(VertexId);
             if let Some(missing) = start.filter(|&id| document.wireframe.vertex(id).is_none()) {
                 return Err(EditorError::NoVertex(missing.0));
             }
-            document.set_start(start)
+            anew(document.set_start(start))
         }
         EditRequest::Wires { wires } => {
             let wires = WireCount::new(*wires).ok_or(EditorError::NoWires)?;
             let closed = document.set_closed(false).filter(|_| wires != WireCount::default());
-            both(document.set_wires(wires), closed)
+            anew(both(document.set_wires(wires), closed))
         }
         EditRequest::Closed { closed } => {
             let wires = document.set_wires(WireCount::default()).filter(|_| *closed);
-            both(document.set_closed(*closed), wires)
+            anew(both(document.set_closed(*closed), wires))
         }
-        EditRequest::Reversed { reversed } => document.set_reversed(*reversed),
+        EditRequest::Reversed { reversed } => anew(document.set_reversed(*reversed)),
+        EditRequest::Walks { walks } => document.set_walks(walks_of(document, walks)?),
         EditRequest::Machine { machine, material } => {
             let (machine, material) = snapshots(&app.setup(machine, material.as_deref())?)?;
             both(document.set_machine(machine), document.set_material(material))
@@ -60,6 +65,21 @@ pub(super) fn change(
         EditRequest::Several { edits, .. } => Some(several(document, app, edits)?),
         _ => None,
     })
+}
+
+/// Walks whose vertices and edges are all there.
+fn walks_of(document: &Document, walks: &[ChosenWalk]) -> Result<Vec<Walk>, EditorError> {
+    let wireframe = &document.wireframe;
+    let walk = |ChosenWalk { start, edges }: &ChosenWalk| {
+        if wireframe.vertex(VertexId(*start)).is_none() {
+            return Err(EditorError::NoVertex(*start));
+        }
+        if let Some(&missing) = edges.iter().find(|&&edge| wireframe.edge(EdgeId(edge)).is_none()) {
+            return Err(EditorError::NoEdge(missing));
+        }
+        Ok(Walk { start: VertexId(*start), edges: edges.iter().copied().map(EdgeId).collect() })
+    };
+    walks.iter().map(walk).collect()
 }
 
 fn both(one: Option<DocumentChange>, other: Option<DocumentChange>) -> Option<DocumentChange> {
@@ -94,6 +114,7 @@ fn several(
         document.set_wires(last.wires),
         document.set_closed(last.closed),
         document.set_reversed(last.reversed),
+        document.set_walks(last.walks),
         document.set_pins(last.pins),
         document.set_notes(last.notes),
         document.set_units(last.units),

@@ -102,6 +102,7 @@ impl Editor {
             wires,
             closed,
             reversed,
+            walks,
             pins,
             notes,
             units,
@@ -117,6 +118,7 @@ impl Editor {
             wires: *wires,
             closed: *closed,
             reversed: *reversed,
+            walks: walks.clone(),
             pins: pins.clone(),
             notes: notes.clone(),
             units: *units,
@@ -142,6 +144,7 @@ impl Editor {
             wires: self.document.wires,
             closed: self.document.closed,
             reversed: self.document.reversed,
+            walks: self.document.walks.clone(),
             ..Document::new(self.document.wireframe.clone())
         }
     }

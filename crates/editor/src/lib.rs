@@ -30,7 +30,7 @@ pub use edit_journal::Unsaved;
 pub use error::EditorError;
 pub use fixes::{Fix, FixChange, FixPreview};
 use history::{Done, History};
-pub use request::{EditRequest, MergePlace, PastedVertex, Placed};
+pub use request::{ChosenWalk, EditRequest, MergePlace, PastedVertex, Placed};
 pub use view::{DesignState, DesignView, EdgeView, VertexView, ViewChange};
 
 use wirebend_planning::design::{DesignInput, Opened};

@@ -2,6 +2,7 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use wirebend_files::document::Walk;
 use wirebend_files::read::LengthUnit;
 
 /// A change that a person asks for. Lengths in mm, vertices and edges by their ids.
@@ -127,6 +128,9 @@ pub enum EditRequest {
     Closed { closed: bool },
     /// Runs the wire the other way, or not.
     Reversed { reversed: bool },
+    /// Takes walks for the wires, one each, instead of finding them anew; none: they are found anew. Their bends are made to the sides with
+    /// which the wire hits least.
+    Walks { walks: Vec<ChosenWalk> },
     /// Another machine, and the wire in it; none: the one that the machine's profile names.
     Machine {
         /// Its id.
@@ -147,6 +151,22 @@ pub enum EditRequest {
         /// The changes; each finds the design as the ones before it have left it.
         edits: Vec<EditRequest>,
     },
+}
+
+/// The way of one wire along the edges.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ChosenWalk {
+    /// The vertex where it starts.
+    pub start: u32,
+    /// The edges in the order in which it runs along them.
+    pub edges: Vec<u32>,
+}
+
+impl From<&Walk> for ChosenWalk {
+    fn from(walk: &Walk) -> Self {
+        Self { start: walk.start.0, edges: walk.edges.iter().map(|id| id.0).collect() }
+    }
 }
 
 /// A vertex of a piece.

@@ -79,6 +79,7 @@ impl EditRequest {
             | Self::Wires { .. }
             | Self::Closed { .. }
             | Self::Reversed { .. }
+            | Self::Walks { .. }
             | Self::Machine { .. }
             | Self::Notes { .. }
             | Self::Units { .. }
@@ -123,6 +124,7 @@ impl EditRequest {
             Self::Wires { .. } => "number of wires".to_owned(),
             Self::Closed { .. } => "closed wire".to_owned(),
             Self::Reversed { .. } => "direction of the wire".to_owned(),
+            Self::Walks { .. } => "order of the bends".to_owned(),
             Self::Machine { .. } => "machine".to_owned(),
             Self::Notes { .. } => "notes".to_owned(),
             Self::Units { .. } => "units".to_owned(),

@@ -7,7 +7,7 @@ use wirebend_error::ProblemReport;
 use wirebend_files::document::DocumentChange;
 use wirebend_files::read::LengthUnit;
 
-use super::Editor;
+use super::{ChosenWalk, Editor};
 
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct VertexView {
@@ -58,6 +58,8 @@ pub struct DesignState {
     pub closed: bool,
     /// Whether the wire runs the other way.
     pub reversed: bool,
+    /// The walks that were chosen, one for each wire; empty where they are found anew.
+    pub walks: Vec<ChosenWalk>,
     /// Remarks on the whole.
     pub notes: String,
     /// The unit that lengths are shown in.
@@ -128,6 +130,7 @@ impl Editor {
             wires: document.wires.get(),
             closed: document.closed,
             reversed: document.reversed,
+            walks: document.walks.iter().map(ChosenWalk::from).collect(),
             notes: document.notes.clone(),
             units: document.units,
             next: [next.vertex, next.edge],

@@ -6,6 +6,10 @@ pub trait Progress {
     fn stage(&self, name: &str);
     /// So many of so many things are done.
     fn advance(&self, done: u64, of: u64);
+    /// Whether a search goes on; else it ends with the best that it has.
+    fn goes_on(&self) -> bool {
+        true
+    }
 }
 
 /// Hears nothing.

@@ -74,9 +74,9 @@ impl Opened {
     }
 
     /// The walk of the program, where it is to be kept.
-    pub fn settled(&self, choices: &PlanChoices) -> Result<Option<Route>, PlanningError> {
+    pub fn settled(&self, choices: &PlanChoices) -> Result<Vec<Route>, PlanningError> {
         if !choices.keep_order {
-            return Ok(None);
+            return Ok(Vec::new());
         }
         let given = [
             (InputName::Double, choices.double),
@@ -93,7 +93,7 @@ impl Opened {
         }
         let order = self.program.as_ref().map(|program| &program.order);
         let walk = order.and_then(|order| Route::through(&self.document.wireframe, order));
-        walk.map(Some).ok_or_else(|| PlanningError::NoOrder { name: self.name.clone() })
+        walk.map(|walk| vec![walk]).ok_or_else(|| PlanningError::NoOrder { name: self.name.clone() })
     }
 }
 

@@ -88,3 +88,15 @@ it("plays through where a person does not want it to stop, and goes to a collisi
       .waitFor();
   }
 });
+
+it("takes an order of the bends that hits nothing, keeps it with the design, and gives it up again", async () => {
+  await editor.take("house", "edit", "animate");
+  await animate().getByRole("button", { name: "Avoid collisions" }).click();
+  await animate().getByText("No collision found.").waitFor();
+  expect((await editor.design()).state.walks).toHaveLength(1);
+  const edit = editor.section("edit");
+  await edit.getByText("The order of the bends is chosen").waitFor();
+  await editor.isClean("collisions-avoided");
+  await edit.getByRole("button", { name: "Choose automatically" }).click();
+  await animate().getByRole("button", { name: "Avoid collisions" }).waitFor();
+});

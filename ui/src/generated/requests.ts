@@ -206,6 +206,10 @@ export type EditRequest =
       reversed: boolean;
     }
   | {
+      edit: "walks";
+      walks: ChosenWalk[];
+    }
+  | {
       edit: "machine";
       /**
        * Its id.
@@ -610,6 +614,19 @@ export interface Placed {
    */
   at_mm: [number, number, number];
   vertex: number;
+}
+/**
+ * The way of one wire along the edges.
+ */
+export interface ChosenWalk {
+  /**
+   * The edges in the order in which it runs along them.
+   */
+  edges: number[];
+  /**
+   * The vertex where it starts.
+   */
+  start: number;
 }
 /**
  * Asks for the examples.

@@ -1014,6 +1014,10 @@ export type EditRequest =
       reversed: boolean;
     }
   | {
+      edit: "walks";
+      walks: ChosenWalk[];
+    }
+  | {
       edit: "machine";
       /**
        * Its id.
@@ -2350,9 +2354,26 @@ export interface DesignState {
    */
   unkept: ProblemReport | null;
   /**
+   * The walks that were chosen, one for each wire; empty where they are found anew.
+   */
+  walks: ChosenWalk[];
+  /**
    * How many wires there may be.
    */
   wires: number;
+}
+/**
+ * The way of one wire along the edges.
+ */
+export interface ChosenWalk {
+  /**
+   * The edges in the order in which it runs along them.
+   */
+  edges: number[];
+  /**
+   * The vertex where it starts.
+   */
+  start: number;
 }
 export interface VertexView {
   /**

@@ -16,6 +16,7 @@ export const designState = (given: Partial<DesignState> = {}): DesignState => ({
   notes: "",
   redo: null,
   reversed: false,
+  walks: [],
   start: null,
   stencil: null,
   undo: null,

@@ -41,7 +41,7 @@ const ORDER: &[(&str, &str)] = &[
         "text report stage progress error output installation signs drivers bodies machine contacts job choices program design stencil \
          turning_back plan compare wires catalogue import picture export dump profiles playback collisions simulate",
     ),
-    ("crates/editor", "view request error history edit_journal resolving changing check collisions fixes"),
+    ("crates/editor", "request view error history edit_journal resolving changing check collisions fixes"),
     (
         "crates/operation",
         "event phase order error front_end runs live ports machine_settings simulate run by_hand operator",

@@ -88,8 +88,10 @@ pub struct PlanOptions {
     /// How to search for wires that meet nothing while they are bent; none where the first ones will do. Where a walk is settled,
     /// signs and windings alone are searched.
     pub search: Option<SearchOptions>,
-    /// The walk, where it is settled: no other is looked for, and no edge is doubled but those that it passes again.
-    pub settled: Option<Route>,
+    /// The walks, where they are settled: no others are looked for, and no edge is doubled but those that they pass again.
+    pub settled: Vec<Route>,
+    /// Whether of settled walks those sides and windings of bends are taken with which the wire meets least, instead of the fastest.
+    pub clear_sides: bool,
 }
 
 impl Default for PlanOptions {
@@ -104,7 +106,8 @@ impl Default for PlanOptions {
             reversed: false,
             contacts: None,
             search: None,
-            settled: None,
+            settled: Vec::new(),
+            clear_sides: false,
         }
     }
 }
@@ -251,10 +254,12 @@ pub fn plan_wires(
     if let Some(found) = search.find((&routes, &doubled), &forced, &mut observer) {
         refusals.extend(search.finding(&found.searched));
         (routes, schedules) = found.wires.into_iter().map(|wire| (wire.route, wire.scheduled)).unzip();
-        doubled = searching::doubled(&routes);
+        doubled = routing::repeated(&routes);
         proposal = search.proposal(routes.len()).unwrap_or(proposal);
         searched = Some(found.searched);
         observer.done(Stage::Search);
+    } else if options.clear_sides {
+        schedules = search.clear_sides(&routes).unwrap_or_default();
     }
     let mut done = |stage| observer.done(stage);
     let stages = Stages {

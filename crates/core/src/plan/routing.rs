@@ -1,5 +1,7 @@
 //! From what was chosen to routes, or to why there is none.
 
+use std::collections::BTreeSet;
+
 use super::{DoublingChoice, Machine, PlanOptions, Stage};
 use crate::checks::{Diagnostic, Fact, Location, Remedy, Severity};
 use crate::route::{
@@ -42,10 +44,10 @@ pub(super) fn find(
         Ok(proposal) => found.proposal = proposal,
         Err(error) => found.refusals.push(refusal(error, None)),
     }
-    found.doubled = match (&options.settled, &options.doubling) {
-        (Some(settled), _) => again(settled),
-        (None, DoublingChoice::Accepted(edges)) => edges.clone(),
-        (None, DoublingChoice::Cheapest) => found.proposal.edges.clone(),
+    found.doubled = match &options.doubling {
+        _ if !options.settled.is_empty() => repeated(&options.settled),
+        DoublingChoice::Accepted(edges) => edges.clone(),
+        DoublingChoice::Cheapest => found.proposal.edges.clone(),
     };
     done(Stage::Doubling);
     if found.refusals.is_empty() {
@@ -70,7 +72,7 @@ fn search(
         closed: options.closed,
         max_bend,
     };
-    if options.detours && options.settled.is_none() {
+    if options.detours && options.settled.is_empty() {
         wanted.doubled.extend(detours(wireframe, component, &wanted));
         found.doubled.clone_from(&wanted.doubled);
     }
@@ -95,7 +97,7 @@ pub(super) fn proposal(
     component: &Component,
     options: &PlanOptions,
 ) -> Result<Doubling, RouteError> {
-    if options.settled.is_some() {
+    if !options.settled.is_empty() {
         return Ok(Doubling::default());
     }
     if options.closed || options.wires < 2 {
@@ -107,7 +109,13 @@ pub(super) fn proposal(
 
 /// How many vertices may be odd.
 pub(super) const fn allowed(options: &PlanOptions) -> usize {
-    if options.closed { 0 } else { 2 * options.wires }
+    if !options.settled.is_empty() {
+        2 * options.settled.len()
+    } else if options.closed {
+        0
+    } else {
+        2 * options.wires
+    }
 }
 
 /// The largest bend that the machine makes of this wire, to whichever side.
@@ -124,6 +132,13 @@ fn detours(wireframe: &Wireframe, component: &Component, wanted: &RouteOptions) 
     forced.into_iter().filter_map(|bend| bend.detour).flat_map(|detour| detour.edges).collect()
 }
 
+/// The edges that wires together pass more than once, as often as beyond the first time.
+pub(super) fn repeated(routes: &[Route]) -> Vec<EdgeId> {
+    let mut passed = BTreeSet::new();
+    let all = routes.iter().flat_map(|route| &route.traversals);
+    all.filter(|traversal| !passed.insert(traversal.edge)).map(|traversal| traversal.edge).collect()
+}
+
 /// The edges that a walk passes once more.
 pub(super) fn again(walk: &Route) -> Vec<EdgeId> {
     let traversals = walk.traversals.iter();
@@ -136,9 +151,10 @@ fn find_routes(
     wanted: &RouteOptions,
     options: &PlanOptions,
 ) -> Result<Routes, RouteError> {
-    let mut found = match &options.settled {
-        Some(settled) => Routes { routes: vec![settled.clone()], forced: Vec::new() },
-        None => routes(wireframe, component, wanted)?,
+    let mut found = if options.settled.is_empty() {
+        routes(wireframe, component, wanted)?
+    } else {
+        Routes { routes: options.settled.clone(), forced: Vec::new() }
     };
     if options.reversed {
         found.routes = found.routes.iter().map(Route::reversed).collect();

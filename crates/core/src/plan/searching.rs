@@ -10,8 +10,8 @@ use crate::checks::{Code, Diagnostic, Fact, Location, Remedy, Severity};
 use crate::clearance::Obstacle;
 use crate::route::{Doubling, ForcedBend, Route};
 use crate::schedule::ScheduledProgram;
-use crate::search::{Bender, FoundWire, Obstruction, SearchTask, search};
-use crate::units::Length;
+use crate::search::{Bender, FoundWire, Obstruction, SearchTask, bend_route, search};
+use crate::units::{Angle, Length};
 use crate::wireframe::{Component, EdgeId, Wireframe};
 
 /// A search for the wires of a component.
@@ -38,18 +38,11 @@ impl Searching<'_> {
     ) -> Option<SearchedWires> {
         let Self { wireframe, component, machine, options } = *self;
         let wanted = options.search.as_ref().filter(|_| !routes.is_empty() && forced.is_empty())?;
+        let seconds = |bend| bend_seconds(machine, bend);
         // As in edges that are too short.
         let anyway = routes.iter().flat_map(|route| errors(&self.planned(route, None, None))).collect();
-        let bender = Bender {
-            head: &machine.head,
-            bend: &machine.compensation.bend,
-            bodies: &machine.bodies,
-            wire: contacts::stock_wire(machine, self.margin()),
-            straight: machine.straight,
-            max_bend: routing::largest_bend(machine),
-            seconds: &|bend| bend_seconds(machine, bend),
-            accepts: &|route, scheduled| self.accepts(route, scheduled, &anyway),
-        };
+        let accepts = |route: &Route, scheduled: &ScheduledProgram| self.accepts(route, scheduled, &anyway);
+        let bender = self.bender(&seconds, &accepts);
         // Detours are around bends that no other doubling avoids.
         let is_free = options.doubling == DoublingChoice::Cheapest && !options.detours;
         let doubled = (!is_free).then_some(doubled);
@@ -58,7 +51,7 @@ impl Searching<'_> {
             doubled,
             start: options.start,
             closed: options.closed,
-            keep_routes: options.settled.is_some(),
+            keep_routes: !options.settled.is_empty(),
         };
         let most = if options.closed { wanted.effort } else { wanted.most_checks() };
         let outcome =
@@ -70,6 +63,32 @@ impl Searching<'_> {
             obstruction: outcome.obstruction,
         };
         Some(SearchedWires { wires: outcome.best.wires, searched })
+    }
+
+    /// For each route the sides and windings of its bends with which it meets least.
+    pub fn clear_sides(&self, routes: &[Route]) -> Option<Vec<ScheduledProgram>> {
+        let seconds = |bend| bend_seconds(self.machine, bend);
+        let bender = self.bender(&seconds, &|_, _| true);
+        let best = |route: &Route| Some(bend_route(self.wireframe, route, &bender, true)?.scheduled);
+        routes.iter().map(best).collect()
+    }
+
+    fn bender<'b>(
+        &'b self,
+        seconds: &'b dyn Fn(Angle) -> Option<f64>,
+        accepts: &'b dyn Fn(&Route, &ScheduledProgram) -> bool,
+    ) -> Bender<'b> {
+        let machine = self.machine;
+        Bender {
+            head: &machine.head,
+            bend: &machine.compensation.bend,
+            bodies: &machine.bodies,
+            wire: contacts::stock_wire(machine, self.margin()),
+            straight: machine.straight,
+            max_bend: routing::largest_bend(machine),
+            seconds,
+            accepts,
+        }
     }
 
     /// Whether a wire meets nothing and has no errors but those that the routes have anyway.
@@ -125,7 +144,7 @@ impl Searching<'_> {
             _ => None,
         };
         let measure = body.filter(|body| !body.measured).map(|_| Remedy::MeasureBody);
-        let keeps_walk = self.options.settled.is_some();
+        let keeps_walk = !self.options.settled.is_empty();
         let longer = (!exhausted && !keeps_walk).then_some(Remedy::SearchLonger);
         let more = (!keeps_walk && !self.options.closed).then_some(Remedy::AllowWires);
         let further = [Remedy::MoveApart, Remedy::ChooseMachine];
@@ -147,11 +166,4 @@ impl Searching<'_> {
 /// What a wire cannot be made for.
 fn errors(plan: &WirePlan) -> BTreeSet<Code> {
     plan.diagnostics.iter().filter(|found| found.is_error()).map(Diagnostic::code).collect()
-}
-
-/// The edges that wires together pass more than once, as often as beyond the first time.
-pub(super) fn doubled(routes: &[Route]) -> Vec<EdgeId> {
-    let mut passed = BTreeSet::new();
-    let all = routes.iter().flat_map(|route| &route.traversals);
-    all.filter(|traversal| !passed.insert(traversal.edge)).map(|traversal| traversal.edge).collect()
 }

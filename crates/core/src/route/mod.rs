@@ -64,6 +64,19 @@ impl Route {
         vertices.windows(2).map(traversal).collect::<Option<_>>().map(|traversals| Self { traversals })
     }
 
+    /// The walk from a vertex along edges in an order; none where two that follow one another do not meet.
+    #[must_use]
+    pub fn along(wireframe: &Wireframe, start: VertexId, edges: &[EdgeId]) -> Option<Self> {
+        let mut seen = std::collections::BTreeSet::new();
+        let mut from = start;
+        let traversal = |&edge: &EdgeId| {
+            let ends = wireframe.edge(edge).filter(|ends| ends.a == from || ends.b == from)?;
+            let to = ends.other(from);
+            Some(Traversal { edge, from: std::mem::replace(&mut from, to), to, again: !seen.insert(edge) })
+        };
+        edges.iter().map(traversal).collect::<Option<_>>().map(|traversals| Self { traversals })
+    }
+
     /// The same walk from its other end.
     #[must_use]
     pub fn reversed(&self) -> Self {

@@ -18,6 +18,7 @@ use crate::units::Angle;
 use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
 use heads::Orientation;
 use rounds::Search;
+pub(crate) use wire::bend_route;
 
 /// The machine that a program is searched for.
 pub struct Bender<'a> {
@@ -147,11 +148,10 @@ pub fn search(
     options: &SearchOptions,
     mut should_continue: impl FnMut(u64) -> bool,
 ) -> Option<SearchOutcome> {
-    let orientations = orientations(bender.head, task.keep_routes);
     let best_of = |route: &Route| {
         let backwards = (!task.keep_routes && task.start.is_none()).then(|| route.reversed());
         let ways = [Some(route.clone()), backwards].into_iter().flatten();
-        let bent = ways.filter_map(|route| wire::bend_route(wireframe, &route, bender, &orientations));
+        let bent = ways.filter_map(|route| bend_route(wireframe, &route, bender, task.keep_routes));
         bent.min_by_key(|found| (found.met, found.nanoseconds))
     };
     let first = Found { wires: task.routes.iter().map(best_of).collect::<Option<_>>()? };

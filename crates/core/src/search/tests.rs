@@ -297,7 +297,7 @@ fn no_other_choice_of_signs_and_windings_is_better() {
     let machine = machine(bodies);
     let route = Route::through(&frame, &(0..6).map(VertexId).collect::<Vec<_>>()).unwrap();
     let search = SearchOptions::default();
-    let kept = PlanOptions { settled: Some(route.clone()), ..options(search) };
+    let kept = PlanOptions { settled: vec![route.clone()], ..options(search) };
     let best = planned(&frame, &machine, &kept).remove(0);
     let program = best.nominal.clone().unwrap();
     let passages = passages(&frame, &route.traversals, &program.spans);

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::heads::{Layer, Orientation, StepQuestion, scheduled};
 use super::trail::{Pass, Passes};
-use super::{Bender, FoundWire};
+use super::{Bender, FoundWire, orientations};
 use crate::bend::{NominalProgram, program_of_path};
 use crate::clearance::{Clearance, Obstacle, StockWire, passages};
 use crate::route::{Route, Traversal};
@@ -135,14 +135,15 @@ impl<'a> TrialWire<'a> {
     }
 }
 
-/// The best way to bend a route that is settled: it meets least, and of those that do it takes least.
-pub(super) fn bend_route(
+/// The best way to bend a route that is settled: it meets least, and of those that do it takes least. `turned`: whether the part is
+/// turned to the sides, too, where nothing else is free of contacts.
+pub(crate) fn bend_route(
     wireframe: &Wireframe,
     route: &Route,
     bender: &Bender,
-    orientations: &[Orientation],
+    turned: bool,
 ) -> Option<FoundWire> {
-    let bend = |&orientation: &Orientation| {
+    let bend = |orientation: Orientation| {
         let trial = TrialWire::new(wireframe, &route.traversals, bender, orientation, Length::ZERO)?;
         let mut layers: Vec<Layer> = Vec::new();
         for index in 0..trial.program.steps.len() {
@@ -151,7 +152,15 @@ pub(super) fn bend_route(
         }
         found(&trial.program, route.clone(), &layers)
     };
-    orientations.iter().filter_map(bend).min_by_key(|found| (found.met, found.nanoseconds))
+    let best_of = |turned: bool| {
+        let bent = orientations(bender.head, turned).into_iter().filter_map(&bend);
+        bent.min_by_key(|found| (found.met, found.nanoseconds))
+    };
+    let at_reference = best_of(false);
+    match at_reference {
+        Some(found) if found.met == 0 || !turned => Some(found),
+        _ => best_of(turned),
+    }
 }
 
 fn found(program: &NominalProgram, route: Route, layers: &[Layer]) -> Option<FoundWire> {

@@ -10,6 +10,7 @@ mod joins;
 mod lengths;
 mod preview;
 mod scale;
+mod search;
 mod shares;
 mod starts;
 mod trials;
@@ -280,6 +281,7 @@ fn candidates(finding: Finding, all: &[Finding], trials: &mut Trials) -> Vec<Can
             found.extend(cuts::at_step(finding, trials.document()));
         }
         Code::MeetsMachine | Code::MeetsStock => {
+            found.extend(trials.clear_walks());
             found.push(starts::reversed(trials.document()));
             found.extend(starts::elsewhere(finding, trials));
             found.extend(cuts::at_step(finding, trials.document()));

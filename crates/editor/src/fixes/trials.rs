@@ -10,7 +10,7 @@ use wirebend_files::document::{Document, DocumentChange};
 
 use super::super::check::LiveCheck;
 use super::super::{EditRequest, changing};
-use super::{Finding, shares};
+use super::{Candidate, Finding, search, shares};
 use crate::EditorError;
 use wirebend_planning::PlanChoices;
 use wirebend_planning::design::Opened;
@@ -76,6 +76,8 @@ pub(super) struct Trials<'a> {
     warnings: usize,
     /// Whether each is looked at for collisions; asked again and again whether it goes on.
     collisions: Option<&'a dyn Fn() -> bool>,
+    /// Walks with which nothing is hit, once they were searched for.
+    clear_walks: OnceCell<Option<Candidate>>,
     /// The shares of its parts with further wires, once that was asked for.
     further_wires: OnceCell<Vec<Vec<Share>>>,
     /// What a trial takes, and what is left.
@@ -124,6 +126,7 @@ impl<'a> Trials<'a> {
             errors,
             warnings,
             collisions,
+            clear_walks: OnceCell::new(),
             further_wires: OnceCell::new(),
             work,
             left: if collisions.is_some() { MAX_COLLISION_WORK } else { MAX_WORK },
@@ -150,6 +153,13 @@ impl<'a> Trials<'a> {
     /// The shares of its parts with one further wire, with two, and so on while they are of use.
     pub fn further_wires(&self) -> &[Vec<Share>] {
         self.further_wires.get_or_init(|| shares::with_further_wires(&self.document))
+    }
+
+    /// Walks with which nothing is hit; they are searched for once, for all collisions alike.
+    pub fn clear_walks(&self) -> Option<Candidate> {
+        let goes_on = self.collisions?;
+        let found = || search::without_collisions(&self.document, self.setup, goes_on);
+        self.clear_walks.get_or_init(found).clone()
     }
 
     /// The machine with its wire.

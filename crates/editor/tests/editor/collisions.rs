@@ -84,3 +84,61 @@ fn a_fix_of_a_collision_leaves_fewer_of_them() {
     }
     assert!(editor.fix_search(&app()).unwrap().collision_fixes(&app(), &|| false).unwrap().is_empty());
 }
+
+/// The order of the bends that a search has found is a fix, which stays with the design as long as it fits.
+#[test]
+fn an_order_that_hits_nothing_is_a_fix_and_kept_with_the_design() {
+    let mut editor = open("house.obj");
+    let hits = |editor: &mut wirebend_editor::Editor| {
+        let found = editor.collision_check(&app(), &[]).unwrap().run(&mut |_, _| true).unwrap();
+        assert!(found.checked);
+        found.contacts.len()
+    };
+    assert_eq!(hits(&mut editor), 1);
+    let fixes = editor.fix_search(&app()).unwrap().collision_fixes(&app(), &|| true).unwrap();
+    let order = |fix: &&wirebend_editor::Fix| fix.title == "Bend in an order that hits nothing";
+    let fix = fixes.iter().find(order).unwrap();
+    assert_eq!((fix.after.wires, fix.after.collisions, fix.errors_after), (1, Some(0), 0));
+    let before = editor.document().clone();
+    editor.edit(&app(), &fix.edit).unwrap();
+    assert_eq!(hits(&mut editor), 0);
+    let walked = editor.document().clone();
+    let [walk] = &walked.walks[..] else { panic!("{:?}", walked.walks) };
+    let mut edges = walk.edges.clone();
+    edges.sort_unstable();
+    assert_eq!(edges, walked.wireframe.edges().map(|(id, _)| id).collect::<Vec<_>>());
+    // It is saved, and is part of what the hash of the design covers.
+    let opened = wirebend_files::document::Document::open(&walked.to_bytes().unwrap(), "a.wirebend").unwrap();
+    assert_eq!(opened.walks, walked.walks);
+    assert_ne!(walked.design_hash().unwrap(), before.design_hash().unwrap());
+    // Where somebody chooses otherwise it is given up, and where one of its edges goes.
+    for other in
+        [json!({"edit": "reversed", "reversed": true}), json!({"edit": "delete", "edges": [edges[0].0]})]
+    {
+        edit(&mut editor, &other);
+        assert!(editor.document().walks.is_empty(), "{other}");
+        editor.undo().unwrap();
+        assert_eq!(editor.document(), &walked);
+    }
+    // One that does not pass all edges is not used, and that is said.
+    let last = walked.wireframe.vertices().last().unwrap().0.0;
+    edit(&mut editor, &json!({"edit": "draw", "from": last, "through_mm": [[0.0, 0.0, 500.0]]}));
+    assert_eq!(editor.document().walks, walked.walks);
+    assert_eq!(editor.check(&app(), &[]).unwrap().wires.len(), 1);
+    editor.undo().unwrap();
+    editor.undo().unwrap();
+    assert_eq!(editor.document(), &before);
+}
+
+#[test]
+fn a_walk_of_edges_that_are_not_there_is_refused() {
+    let mut editor = open("house.obj");
+    for walk in [json!({"start": 0, "edges": [99]}), json!({"start": 99, "edges": [0]})] {
+        let request = serde_json::from_value(json!({"edit": "walks", "walks": [walk]})).unwrap();
+        let refused = editor.edit(&app(), &request).unwrap_err().to_string();
+        assert!(refused.contains("99"), "{refused}");
+    }
+    // Edges that do not meet are no walk: the wire runs as it is found.
+    edit(&mut editor, &json!({"edit": "walks", "walks": [{"start": 0, "edges": [0, 3, 1, 2, 4, 5]}]}));
+    assert!(editor.check(&app(), &[]).unwrap().feasible);
+}

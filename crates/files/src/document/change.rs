@@ -6,6 +6,7 @@ use super::ids::{Pin, PinTarget};
 use super::project::{Document, WireCount};
 use super::snapshot::ProfileSnapshot;
 use super::stencil::StencilSource;
+use super::walk::Walk;
 use crate::length_unit::LengthUnit;
 
 /// A value before and after.
@@ -109,6 +110,8 @@ parts! {
     closed, set_closed: bool,
     /// Whether the wire runs the other way.
     reversed, set_reversed: bool,
+    /// The walks of the wires, where they were chosen.
+    walks, set_walks: Vec<Walk>,
     /// Remarks pinned to places.
     pins, set_pins: Vec<Pin>,
     /// Remarks on the whole.
@@ -132,7 +135,11 @@ impl DocumentChange {
         let pins = kept(&document.pins, |pin| !gone(pin.on));
         let start = document.start.filter(|id| gone_vertex(*id));
         let start = start.map(|id| Box::new(Replaced { before: Some(id), after: None }));
-        Self { doublings, start, pins, ..Self::of_wireframe(wireframe) }
+        // A walk without one of its edges is none, and what is left of the others is not the design.
+        let is_broken = |walk: &Walk| gone_vertex(walk.start) || walk.edges.iter().any(|id| gone_edge(*id));
+        let broken = document.walks.iter().any(is_broken);
+        let walks = broken.then(|| Box::new(Replaced { before: document.walks.clone(), after: Vec::new() }));
+        Self { doublings, start, walks, pins, ..Self::of_wireframe(wireframe) }
     }
 }
 

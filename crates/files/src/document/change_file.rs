@@ -11,6 +11,7 @@ use super::ids::{Pin, PinFile};
 use super::project::WireCount;
 use super::snapshot::ProfileSnapshot;
 use super::stencil::{StencilFile, StencilSource};
+use super::walk::{Walk, WalkFile};
 use crate::length_unit::LengthUnit;
 
 /// Before and after.
@@ -46,6 +47,8 @@ struct ChangeFile {
     #[serde(skip_serializing_if = "Option::is_none")]
     reversed: Option<[bool; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    walks: Option<[Vec<WalkFile>; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     pins: Option<[Vec<PinFile>; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     notes: Option<[String; 2]>,
@@ -76,6 +79,7 @@ impl DocumentChange {
             wires: pair(self.wires.as_deref(), |wires| *wires),
             closed: pair(self.closed.as_deref(), |closed| *closed),
             reversed: pair(self.reversed.as_deref(), |reversed| *reversed),
+            walks: pair(self.walks.as_deref(), |walks| walks.iter().map(WalkFile::from).collect()),
             pins: pair(self.pins.as_deref(), |pins| pins.iter().map(PinFile::from).collect()),
             notes: pair(self.notes.as_deref(), Clone::clone),
             units: pair(self.units.as_deref(), |units| *units),
@@ -111,6 +115,7 @@ impl DocumentChange {
             wires: swap(file.wires, |wires| wires),
             closed: swap(file.closed, |closed| closed),
             reversed: swap(file.reversed, |reversed| reversed),
+            walks: swap(file.walks, |walks: Vec<WalkFile>| walks.into_iter().map(Walk::from).collect()),
             pins: swap(file.pins, |pins: Vec<PinFile>| pins.into_iter().map(Pin::from).collect()),
             notes: swap(file.notes, |notes| notes),
             units: swap(file.units, |units| units),

@@ -16,6 +16,7 @@ mod schema;
 mod snapshot;
 mod stencil;
 mod version;
+mod walk;
 
 pub use change::{DocumentChange, Replaced, StaleChange};
 pub use error::DocumentError;
@@ -28,3 +29,4 @@ pub use schema::schemas;
 pub use snapshot::ProfileSnapshot;
 pub use stencil::StencilSource;
 pub(crate) use version::without_place;
+pub use walk::Walk;

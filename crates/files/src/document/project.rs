@@ -15,6 +15,7 @@ use super::layout;
 use super::snapshot::ProfileSnapshot;
 use super::stencil::{StencilFile, StencilSource};
 use super::version::History;
+use super::walk::{Walk, WalkFile};
 use crate::length_unit::LengthUnit;
 
 const HISTORY: History = History { format: "wirebend", title: "a WireBend project", migrations: &[] };
@@ -40,6 +41,8 @@ pub struct Document {
     pub closed: bool,
     /// Whether the wire runs the other way: it ends where it would start.
     pub reversed: bool,
+    /// The walks of the wires, where they were chosen; empty: they are found anew.
+    pub walks: Vec<Walk>,
     /// Remarks pinned to vertices and edges.
     pub pins: Vec<Pin>,
     /// Remarks on the whole.
@@ -94,6 +97,9 @@ pub(crate) struct ProjectFile {
     /// Whether the wire runs the other way: it ends where it would start.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     reversed: bool,
+    /// The walks of the wires, where they were chosen. They are not used while they do not pass all edges of their part.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    walks: Vec<WalkFile>,
     /// Remarks on vertices and edges.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pins: Vec<PinFile>,
@@ -159,6 +165,8 @@ struct DesignPart<'a> {
     closed: bool,
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     reversed: bool,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    walks: Vec<WalkFile>,
 }
 
 /// How many wires there may be, at least one.
@@ -213,6 +221,7 @@ impl Document {
             wires: content.wires,
             closed: content.closed,
             reversed: content.reversed,
+            walks: content.walks.into_iter().map(Walk::from).collect(),
             pins: content.pins.into_iter().map(Pin::from).collect(),
             notes: content.notes,
             units: content.units,
@@ -269,6 +278,7 @@ impl Document {
             wires: self.wires,
             closed: self.closed,
             reversed: self.reversed,
+            walks: self.walks.iter().map(WalkFile::from).collect(),
         })
     }
 
@@ -285,6 +295,7 @@ impl Document {
             wires: self.wires,
             closed: self.closed,
             reversed: self.reversed,
+            walks: self.walks.iter().map(WalkFile::from).collect(),
             pins: self.pins.iter().map(PinFile::from).collect(),
             notes: self.notes.clone(),
             units: self.units,
@@ -300,6 +311,14 @@ impl Document {
         }
         if let Some(id) = self.start.filter(|id| self.wireframe.vertex(*id).is_none()) {
             return dangling("start", format!("vertex {id}"));
+        }
+        for walk in &self.walks {
+            if self.wireframe.vertex(walk.start).is_none() {
+                return dangling("walks", format!("vertex {}", walk.start));
+            }
+            if let Some(id) = walk.edges.iter().find(|id| self.wireframe.edge(**id).is_none()) {
+                return dangling("walks", format!("edge {id}"));
+            }
         }
         for pin in &self.pins {
             match pin.on {

@@ -1,10 +1,10 @@
 //! What a plan is made with: the request's choices, and the document's where it has none.
 
 use wirebend_core::plan::DoublingChoice;
-use wirebend_core::route::{Share, doublings, share_out};
+use wirebend_core::route::{Route, Share, doublings, share_out};
 use wirebend_core::search::SearchOptions;
 use wirebend_core::wireframe::{Component, EdgeId, VertexId};
-use wirebend_files::document::Document;
+use wirebend_files::document::{Document, Walk};
 
 use crate::PlanningError;
 use crate::choices::PlanChoices;
@@ -55,9 +55,37 @@ pub fn wires_of_parts(
     share_out(curves.collect(), further)
 }
 
-/// Doublings that the document has accepted and that are not used.
+/// The walks that the document has for a part of the design, where nothing else is chosen for them and they pass all of its edges.
+pub(super) fn chosen_walks(
+    document: &Document,
+    part: &Component,
+    choices: &PlanChoices,
+    replaced: &mut Replaced,
+) -> Vec<Route> {
+    let PlanChoices { detours, wires, closed, start, reverse, keep_order, avoid_collisions, .. } = choices;
+    let otherwise = *detours || *closed || *reverse || *keep_order || *avoid_collisions;
+    let here = |edge: &EdgeId| part.edges.binary_search(edge).is_ok();
+    let walks: Vec<&Walk> = document.walks.iter().filter(|walk| walk.edges.iter().any(here)).collect();
+    if otherwise || wires.is_some() || start.is_some() || walks.is_empty() {
+        return Vec::new();
+    }
+    let mut passed: Vec<EdgeId> = walks.iter().flat_map(|walk| walk.edges.iter().copied()).collect();
+    passed.sort_unstable();
+    passed.dedup();
+    let routes: Option<Vec<Route>> =
+        walks.iter().map(|walk| Route::along(&document.wireframe, walk.start, &walk.edges)).collect();
+    let routes = routes.filter(|_| passed == part.edges).unwrap_or_default();
+    if routes.is_empty() {
+        replaced.walks += walks.len();
+    }
+    routes
+}
+
+/// What the document has accepted and what is not used.
 #[derive(Default)]
 pub(super) struct Replaced {
+    /// Walks that do not pass all edges of their part.
+    walks: usize,
     /// With them there is no route.
     routeless: usize,
     /// So many wires need less.
@@ -73,8 +101,17 @@ impl Replaced {
             remedies: Vec::new(),
         };
         let dearer = (self.dearer, "add more length than so many wires need");
+        let walks = (self.walks > 0).then(|| NoteReport {
+            code: "walks-replaced".into(),
+            count: self.walks,
+            message: format!(
+                "{} chosen walks do not pass all edges of the design as it is now: they are found anew",
+                self.walks
+            ),
+            remedies: Vec::new(),
+        });
         let all = [(self.routeless, "leave no route"), dearer].into_iter();
-        all.filter(|(count, _)| *count > 0).map(note)
+        all.filter(|(count, _)| *count > 0).map(note).chain(walks)
     }
 }
 

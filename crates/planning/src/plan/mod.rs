@@ -25,7 +25,7 @@ use crate::report::{DiagnosticReport, NoteReport, PlanReport, SagReport, WireRep
 use crate::stage::StageName;
 use crate::{Installation, PlanningError, Progress, text};
 pub use choice::wires_of_parts;
-use choice::{Replaced, WireChoice, doubling_choice, search_options, start_in};
+use choice::{Replaced, WireChoice, chosen_walks, doubling_choice, search_options, start_in};
 use observed::Observed;
 
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -172,6 +172,7 @@ impl Installation {
             progress.advance(index as u64, bent.len() as u64);
             let here = start_in(component, start);
             let share = &shares[index];
+            let walks = chosen_walks(document, component, choices, &mut replaced);
             let options = PlanOptions {
                 wires: share.wires,
                 doubling: doubling_choice(
@@ -188,7 +189,8 @@ impl Installation {
                 reversed: chosen.reversed,
                 contacts: (choices.collisions || choices.avoid_collisions).then_some(margin),
                 search: search_options(choices, share.wires),
-                settled: settled.clone(),
+                clear_sides: !walks.is_empty(),
+                settled: if walks.is_empty() { settled.clone() } else { walks },
             };
             let mut took = BTreeMap::new();
             let observer = Observed::new(progress, &mut took);

@@ -34,7 +34,7 @@ impl PlanObserver for Observed<'_> {
             self.progress.stage("searching for a program without collisions");
         }
         self.progress.advance(checks, of);
-        true
+        self.progress.goes_on()
     }
 }
 

@@ -1,9 +1,11 @@
+import { Button } from "../../shared/controls/Button";
 import { Checkbox } from "../../shared/controls/inputs";
 import { count } from "../../shared/figures/format";
 import { useUnit } from "../../shared/figures/unit";
 import { Line } from "../../shared/lists/Line";
 import { useCollisions } from "../../state/design/collisions";
 import { useDesign } from "../../state/design/design";
+import { avoidCollisions, useFixes } from "../../state/design/fixes";
 import { type PlayedContact, setStops, useContacts, useStops } from "../../state/program/contacts";
 import { jump } from "../../state/program/player";
 import { usePlayback } from "../../state/program/program";
@@ -27,6 +29,7 @@ export function Contacts() {
         </ul>
       )}
       {contacts.length === 0 ? <Nothing /> : <Estimates />}
+      {contacts.length + elsewhere > 0 && <Avoid />}
       {elsewhere > 0 && <p className="muted small">{count(elsewhere, "collision")} of other wires</p>}
     </div>
   );
@@ -46,6 +49,24 @@ function Contact({ contact }: { readonly contact: PlayedContact }) {
       }
       sub={depthOf(contact, unit)}
     />
+  );
+}
+
+/** Another order of the bends, so that nothing is hit. */
+function Avoid() {
+  const found = useDesign(({ collisions }) => collisions?.found);
+  const avoiding = useFixes(({ avoiding: of }) => of);
+  const mine = avoiding !== null && avoiding.of === found;
+  if (mine && avoiding.failed)
+    return (
+      <p className="muted small">No order of the bends without a collision was found. Check may have other fixes.</p>
+    );
+  return (
+    <div className="row wrap">
+      <Button small why={mine ? "The search takes some seconds." : null} onClick={() => void avoidCollisions()}>
+        {mine ? "Searching…" : "Avoid collisions"}
+      </Button>
+    </div>
   );
 }
 

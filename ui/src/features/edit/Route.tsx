@@ -42,6 +42,18 @@ export function Route() {
           Start at the selected
         </Button>
       </div>
+      {state.walks.length > 0 && (
+        <div className="row wrap">
+          <span className="grow">
+            {state.walks.length === 1
+              ? "The order of the bends is chosen"
+              : `The orders of the bends of ${state.walks.length} wires are chosen`}
+          </span>
+          <Button small onClick={() => void edit({ edit: "walks", walks: [] })}>
+            Choose automatically
+          </Button>
+        </div>
+      )}
       <Checkbox checked={state.reversed} onChange={(reversed) => void edit({ edit: "reversed", reversed })}>
         Reversed: the wire runs the other way
       </Checkbox>

@@ -36,6 +36,7 @@ export function Preview({ format }: { readonly format: FormatEntry }) {
     state?.wires,
     state?.closed,
     state?.reversed,
+    state?.walks,
     unit,
   ]);
   const mine = shown?.format === format.id ? shown : null;

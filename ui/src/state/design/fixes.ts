@@ -1,4 +1,5 @@
 import { create } from "zustand";
+import type { EditRequest } from "../../generated/requests";
 import type { Collisions, DiagnosticReport, Fix, FixPreview, LiveCheck } from "../../generated/responses";
 import type { Preview, SceneDesign, Vec3 } from "../../scene/interface";
 import { asking } from "../asking/work";
@@ -12,11 +13,22 @@ interface FixStore {
   /** The checks that they are of; others have to be asked for when these are others. */
   readonly of: LiveCheck | null;
   readonly ofCollisions: Collisions | null;
+  /** Over once the fixes of collisions are there. */
+  readonly asked: Promise<void>;
+  /** The collisions for which walks that hit nothing are searched for, and whether there were none. */
+  readonly avoiding: { readonly of: Collisions; readonly failed: boolean } | null;
   /** The one that is shown in the view. */
   readonly shown: Fix | null;
 }
 
-export const useFixes = create<FixStore>()(() => ({ fixes: [], of: null, ofCollisions: null, shown: null }));
+export const useFixes = create<FixStore>()(() => ({
+  fixes: [],
+  of: null,
+  ofCollisions: null,
+  asked: Promise.resolve(),
+  avoiding: null,
+  shown: null,
+}));
 
 const ofLimits = ({ mends }: Fix): boolean => !isCollision(mends.code);
 const ofCollisions = (fix: Fix): boolean => !ofLimits(fix);
@@ -36,10 +48,16 @@ async function needFixesOfLimits(): Promise<void> {
   useFixes.setState(({ fixes }) => ({ fixes: [...found, ...fixes.filter(ofCollisions)] }));
 }
 
-async function needFixesOfCollisions(): Promise<void> {
+function needFixesOfCollisions(): Promise<void> {
   const found = useDesign.getState().collisions?.found ?? null;
-  if (useFixes.getState().ofCollisions === found) return;
-  useFixes.setState(({ fixes }) => ({ ofCollisions: found, fixes: fixes.filter(ofLimits) }));
+  if (useFixes.getState().ofCollisions !== found) {
+    useFixes.setState(({ fixes }) => ({ ofCollisions: found, fixes: fixes.filter(ofLimits) }));
+    useFixes.setState({ asked: askForFixesOf(found) });
+  }
+  return useFixes.getState().asked;
+}
+
+async function askForFixesOf(found: Collisions | null): Promise<void> {
   if (!found || found.contacts.length === 0) return;
   const { fixes: more } = await asking("fixes", { collisions: true }).catch(() => ({ fixes: [] }));
   if (useFixes.getState().ofCollisions !== found) return;
@@ -83,6 +101,21 @@ export function showFix(fix: Fix | null): void {
 /** Nothing is shown any more: of another design, or of one that is dragged elsewhere just now, the fix would be another. */
 export function hideFix(): void {
   if (useFixes.getState().shown) showFix(null);
+}
+
+const takesWalks = (edit: EditRequest): boolean =>
+  edit.edit === "walks" || (edit.edit === "several" && edit.edits.some(takesWalks));
+
+/** Takes walks with which the wire hits nothing, once the search for them is over, if it finds some. */
+export async function avoidCollisions(): Promise<void> {
+  const found = useDesign.getState().collisions?.found;
+  if (!found || useFixes.getState().avoiding?.of === found) return;
+  useFixes.setState({ avoiding: { of: found, failed: false } });
+  await needFixesOfCollisions();
+  if (useDesign.getState().collisions?.found !== found) return;
+  const fix = useFixes.getState().fixes.find((one) => ofCollisions(one) && takesWalks(one.edit));
+  if (fix) await applyFix(fix);
+  else useFixes.setState({ avoiding: { of: found, failed: true } });
 }
 
 /** The view has given up the preview. */

@@ -83,8 +83,8 @@ export function useOtherWire(): string | null {
 
 function basisNow(): Basis {
   const { vertices, edges, state } = useDesign.getState();
-  const { machine, material, doublings, start, wires, closed, reversed } = state ?? {};
-  const choices = JSON.stringify([machine, material, doublings, start, wires, closed, reversed]);
+  const { machine, material, doublings, start, wires, closed, reversed, walks } = state ?? {};
+  const choices = JSON.stringify([machine, material, doublings, start, wires, closed, reversed, walks]);
   return { vertices, edges, choices, profiles: useMachines.getState().changes };
 }
 

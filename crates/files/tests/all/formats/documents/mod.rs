@@ -14,7 +14,7 @@ use wirebend_core::mesh::Stencil;
 use wirebend_core::wireframe::{EdgeId, NextIds, Vertex, VertexId, Wireframe};
 use wirebend_error::ErrorRemedy;
 use wirebend_files::document::{
-    Document, Job, Pin, PinTarget, ProfileSnapshot, SourceFile, StencilSource, WireCount, sha256_hex,
+    Document, Job, Pin, PinTarget, ProfileSnapshot, SourceFile, StencilSource, Walk, WireCount, sha256_hex,
 };
 use wirebend_files::read::{Format, LengthUnit, ReadOptions, read};
 
@@ -26,7 +26,7 @@ fn example() -> Document {
     let b = wireframe.add_vertex(Vertex::at(Point3::new(30.0, 1.0 / 3.0, 999_999.999))).unwrap();
     wireframe.insert_vertex(VertexId(7), Vertex::at(Point3::new(1.0, 2.0, 3.0))).unwrap();
     let edge = wireframe.add_edge(a, b).unwrap();
-    wireframe.add_edge(b, VertexId(7)).unwrap();
+    let other = wireframe.add_edge(b, VertexId(7)).unwrap();
     wireframe.reserve_ids(NextIds { vertex: 12, edge: 9 });
     Document {
         wireframe,
@@ -41,6 +41,7 @@ fn example() -> Document {
         wires: WireCount::new(3).unwrap(),
         closed: false,
         reversed: true,
+        walks: vec![Walk { start: b, edges: vec![edge, edge, other] }],
         pins: vec![
             Pin { on: PinTarget::Vertex(a), text: "hold here".into() },
             Pin { on: PinTarget::Edge(edge), text: String::new() },
@@ -88,6 +89,12 @@ fn a_document_is_laid_out_for_people() {
           "start": 1,
           "wires": 3,
           "reversed": true,
+          "walks": [
+            {
+              "start": 1,
+              "edges": [0, 0, 1]
+            }
+          ],
           "pins": [
             {
               "on": {"vertex": 0},
@@ -197,7 +204,7 @@ fn what_is_no_document_is_refused_with_advice() {
         document-newer: a.wirebend: its version 2 is newer than 1, the newest known here [UpdateProgram]
         document-no-such-version: a.wirebend: there is no version 0 of this format: the file is damaged [UseLastCopy]
         document-wrong-format: a.wirebend: this is a "wbjob" file, expected "wirebend" [OpenAsItIs]
-        document-json: a.wirebend, line 28, column 12: unknown field `doubling`, expected one of `format`, `version`, `wireframe`, `stencil`, `machine`, `material`, `doublings`, `start`, `wires`, `closed`, `reversed`, `pins`, `notes`, `units`, `source` [UseLastCopy]
+        document-json: a.wirebend, line 28, column 12: unknown field `doubling`, expected one of `format`, `version`, `wireframe`, `stencil`, `machine`, `material`, `doublings`, `start`, `wires`, `closed`, `reversed`, `walks`, `pins`, `notes`, `units`, `source` [UseLastCopy]
         document-wireframe: a.wirebend: vertex 1 exists already [UseLastCopy]
         document-wireframe: a.wirebend: (30, 0.3333333333333333, 9999999) is not a position: each coordinate must be a number within ±1 000 000 mm [UseLastCopy]
         document-wireframe: a.wirebend: there is no vertex 99 [UseLastCopy]
