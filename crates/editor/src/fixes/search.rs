@@ -56,13 +56,16 @@ pub(super) fn without_collisions(
         walks.push(ChosenWalk { start: route.traversals.first()?.from.0, edges });
     }
     let wires = u32::try_from(walks.len()).ok()?;
-    let title = if planned.wires.len() > document.wires.get() {
+    let parts = document.wireframe.components();
+    let parts = parts.iter().filter(|part| !part.edges.is_empty()).count();
+    let is_more = walks.len() > document.wires.get().max(parts);
+    let title = if is_more {
         format!("Bend {wires} wires that hit nothing")
     } else {
         "Bend in an order that hits nothing".to_owned()
     };
-    let more = (walks.len() > document.wires.get()).then_some(EditRequest::Wires { wires });
-    let doublings = (doubles).then_some(EditRequest::Doublings { edges: doubled });
+    let more = is_more.then_some(EditRequest::Wires { wires });
+    let doublings = doubles.then_some(EditRequest::Doublings { edges: doubled });
     // Walks come last: other choices of the wires put an end to them.
     let edits = more.into_iter().chain(doublings).chain([EditRequest::Walks { walks }]).collect();
     Some(Candidate { edit: EditRequest::Several { label: "order of the bends".to_owned(), edits }, title })

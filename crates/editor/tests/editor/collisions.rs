@@ -138,6 +138,22 @@ fn a_walk_of_edges_that_are_not_there_is_refused() {
         let refused = editor.edit(&app(), &request).unwrap_err().to_string();
         assert!(refused.contains("99"), "{refused}");
     }
+    // It has its own direction, whatever the design says of others.
+    edit(&mut editor, &json!({"edit": "reversed", "reversed": true}));
+    let route = editor.check(&app(), &[]).unwrap().wires[0].route.clone();
+    let found = editor.document().wireframe.clone();
+    let edges: Vec<u32> = route
+        .windows(2)
+        .map(|pair| {
+            found
+                .edges()
+                .find(|(_, e)| [e.a.0, e.b.0] == [pair[0], pair[1]] || [e.b.0, e.a.0] == [pair[0], pair[1]])
+        })
+        .map(|edge| edge.unwrap().0.0)
+        .collect();
+    edit(&mut editor, &json!({"edit": "walks", "walks": [{"start": route[0], "edges": edges}]}));
+    assert!(editor.document().reversed);
+    assert_eq!(editor.check(&app(), &[]).unwrap().wires[0].route, route);
     // Edges that do not meet are no walk: the wire runs as it is found.
     edit(&mut editor, &json!({"edit": "walks", "walks": [{"start": 0, "edges": [0, 3, 1, 2, 4, 5]}]}));
     assert!(editor.check(&app(), &[]).unwrap().feasible);

@@ -186,7 +186,8 @@ impl Installation {
                 detours: choices.detours,
                 closed: chosen.closed,
                 start: here,
-                reversed: chosen.reversed,
+                // Walks that were chosen have their direction.
+                reversed: chosen.reversed && walks.is_empty(),
                 contacts: (choices.collisions || choices.avoid_collisions).then_some(margin),
                 search: search_options(choices, share.wires),
                 clear_sides: !walks.is_empty(),
