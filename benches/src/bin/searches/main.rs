@@ -1,5 +1,7 @@
 //! Programs that meet nothing: how many designs have one, with how many wires, and how long the search for it takes. Each is shown
 //! beside the first program, as it comes without a search.
+//!
+//! Arguments: how many random frames, how many steps may be checked for each number of wires, and one design by its name.
 
 #![allow(clippy::print_stdout, reason = "its output is the table")]
 
@@ -116,11 +118,7 @@ fn show(name: &str, wireframe: &Wireframe, machine: &Machine, effort: u64) -> Re
         contacts(&plain),
         found.len(),
         searched.map_or(0, |searched| searched.checks),
-        if clear {
-            String::new()
-        } else {
-            format!("left {} {:?}", contacts(&found), searched.and_then(|s| s.obstruction))
-        },
+        if clear { String::new() } else { format!("{} contacts left", contacts(&found)) },
     );
     Ok(Shown { first_clear: contacts(&plain) == 0, clear, wires: found.len() })
 }

@@ -138,7 +138,7 @@ pub struct SearchOutcome {
 }
 
 /// Searches for wires along all edges of a component that meet nothing while they are bent. `should_continue` is told how many steps were
-/// asked about; the search ends where it says no, with the best that there is. `None`: the routes that are there cannot be bent at
+/// checked; the search ends where it says no, with the best that there is. `None`: the routes that are there cannot be bent at
 /// all.
 pub fn search(
     wireframe: &Wireframe,
@@ -168,7 +168,7 @@ pub fn search(
     }
     // What is clear may need fewer wires still.
     let most = match (outcome.is_clear, task.closed) {
-        (true, _) => task.routes.len() - 1,
+        (true, _) => task.routes.len().saturating_sub(1),
         (false, true) => 1,
         (false, false) => options.max_wires.max(1),
     };
@@ -177,7 +177,8 @@ pub fn search(
         let before = outcome.checks;
         let found = search.run(&mut |checks| should_continue(before + checks));
         outcome.checks += search.checks;
-        outcome.exhausted = search.exhausted && most == 1;
+        // From a chosen start these are not all walks.
+        outcome.exhausted = search.exhausted && most == 1 && task.start.is_none();
         outcome.obstruction = farther(outcome.obstruction, search.obstruction);
         let is_found = found.is_some();
         if let Some(found) = found {

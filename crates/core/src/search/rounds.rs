@@ -71,6 +71,9 @@ impl<'a> Search<'a> {
                 break;
             }
             let (begins, are_all) = self.begins(&passes, round > 0, &mut rng);
+            if begins.is_empty() {
+                break;
+            }
             let is_settled = self.task.doubled.is_some() || doubled.is_empty();
             let mut exhausted = self.wires == 1 && is_settled && are_all;
             for begin in begins {

@@ -204,7 +204,7 @@ impl<'a> Walk<'a> {
         let left = self.passes.all.iter().zip(&self.used).filter(|(_, used)| !**used);
         let still_to_come: Length = left.map(|(pass, _)| self.wireframe.edge_length(pass.edge)).sum();
         let (wireframe, passes, bender) = (self.wireframe, self.passes, self.bender);
-        let result = self.wire.settle(wireframe, passes, bender, (ends, straight_on), still_to_come, false);
+        let result = self.wire.settle(wireframe, passes, bender, (ends, straight_on), still_to_come);
         self.checks += (self.wire.layers.len() - settled) as u64;
         match result {
             Ok(()) => true,

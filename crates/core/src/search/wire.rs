@@ -50,7 +50,6 @@ impl OpenWire {
         bender: &Bender,
         (ends, goes_straight_on): (bool, bool),
         still_to_come: Length,
-        despite_contacts: bool,
     ) -> Result<(), Blocked> {
         let route = self.route(passes);
         let Some(trial) =
@@ -62,7 +61,7 @@ impl OpenWire {
         let until = if ends { steps } else { (steps - 1).saturating_sub(usize::from(goes_straight_on)) };
         for index in self.layers.len()..until {
             let before = self.layers.last().cloned().unwrap_or_else(Layer::first);
-            let layer = trial.question(bender, self.orientation, index, despite_contacts).after(&before);
+            let layer = trial.question(bender, self.orientation, index, false).after(&before);
             if layer.states.is_empty() {
                 return Err(Blocked { step: index, obstacle: layer.obstacle });
             }
