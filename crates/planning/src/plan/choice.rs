@@ -104,10 +104,9 @@ impl Replaced {
         let walks = (self.walks > 0).then(|| NoteReport {
             code: "walks-replaced".into(),
             count: self.walks,
-            message: format!(
-                "{} chosen walks do not pass all edges of the design as it is now: they are found anew",
-                self.walks
-            ),
+            message:
+                "the chosen walks do not run along all edges of the design without a gap: they are found anew"
+                    .to_owned(),
             remedies: Vec::new(),
         });
         let all = [(self.routeless, "leave no route"), dearer].into_iter();
