@@ -26,6 +26,8 @@ pub struct Chain {
 pub(crate) struct Ball {
     pub centre: Point3<f64>,
     pub radius: f64,
+    /// The piece with which the second half of the run begins; of a single piece itself.
+    middle: usize,
 }
 
 /// A run of pieces with a ball around it. The first half of a run comes right after it, the second half after all of that.
@@ -37,17 +39,11 @@ pub(crate) struct Run {
 }
 
 impl Run {
-    /// Its halves; `None` for a single piece.
-    pub fn halves(self) -> Option<[Self; 2]> {
-        let pieces = self.end - self.first;
-        if pieces < 2 {
-            return None;
-        }
-        let middle = self.first + pieces / 2;
+    fn parted(self, middle: usize) -> [Self; 2] {
         let one = Self { end: middle, node: self.node + 1, ..self };
         // A run of n pieces has 2 n - 1 balls.
         let other = Self { first: middle, node: self.node + 2 * (middle - self.first), ..self };
-        Some([one, other])
+        [one, other]
     }
 }
 
@@ -93,6 +89,14 @@ impl Chain {
         Interval { from: self.along[index], to: self.along[index + 1] }
     }
 
+    /// The point of a piece at a length along the chain.
+    pub(crate) fn point(&self, index: usize, along: f64) -> Point3<f64> {
+        let ([from, to], whole) = (self.piece(index), self.interval(index));
+        let length = whole.to - whole.from;
+        let share = if length > 0.0 { (along - whole.from) / length } else { 0.0 };
+        from + (to - from) * share
+    }
+
     /// Its points.
     #[must_use]
     pub fn points(&self) -> &[Point3<f64>] {
@@ -113,24 +117,28 @@ impl Chain {
         &self.balls[run.node]
     }
 
+    /// The halves of a run, about as long as each other; `None` for a single piece.
+    pub(crate) fn halves(&self, run: Run) -> Option<[Run; 2]> {
+        (run.end - run.first > 1).then(|| run.parted(self.ball(run).middle))
+    }
+
     pub(crate) fn extent(&self, run: Run) -> Interval {
         Interval { from: self.along[run.first], to: self.along[run.end] }
     }
 
     /// Adds the balls of a run and of all runs in it.
     fn grow(&mut self, run: Run) -> Ball {
-        self.balls.push(Ball { centre: Point3::origin(), radius: 0.0 });
-        let ball = match run.halves() {
-            None => {
-                let [from, to] = self.piece(run.first);
-                Ball { centre: center(from, to), radius: (to - from).norm() / 2.0 }
-            }
-            Some(halves) => {
-                let [one, other] = halves.map(|half| self.grow(half));
-                around(&one, &other)
-            }
-        };
-        self.balls[run.node] = ball;
+        let [from, to] = self.piece(run.first);
+        let mut ball = Ball { centre: center(from, to), radius: (to - from).norm() / 2.0, middle: run.first };
+        self.balls.push(ball);
+        if run.end - run.first > 1 {
+            let half = f64::midpoint(self.along[run.first], self.along[run.end]);
+            let before = self.along[run.first..run.end].partition_point(|&along| along < half);
+            let middle = (run.first + before).clamp(run.first + 1, run.end - 1);
+            let [one, other] = run.parted(middle).map(|half| self.grow(half));
+            ball = Ball { middle, ..around(&one, &other) };
+            self.balls[run.node] = ball;
+        }
         ball
     }
 }
@@ -146,5 +154,5 @@ fn around(one: &Ball, other: &Ball) -> Ball {
         return *other;
     }
     let radius = (apart + one.radius + other.radius) / 2.0;
-    Ball { centre: one.centre + between * ((radius - one.radius) / apart), radius }
+    Ball { centre: one.centre + between * ((radius - one.radius) / apart), radius, middle: one.middle }
 }

@@ -12,6 +12,7 @@ mod chain;
 mod motion;
 mod pairs;
 mod piece;
+mod ring;
 mod solid;
 mod sweep;
 
@@ -19,5 +20,6 @@ pub use chain::{Chain, Interval};
 pub use motion::Motion;
 pub use pairs::{ClosePair, close_pairs};
 pub use piece::{Near, between_pieces, to_solid};
+pub use ring::Ring;
 pub use solid::Solid;
 pub use sweep::{Meeting, Task, closest, first_contact};

@@ -1,6 +1,6 @@
 //! Convex solids by their signed distance.
 
-use nalgebra::{Point3, Vector2, Vector3};
+use nalgebra::{Point3, UnitVector3, Vector2, Vector3};
 
 /// A convex solid about the origin of its own frame; sizes in mm, none below 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,6 +51,35 @@ impl Solid {
             }
             Self::Capsule { radius, half_length } => {
                 (at - Point3::new(0.0, 0.0, at.z.clamp(-half_length, half_length))).norm() - radius
+            }
+        }
+    }
+
+    /// How far it reaches from its centre along `way`, and against it.
+    #[must_use]
+    pub fn half_extent(&self, way: &UnitVector3<f64>) -> f64 {
+        let across = way.x.hypot(way.y);
+        match *self {
+            Self::Box { half } => half.dot(&way.abs()),
+            Self::Cylinder { radius, half_length } => radius * across + half_length * way.z.abs(),
+            Self::Capsule { radius, half_length } => radius + half_length * way.z.abs(),
+        }
+    }
+
+    /// No point of it is farther than this from the line through `origin` along `way`.
+    pub(crate) fn farthest_from(&self, origin: &Point3<f64>, way: &UnitVector3<f64>) -> f64 {
+        let from_line = |at: Vector3<f64>| (at - origin.coords).cross(way).norm();
+        match *self {
+            Self::Box { half } => {
+                let corner = |k: u8| {
+                    let side = |bit: u8| if k & bit == 0 { 1.0 } else { -1.0 };
+                    from_line(half.component_mul(&Vector3::new(side(1), side(2), side(4))))
+                };
+                (0..8).map(corner).fold(0.0, f64::max)
+            }
+            Self::Cylinder { radius, half_length } | Self::Capsule { radius, half_length } => {
+                let end = |z: f64| from_line(Vector3::new(0.0, 0.0, z));
+                end(half_length).max(end(-half_length)) + radius
             }
         }
     }

@@ -1,6 +1,9 @@
 //! The first contact and the least distance of a motion.
 
-use nalgebra::{Isometry3, Point3};
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+use nalgebra::IsometryMatrix3;
 
 use crate::chain::{Chain, Interval, Run};
 use crate::piece::nearer_than;
@@ -23,6 +26,17 @@ pub struct Task<'a> {
     pub tolerance: f64,
 }
 
+impl Task<'_> {
+    /// Whether a run of pieces counts, and may come as near as `reach` for all that is known without moving it.
+    fn may_meet(&self, run: Run, reach: f64) -> bool {
+        let ball = self.chain.ball(run);
+        self.motion.least(&ball.centre) - ball.radius <= reach
+            && counts(self.parts, self.chain.extent(run))
+            && (self.chain.halves(run).is_some()
+                || self.motion.least_of_piece(self.chain.piece(run.first)) <= reach)
+    }
+}
+
 /// Where a chain and a solid meet, or come nearest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Meeting {
@@ -34,6 +48,104 @@ pub struct Meeting {
     pub along: f64,
     /// How far the centreline of the chain is from the solid; negative inside.
     pub distance: f64,
+}
+
+/// The first time at which the chain is within `reach` of the solid; `None` where it never is.
+///
+/// A contact that is deeper than `tolerance` is never missed, and none is reported that is farther than `reach` and `tolerance`.
+/// It is reported no later than it is, and no earlier than at a distance of `tolerance` more than `reach`.
+#[must_use]
+pub fn first_contact(task: &Task) -> Option<Meeting> {
+    let mut search = First { task, now: vec![task.chain.all()?], later: BinaryHeap::new() };
+    let mut time = 0.0;
+    loop {
+        let pose = task.motion.pose(time);
+        while let Some(run) = search.now.pop() {
+            if let Some(meeting) = search.advance(run, time, &pose) {
+                return Some(meeting);
+            }
+        }
+        let next = search.later.pop()?;
+        time = next.time;
+        search.now.push(next.run);
+    }
+}
+
+/// A run of pieces that meets nothing before a time.
+#[derive(Clone, Copy)]
+struct Later {
+    time: f64,
+    run: Run,
+}
+
+/// The one whose time is least comes first out of a heap; of several the one that is first in the chain.
+impl Ord for Later {
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.time.total_cmp(&self.time).then(other.run.first.cmp(&self.run.first))
+    }
+}
+
+impl PartialOrd for Later {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Later {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Later {}
+
+/// Conservative advancement of all runs of the chain together: always of those that are behind.
+struct First<'a> {
+    task: &'a Task<'a>,
+    /// Runs that meet nothing before now.
+    now: Vec<Run>,
+    later: BinaryHeap<Later>,
+}
+
+/// A run whose ball is nearer than this share of its radius is divided; from farther it is moved on as a whole.
+const NEAR: f64 = 0.5;
+
+impl First<'_> {
+    /// Moves a run on by what its distance allows, divides it where that is little, or finds that it meets the solid now.
+    fn advance(&mut self, run: Run, time: f64, pose: &IsometryMatrix3<f64>) -> Option<Meeting> {
+        let task = self.task;
+        let ball = task.chain.ball(run);
+        let mut free = task.solid.distance(&(pose * ball.centre)) - ball.radius - task.reach;
+        if free <= task.tolerance.max(ball.radius * NEAR) {
+            if let Some(halves) = task.chain.halves(run) {
+                let meeting = |half: &Run| task.may_meet(*half, task.reach + task.tolerance);
+                self.now.extend(halves.into_iter().rev().filter(meeting));
+                return None;
+            }
+            let near = clipped(task.parts, task.chain.interval(run.first))
+                .map(|part| nearest(task, run.first, part, pose, f64::INFINITY))
+                .min_by(|one, other| one.distance.total_cmp(&other.distance))?;
+            if near.distance - task.reach <= task.tolerance {
+                return Some(Meeting { time, ..near });
+            }
+            // What the narrowing of the distance may be off by is taken away.
+            free = near.distance - task.reach - task.tolerance / 4.0;
+        }
+        let time = time + free / task.motion.most(&ball.centre, ball.radius);
+        if time <= 1.0 {
+            self.later.push(Later { time, run });
+        }
+        None
+    }
+}
+
+/// The least distance between chain and solid over the motion, as far as it is below `reach`; `None` where they do not come
+/// within it. It is above the exact one by twice `tolerance` at most, or by this share of how far it is below `reach`.
+#[must_use]
+pub fn closest(task: &Task, share: f64) -> Option<Meeting> {
+    let mut search = Closest { task, share, best: None };
+    search.look(task.chain.all()?, Span::WHOLE, &task.motion.pose(Span::WHOLE.middle()));
+    search.best
 }
 
 /// A part of the motion, in time.
@@ -60,92 +172,6 @@ impl Span {
     }
 }
 
-/// The first time at which the chain is within `reach` of the solid; `None` where it never is.
-///
-/// A contact that is deeper than `tolerance` is never missed, and none is reported that is farther than `reach` and `tolerance`.
-/// It is reported no later than it is, and no earlier than at a distance of `tolerance` more than `reach`.
-#[must_use]
-pub fn first_contact(task: &Task) -> Option<Meeting> {
-    let all = task.chain.all()?;
-    let mut search = First { task, best: None };
-    // Most of what meets in a motion has met before it.
-    search.look(all, Span { from: 0.0, to: 0.0 }, &task.motion.pose(0.0));
-    if search.best.is_none() {
-        search.look(all, Span::WHOLE, &task.motion.pose(Span::WHOLE.middle()));
-    }
-    search.best
-}
-
-struct First<'a> {
-    task: &'a Task<'a>,
-    best: Option<Meeting>,
-}
-
-impl First<'_> {
-    /// Looks in a run of pieces, in a part of the motion; the earlier half of it first. `pose`: in the middle of it.
-    fn look(&mut self, run: Run, span: Span, pose: &Isometry3<f64>) {
-        let task = self.task;
-        let best = self.best.map_or(f64::INFINITY, |meeting| meeting.time);
-        if span.from >= best || !counts(task.parts, task.chain.extent(run)) {
-            return;
-        }
-        let ball = task.chain.ball(run);
-        let distance = task.solid.distance(&(pose * ball.centre)) - ball.radius - task.reach;
-        let most = task.motion.most(&ball.centre, ball.radius);
-        let moves = most * span.half_length();
-        if distance > moves + task.tolerance {
-            return;
-        }
-        let Some(halves) = run.halves() else {
-            self.advance(run.first, span, most);
-            return;
-        };
-        if moves > ball.radius {
-            for half in span.halves() {
-                self.look(run, half, &task.motion.pose(half.middle()));
-            }
-        } else {
-            for half in halves {
-                self.look(half, span, pose);
-            }
-        }
-    }
-
-    /// Moves on by what the distance of a piece allows, until it is used up or the time is over.
-    fn advance(&mut self, piece: usize, span: Span, most: f64) {
-        let task = self.task;
-        let end = self.best.map_or(span.to, |best| best.time.min(span.to));
-        for part in clipped(task.parts, task.chain.interval(piece)) {
-            let mut time = span.from;
-            while time <= end {
-                let pose = task.motion.pose(time);
-                let near = nearest(task, piece, part, &pose, f64::INFINITY);
-                let left = near.distance - task.reach;
-                if left <= task.tolerance {
-                    if self.best.is_none_or(|best| time < best.time) {
-                        self.best = Some(Meeting { time, ..near });
-                    }
-                    break;
-                }
-                if most <= 0.0 {
-                    break;
-                }
-                // What the narrowing of the distance may be off by is taken away.
-                time += (left - task.tolerance / 4.0) / most;
-            }
-        }
-    }
-}
-
-/// The least distance between chain and solid over the motion, as far as it is below `reach`; `None` where they do not come
-/// within it. It is above the exact one by twice `tolerance` at most, or by this share of how far it is below `reach`.
-#[must_use]
-pub fn closest(task: &Task, share: f64) -> Option<Meeting> {
-    let mut search = Closest { task, share, best: None };
-    search.look(task.chain.all()?, Span::WHOLE, &task.motion.pose(Span::WHOLE.middle()));
-    search.best
-}
-
 struct Closest<'a> {
     task: &'a Task<'a>,
     share: f64,
@@ -154,9 +180,9 @@ struct Closest<'a> {
 
 impl Closest<'_> {
     /// Looks in a run of pieces, in a part of the motion. `pose`: in the middle of it.
-    fn look(&mut self, run: Run, span: Span, pose: &Isometry3<f64>) {
+    fn look(&mut self, run: Run, span: Span, pose: &IsometryMatrix3<f64>) {
         let task = self.task;
-        if !counts(task.parts, task.chain.extent(run)) {
+        if !task.may_meet(run, self.wanted()) {
             return;
         }
         let ball = task.chain.ball(run);
@@ -166,13 +192,13 @@ impl Closest<'_> {
             return;
         }
         let mut in_time = moves > ball.radius;
-        if let Some(halves) = run.halves().filter(|_| !in_time) {
+        if let Some(halves) = task.chain.halves(run).filter(|_| !in_time) {
             for half in halves {
                 self.look(half, span, pose);
             }
             return;
         }
-        if run.halves().is_none() {
+        if task.chain.halves(run).is_none() {
             in_time = false;
             for part in clipped(task.parts, task.chain.interval(run.first)) {
                 let near = nearest(task, run.first, part, pose, self.wanted() + moves);
@@ -202,14 +228,8 @@ impl Closest<'_> {
 }
 
 /// How near a part of a piece comes; the time is left open.
-fn nearest(task: &Task, piece: usize, part: Interval, pose: &Isometry3<f64>, enough: f64) -> Meeting {
-    let [from, to] = task.chain.piece(piece).map(|end| pose * end);
-    let whole = task.chain.interval(piece);
-    let length = whole.to - whole.from;
-    let at = |along: f64| -> Point3<f64> {
-        let share = if length > 0.0 { (along - whole.from) / length } else { 0.0 };
-        from + (to - from) * share
-    };
+fn nearest(task: &Task, piece: usize, part: Interval, pose: &IsometryMatrix3<f64>, enough: f64) -> Meeting {
+    let at = |along: f64| pose * task.chain.point(piece, along);
     let near = nearer_than([&at(part.from), &at(part.to)], task.solid, task.tolerance / 4.0, enough);
     let along = part.from + (part.to - part.from) * near.part;
     Meeting { time: 0.0, piece, along, distance: near.distance }

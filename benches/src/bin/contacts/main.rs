@@ -10,49 +10,53 @@ use std::time::Instant;
 use anyhow::{Context, Result, ensure};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
+use wirebend_benches::{design, machine};
 use wirebend_core::bend::{Frame, Step};
 use wirebend_core::clearance::{Clearance, Contact, Passage, StockWire};
-use wirebend_core::plan::Machine;
+use wirebend_core::plan::{DoublingChoice, Machine, PlanOptions, clearance as clearance_of, plan_wires};
 use wirebend_core::units::{Angle, Length};
 use wirebend_core::wireframe::{EdgeId, VertexId};
-use wirebend_planning::machine::Setup;
-use wirebend_profile::Library;
 
 /// So many programs are compared with the bender.
 const PROGRAMS: u64 = 1000;
 /// How many bends the programs have whose time is measured.
 const BENDS: [usize; 4] = [10, 100, 300, 1000];
+/// The least of so many runs is taken.
+const RUNS: usize = 5;
 
 fn main() -> Result<()> {
-    let library = Library::shipped()?;
-    let machine = library.machine("wirebend-kit")?;
-    let material = library.material(machine.profile.default_material.as_deref().context("a material")?)?;
-    let machine = Setup::new(machine, material)?.model;
+    let machine = machine()?;
     let programs = std::env::args().nth(1).map_or(Ok(PROGRAMS), |number| number.parse())?;
-    times(&machine)?;
-    bender::compare(&machine, programs)
-}
-
-fn times(machine: &Machine) -> Result<()> {
     println!("{:>8} {:>14} {:>14} {:>10}", "bends", "all, ms", "first, ms", "contacts");
     for bends in BENDS {
         let steps = program(u64::try_from(bends)?, bends)?;
-        let runs = 5;
-        let mut best = (f64::INFINITY, f64::INFINITY, 0);
-        for _ in 0..runs {
-            let begin = Instant::now();
-            let found = clearance(machine, &steps).first_contacts();
-            let all = begin.elapsed().as_secs_f64() * 1000.0;
-            let begin = Instant::now();
-            let mut one = clearance(machine, &steps);
-            let first = (0..one.steps()).find_map(|step| one.contacts_of(step).first().copied());
-            let first_ms = begin.elapsed().as_secs_f64() * 1000.0;
-            ensure!(first.is_some() != found.is_empty(), "the first contact is one of all");
-            let contacts = found.iter().map(|first| 1 + first.later).sum::<usize>();
-            best = (best.0.min(all), best.1.min(first_ms), contacts);
-        }
-        println!("{bends:>8} {:>14.2} {:>14.2} {:>10}", best.0, best.1, best.2);
+        show(&bends.to_string(), || clearance(&machine, &steps))?;
     }
+    let bunny = design("bunny", true)?;
+    let options = PlanOptions { doubling: DoublingChoice::Cheapest, ..PlanOptions::default() };
+    let component = &bunny.components()[0];
+    let plan = plan_wires(&bunny, component, &machine, &options, |_| ());
+    let plan = plan.first().context("a wire")?;
+    clearance_of(&bunny, &machine, plan, Length::ZERO).context("a program")?;
+    show("bunny", || clearance_of(&bunny, &machine, plan, Length::ZERO).unwrap_or_else(|| unreachable!()))?;
+    bender::compare(&machine, programs)
+}
+
+fn show<'a>(name: &str, made: impl Fn() -> Clearance<'a>) -> Result<()> {
+    let mut best = (f64::INFINITY, f64::INFINITY, 0);
+    for _ in 0..RUNS {
+        let begin = Instant::now();
+        let found = made().first_contacts();
+        let all = begin.elapsed().as_secs_f64() * 1000.0;
+        let begin = Instant::now();
+        let mut one = made();
+        let first = (0..one.steps()).find_map(|step| one.contacts_of(step).first().copied());
+        let first_ms = begin.elapsed().as_secs_f64() * 1000.0;
+        ensure!(first.is_some() != found.is_empty(), "the first contact is one of all");
+        let contacts = found.iter().map(|first| 1 + first.later).sum::<usize>();
+        best = (best.0.min(all), best.1.min(first_ms), contacts);
+    }
+    println!("{name:>8} {:>14.2} {:>14.2} {:>10}", best.0, best.1, best.2);
     Ok(())
 }
 

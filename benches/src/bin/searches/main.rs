@@ -10,13 +10,11 @@ mod frame;
 use std::time::Instant;
 
 use anyhow::{Context, Result, ensure};
+use wirebend_benches::{design, machine};
 use wirebend_core::plan::{DoublingChoice, Machine, PlanOptions, WirePlan, plan_wires};
 use wirebend_core::search::SearchOptions;
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::Wireframe;
-use wirebend_files::read::{Format, ReadOptions, read};
-use wirebend_planning::machine::Setup;
-use wirebend_profile::Library;
 
 /// So many random frames are searched.
 const FRAMES: u64 = 50;
@@ -45,10 +43,7 @@ fn main() -> Result<()> {
     let frames = arguments.next().map_or(Ok(FRAMES), |number| number.parse())?;
     let effort = arguments.next().map_or(Ok(EFFORT), |number| number.parse())?;
     let only = arguments.next();
-    let library = Library::shipped()?;
-    let machine = library.machine("wirebend-kit")?;
-    let material = library.material(machine.profile.default_material.as_deref().context("a material")?)?;
-    let machine = Setup::new(machine, material)?.model;
+    let machine = machine()?;
     println!(
         "{:<16} {:>6} {:>6} | {:>8} {:>9} | {:>6} {:>6} {:>8} {:>9} {:>8}",
         "design", "edges", "bends", "contacts", "check, ms", "clear", "wires", "checks", "ms", "length"
@@ -71,13 +66,6 @@ fn main() -> Result<()> {
     }
     println!("{frames} frames: {first_clear} clear as first found; clear with 1, 2, more wires: {clear:?}");
     Ok(())
-}
-
-fn design(name: &str, faces: bool) -> Result<Wireframe> {
-    let path = format!("{}/../examples/{name}.obj", env!("CARGO_MANIFEST_DIR"));
-    let bytes = std::fs::read(&path).with_context(|| path.clone())?;
-    let options = ReadOptions { face_edges: faces, ..ReadOptions::default() };
-    Ok(read(&bytes, name, Some(Format::Obj), &options)?.wireframe)
 }
 
 struct Shown {

@@ -1,8 +1,8 @@
 //! Distances of pieces that stand still.
 
-use nalgebra::Point3;
+use nalgebra::{Isometry3, Point3, Vector3};
 use proptest::prelude::*;
-use wirebend_collide::{Solid, between_pieces, close_pairs, to_solid};
+use wirebend_collide::{Ring, Solid, between_pieces, close_pairs, to_solid};
 
 use crate::sampled;
 
@@ -94,5 +94,33 @@ fn pieces_without_length_and_parallel_ones_have_their_distances() {
     {
         let (distance, _) = between_pieces(one, other);
         assert!((distance - wanted).abs() < 1e-12, "{distance} instead of {wanted}");
+    }
+}
+
+proptest! {
+    /// A solid that is not all in its ring would be passed by.
+    #[test]
+    fn a_ring_holds_its_solid(
+        solid in sampled::solid(), ends in sampled::points(2), lie in prop::array::uniform3(-3.0..3.0_f64),
+    ) {
+        let at = Isometry3::new(ends[0].coords, Vector3::from(lie));
+        for axis in [Vector3::x_axis(), Vector3::z_axis()] {
+            let ring = Ring::around(&solid, &at, &axis);
+            let place = |point: &Point3<f64>| {
+                let along = point.coords.dot(&axis);
+                (along, point.coords - axis.into_inner() * along)
+            };
+            let (along, across) = place(&ends[1]);
+            let apart = sampled::distance(&solid, &(at.inverse() * ends[1]));
+            prop_assert!(ring.distance(along, across.norm()) <= apart + 1e-9);
+            // All of the piece between them, as vectors across the axis.
+            let flat = |point: &Point3<f64>| {
+                let (along, across) = place(point);
+                (along, if axis == Vector3::x_axis() { across.yz() } else { across.xy() })
+            };
+            let ends = [Point3::from(ends[1].coords * 0.5), ends[1]];
+            let nearest = sampled::piece(&solid, ends.map(|end| at.inverse() * end), 200).least;
+            prop_assert!(ring.distance_of_piece([flat(&ends[0]), flat(&ends[1])]) <= nearest + 1e-9);
+        }
     }
 }

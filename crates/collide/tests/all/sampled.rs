@@ -1,6 +1,6 @@
 //! Distances as a person would measure them: point by point.
 
-use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
+use nalgebra::{Isometry3, IsometryMatrix3, Point3, Rotation3, Translation3, Vector3};
 use proptest::prelude::*;
 use wirebend_collide::{Motion, Solid};
 
@@ -57,9 +57,10 @@ pub struct Screw {
 }
 
 impl Motion for Screw {
-    fn pose(&self, time: f64) -> Isometry3<f64> {
-        let turn = UnitQuaternion::from_scaled_axis(self.turn * time);
-        Isometry3::from_parts(Translation3::from(self.shift * time), turn) * self.begin
+    fn pose(&self, time: f64) -> IsometryMatrix3<f64> {
+        let turn = Rotation3::from_scaled_axis(self.turn * time);
+        let begin = nalgebra::convert::<_, IsometryMatrix3<f64>>(self.begin);
+        IsometryMatrix3::from_parts(Translation3::from(self.shift * time), turn) * begin
     }
 
     fn most(&self, centre: &Point3<f64>, radius: f64) -> f64 {

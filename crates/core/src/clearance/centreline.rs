@@ -1,6 +1,6 @@
 //! The centreline of a bent wire: straight parts, and arcs around the pin.
 
-use nalgebra::{Point3, UnitQuaternion, Vector3};
+use nalgebra::{Point3, UnitQuaternion};
 use wirebend_collide::{Chain, Interval};
 
 use crate::bend::{Frame, Step};
@@ -121,11 +121,4 @@ fn whole(count: f64) -> u32 {
 pub(super) struct Lie {
     pub turn: UnitQuaternion<f64>,
     pub begin: Point3<f64>,
-}
-
-impl Lie {
-    /// A point of the design as seen from the bend point, before anything is fed.
-    pub fn place(&self, point: &Point3<f64>) -> Vector3<f64> {
-        self.turn * (point - self.begin)
-    }
 }

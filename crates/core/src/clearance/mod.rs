@@ -9,20 +9,25 @@
 //! that meet the one that is fed at a vertex come near them, too, where a frame closes and the wire goes beside:
 //! [`Body::vertex_zone`]. A strut that runs along the same edge as the one that is fed lies beside it, and beside such bodies.
 
+mod asked;
 mod body;
 mod centreline;
 mod contact;
+mod contacts;
 mod moment;
 mod run;
+mod seen;
 mod stroke;
+mod wire;
 mod zone;
 
 pub use wirebend_collide::Solid;
 
 pub use body::{Bodies, Body, MovesWith};
-pub use contact::{Clearance, Contact, FirstContact, Obstacle, StockWire};
+pub use contact::{Contact, FirstContact, Obstacle};
 pub use run::StepPart;
 pub use stroke::{Phase, StepRun};
+pub use wire::{Clearance, StockWire};
 pub use zone::{Passage, passages};
 #[cfg(test)]
 mod bender;

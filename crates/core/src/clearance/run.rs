@@ -3,9 +3,11 @@
 use nalgebra::{UnitQuaternion, Vector3};
 use wirebend_collide::first_contact;
 
+use super::asked::{Asked, EXACT, Strokes};
 use super::body::{Body, MovesWith};
-use super::contact::{Asked, Clearance, EXACT, Obstacle};
+use super::contact::Obstacle;
 use super::stroke::{Phase, StepRun};
+use super::wire::Clearance;
 use crate::units::Angle;
 
 /// A part of a step, by what it depends on.
@@ -58,16 +60,16 @@ impl Clearance<'_> {
     pub fn obstacle(&self, step: usize, part: StepPart, run: &StepRun) -> Option<Obstacle> {
         let told = self.bend.command(run.bend).unwrap_or(run.bend);
         let moves = self.moves_of(step, run, told)?;
-        let mut asked = Asked::new(self, step, &moves);
+        let strokes = Strokes::new(self, &moves);
+        let mut asked = Asked::new(self, step, &strokes);
         let bodies = || self.bodies.all.iter().enumerate().map(|(k, body)| (Obstacle::Body(k), body));
         let sure = bodies().filter(|(_, body)| body.measured);
         let estimated = bodies().filter(|(_, body)| !body.measured);
         let stock = (Obstacle::Stock, self.stock.get(step)?);
         let all = [stock].into_iter().chain(sure).chain(estimated);
         all.filter(|(_, body)| part.concerns(body)).find_map(|one| {
-            let strokes = asked.strokes(one.1).into_iter().filter(|stroke| part.has(stroke.phase));
-            let meets = |stroke| asked.ask(one, &stroke, EXACT, first_contact).is_some();
-            strokes.into_iter().any(meets).then_some(one.0)
+            let mut wanted = strokes.past(one.1.moves_with).filter(|strokes| part.has(strokes[0].phase));
+            wanted.any(|strokes| asked.ask(one, strokes, EXACT, first_contact).is_some()).then_some(one.0)
         })
     }
 }

@@ -1,12 +1,9 @@
 //! The motions of a step.
 
-use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, UnitVector3, Vector3};
-use wirebend_collide::Motion;
-
-use super::body::{Bodies, Body, MovesWith};
+use super::body::{Bodies, MovesWith};
 use super::centreline::Lie;
 use crate::compensate::PegGeometry;
-use crate::units::{Angle, Length};
+use crate::units::Angle;
 
 /// What moves in a part of a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -34,8 +31,6 @@ pub enum Phase {
 pub(super) struct Stroke {
     pub phase: Phase,
     pub lie: Lie,
-    /// The head's z while it bends.
-    pub bend_axis: UnitVector3<f64>,
     /// 1 or -1: to which side it bends.
     pub side: f64,
     /// Centreline radius of the bend, mm.
@@ -106,86 +101,10 @@ impl Stroke {
             }
         }
     }
-
-    /// From the frame of the design to that of the machine.
-    fn wire(&self, state: &State) -> Isometry3<f64> {
-        let Lie { turn, begin } = self.lie;
-        let fed = Translation3::new(state.fed, 0.0, 0.0);
-        let lying = fed * turn * Translation3::from(-begin.coords);
-        if state.bent <= 0.0 {
-            return lying;
-        }
-        let arc = self.radius * state.bent;
-        let rolled = UnitQuaternion::from_axis_angle(&self.bend_axis, self.side * state.bent);
-        let tangent = self.on_pin(state.bent);
-        Translation3::from(tangent) * rolled * Translation3::new(-arc, 0.0, 0.0) * lying
-    }
-
-    /// Where the wire leaves the pin when it is bent so far.
-    fn on_pin(&self, bent: f64) -> Vector3<f64> {
-        let across = self.bend_axis.cross(&Vector3::x()) * self.side;
-        Vector3::x() * (self.radius * bent.sin()) + across * (self.radius * (1.0 - bent.cos()))
-    }
 }
 
 fn differs(one: f64, other: f64) -> bool {
     (one - other).abs() > 0.0
-}
-
-/// A stroke as a body sees it.
-pub(super) struct Seen<'a> {
-    pub stroke: &'a Stroke,
-    pub body: &'a Body,
-    pub pivot: f64,
-    /// From the frame of the machine to that of the body, where that is at its reference.
-    into: Isometry3<f64>,
-}
-
-impl<'a> Seen<'a> {
-    pub fn new(stroke: &'a Stroke, body: &'a Body, pivot: Length) -> Self {
-        Self { stroke, body, pivot: pivot.mm(), into: body.at.inverse() }
-    }
-}
-
-impl Motion for Seen<'_> {
-    fn pose(&self, time: f64) -> Isometry3<f64> {
-        let state = self.stroke.at(time);
-        let wire = self.stroke.wire(&state);
-        let head = || UnitQuaternion::from_axis_angle(&Vector3::x_axis(), -state.head);
-        match self.body.moves_with {
-            MovesWith::Frame => self.into * wire,
-            MovesWith::Head => self.into * head() * wire,
-            MovesWith::Peg => {
-                let back = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), -state.axis);
-                let to_pivot = Translation3::new(-self.pivot, 0.0, 0.0);
-                let from_pivot = Translation3::new(self.pivot, 0.0, state.peg_in);
-                self.into * from_pivot * back * to_pivot * head() * wire
-            }
-        }
-    }
-
-    fn most(&self, centre: &Point3<f64>, radius: f64) -> f64 {
-        let Stroke { lie, from, to, .. } = self.stroke;
-        let lying = lie.place(centre);
-        let away = |along: f64| (lying + Vector3::x() * along).norm();
-        let farthest = away(from.fed).max(away(to.fed)) + radius;
-        let mut most = (to.fed - from.fed).abs();
-        if from.bent.max(to.bent) > 0.0 {
-            // It turns about where it leaves the pin, a point that goes along the wire.
-            let arc = |bent: f64| self.stroke.radius * bent;
-            let arm = away(to.fed - arc(from.bent)).max(away(to.fed - arc(to.bent))) + radius;
-            most += (to.bent - from.bent).abs() * arm;
-        }
-        if self.body.moves_with != MovesWith::Frame {
-            most += (to.head - from.head).abs() * (lying.yz().norm() + radius).min(farthest);
-        }
-        if self.body.moves_with == MovesWith::Peg {
-            // Rolled on the pin it is no farther than that and the pin's size.
-            let arm = farthest + 2.0 * self.stroke.radius * (1.0 + from.bent.max(to.bent)) + self.pivot.abs();
-            most += (to.axis - from.axis).abs() * arm + (to.peg_in - from.peg_in).abs();
-        }
-        most
-    }
 }
 
 /// One way to run a step.
@@ -200,7 +119,6 @@ pub struct StepRun {
 /// What a step does, as far as its strokes ask.
 pub(super) struct Moves {
     pub lie: Lie,
-    pub bend_axis: UnitVector3<f64>,
     pub radius: f64,
     /// mm.
     pub fed: f64,
@@ -225,7 +143,7 @@ pub(super) fn strokes(
     peg: Option<&PegGeometry>,
     in_parts: bool,
 ) -> Vec<Stroke> {
-    let Moves { lie, bend_axis, radius, fed, head, bend, .. } = *moves;
+    let Moves { lie, radius, fed, head, bend, .. } = *moves;
     let bends = bend != Angle::ZERO;
     let rest = bodies.peg_stroke.mm();
     let mut state = State { head: head[0].rad(), peg_in: rest, ..State::default() };
@@ -235,7 +153,7 @@ pub(super) fn strokes(
         change(&mut state);
         if state != from {
             let side = bend.signum();
-            strokes.push(Stroke { phase, lie, bend_axis, side, radius, from, to: state });
+            strokes.push(Stroke { phase, lie, side, radius, from, to: state });
         }
     };
     go(Phase::Feed, &|state| state.fed = fed);

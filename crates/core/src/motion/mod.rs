@@ -13,7 +13,7 @@ mod moment;
 mod pose;
 
 pub use moment::{MachineStep, Moment, moments};
-pub(crate) use pose::bend_axis;
+
 pub use pose::{Pose, poses, poses_of_points};
 
 #[cfg(test)]

@@ -1,0 +1,30 @@
+//! What the benchmarks are run on.
+
+use anyhow::{Context, Result};
+use wirebend_core::plan::Machine;
+use wirebend_core::wireframe::Wireframe;
+use wirebend_files::read::{Format, ReadOptions, read};
+use wirebend_planning::machine::Setup;
+use wirebend_profile::Library;
+
+/// The machine of the WireBend-kit paper with the wire that it usually bends.
+///
+/// # Errors
+/// When it does not ship.
+pub fn machine() -> Result<Machine> {
+    let library = Library::shipped()?;
+    let machine = library.machine("wirebend-kit")?;
+    let material = library.material(machine.profile.default_material.as_deref().context("a material")?)?;
+    Ok(Setup::new(machine, material)?.model)
+}
+
+/// A design of `examples/`. `faces`: the edges of its faces are meant.
+///
+/// # Errors
+/// When it cannot be read.
+pub fn design(name: &str, faces: bool) -> Result<Wireframe> {
+    let path = format!("{}/../examples/{name}.obj", env!("CARGO_MANIFEST_DIR"));
+    let bytes = std::fs::read(&path).with_context(|| path.clone())?;
+    let options = ReadOptions { face_edges: faces, ..ReadOptions::default() };
+    Ok(read(&bytes, name, Some(Format::Obj), &options)?.wireframe)
+}

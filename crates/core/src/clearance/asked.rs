@@ -1,0 +1,136 @@
+//! Questions about a step, body by body.
+
+use wirebend_collide::{Interval, Meeting, Task, first_contact};
+
+use super::body::{Body, MovesWith};
+use super::contact::{Contact, Obstacle};
+use super::seen::{Rooms, Seen};
+use super::stroke::{Moves, Phase, State, Stroke, strokes};
+use super::wire::Clearance;
+use super::zone::Touch;
+use crate::units::{Angle, Length};
+
+/// How exact distances are, mm.
+pub(super) const EXACT: f64 = 0.005;
+
+/// The strokes of a step.
+pub(super) struct Strokes {
+    /// For bodies of the peg.
+    in_parts: Vec<Stroke>,
+    /// For all others.
+    whole: Vec<Stroke>,
+}
+
+impl Strokes {
+    pub fn new(clearance: &Clearance, moves: &Moves) -> Self {
+        let peg = clearance.bend.setback.as_ref();
+        let [in_parts, whole] = [true, false].map(|parts| strokes(moves, clearance.bodies, peg, parts));
+        Self { in_parts, whole }
+    }
+
+    /// Those in which a body moves past the wire, those of a phase together.
+    pub fn past(&self, body: MovesWith) -> impl Iterator<Item = &[Stroke]> {
+        let all = if body == MovesWith::Peg { &self.in_parts } else { &self.whole };
+        let same = move |one: &Stroke, other: &Stroke| {
+            one.phase == other.phase && one.moves(body) == other.moves(body)
+        };
+        all.chunk_by(same).filter(move |phase| phase[0].moves(body))
+    }
+}
+
+/// A step that is asked about.
+pub(super) struct Asked<'a> {
+    clearance: &'a Clearance<'a>,
+    step: usize,
+    strokes: &'a Strokes,
+    /// What counts of the wire, for each question that has come up.
+    counting: Vec<(Phase, Touch, Vec<Interval>)>,
+}
+
+impl<'a> Asked<'a> {
+    pub const fn new(clearance: &'a Clearance<'a>, step: usize, strokes: &'a Strokes) -> Self {
+        Self { clearance, step, strokes, counting: Vec::new() }
+    }
+
+    /// The first contact with a body.
+    pub fn first(&mut self, one: (Obstacle, &Body)) -> Option<(Stroke, Meeting)> {
+        let strokes = self.strokes;
+        strokes.past(one.1.moves_with).find_map(|strokes| self.ask(one, strokes, EXACT, first_contact))
+    }
+
+    /// What comes of a question about a body and strokes of one phase: in which of them, and when.
+    pub fn ask(
+        &mut self,
+        (obstacle, body): (Obstacle, &Body),
+        strokes: &[Stroke],
+        tolerance: f64,
+        ask: impl Fn(&Task) -> Option<Meeting>,
+    ) -> Option<(Stroke, Meeting)> {
+        let clearance = self.clearance;
+        let phase = strokes.first()?.phase;
+        let leg = &clearance.centreline.legs[self.step];
+        let out = if phase == Phase::Feed { leg.straight.from } else { leg.straight.to };
+        let touch = match obstacle {
+            Obstacle::Stock => Touch::Stock,
+            Obstacle::Body(_) => Touch::Body { wire: body.contact_zone.mm(), vertex: body.vertex_zone.mm() },
+        };
+        let known = self.counting.iter().position(|(of, how, _)| (*of, *how) == (phase, touch));
+        let known = known.unwrap_or_else(|| {
+            let parts = clearance.passed.counting(self.step, phase, touch, out);
+            self.counting.push((phase, touch, parts));
+            self.counting.len() - 1
+        });
+        let rooms = match obstacle {
+            Obstacle::Body(index) => clearance.rooms[index],
+            Obstacle::Stock => Rooms::new(body, clearance.bodies),
+        };
+        let seen = Seen::new(strokes, body, &rooms, clearance.bodies)?;
+        let meeting = ask(&Task {
+            chain: &clearance.centreline.chain,
+            parts: &self.counting[known].2,
+            solid: &body.solid,
+            motion: &seen,
+            reach: clearance.wire.reach(),
+            tolerance,
+        })?;
+        let (stroke, time) = seen.stroke_at(meeting.time);
+        Some((*stroke, Meeting { time, ..meeting }))
+    }
+
+    /// A contact as a whole, from where it was found.
+    pub fn contact(&self, obstacle: Obstacle, (stroke, meeting): (Stroke, Meeting)) -> Contact {
+        let legs = &self.clearance.centreline.legs;
+        let leg = legs.partition_point(|leg| leg.straight.to + leg.arc / 2.0 < meeting.along);
+        let state = stroke.at(meeting.time);
+        Contact {
+            step: self.step,
+            phase: stroke.phase,
+            passed: self.passed(&stroke, &state, meeting.time),
+            fed: Length::computed(state.fed),
+            head: Angle::computed(state.head),
+            bent: Angle::computed(stroke.side * state.bent),
+            obstacle,
+            leg: leg.min(self.step),
+            along: Length::computed(meeting.along),
+        }
+    }
+
+    /// The part of a phase that has passed at a time of one of its strokes.
+    fn passed(&self, stroke: &Stroke, state: &State, time: f64) -> f64 {
+        let same = || self.strokes.in_parts.iter().filter(|other| other.phase == stroke.phase);
+        let whole: f64 = same().map(Stroke::size).sum();
+        let mut before = 0.0;
+        for part in same() {
+            let bending = part.to.bent > part.from.bent;
+            let time =
+                if bending { (state.bent - part.from.bent) / (part.to.bent - part.from.bent) } else { time };
+            let is_it = if bending { time <= 1.0 && state.bent > 0.0 } else { part.from == stroke.from };
+            if is_it {
+                before += part.size() * time;
+                break;
+            }
+            before += part.size();
+        }
+        if whole > 0.0 { (before / whole).min(1.0) } else { time }
+    }
+}

@@ -1,0 +1,116 @@
+//! The contacts of a program.
+
+use std::ops::Range;
+
+use wirebend_collide::{Task, closest};
+
+use super::asked::{Asked, Strokes};
+use super::body::Body;
+use super::contact::{Contact, FirstContact, Obstacle};
+use super::stroke::Phase;
+use super::wire::Clearance;
+use crate::units::Length;
+
+/// How exact depths are, mm, and as a share of them.
+const DEPTH_EXACT: f64 = 0.02;
+const DEPTH_SHARE: f64 = 0.05;
+
+impl Clearance<'_> {
+    /// The first contact with each thing that the wire meets, in the order of its steps.
+    #[must_use]
+    pub fn first_contacts(self) -> Vec<FirstContact> {
+        self.first_contacts_while(|_| true).unwrap_or_default()
+    }
+
+    /// The same for whoever may be stopped: `goes_on` is asked before each step, with its index. `None` where it does not.
+    #[must_use]
+    pub fn first_contacts_while(mut self, goes_on: impl FnMut(usize) -> bool) -> Option<Vec<FirstContact>> {
+        let all = self.first_contacts_in(0..self.steps(), goes_on)?;
+        Some(self.merged([all]))
+    }
+
+    /// The same of some steps, so that several threads can share a long wire. How deep they are is not measured yet: what is found of
+    /// steps that follow one another gives the whole by [`Clearance::merged`].
+    pub fn first_contacts_in(
+        &mut self,
+        steps: Range<usize>,
+        mut goes_on: impl FnMut(usize) -> bool,
+    ) -> Option<Vec<FirstContact>> {
+        self.met.clear();
+        if let Some(before) = steps.start.checked_sub(1) {
+            // What it meets already is no new contact.
+            self.contacts_of(before);
+        }
+        let mut found: Vec<FirstContact> = Vec::new();
+        for step in steps {
+            if !goes_on(step) {
+                return None;
+            }
+            for contact in self.contacts_of(step) {
+                let known = found.iter_mut().find(|first| first.contact.obstacle == contact.obstacle);
+                if let Some(first) = known {
+                    first.later += 1;
+                } else {
+                    found.push(FirstContact { contact, depth: Length::ZERO, later: 0 });
+                }
+            }
+        }
+        Some(found)
+    }
+
+    /// The first contacts of the whole wire, from those of its parts in the order of their steps.
+    #[must_use]
+    pub fn merged(&self, parts: impl IntoIterator<Item = Vec<FirstContact>>) -> Vec<FirstContact> {
+        let mut found: Vec<FirstContact> = Vec::new();
+        for first in parts.into_iter().flatten() {
+            let known = found.iter_mut().find(|known| known.contact.obstacle == first.contact.obstacle);
+            if let Some(known) = known {
+                known.later += 1 + first.later;
+            } else {
+                found.push(FirstContact { depth: self.depth(&first.contact), ..first });
+            }
+        }
+        found
+    }
+
+    /// What the wire begins to meet in a step; the steps are asked for in order. One contact for each thing that it meets.
+    pub fn contacts_of(&mut self, step: usize) -> Vec<Contact> {
+        let Some(moves) = self.moves(step) else { return Vec::new() };
+        let strokes = Strokes::new(self, &moves);
+        let mut asked = Asked::new(self, step, &strokes);
+        let all = self.bodies.all.iter().enumerate().map(|(index, body)| (Obstacle::Body(index), body));
+        let all: Vec<(Obstacle, &Body)> = all.chain([(Obstacle::Stock, &self.stock[step])]).collect();
+        let mut met = Vec::new();
+        let mut found = Vec::new();
+        for one in all {
+            let Some((stroke, meeting)) = asked.first(one) else { continue };
+            met.push(one.0);
+            let goes_on = stroke.phase == Phase::Feed && meeting.time <= 0.0;
+            if !(goes_on && self.met.contains(&one.0)) {
+                found.push(asked.contact(one.0, (stroke, meeting)));
+            }
+        }
+        self.met = met;
+        found.sort_by(|one, other| one.phase.cmp(&other.phase).then(one.passed.total_cmp(&other.passed)));
+        found
+    }
+
+    /// How far the wire and what it meets are into each other at the worst of the step, the margin included; to a twentieth.
+    #[must_use]
+    pub fn depth(&self, contact: &Contact) -> Length {
+        let body = match contact.obstacle {
+            Obstacle::Body(index) => self.bodies.all.get(index),
+            Obstacle::Stock => self.stock.get(contact.step),
+        };
+        let Some((body, moves)) = body.zip(self.moves(contact.step)) else { return Length::ZERO };
+        let strokes = Strokes::new(self, &moves);
+        let mut asked = Asked::new(self, contact.step, &strokes);
+        let deepest = |task: &Task| closest(task, DEPTH_SHARE);
+        let mut least = self.wire.reach();
+        for strokes in strokes.past(body.moves_with) {
+            let near = asked.ask((contact.obstacle, body), strokes, DEPTH_EXACT, deepest);
+            least = near.map_or(least, |(_, near)| least.min(near.distance));
+        }
+        Length::computed(self.wire.reach() - least)
+    }
+}
