@@ -1,4 +1,6 @@
-//! What the benchmarks are run on.
+//! What the benchmarks are run on and compared with.
+
+pub mod bender;
 
 use anyhow::{Context, Result};
 use wirebend_core::plan::Machine;

@@ -3,7 +3,8 @@
 
 #![allow(clippy::print_stdout, reason = "its output is the table")]
 
-mod bender;
+mod brute;
+mod peer;
 
 use std::time::Instant;
 
@@ -26,7 +27,9 @@ const RUNS: usize = 5;
 
 fn main() -> Result<()> {
     let machine = machine()?;
-    let programs = std::env::args().nth(1).map_or(Ok(PROGRAMS), |number| number.parse())?;
+    let mut arguments = std::env::args().skip(1);
+    let python = arguments.next().context("name the peer's Python")?;
+    let programs = arguments.next().map_or(Ok(PROGRAMS), |number| number.parse())?;
     println!("{:>8} {:>14} {:>14} {:>10}", "bends", "all, ms", "first, ms", "contacts");
     for bends in BENDS {
         let steps = program(u64::try_from(bends)?, bends)?;
@@ -39,7 +42,8 @@ fn main() -> Result<()> {
     let plan = plan.first().context("a wire")?;
     clearance_of(&bunny, &machine, plan, Length::ZERO).context("a program")?;
     show("bunny", || clearance_of(&bunny, &machine, plan, Length::ZERO).unwrap_or_else(|| unreachable!()))?;
-    bender::compare(&machine, programs)
+    peer::compare(&machine, &python)?;
+    brute::compare(&machine, programs)
 }
 
 fn show<'a>(name: &str, made: impl Fn() -> Clearance<'a>) -> Result<()> {
@@ -77,19 +81,22 @@ fn program(seed: u64, bends: usize) -> Result<Vec<Step>> {
 }
 
 /// Each step runs along an edge of its own.
-fn clearance<'a>(machine: &'a Machine, steps: &[Step]) -> Clearance<'a> {
+fn passages(steps: &[Step]) -> Vec<Vec<(Passage, Length)>> {
     let passage = |(k, step): (u32, &Step)| {
         vec![(Passage { edge: EdgeId(k), from: VertexId(k), to: VertexId(k + 1) }, step.feed)]
     };
+    (0..).zip(steps).map(passage).collect()
+}
+
+fn clearance<'a>(machine: &'a Machine, steps: &[Step]) -> Clearance<'a> {
     let wire = StockWire {
         diameter: machine.wire.diameter,
         bend_radius: machine.bend_radius,
         tail: machine.limits.tail.value,
         margin: Length::ZERO,
     };
-    let passages = (0..).zip(steps).map(passage).collect();
     let bend = &machine.compensation.bend;
-    Clearance::new((Frame::default(), steps), None, passages, wire, &machine.bodies, bend)
+    Clearance::new((Frame::default(), steps), None, passages(steps), wire, &machine.bodies, bend)
 }
 
 /// All contacts of a program.

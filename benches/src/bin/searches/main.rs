@@ -10,7 +10,9 @@ mod frame;
 use std::time::Instant;
 
 use anyhow::{Context, Result, ensure};
+use wirebend_benches::bender::nearest;
 use wirebend_benches::{design, machine};
+use wirebend_core::clearance::passages;
 use wirebend_core::plan::{DoublingChoice, Machine, PlanOptions, WirePlan, plan_wires};
 use wirebend_core::search::SearchOptions;
 use wirebend_core::units::Length;
@@ -20,6 +22,11 @@ use wirebend_core::wireframe::Wireframe;
 const FRAMES: u64 = 50;
 /// How many steps are checked for each number of wires: some seconds.
 const EFFORT: u64 = 5000;
+
+/// The bender that checks what is found is looked at this many times 0.05 degrees and mm apart.
+const STRIDE: f64 = 10.0;
+/// It may come this much nearer than it should, mm: its peg follows the wire exactly, that of the check in straight parts.
+const EXACT: f64 = 0.05;
 
 /// Designs of `examples/`, and whether the edges of their faces are meant.
 const DESIGNS: &[(&str, bool)] = &[
@@ -99,6 +106,18 @@ fn show(name: &str, wireframe: &Wireframe, machine: &Machine, effort: u64) -> Re
     let searched = found.first().and_then(|wire| wire.searched);
     let clear = searched.is_some_and(|searched| searched.found);
     ensure!(!clear || contacts(&found) == 0, "{name}: what is found is refused by the check");
+    if clear {
+        for wire in &found {
+            let (Some(scheduled), Some(nominal), Some(route)) = (&wire.scheduled, &wire.nominal, &wire.route)
+            else {
+                continue;
+            };
+            let passages = passages(wireframe, &route.traversals, &nominal.spans);
+            let nearest = nearest(machine, &scheduled.steps, passages, STRIDE);
+            let apart = nearest.map_or(f64::INFINITY, |(_, least)| least - machine.wire.diameter.mm() / 2.0);
+            ensure!(apart > -EXACT, "{name}: the bender meets {nearest:?}");
+        }
+    }
     let length: f64 = found.iter().filter_map(|wire| Some(wire.nominal.as_ref()?.length().mm())).sum();
     println!(
         "{name:<16} {:>6} {bends:>6} | {:>8} {plain_ms:>9.1} | {clear:>6} {:>6} {:>8} {ms:>9.1} {length:>8.0} {}",

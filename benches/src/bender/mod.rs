@@ -1,0 +1,297 @@
+//! A bender that pushes, turns and winds pieces of wire, a little at a time: none of the code that is measured but the distance of a
+//! piece that stands still.
+
+mod distance;
+
+use nalgebra::{Isometry3, Point3, Rotation3, Translation3, Unit, UnitQuaternion, Vector3};
+use wirebend_core::bend::Step;
+use wirebend_core::clearance::{Body, MovesWith, Passage, Phase};
+use wirebend_core::plan::Machine;
+use wirebend_core::units::{Angle, Length};
+
+pub use distance::nearest;
+
+/// How far things turn at a time, radians: 0.05°.
+const TURN: f64 = 0.000_872_664_6;
+/// How far things go at a time, mm.
+const GO: f64 = 0.05;
+/// How far a chord of an arc turns, radians.
+const CHORD: f64 = 0.05;
+
+/// A straight piece of wire.
+#[derive(Clone, Copy)]
+struct Piece {
+    ends: [Point3<f64>; 2],
+    /// The length of the wire from its start to each end, mm.
+    along: [f64; 2],
+}
+
+/// The machine with the wire in it.
+pub struct Bender<'a> {
+    machine: &'a Machine,
+    pieces: Vec<Piece>,
+    /// From the frame of the wire's start to that of the machine.
+    wire: Isometry3<f64>,
+    /// Where the wire has its corners, as seen from its start.
+    corners: Vec<Point3<f64>>,
+    /// The length of the wire that is rigid.
+    out: f64,
+    /// What each step runs along, with lengths.
+    passages: Vec<Vec<(Passage, Length)>>,
+    /// What the wire has run along, with its length at both ends.
+    passed: Vec<(Passage, [f64; 2])>,
+    /// The step that is run.
+    step: usize,
+    /// The length of the wire at the middle of the arc before.
+    corner: f64,
+    /// How many times as far as usual it goes between two states.
+    stride: f64,
+    /// Radians about +x.
+    head: f64,
+    /// Radians about the head's z.
+    axis: f64,
+    peg_in: f64,
+    /// What is left to be fed, and the tail.
+    stock: f64,
+    bend_before: f64,
+}
+
+/// When in its step something is: the phase, and how much of it has passed. While the peg comes to the wire before it bends that counts from
+/// -1 to 0, then from 0 to 1 as the wire bends.
+pub type Moment = (Phase, f64);
+
+/// What is shown of each state.
+pub type See<'s> = dyn FnMut(Moment, &Bender) + 's;
+
+impl<'a> Bender<'a> {
+    /// `passages`: what each step runs along. `stride`: how many times as far as 0.05 degrees and mm it goes between two states.
+    #[must_use]
+    pub fn new(
+        machine: &'a Machine,
+        steps: &[Step],
+        passages: Vec<Vec<(Passage, Length)>>,
+        stride: f64,
+    ) -> Self {
+        Self {
+            machine,
+            pieces: Vec::new(),
+            wire: Isometry3::identity(),
+            corners: vec![Point3::origin()],
+            out: 0.0,
+            passages,
+            passed: Vec::new(),
+            step: 0,
+            corner: 0.0,
+            stride,
+            head: 0.0,
+            axis: 0.0,
+            peg_in: machine.bodies.peg_stroke.mm(),
+            stock: fed(machine, steps) + machine.limits.tail.value.mm(),
+            bend_before: 0.0,
+        }
+    }
+
+    /// How far a bend is pressed before it springs back.
+    #[must_use]
+    pub fn pressed(machine: &Machine, bend: Angle) -> f64 {
+        let springback = machine.compensation.bend.springback.as_ref();
+        springback.map_or(bend, |model| model.bend_to(bend)).abs().rad()
+    }
+
+    /// Where the axis begins to bend, touches the wire, and ends, radians.
+    #[must_use]
+    pub fn axes(machine: &Machine, step: &Step) -> Option<[f64; 3]> {
+        let model = &machine.compensation.bend;
+        let side = step.bend.signum();
+        let touch = side * model.setback.as_ref()?.axis_for(Angle::ZERO)?.rad();
+        Some([touch - side * machine.bodies.approach.rad(), touch, model.command(step.bend).ok()?.rad()])
+    }
+
+    /// Runs a step. `also`: moments at which it has to be seen besides.
+    pub fn run(&mut self, step: &Step, also: &[Moment], see: &mut See) {
+        let radius = self.machine.bend_radius.mm();
+        let size = step.bend.abs().rad();
+        let corner = |bend: f64| radius * (bend / 2.0).tan();
+        let fed = step.feed.mm() - corner(self.bend_before) - corner(size) + radius * size;
+        self.stock -= fed;
+        let begin = (self.pieces.clone(), self.wire);
+        for part in self.parts(fed / GO, Phase::Feed, also) {
+            self.pieces.clone_from(&begin.0);
+            self.wire = begin.1;
+            self.place(&Isometry3::translation(fed * part, 0.0, 0.0));
+            see((Phase::Feed, part), self);
+        }
+        let straight = fed - radius * size;
+        let [from, to] = [fed, radius * size].map(|x| Point3::new(x, 0.0, 0.0));
+        self.pieces.push(Piece { ends: [from, to], along: [self.out, self.out + straight] });
+        self.out += straight;
+        self.pass(self.out + radius * size / 2.0);
+        let ahead = Point3::new(radius * size - corner(size), 0.0, 0.0);
+        self.corners.push(self.wire.inverse() * ahead);
+        let from = self.head;
+        for part in self.parts(step.rotate.abs().rad() / TURN, Phase::Rotate, also) {
+            self.head = from - step.rotate.rad() * part;
+            see((Phase::Rotate, part), self);
+        }
+        if size > 0.0 {
+            self.wind(step, size, also, see);
+        }
+        self.bend_before = size;
+        self.step += 1;
+    }
+
+    /// It has run along the passages of a step, up to the middle of the arc at their end.
+    fn pass(&mut self, corner: f64) {
+        let whole: f64 = self.passages[self.step].iter().map(|(_, length)| length.mm()).sum();
+        let mut from = self.corner;
+        for (passage, length) in &self.passages[self.step] {
+            let to = from + (corner - self.corner) * length.mm() / whole;
+            self.passed.push((*passage, [from, to]));
+            from = to;
+        }
+        self.corner = corner;
+    }
+
+    fn wind(&mut self, step: &Step, size: f64, also: &[Moment], see: &mut See) {
+        let (side, pressed) = (step.bend.signum(), Self::pressed(self.machine, step.bend));
+        let machine = self.machine;
+        let Some((peg, [begin, touch, end])) =
+            machine.compensation.bend.setback.as_ref().zip(Self::axes(machine, step))
+        else {
+            return;
+        };
+        let rest = self.peg_in;
+        self.swing([0.0, begin], Phase::Approach, also, see);
+        self.slide([rest, 0.0], Phase::PegOut, also, see);
+        let before_it: Vec<Moment> = also.iter().map(|(phase, part)| (*phase, part + 1.0)).collect();
+        for part in self.parts((touch - begin).abs() / TURN, Phase::Bend, &before_it) {
+            self.axis = begin + (touch - begin) * part;
+            see((Phase::Bend, part - 1.0), self);
+        }
+        let mut bent = 0.0;
+        for part in self.parts(pressed / TURN, Phase::Bend, also) {
+            let next = pressed * part;
+            self.turn(side, f64::midpoint(bent, next), next - bent);
+            let axis = peg.axis_for(Angle::from_deg(next.to_degrees()).unwrap_or(Angle::ZERO));
+            (bent, self.axis) =
+                (next, if part < 1.0 { axis.map_or(end, |axis| side * axis.rad()) } else { end });
+            see((Phase::Bend, part), self);
+        }
+        for part in self.parts((end - begin).abs() / TURN, Phase::Release, also) {
+            let next = pressed + (size - pressed) * part;
+            self.turn(side, f64::midpoint(bent, next), next - bent);
+            (bent, self.axis) = (next, end + (begin - end) * part);
+            see((Phase::Release, part), self);
+        }
+        self.slide([0.0, rest], Phase::PegIn, also, see);
+        self.swing([begin, 0.0], Phase::Return, also, see);
+        self.wound(side, size);
+    }
+
+    fn parts(&self, count: f64, phase: Phase, also: &[Moment]) -> Vec<f64> {
+        parts(count / self.stride, phase, also)
+    }
+
+    fn swing(&mut self, [from, to]: [f64; 2], phase: Phase, also: &[Moment], see: &mut See) {
+        for part in self.parts((to - from).abs() / TURN, phase, also) {
+            self.axis = from + (to - from) * part;
+            see((phase, part), self);
+        }
+    }
+
+    fn slide(&mut self, [from, to]: [f64; 2], phase: Phase, also: &[Moment], see: &mut See) {
+        for part in self.parts((to - from).abs() / GO, phase, also) {
+            self.peg_in = from + (to - from) * part;
+            see((phase, part), self);
+        }
+    }
+
+    /// Where the wire leaves the pin when it is bent so far.
+    fn leaves(&self, side: f64, bent: f64) -> Point3<f64> {
+        let radius = self.machine.bend_radius.mm();
+        let across = Rotation3::from_axis_angle(&Vector3::x_axis(), self.head) * Vector3::y() * side;
+        Point3::from(Vector3::x() * (radius * bent.sin()) + across * (radius * (1.0 - bent.cos())))
+    }
+
+    /// Turns the rigid wire about where it leaves the pin.
+    fn turn(&mut self, side: f64, bent: f64, by: f64) {
+        let axis = Rotation3::from_axis_angle(&Vector3::x_axis(), self.head) * Vector3::z();
+        let turn = UnitQuaternion::from_axis_angle(&Unit::new_normalize(axis), side * by);
+        let about = self.leaves(side, bent);
+        self.place(&(Translation3::from(about.coords) * turn * Translation3::from(-about.coords)));
+    }
+
+    fn place(&mut self, by: &Isometry3<f64>) {
+        self.wire = by * self.wire;
+        for piece in &mut self.pieces {
+            piece.ends = piece.ends.map(|end| by * end);
+        }
+    }
+
+    /// The arc that is wound around the pin belongs to the rigid wire from now on.
+    fn wound(&mut self, side: f64, size: f64) {
+        let arc = self.machine.bend_radius.mm() * size;
+        let points: Vec<(Point3<f64>, f64)> = parts(size / CHORD, Phase::Feed, &[])
+            .into_iter()
+            .map(|part| (self.leaves(side, size * (1.0 - part)), self.out + arc * part))
+            .collect();
+        for pair in points.windows(2) {
+            self.pieces.push(Piece { ends: [pair[0].0, pair[1].0], along: [pair[0].1, pair[1].1] });
+        }
+        self.out += arc;
+    }
+
+    /// Forgets the wire that is bent, of which only the corners stay known.
+    pub fn forget(&mut self) {
+        self.pieces.clear();
+    }
+
+    /// From the frame of the wire's start to that of the machine.
+    #[must_use]
+    pub const fn wire(&self) -> &Isometry3<f64> {
+        &self.wire
+    }
+
+    /// Where the wire has its corners, and its ends, as seen from its start.
+    pub fn corners(&self) -> impl Iterator<Item = &Point3<f64>> {
+        self.corners.iter()
+    }
+
+    /// Where a body is.
+    #[must_use]
+    pub fn placed(&self, body: &Body) -> Isometry3<f64> {
+        let head = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), self.head);
+        let pivot = self.machine.bodies.pivot.mm();
+        let axis = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), self.axis);
+        let about_pivot =
+            Translation3::new(pivot, 0.0, 0.0) * axis * Translation3::new(-pivot, 0.0, -self.peg_in);
+        match body.moves_with {
+            MovesWith::Frame => body.at,
+            MovesWith::Head => head * body.at,
+            MovesWith::Peg => head * about_pivot * body.at,
+        }
+    }
+}
+
+/// 0 to 1 in so many parts, and what has to be seen besides.
+fn parts(count: f64, phase: Phase, also: &[Moment]) -> Vec<f64> {
+    let count = count.ceil();
+    let next = |k: &f64| (*k < count).then_some(k + 1.0);
+    let share = |k: f64| if count > 0.0 { k / count } else { 1.0 };
+    let mut all: Vec<f64> = std::iter::successors(Some(0.0), next).map(share).collect();
+    all.extend(
+        also.iter().filter(|(of, part)| *of == phase && (0.0..=1.0).contains(part)).map(|(_, part)| *part),
+    );
+    all.sort_by(f64::total_cmp);
+    all
+}
+
+/// How much wire a program feeds, mm.
+fn fed(machine: &Machine, steps: &[Step]) -> f64 {
+    let radius = machine.bend_radius.mm();
+    let rounded = |step: &Step| {
+        let size = step.bend.abs().rad();
+        2.0 * radius * (size / 2.0).tan() - radius * size
+    };
+    steps.iter().map(|step| step.feed.mm() - rounded(step)).sum()
+}
