@@ -53,6 +53,7 @@ impl Bender {
         if size > 0.0 {
             self.wind(step.bend.signum(), pressed, Phase::Bend, see);
             self.unwind(step.bend.signum(), pressed, size);
+            self.wound(step.bend.signum(), size);
         }
         self.bends_before = size;
     }
@@ -93,12 +94,26 @@ impl Bender {
         }
     }
 
+    /// What was wound around the pin is rigid from now on.
+    fn wound(&mut self, side: f64, bent: f64) {
+        let parts = (bent * RADIUS).ceil();
+        let mut part = parts;
+        while part >= 0.0 {
+            self.points.push(self.on_pin(side, bent * part / parts));
+            part -= 1.0;
+        }
+    }
+
+    /// Where the wire leaves the pin when it is bent so far.
+    fn on_pin(&self, side: f64, bent: f64) -> Point3<f64> {
+        let across = Rotation3::from_axis_angle(&Vector3::x_axis(), self.head) * Vector3::y() * side;
+        Point3::from(Vector3::x() * (RADIUS * bent.sin()) + across * (RADIUS * (1.0 - bent.cos())))
+    }
+
     fn turn(&mut self, side: f64, bent: f64, by: f64) {
-        let head = Rotation3::from_axis_angle(&Vector3::x_axis(), self.head);
-        let axis = Unit::new_normalize(head * Vector3::z());
-        let across = head * Vector3::y() * side;
-        let about =
-            Point3::from(Vector3::x() * (RADIUS * bent.sin()) + across * (RADIUS * (1.0 - bent.cos())));
+        let axis = Rotation3::from_axis_angle(&Vector3::x_axis(), self.head) * Vector3::z();
+        let axis = Unit::new_normalize(axis);
+        let about = self.on_pin(side, bent);
         let turn = Rotation3::from_axis_angle(&axis, side * by);
         for at in &mut self.points {
             *at = about + turn * (*at - about);
