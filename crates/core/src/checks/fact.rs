@@ -7,6 +7,7 @@ use super::limit::{ReachLimit, Source, Sourced};
 use crate::bend::PathError;
 use crate::clearance::{Obstacle, Phase};
 use crate::route::RouteError;
+use crate::search::Helps;
 use crate::units::{Angle, Length};
 use crate::wireframe::{EdgeId, VertexId};
 
@@ -288,6 +289,8 @@ pub enum Fact {
         body: Option<String>,
         /// How many edges were passed there, and how many there are, counted as often as they are to be passed.
         passed: Option<(usize, usize)>,
+        /// Which changes were tried and help.
+        helps: Helps,
     },
 }
 

@@ -1,6 +1,7 @@
 //! The whole pipeline for the wires of a component: every stage in order, as far as it gets, and what the checks say.
 
 mod contacts;
+mod helps;
 mod routing;
 mod searching;
 mod seen;
@@ -142,6 +143,11 @@ pub trait PlanObserver {
     fn searching(&mut self, _checks: u64, _of: u64) -> bool {
         true
     }
+
+    /// So many steps, of so many at most, were checked to see which changes help where a search has found nothing. Whether it goes on.
+    fn trying(&mut self, _checks: u64, _of: u64) -> bool {
+        true
+    }
 }
 
 impl<F: FnMut(Stage)> PlanObserver for F {
@@ -252,7 +258,7 @@ pub fn plan_wires(
     let mut searched = None;
     let search = Searching { wireframe, component, machine, options };
     if let Some(found) = search.find((&routes, &doubled), &forced, &mut observer) {
-        refusals.extend(search.finding(&found.searched));
+        refusals.extend(search.finding(&found.searched, found.helps));
         (routes, schedules) = found.wires.into_iter().map(|wire| (wire.route, wire.scheduled)).unzip();
         doubled = routing::repeated(&routes);
         proposal = search.proposal(routes.len()).unwrap_or(proposal);

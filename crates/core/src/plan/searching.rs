@@ -10,11 +10,14 @@ use crate::checks::{Code, Diagnostic, Fact, Location, Remedy, Severity};
 use crate::clearance::Obstacle;
 use crate::route::{Doubling, ForcedBend, Route};
 use crate::schedule::ScheduledProgram;
-use crate::search::{Bender, FoundWire, Obstruction, SearchTask, bend_route, search};
+use crate::search::{
+    Bender, FoundWire, Helps, Obstruction, SearchOptions, SearchOutcome, SearchTask, bend_route, search,
+};
 use crate::units::{Angle, Length};
 use crate::wireframe::{Component, EdgeId, Wireframe};
 
 /// A search for the wires of a component.
+#[derive(Clone, Copy)]
 pub(super) struct Searching<'a> {
     pub wireframe: &'a Wireframe,
     pub component: &'a Component,
@@ -26,6 +29,7 @@ pub(super) struct Searching<'a> {
 pub(super) struct SearchedWires {
     pub wires: Vec<FoundWire>,
     pub searched: Searched,
+    pub helps: Helps,
 }
 
 impl Searching<'_> {
@@ -36,8 +40,35 @@ impl Searching<'_> {
         forced: &[ForcedBend],
         observer: &mut impl PlanObserver,
     ) -> Option<SearchedWires> {
-        let Self { wireframe, component, machine, options } = *self;
+        let options = self.options;
         let wanted = options.search.as_ref().filter(|_| !routes.is_empty() && forced.is_empty())?;
+        let most = if options.closed { wanted.effort } else { wanted.most_checks() };
+        let mut goes_on = true;
+        let outcome = self.look((routes, doubled), wanted, |checks| {
+            goes_on = observer.searching(checks, most);
+            goes_on
+        })?;
+        let keeps_walks = !options.settled.is_empty();
+        let vertex = outcome.obstruction.and_then(|obstruction| obstruction.vertex);
+        let is_helpless = outcome.is_clear || keeps_walks || !goes_on;
+        let helps = (!is_helpless).then(|| self.helps((routes, doubled), vertex, wanted, observer));
+        let searched = Searched {
+            found: outcome.is_clear,
+            checks: outcome.checks,
+            exhausted: outcome.exhausted,
+            obstruction: outcome.obstruction,
+        };
+        Some(SearchedWires { wires: outcome.best.wires, searched, helps: helps.unwrap_or_default() })
+    }
+
+    /// A search with options of its own.
+    pub(super) fn look(
+        &self,
+        (routes, doubled): (&[Route], &[EdgeId]),
+        wanted: &SearchOptions,
+        should_continue: impl FnMut(u64) -> bool,
+    ) -> Option<SearchOutcome> {
+        let Self { wireframe, component, machine, options } = *self;
         let seconds = |bend| bend_seconds(machine, bend);
         // As in edges that are too short.
         let anyway = routes.iter().flat_map(|route| errors(&self.planned(route, None, None))).collect();
@@ -45,24 +76,14 @@ impl Searching<'_> {
         let bender = self.bender(&seconds, &accepts);
         // Detours are around bends that no other doubling avoids.
         let is_free = options.doubling == DoublingChoice::Cheapest && !options.detours;
-        let doubled = (!is_free).then_some(doubled);
         let task = SearchTask {
             routes,
-            doubled,
+            doubled: (!is_free).then_some(doubled),
             start: options.start,
             closed: options.closed,
             keep_routes: !options.settled.is_empty(),
         };
-        let most = if options.closed { wanted.effort } else { wanted.most_checks() };
-        let outcome =
-            search(wireframe, component, &bender, &task, wanted, |checks| observer.searching(checks, most))?;
-        let searched = Searched {
-            found: outcome.is_clear,
-            checks: outcome.checks,
-            exhausted: outcome.exhausted,
-            obstruction: outcome.obstruction,
-        };
-        Some(SearchedWires { wires: outcome.best.wires, searched })
+        search(wireframe, component, &bender, &task, wanted, should_continue)
     }
 
     /// For each route the sides and windings of its bends with which it meets least.
@@ -133,7 +154,7 @@ impl Searching<'_> {
     }
 
     /// That nothing was found, and what was in the way.
-    pub fn finding(&self, searched: &Searched) -> Option<Diagnostic> {
+    pub fn finding(&self, searched: &Searched, helps: Helps) -> Option<Diagnostic> {
         if searched.found {
             return None;
         }
@@ -157,6 +178,7 @@ impl Searching<'_> {
                 obstacle: obstruction.and_then(|obstruction| obstruction.obstacle),
                 body: body.map(|body| body.name.clone()),
                 passed: obstruction.map(|obstruction| (obstruction.passed, obstruction.of)),
+                helps,
             },
             remedies: measure.into_iter().chain(longer).chain(more).chain(further).collect(),
         })

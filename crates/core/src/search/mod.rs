@@ -5,6 +5,7 @@
 //! is exact; the walks are searched in a tree, from a seed, so that the same question has the same answer.
 
 mod heads;
+mod helps;
 mod rounds;
 mod trail;
 mod walk;
@@ -17,6 +18,7 @@ use crate::schedule::{HeadLimits, ScheduledProgram};
 use crate::units::Angle;
 use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
 use heads::Orientation;
+pub use helps::{Helps, MovedVertex};
 use rounds::Search;
 pub(crate) use wire::bend_route;
 

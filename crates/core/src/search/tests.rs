@@ -6,11 +6,13 @@ use super::heads::Orientation;
 use super::trail::Passes;
 use super::*;
 use crate::bend::{Step, program_of_path};
+use crate::checks::Fact;
 use crate::clearance::{Body, Clearance, MovesWith, StepPart, StepRun, passages};
 use crate::plan::{DoublingChoice, Machine, PlanObserver, PlanOptions, Stage, WirePlan, plan_wires};
 use crate::simulate::scheduled_start;
 use crate::testing::{chain, deg, mm, published_machine, wireframe};
 use crate::units::Length;
+use crate::wireframe::Edit;
 
 /// A box of so many mm about a point.
 fn body(moves_with: MovesWith, size: [f64; 3], at: [f64; 3]) -> Body {
@@ -105,7 +107,7 @@ fn what_cannot_be_found_is_said_with_the_bend_that_is_in_the_way() {
         body(MovesWith::Frame, [400.0, 400.0, 4.0], [0.0, 0.0, -30.0]),
     ];
     let machine = machine(walls.to_vec());
-    let search = SearchOptions { max_wires: 1, ..SearchOptions::default() };
+    let search = SearchOptions { max_wires: 1, effort: 800, ..SearchOptions::default() };
     let wires = planned(&stair(), &machine, &options(search));
     let searched = wires[0].searched.unwrap();
     assert!(!searched.found && searched.exhausted);
@@ -132,8 +134,13 @@ fn further_wires_are_used_where_one_cannot_be() {
         body(MovesWith::Frame, [60.0, 400.0, 4.0], [0.0, 0.0, -40.0]),
     ];
     let machine = machine(walls.to_vec());
-    let one = planned(&comb, &machine, &options(SearchOptions { max_wires: 1, ..SearchOptions::default() }));
+    let one = planned(
+        &comb,
+        &machine,
+        &options(SearchOptions { max_wires: 1, effort: 800, ..SearchOptions::default() }),
+    );
     assert!(!one[0].searched.unwrap().found);
+    assert_eq!(helps(&one).wires, Some(2), "two were tried");
     let wires = planned(&comb, &machine, &options(SearchOptions::default()));
     assert_eq!(wires.len(), 2);
     for wire in &wires {
@@ -141,6 +148,29 @@ fn further_wires_are_used_where_one_cannot_be() {
         assert!(wire.is_feasible(), "{:?}", wire.diagnostics);
     }
     assert_covers(&comb, &wires);
+}
+
+/// What is said to help was tried: with the vertex there, a program is found.
+#[test]
+fn the_least_move_that_helps_is_named() {
+    // Its end comes down onto the first strut, whichever way it is bent.
+    let hook = chain(&[[0., 0., 0.], [100., 0., 0.], [100., 60., 0.], [50., 60., 0.], [50., 1.5, 0.]]);
+    let machine = machine(Vec::new());
+    let one = options(SearchOptions { max_wires: 1, effort: 800, ..SearchOptions::default() });
+    let wires = planned(&hook, &machine, &one);
+    let moved = helps(&wires).moved.expect("a little farther away it can be bent");
+    assert!(moved.by <= mm(5.0), "{moved:?}");
+    let mut elsewhere = hook.clone();
+    let place = Edit::Place { vertex: moved.vertex, position: moved.to };
+    elsewhere.commit(&place.resolve(&hook).unwrap()).unwrap();
+    assert!(planned(&elsewhere, &machine, &one)[0].searched.unwrap().found);
+}
+
+fn helps(wires: &[WirePlan]) -> Helps {
+    let facts = wires.iter().flat_map(|wire| &wire.diagnostics).map(|found| &found.fact);
+    let mut helps = facts
+        .filter_map(|fact| if let Fact::NoClearProgram { helps, .. } = fact { Some(*helps) } else { None });
+    helps.next().expect("that nothing was found")
 }
 
 /// Ends a search as soon as it is asked.

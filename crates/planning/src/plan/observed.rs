@@ -14,12 +14,13 @@ pub(super) struct Observed<'a> {
     took: &'a mut BTreeMap<&'static str, f64>,
     last: Instant,
     searching: bool,
+    trying: bool,
 }
 
 impl<'a> Observed<'a> {
     /// `took` gets the ms of each stage.
     pub fn new(progress: &'a dyn Progress, took: &'a mut BTreeMap<&'static str, f64>) -> Self {
-        Self { progress, took, last: Instant::now(), searching: false }
+        Self { progress, took, last: Instant::now(), searching: false, trying: false }
     }
 }
 
@@ -32,6 +33,14 @@ impl PlanObserver for Observed<'_> {
     fn searching(&mut self, checks: u64, of: u64) -> bool {
         if !std::mem::replace(&mut self.searching, true) {
             self.progress.stage("searching for a program without collisions");
+        }
+        self.progress.advance(checks, of);
+        self.progress.goes_on()
+    }
+
+    fn trying(&mut self, checks: u64, of: u64) -> bool {
+        if !std::mem::replace(&mut self.trying, true) {
+            self.progress.stage("trying changes that could help");
         }
         self.progress.advance(checks, of);
         self.progress.goes_on()

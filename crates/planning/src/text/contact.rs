@@ -2,6 +2,7 @@
 
 use wirebend_core::checks::Location;
 use wirebend_core::clearance::{Obstacle, Phase};
+use wirebend_core::search::{Helps, MovedVertex};
 use wirebend_core::units::{Angle, Length};
 use wirebend_core::wireframe::EdgeId;
 
@@ -64,6 +65,19 @@ pub(super) fn no_clear_program(
     };
     let place = at.vertices.first().map(|vertex| format!(" at vertex {vertex}")).unwrap_or_default();
     format!("{found}; the search got as far as edge {passed} of {of}:{place} {what}")
+}
+
+/// What was tried and helps.
+pub(super) fn helps(Helps { wires, moved }: Helps) -> String {
+    let wires = wires.map(|wires| format!("{} hit nothing", count(wires, "wire", "wires")));
+    let moved = moved.map(|MovedVertex { vertex, to, by }| {
+        format!(
+            "vertex {vertex} moved by {by:.0} to ({:.1}, {:.1}, {:.1}) makes a program possible",
+            to.x, to.y, to.z
+        )
+    });
+    let tried: Vec<String> = wires.into_iter().chain(moved).collect();
+    if tried.is_empty() { String::new() } else { format!("; tried: {}", tried.join("; ")) }
 }
 
 fn goes_into(struck: &[EdgeId], depth: Length) -> String {

@@ -80,9 +80,10 @@ pub fn message(diagnostic: &Diagnostic) -> String {
             let moment = contact::moment(at, *phase, *fed, *bent, *head);
             contact::meets_stock(&moment, struck, (*depth - *margin, *later))
         }
-        Fact::NoClearProgram { checks, exhausted, obstacle, body, passed } => {
+        Fact::NoClearProgram { checks, exhausted, obstacle, body, passed, helps } => {
             let searched = contact::searched(*checks, *exhausted);
-            contact::no_clear_program(at, &searched, *obstacle, body.as_deref(), *passed)
+            let found = contact::no_clear_program(at, &searched, *obstacle, body.as_deref(), *passed);
+            found + &contact::helps(*helps)
         }
     }
 }
