@@ -155,8 +155,19 @@ fn trusses(ask: &impl Fn(&[&str], &Path) -> Result<Value>, folder: &Path) -> Res
 fn tours(wireframes: &[PathBuf]) -> Result<()> {
     println!();
     println!(
-        "{:<24} {:>9} {:>10} {:>9} {:>9} {:>9} {:>9} {:>8} {:>8} {:>10}",
-        "tours", "edges", "read", "join", "tour", "open", "tour", "> 155°", "forced", "at random"
+        "{:<24} {:>9} {:>11} {:>10} {:>10} {:>10} {:>10} {:>10} {:>6} {:>8} {:>8} {:>10}",
+        "tours",
+        "edges",
+        "its text",
+        "read",
+        "join",
+        "tour",
+        "open",
+        "tour",
+        "MiB",
+        "> 155°",
+        "forced",
+        "at random"
     );
     for file in wireframes {
         let found = run(Command::new(std::env::current_exe()?).arg("--tour").arg(file))?;
@@ -164,14 +175,16 @@ fn tours(wireframes: &[PathBuf]) -> Result<()> {
             |kind: &str, name: &str| found[kind][name].as_f64().with_context(|| format!("no {name}"));
         let name = file.file_name().and_then(|name| name.to_str()).context("a file without a name")?;
         println!(
-            "{:<24} {:>9.0} {:>7.2} ms {:>6.2} ms {:>6.2} ms {:>6.2} ms {:>6.2} ms {:>8.0} {:>8.0} {:>10.1}",
+            "{:<24} {:>9.0} {:>8.2} ms {:>7.2} ms {:>7.2} ms {:>7.2} ms {:>7.2} ms {:>7.2} ms {:>6.0} {:>8.0} {:>8.0} {:>10.1}",
             name.split('.').next().unwrap_or(name),
             found["edges"].as_f64().context("no edges")?,
+            found["text_ms"].as_f64().context("no time")?,
             found["read_ms"].as_f64().context("no time")?,
             figure("closed", "join_ms")?,
             figure("closed", "tour_ms")?,
             figure("open", "join_ms")?,
             figure("open", "tour_ms")?,
+            found["peak_mib"].as_f64().context("no memory")?,
             figure("open", "sharp")?,
             figure("open", "forced")?,
             figure("open", "sharp_at_random")?,

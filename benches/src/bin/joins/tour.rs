@@ -1,10 +1,9 @@
-//! From a wireframe to its route: the times of one, and the bends beyond what a machine makes beside those of a random walk.
+//! From a wireframe to its route: the times of one, with that of its file's text apart, and the bends beyond what a machine makes beside those of a random walk.
 
 use std::path::Path;
 use std::time::Instant;
 
 use anyhow::{Context, Result};
-
 use rand::seq::SliceRandom;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -13,6 +12,8 @@ use wirebend_core::route::{Route, RouteOptions, doubling, forced_bends, route};
 use wirebend_core::units::Angle;
 use wirebend_core::wireframe::{Component, EdgeId, VertexId, Wireframe};
 use wirebend_files::read::{Format, ReadOptions, read};
+
+use crate::peak_mib;
 
 /// What the $293 bender makes.
 const MAX_BEND_DEG: f64 = 155.0;
@@ -33,10 +34,11 @@ pub fn one(file: &str) -> Result<()> {
     let options = ReadOptions { face_edges: true, ..ReadOptions::default() };
     let wireframe = read(&bytes, name, Some(Format::Obj), &options)?.wireframe;
     drop(bytes);
+    let text_ms = took();
     let component = wireframe.components().into_iter().next().context("no part")?;
     let read_ms = took();
     let max_bend = Some(Angle::from_deg(MAX_BEND_DEG)?);
-    let mut figures = json!({ "edges": component.edges.len(), "read_ms": read_ms });
+    let mut figures = json!({ "edges": component.edges.len(), "text_ms": text_ms, "read_ms": read_ms });
     for closed in [true, false] {
         took();
         let doubled = doubling(&wireframe, &component, None, closed)?.edges;
@@ -55,6 +57,7 @@ pub fn one(file: &str) -> Result<()> {
             "forced": forced, "sharp_at_random": f64::from(u32::try_from(sharp)?) / f64::from(walks),
         });
     }
+    figures["peak_mib"] = json!(peak_mib()?);
     println!("{figures}");
     Ok(())
 }

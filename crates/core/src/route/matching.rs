@@ -2,8 +2,8 @@
 
 use integer_blossom::min_weight_perfect_matching;
 
-/// Up to this many things every way to pair them is tried: 105 ways for 8.
-const FEW: usize = 8;
+/// Up to this many things the best for every set of those that may be left is found: that is faster than what takes more.
+const FEW: usize = 12;
 
 /// Pairs up things `0..count` (an even number) so that the sum of the costs is least. `cost` is asked
 /// for each pair, lower index first; `None` forbids the pair. Where no perfect matching avoids the
@@ -30,8 +30,7 @@ pub(super) fn min_cost_pairs(
             *cost = forbidden;
         }
     }
-    let mates =
-        if count <= FEW { try_all(&costs, count) } else { min_weight_perfect_matching(&costs, count) };
+    let mates = if count <= FEW { of_few(&costs, count) } else { min_weight_perfect_matching(&costs, count) };
     let pairs = mates.into_iter().enumerate();
     pairs.filter(|&(a, b)| a < b && costs[a * count + b] < forbidden).collect()
 }
@@ -40,26 +39,49 @@ pub(super) fn min_cost_pairs(
 const FORBIDDEN: i64 = -1;
 
 /// The partner of each thing in the cheapest of all ways to pair them, `FEW` at most; the first of equals.
-fn try_all(costs: &[i64], count: usize) -> Vec<usize> {
-    fn go(costs: &[i64], spent: i64, mates: &mut [usize], best: &mut (i64, [usize; FEW])) {
-        let count = mates.len();
-        let Some(a) = mates.iter().position(|&mate| mate == count) else {
-            best.0 = spent;
-            best.1[..count].copy_from_slice(mates);
-            return;
-        };
-        for b in a + 1..count {
-            let total = spent + costs[a * count + b];
-            if mates[b] == count && total < best.0 {
-                (mates[a], mates[b]) = (b, a);
-                go(costs, total, mates, best);
-                (mates[a], mates[b]) = (count, count);
+fn of_few(costs: &[i64], count: usize) -> Vec<usize> {
+    let mut least = Least { costs, count, of: vec![(UNKNOWN, 0); 1 << count] };
+    let mut left = (1 << count) - 1;
+    least.find(left);
+    let mut mates = vec![0; count];
+    while left != 0 {
+        let a = left.trailing_zeros() as usize;
+        let b = least.of[left].1;
+        (mates[a], mates[b]) = (b, a);
+        left &= !(1 << a | 1 << b);
+    }
+    mates
+}
+
+const UNKNOWN: i64 = -1;
+
+/// For each set of things, a bit each, the least cost of pairing them and the partner of the first then.
+struct Least<'a> {
+    costs: &'a [i64],
+    count: usize,
+    of: Vec<(i64, usize)>,
+}
+
+impl Least<'_> {
+    fn find(&mut self, set: usize) -> i64 {
+        if set == 0 || self.of[set].0 != UNKNOWN {
+            return self.of[set].0.max(0);
+        }
+        let a = set.trailing_zeros() as usize;
+        let others = set & (set - 1);
+        let mut best = (i64::MAX, a);
+        let mut untried = others;
+        while untried != 0 {
+            let b = untried.trailing_zeros() as usize;
+            untried &= untried - 1;
+            let cost = self.costs[a * self.count + b] + self.find(others & !(1 << b));
+            if cost < best.0 {
+                best = (cost, b);
             }
         }
+        self.of[set] = best;
+        best.0
     }
-    let mut best = (i64::MAX, [0; FEW]);
-    go(costs, 0, &mut [count; FEW][..count], &mut best);
-    best.1[..count].to_vec()
 }
 
 #[cfg(test)]
@@ -78,13 +100,13 @@ mod tests {
 
     proptest! {
         #[test]
-        fn both_ways_to_match_agree(costs in prop::collection::vec(0..1000_i64, 64), half in 1..4_usize) {
+        fn both_ways_to_match_agree(costs in prop::collection::vec(0..1000_i64, FEW * FEW), half in 1..=FEW / 2) {
             let count = 2 * half;
             let total = |mates: Vec<usize>| -> i64 {
                 mates.iter().enumerate().filter(|&(a, &b)| a < b).map(|(a, &b)| costs[a * count + b]).sum()
             };
             let costs = &costs[..count * count];
-            prop_assert_eq!(total(try_all(costs, count)), total(min_weight_perfect_matching(costs, count)));
+            prop_assert_eq!(total(of_few(costs, count)), total(min_weight_perfect_matching(costs, count)));
         }
     }
 }

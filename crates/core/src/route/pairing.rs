@@ -13,7 +13,7 @@ pub(super) type End = usize;
 /// Cost of a fold back, of a bend beyond the limit, and of a bend per square degree. One fold back
 /// weighs more than all bends beyond the limit of a vertex, one of those more than all squares.
 const FOLD_BACK: i64 = 1 << 50;
-const BEYOND_LIMIT: i64 = 1 << 35;
+pub(super) const BEYOND_LIMIT: i64 = 1 << 35;
 const PER_SQUARE_DEGREE: f64 = 1000.0;
 /// What arithmetic may leave between a bend and a limit that it is at.
 const ROUNDING_DEG: f64 = 1e-9;
@@ -23,11 +23,16 @@ pub(super) struct Pairing<'a> {
     network: &'a Network,
     /// The link of each copy: every link once, and each doubled one once more.
     copies: &'a [usize],
-    max_bend_deg: f64,
+    /// The vertices where wires start or end.
+    at_wire_ends: &'a [usize],
+    /// The cosine of the limit.
+    min_cos: f64,
+    /// The ends that meet at each vertex, in order, one vertex after the other.
+    ends: Vec<End>,
+    /// Where those of each vertex begin, and where those of the last end.
+    first: Vec<usize>,
     /// Who follows whom.
     mate: Vec<End>,
-    /// The pairs at each vertex.
-    at: Vec<Vec<(End, End)>>,
 }
 
 impl<'a> Pairing<'a> {
@@ -36,35 +41,26 @@ impl<'a> Pairing<'a> {
     pub fn new(
         network: &'a Network,
         copies: &'a [usize],
-        wire_ends: &[usize],
+        wire_ends: &'a [usize],
         max_bend: Option<Angle>,
     ) -> Self {
-        let mut meeting: Vec<Vec<End>> = vec![Vec::new(); network.vertices.len()];
-        for (copy, &link) in copies.iter().enumerate() {
-            meeting[network.links[link].a].push(2 * copy);
-            meeting[network.links[link].b].push(2 * copy + 1);
-        }
-        for (k, &vertex) in wire_ends.iter().enumerate() {
-            meeting[vertex].push(2 * copies.len() + k);
-        }
-        let mut pairing = Self {
-            network,
-            copies,
-            max_bend_deg: max_bend.map_or(180.0, Angle::deg),
-            mate: vec![usize::MAX; 2 * copies.len() + wire_ends.len()],
-            at: Vec::with_capacity(meeting.len()),
-        };
-        for ends in meeting {
+        let of_copies = copies.iter().flat_map(|&link| [network.links[link].a, network.links[link].b]);
+        let at: Vec<usize> = of_copies.chain(wire_ends.iter().copied()).collect();
+        let (first, ends) = by_vertex(network.vertices.len(), &at);
+        let mate = vec![usize::MAX; at.len()];
+        let min_cos = min_cos(max_bend.map_or(180.0, Angle::deg));
+        let mut pairing = Self { network, copies, at_wire_ends: wire_ends, min_cos, ends, first, mate };
+        for vertex in 0..network.vertices.len() {
+            let ends = pairing.ends(vertex);
             // Ends of wires follow nothing, least of all each other.
             let matched = min_cost_pairs(ends.len(), |k, j| {
                 let both = pairing.is_wire_end(ends[k]) && pairing.is_wire_end(ends[j]);
                 (!both).then(|| pairing.cost(ends[k], ends[j]))
             });
-            let matched: Vec<(End, End)> = matched.into_iter().map(|(k, j)| (ends[k], ends[j])).collect();
-            for &(p, q) in &matched {
-                pairing.set(p, q);
+            for (k, j) in matched {
+                let ends = pairing.ends(vertex);
+                pairing.set(ends[k], ends[j]);
             }
-            pairing.at.push(matched);
         }
         pairing
     }
@@ -79,33 +75,33 @@ impl<'a> Pairing<'a> {
         if self.is_wire_end(p) || self.is_wire_end(q) {
             return 0;
         }
-        let bend = self.bend_deg(p, q);
+        let cos = cos_of_bend(self.out(p), self.out(q));
+        let bend = bend_deg(cos);
         #[allow(clippy::cast_possible_truncation)] // at most 180² · 1000
         let sharpness = (bend * bend * PER_SQUARE_DEGREE).round() as i64;
-        let beyond = if self.is_within(p, q, self.max_bend_deg) { 0 } else { BEYOND_LIMIT };
+        let beyond = if cos >= self.min_cos { 0 } else { BEYOND_LIMIT };
         let fold = if self.copies[p / 2] == self.copies[q / 2] { FOLD_BACK } else { 0 };
         fold + beyond + sharpness
     }
 
     /// By how much the wire bends where one end follows the other, in degrees.
     pub fn bend_deg(&self, p: End, q: End) -> f64 {
-        between_deg(self.out(p), self.out(q))
+        bend_deg(cos_of_bend(self.out(p), self.out(q)))
     }
 
     /// Whether one end may follow the other.
     pub fn allows(&self, p: End, q: End) -> bool {
-        self.cost(p, q) < BEYOND_LIMIT
-    }
-
-    /// Whether the bend from one end to the other is within a limit.
-    pub fn is_within(&self, p: End, q: End, limit_deg: f64) -> bool {
-        self.bend_deg(p, q) <= limit_deg + ROUNDING_DEG
+        if self.is_wire_end(p) || self.is_wire_end(q) {
+            return true;
+        }
+        let folds = self.copies[p / 2] == self.copies[q / 2];
+        !folds && cos_of_bend(self.out(p), self.out(q)) >= self.min_cos
     }
 
     /// Whether an end of a link, other than that of a copy, may follow another.
     pub fn follows(&self, p: End, q: End) -> bool {
         let out = |end: End| out(self.network.links[end / 2].direction, end);
-        p != q && between_deg(out(p), out(q)) <= self.max_bend_deg + ROUNDING_DEG
+        p != q && cos_of_bend(out(p), out(q)) >= self.min_cos
     }
 
     /// The end of the link of which an end is a copy; none of the end of a wire.
@@ -123,7 +119,8 @@ impl<'a> Pairing<'a> {
         self.network
     }
 
-    fn set(&mut self, p: End, q: End) {
+    /// Lets two ends follow each other.
+    pub fn set(&mut self, p: End, q: End) {
         self.mate[p] = q;
         self.mate[q] = p;
     }
@@ -143,20 +140,35 @@ impl<'a> Pairing<'a> {
         self.mate.len()
     }
 
-    /// The pairs at every vertex.
-    pub fn vertices(&self) -> &[Vec<(End, End)>] {
-        &self.at
+    /// How many vertices there are.
+    pub fn vertex_count(&self) -> usize {
+        self.network.vertices.len()
     }
 
-    /// Replaces two pairs of a vertex by two others of the same four ends.
-    pub fn replace(&mut self, vertex: usize, old: [(End, End); 2], new: [(End, End); 2]) {
-        for (p, q) in new {
-            self.set(p, q);
-        }
-        let pairs = &mut self.at[vertex];
-        pairs.retain(|pair| !old.contains(pair));
-        pairs.extend(new);
-        pairs.sort_unstable();
+    /// The vertex that an end is at.
+    pub fn vertex(&self, end: End) -> usize {
+        let Some(&link) = self.copies.get(end / 2) else {
+            return self.at_wire_ends[end - 2 * self.copies.len()];
+        };
+        let link = &self.network.links[link];
+        if end.is_multiple_of(2) { link.a } else { link.b }
+    }
+
+    /// The ends that meet at a vertex, in order: first those of links, one each, then those of their other copies, then those of
+    /// wires.
+    pub fn ends(&self, vertex: usize) -> &[End] {
+        &self.ends[self.first[vertex]..self.first[vertex + 1]]
+    }
+
+    /// The ends of links that meet at a vertex.
+    pub fn link_ends(&self, vertex: usize) -> impl Iterator<Item = End> {
+        let links = self.network.links.len();
+        self.ends(vertex).iter().copied().take_while(move |&end| end < 2 * links)
+    }
+
+    /// The pairs at a vertex, each with its lower end first.
+    pub fn pairs(&self, vertex: usize) -> impl Iterator<Item = (End, End)> + Clone {
+        self.ends(vertex).iter().map(|&p| (p, self.mate[p])).filter(|(p, q)| p < q)
     }
 
     /// Whether an end is one where a wire starts or ends.
@@ -170,12 +182,42 @@ impl<'a> Pairing<'a> {
     }
 }
 
+/// Ends `0..` by the vertex that each is at: where those of each vertex begin, with the end of the last, and all of them.
+fn by_vertex(vertices: usize, at: &[usize]) -> (Vec<usize>, Vec<End>) {
+    let mut first = vec![0; vertices + 2];
+    for &vertex in at {
+        first[vertex + 2] += 1;
+    }
+    for k in 2..first.len() {
+        first[k] += first[k - 1];
+    }
+    // Each row is written from its beginning: `first[vertex + 1]` moves from there to where it ends.
+    let mut ends = vec![0; at.len()];
+    for (end, &vertex) in at.iter().enumerate() {
+        let next = &mut first[vertex + 1];
+        ends[*next] = end;
+        *next += 1;
+    }
+    first.pop();
+    (first, ends)
+}
+
 /// Unit vector out of a vertex along an end of an edge.
 fn out(direction: Vector3<f64>, end: End) -> Vector3<f64> {
     if end.is_multiple_of(2) { direction } else { -direction }
 }
 
-/// By how much the wire bends that comes along one and leaves along the other of two directions out of a vertex.
-fn between_deg(one: Vector3<f64>, other: Vector3<f64>) -> f64 {
-    (-one.dot(&other)).clamp(-1.0, 1.0).acos().to_degrees()
+/// The cosine of the bend of a wire that comes along one and leaves along the other of two directions out of a vertex.
+fn cos_of_bend(one: Vector3<f64>, other: Vector3<f64>) -> f64 {
+    -one.dot(&other)
+}
+
+fn bend_deg(cos: f64) -> f64 {
+    cos.clamp(-1.0, 1.0).acos().to_degrees()
+}
+
+/// The least cosine of bends up to a limit.
+fn min_cos(limit_deg: f64) -> f64 {
+    let limit = limit_deg + ROUNDING_DEG;
+    if limit < 180.0 { limit.to_radians().cos() } else { f64::NEG_INFINITY }
 }
