@@ -34,7 +34,7 @@ impl Ring {
         let along = [middle - half, middle + half];
         let [from, to] = along.map(|along| origin + way.into_inner() * along);
         let nearest = to_solid([&from, &to], solid, EXACT).distance - EXACT;
-        let farthest = solid.farthest_from(&origin, &way);
+        let farthest = solid.max_distance_from(&origin, &way);
         Self { along, from_axis: [nearest.max(0.0), farthest] }
     }
 

@@ -67,7 +67,7 @@ impl Solid {
     }
 
     /// No point of it is farther than this from the line through `origin` along `way`.
-    pub(crate) fn farthest_from(&self, origin: &Point3<f64>, way: &UnitVector3<f64>) -> f64 {
+    pub(crate) fn max_distance_from(&self, origin: &Point3<f64>, way: &UnitVector3<f64>) -> f64 {
         let from_line = |at: Vector3<f64>| (at - origin.coords).cross(way).norm();
         match *self {
             Self::Box { half } => {

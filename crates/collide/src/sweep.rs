@@ -30,10 +30,10 @@ impl Task<'_> {
     /// Whether a run of pieces counts, and may come as near as `reach` for all that is known without moving it.
     fn may_meet(&self, run: Run, reach: f64) -> bool {
         let ball = self.chain.ball(run);
-        self.motion.least(&ball.centre) - ball.radius <= reach
+        self.motion.min_distance(&ball.centre) - ball.radius <= reach
             && counts(self.parts, self.chain.extent(run))
             && (self.chain.halves(run).is_some()
-                || self.motion.least_of_piece(self.chain.piece(run.first)) <= reach)
+                || self.motion.min_distance_of_piece(self.chain.piece(run.first)) <= reach)
     }
 }
 
@@ -131,7 +131,7 @@ impl First<'_> {
             // What the narrowing of the distance may be off by is taken away.
             free = near.distance - task.reach - task.tolerance / 4.0;
         }
-        let time = time + free / task.motion.most(&ball.centre, ball.radius);
+        let time = time + free / task.motion.max_travel(&ball.centre, ball.radius);
         if time <= 1.0 {
             self.later.push(Later { time, run });
         }
@@ -186,7 +186,7 @@ impl Closest<'_> {
             return;
         }
         let ball = task.chain.ball(run);
-        let moves = task.motion.most(&ball.centre, ball.radius) * span.half_length();
+        let moves = task.motion.max_travel(&ball.centre, ball.radius) * span.half_length();
         let centre = task.solid.distance(&(pose * ball.centre));
         if centre - ball.radius - moves >= self.wanted() {
             return;

@@ -63,7 +63,7 @@ impl Motion for Screw {
         IsometryMatrix3::from_parts(Translation3::from(self.shift * time), turn) * begin
     }
 
-    fn most(&self, centre: &Point3<f64>, radius: f64) -> f64 {
+    fn max_travel(&self, centre: &Point3<f64>, radius: f64) -> f64 {
         // The frame's origin is on the axis.
         let reach = (self.begin * centre).coords.norm() + radius;
         self.turn.norm() * reach + self.shift.norm()

@@ -209,7 +209,7 @@ impl Motion for Seen<'_> {
         self.into_body * self.moved(&stroke.at(time), stroke.side) * self.from_design
     }
 
-    fn most(&self, centre: &Point3<f64>, radius: f64) -> f64 {
+    fn max_travel(&self, centre: &Point3<f64>, radius: f64) -> f64 {
         let (at, fastest) = (self.from_design * centre, &self.fastest);
         match self.course {
             Course::Straight(_) => fastest.fed,
@@ -224,7 +224,7 @@ impl Motion for Seen<'_> {
         }
     }
 
-    fn least(&self, at: &Point3<f64>) -> f64 {
+    fn min_distance(&self, at: &Point3<f64>) -> f64 {
         let at = self.from_design * at;
         match self.course {
             Course::Straight(Block { middle, half }) => Solid::Box { half }.distance(&(at - middle)),
@@ -233,7 +233,7 @@ impl Motion for Seen<'_> {
         }
     }
 
-    fn least_of_piece(&self, ends: [&Point3<f64>; 2]) -> f64 {
+    fn min_distance_of_piece(&self, ends: [&Point3<f64>; 2]) -> f64 {
         let [from, to] = ends.map(|end| self.from_design * end);
         match self.course {
             Course::Straight(Block { middle, half }) => {
@@ -318,8 +318,8 @@ mod tests {
                     }
                     let seen = Seen::new(phase, &body, &rooms, &bodies).unwrap();
                     let ends = [&points[0], &points[1]];
-                    let [least, of_piece] = [seen.least(ends[0]), seen.least_of_piece(ends)];
-                    let most = seen.most(ends[0], 0.0);
+                    let [least, of_piece] = [seen.min_distance(ends[0]), seen.min_distance_of_piece(ends)];
+                    let most = seen.max_travel(ends[0], 0.0);
                     let mut before = seen.pose(0.0) * ends[0];
                     for k in 0..=200 {
                         let pose = seen.pose(f64::from(k) / 200.0);
