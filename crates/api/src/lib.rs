@@ -70,7 +70,8 @@ pub use wirebend_planning::report::{
     shown_deg,
 };
 pub use wirebend_planning::simulate::{
-    GapReport, SimulateRequest, SimulateResponse, SimulationModel, VertexReport,
+    GapReport, SimulateRequest, SimulateResponse, SimulatedCollisions, SimulatedContact, SimulationModel,
+    VertexReport,
 };
 pub use wirebend_planning::stage::StageName;
 pub use wirebend_planning::wires::{WiresRequest, WiresResponse, WiresRow};

@@ -183,6 +183,15 @@ fn list(out: &mut impl Write, all: &[&DiagnosticReport]) -> std::io::Result<()> 
 }
 
 fn one(out: &mut impl Write, diagnostic: &DiagnosticReport) -> std::io::Result<()> {
+    finding(out, diagnostic, "")
+}
+
+/// A finding with the source of its limit and what to do about it. `with`: what comes before the options that do it.
+pub(super) fn finding(
+    out: &mut impl Write,
+    diagnostic: &DiagnosticReport,
+    with: &str,
+) -> std::io::Result<()> {
     let style = severity_style(diagnostic.severity);
     let severity = match diagnostic.severity {
         SeverityName::Error => "error",
@@ -196,7 +205,7 @@ fn one(out: &mut impl Write, diagnostic: &DiagnosticReport) -> std::io::Result<(
     }
     if diagnostic.severity != SeverityName::Info && !diagnostic.help.is_empty() {
         let options = options::of(&diagnostic.remedies);
-        let by = if options.is_empty() { String::new() } else { format!(" [{}]", options.join(", ")) };
+        let by = if options.is_empty() { String::new() } else { format!(" [{with}{}]", options.join(", ")) };
         writeln!(out, "    help: {}{by}", diagnostic.help)?;
     }
     Ok(())
