@@ -284,6 +284,16 @@ export type ErrorRemedy =
       remedy: "ignore-findings";
     }
   | {
+      /**
+       * Its id.
+       */
+      format: string;
+      remedy: "export-format";
+    }
+  | {
+      remedy: "watch-first-wire";
+    }
+  | {
       remedy: "install-font";
     }
   | {

@@ -159,3 +159,56 @@ fn a_search_has_steps_to_check() {
     run(&search).ended(2);
     run(&["plan", &example("house.obj"), "-m", "wirebend-kit", "--effort", "5"]).ended(2);
 }
+
+/// A table has no place for the side of a bend: without a word a machine that reads it would hit what the search went around.
+#[test]
+fn a_table_says_what_of_a_searched_program_it_cannot_say() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let job = file("cup.wbjob");
+    let plan = ["plan", &example("cup-holder.obj"), "-m", "wirebend-kit", "-o", &job];
+    run(&[&plan[..], &["--avoid-collisions"]].concat()).ended(0);
+    let export = |job: &str, format: &str| {
+        let out = file(&format!("{format}.txt"));
+        run(&["export", job, "--format", format, "-o", &out, "--force", "--json"]).ended(0).json()
+    };
+    let notes = |found: &serde_json::Value| -> Vec<serde_json::Value> {
+        let all = found["notes"].as_array().unwrap().iter();
+        all.filter(|note| note["code"] == "not-carried").cloned().collect()
+    };
+    // The machine's own program has the sides: bends below zero.
+    let own = export(&job, "wirebend-kit-text");
+    assert!(notes(&own).is_empty());
+    let programs = own["files"].as_array().unwrap().iter();
+    let programs: Vec<String> =
+        programs.map(|file| fs::read_to_string(file.as_str().unwrap()).unwrap()).collect();
+    let flipped =
+        programs.iter().flat_map(|text| text.lines()).filter(|line| line.starts_with("B -")).count();
+    assert!(flipped > 0, "{programs:?}");
+    for format in ["lra-csv", "ybc-csv", "xyz-csv", "cumulative-csv"] {
+        let notes = notes(&export(&job, format));
+        let [note] = &notes[..] else { panic!("{format}: {notes:?}") };
+        let message = note["message"].as_str().unwrap();
+        assert!(message.contains(format) && message.contains(&format!("{flipped} bend")), "{message}");
+        assert_eq!(
+            note["remedies"],
+            serde_json::json!([{"remedy": "export-format", "format": "wirebend-kit-text"}, {"remedy": "watch-first-wire"}])
+        );
+    }
+    // What was planned without regard to collisions is run as any machine runs it.
+    run(&[&plan[..], &["--force"]].concat()).ended(0);
+    assert!(notes(&export(&job, "lra-csv")).is_empty());
+    let table = run(&[
+        "export",
+        &example("cup-holder.obj"),
+        "-m",
+        "table-bender",
+        "--avoid-collisions",
+        "--format",
+        "lra-csv",
+        "-o",
+        &file("x.csv"),
+    ]);
+    let said = table.err;
+    assert!(!said.contains("--format"), "it has no program of its own: {said}");
+}

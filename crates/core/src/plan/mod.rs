@@ -27,6 +27,7 @@ pub use contacts::{ScheduledWire, clearance, keep_contacts};
 use routing::Routed;
 use searching::Searching;
 use stages::Stages;
+pub use stages::fastest_schedule;
 
 /// A machine with a wire in it: everything that the stages ask about.
 #[derive(Debug, Clone, PartialEq)]

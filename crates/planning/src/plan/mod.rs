@@ -298,6 +298,7 @@ pub(crate) fn job_wire(plan: &WirePlan) -> Option<JobWire> {
         compensated: steps(compensated.steps()),
         stock_mm: plan.stock?.mm(),
         time_s: plan.seconds?,
+        avoids_collisions: plan.searched.is_some_and(|searched| searched.found),
     })
 }
 
