@@ -59,8 +59,10 @@ impl WireReport {
             diagnostics: plan.diagnostics.iter().map(DiagnosticReport::from).collect(),
             feasible: plan.is_feasible(),
             collisions_checked: plan.contacts.is_some(),
+            // The wires of a part were searched for together: the first has what came of it, as it has the times.
             search: plan
                 .searched
+                .filter(|_| !timings_ms.is_empty())
                 .map(|searched| SearchReport { found: searched.found, steps_checked: searched.checks }),
             sag: None,
             time_s: plan.seconds,

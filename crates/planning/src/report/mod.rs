@@ -154,7 +154,8 @@ pub struct WireReport {
     pub feasible: bool,
     /// Whether it was looked at where the wire meets the machine or itself: only on request, and not without a route.
     pub collisions_checked: bool,
-    /// What came of the search for wires that hit nothing, of all wires of a part of the design together; absent where nobody searched.
+    /// What came of the search for wires that hit nothing, of all wires of a part of the design together: the first of them has it.
+    /// Absent where nobody searched.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub search: Option<SearchReport>,
     /// How far it sags while it is bent: only on request, and not without a program.
