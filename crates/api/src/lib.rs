@@ -66,8 +66,8 @@ pub use wirebend_planning::program::ProgramKind;
 pub use wirebend_planning::progress::{NoProgress, Progress};
 pub use wirebend_planning::report::{
     CompensatedReport, DiagnosticCode, DiagnosticReport, JobStep, NoteReport, PartOfStep, PlanReport,
-    ProgramReport, RemedyReport, RouteReport, SHOWN_AS_ZERO, SeverityName, WireReport, WireframeReport,
-    shown_deg,
+    ProgramReport, RemedyReport, RouteReport, SHOWN_AS_ZERO, SearchReport, SearchWeights, SeverityName,
+    WireReport, WireframeReport, shown_deg,
 };
 pub use wirebend_planning::simulate::{
     GapReport, SimulateRequest, SimulateResponse, SimulatedCollisions, SimulatedContact, SimulationModel,

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 use std::io::Write;
 
 use wirebend_api::{
-    CheckResponse, DiagnosticCode, DiagnosticReport, PlanReport, PlanResponse, SeverityName, WireReport,
+    CheckResponse, DiagnosticCode, DiagnosticReport, PlanReport, PlanResponse, SearchReport, SearchWeights,
+    SeverityName, WireReport,
 };
 
 use super::number::{count, duration, mm};
@@ -114,8 +115,20 @@ fn wire(out: &mut impl Write, report: &WireReport) -> std::io::Result<()> {
         let found =
             if search.found { "a program without collisions" } else { "no program without a collision" };
         line(out, "search", format!("{found}; steps checked: {}", search.steps_checked))?;
+        line(out, "prefers", objective(search))?;
     }
     Ok(())
+}
+
+/// By what a search has chosen.
+fn objective(search: &SearchReport) -> String {
+    let Some(SearchWeights { wire, doubled_mm, second }) = search.weights else {
+        return "fewest wires, then the least doubled length, then the least time".to_owned();
+    };
+    let parts = [(wire, "wire"), (doubled_mm, "doubled mm"), (second, "second")];
+    let parts = parts.into_iter().filter(|&(weight, _)| weight > 0);
+    let parts: Vec<String> = parts.map(|(weight, what)| format!("{weight} for each {what}")).collect();
+    format!("the least sum of {}", parts.join(", "))
 }
 
 pub(super) fn check(out: &mut impl Write, found: &CheckResponse) -> std::io::Result<()> {

@@ -235,6 +235,7 @@ fn choices(args: ChoiceArgs) -> Result<PlanChoices, WrongUse> {
         avoid_collisions,
         effort,
         search_seed,
+        weights,
         clearance,
     } = args;
     if wires.is_some_and(WireRange::is_several) {
@@ -255,6 +256,7 @@ fn choices(args: ChoiceArgs) -> Result<PlanChoices, WrongUse> {
         avoid_collisions,
         search_effort: effort,
         search_seed,
+        search_weights: weights,
         collision_margin_mm: clearance,
     })
 }

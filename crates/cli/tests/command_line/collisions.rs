@@ -156,6 +156,42 @@ fn a_search_without_success_says_what_is_in_the_way() {
     assert_eq!((&wires[0]["search"]["found"], wires[1].get("search")), (&true.into(), None));
 }
 
+/// Who sets weights, or none, reads by what the program was chosen.
+#[test]
+fn the_weights_of_a_search_are_told_and_refused_where_they_say_nothing() {
+    let search = |more: &[&str]| {
+        run(&[&["plan", &example("house.obj"), "-m", "wirebend-kit", "--avoid-collisions"], more].concat())
+    };
+    let usual = search(&[]).ended(0).err;
+    assert!(
+        usual.contains("  prefers     fewest wires, then the least doubled length, then the least time\n"),
+        "{usual}"
+    );
+    assert_eq!(search(&["--json"]).ended(0).json()["search"]["weights"], serde_json::Value::Null);
+    let weights = ["--effort", "500", "--weights", "wires=1000, time=5"];
+    let weighed = search(&weights).ended(0).err;
+    assert!(
+        weighed.contains("  prefers     the least sum of 1000 for each wire, 5 for each second\n"),
+        "{weighed}"
+    );
+    let weighed = search(&[&weights[..], &["--json"]].concat()).ended(0).json();
+    assert_eq!(weighed["search"]["weights"], serde_json::json!({"wire": 1000, "doubled_mm": 0, "second": 5}));
+    for (wrong, said) in [
+        ("wires", "'wires' has no weight"),
+        ("wires=-1", "'-1' is no whole number"),
+        ("price=2", "'price' has no weight"),
+        ("time=0", "all of them are 0"),
+    ] {
+        let refused = search(&["--weights", wrong]).ended(2).err;
+        assert!(
+            refused.contains(said) && refused.contains("such as wires=1000,doubled=1,time=5"),
+            "{refused}"
+        );
+    }
+    let alone = ["plan", &example("house.obj"), "-m", "wirebend-kit", "--weights", "time=1"];
+    assert!(run(&alone).ended(2).err.contains("--avoid-collisions"));
+}
+
 #[test]
 fn a_search_has_steps_to_check() {
     let search = ["plan", &example("house.obj"), "-m", "wirebend-kit", "--avoid-collisions", "--effort", "0"];

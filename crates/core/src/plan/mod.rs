@@ -19,7 +19,7 @@ use crate::estimate::{TimeModel, WireModel};
 use crate::route::{Doubling, Route};
 use crate::sag::{Sag, max_sag};
 use crate::schedule::{HeadLimits, ScheduledProgram};
-use crate::search::{Obstruction, SearchOptions};
+use crate::search::{Objective, Obstruction, SearchOptions};
 use crate::simulate::scheduled_start;
 use crate::units::{Angle, Length};
 use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
@@ -168,6 +168,8 @@ pub struct Searched {
     pub exhausted: bool,
     /// What was in the way where it came farthest.
     pub obstruction: Option<Obstruction>,
+    /// By what programs that meet nothing were compared.
+    pub objective: Objective,
 }
 
 /// One wire through all stages, as far as it got.

@@ -57,6 +57,7 @@ impl Searching<'_> {
             checks: outcome.checks,
             exhausted: outcome.exhausted,
             obstruction: outcome.obstruction,
+            objective: wanted.objective,
         };
         Some(SearchedWires { wires: outcome.best.wires, searched, helps: helps.unwrap_or_default() })
     }

@@ -60,10 +60,7 @@ impl WireReport {
             feasible: plan.is_feasible(),
             collisions_checked: plan.contacts.is_some(),
             // The wires of a part were searched for together: the first has what came of it, as it has the times.
-            search: plan
-                .searched
-                .filter(|_| !timings_ms.is_empty())
-                .map(|searched| SearchReport { found: searched.found, steps_checked: searched.checks }),
+            search: plan.searched.as_ref().filter(|_| !timings_ms.is_empty()).map(SearchReport::from),
             sag: None,
             time_s: plan.seconds,
             cost: fed.and_then(|fed| wire.cost(fed)),

@@ -2,6 +2,7 @@
 
 mod diagnostic;
 mod remedy;
+mod search;
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -14,6 +15,7 @@ use wirebend_files::read::Note;
 
 pub use diagnostic::{DiagnosticReport, SeverityName};
 pub use remedy::RemedyReport;
+pub use search::{SearchReport, SearchWeights};
 pub use wirebend_core::checks::Code as DiagnosticCode;
 pub use wirebend_files::document::JobStep;
 
@@ -101,15 +103,6 @@ pub struct ProgramReport {
     /// How many steps bend the wire.
     pub bends: usize,
     pub steps: Vec<JobStep>,
-}
-
-/// What came of a search for wires that hit nothing.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
-pub struct SearchReport {
-    /// Whether it has found some.
-    pub found: bool,
-    /// How many steps it has checked.
-    pub steps_checked: u64,
 }
 
 /// What is sent to the machine.
