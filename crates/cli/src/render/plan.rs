@@ -114,7 +114,8 @@ fn wire(out: &mut impl Write, report: &WireReport) -> std::io::Result<()> {
     if let Some(search) = &report.search {
         let found =
             if search.found { "a program without collisions" } else { "no program without a collision" };
-        line(out, "search", format!("{found}; steps checked: {}", search.steps_checked))?;
+        let ended = if search.ended { "; ended by you" } else { "" };
+        line(out, "search", format!("{found}; steps checked: {}{ended}", search.steps_checked))?;
         line(out, "prefers", objective(search))?;
     }
     Ok(())

@@ -168,6 +168,8 @@ pub struct Searched {
     pub exhausted: bool,
     /// What was in the way where it came farthest.
     pub obstruction: Option<Obstruction>,
+    /// Whether it was ended before it was done.
+    pub ended: bool,
     /// By what programs that meet nothing were compared.
     pub objective: Objective,
 }

@@ -12,6 +12,8 @@ pub struct SearchReport {
     pub found: bool,
     /// How many steps it has checked.
     pub steps_checked: u64,
+    /// Whether a person has ended it before it was done: this is the best until then.
+    pub ended: bool,
     /// By which weights the best was chosen; null: fewest wires, then the least doubled length, then the least time.
     pub weights: Option<SearchWeights>,
 }
@@ -39,7 +41,7 @@ impl From<&Searched> for SearchReport {
                 Some(SearchWeights { wire, doubled_mm, second })
             }
         };
-        Self { found: searched.found, steps_checked: searched.checks, weights }
+        Self { found: searched.found, steps_checked: searched.checks, ended: searched.ended, weights }
     }
 }
 
