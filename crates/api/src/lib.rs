@@ -42,7 +42,8 @@ pub use wirebend_planning::catalogue::{
 pub use wirebend_planning::choices::PlanChoices;
 pub use wirebend_planning::collisions::{Collisions, ContactReport};
 pub use wirebend_planning::compare::{
-    Change, CompareRequest, CompareResponse, Findings, MachineSide, OtherSide, WireDiagnostic, WireStep,
+    Change, CollisionCount, CompareRequest, CompareResponse, Findings, MachineSide, OtherSide,
+    WireDiagnostic, WireStep,
 };
 pub use wirebend_planning::design::{DesignInput, Input};
 pub use wirebend_planning::drivers::{
