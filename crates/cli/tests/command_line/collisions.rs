@@ -91,6 +91,14 @@ fn what_comes_nearer_than_the_clearance_is_named() {
     let said = check(&["--collisions", "--clearance", "2"]).ended(0).err;
     let words = "warning[meets_stock]: step 3: the wire of edge 0 comes within 1.0 mm of the wire that is still to be bent";
     assert!(said.contains(words), "{said}");
+    // A script that sorts by how deep it is would take the nearest for the deepest: how far they are apart does not depend on how
+    // far they have to be.
+    for clearance in ["2", "3"] {
+        let found = check(&["--collisions", "--clearance", clearance, "--json"]).ended(0).json();
+        let all = found["diagnostics"].as_array().unwrap();
+        let near = all.iter().find(|one| one["code"] == "meets_stock").unwrap();
+        assert!((near["value"].as_f64().unwrap() + 1.0).abs() < 0.1, "{near}");
+    }
     for wrong in ["-1", "nan", "inf"] {
         let said = check(&["--collisions", "--clearance", wrong]).ended(2).err;
         assert!(
