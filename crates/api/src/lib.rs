@@ -42,7 +42,8 @@ pub use wirebend_planning::catalogue::{
 pub use wirebend_planning::choices::PlanChoices;
 pub use wirebend_planning::collisions::{Collisions, ContactReport};
 pub use wirebend_planning::compare::{
-    Change, CompareRequest, CompareResponse, Findings, MachineSide, OtherSide, WireDiagnostic, WireStep,
+    Change, CollisionCount, CompareRequest, CompareResponse, Findings, MachineSide, OtherSide,
+    WireDiagnostic, WireStep,
 };
 pub use wirebend_planning::design::{DesignInput, Input};
 pub use wirebend_planning::drivers::{
@@ -66,11 +67,12 @@ pub use wirebend_planning::program::ProgramKind;
 pub use wirebend_planning::progress::{NoProgress, Progress};
 pub use wirebend_planning::report::{
     CompensatedReport, DiagnosticCode, DiagnosticReport, JobStep, NoteReport, PartOfStep, PlanReport,
-    ProgramReport, RemedyReport, RouteReport, SHOWN_AS_ZERO, SeverityName, WireReport, WireframeReport,
-    shown_deg,
+    ProgramReport, RemedyReport, RouteReport, SHOWN_AS_ZERO, SearchReport, SearchWeights, SeverityName,
+    WireReport, WireframeReport, shown_deg,
 };
 pub use wirebend_planning::simulate::{
-    GapReport, SimulateRequest, SimulateResponse, SimulationModel, VertexReport,
+    GapReport, SimulateRequest, SimulateResponse, SimulatedCollisions, SimulatedContact, SimulationModel,
+    VertexReport,
 };
 pub use wirebend_planning::stage::StageName;
 pub use wirebend_planning::wires::{WiresRequest, WiresResponse, WiresRow};

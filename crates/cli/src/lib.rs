@@ -92,6 +92,8 @@ fn run(cli: Cli) -> anyhow::Result<u8> {
     }
     if is_live(&command) {
         stop::listen()?;
+    } else if may_search(&command) {
+        stop::listen_while_searching()?;
     }
     let terminal = Terminal::new(json);
     let response = command.run(&installation, &terminal);
@@ -114,4 +116,18 @@ fn run(cli: Cli) -> anyhow::Result<u8> {
 /// What may move a machine, so that a stop has to be at hand.
 const fn is_live(command: &Command) -> bool {
     matches!(command, Command::Run(_) | Command::Jog(_) | Command::Replay(_) | Command::MachineSettings(_))
+}
+
+/// What may search, which Ctrl-C ends with the best so far.
+const fn may_search(command: &Command) -> bool {
+    let choices = match command {
+        Command::Check(request) => &request.choices,
+        Command::Plan(request) => &request.choices,
+        Command::Export(request) => &request.choices,
+        Command::Dump(request) => &request.choices,
+        Command::Compare(request) => &request.choices,
+        Command::Wires(request) => &request.choices,
+        _ => return false,
+    };
+    choices.avoid_collisions
 }

@@ -1,4 +1,4 @@
-//! Ctrl-C is STOP: in a thread of its own, whatever the program is doing.
+//! Ctrl-C is STOP: in a thread of its own, whatever the program is doing. Of a search it takes the best so far.
 
 use std::io::Write;
 use std::process;
@@ -18,11 +18,38 @@ static PRESSED: AtomicBool = AtomicBool::new(false);
 static TOLD: Mutex<Option<Instant>> = Mutex::new(None);
 /// Until then the program writes down and reports the result of a stop, and ends; a press meanwhile ends it no sooner.
 const ENDING: Duration = Duration::from_secs(3);
+/// Whether a search is under way.
+static SEARCHES: AtomicBool = AtomicBool::new(false);
 
 /// From here on Ctrl-C, and the signal that asks a program to end, stop the machine: each time they come, for as long as one
 /// is connected. The program ends by itself once the machine stands, or has not confirmed it for too long.
 pub(crate) fn listen() -> anyhow::Result<()> {
     ctrlc::set_handler(pressed).context("Ctrl-C cannot be listened to, and without it nothing is moved")
+}
+
+/// From here on Ctrl-C, and the signal that asks a program to end, end the search that is under way with the best that it has: the
+/// program goes on with that. Pressed again, or without a search, they end the program.
+pub(crate) fn listen_while_searching() -> anyhow::Result<()> {
+    let pressed = || {
+        let again = PRESSED.swap(true, Ordering::SeqCst);
+        if again || !SEARCHES.load(Ordering::SeqCst) {
+            process::exit(exit::STOPPED.into());
+        }
+        let said = "ending the search with the best so far; press Ctrl-C again to end at once";
+        let _ = writeln!(std::io::stderr(), "\n{said}");
+    };
+    ctrlc::set_handler(pressed)
+        .context("Ctrl-C cannot be listened to, and without it a search cannot be ended")
+}
+
+/// A search begins, or is over.
+pub(crate) fn search(begins: bool) {
+    SEARCHES.store(begins, Ordering::SeqCst);
+}
+
+/// Whether a person has ended the searches of this command.
+pub(crate) fn ends_search() -> bool {
+    SEARCHES.load(Ordering::SeqCst) && was_pressed()
 }
 
 /// Whether a person has asked for a stop.

@@ -131,7 +131,17 @@ fn read_line() -> Option<String> {
 
 impl Progress for Terminal {
     fn stage(&self, name: &str) {
+        stop::search(false);
         self.shown().stage(name);
+    }
+
+    fn search(&self, name: &str) {
+        stop::search(true);
+        self.shown().stage(&format!("{name} (Ctrl-C takes the best so far)"));
+    }
+
+    fn goes_on(&self) -> bool {
+        !stop::ends_search()
     }
 
     fn advance(&self, done: u64, of: u64) {

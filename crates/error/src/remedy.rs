@@ -177,6 +177,13 @@ pub enum ErrorRemedy {
     FixFindings,
     /// Write the program although the machine cannot make it.
     IgnoreFindings,
+    /// Export it in the machine's own format, which says all of it.
+    ExportFormat {
+        /// Its id.
+        format: String,
+    },
+    /// Run it slowly at the machine first, and watch it.
+    WatchFirstWire,
     /// Install a font, or write an SVG.
     InstallFont,
     /// Bend a test piece, and enter its springback in the material's profile.

@@ -3,6 +3,8 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use crate::report::SearchWeights;
+
 /// What a person may choose of a plan; what is not chosen is taken from the document.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
 #[allow(clippy::struct_excessive_bools)] // each is an option of its own
@@ -44,6 +46,8 @@ pub struct PlanChoices {
     pub search_effort: Option<u32>,
     /// Where the chance of the search begins; absent, 1. The same seed finds the same.
     pub search_seed: Option<u64>,
+    /// What makes one program of the search better than another; absent: fewest wires, then the least doubled length, then the least time.
+    pub search_weights: Option<SearchWeights>,
     /// How far the wire has to stay from what it could hit, besides, mm; with `collisions`.
     #[serde(default)]
     #[schemars(range(min = 0.0))]

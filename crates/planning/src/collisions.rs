@@ -71,7 +71,7 @@ impl Planned {
                     found => found,
                 },
             };
-            let findings = keep_contacts(wireframe, machine, plan, contacts);
+            let findings = keep_contacts(wireframe, machine, plan, contacts, Length::ZERO);
             all.contacts.extend(contacts_of(plan, wire, &self.setup, &findings));
             plan.diagnostics.extend(findings);
             plan.diagnostics.sort_by_key(|diagnostic| diagnostic.severity);

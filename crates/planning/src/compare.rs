@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use wirebend_core::checks::Code;
+use wirebend_core::checks::{Code, Fact};
 
 use crate::choices::PlanChoices;
 use crate::design::DesignInput;
@@ -46,6 +46,8 @@ pub struct MachineSide {
     pub errors: usize,
     /// How many warnings.
     pub warnings: usize,
+    /// Where the wires hit the machine or themselves; null where nobody asked, or not every wire has a program.
+    pub collisions: Option<CollisionCount>,
     /// How many edges are travelled, each time counted.
     pub feeds: Option<usize>,
     /// How many steps bend the wire.
@@ -60,6 +62,34 @@ pub struct MachineSide {
     pub currency: Option<String>,
     /// Mass of the wire that is fed, in g.
     pub mass_g: Option<f64>,
+}
+
+/// How many things wires hit while they are bent.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct CollisionCount {
+    /// How many: each body of the machine, and the wire itself, once for each wire.
+    pub hits: usize,
+    /// How many of them are bodies whose dimensions are estimates.
+    pub estimated: usize,
+}
+
+impl CollisionCount {
+    /// Of a design that was looked at.
+    fn of(planned: &Planned) -> Option<Self> {
+        let all = planned.wires.iter().flat_map(|wire| &wire.diagnostics);
+        let mut count = Self { hits: 0, estimated: 0 };
+        for finding in all {
+            match finding.fact {
+                Fact::MeetsStock { depth, margin, .. } if depth >= margin => count.hits += 1,
+                Fact::MeetsMachine { depth, margin, measured, .. } if depth >= margin => {
+                    count.hits += 1;
+                    count.estimated += usize::from(!measured);
+                }
+                _ => {}
+            }
+        }
+        planned.collisions_checked().then_some(count)
+    }
 }
 
 /// The design on another machine, and what is different there.
@@ -180,6 +210,7 @@ impl MachineSide {
             feasible: planned.feasible(),
             errors: number(SeverityName::Error),
             warnings: number(SeverityName::Warning),
+            collisions: CollisionCount::of(planned),
             feeds: sum(wires, |wire| wire.route.as_ref().map(|route| route.feeds)),
             bends: sum(wires, |wire| wire.program.as_ref().map(|program| program.bends)),
             time_s: sum(wires, |wire| wire.time_s),

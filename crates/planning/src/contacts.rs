@@ -1,4 +1,5 @@
-//! The search for contacts of a wire, shared by the processors of the computer.
+//! The search for contacts of a wire, shared by the processors of the computer, and how far a wire has to stay from what it could
+//! hit.
 
 use std::collections::BTreeMap;
 use std::num::NonZero;
@@ -6,11 +7,26 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 use wirebend_core::clearance::{Clearance, FirstContact};
+use wirebend_core::units::Length;
+use wirebend_error::InputName;
+
+use crate::PlanningError;
 
 /// So many steps are looked at in one go: few, so that all are done at about the same time.
 const STEPS: usize = 12;
 /// More do not help: what is shared out has to be set up by each.
 const MAX_THREADS: usize = 4;
+
+/// How far a wire has to stay from what it could hit, given in mm.
+pub fn collision_margin(mm: f64) -> Result<Length, PlanningError> {
+    let margin = Length::from_mm(mm).ok().filter(|margin| *margin >= Length::ZERO);
+    margin.ok_or_else(|| PlanningError::Value {
+        input: Some(InputName::Clearance),
+        name: "the clearance",
+        value: format!("{mm} mm"),
+        expected: "zero or more",
+    })
+}
 
 /// The first contacts of a wire, as [`Clearance::first_contacts`] has them. `goes_on` is asked again and again, with how many steps are
 /// done: `None` where it does not.

@@ -6,6 +6,10 @@ pub trait Progress {
     fn stage(&self, name: &str);
     /// So many of so many things are done.
     fn advance(&self, done: u64, of: u64);
+    /// A search begins, which may be ended with the best that it has; it is over when another stage begins.
+    fn search(&self, name: &str) {
+        self.stage(name);
+    }
     /// Whether a search goes on; else it ends with the best that it has.
     fn goes_on(&self) -> bool {
         true

@@ -89,6 +89,16 @@ it("plays through where a person does not want it to stop, and goes to a collisi
   }
 });
 
+it("says whose collisions it marks where the wire is shown as the machine bends it", async () => {
+  const whose = animate().getByText("Collisions are those of the wire as designed.");
+  expect(await whose.count()).toBe(0);
+  await animate().getByText("As made", { exact: true }).click();
+  await whose.waitFor();
+  await editor.isClean("animate-collisions-as-made");
+  await animate().getByText("As designed", { exact: true }).click();
+  await until(() => whose.count()).toBe(0);
+});
+
 it("takes an order of the bends that hits nothing, keeps it with the design, and gives it up again", async () => {
   await editor.take("house", "edit", "animate");
   await animate().getByRole("button", { name: "Avoid collisions" }).click();

@@ -284,6 +284,16 @@ export type ErrorRemedy =
       remedy: "ignore-findings";
     }
   | {
+      /**
+       * Its id.
+       */
+      format: string;
+      remedy: "export-format";
+    }
+  | {
+      remedy: "watch-first-wire";
+    }
+  | {
       remedy: "install-font";
     }
   | {
@@ -2552,6 +2562,10 @@ export interface MachineSide {
    */
   bends: number | null;
   /**
+   * Where the wires hit the machine or themselves; null where nobody asked, or not every wire has a program.
+   */
+  collisions: CollisionCount | null;
+  /**
    * Price of the wire that is fed, in `currency`; null also where the price is not known.
    */
   cost: number | null;
@@ -2595,6 +2609,19 @@ export interface MachineSide {
   warnings: number;
 }
 /**
+ * How many things wires hit while they are bent.
+ */
+export interface CollisionCount {
+  /**
+   * How many of them are bodies whose dimensions are estimates.
+   */
+  estimated: number;
+  /**
+   * How many: each body of the machine, and the wire itself, once for each wire.
+   */
+  hits: number;
+}
+/**
  * The design on another machine, and what is different there.
  */
 export interface OtherSide {
@@ -2603,6 +2630,10 @@ export interface OtherSide {
    */
   bends: number | null;
   change: Change;
+  /**
+   * Where the wires hit the machine or themselves; null where nobody asked, or not every wire has a program.
+   */
+  collisions: CollisionCount | null;
   /**
    * Price of the wire that is fed, in `currency`; null also where the price is not known.
    */

@@ -92,6 +92,8 @@ const REMEDIES: { readonly [K in Kind]: (remedy: Extract<ErrorRemedy, { remedy: 
   "take-face-edges": () => "Open it to bend along the edges of its faces.",
   "trace-surface": () => "Open it to trace on its surface.",
   "open-as-wireframe": () => "Open it as a wireframe.",
+  "export-format": ({ format }) => `Export the machine\u2019s own program (${format}).`,
+  "watch-first-wire": () => "Run the first wire slowly, and watch for collisions.",
   "plan-again": () => "Open its design, and save the job again.",
   "plan-for-machine": ({ machine }) =>
     machine === null || machine === undefined

@@ -127,7 +127,7 @@ pub(crate) enum Subcommands {
     },
     /// Bend a job without a machine, with the errors that machines make
     #[command(
-        after_help = "Example:\n  wirebend simulate cube.wbjob --noise wirebend-kit --runs 500 --seed 1 --svg cube-made.svg"
+        after_help = "Examples:\n  wirebend simulate cube.wbjob --noise wirebend-kit --runs 500 --seed 1 --svg cube-made.svg\n  wirebend simulate cube.wbjob --noise wirebend-kit --runs 100 --collisions"
     )]
     Simulate {
         /// Job to bend, or - for standard input
@@ -151,6 +151,18 @@ pub(crate) enum Subcommands {
         /// Replace pictures that are there
         #[arg(long)]
         force: bool,
+        /// Look where the simulated wires hit the machine or themselves while they are bent
+        #[arg(long)]
+        collisions: bool,
+        /// With --collisions, also name what comes nearer than this without hitting, in mm
+        #[arg(
+            long,
+            value_name = "MM",
+            default_value_t = 0.0,
+            requires = "collisions",
+            allow_negative_numbers = true
+        )]
+        clearance: f64,
     },
     /// Run a job on its machine; Ctrl-C is STOP
     #[command(

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use wirebend_api::{Format, Handedness, LengthUnit, ProfileKind, ProgramKind, StageName};
+use wirebend_api::{Format, Handedness, LengthUnit, ProfileKind, ProgramKind, SearchWeights, StageName};
 
 /// Which kind of profile is meant.
 #[derive(Debug, Args)]
@@ -112,6 +112,10 @@ pub(crate) struct ChoiceArgs {
     /// Seed of the search; the same seed finds the same
     #[arg(long = "search-seed", value_name = "SEED", requires = "avoid_collisions")]
     pub search_seed: Option<u64>,
+    /// What each wire, each doubled mm and each second costs the search, as wires=1000,doubled=1,time=5: the least sum is the best.
+    /// Without weights fewest wires count first, then the least doubled length, then the least time
+    #[arg(long, value_name = "WEIGHTS", requires = "avoid_collisions", value_parser = parse_weights)]
+    pub weights: Option<SearchWeights>,
     /// With --collisions, also name what comes nearer than this without hitting, in mm
     #[arg(
         long,
@@ -163,6 +167,29 @@ fn parse_wires(text: &str) -> Result<WireRange, String> {
     let range = range.filter(|range| (1..=range.to).contains(&range.from));
     range.ok_or_else(|| "expected a number of wires, at least 1, or a range such as 1..6".to_owned())
 }
+
+/// `wires=W,doubled=W,time=W`; what is left out costs nothing.
+fn parse_weights(text: &str) -> Result<SearchWeights, String> {
+    let mut weights = SearchWeights::default();
+    for part in text.split(',') {
+        let (name, value) =
+            part.split_once('=').ok_or_else(|| format!("'{part}' has no weight; {WEIGHTS}"))?;
+        let weight = match name.trim() {
+            "wires" => &mut weights.wire,
+            "doubled" => &mut weights.doubled_mm,
+            "time" => &mut weights.second,
+            _ => return Err(format!("'{name}' has no weight; {WEIGHTS}")),
+        };
+        *weight = value.trim().parse().map_err(|_| format!("'{value}' is no whole number; {WEIGHTS}"))?;
+    }
+    if weights == SearchWeights::default() {
+        return Err(format!("all of them are 0; {WEIGHTS}"));
+    }
+    Ok(weights)
+}
+
+const WEIGHTS: &str = "expected whole numbers for some of wires, doubled (each mm) and time (each second), such as \
+                       wires=1000,doubled=1,time=5";
 
 fn parse_format(word: &str) -> Result<Format, String> {
     word.parse().map_err(|error: <Format as std::str::FromStr>::Err| error.to_string())

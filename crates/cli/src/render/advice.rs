@@ -76,6 +76,8 @@ fn one(remedy: &ErrorRemedy) -> String {
         R::TakeFaceEdges => "take the edges of its faces with --face-edges".to_owned(),
         R::TraceSurface => "trace a wireframe on it in the window".to_owned(),
         R::OpenAsWireframe => "use it as a wireframe".to_owned(),
+        R::ExportFormat { format } => format!("export the machine's own program: --format {format}"),
+        R::WatchFirstWire => "run the first wire slowly, and watch for collisions".to_owned(),
         R::PlanAgain => "plan the design again with `wirebend plan`".to_owned(),
         R::PlanForMachine { machine: Some(machine) } => {
             format!("plan the design again with --machine {}", quoted(machine))

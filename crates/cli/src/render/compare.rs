@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::io::Write;
 
-use wirebend_api::{CompareResponse, Findings, MachineSide, OtherSide, WireDiagnostic};
+use wirebend_api::{CollisionCount, CompareResponse, Findings, MachineSide, OtherSide, WireDiagnostic};
 
 use super::notes;
 use super::number::{count, duration, mm};
@@ -53,6 +53,7 @@ fn table(out: &mut impl Write, found: &CompareResponse) -> std::io::Result<()> {
             row("errors", &|side| side.errors.to_string(), &|other| {
                 Some(signed_count(from.errors, other.side.errors))
             }),
+            row("collisions", &collisions, &none),
             row("feeds", &|side| number(side.feeds), &|other| {
                 Some(signed_count(from.feeds?, other.side.feeds?))
             }),
@@ -77,6 +78,17 @@ fn table(out: &mut impl Write, found: &CompareResponse) -> std::io::Result<()> {
             }),
         ],
     )
+}
+
+/// How many things the wire hits there, and whether that rests on estimates.
+fn collisions(side: &MachineSide) -> String {
+    match side.collisions {
+        None => "not checked".to_owned(),
+        Some(CollisionCount { hits: 0, .. }) => "none".to_owned(),
+        Some(CollisionCount { hits, estimated: 0 }) => hits.to_string(),
+        Some(CollisionCount { hits, estimated }) if estimated == hits => format!("{hits}, estimated"),
+        Some(CollisionCount { hits, estimated }) => format!("{hits}, {estimated} estimated"),
+    }
 }
 
 pub(super) fn unknown() -> String {

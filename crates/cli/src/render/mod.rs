@@ -76,6 +76,7 @@ fn status(response: &Response) -> u8 {
         Response::Check(found) => found.feasible,
         Response::Plan(found) => found.report.feasible(),
         Response::Compare(found) => found.from.feasible,
+        Response::Simulate(found) => !simulate::hits(found),
         Response::Wires(found) => found.rows.iter().any(|row| row.side.feasible),
         Response::ProfileCheck(found) => return if found.ok { exit::DONE } else { exit::BAD_INPUT },
         Response::DriverCheck(found) => return if found.kept { exit::DONE } else { exit::FAILURE },
@@ -105,7 +106,6 @@ fn status(response: &Response) -> u8 {
         | Response::Materials(_)
         | Response::Import(_)
         | Response::Export(_)
-        | Response::Simulate(_)
         | Response::Dump(_)
         | Response::ProfileNew(_)
         | Response::ProfileExplain(_) => true,

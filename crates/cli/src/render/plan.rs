@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 use std::io::Write;
 
 use wirebend_api::{
-    CheckResponse, DiagnosticCode, DiagnosticReport, PlanReport, PlanResponse, SeverityName, WireReport,
+    CheckResponse, DiagnosticCode, DiagnosticReport, PlanReport, PlanResponse, SearchReport, SearchWeights,
+    SeverityName, WireReport,
 };
 
 use super::number::{count, duration, mm};
@@ -113,9 +114,22 @@ fn wire(out: &mut impl Write, report: &WireReport) -> std::io::Result<()> {
     if let Some(search) = &report.search {
         let found =
             if search.found { "a program without collisions" } else { "no program without a collision" };
-        line(out, "search", format!("{found}; steps checked: {}", search.steps_checked))?;
+        let ended = if search.ended { "; ended by you" } else { "" };
+        line(out, "search", format!("{found}; steps checked: {}{ended}", search.steps_checked))?;
+        line(out, "prefers", objective(search))?;
     }
     Ok(())
+}
+
+/// By what a search has chosen.
+fn objective(search: &SearchReport) -> String {
+    let Some(SearchWeights { wire, doubled_mm, second }) = search.weights else {
+        return "fewest wires, then the least doubled length, then the least time".to_owned();
+    };
+    let parts = [(wire, "wire"), (doubled_mm, "doubled mm"), (second, "second")];
+    let parts = parts.into_iter().filter(|&(weight, _)| weight > 0);
+    let parts: Vec<String> = parts.map(|(weight, what)| format!("{weight} for each {what}")).collect();
+    format!("the least sum of {}", parts.join(", "))
 }
 
 pub(super) fn check(out: &mut impl Write, found: &CheckResponse) -> std::io::Result<()> {
@@ -183,6 +197,15 @@ fn list(out: &mut impl Write, all: &[&DiagnosticReport]) -> std::io::Result<()> 
 }
 
 fn one(out: &mut impl Write, diagnostic: &DiagnosticReport) -> std::io::Result<()> {
+    finding(out, diagnostic, "")
+}
+
+/// A finding with the source of its limit and what to do about it. `with`: what comes before the options that do it.
+pub(super) fn finding(
+    out: &mut impl Write,
+    diagnostic: &DiagnosticReport,
+    with: &str,
+) -> std::io::Result<()> {
     let style = severity_style(diagnostic.severity);
     let severity = match diagnostic.severity {
         SeverityName::Error => "error",
@@ -196,7 +219,7 @@ fn one(out: &mut impl Write, diagnostic: &DiagnosticReport) -> std::io::Result<(
     }
     if diagnostic.severity != SeverityName::Info && !diagnostic.help.is_empty() {
         let options = options::of(&diagnostic.remedies);
-        let by = if options.is_empty() { String::new() } else { format!(" [{}]", options.join(", ")) };
+        let by = if options.is_empty() { String::new() } else { format!(" [{with}{}]", options.join(", ")) };
         writeln!(out, "    help: {}{by}", diagnostic.help)?;
     }
     Ok(())

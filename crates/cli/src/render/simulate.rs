@@ -2,10 +2,10 @@
 
 use std::io::Write;
 
-use wirebend_api::{SimulateResponse, SimulationModel};
+use wirebend_api::{SeverityName, SimulateResponse, SimulatedCollisions, SimulationModel};
 
 use super::number::count;
-use super::{notes, written};
+use super::{notes, plan, written};
 
 pub(super) fn simulate(out: &mut impl Write, found: &SimulateResponse) -> std::io::Result<()> {
     notes(out, &found.notes)?;
@@ -40,7 +40,45 @@ pub(super) fn simulate(out: &mut impl Write, found: &SimulateResponse) -> std::i
                 )?;
             }
         }
+        if let Some(found) = &wire.collisions {
+            collisions(out, found)?;
+        }
     }
     writeln!(out, "distances are measured with the first vertex and the first direction fixed")?;
     written(out, found.files.iter())
+}
+
+/// Whether a simulated wire hits what it cannot pass.
+pub(super) fn hits(found: &SimulateResponse) -> bool {
+    let all = found.wires.iter().filter_map(|wire| wire.collisions.as_ref());
+    let errors = |found: &SimulatedCollisions| {
+        found.diagnostics.iter().any(|contact| contact.finding.severity == SeverityName::Error)
+    };
+    all.into_iter().any(errors)
+}
+
+fn collisions(out: &mut impl Write, found: &SimulatedCollisions) -> std::io::Result<()> {
+    let label = "collisions";
+    let several = found.wires > 1;
+    let words = match (found.colliding, several) {
+        (0, false) => "none".to_owned(),
+        (0, true) => format!("none in {} wires", found.wires),
+        (_, false) => "the wire hits the machine or itself".to_owned(),
+        (colliding, true) => format!(
+            "{colliding} of {} wires {} the machine or {} ({:.1} %)",
+            found.wires,
+            if colliding == 1 { "hits" } else { "hit" },
+            if colliding == 1 { "itself" } else { "themselves" },
+            100.0 * found.share
+        ),
+    };
+    writeln!(out, "  {label:<18} {words}")?;
+    for contact in &found.diagnostics {
+        plan::finding(out, &contact.finding, "plan it again with ")?;
+        if several {
+            let wires = count(contact.wires as usize, "wire", "wires");
+            writeln!(out, "    in {wires}; this is the worst, run {}", contact.run + 1)?;
+        }
+    }
+    Ok(())
 }

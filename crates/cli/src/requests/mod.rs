@@ -67,7 +67,7 @@ pub(crate) fn prepare(command: Subcommands) -> anyhow::Result<Prepared> {
             };
             Prepared::Command(Box::new(Command::Export(request)), contents)
         }
-        Subcommands::Simulate { job, noise, runs, seed, svg, png, force } => {
+        Subcommands::Simulate { job, noise, runs, seed, svg, png, force, collisions, clearance } => {
             if [&svg, &png].into_iter().flatten().any(|path| path == Path::new("-")) {
                 return Err(
                     WrongUse("a picture goes to a file: name one after --svg or --png".to_owned()).into()
@@ -76,7 +76,16 @@ pub(crate) fn prepare(command: Subcommands) -> anyhow::Result<Prepared> {
             let picture = |path: PathBuf| Output { path, force };
             let job = input(&job)?;
             let (svg, png) = (svg.map(picture), png.map(picture));
-            written(Command::Simulate(SimulateRequest { job, noise, runs, seed, svg, png }))
+            written(Command::Simulate(SimulateRequest {
+                job,
+                noise,
+                runs,
+                seed,
+                svg,
+                png,
+                collisions,
+                collision_margin_mm: clearance,
+            }))
         }
         Subcommands::Run(args) => written(live::run(args)?),
         Subcommands::Jog(args) => written(live::jog(args)?),
@@ -226,6 +235,7 @@ fn choices(args: ChoiceArgs) -> Result<PlanChoices, WrongUse> {
         avoid_collisions,
         effort,
         search_seed,
+        weights,
         clearance,
     } = args;
     if wires.is_some_and(WireRange::is_several) {
@@ -246,6 +256,7 @@ fn choices(args: ChoiceArgs) -> Result<PlanChoices, WrongUse> {
         avoid_collisions,
         search_effort: effort,
         search_seed,
+        search_weights: weights,
         collision_margin_mm: clearance,
     })
 }

@@ -91,6 +91,14 @@ fn what_comes_nearer_than_the_clearance_is_named() {
     let said = check(&["--collisions", "--clearance", "2"]).ended(0).err;
     let words = "warning[meets_stock]: step 3: the wire of edge 0 comes within 1.0 mm of the wire that is still to be bent";
     assert!(said.contains(words), "{said}");
+    // A script that sorts by how deep it is would take the nearest for the deepest: how far they are apart does not depend on how
+    // far they have to be.
+    for clearance in ["2", "3"] {
+        let found = check(&["--collisions", "--clearance", clearance, "--json"]).ended(0).json();
+        let all = found["diagnostics"].as_array().unwrap();
+        let near = all.iter().find(|one| one["code"] == "meets_stock").unwrap();
+        assert!((near["value"].as_f64().unwrap() + 1.0).abs() < 0.1, "{near}");
+    }
     for wrong in ["-1", "nan", "inf"] {
         let said = check(&["--collisions", "--clearance", wrong]).ended(2).err;
         assert!(
@@ -150,7 +158,46 @@ fn a_search_without_success_says_what_is_in_the_way() {
     let wires =
         run(&["plan", &example("cup-holder.obj"), "-m", "wirebend-kit", "--avoid-collisions", "--json"]);
     let wires = wires.ended(0).json();
-    assert_eq!(wires["wires"].as_array().unwrap().len(), 2);
+    let wires = wires["wires"].as_array().unwrap();
+    assert_eq!(wires.len(), 2);
+    // Both were found by one search: told twice it would be taken for two.
+    assert_eq!((&wires[0]["search"]["found"], wires[1].get("search")), (&true.into(), None));
+}
+
+/// Who sets weights, or none, reads by what the program was chosen.
+#[test]
+fn the_weights_of_a_search_are_told_and_refused_where_they_say_nothing() {
+    let search = |more: &[&str]| {
+        run(&[&["plan", &example("house.obj"), "-m", "wirebend-kit", "--avoid-collisions"], more].concat())
+    };
+    let usual = search(&[]).ended(0).err;
+    assert!(
+        usual.contains("  prefers     fewest wires, then the least doubled length, then the least time\n"),
+        "{usual}"
+    );
+    assert_eq!(search(&["--json"]).ended(0).json()["search"]["weights"], serde_json::Value::Null);
+    let weights = ["--effort", "500", "--weights", "wires=1000, time=5"];
+    let weighed = search(&weights).ended(0).err;
+    assert!(
+        weighed.contains("  prefers     the least sum of 1000 for each wire, 5 for each second\n"),
+        "{weighed}"
+    );
+    let weighed = search(&[&weights[..], &["--json"]].concat()).ended(0).json();
+    assert_eq!(weighed["search"]["weights"], serde_json::json!({"wire": 1000, "doubled_mm": 0, "second": 5}));
+    for (wrong, said) in [
+        ("wires", "'wires' has no weight"),
+        ("wires=-1", "'-1' is no whole number"),
+        ("price=2", "'price' has no weight"),
+        ("time=0", "all of them are 0"),
+    ] {
+        let refused = search(&["--weights", wrong]).ended(2).err;
+        assert!(
+            refused.contains(said) && refused.contains("such as wires=1000,doubled=1,time=5"),
+            "{refused}"
+        );
+    }
+    let alone = ["plan", &example("house.obj"), "-m", "wirebend-kit", "--weights", "time=1"];
+    assert!(run(&alone).ended(2).err.contains("--avoid-collisions"));
 }
 
 #[test]
@@ -158,4 +205,57 @@ fn a_search_has_steps_to_check() {
     let search = ["plan", &example("house.obj"), "-m", "wirebend-kit", "--avoid-collisions", "--effort", "0"];
     run(&search).ended(2);
     run(&["plan", &example("house.obj"), "-m", "wirebend-kit", "--effort", "5"]).ended(2);
+}
+
+/// A table has no place for the side of a bend: without a word a machine that reads it would hit what the search went around.
+#[test]
+fn a_table_says_what_of_a_searched_program_it_cannot_say() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let job = file("cup.wbjob");
+    let plan = ["plan", &example("cup-holder.obj"), "-m", "wirebend-kit", "-o", &job];
+    run(&[&plan[..], &["--avoid-collisions"]].concat()).ended(0);
+    let export = |job: &str, format: &str| {
+        let out = file(&format!("{format}.txt"));
+        run(&["export", job, "--format", format, "-o", &out, "--force", "--json"]).ended(0).json()
+    };
+    let notes = |found: &serde_json::Value| -> Vec<serde_json::Value> {
+        let all = found["notes"].as_array().unwrap().iter();
+        all.filter(|note| note["code"] == "not-carried").cloned().collect()
+    };
+    // The machine's own program has the sides: bends below zero.
+    let own = export(&job, "wirebend-kit-text");
+    assert!(notes(&own).is_empty());
+    let programs = own["files"].as_array().unwrap().iter();
+    let programs: Vec<String> =
+        programs.map(|file| fs::read_to_string(file.as_str().unwrap()).unwrap()).collect();
+    let flipped =
+        programs.iter().flat_map(|text| text.lines()).filter(|line| line.starts_with("B -")).count();
+    assert!(flipped > 0, "{programs:?}");
+    for format in ["lra-csv", "ybc-csv", "xyz-csv", "cumulative-csv"] {
+        let notes = notes(&export(&job, format));
+        let [note] = &notes[..] else { panic!("{format}: {notes:?}") };
+        let message = note["message"].as_str().unwrap();
+        assert!(message.contains(format) && message.contains(&format!("{flipped} bend")), "{message}");
+        assert_eq!(
+            note["remedies"],
+            serde_json::json!([{"remedy": "export-format", "format": "wirebend-kit-text"}, {"remedy": "watch-first-wire"}])
+        );
+    }
+    // What was planned without regard to collisions is run as any machine runs it.
+    run(&[&plan[..], &["--force"]].concat()).ended(0);
+    assert!(notes(&export(&job, "lra-csv")).is_empty());
+    let table = run(&[
+        "export",
+        &example("cup-holder.obj"),
+        "-m",
+        "table-bender",
+        "--avoid-collisions",
+        "--format",
+        "lra-csv",
+        "-o",
+        &file("x.csv"),
+    ]);
+    let said = table.err;
+    assert!(!said.contains("--format"), "it has no program of its own: {said}");
 }

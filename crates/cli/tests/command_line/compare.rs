@@ -86,3 +86,30 @@ fn what_makes_no_job_takes_no_option_of_one() {
     let said = plan("cube.obj", &["--compare", "pensa-diwire-pro"]).ended(2).err;
     assert!(said.contains("no machine is named"), "{said}");
 }
+
+/// Who chooses a machine for a part sees on which of them it hits something, and how much of that rests on estimates.
+#[test]
+fn collisions_are_compared_where_they_are_looked_for() {
+    let machines = ["-m", "wirebend-kit", "--compare", "grbl-bender"];
+    let without = plan("house.obj", &machines).ended(0).err;
+    assert_eq!(row(&without, "collisions"), ["collisions", "not checked", "not checked"]);
+    let looked = [&machines[..], &["--collisions"]].concat();
+    let found = plan("house.obj", &[&looked[..], &["--json"]].concat()).ended(0).json();
+    assert_fits("compare", &found);
+    for (machine, side) in [("wirebend-kit", &found["from"]), ("grbl-bender", &found["to"][0])] {
+        let check = ["check", &example("house.obj"), "-m", machine, "--collisions", "--json"];
+        let checked = run(&check).ended(0).json();
+        let all = checked["diagnostics"].as_array().unwrap().iter();
+        let hits: Vec<_> =
+            all.filter(|one| one["code"] == "meets_machine" || one["code"] == "meets_stock").collect();
+        let estimated =
+            hits.iter().filter(|one| one["message"].as_str().unwrap().contains("estimates")).count();
+        assert_eq!(
+            side["collisions"],
+            serde_json::json!({"hits": hits.len(), "estimated": estimated}),
+            "{machine}"
+        );
+    }
+    assert_ne!(found["from"]["collisions"]["hits"], 0, "the house hits the head of this machine");
+    assert!(row(&plan("house.obj", &looked).ended(0).err, "collisions")[1].ends_with(", estimated"));
+}

@@ -81,3 +81,87 @@ fn the_report_says_how_it_was_found() {
         assert!(told.contains(said), "{told}");
     }
 }
+
+fn checked(machine: &str, name: &str) -> Value {
+    let check = ["check", &example(name), "-m", machine, "--collisions", "--json"];
+    run_in(std::path::Path::new("."), &check, b"").ended(0).json()
+}
+
+/// A wire that comes out as designed hits what the check of its design says, with the same words and keys.
+#[test]
+fn without_errors_a_simulated_wire_hits_what_its_design_hits() {
+    for (name, hits) in [("house.obj", true), ("u-sample.obj", false)] {
+        let designed = checked("wirebend-kit", name);
+        for (more, wires) in [(&["--collisions"][..], 1), (&["--collisions", "--noise", "none"][..], 200)] {
+            let found = simulated("wirebend-kit", name, more);
+            let collisions = &found["wires"][0]["collisions"];
+            assert_eq!(collisions["wires"], wires, "{name}");
+            assert_eq!(collisions["colliding"], if hits { wires } else { 0 }, "{name}");
+            assert_eq!(collisions["share"], if hits { 1.0 } else { 0.0 }, "{name}");
+            let said = |of: &Value| -> Vec<Value> {
+                let of = of.as_array().unwrap().iter();
+                of.filter(|one| one["code"] == "meets_machine")
+                    .map(|one| serde_json::json!([one["severity"], one["step"], one["body"], one["unit"]]))
+                    .collect()
+            };
+            assert_eq!(said(&collisions["diagnostics"]), said(&designed["diagnostics"]), "{name}");
+        }
+        assert_eq!(simulated("wirebend-kit", name, &[])["wires"][0]["collisions"], Value::Null);
+    }
+}
+
+/// The first straight part swings over the wire that follows with 1 mm between them: as designed nothing is hit, and with errors of some
+/// millimetres some wires hit and others do not.
+#[test]
+fn errors_make_some_wires_hit_what_the_design_passes() {
+    let folder = tempfile::tempdir().unwrap();
+    let passing = "v 0 0 0\nv 100 0 0\nv 100 60 0\nv 50 60 4\nv 50 30 4\nl 1 2\nl 2 3\nl 3 4\nl 4 5\n";
+    std::fs::write(folder.path().join("passing.obj"), passing).unwrap();
+    run_in(folder.path(), &["plan", "passing.obj", "-m", "table-bender", "-o", "a.wbjob"], b"").ended(0);
+    let simulate = |more: &[&str]| {
+        run_in(folder.path(), &[&["simulate", "a.wbjob", "--collisions"], more].concat(), b"")
+    };
+    assert!(simulate(&[]).ended(0).err.contains("collisions         none\n"));
+    let near = simulate(&["--clearance", "2", "--json"]).ended(0).json();
+    let near = &near["wires"][0]["collisions"];
+    assert_eq!((&near["colliding"], &near["diagnostics"][0]["wires"]), (&0.into(), &1.into()));
+    assert!(near["diagnostics"][0]["message"].as_str().unwrap().contains("comes within 1.0 mm of"), "{near}");
+    let noise = ["--noise", "wirebend-kit", "--runs", "40", "--json"];
+    let found = simulate(&noise).ended(0).json();
+    assert_fits("simulate", &found);
+    let found = &found["wires"][0]["collisions"];
+    let colliding = found["colliding"].as_u64().unwrap();
+    assert!((1..40).contains(&colliding), "{found}");
+    assert_eq!(found["share"].as_f64(), Some(f64::from(u32::try_from(colliding).unwrap()) / 40.0));
+    let worst = &found["diagnostics"][0];
+    assert_eq!(worst["code"], "meets_stock");
+    assert!(worst["run"].as_u64().unwrap() < 40 && worst["wires"].as_u64() == Some(colliding), "{worst}");
+    // The same seed, the same wires.
+    assert_eq!(&simulate(&noise).ended(0).json()["wires"][0]["collisions"], found);
+    let told = simulate(&noise[..4]).ended(0).err;
+    assert!(told.contains(&format!("  collisions         {colliding} of 40 wires hit")), "{told}");
+    assert!(told.contains("[plan it again with --avoid-collisions"), "{told}");
+    for wrong in ["-1", "nan"] {
+        assert!(simulate(&["--clearance", wrong]).ended(2).err.contains("help: correct --clearance"));
+    }
+    assert!(
+        run_in(folder.path(), &["simulate", "a.wbjob", "--clearance", "1"], b"")
+            .ended(2)
+            .err
+            .contains("--collisions")
+    );
+}
+
+/// A script learns of what no machine can bend by the status, as from a check.
+#[test]
+fn a_simulated_wire_that_cannot_pass_itself_has_a_status_of_its_own() {
+    let folder = tempfile::tempdir().unwrap();
+    let through = "v 0 0 0\nv 100 0 0\nv 100 60 0\nv 50 60 0\nv 50 -40 0\nl 1 2\nl 2 3\nl 3 4\nl 4 5\n";
+    std::fs::write(folder.path().join("through.obj"), through).unwrap();
+    let plan = ["plan", "through.obj", "-m", "table-bender", "--despite-errors", "-o", "a.wbjob"];
+    run_in(folder.path(), &plan, b"");
+    let told = run_in(folder.path(), &["simulate", "a.wbjob", "--collisions"], b"").ended(4).err;
+    assert!(told.contains("  collisions         the wire hits the machine or itself\n"), "{told}");
+    assert!(told.contains("error[meets_stock]: step 3: the wire goes 3.0 mm into the wire that"), "{told}");
+    run_in(folder.path(), &["simulate", "a.wbjob"], b"").ended(0);
+}

@@ -64,7 +64,7 @@ impl Diagnostic {
 
     /// What was measured or counted; see [`Fact::measured`].
     #[must_use]
-    pub const fn measured(&self) -> Option<Quantity> {
+    pub fn measured(&self) -> Option<Quantity> {
         self.fact.measured()
     }
 

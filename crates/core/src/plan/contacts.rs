@@ -3,7 +3,7 @@
 use super::seen::stages_of;
 use super::{Machine, WirePlan};
 use crate::bend::{Frame, Step};
-use crate::checks::{Diagnostic, check_contacts};
+use crate::checks::{Diagnostic, WireStages, check_contacts};
 use crate::clearance::{Clearance, FirstContact, Passage, StockWire, passages};
 use crate::compensate::CompensatedProgram;
 use crate::route::Doubling;
@@ -23,15 +23,16 @@ pub(super) fn find(
 }
 
 /// Keeps in a plan where its wire meets the machine or itself, which was looked for after all else: `None` where that is not
-/// known. Gives what the checks say of each contact, in their order.
+/// known. `margin`: how far things have to stay from each other. Gives what the checks say of each contact, in their order.
 pub fn keep_contacts(
     wireframe: &Wireframe,
     machine: &Machine,
     plan: &mut WirePlan,
     contacts: Option<Vec<FirstContact>>,
+    margin: Length,
 ) -> Vec<Diagnostic> {
     plan.contacts = contacts;
-    check_contacts(&stages_of(wireframe, machine, plan))
+    check_contacts(&WireStages { margin, ..stages_of(wireframe, machine, plan) })
 }
 
 /// The wire of a plan in its machine, once it has been scheduled. `margin`: how far things have to stay from each other.
@@ -63,18 +64,18 @@ pub struct ScheduledWire {
 }
 
 impl ScheduledWire {
-    /// The wire in its machine.
+    /// The wire in its machine. `margin`: how far things have to stay from each other.
     #[must_use]
-    pub fn clearance<'a>(&self, machine: &'a Machine) -> Clearance<'a> {
-        in_machine(machine, (self.start, &self.steps), Some(&self.told), self.passages.clone(), Length::ZERO)
+    pub fn clearance<'a>(&self, machine: &'a Machine, margin: Length) -> Clearance<'a> {
+        in_machine(machine, (self.start, &self.steps), Some(&self.told), self.passages.clone(), margin)
     }
 
     /// What the checks say of its contacts, in their order; without edges, which only a plan has.
     #[must_use]
-    pub fn check(&self, machine: &Machine, contacts: Vec<FirstContact>) -> Vec<Diagnostic> {
+    pub fn check(&self, machine: &Machine, contacts: Vec<FirstContact>, margin: Length) -> Vec<Diagnostic> {
         let proposal = Doubling { edges: Vec::new(), added: Length::ZERO };
         let mut plan = WirePlan::new(Component::default(), Vec::new(), proposal, None);
-        keep_contacts(&Wireframe::new(), machine, &mut plan, Some(contacts))
+        keep_contacts(&Wireframe::new(), machine, &mut plan, Some(contacts), margin)
     }
 }
 

@@ -19,7 +19,7 @@ use crate::estimate::{TimeModel, WireModel};
 use crate::route::{Doubling, Route};
 use crate::sag::{Sag, max_sag};
 use crate::schedule::{HeadLimits, ScheduledProgram};
-use crate::search::{Obstruction, SearchOptions};
+use crate::search::{Objective, Obstruction, SearchOptions};
 use crate::simulate::scheduled_start;
 use crate::units::{Angle, Length};
 use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
@@ -27,6 +27,7 @@ pub use contacts::{ScheduledWire, clearance, keep_contacts};
 use routing::Routed;
 use searching::Searching;
 use stages::Stages;
+pub use stages::fastest_schedule;
 
 /// A machine with a wire in it: everything that the stages ask about.
 #[derive(Debug, Clone, PartialEq)]
@@ -167,6 +168,10 @@ pub struct Searched {
     pub exhausted: bool,
     /// What was in the way where it came farthest.
     pub obstruction: Option<Obstruction>,
+    /// Whether it was ended before it was done.
+    pub ended: bool,
+    /// By what programs that meet nothing were compared.
+    pub objective: Objective,
 }
 
 /// One wire through all stages, as far as it got.

@@ -43,20 +43,22 @@ impl Searching<'_> {
         let options = self.options;
         let wanted = options.search.as_ref().filter(|_| !routes.is_empty() && forced.is_empty())?;
         let most = if options.closed { wanted.effort } else { wanted.most_checks() };
-        let mut goes_on = true;
+        let mut ended = false;
         let outcome = self.look((routes, doubled), wanted, |checks| {
-            goes_on = observer.searching(checks, most);
-            goes_on
+            ended |= !observer.searching(checks, most);
+            !ended
         })?;
         let keeps_walks = !options.settled.is_empty();
         let vertex = outcome.obstruction.and_then(|obstruction| obstruction.vertex);
-        let is_helpless = outcome.is_clear || keeps_walks || !goes_on;
+        let is_helpless = outcome.is_clear || keeps_walks || ended;
         let helps = (!is_helpless).then(|| self.helps((routes, doubled), vertex, wanted, observer));
         let searched = Searched {
             found: outcome.is_clear,
             checks: outcome.checks,
             exhausted: outcome.exhausted,
             obstruction: outcome.obstruction,
+            ended,
+            objective: wanted.objective,
         };
         Some(SearchedWires { wires: outcome.best.wires, searched, helps: helps.unwrap_or_default() })
     }

@@ -3,12 +3,12 @@
 use super::contacts;
 use super::seen::stages_of;
 use super::{Machine, Stage, WirePlan};
-use crate::bend::{PathError, program_of_path};
+use crate::bend::{NominalProgram, PathError, program_of_path};
 use crate::checks::{Diagnostic, Fact, Location, Remedy, Severity, WireStages, check_wire};
 use crate::compensate::{StepError, compensate};
 use crate::estimate::stock;
 use crate::route::ForcedBend;
-use crate::schedule::{RotationOutOfRange, schedule};
+use crate::schedule::{RotationOutOfRange, ScheduledProgram, schedule};
 use crate::units::{Angle, Length};
 use crate::wireframe::{EdgeId, Wireframe};
 
@@ -60,6 +60,17 @@ impl Stages<'_> {
     }
 }
 
+/// The fastest way to run a program on a machine: what is planned where nobody chooses sides and windings.
+///
+/// # Errors
+/// [`RotationOutOfRange`] where the head cannot turn far enough.
+pub fn fastest_schedule(
+    machine: &Machine,
+    nominal: &NominalProgram,
+) -> Result<ScheduledProgram, RotationOutOfRange> {
+    schedule(nominal, &machine.head, |bend| bend_seconds(machine, bend))
+}
+
 /// How long a bend takes, s; none where it cannot be made.
 pub(super) fn bend_seconds(machine: &Machine, bend: Angle) -> Option<f64> {
     let limits = &machine.limits;
@@ -98,7 +109,7 @@ fn run_stages(
     let limits = &machine.limits;
     let scheduled = match plan.scheduled.take() {
         Some(searched) => Ok(searched),
-        None => schedule(&nominal, &machine.head, |bend| bend_seconds(machine, bend)),
+        None => fastest_schedule(machine, &nominal),
     };
     plan.nominal = Some(nominal);
     done(Stage::Schedule);

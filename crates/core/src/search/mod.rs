@@ -6,6 +6,7 @@
 
 mod heads;
 mod helps;
+mod objective;
 mod rounds;
 mod trail;
 mod walk;
@@ -19,6 +20,7 @@ use crate::units::Angle;
 use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
 use heads::Orientation;
 pub use helps::{Helps, MovedVertex};
+pub use objective::{Objective, Weights};
 use rounds::Search;
 pub(crate) use wire::bend_route;
 
@@ -51,11 +53,13 @@ pub struct SearchOptions {
     pub seed: u64,
     /// How many wires there may be at most.
     pub max_wires: usize,
+    /// Which of the programs that meet nothing is the best.
+    pub objective: Objective,
 }
 
 impl Default for SearchOptions {
     fn default() -> Self {
-        Self { effort: 20_000, seed: 1, max_wires: 32 }
+        Self { effort: 20_000, seed: 1, max_wires: 32, objective: Objective::default() }
     }
 }
 
@@ -168,8 +172,9 @@ pub fn search(
     if task.keep_routes {
         return Some(outcome);
     }
-    // What is clear may need fewer wires still.
-    let most = match (outcome.is_clear, task.closed) {
+    let objective = options.objective;
+    // What is clear may need fewer wires still; weighed, more may be better, too.
+    let most = match (outcome.is_clear && objective == Objective::InOrder, task.closed) {
         (true, _) => task.routes.len().saturating_sub(1),
         (false, true) => 1,
         (false, false) => options.max_wires.max(1),
@@ -183,14 +188,18 @@ pub fn search(
         outcome.exhausted = search.exhausted && most == 1 && task.start.is_none();
         outcome.obstruction = farther(outcome.obstruction, search.obstruction);
         let is_found = found.is_some();
-        if let Some(found) = found {
+        let order = |found: &Found| objective.order(wireframe, found);
+        if let Some(found) = found.filter(|found| !outcome.is_clear || order(found) < order(&outcome.best)) {
             (outcome.best, outcome.is_clear) = (found, true);
         }
         is_found
     };
     let mut too_few = 0;
     for wires in ladder(most) {
-        if attempt(wires, &mut outcome) {
+        if outcome.is_clear && !objective.may_pay(wires, &objective.order(wireframe, &outcome.best)) {
+            break;
+        }
+        if attempt(wires, &mut outcome) && objective == Objective::InOrder {
             // Fewer than that, down to what was too few.
             while outcome.best.wires.len() > too_few + 1
                 && attempt(outcome.best.wires.len() - 1, &mut outcome)

@@ -4,11 +4,11 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::heads::Orientation;
+use super::objective::Order;
 use super::trail::Passes;
 use super::walk::Walk;
 use super::{Bender, Found, Obstruction, SearchOptions, SearchTask, farther, orientations};
 use crate::route::doubling_weighed;
-use crate::units::Length;
 use crate::wireframe::{Component, EdgeId, Wireframe};
 
 /// How far the weights of edges are from their lengths in each round, as a share of them, over and over. The first doubling is the
@@ -91,7 +91,7 @@ impl<'a> Search<'a> {
                     if best.is_none() {
                         until = until.min(2 * self.checks);
                     }
-                    let order = self.order(&found, &doubled);
+                    let order = self.options.objective.order(self.wireframe, &found);
                     if best.as_ref().is_none_or(|(_, best)| order < *best) {
                         best = Some((found, order));
                     }
@@ -147,14 +147,4 @@ impl<'a> Search<'a> {
         begins.truncate(MAX_BEGINS);
         (begins, count <= MAX_BEGINS)
     }
-
-    fn order(&self, found: &Found, doubled: &[EdgeId]) -> Order {
-        let added: Length = doubled.iter().map(|&edge| self.wireframe.edge_length(edge)).sum();
-        let nanoseconds = found.wires.iter().map(|wire| wire.nanoseconds).sum();
-        // Sums in another order differ by less than a thousandth of a millimetre.
-        (found.wires.len(), Length::computed((added.mm() * 1000.0).round()), nanoseconds)
-    }
 }
-
-/// Fewer wires first, then less that is doubled, then less time.
-type Order = (usize, Length, i64);

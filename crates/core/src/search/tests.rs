@@ -371,3 +371,27 @@ fn no_other_choice_of_signs_and_windings_is_better() {
     assert!(clear > 0 && clear < tried, "{clear} of {tried}: the bodies decide something");
     assert!(best.contacts.as_ref().unwrap().is_empty());
 }
+
+/// Whoever weighs a wire less than what is doubled, as where wires are tied anyway, gets two wires instead of a doubled edge.
+#[test]
+fn weights_choose_between_wires_and_doubled_edges() {
+    let a = 80.0;
+    let points = [[0., 0., 0.], [a, 0., 0.], [a, a, 0.], [0., a, 0.]];
+    // A square with a diagonal and a path that crosses above it: its four corners are odd.
+    let corners: Vec<[f64; 3]> = points.iter().copied().chain([[a / 2., a / 2., 60.]]).collect();
+    let frame = wireframe(&corners, &[(0, 1), (1, 2), (2, 3), (3, 0), (0, 2), (1, 4), (4, 3)]);
+    let machine = machine(Vec::new());
+    let with = |objective| {
+        let search = SearchOptions { objective, effort: 2000, ..SearchOptions::default() };
+        let wires = planned(&frame, &machine, &options(search));
+        assert!(wires[0].searched.unwrap().found, "{:?}", wires[0].diagnostics);
+        assert_covers(&frame, &wires);
+        let passes: usize = wires.iter().map(|wire| wire.route.as_ref().unwrap().traversals.len()).sum();
+        (wires.len(), passes - frame.edge_count())
+    };
+    let weights = |wire, doubled_mm| Objective::Weighed(Weights { wire, doubled_mm, second: 0 });
+    assert_eq!(with(Objective::InOrder), (1, 1));
+    assert_eq!(with(weights(1_000, 1)), (1, 1), "80 mm are less than a wire");
+    assert_eq!(with(weights(10, 1)), (2, 0), "80 mm are more than a wire");
+    assert_eq!(with(weights(0, 0)), (1, 1), "where nothing counts the order does");
+}

@@ -5,6 +5,8 @@
 //! 2023, Eq. 1 and Appendix A): each feed, rotation, bend and strut curvature is off by a constant
 //! and a normally distributed part.
 
+mod made;
+
 use std::ops::Range;
 
 use nalgebra::Point3;
@@ -15,6 +17,7 @@ use rand_distr::{Distribution, Normal};
 use crate::bend::{Frame, Step};
 use crate::compensate::{CompensatedProgram, Compensation, with_bend_before};
 use crate::units::{Angle, Length};
+pub use made::steps_of_corners;
 
 /// A constant error and the standard deviation of the random one, of a quantity in its own unit.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -87,7 +90,18 @@ fn corner_to_corner(steps: &[Step], compensation: &Compensation) -> Vec<Step> {
         .collect()
 }
 
-/// One wire: the vertices that a program makes when its motions are off.
+/// A wire as a program makes it when its motions are off.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ImperfectWire {
+    /// Its vertices in mm, in the order of the route; the first is where it starts.
+    pub points: Vec<Point3<f64>>,
+    /// The steps that it is made of, from corner to corner: a bowed strut counts with the distance of its ends.
+    pub steps: Vec<Step>,
+    /// The commands, each bend as far off as the bend that it leaves: where the bend axis goes.
+    pub told: Vec<Step>,
+}
+
+/// One wire, by a program whose motions are off.
 ///
 /// Vertices on a straight feed divide it as `fractions` says: for each step the parts of its feed at
 /// which a vertex of the route lies, ending with 1. The first vertex is that of `start`.
@@ -97,34 +111,36 @@ fn imperfect(
     compensation: &Compensation,
     fractions: &[Vec<f64>],
     draw: &mut impl FnMut(ErrorSource) -> f64,
-) -> Vec<Point3<f64>> {
-    let disturbed: Vec<Step> = program
-        .steps()
-        .iter()
+) -> ImperfectWire {
+    let mut told = program.steps().to_vec();
+    let disturbed: Vec<Step> = told
+        .iter_mut()
         .map(|step| {
             let bent = compensation.bend.result(step.bend);
             let is_bend = bent != Angle::ZERO;
-            let off = |by: f64| Angle::computed(by.to_radians());
-            Step {
-                feed: step.feed + Length::computed(draw(ErrorSource::Feed)),
-                rotate: if is_bend { step.rotate + off(draw(ErrorSource::Rotation)) } else { step.rotate },
-                bend: if is_bend { bent + off(draw(ErrorSource::Bend)) } else { bent },
-            }
+            let feed = step.feed + Length::computed(draw(ErrorSource::Feed));
+            let mut off = |of| if is_bend { Angle::computed(draw(of).to_radians()) } else { Angle::ZERO };
+            let rotate = step.rotate + off(ErrorSource::Rotation);
+            let wrong = off(ErrorSource::Bend);
+            step.bend += wrong;
+            Step { feed, rotate, bend: bent + wrong }
         })
         .collect();
     let mut frame = start;
-    let mut path = vec![frame.position];
-    for (step, fractions) in corner_to_corner(&disturbed, compensation).iter().zip(fractions) {
+    let mut points = vec![frame.position];
+    let mut steps = corner_to_corner(&disturbed, compensation);
+    for (step, fractions) in steps.iter_mut().zip(fractions) {
         let from = frame.position;
-        let along = frame.t() * (step.feed.mm() * chord_over_arc(draw(ErrorSource::Curvature)));
+        step.feed = Length::computed(step.feed.mm() * chord_over_arc(draw(ErrorSource::Curvature)));
+        let along = frame.t() * step.feed.mm();
         for &fraction in fractions {
             frame.position = from + along * fraction;
-            path.push(frame.position);
+            points.push(frame.position);
         }
         frame.rotate(step.rotate);
         frame.bend(step.bend);
     }
-    path
+    ImperfectWire { points, steps, told }
 }
 
 /// The distance of the ends of an arc over its length, for an arc that rises by `bow` times that
@@ -206,7 +222,7 @@ pub fn scheduled_start(start: Frame, scheduled: &[Step]) -> Frame {
 /// The wire that a machine without errors bends: its vertices in mm, in the order of the route.
 #[must_use]
 pub fn perfect_wire(input: &SimulationInput) -> Vec<Point3<f64>> {
-    imperfect(input.start, input.program, input.compensation, input.fractions, &mut |_| 0.0)
+    imperfect(input.start, input.program, input.compensation, input.fractions, &mut |_| 0.0).points
 }
 
 /// Bends the wire `runs` times with errors drawn from `seed`; the same seed gives the same report.
@@ -218,7 +234,7 @@ pub fn simulate(
     errors: &ErrorModel,
     runs: u32,
     seed: u64,
-    mut each_run: impl FnMut(&[Point3<f64>]),
+    mut each_run: impl FnMut(&ImperfectWire),
 ) -> Result<ErrorReport, BadErrorTerm> {
     let normal = |of: ErrorSource, term: ErrorTerm| {
         let bad = BadErrorTerm { of, bias: term.bias, sigma: term.sigma };
@@ -241,8 +257,9 @@ pub fn simulate(
             ErrorSource::Bend => bend.sample(&mut random),
             ErrorSource::Curvature => curvature.sample(&mut random),
         };
-        let made = imperfect(input.start, input.program, input.compensation, input.fractions, &mut draw);
-        for ((design, made), distances) in input.design.iter().zip(&made).zip(&mut deviations) {
+        let wire = imperfect(input.start, input.program, input.compensation, input.fractions, &mut draw);
+        let made = &wire.points;
+        for ((design, made), distances) in input.design.iter().zip(made).zip(&mut deviations) {
             distances.push((design - made).norm());
         }
         for (passes, distances) in input.passes.iter().zip(&mut gaps) {
@@ -250,7 +267,7 @@ pub fn simulate(
             let widest = between.map(|(a, b)| (made[a] - made[b]).norm()).fold(0.0, f64::max);
             distances.push(widest);
         }
-        each_run(&made);
+        each_run(&wire);
     }
     let spread = |mut distances: Vec<f64>| {
         distances.sort_by(f64::total_cmp);

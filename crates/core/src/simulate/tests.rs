@@ -1,4 +1,5 @@
 use super::*;
+use crate::bend::replay;
 use crate::plan::{DoublingChoice, PlanOptions, WirePlan, plan_wires};
 use crate::testing::{chain, deg, mm, published_machine, wireframe};
 use crate::wireframe::Wireframe;
@@ -124,4 +125,58 @@ fn errors_that_are_no_numbers_are_refused() {
         let refused = with_input(&plan, &[], |input| simulate(input, &errors, 1, 1, |_| ()));
         assert_eq!(refused.unwrap_err().of, ErrorSource::Rotation);
     }
+}
+
+/// What collides is looked for along these steps: were they not those of the wire, it would be looked for elsewhere.
+#[test]
+fn the_steps_of_a_wire_with_errors_lead_along_it() {
+    let plan = planned(&twisted());
+    let errors = ErrorModel {
+        feed_mm: ErrorTerm { bias: 0.1, sigma: 0.4 },
+        rotate_deg: ErrorTerm { bias: -0.5, sigma: 2.0 },
+        bend_deg: ErrorTerm { bias: 1.0, sigma: 2.0 },
+        curvature: ErrorTerm { bias: 0.0, sigma: 0.02 },
+    };
+    let scheduled = &plan.scheduled.as_ref().unwrap().steps;
+    let start = scheduled_start(plan.start, scheduled);
+    let told = plan.compensated.as_ref().unwrap().steps();
+    with_input(&plan, &[], |input| {
+        simulate(input, &errors, 20, 3, |wire| {
+            let corners = replay(start, &wire.steps);
+            // Vertex 1 lies on a straight.
+            let bent: Vec<_> = (0..wire.points.len()).filter(|&k| k != 1).map(|k| wire.points[k]).collect();
+            assert_eq!(corners.len(), bent.len());
+            for (corner, point) in corners.iter().zip(&bent) {
+                assert!((corner - point).norm() < 1e-9, "{corner} {point}");
+            }
+            let (begin, steps) = steps_of_corners(&corners, &start, scheduled).unwrap();
+            assert!((begin.position - start.position).norm() < 1e-12);
+            for (k, (one, other)) in steps.iter().zip(&wire.steps).enumerate() {
+                let turned = one.rotate - other.rotate;
+                let off = (one.feed - other.feed).mm().abs()
+                    + turned.rad().abs()
+                    + (one.bend - other.bend).rad().abs();
+                assert!(off < 1e-7, "{k}: {one:?} {other:?}");
+            }
+            for ((made, told), step) in wire.steps.iter().zip(&wire.told).zip(told) {
+                let wrong = made.bend - published_machine().compensation.bend.result(step.bend);
+                assert!((told.bend - step.bend - wrong).rad().abs() < 1e-12);
+            }
+        })
+        .unwrap()
+    });
+}
+
+#[test]
+fn corners_that_are_not_those_of_the_steps_are_no_wire() {
+    let plan = planned(&twisted());
+    let scheduled = &plan.scheduled.as_ref().unwrap().steps;
+    let corners = replay(scheduled_start(plan.start, scheduled), scheduled);
+    let start = scheduled_start(plan.start, scheduled);
+    assert!(steps_of_corners(&corners, &start, scheduled).is_some());
+    assert!(steps_of_corners(&corners[1..], &start, scheduled).is_none());
+    let mut same = corners.clone();
+    same[2] = same[1];
+    assert!(steps_of_corners(&same, &start, scheduled).is_none());
+    assert!(steps_of_corners(&[], &start, &[]).is_none());
 }

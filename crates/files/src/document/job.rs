@@ -56,6 +56,9 @@ pub struct JobWire {
     pub stock_mm: f64,
     /// How long it takes, estimated.
     pub time_s: f64,
+    /// Whether it was found by a search for a wire that hits nothing, and relies on the signs and head turns that were chosen.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub avoids_collisions: bool,
 }
 
 // Two other types have the same three values: core's `Step`, with units in its types, and the driver's, whose signs are the

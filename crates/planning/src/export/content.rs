@@ -168,11 +168,13 @@ impl Content {
             avoid_collisions,
             search_effort,
             search_seed,
+            search_weights,
             collision_margin_mm,
         } = &request.choices;
         let clearance = *collision_margin_mm != 0.0;
         let other_material = material.as_ref().is_some_and(|id| *id != contents.material.id);
-        let searches = *avoid_collisions || search_effort.is_some() || search_seed.is_some();
+        let searches =
+            *avoid_collisions || search_effort.is_some() || search_seed.is_some() || search_weights.is_some();
         let given = [
             (InputName::Material, other_material),
             (InputName::Double, *double),

@@ -165,6 +165,14 @@ impl Chosen {
         }
     }
 
+    /// Whether a driver writes it of the design: walk, lengths and angles, and nothing of how a machine runs it.
+    pub fn is_of_design(&self) -> bool {
+        match self {
+            Self::BuiltIn(_) => false,
+            Self::Driver(_, format) => format.content == Content::Design,
+        }
+    }
+
     /// Refuses the program of another machine: it would be in that machine's format with this one's
     /// angles.
     pub fn require_for(&self, setup: &Setup) -> Result<(), PlanningError> {

@@ -4,6 +4,7 @@ mod by_driver;
 mod content;
 mod driver;
 mod format;
+mod not_carried;
 mod print;
 mod sheet;
 mod template;
@@ -82,6 +83,8 @@ pub fn export(
     if chosen.is_own() {
         content.notes.extend(head_left_turned(&content));
     }
+    let not_carried = not_carried::note(app, &content, &chosen);
+    content.notes.extend(not_carried);
     let (format, driver) = (chosen.id().to_owned(), chosen.driver_id().map(str::to_owned));
     let contents = match chosen {
         Chosen::BuiltIn(format) => {

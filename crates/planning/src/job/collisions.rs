@@ -48,11 +48,11 @@ impl JobCollisions {
             Err(why) => return Self::Unknown { why },
         };
         let until = Instant::now() + PATIENCE;
-        let clearance = wire.clearance(&setup.model);
+        let clearance = wire.clearance(&setup.model, Length::ZERO);
         let Some(contacts) = first_contacts(&clearance, |_| Instant::now() < until) else {
             return Self::Unknown { why: format!("looking for them takes longer than {PATIENCE:?}") };
         };
-        let findings = wire.check(&setup.model, contacts);
+        let findings = wire.check(&setup.model, contacts, Length::ZERO);
         let bodies = &setup.model.bodies.all;
         let estimates = bodies.iter().filter(|body| !body.measured).count();
         Self::Checked { findings, bodies: bodies.len(), estimates }
@@ -99,7 +99,7 @@ fn none_found(bodies: usize, estimates: usize) -> String {
 }
 
 /// The wire as the search for contacts wants it; otherwise why that cannot be.
-fn scheduled(wire: &JobWire, setup: &Setup) -> Result<ScheduledWire, String> {
+pub(crate) fn scheduled(wire: &JobWire, setup: &Setup) -> Result<ScheduledWire, String> {
     let damaged = |error: crate::PlanningError| error.to_string();
     let (steps, told) =
         (kept_steps(&wire.scheduled).map_err(damaged)?, kept_steps(&wire.compensated).map_err(damaged)?);

@@ -2,7 +2,7 @@
 
 use wirebend_core::plan::DoublingChoice;
 use wirebend_core::route::{Route, Share, doublings, share_out};
-use wirebend_core::search::SearchOptions;
+use wirebend_core::search::{Objective, SearchOptions};
 use wirebend_core::wireframe::{Component, EdgeId, VertexId};
 use wirebend_files::document::{Document, Walk};
 
@@ -153,6 +153,7 @@ pub(super) fn search_options(choices: &PlanChoices, share: usize) -> Option<Sear
     choices.avoid_collisions.then(|| SearchOptions {
         effort: choices.search_effort.map_or(usual.effort, u64::from),
         seed: choices.search_seed.unwrap_or(usual.seed),
+        objective: choices.search_weights.map_or(Objective::InOrder, Objective::from),
         max_wires: if choices.wires.is_some() || share > 1 { share } else { usual.max_wires },
     })
 }

@@ -14,10 +14,11 @@ use wirebend_core::checks::{Design, Diagnostic, check_design};
 use wirebend_core::plan::{PlanOptions, WirePlan, plan_wires};
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::{Component, VertexId};
-use wirebend_error::{ErrorRemedy, InputName};
+use wirebend_error::ErrorRemedy;
 use wirebend_files::document::{Job, JobContents, JobStep, JobWire, ProfileSnapshot};
 
 use crate::choices::PlanChoices;
+use crate::contacts::collision_margin;
 use crate::design::{DesignInput, Opened};
 use crate::machine::Setup;
 use crate::output::Output;
@@ -132,7 +133,7 @@ impl Installation {
         let mut opened = opened;
         opened.require_designed()?;
         let settled = opened.settled(choices)?;
-        let margin = collision_margin(choices)?;
+        let margin = collision_margin(choices.collision_margin_mm)?;
         let chosen = WireChoice::of(&opened.document, choices)?;
         setup.driver.require_settings()?;
         opened.notes.extend(setup.driver.note.clone());
@@ -211,17 +212,6 @@ impl Installation {
         }
         Ok(Planned { opened, setup, components: components.len(), wires, timings, design })
     }
-}
-
-/// How far the wire has to stay from what it could hit.
-fn collision_margin(choices: &PlanChoices) -> Result<Length, PlanningError> {
-    let margin = Length::from_mm(choices.collision_margin_mm).ok().filter(|margin| *margin >= Length::ZERO);
-    margin.ok_or_else(|| PlanningError::Value {
-        input: Some(InputName::Clearance),
-        name: "the clearance",
-        value: format!("{} mm", choices.collision_margin_mm),
-        expected: "zero or more",
-    })
 }
 
 /// A springback that was not measured is worth a test piece.
@@ -308,6 +298,7 @@ pub(crate) fn job_wire(plan: &WirePlan) -> Option<JobWire> {
         compensated: steps(compensated.steps()),
         stock_mm: plan.stock?.mm(),
         time_s: plan.seconds?,
+        avoids_collisions: plan.searched.is_some_and(|searched| searched.found),
     })
 }
 

@@ -32,7 +32,7 @@ impl PlanObserver for Observed<'_> {
 
     fn searching(&mut self, checks: u64, of: u64) -> bool {
         if !std::mem::replace(&mut self.searching, true) {
-            self.progress.stage("searching for a program without collisions");
+            self.progress.search("searching for a program without collisions");
         }
         self.progress.advance(checks, of);
         self.progress.goes_on()
@@ -40,7 +40,7 @@ impl PlanObserver for Observed<'_> {
 
     fn trying(&mut self, checks: u64, of: u64) -> bool {
         if !std::mem::replace(&mut self.trying, true) {
-            self.progress.stage("trying changes that could help");
+            self.progress.search("trying changes that could help");
         }
         self.progress.advance(checks, of);
         self.progress.goes_on()

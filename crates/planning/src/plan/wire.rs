@@ -59,9 +59,8 @@ impl WireReport {
             diagnostics: plan.diagnostics.iter().map(DiagnosticReport::from).collect(),
             feasible: plan.is_feasible(),
             collisions_checked: plan.contacts.is_some(),
-            search: plan
-                .searched
-                .map(|searched| SearchReport { found: searched.found, steps_checked: searched.checks }),
+            // The wires of a part were searched for together: the first has what came of it, as it has the times.
+            search: plan.searched.as_ref().filter(|_| !timings_ms.is_empty()).map(SearchReport::from),
             sag: None,
             time_s: plan.seconds,
             cost: fed.and_then(|fed| wire.cost(fed)),

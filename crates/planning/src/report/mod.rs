@@ -2,6 +2,7 @@
 
 mod diagnostic;
 mod remedy;
+mod search;
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -14,6 +15,7 @@ use wirebend_files::read::Note;
 
 pub use diagnostic::{DiagnosticReport, SeverityName};
 pub use remedy::RemedyReport;
+pub use search::{SearchReport, SearchWeights};
 pub use wirebend_core::checks::Code as DiagnosticCode;
 pub use wirebend_files::document::JobStep;
 
@@ -103,15 +105,6 @@ pub struct ProgramReport {
     pub steps: Vec<JobStep>,
 }
 
-/// What came of a search for wires that hit nothing.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
-pub struct SearchReport {
-    /// Whether it has found some.
-    pub found: bool,
-    /// How many steps it has checked.
-    pub steps_checked: u64,
-}
-
 /// What is sent to the machine.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct CompensatedReport {
@@ -154,7 +147,8 @@ pub struct WireReport {
     pub feasible: bool,
     /// Whether it was looked at where the wire meets the machine or itself: only on request, and not without a route.
     pub collisions_checked: bool,
-    /// What came of the search for wires that hit nothing, of all wires of a part of the design together; absent where nobody searched.
+    /// What came of the search for wires that hit nothing, of all wires of a part of the design together: the first of them has it.
+    /// Absent where nobody searched.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub search: Option<SearchReport>,
     /// How far it sags while it is bent: only on request, and not without a program.

@@ -1,6 +1,7 @@
 //! `simulate`: a job bent without a machine: on the simulated machine of its driver where there is one, and many times
 //! by the closed formulas with the errors that machines make.
 
+mod collisions;
 mod drawing;
 mod kept;
 
@@ -9,15 +10,20 @@ use std::path::PathBuf;
 use nalgebra::Point3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use wirebend_core::simulate::{ErrorModel, ErrorReport, ErrorTerm, perfect_wire, simulate as simulate_wire};
+use wirebend_core::simulate::{
+    ErrorModel, ErrorReport, ErrorTerm, ImperfectWire, perfect_wire, simulate as simulate_wire,
+};
 use wirebend_files::document::{Job, JobWire};
 
+use crate::contacts::collision_margin;
 use crate::design::Input;
 use crate::job::open_job;
 use crate::machine::{Setup, accepted_errors, restored};
 use crate::output::Output;
 use crate::report::NoteReport;
 use crate::{Installation, PlanningError, Progress};
+use collisions::CollisionSearch;
+pub use collisions::{SimulatedCollisions, SimulatedContact};
 use drawing::Drawing;
 pub use kept::KeptWire;
 use wirebend_error::InputName;
@@ -40,6 +46,13 @@ pub struct SimulateRequest {
     pub svg: Option<Output>,
     /// A picture as PNG.
     pub png: Option<Output>,
+    /// Whether to look where the simulated wires hit the machine or themselves while they are bent.
+    #[serde(default)]
+    pub collisions: bool,
+    /// How far the wire has to stay from what it could hit, besides, mm; with `collisions`.
+    #[serde(default)]
+    #[schemars(range(min = 0.0))]
+    pub collision_margin_mm: f64,
 }
 
 /// How far one vertex of the route lies from where it should.
@@ -84,6 +97,8 @@ pub struct SimulatedWire {
     pub worst_mean_mm: f64,
     /// The largest `radius_95_mm`.
     pub worst_radius_95_mm: f64,
+    /// Where the simulated wires hit the machine or themselves; null where nobody asked, or with a note that says why not.
+    pub collisions: Option<SimulatedCollisions>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
@@ -152,6 +167,7 @@ pub fn simulate(
             expected,
         });
     }
+    let margin = collision_margin(request.collision_margin_mm)?;
     let errors = match &request.noise {
         Some(id) => noise_model(app, id)?,
         None => ErrorModel::default(),
@@ -183,13 +199,21 @@ pub fn simulate(
         let placed = made.as_ref().and_then(|made| made.get(index));
         let made = placed.and_then(|made| kept.vertices(&made.corners_mm));
         let by_machine = made.is_some() && request.noise.is_none();
+        let mut search = request.collisions.then(|| CollisionSearch::new(wire, &setup, margin)).transpose();
         if let Some(made) = placed.filter(|_| by_machine) {
             drawing.run(&kept.wire(&made.wire_mm));
         }
-        let bent = |bent: &[Point3<f64>]| {
+        let looked = match (placed.filter(|_| by_machine), &mut search) {
+            (Some(made), Ok(Some(search))) => search.corners(&kept.wire(&made.corners_mm)),
+            _ => false,
+        };
+        let bent = |bent: &ImperfectWire| {
             done += 1;
             if !by_machine {
-                drawing.run(bent);
+                drawing.run(&bent.points);
+            }
+            if let (Ok(Some(search)), false) = (&mut search, looked) {
+                search.imperfect(bent);
             }
             progress.advance(
                 index as u64 * u64::from(runs) + done,
@@ -201,7 +225,14 @@ pub fn simulate(
         let report = simulate_wire(&input, &errors, runs, request.seed, bent).map_err(wrong)?;
         let perfect = perfect_wire(&input);
         let figures = Figures { perfect: &perfect, made: made.as_deref(), report: &report };
-        wires.push(simulated_wire(wire, &kept, &figures));
+        let collisions = match search {
+            Ok(search) => search.map(CollisionSearch::finish),
+            Err(why) => {
+                notes.push(not_checked(index, &why));
+                None
+            }
+        };
+        wires.push(SimulatedWire { collisions, ..simulated_wire(wire, &kept, &figures) });
         drawing.design(kept);
     }
     let by_machine = wires.iter().all(|wire| wire.worst_machine_mm.is_some()) && !wires.is_empty();
@@ -229,6 +260,15 @@ fn noise_model(app: &Installation, id: &str) -> Result<ErrorModel, PlanningError
         bend_deg: term(figures.bend_deg),
         curvature: term(figures.curvature),
     })
+}
+
+fn not_checked(wire: usize, why: &str) -> NoteReport {
+    NoteReport {
+        code: "collisions-not-checked".into(),
+        count: 1,
+        message: format!("collisions of wire {} are not checked: {why}", wire + 1),
+        remedies: Vec::new(),
+    }
 }
 
 /// What one wire came to.
@@ -269,6 +309,7 @@ fn simulated_wire(wire: &JobWire, kept: &KeptWire, figures: &Figures) -> Simulat
         worst_systematic_mm: worst(|vertex| vertex.systematic_mm),
         worst_mean_mm: worst(|vertex| vertex.mean_mm),
         worst_radius_95_mm: worst(|vertex| vertex.radius_95_mm),
+        collisions: None,
         vertices,
     }
 }

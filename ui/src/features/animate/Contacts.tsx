@@ -12,10 +12,14 @@ import { usePlayback } from "../../state/program/program";
 import { estimatesOf } from "../check/texts";
 import { depthOf, hitOf } from "./hits";
 
+/** The wire as made lies elsewhere by what is said above. */
+const OF_DESIGNED = "Collisions are those of the wire as designed. The wire as made may hit elsewhere.";
+
 /** Where the wire hits something, and whether playing stops there. */
 export function Contacts() {
   const { contacts, elsewhere } = useContacts();
   const stops = useStops(({ on }) => on);
+  const shown = usePlayback((playback) => playback.shown);
   return (
     <div className="stack">
       <Checkbox checked={stops} onChange={setStops}>
@@ -29,6 +33,7 @@ export function Contacts() {
         </ul>
       )}
       {contacts.length === 0 ? <Nothing /> : <Estimates />}
+      {shown !== "designed" && <p className="muted small">{OF_DESIGNED}</p>}
       {contacts.length + elsewhere > 0 && <Avoid />}
       {elsewhere > 0 && <p className="muted small">{count(elsewhere, "collision")} of other wires</p>}
     </div>

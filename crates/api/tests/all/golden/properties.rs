@@ -68,6 +68,8 @@ fn jobs_bend_into_the_design(case: &Case, machine: &str, bytes: &[u8]) {
         seed: 1,
         svg: None,
         png: None,
+        collisions: false,
+        collision_margin_mm: 0.0,
     };
     let Ok(Response::Simulate(found)) = run(&Command::Simulate(request)) else {
         panic!("{}: the job cannot be simulated", case.about)

@@ -20,6 +20,11 @@ pub struct Asked {
 
 impl Asked {
     pub fn start(shop: &Shop, arguments: &[&str]) -> Self {
+        Self::start_with(shop, arguments, Stdio::null())
+    }
+
+    /// What it prints for another program goes there.
+    fn start_with(shop: &Shop, arguments: &[&str], output: Stdio) -> Self {
         let (far, near, _) = terminal();
         let near = File::from(near);
         let child = Command::new(wirebend())
@@ -28,7 +33,7 @@ impl Asked {
             .env("XDG_CONFIG_HOME", shop.path())
             .env("XDG_DATA_HOME", shop.path())
             .stdin(near.try_clone().unwrap())
-            .stdout(Stdio::null())
+            .stdout(output)
             .stderr(near)
             .spawn()
             .unwrap();
@@ -72,6 +77,11 @@ impl Asked {
         self
     }
 
+    pub fn presses_ctrl_c(&mut self) -> &mut Self {
+        kill_process(Pid::from_raw(i32::try_from(self.child.id()).unwrap()).unwrap(), Signal::INT).unwrap();
+        self
+    }
+
     pub fn status(&mut self) -> Option<i32> {
         // What it writes must go somewhere, or it waits.
         let mut rest = Vec::new();
@@ -102,8 +112,7 @@ fn no_is_no_and_so_is_nothing_and_ctrl_c() {
     }
     let mut asked = Asked::start(&shop, &RUN);
     asked.sees("may the machine move?");
-    let id = Pid::from_raw(i32::try_from(asked.child.id()).unwrap()).unwrap();
-    kill_process(id, Signal::INT).unwrap();
+    asked.presses_ctrl_c();
     assert_eq!(asked.status(), Some(130));
     assert!(shop.list().is_empty(), "nothing was begun");
 }
@@ -125,7 +134,7 @@ fn a_person_says_what_became_of_steps_in_doubt() {
     assert_eq!(asked.status(), Some(2), "it is not known, and so nothing moves");
     let mut asked = Asked::start(&shop, &[&RUN[..], &["--resume"]].concat());
     asked.sees("Was this step finished?");
-    kill_process(Pid::from_raw(i32::try_from(asked.child.id()).unwrap()).unwrap(), Signal::INT).unwrap();
+    asked.presses_ctrl_c();
     assert_eq!(asked.status(), Some(130), "that is no answer");
     let mut asked = Asked::start(&shop, &[&RUN[..], &["--resume"]].concat());
     asked.sees("Was this step finished?").says("yes");
@@ -204,4 +213,45 @@ fn a_machine_that_was_made_to_hold_goes_on_at_a_persons_word() {
         let expected = if answer == "yes" { r#""made":[1,2,3,4,5,6,7,8]"# } else { r#""made":[1,2]"# };
         assert!(made.contains(expected), "{made}");
     }
+}
+
+/// The cube of this size has no program that hits nothing: its search would go on for hours.
+const SEARCH: [&str; 12] = [
+    "--units",
+    "mm",
+    "--double",
+    "-m",
+    "wirebend-kit",
+    "--avoid-collisions",
+    "--wires",
+    "1",
+    "--effort",
+    "4000000000",
+    "-o",
+    "best.wbjob",
+];
+
+/// Who has waited long enough keeps what was found until then.
+#[test]
+fn ctrl_c_ends_a_search_with_the_best_so_far_and_pressed_again_the_program() {
+    let shop = Shop::cube();
+    let cube = example("cube.obj");
+    let plan = [&["plan", &cube], &SEARCH[..]].concat();
+    let mut asked = Asked::start(&shop, &plan);
+    asked.sees("searching for a program without collisions (Ctrl-C").presses_ctrl_c();
+    asked.sees("ending the search with the best so far; press Ctrl-C again to end at once");
+    let said = asked.until("wrote best.wbjob");
+    assert!(said.contains("; ended by you") && said.contains("[no_clear_program]"), "{said}");
+    assert_eq!(asked.status(), Some(0));
+    assert!(shop.path().join("best.wbjob").exists());
+
+    // A job that nobody reads keeps the program from its end until it is pressed again.
+    let (unread, output) = rustix::pipe::pipe().unwrap();
+    rustix::pipe::fcntl_setpipe_size(&output, 4096).unwrap();
+    let to_output = [&plan[..plan.len() - 1], &["-"]].concat();
+    let mut asked = Asked::start_with(&shop, &to_output, output.into());
+    asked.sees("searching for a program without collisions (Ctrl-C").presses_ctrl_c();
+    asked.sees("ending the search").presses_ctrl_c();
+    assert_eq!(asked.status(), Some(130));
+    drop(unread);
 }

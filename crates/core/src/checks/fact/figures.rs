@@ -7,7 +7,7 @@ use crate::units::Angle;
 impl Fact {
     /// What was measured or counted; `None` where the finding has no figure.
     #[must_use]
-    pub const fn measured(&self) -> Option<Quantity> {
+    pub fn measured(&self) -> Option<Quantity> {
         Some(match self {
             Self::ZeroLengthEdge { length, .. }
             | Self::EdgeTooShort { length, .. }
@@ -20,9 +20,11 @@ impl Fact {
             | Self::FeedLongerThanStock { feed: length, .. }
             | Self::ArcsOverlap { designed: length, .. }
             | Self::StockTooLong { needed: length, .. }
-            | Self::WireDoesNotFit { diameter: length, .. }
-            | Self::MeetsMachine { depth: length, .. }
-            | Self::MeetsStock { depth: length, .. } => Quantity::Length(*length),
+            | Self::WireDoesNotFit { diameter: length, .. } => Quantity::Length(*length),
+            // Less than zero where they only come near each other.
+            Self::MeetsMachine { depth, margin, .. } | Self::MeetsStock { depth, margin, .. } => {
+                Quantity::Length(*depth - *margin)
+            }
             Self::BendTooSharp { bend, .. }
             | Self::BendNearLimit { bend, .. }
             | Self::BendOutOfReach { bend, .. }

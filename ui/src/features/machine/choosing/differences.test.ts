@@ -16,6 +16,7 @@ const side: MachineSide = {
   stock_mm: 12_220,
   time_s: 3130,
   warnings: 0,
+  collisions: null,
 };
 
 const diagnostic = (code: WireDiagnostic["code"]): WireDiagnostic => ({

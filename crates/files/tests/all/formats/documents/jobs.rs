@@ -23,6 +23,7 @@ pub(super) fn example_job() -> JobContents {
             compensated: steps,
             stock_mm: 460.0,
             time_s: 91.5,
+            avoids_collisions: false,
         }],
         objections: vec!["edge 1 is too short".into()],
     }
