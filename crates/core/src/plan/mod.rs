@@ -269,8 +269,11 @@ pub fn plan_wires(
         proposal = search.proposal(routes.len()).unwrap_or(proposal);
         searched = Some(found.searched);
         observer.done(Stage::Search);
-    } else if options.clear_sides {
-        schedules = search.clear_sides(&routes).unwrap_or_default();
+    } else {
+        refusals.extend(search.not_searched(&forced));
+        if options.clear_sides {
+            schedules = search.clear_sides(&routes).unwrap_or_default();
+        }
     }
     let mut done = |stage| observer.done(stage);
     let stages = Stages {

@@ -155,6 +155,25 @@ impl Searching<'_> {
         routing::proposal(self.wireframe, self.component, &options).ok()
     }
 
+    /// That nothing was searched where it was wanted: no wire has a program before the bends that no route avoids are out of the way.
+    pub fn not_searched(&self, forced: &[ForcedBend]) -> Option<Diagnostic> {
+        let is_wanted = self.options.search.is_some() && !forced.is_empty();
+        is_wanted.then(|| Diagnostic {
+            severity: Severity::Warning,
+            location: Location::at_vertices(forced.iter().map(|bend| bend.vertex)),
+            fact: Fact::NoClearProgram {
+                checks: 0,
+                exhausted: false,
+                obstacle: None,
+                body: None,
+                passed: None,
+                helps: Helps::default(),
+            },
+            // What is said of these bends says what to do about them.
+            remedies: Vec::new(),
+        })
+    }
+
     /// That nothing was found, and what was in the way.
     pub fn finding(&self, searched: &Searched, helps: Helps) -> Option<Diagnostic> {
         if searched.found {

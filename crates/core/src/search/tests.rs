@@ -166,6 +166,16 @@ fn the_least_move_that_helps_is_named() {
     assert!(planned(&elsewhere, &machine, &one)[0].searched.unwrap().found);
 }
 
+/// A search that does not begin is not passed over in silence.
+#[test]
+fn bends_that_no_route_avoids_are_said_to_come_first() {
+    let sharp = chain(&[[0., 0., 0.], [100., 0., 0.], [0., 5., 0.]]);
+    let wires = planned(&sharp, &machine(Vec::new()), &options(SearchOptions::default()));
+    assert!(wires[0].searched.is_none());
+    let said = wires[0].diagnostics.iter().find(|said| said.code() == crate::checks::Code::NoClearProgram);
+    assert_eq!(said.expect("that it was not searched").location.vertices, [VertexId(1)]);
+}
+
 fn helps(wires: &[WirePlan]) -> Helps {
     let facts = wires.iter().flat_map(|wire| &wire.diagnostics).map(|found| &found.fact);
     let mut helps = facts

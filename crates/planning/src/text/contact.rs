@@ -43,6 +43,8 @@ pub(super) fn meets_stock(moment: &str, struck: &[EdgeId], deep: (Length, usize)
 pub(super) fn searched(checks: u64, exhausted: bool) -> String {
     if exhausted {
         "every walk of one wire was tried".to_owned()
+    } else if checks == 0 {
+        "it was not searched".to_owned()
     } else {
         format!("{checks} steps were checked")
     }
@@ -57,7 +59,7 @@ pub(super) fn no_clear_program(
     passed: Option<(usize, usize)>,
 ) -> String {
     let found = format!("no program without a collision was found: {searched}");
-    let Some((passed, of)) = passed else { return found };
+    let Some((passed, of)) = passed else { return found + &before_the_search(at) };
     let what = match (obstacle, body) {
         (Some(Obstacle::Body(_)), Some(body)) => format!("the wire would hit the {body}"),
         (Some(_), _) => "the wire would hit the wire that is still to be bent".to_owned(),
@@ -65,6 +67,16 @@ pub(super) fn no_clear_program(
     };
     let place = at.vertices.first().map(|vertex| format!(" at vertex {vertex}")).unwrap_or_default();
     format!("{found}; the search got as far as edge {passed} of {of}:{place} {what}")
+}
+
+/// Bends that no route avoids, which come before a search.
+fn before_the_search(at: &Location) -> String {
+    let names: Vec<String> = at.vertices.iter().map(ToString::to_string).collect();
+    match &names[..] {
+        [] => String::new(),
+        [one] => format!("; the bend at vertex {one} comes first"),
+        several => format!("; the bends at vertices {} come first", several.join(", ")),
+    }
 }
 
 /// What was tried and helps.
