@@ -90,7 +90,8 @@ it("plays with Space, and goes through the steps with the arrows", async () => {
   await press("Space");
   await editor.page.locator(".timeline").getByRole("button", { name: "Play" }).waitFor();
   const step = editor.page.locator(".timeline-step");
-  await tabTo(/^(Steps|Step 1)/);
+  // Not one of the collisions, which are listed as soon as they are known: "Step 14 hits the head".
+  await tabTo(/^(Steps|Step 1(?!\d|:| hits))/);
   await press("End");
   await until(() => step.innerText()).toMatch(/step 176 \/ 176/);
   await press("Home");
