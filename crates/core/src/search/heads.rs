@@ -244,3 +244,6 @@ pub(super) fn scheduled(program: &NominalProgram, layers: &[Layer], mut at: usiz
     chosen.reverse();
     build(program, &bends, &chosen)
 }
+
+#[cfg(test)]
+mod tests;

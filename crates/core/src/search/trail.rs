@@ -104,3 +104,6 @@ struct Left {
     /// For each part with edges, by a vertex of it, how many odd vertices it has.
     odd_in: BTreeMap<usize, usize>,
 }
+
+#[cfg(test)]
+mod tests;
