@@ -3,7 +3,8 @@
 //! A [`Chain`] is a line of straight pieces in order, fixed in its frame. A [`Solid`] is convex and known by its signed
 //! distance; a [`Motion`] says where it sees the chain at each time from 0 to 1, and bounds how fast. [`first_contact`] is
 //! the earliest time at which they come closer than asked, [`closest`] the least distance over the whole motion. Nothing is
-//! sampled: a part of the motion is left out only where the bound on speed proves that nothing meets there.
+//! sampled: a part of the motion is left out only where a bound on speed, or what the motion leaves as it is (see [`Ring`]), proves
+//! that nothing meets there.
 //!
 //! Lengths have one unit throughout; here it is called mm. Thickness is the caller's: a chain of capsules of radius r meets a
 //! solid where the distance of its centreline is r.
