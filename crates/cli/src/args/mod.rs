@@ -11,7 +11,8 @@ use wirebend_api::StageName;
 
 use live::{JogArgs, MachineSettingsArgs, PortsArgs, ReplayArgs, RunArgs, RunsCommand};
 pub(crate) use shared::{
-    ChoiceArgs, DangerArgs, DesignArgs, ExportedArgs, KindArgs, OutputArgs, ReadArgs, WireRange,
+    ChoiceArgs, ClearanceArgs, DangerArgs, DesignArgs, ExportedArgs, KindArgs, OutputArgs, ReadArgs,
+    WireRange,
 };
 use shared::{parse_setting, stage_parser};
 
@@ -154,15 +155,8 @@ pub(crate) enum Subcommands {
         /// Look where the simulated wires hit the machine or themselves while they are bent
         #[arg(long)]
         collisions: bool,
-        /// With --collisions, also name what comes nearer than this without hitting, in mm
-        #[arg(
-            long,
-            value_name = "MM",
-            default_value_t = 0.0,
-            requires = "collisions",
-            allow_negative_numbers = true
-        )]
-        clearance: f64,
+        #[command(flatten)]
+        clearance: ClearanceArgs,
     },
     /// Run a job on its machine; Ctrl-C is STOP
     #[command(

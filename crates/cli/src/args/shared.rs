@@ -116,6 +116,13 @@ pub(crate) struct ChoiceArgs {
     /// Without weights fewest wires count first, then the least doubled length, then the least time
     #[arg(long, value_name = "WEIGHTS", requires = "avoid_collisions", value_parser = parse_weights)]
     pub weights: Option<SearchWeights>,
+    #[command(flatten)]
+    pub clearance: ClearanceArgs,
+}
+
+/// How far the wire has to stay from what it could hit.
+#[derive(Debug, Args)]
+pub(crate) struct ClearanceArgs {
     /// With --collisions, also name what comes nearer than this without hitting, in mm
     #[arg(
         long,

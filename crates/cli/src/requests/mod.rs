@@ -84,7 +84,7 @@ pub(crate) fn prepare(command: Subcommands) -> anyhow::Result<Prepared> {
                 svg,
                 png,
                 collisions,
-                collision_margin_mm: clearance,
+                collision_margin_mm: clearance.clearance,
             }))
         }
         Subcommands::Run(args) => written(live::run(args)?),
@@ -257,6 +257,6 @@ fn choices(args: ChoiceArgs) -> Result<PlanChoices, WrongUse> {
         search_effort: effort,
         search_seed,
         search_weights: weights,
-        collision_margin_mm: clearance,
+        collision_margin_mm: clearance.clearance,
     })
 }

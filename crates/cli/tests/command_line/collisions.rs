@@ -242,7 +242,7 @@ fn a_table_says_what_of_a_searched_program_it_cannot_say() {
             serde_json::json!([{"remedy": "export-format", "format": "wirebend-kit-text"}, {"remedy": "watch-first-wire"}])
         );
     }
-    // What was planned without regard to collisions is run as any machine runs it.
+    // Planned without regard to collisions it relies on nothing that a table leaves out.
     run(&[&plan[..], &["--force"]].concat()).ended(0);
     assert!(notes(&export(&job, "lra-csv")).is_empty());
     let table = run(&[

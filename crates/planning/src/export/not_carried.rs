@@ -14,7 +14,7 @@ use crate::machine::{Setup, kept_steps};
 use crate::report::{NoteReport, SHOWN_AS_ZERO};
 
 /// What machines of these tables are not told, where the program of the design relies on it. `None` where they are told all, or where
-/// the program is run as any would be.
+/// it relies on nothing that they leave out.
 pub(super) fn note(app: &Installation, content: &Content, chosen: &Chosen) -> Option<NoteReport> {
     if !chosen.is_of_design() {
         return None;

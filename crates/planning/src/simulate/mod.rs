@@ -55,6 +55,23 @@ pub struct SimulateRequest {
     pub collision_margin_mm: f64,
 }
 
+impl SimulateRequest {
+    /// One wire of a job, without errors.
+    #[must_use]
+    pub const fn of(job: Input) -> Self {
+        Self {
+            job,
+            noise: None,
+            runs: 1,
+            seed: 1,
+            svg: None,
+            png: None,
+            collisions: false,
+            collision_margin_mm: 0.0,
+        }
+    }
+}
+
 /// How far one vertex of the route lies from where it should.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct VertexReport {

@@ -83,17 +83,7 @@ fn bent(planned: &Planned, steps: &[Vec<Step>]) -> Vec<f64> {
     }
     let bytes = Job::seal(contents).unwrap().to_bytes().unwrap();
     let job = Input::Bytes { name: "written.wbjob".to_owned(), bytes };
-    let request = SimulateRequest {
-        job,
-        noise: None,
-        runs: 1,
-        seed: 1,
-        svg: None,
-        png: None,
-        collisions: false,
-        collision_margin_mm: 0.0,
-    };
-    match run(&Command::Simulate(request)).unwrap() {
+    match run(&Command::Simulate(SimulateRequest::of(job))).unwrap() {
         Response::Simulate(found) => found.wires.iter().map(|wire| wire.worst_systematic_mm).collect(),
         other => panic!("{other:?}"),
     }

@@ -61,17 +61,8 @@ fn jobs_bend_into_the_design(case: &Case, machine: &str, bytes: &[u8]) {
         let missing = misfit(&corners, &replay(Frame::default(), &steps));
         assert!(missing <= 1e-9 * total + 1e-6, "{} on {machine}: replay is {missing} mm off", case.about);
     }
-    let request = SimulateRequest {
-        job: Input::Bytes { name: "job.wbjob".into(), bytes: bytes.to_vec() },
-        noise: None,
-        runs: 1,
-        seed: 1,
-        svg: None,
-        png: None,
-        collisions: false,
-        collision_margin_mm: 0.0,
-    };
-    let Ok(Response::Simulate(found)) = run(&Command::Simulate(request)) else {
+    let sealed = Input::Bytes { name: "job.wbjob".into(), bytes: bytes.to_vec() };
+    let Ok(Response::Simulate(found)) = run(&Command::Simulate(SimulateRequest::of(sealed))) else {
         panic!("{}: the job cannot be simulated", case.about)
     };
     for (wire, planned) in found.wires.iter().zip(&job.contents().wires) {
