@@ -98,6 +98,13 @@ impl JournalState {
         (self.sent > self.done && !self.is_over()).then(|| self.done + 1..=self.sent)
     }
 
+    /// Whether none of it is in the wire, so that a new one can take its place: no step was sent, and of the first no part is
+    /// known to be made.
+    #[must_use]
+    pub fn is_blank(&self) -> bool {
+        self.sent == 0 && self.part == Part::default()
+    }
+
     /// Whether nothing more is to come.
     #[must_use]
     pub const fn is_over(&self) -> bool {

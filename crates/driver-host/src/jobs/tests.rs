@@ -81,6 +81,24 @@ fn what_was_said_can_be_taken_back_until_something_is_made() {
     state.count(&EntryKind::TakenBack { n: 2 }).unwrap_err();
 }
 
+/// Once it is settled how much of the first step is in the wire, no step counts as sent.
+#[test]
+fn a_part_of_the_first_step_is_in_the_wire() {
+    let mut state = begun();
+    assert!(state.is_blank());
+    for what in [armed(0), intent(1, 1), EntryKind::Stopped { by: None }] {
+        state.count(&what).unwrap();
+    }
+    assert!(!state.is_blank());
+    let part = |feed_mm| EntryKind::Part { n: 1, feed_mm, rotate_deg: 0.0, by: ToldBy::Person };
+    state.count(&part(4.0)).unwrap();
+    assert_eq!(state.sent, 0);
+    assert!(!state.is_blank());
+    state.count(&EntryKind::TakenBack { n: 1 }).unwrap();
+    state.count(&EntryKind::Decided { n: 1, made: false }).unwrap();
+    assert!(state.is_blank());
+}
+
 #[test]
 fn what_is_over_is_over() {
     assert_eq!(Resume::decide(&begun(), None), Resume::Arm { from: 1 });

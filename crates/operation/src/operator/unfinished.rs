@@ -33,11 +33,11 @@ pub struct Unfinished {
 }
 
 impl Unfinished {
-    /// The unfinished wire of a journal; `None` when the wire is over, none of it was sent, or the journal cannot be read.
+    /// The unfinished wire of a journal; `None` when the wire is over, none of it is in the wire, or the journal cannot be read.
     pub(super) fn of(kept: &StoredRun) -> Option<Self> {
         let written = kept.read.as_ref().ok()?;
         let state = &written.state;
-        if state.is_over() || state.sent == 0 {
+        if state.is_over() || state.is_blank() {
             return None;
         }
         let heading = &state.heading;

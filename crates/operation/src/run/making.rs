@@ -348,7 +348,7 @@ impl Making<'_, '_> {
                 .or_else(|| heard.held.clone()),
             deviations_mm,
             // Of a wire of which nothing was sent there is nothing to resume.
-            resumable: (!over && state.sent > 0).then(|| self.task.target(self.wire)),
+            resumable: (!over && !state.is_blank()).then(|| self.task.target(self.wire)),
             ..untouched
         })
     }

@@ -253,7 +253,7 @@ impl<'a> Task<'a> {
         let Some(kept) = self.last(wire)? else { return Ok(()) };
         match kept.read {
             Ok(written) if written.state.is_over() => Ok(()),
-            Ok(written) if written.state.sent == 0 => Ok(self.give_up(&kept.path)?),
+            Ok(written) if written.state.is_blank() => Ok(self.give_up(&kept.path)?),
             Ok(written) if Journal::is_in_use(&kept.path) => {
                 let Heading { port, name, .. } = written.state.heading;
                 Err(LiveProblem::AtWork { port, name }.into())

@@ -2,9 +2,10 @@
 
 use serde_json::json;
 use wirebend_operation::{
-    Answer, Decided, Decision, Move, Order, OrderName, Outcome, Phase, QuestionKind, RunHow, RunOutcome,
+    Answer, Decided, Decision, MachineEvent, Move, OperatorEvent, Order, OrderName, Outcome, Phase,
+    QuestionKind, RunHow, RunOutcome,
 };
-use wirebend_planning::Input;
+use wirebend_planning::{Input, PartOfStep};
 
 use crate::shop::{Shop, abandon};
 
@@ -122,6 +123,37 @@ fn what_is_no_wire_of_this_machine_is_refused() {
     seat.until_phase(Phase::Connected);
     seat.resume(&job);
     assert_eq!(seat.until_problem().0, "nothing-begun");
+}
+
+/// As soon as it is settled how much of the first step is in the wire, no step counts as sent; the wire is in the machine all the same.
+#[test]
+fn a_wire_with_a_part_of_its_first_step_is_no_new_one() {
+    let shop = Shop::new();
+    let (seat, job) = (shop.simulated("sim:10"), shop.cube("wirebend-kit"));
+    seat.start(&job);
+    seat.until(|event| match event {
+        OperatorEvent::Machine(MachineEvent::Wire { sent, .. }) => (*sent > 0).then_some(()),
+        _ => None,
+    });
+    assert!(seat.operator.stop());
+    assert_eq!(seat.until_run().wires[0].in_doubt.map(|[first, _]| first), Some(1));
+    seat.until_phase(Phase::Stopped);
+
+    seat.resume(&job);
+    let part = PartOfStep { feed_mm: 5.0, rotate_deg: 0.0 };
+    assert_eq!(seat.says(Answer::Part(part)).kind, QuestionKind::Doubt);
+    seat.says(Answer::No);
+    let declined = seat.until_state(|state| state.question.is_none() && !state.busy);
+    let unfinished = declined.unfinished.expect("5 mm of it are fed");
+    assert_eq!((unfinished.made, unfinished.in_doubt), (0, None));
+    seat.arm(&job);
+    assert_eq!(seat.until_problem().0, "unfinished");
+    seat.until_state(|state| !state.busy);
+
+    seat.resume(&job);
+    while seat.says(Answer::Yes).kind != QuestionKind::Resume {}
+    let run = seat.until_run();
+    assert_eq!((run.wires[0].outcome, run.wires[0].made), (RunOutcome::Made, 8));
 }
 
 /// A window is closed in the middle of a wire, after so many steps.
