@@ -131,6 +131,8 @@ it("connects, and stops with Ctrl-Space also out of a list of choices", async ()
   await press("Enter");
   await phase.and(editor.page.locator(".homing")).waitFor();
   await press("Control+Space");
+  // The machine first, then the window.
+  await until(async () => (await editor.loopback.ask("machine-state", {})).state?.phase).toBe("stopped");
   await phase.and(editor.page.locator(".stopped")).waitFor();
 });
 

@@ -191,8 +191,10 @@ it("arms with a summary, starts, shows the steps, pauses and resumes", async () 
     return (await state()).phase;
   }).toBe("holding");
   await stands("holding");
-  const held = (await state()).wire?.made;
+  // A step that was done as it came to hold is counted a moment later.
   await editor.isCleanNow("run-holding");
+  const held = (await state()).wire?.made;
+  await editor.page.waitForTimeout(300);
   expect((await state()).wire?.made).toBe(held);
   await goingOn(async () => ((await state()).wire?.made ?? 0) > (held ?? 0));
 });
@@ -244,21 +246,48 @@ it("bends a wire from the first step to the last, and keeps a record of it", asy
   await editor.isCleanNow("run-made");
 });
 
+/**
+ * Stops a new wire in the feed of its first step. On a busy computer the stop may come when the bend has begun; nothing is asked of
+ * the feed then, and another wire is begun.
+ */
+async function stopInFeed(): Promise<void> {
+  for (let wires = 0; wires < 5; wires += 1) {
+    await arm();
+    await button("Start").click();
+    await until(async () => {
+      const { phase, position } = await state();
+      return phase === "making" && (position?.feed_mm ?? 0) > 3;
+    }).toBe(true);
+    await editor.page.keyboard.press("Control+Space");
+    await stands("stopped");
+    const { unfinished } = await state();
+    if (unfinished?.made === 0 && unfinished.in_doubt?.[0] === 1) {
+      await button("Resume…").click();
+      await until(async () => (await state()).question !== null).toBe(true);
+      const { question } = await state();
+      const doubt = question?.doubt;
+      if ((doubt?.counted?.feed_mm ?? Infinity) < (doubt?.told.feed_mm ?? 0)) return;
+      await editor.loopback.ask("answer", { question: question?.id ?? NaN, answer: "no" });
+      await stands("stopped");
+    }
+    await giveUp();
+  }
+  throw new Error("no stop came in the feed of the first step");
+}
+
+async function giveUp(): Promise<void> {
+  await button("Give up…").click();
+  await button("Give it up").click();
+  await run().getByRole("group", { name: "Interrupted wire" }).waitFor({ state: "detached" });
+}
+
 it("asks how much of a step is in the wire that was stopped in its feed, and finishes it", async () => {
   await button("Disconnect").click();
   // Slow enough to be met in a feed.
   await editor.loopback.ask("connect", { port: "sim:3" });
   await stands("connected");
-  await arm();
-  await button("Start").click();
-  await until(async () => {
-    const { phase, position } = await state();
-    return phase === "making" && (position?.feed_mm ?? 0) > 3;
-  }).toBe(true);
-  await editor.page.keyboard.press("Control+Space");
-  await stands("stopped");
+  await stopInFeed();
   expect((await state()).unfinished).toMatchObject({ made: 0, in_doubt: [1, 1] });
-  await button("Resume…").click();
   await dialog().getByRole("heading", { name: "Look at the wire" }).waitFor();
   const counted = (await state()).question?.doubt?.counted;
   const whole = (await state()).question?.doubt?.told.feed_mm ?? NaN;
@@ -278,9 +307,7 @@ it("asks how much of a step is in the wire that was stopped in its feed, and fin
   await until(async () => (await state()).phase).toBe("making");
   await editor.page.keyboard.press("Control+Space");
   await stands("stopped");
-  await button("Give up…").click();
-  await button("Give it up").click();
-  await run().getByRole("group", { name: "Interrupted wire" }).waitFor({ state: "detached" });
+  await giveUp();
 });
 
 it("reports an interrupted wire after a crash, and gives it up when that is said twice", async () => {
@@ -298,9 +325,7 @@ it("reports an interrupted wire after a crash, and gives it up when that is said
   await run().getByText("A wire was interrupted").waitFor();
   await editor.isCleanNow("run-interrupted");
   await connect("sim:10");
-  await button("Give up…").click();
-  await button("Give it up").click();
-  await run().getByRole("group", { name: "Interrupted wire" }).waitFor({ state: "detached" });
+  await giveUp();
   await until(async () => (await editor.loopback.ask("runs", {})).runs.at(-1)?.outcome).toBe("abandoned");
   await editor.isClean("run");
 });
