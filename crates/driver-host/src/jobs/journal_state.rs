@@ -98,8 +98,8 @@ impl JournalState {
         (self.sent > self.done && !self.is_over()).then(|| self.done + 1..=self.sent)
     }
 
-    /// Whether none of it is in the wire, so that a new one can take its place: no step was sent, and of the first no part is
-    /// known to be made.
+    /// Whether nothing of it is made, so that a new one can take its place: no step was sent, or none of what was sent was done,
+    /// and no part of the first step is in the wire.
     #[must_use]
     pub fn is_blank(&self) -> bool {
         self.sent == 0 && self.part == Part::default()

@@ -33,7 +33,7 @@ pub struct Unfinished {
 }
 
 impl Unfinished {
-    /// The unfinished wire of a journal; `None` when the wire is over, none of it is in the wire, or the journal cannot be read.
+    /// The unfinished wire of a journal; `None` when the wire is over, nothing of it is made, or the journal cannot be read.
     pub(super) fn of(kept: &StoredRun) -> Option<Self> {
         let written = kept.read.as_ref().ok()?;
         let state = &written.state;

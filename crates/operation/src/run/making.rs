@@ -347,7 +347,7 @@ impl Making<'_, '_> {
                 .filter(|_| outcome == RunOutcome::Failed)
                 .or_else(|| heard.held.clone()),
             deviations_mm,
-            // Of a wire of which nothing was sent there is nothing to resume.
+            // Where nothing of a wire is made there is nothing to resume.
             resumable: (!over && !state.is_blank()).then(|| self.task.target(self.wire)),
             ..untouched
         })
