@@ -24,7 +24,13 @@ export function wrongFiles(document: string, job: string): readonly Wrong[] {
     return other;
   };
   return [
-    { name: "empty.obj", contents: "", reason: /no edges and no faces/ },
+    { name: "empty.obj", contents: "", reason: /the file is empty/ },
+    { name: "empty.glb", contents: "", reason: /the file is empty/ },
+    {
+      name: "part.nc",
+      contents: "G21\nG91\nG1 X30.6 F600\n",
+      reason: /G-code can't be opened; these formats can: obj, /,
+    },
     { name: "prose.obj", contents: "Once upon a time there was a wire.\n", reason: /no edges and no faces/ },
     { name: "nan.obj", contents: "v nan 0 0\nv 1 0 0\nl 1 2\n", reason: /line 1: "nan" is not a finite number/ },
     { name: "far.obj", contents: "v 1e300 0 0\nv 1 0 0\nl 1 2\n", reason: /line 1: \(1e300, 0, 0\)/ },

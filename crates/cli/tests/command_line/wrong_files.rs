@@ -65,6 +65,7 @@ fn an_empty_document_is_bad_input_and_says_what_it_should_be() {
     std::fs::write(folder.path().join("empty.wbjob"), "").unwrap();
     std::fs::write(folder.path().join("blank.wirebend"), " \n").unwrap();
     std::fs::write(folder.path().join("empty.txt"), "").unwrap();
+    std::fs::write(folder.path().join("empty.stl"), "").unwrap();
     let machine = ["--machine", "wirebend-kit"];
     for (arguments, expected) in [
         (["simulate", "empty.wbjob"].as_slice(), "expected a WireBend job"),
@@ -73,8 +74,9 @@ fn an_empty_document_is_bad_input_and_says_what_it_should_be() {
         (&["run", "empty.wbjob", "--port", "sim"], "expected a WireBend job"),
         (&[&["plan", "empty.wbjob"], machine.as_slice()].concat(), "expected a WireBend job"),
         (&[&["plan", "blank.wirebend"], machine.as_slice()].concat(), "expected a WireBend project"),
-        (&["import", "empty.txt"], "no model, drawing or program in it (the file is empty)"),
-        (&["import", "-"], "no model, drawing or program in it (the file is empty)"),
+        (&["import", "empty.txt"], "empty.txt: the file is empty"),
+        (&["import", "empty.stl"], "empty.stl: the file is empty"),
+        (&["import", "-"], "standard input: the file is empty"),
     ] {
         let ran = run_in(folder.path(), arguments, b"").ended(3);
         assert!(ran.err.contains(expected), "{arguments:?}: {}", ran.err);

@@ -4,6 +4,7 @@ use wirebend_error::ErrorRemedy;
 
 use super::error::ReadError;
 use super::format::Format;
+use super::gcode;
 use super::table::Table;
 use super::text::{decode, lines, utf8};
 
@@ -13,7 +14,7 @@ const SNIFFED: usize = 1 << 20;
 /// The format of a file: from its extension where only one format has it, else from its content.
 ///
 /// # Errors
-/// [`ReadError::UnknownFormat`] lists the formats.
+/// [`ReadError::EmptyFile`], [`ReadError::GCode`], and [`ReadError::UnknownFormat`], which lists the formats.
 pub fn detect(name: &str, bytes: &[u8]) -> Result<Format, ReadError> {
     let extension = name.rsplit_once('.').map(|(_, extension)| extension.to_ascii_lowercase());
     let by_name: Vec<Format> = Format::ALL
@@ -28,12 +29,23 @@ pub fn detect(name: &str, bytes: &[u8]) -> Result<Format, ReadError> {
         (_, Some(format)) => Ok(format),
         // A table without any number still gets the error of its reader, with a line.
         ([Format::Xyz, ..], None) if extension.as_deref() != Some("txt") => Ok(Format::Xyz),
-        _ if utf8(bytes).trim_ascii().is_empty() => {
-            let (file, but) = (name.to_owned(), super::NOTHING.to_owned());
-            Err(ReadError::Empty { file, expected: "model, drawing or program", but })
+        _ if is_blank(bytes) => Err(ReadError::EmptyFile { file: name.to_owned() }),
+        _ if gcode::is_named(extension.as_deref()) || is_gcode(bytes) => {
+            Err(ReadError::GCode { file: name.to_owned() })
         }
         _ => Err(ReadError::UnknownFormat { file: name.to_owned() }),
     }
+}
+
+/// Whether nothing is in a file but space.
+pub(super) fn is_blank(bytes: &[u8]) -> bool {
+    utf8(bytes).trim_ascii().is_empty()
+}
+
+/// Whether a file is G-code, whatever its name.
+pub(super) fn is_gcode(bytes: &[u8]) -> bool {
+    let text = decode(&bytes[..bytes.len().min(SNIFFED)]);
+    !text.contains('\0') && gcode::looks_like(&text)
 }
 
 /// The binary formats that begin with a word of their own.

@@ -54,6 +54,12 @@ pub enum ReadError {
     /// Neither name nor content tells the format.
     #[error("{file}: this is none of the known formats ({known})", known = super::format::known())]
     UnknownFormat { file: String },
+    /// Nothing is in it.
+    #[error("{file}: the file is empty")]
+    EmptyFile { file: String },
+    /// A program for the axes of one machine, from which no wire can be read back.
+    #[error("{file}: G-code can't be opened; these formats can: {known}", known = super::format::known())]
+    GCode { file: String },
     /// Something else than what the format has there.
     #[error("{file}{place}: found {found}, expected {expected}")]
     Syntax {
@@ -187,13 +193,13 @@ impl ReadError {
         match self {
             Self::Io { .. } => ErrorCode::ReadIo,
             Self::TooLarge { .. } => ErrorCode::ReadTooLarge,
-            Self::UnknownFormat { .. } => ErrorCode::ReadUnknownFormat,
+            Self::UnknownFormat { .. } | Self::GCode { .. } => ErrorCode::ReadUnknownFormat,
             Self::Syntax { .. } => ErrorCode::ReadSyntax,
             Self::Number { .. } => ErrorCode::ReadNumber,
             Self::Index { .. } => ErrorCode::ReadIndex,
             Self::TooMany { .. } => ErrorCode::ReadTooMany,
             Self::Truncated { .. } => ErrorCode::ReadTruncated,
-            Self::Empty { .. } => ErrorCode::ReadEmpty,
+            Self::Empty { .. } | Self::EmptyFile { .. } => ErrorCode::ReadEmpty,
             Self::Wireframe { .. } => ErrorCode::ReadWireframe,
             Self::Stencil { .. } => ErrorCode::ReadStencil,
             Self::NoCorner { .. } => ErrorCode::ReadNoCorner,
@@ -220,7 +226,8 @@ impl ReadError {
             Self::Syntax { remedy, .. } | Self::Unsupported { remedy, .. } => (**remedy).clone(),
             Self::Number { .. } | Self::Index { .. } => ErrorRemedy::CorrectFile,
             Self::Truncated { .. } | Self::Library { .. } => ErrorRemedy::ExportAgain,
-            Self::Empty { .. } => ErrorRemedy::CheckRightFile,
+            Self::Empty { .. } | Self::EmptyFile { .. } => ErrorRemedy::CheckRightFile,
+            Self::GCode { .. } => ErrorRemedy::OpenModel,
             Self::Wireframe { .. } => ErrorRemedy::CheckScale,
             Self::Stencil { .. } => ErrorRemedy::RepairMesh,
             Self::NoCorner { .. } => ErrorRemedy::SplitBend,

@@ -11,6 +11,7 @@ mod drawing;
 mod dxf;
 mod error;
 mod format;
+mod gcode;
 mod gltf;
 mod kit;
 mod lra;
@@ -85,6 +86,13 @@ pub fn read(
     }
     let source = Source { name };
     let format = format.map_or_else(|| detect(name, bytes), Ok)?;
+    // Of a project its own reader says what should be in it.
+    if format != Format::Wirebend && detect::is_blank(bytes) {
+        return Err(ReadError::EmptyFile { file: name.to_owned() });
+    }
+    if detect::is_gcode(bytes) {
+        return Err(ReadError::GCode { file: name.to_owned() });
+    }
     if let Some((found, remedy)) = detect::foreign(bytes) {
         let (file, found, expected) = (name.to_owned(), found.to_owned(), format.title().into());
         return Err(ReadError::Syntax {
@@ -101,16 +109,8 @@ pub fn read(
     // Any bytes may stand in the head of a binary STL.
     let text = if stl::is_binary(bytes) { Cow::Borrowed(bytes) } else { utf8(bytes) };
     let bytes = &*text;
-    read_as(bytes, source, format, options).map_err(|error| match error {
-        ReadError::Empty { file, expected, .. } if bytes.trim_ascii().is_empty() => {
-            ReadError::Empty { file, expected, but: NOTHING.to_owned() }
-        }
-        other => other,
-    })
+    read_as(bytes, source, format, options)
 }
-
-/// What an error says of a file without any bytes.
-const NOTHING: &str = " (the file is empty)";
 
 fn read_as(
     bytes: &[u8],

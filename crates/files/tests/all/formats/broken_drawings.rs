@@ -76,7 +76,7 @@ fn dxf() {
             read-truncated: a.dxf, line 7: a value of group 10 has to follow, but the file ends: the file is cut off or damaged [ExportAgain]
             read-syntax: a.dxf, line 1: found "AC1032···binary", expected a group code, which is a whole number from -5 to 1071 [CorrectFile]
             read-syntax: a.dxf, line 2: found "8 0", expected 0 SECTION [ExportAs { form: "DXF" }]
-            read-empty: a.dxf: no edges and no faces in it (the file is empty) [CheckRightFile]
+            read-empty: a.dxf: the file is empty [CheckRightFile]
         "#]],
     );
     let mut bytes = b"AutoCAD Binary DXF\r\n\x1a\0".to_vec();

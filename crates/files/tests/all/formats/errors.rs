@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use expect_test::{Expect, expect};
+use wirebend_error::{ErrorCode, ErrorRemedy};
 use wirebend_files::read::{Format, ReadOptions, detect, read, read_file};
 
 use super::{import, mm};
@@ -77,7 +78,7 @@ fn stl() {
             read-syntax: a.stl, line 6: found "face", expected solid, facet normal, outer loop, three vertices, endloop, endfacet, endsolid [CorrectFile]
             read-empty: a.stl: no triangles in it [CheckRightFile]
             read-truncated: a.stl: a binary STL starts with 84 bytes, but there are 5: the file is cut off or damaged [ExportAgain]
-            read-empty: a.stl: no triangles in it (the file is empty) [CheckRightFile]
+            read-empty: a.stl: the file is empty [CheckRightFile]
             read-syntax: a.stl, line 1: found "# a picture", expected solid, with which an STL in text begins [OpenModel]
             read-syntax: a.stl, line 3: found "# of a later line", expected solid, with which an STL in text begins [OpenModel]
             read-empty: a.stl: no triangles in it [CheckRightFile]
@@ -304,8 +305,53 @@ fn formats_are_told_by_name_and_by_content() {
     assert_eq!(import("notes.txt", "Dear diary").unwrap_err().code(), "read-unknown-format");
     let error = import("notes.doc", "Dear diary").unwrap_err();
     expect!["read-unknown-format: notes.doc: this is none of the known formats (obj, stl, ply, 3mf, gltf, dxf, svg, xyz, assembly, pwf, wirebend-kit, pensa, lra, wirebend) [ChooseFileFormat]"].assert_eq(&format!("{}: {error} {:?}", error.code(), error.remedies()));
+    assert_eq!(told("a.txt", "L,R,A\n1,2,3\n"), Some(Format::Lra));
     expect![[r#""step" is no format that can be read; they are obj, stl, ply, 3mf, gltf, dxf, svg, xyz, assembly, pwf, wirebend-kit, pensa, lra, wirebend"#]].assert_eq(&"step".parse::<Format>().unwrap_err().to_string());
     assert_eq!("Pensa".parse(), Ok(Format::Pensa));
+}
+
+/// What became of a download that broke off, or of a file that was saved before anything was drawn.
+#[test]
+fn an_empty_file_is_called_empty_in_every_format() {
+    for format in Format::ALL.into_iter().filter(|format| *format != Format::Wirebend) {
+        for (extension, bytes) in format.extensions().iter().flat_map(|end| {
+            [b"".as_slice(), b" \r\n\t\n", b"\xef\xbb\xbf", b"\xff\xfe \0\n\0"].map(|bytes| (*end, bytes))
+        }) {
+            let name = format!("a.{extension}");
+            let options = ReadOptions::default();
+            for error in [read(bytes, &name, None, &options), read(bytes, &name, Some(format), &options)] {
+                let error = error.unwrap_err();
+                let said = format!("{}: {error} {:?}", error.code(), error.remedies());
+                assert_eq!(
+                    said,
+                    format!("read-empty: {name}: the file is empty [CheckRightFile]"),
+                    "{format}"
+                );
+            }
+        }
+    }
+    let error = import("a.wirebend", " \n").unwrap_err();
+    assert_eq!(error.to_string(), "a.wirebend: the file is empty, expected a WireBend project");
+}
+
+/// Who has only the program for their machine left tries to open that.
+#[test]
+fn g_code_is_refused_by_its_name() {
+    let program = "; a wire\nG21\nG91\nG1 X30.642 F600\nG1 A66.232 F900\nM30\n";
+    let known = Format::ALL.map(Format::name).join(", ");
+    for name in ["a.nc", "a.gcode", "a.NC", "a.txt", "a.obj", "a.csv", "standard input"] {
+        let error = import(name, program).unwrap_err();
+        assert_eq!(error.to_string(), format!("{name}: G-code can't be opened; these formats can: {known}"));
+        assert_eq!(
+            (error.code(), error.remedies()),
+            (ErrorCode::ReadUnknownFormat, vec![ErrorRemedy::OpenModel])
+        );
+    }
+    // A name alone says so where nothing else is known of the content; a table keeps its own.
+    assert!(import("a.ngc", "Dear diary").unwrap_err().to_string().contains("G-code can't be opened"));
+    assert!(import("a.nc", "L,R,A\n100,0,90\n50,0,0\n").is_ok());
+    let error = read(program.as_bytes(), "a.nc", Some(Format::Lra), &ReadOptions::default()).unwrap_err();
+    assert!(error.to_string().contains("G-code can't be opened"), "{error}");
 }
 
 #[test]
