@@ -50,6 +50,7 @@ export function StepTable() {
     <div className="step-table" onKeyDown={keys}>
       <div className="step-row step-head" aria-hidden="true">
         <span>Step</span>
+        <span>Edge</span>
         <span>Feed, {name}</span>
         <span>Rotate, °</span>
         <span>Bend, °</span>
@@ -79,6 +80,9 @@ export function StepTable() {
               <span className="step-number" aria-hidden="true">
                 {row.number}
                 <StepHits hits={hitsOf(index)} />
+              </span>
+              <span className="step-edge" title={row.edges.all} aria-hidden="true">
+                {row.edges.short}
               </span>
               {row.designed.map((figure, part) => (
                 // biome-ignore lint/suspicious/noArrayIndexKey: feed, rotate, bend: always these three

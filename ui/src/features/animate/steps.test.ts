@@ -41,9 +41,18 @@ describe("stepRow", () => {
       designed: ["35.0", "–", "−90.0"],
       told: ["33.9", "–", "−112.4"],
       vertex: 1,
+      edges: { short: "0", all: "0" },
     });
     expect(stepRow(wire, 1, "mm")?.told).toBeNull();
     expect(stepRow(wire, 2, "mm")).toBeNull();
+  });
+
+  it("names the edges that it comes from, the first and how many more where they are many", () => {
+    const along = (...edges: number[]) =>
+      stepRow({ ...wire, steps: wire.steps.map((step) => ({ ...step, edges })) }, 0, "mm")?.edges;
+    expect(along(12, 7)).toEqual({ short: "12, 7", all: "12, 7" });
+    expect(along(12, 7, 9)).toEqual({ short: "12 +2", all: "12, 7, 9" });
+    expect(along()).toEqual({ short: "–", all: "" });
   });
 
   it("shows inches with their digits: 35 mm is 1.378 in", () => {
@@ -53,7 +62,7 @@ describe("stepRow", () => {
 
 describe("spoken", () => {
   it("names what moves", () => {
-    expect(spoken(wire, 0, (mm) => `${mm} mm`)).toBe("step 1 of 2: feed 35 mm, bend −90.0°");
+    expect(spoken(wire, 0, (mm) => `${mm} mm`)).toBe("step 1 of 2: feed 35 mm along edge 0, bend −90.0°");
   });
 });
 

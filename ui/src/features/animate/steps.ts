@@ -24,6 +24,16 @@ export interface StepRow {
   /** Null where the wire is not compensated. */
   readonly told: readonly [string, string, string] | null;
   readonly vertex: number | null;
+  /** Numbers of the edges along which it feeds: as many as the column has room for, and all. */
+  readonly edges: { readonly short: string; readonly all: string };
+}
+
+/** "12", "12, 13", "12 +4"; a dash where it feeds along no edge of the design. */
+function edgeNumbers(edges: readonly number[]): StepRow["edges"] {
+  const all = edges.join(", ");
+  const [first] = edges;
+  if (first === undefined) return { short: "–", all };
+  return { short: edges.length > 2 ? `${first} +${edges.length - 1}` : all, all };
 }
 
 /** A zero has no sign, and an angle that nothing turns by is a dash. */
@@ -40,6 +50,7 @@ export function stepRow(wire: PlayedWire, index: number, unit: DisplayUnit): Ste
     designed: motion(step.designed, unit),
     told: step.told ? motion(step.told, unit) : null,
     vertex: step.vertex,
+    edges: edgeNumbers(step.edges),
   };
 }
 
@@ -48,7 +59,9 @@ export function spoken(wire: PlayedWire, index: number, shown: (mm: number) => s
   const step = wire.steps[index];
   if (!step) return "";
   const { feed_mm, rotate_deg, bend_deg } = step.designed;
-  const parts = [`feed ${shown(feed_mm)}`];
+  const along =
+    step.edges.length === 0 ? "" : ` along ${step.edges.length === 1 ? "edge" : "edges"} ${step.edges.join(", ")}`;
+  const parts = [`feed ${shown(feed_mm)}${along}`];
   if (Math.abs(rotate_deg) >= 0.05) parts.push(`rotate ${angle(rotate_deg)}`);
   if (Math.abs(bend_deg) >= 0.05) parts.push(`bend ${angle(bend_deg)}`);
   return `step ${index + 1} of ${wire.steps.length}: ${parts.join(", ")}`;
