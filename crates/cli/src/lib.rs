@@ -7,6 +7,7 @@ mod args;
 mod contents;
 mod errors;
 pub mod exit;
+mod keyboard;
 mod number;
 mod progress;
 mod render;

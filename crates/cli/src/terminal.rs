@@ -6,13 +6,13 @@ use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
 
 use wirebend_api::{
-    Cancellation, Decision, Doubt, MachineEvent, NoProgress, Observer, PartOfStep, Phase, Progress, Prompt,
-    SHOWN_AS_ZERO, SeverityName, Snapshot, StopHandle,
+    Cancellation, Decision, Doubt, MachineEvent, NoProgress, Observer, OrderName, PartOfStep, Phase,
+    Progress, Prompt, SHOWN_AS_ZERO, SeverityName, Snapshot, StopHandle, Wish,
 };
 
 use crate::number::number;
 use crate::progress::Bar;
-use crate::{render, stop};
+use crate::{keyboard, render, stop};
 
 /// How often a question looks whether Ctrl-C was pressed.
 const LOOK: Duration = Duration::from_millis(50);
@@ -24,12 +24,16 @@ pub(crate) struct Terminal {
     json: bool,
     /// What the machine was in last.
     phase: Cell<Phase>,
+    /// What Enter has asked for, until the machine does it or it is refused.
+    wished: Cell<Option<Wish>>,
+    /// Whether it was said of this wire that Enter pauses it.
+    hinted: Cell<bool>,
 }
 
 impl Terminal {
     pub fn new(json: bool) -> Self {
         let bar = (std::io::stderr().is_terminal() && !json).then(Bar::new);
-        Self { bar, json, phase: Cell::new(Phase::Closed) }
+        Self { bar, json, phase: Cell::new(Phase::Closed), wished: Cell::new(None), hinted: Cell::new(false) }
     }
 
     pub fn finish(&self) {
@@ -64,6 +68,26 @@ impl Terminal {
         }
     }
 
+    /// What is said of a change of the machine's phase.
+    fn changed(&self, before: Phase, now: &Snapshot) -> Option<&'static str> {
+        match (before, now.phase) {
+            // Who has paused it elsewhere is asked.
+            (_, Phase::Holding) if self.wished.get() == Some(Wish::Pause) => {
+                Some("paused; press Enter to resume")
+            }
+            (_, Phase::Holding) => Some("paused"),
+            (Phase::Holding, Phase::Making) => Some("resumed"),
+            (_, Phase::Making) if keyboard::hears_enter() && now.orders.can.contains(&OrderName::Pause) => {
+                (!self.hinted.replace(true)).then_some("press Enter to pause")
+            }
+            (_, Phase::Making) => None,
+            _ => {
+                self.hinted.set(false);
+                None
+            }
+        }
+    }
+
     /// How much of a feed or a turn was done; `None` when they do not know.
     fn measured(&self, question: &str, whole: f64) -> Option<f64> {
         if whole.abs() < SHOWN_AS_ZERO {
@@ -87,7 +111,7 @@ impl Terminal {
 
     /// Asks until one of the answers is given; `None` without a user, or when they press Ctrl-C.
     fn ask(&self, question: &str, answers: &[&str]) -> Option<usize> {
-        if !is_interactive() {
+        if !keyboard::is_there() {
             return None;
         }
         loop {
@@ -103,11 +127,6 @@ impl Terminal {
             }
         }
     }
-}
-
-/// Whether a person reads and writes.
-fn is_interactive() -> bool {
-    std::io::stdin().is_terminal() && std::io::stderr().is_terminal()
 }
 
 /// A line of the person's; `None` at the end of input, and when Ctrl-C was pressed. Reading cannot be broken off, so
@@ -151,8 +170,11 @@ impl Progress for Terminal {
 
 impl Observer for Terminal {
     fn event(&self, event: &MachineEvent) {
+        if matches!(event, MachineEvent::Warning(_)) {
+            self.wished.set(None);
+        }
         match event {
-            MachineEvent::About { lines } if !self.json || is_interactive() => {
+            MachineEvent::About { lines } if !self.json || keyboard::is_there() => {
                 for line in lines {
                     self.say(line);
                 }
@@ -169,12 +191,11 @@ impl Observer for Terminal {
     }
 
     fn snapshot(&self, snapshot: &Snapshot) {
-        match (self.phase.replace(snapshot.phase), snapshot.phase) {
-            (before, Phase::Holding) if before != Phase::Holding && !self.json => {
-                self.say("the machine holds");
-            }
-            (Phase::Holding, Phase::Making) if !self.json => self.say("the machine resumes"),
-            _ => {}
+        let before = self.phase.replace(snapshot.phase);
+        if before != snapshot.phase {
+            let said = self.changed(before, snapshot).filter(|_| !self.json);
+            self.wished.set(None);
+            said.into_iter().for_each(|line| self.say(line));
         }
         if let Some(bar) = &self.bar {
             bar.snapshot(snapshot);
@@ -195,7 +216,7 @@ impl Prompt for Terminal {
     }
 
     fn decide(&self, doubt: &Doubt) -> Option<Decision> {
-        if !is_interactive() {
+        if !keyboard::is_there() {
             return None;
         }
         self.say(&format!("{doubt}. Look at the wire."));
@@ -227,7 +248,7 @@ impl Prompt for Terminal {
     }
 
     fn place_of_head(&self, question: &str, [least, most]: [f64; 2], left_at: Option<f64>) -> Option<f64> {
-        if !is_interactive() {
+        if !keyboard::is_there() {
             return None;
         }
         loop {
@@ -246,6 +267,19 @@ impl Prompt for Terminal {
 }
 
 impl Cancellation for Terminal {
+    fn wish(&self) -> Option<Wish> {
+        if stop::was_pressed() || !keyboard::takes_enter() {
+            return None;
+        }
+        let wish = match self.phase.get() {
+            Phase::Making => Wish::Pause,
+            Phase::Holding => Wish::Resume,
+            _ => return None,
+        };
+        // Pressed twice, it is asked for once.
+        (self.wished.replace(Some(wish)) != Some(wish)).then_some(wish)
+    }
+
     fn connected(&self, handle: &StopHandle) {
         stop::connect(Some(handle));
     }

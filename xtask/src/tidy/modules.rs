@@ -47,7 +47,10 @@ const ORDER: &[(&str, &str)] = &[
         "event phase order error front_end runs live ports machine_settings simulate run by_hand operator",
     ),
     ("crates/api", "error places workspace requests asking"),
-    ("crates/cli", "usage number exit again contents stop render errors progress terminal args requests"),
+    (
+        "crates/cli",
+        "usage number exit again contents stop render errors progress keyboard terminal args requests",
+    ),
 ];
 
 /// A module of a crate by its path below the root: empty for the root itself.

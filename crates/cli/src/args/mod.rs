@@ -158,7 +158,7 @@ pub(crate) enum Subcommands {
         #[command(flatten)]
         clearance: ClearanceArgs,
     },
-    /// Run a job on its machine; Ctrl-C is STOP
+    /// Run a job on its machine; at a terminal Enter pauses and resumes it, Ctrl-C is STOP
     #[command(
         after_help = "Examples:\n  wirebend run cube.wbjob --port sim\n  wirebend run cube.wbjob --port /dev/ttyACM0\n  wirebend run cube.wbjob --port /dev/ttyACM0 --resume"
     )]

@@ -20,19 +20,20 @@ pub struct Asked {
 
 impl Asked {
     pub fn start(shop: &Shop, arguments: &[&str]) -> Self {
-        Self::start_with(shop, arguments, Stdio::null())
+        Self::start_with(shop, arguments, None, Stdio::null())
     }
 
-    /// What it prints for another program goes there.
-    fn start_with(shop: &Shop, arguments: &[&str], output: Stdio) -> Self {
+    /// Its input is the terminal, or comes from elsewhere; what it prints for another program goes there.
+    fn start_with(shop: &Shop, arguments: &[&str], input: Option<Stdio>, output: Stdio) -> Self {
         let (far, near, _) = terminal();
         let near = File::from(near);
+        let input = input.unwrap_or_else(|| near.try_clone().unwrap().into());
         let child = Command::new(wirebend())
             .args(arguments)
             .current_dir(shop.path())
             .env("XDG_CONFIG_HOME", shop.path())
             .env("XDG_DATA_HOME", shop.path())
-            .stdin(near.try_clone().unwrap())
+            .stdin(input)
             .stdout(output)
             .stderr(near)
             .spawn()
@@ -83,10 +84,16 @@ impl Asked {
     }
 
     pub fn status(&mut self) -> Option<i32> {
-        // What it writes must go somewhere, or it waits.
+        self.ends().0
+    }
+
+    /// Its status, and what it has said and nobody has looked for.
+    fn ends(&mut self) -> (Option<i32>, String) {
+        // What it writes must go somewhere, or it waits. The end of a terminal is an error.
         let mut rest = Vec::new();
         let _ = self.person.read_to_end(&mut rest);
-        self.child.wait().unwrap().code()
+        let said = std::mem::take(&mut self.seen) + &String::from_utf8_lossy(&rest);
+        (self.child.wait().unwrap().code(), said)
     }
 }
 
@@ -215,6 +222,41 @@ fn a_machine_that_was_made_to_hold_goes_on_at_a_persons_word() {
     }
 }
 
+/// Who sees something wrong pauses the wire with the largest key, looks, and lets it resume.
+#[test]
+fn enter_pauses_a_wire_and_enter_resumes_it() {
+    let shop = Shop::cube();
+    let mut asked = Asked::start(&shop, &["run", "a.wbjob", "--port", "sim:10", "--yes", "-v"]);
+    asked.sees("press Enter to pause").sees("step 1 of 8 is done").says("");
+    asked.sees("paused; press Enter to resume");
+    // A word is no Enter.
+    asked.says("go").says("");
+    let said = asked.until("resumed");
+    assert!(!said.contains("is done"), "a step was done while it was paused: {said}");
+    let said = asked.until("step 8 of 8 is done");
+    assert!(!said.contains("press Enter"), "it is said once for each wire: {said}");
+    assert_eq!(asked.status(), Some(0));
+    assert_eq!(shop.list()[0]["outcome"], "finished");
+}
+
+/// A script that feeds the program would pause the machine, and lose its own input.
+#[test]
+fn what_is_piped_to_a_run_is_left_to_others() {
+    let shop = Shop::cube();
+    let (unread, input) = rustix::pipe::pipe().unwrap();
+    let mut input = File::from(input);
+    input.write_all(b"\n\nof others\n").unwrap();
+    let piped = unread.try_clone().unwrap().into();
+    let mut asked = Asked::start_with(&shop, &[&RUN[..], &["--yes"]].concat(), Some(piped), Stdio::null());
+    let (status, said) = asked.ends();
+    assert_eq!(status, Some(0), "{said}");
+    assert!(said.contains("watch it") && !said.contains("Enter") && !said.contains("paused"), "{said}");
+    drop(input);
+    let mut left = String::new();
+    File::from(unread).read_to_string(&mut left).unwrap();
+    assert_eq!(left, "\n\nof others\n");
+}
+
 /// The cube of this size has no program that hits nothing: its search would go on for hours.
 const SEARCH: [&str; 12] = [
     "--units",
@@ -249,7 +291,7 @@ fn ctrl_c_ends_a_search_with_the_best_so_far_and_pressed_again_the_program() {
     let (unread, output) = rustix::pipe::pipe().unwrap();
     rustix::pipe::fcntl_setpipe_size(&output, 4096).unwrap();
     let to_output = [&plan[..plan.len() - 1], &["-"]].concat();
-    let mut asked = Asked::start_with(&shop, &to_output, output.into());
+    let mut asked = Asked::start_with(&shop, &to_output, None, output.into());
     asked.sees("searching for a program without collisions (Ctrl-C").presses_ctrl_c();
     asked.sees("ending the search").presses_ctrl_c();
     assert_eq!(asked.status(), Some(130));
