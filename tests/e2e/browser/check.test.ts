@@ -35,9 +35,9 @@ async function fixesOf(title: string | RegExp): Promise<void> {
   await check().locator(".line", { hasText: title }).getByRole("button", { name: "Fix…" }).click();
 }
 
-it("fixes 22 odd vertices with the edges that add least, shows it before, and takes it back", async () => {
+it("fixes 22 odd corners with the edges that add least, shows it before, and takes it back", async () => {
   await editor.take("bunny", "check");
-  await check().getByText("22 odd vertices: no single wire").waitFor();
+  await check().getByText("Needs more than one wire (22 odd corners)").waitFor();
   const { fixes } = await editor.loopback.ask("fixes", {});
   const doubles = fixes.find(({ edit }) => edit.edit === "doublings") as Fix & { edit: { edges: number[] } };
   const design = await editor.design();
@@ -45,8 +45,8 @@ it("fixes 22 odd vertices with the edges that add least, shows it before, and ta
   // Figures of the example's published description.
   expect([doubles.edit.edges.length, added.toFixed(1)]).toEqual([11, "601.4"]);
 
-  await fixesOf("22 odd vertices");
-  const fix = check().locator(".fix", { hasText: "Double 11 edges (+601.4 mm" });
+  await fixesOf("22 odd corners");
+  const fix = check().locator(".fix", { hasText: "Run the wire along 11 edges twice (+601.4 mm" });
   await fix.getByRole("button", { name: "Preview" }).click();
   await fix.locator("tr", { hasText: "Wire" }).getByText("11\u202f821.4 mm").waitFor();
   expect(await fix.getByRole("button", { name: "Preview" }).getAttribute("aria-pressed")).toBe("true");
@@ -69,23 +69,23 @@ it("fixes 22 odd vertices with the edges that add least, shows it before, and ta
   expect(shown).toMatch(/ mm$/);
 
   await editor.button(/^Undo/).click();
-  await check().getByText("22 odd vertices: no single wire").waitFor();
+  await check().getByText("Needs more than one wire (22 odd corners)").waitFor();
   expect((await editor.design()).state.doublings).toEqual([]);
 });
 
 it("bends a design from several wires, each with its figures beforehand, and closes it again", async () => {
   await editor.take("bunny", "check", "edit");
-  await fixesOf("22 odd vertices");
+  await fixesOf("22 odd corners");
   const titles = await check().locator(".fix-title").allInnerTexts();
   expect(titles.map((title) => title.replace(/ edges?.*/, ""))).toEqual([
-    "Double 11",
-    "Bend 2 wires, double 9",
-    "Bend 3 wires, double 8",
-    "Bend 4 wires, double 7",
-    "Bend 5 wires, double 6",
-    "Bend 6 wires, double 5",
+    "Run the wire along 11",
+    "Split into 2 wires, run along 9",
+    "Split into 3 wires, run along 8",
+    "Split into 4 wires, run along 7",
+    "Split into 5 wires, run along 6",
+    "Split into 6 wires, run along 5",
   ]);
-  const fix = check().locator(".fix", { hasText: "Bend 3 wires" });
+  const fix = check().locator(".fix", { hasText: "Split into 3 wires" });
   const figures = await fix.locator(".muted").innerText();
   expect(figures).toMatch(/^11\u202f[\d.]+ mm · stock [\d.]+ m · \d+:\d+ · \$[\d.]+ · gives 3 wires/);
   await fix.getByRole("button", { name: "Apply" }).click();
@@ -99,7 +99,7 @@ it("bends a design from several wires, each with its figures beforehand, and clo
   await until(async () => (await starts()).some((start, k) => start !== before[k])).toBe(true);
   await editor.section("edit").getByLabel("Closed: the wire ends where it starts").click();
   await until(() => most.inputValue()).toBe("1");
-  await check().getByText("6 odd vertices: no closed wire").waitFor();
+  await check().getByText("Cannot be a closed wire (6 odd corners)").waitFor();
 });
 
 it("says an edge is too short as soon as it is, and moves a vertex to fix it", async () => {
@@ -209,7 +209,7 @@ it("answers while a vertex is dragged, before it is let go", async () => {
 
 it("frames and selects what a line is about, and lists the places of several", async () => {
   await editor.take("bunny", "check", "edit");
-  await check().getByText("22 odd vertices: no single wire").click();
+  await check().getByText("Needs more than one wire (22 odd corners)").click();
   await editor
     .section("edit")
     .getByText(/^22 vertices/)

@@ -59,7 +59,7 @@ it("opens an example through the menus", async () => {
   }
   await press("Enter");
   await editor.page.getByRole("dialog", { name: "Examples" }).waitFor();
-  await tabTo(/^Bunny22 odd/);
+  await tabTo(/^BunnyNeeds more/);
   await press("Enter");
   await until(() => editor.page.locator(".top-name").innerText()).toBe("Bunny");
 });
@@ -75,7 +75,7 @@ it("fixes what Check names", async () => {
   await press("Enter");
   await editor.section("check").getByText("One wire runs through every edge").waitFor();
   await press("Control+z");
-  await editor.section("check").getByText("22 odd vertices").waitFor();
+  await editor.section("check").getByText("22 odd corners").waitFor();
   await press("Control+y");
   await editor.section("check").getByText("One wire runs through every edge").waitFor();
 });

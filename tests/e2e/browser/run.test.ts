@@ -90,7 +90,7 @@ it("connects the simulated machine, and says why the rest has to wait", async ()
   expect(await editor.page.locator(".stop-button").getAttribute("aria-disabled")).toBe("true");
   await connect("sim:max");
   await run().getByText("WireBend-kit · simulated").waitFor();
-  expect(await button("Start").getAttribute("title")).toBe("Arm a wire first.");
+  expect(await button("Start").getAttribute("title")).toBe("Arm the machine first.");
   expect(await button("Feed 10.0 mm").getAttribute("title")).toBe("Home the machine first.");
   expect(await editor.page.locator(".stop-button").getAttribute("aria-disabled")).toBeNull();
 });

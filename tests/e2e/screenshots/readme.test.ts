@@ -109,7 +109,7 @@ it("makes the pictures", async () => {
   await editor.section("check").getByRole("button", { name: /Fix/ }).first().click();
   const double = editor
     .section("check")
-    .locator("li", { hasText: /^Double 1 edge/ })
+    .locator("li", { hasText: /^Run the wire along 1 edge/ })
     .last();
   await double.getByRole("button", { name: "Preview" }).click();
   await picture("check");

@@ -3053,7 +3053,7 @@ export interface Fix {
   mends: DiagnosticReport;
   preview: FixPreview;
   /**
-   * For a button: "Double 13 edges (+102.0 mm)", "Move vertex 41 by 3.2 mm".
+   * For a button: "Run the wire along 13 edges twice (+102.0 mm)", "Move vertex 41 by 3.2 mm".
    */
   title: string;
 }

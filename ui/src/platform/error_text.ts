@@ -133,7 +133,7 @@ const REMEDIES: { readonly [K in Kind]: (remedy: Extract<ErrorRemedy, { remedy: 
   "turn-axes-back": () => "Turn the axes back by hand.",
   home: () => "Home the machine before it moves again.",
   "arm-again": () => "Arm the machine again.",
-  "arm-or-jog": () => "Arm a wire, or move it by hand.",
+  "arm-or-jog": () => "Arm the machine, or move it by hand.",
   "start-or-disarm": () => "Start the wire, or disarm it first.",
   "continue-or-stop": () => "Continue the wire, or stop it first.",
   "pause-or-stop": () => "Pause or stop it first.",

@@ -58,7 +58,7 @@ examples! {
     "phone-stand", "Phone stand", "phone-stand.obj", false, false, "Something to use on the same day.";
     "cup-holder", "Cup holder", "cup-holder.obj", false, false, "A ring for the cup, and a hook over the edge of a board.";
     "spring", "Spring", "spring.obj", false, false, "Many small bends, each with a turn.";
-    "bunny", "Bunny", "bunny.obj", true, false, "22 odd vertices: no single wire, until edges are doubled.";
+    "bunny", "Bunny", "bunny.obj", true, false, "Needs more than one wire (22 odd corners), until edges are doubled.";
     "teapot", "Teapot", "teapot.obj", true, false, "A large mesh as a wireframe.";
     "truss", "Truss", "truss-1.obj", false, false, "A structure of tetrahedra.";
     "bunny-stencil", "Bunny to trace", "bunny.obj", false, true, "A surface, on which you trace a wireframe of your own.";

@@ -79,10 +79,10 @@ pub(crate) struct ChoiceArgs {
     /// Wire in the machine, by id (see `wirebend materials`)
     #[arg(long, value_name = "ID")]
     pub material: Option<String>,
-    /// Travel the cheapest edges twice where the wires cannot run otherwise
+    /// Run the wire along the cheapest edges twice where the wires cannot run otherwise
     #[arg(long)]
     pub double: bool,
-    /// Travel edges twice, too, where only such a detour avoids a bend that the machine cannot make
+    /// Run it along edges twice, too, where only such a detour avoids a bend that the machine cannot make
     #[arg(long)]
     pub detours: bool,
     /// Bend the design from up to N wires, fewer where more would not save doubled edges; with `plan`, N..M compares numbers of wires

@@ -142,7 +142,7 @@ fn one(remedy: &ErrorRemedy) -> String {
         R::TurnAxesBack => "turn the axes back with `wirebend jog`".to_owned(),
         R::Home => "home the machine before it moves again".to_owned(),
         R::ArmAgain => "arm the machine again".to_owned(),
-        R::ArmOrJog => "arm a wire, or move it by hand".to_owned(),
+        R::ArmOrJog => "arm the machine, or move it by hand".to_owned(),
         R::StartOrDisarm => "start the wire, or disarm it first".to_owned(),
         R::ContinueOrStop => "resume it, or stop it first".to_owned(),
         R::PauseOrStop => "pause or stop it first".to_owned(),

@@ -148,7 +148,7 @@ fn a_person_reads_both_lengths_and_what_to_do() {
     assert!(done.out.is_empty(), "reports go to the error stream");
     let refused = run(&["plan", &example("cube.obj"), "--machine", "wirebend-kit"]).ended(4);
     for said in
-        ["no_euler_path", "8 vertices are odd", "double 3 edges", "90.0 mm", "[--double]", "cannot be bent"]
+        ["no_euler_path", "8 odd corners", "along 3 edges twice", "90.0 mm", "[--double]", "cannot be bent"]
     {
         assert!(refused.err.contains(said), "{said} is not in\n{}", refused.err);
     }

@@ -61,8 +61,8 @@ fn a_job_of_several_wires_is_made_and_bent() {
     );
     // Two wires are too few without doubled edges.
     let refused = run(&["check", &cube, "-m", "wirebend-kit", "--wires", "2"]).ended(4).err;
-    assert!(refused.contains("8 vertices are odd: no 2 wires run through every edge once"), "{refused}");
-    assert!(refused.contains("double 2 edges: that adds 60.0 mm"), "{refused}");
+    assert!(refused.contains("needs more than 2 wires (8 odd corners)"), "{refused}");
+    assert!(refused.contains("run the wire along 2 edges twice: that adds 60.0 mm"), "{refused}");
 }
 
 /// Two parts that do not touch need a wire each, and a third goes where it saves something.

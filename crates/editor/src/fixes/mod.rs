@@ -49,7 +49,7 @@ const MAX_FIXES: usize = 60;
 pub struct Fix {
     /// What it fixes, as [`Editor::check`] says it.
     pub mends: DiagnosticReport,
-    /// For a button: "Double 13 edges (+102.0 mm)", "Move vertex 41 by 3.2 mm".
+    /// For a button: "Run the wire along 13 edges twice (+102.0 mm)", "Move vertex 41 by 3.2 mm".
     pub title: String,
     pub edit: EditRequest,
     pub change: FixChange,

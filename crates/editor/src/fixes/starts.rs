@@ -17,7 +17,7 @@ pub(super) fn anywhere(finding: Finding, document: &Document) -> Vec<Candidate> 
         finding.wire.is_some_and(|wire| wire.component.vertices.binary_search(&start).is_ok())
     };
     let clear =
-        Candidate { title: "Start at the best vertex".to_owned(), edit: EditRequest::Start { vertex: None } };
+        Candidate { title: "Start point: automatic".to_owned(), edit: EditRequest::Start { vertex: None } };
     document.start.filter(|&start| here(start)).map(|_| clear).into_iter().collect()
 }
 

@@ -29,19 +29,19 @@ fn doubled(wire: &WirePlan, trials: &Trials) -> Option<Candidate> {
     edges.extend(&proposal.edges);
     edges.sort_unstable();
     Some(Candidate {
-        title: format!("Double {}", added(&proposal.edges, proposal.added, trials)),
+        title: format!("Run the wire along {}", twice(&proposal.edges, proposal.added, trials)),
         edit: doublings(&edges),
     })
 }
 
-/// "3 edges (+90.0 mm, +$0.18)".
-fn added(edges: &[EdgeId], length: Length, trials: &Trials) -> String {
+/// "3 edges twice (+90.0 mm, +$0.18)".
+fn twice(edges: &[EdgeId], length: Length, trials: &Trials) -> String {
     let count = match edges.len() {
         1 => "1 edge".to_owned(),
         count => format!("{count} edges"),
     };
     let cost = trials.price(length).map_or_else(String::new, |price| format!(", +{price}"));
-    format!("{count} (+{}{cost})", shown_mm(length.mm()))
+    format!("{count} twice (+{}{cost})", shown_mm(length.mm()))
 }
 
 fn doublings(edges: &[EdgeId]) -> EditRequest {
@@ -59,14 +59,14 @@ fn several(shares: &[Share], trials: &Trials) -> Candidate {
     let length: Length = doubled.clone().map(|doubling| doubling.added).sum();
     let edges: Vec<EdgeId> = doubled.flat_map(|doubling| doubling.edges.iter().copied()).collect();
     let less = match edges.as_slice() {
-        [] => "no edge doubled".to_owned(),
-        edges => format!("double {}", added(edges, length, trials)),
+        [] => "no doubled edges".to_owned(),
+        edges => format!("run along {}", twice(edges, length, trials)),
     };
     let kind = if trials.document().closed { "open wires" } else { "wires" };
     Candidate {
-        title: format!("Bend {wires} {kind}, {less}"),
+        title: format!("Split into {wires} {kind}, {less}"),
         edit: EditRequest::Several {
-            label: format!("bend {wires} wires"),
+            label: format!("split into {wires} wires"),
             edits: vec![
                 EditRequest::Wires { wires: u32::try_from(wires).unwrap_or(u32::MAX) },
                 doublings(&edges),
@@ -98,6 +98,6 @@ pub(super) fn detour(finding: Finding, trials: &Trials) -> Option<Candidate> {
     };
     edges.extend(around);
     edges.sort_unstable();
-    let title = format!("Take a detour: double {}", added(around, *length, trials));
+    let title = format!("Take a detour: run along {}", twice(around, *length, trials));
     Some(Candidate { title, edit: doublings(&edges) })
 }

@@ -35,11 +35,11 @@ pub fn about(
     let seconds = task.work(wire, connection)?.estimates.iter().map(Duration::as_secs_f64).sum();
     // How long the rest of a wire that was begun takes is not estimated.
     let time = if anew { format!("; {} on the machine", minutes(seconds)) } else { String::new() };
-    lines.push(format!("{which}: {steps}, {bends}, {:.1} are fed{time}", Mm(fed)));
+    lines.push(format!("{which}: {steps}, {bends}, {:.1} fed{time}", Mm(fed)));
     if anew {
         let tail = kept.stock_mm - fed;
         lines.push(format!(
-            "put in at least {:.0} of {}: the last {:.0} cannot be fed",
+            "load at least {:.0} of {} (includes {:.0} unusable tail)",
             Mm(kept.stock_mm.ceil()),
             setup.material_name(),
             Mm(tail)

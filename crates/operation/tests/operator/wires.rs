@@ -46,7 +46,7 @@ fn a_wire_is_armed_started_paused_and_made() {
     let question = seat.says(Answer::No);
     assert_eq!(question.kind, QuestionKind::Arm);
     // 8 edges of 30 mm; 7 bends; 225 mm of wire and 400 mm that cannot be fed.
-    for said in ["8 steps, 7 bends", "put in at least 625 mm", "between 0.0° and 90.0°"] {
+    for said in ["8 steps, 7 bends", "load at least 625 mm", "between 0.0° and 90.0°"] {
         assert!(question.lines.iter().any(|line| line.contains(said)), "{said}: {:?}", question.lines);
     }
     // It was homed just now.

@@ -179,8 +179,8 @@ mod tests {
             "value": 4.0,
             "limit": 2.0,
             "limit_source": "Euler: only the ends of wires may be odd",
-            "message": "4 vertices are odd: no single wire runs through every edge once",
-            "help": "double 1 edge: that adds 70.0 mm (50.0 % of the design), the least possible",
+            "message": "needs more than one wire (4 odd corners)",
+            "help": "run the wire along 1 edge twice: that adds 70.0 mm (50.0 % of the design), the least possible",
             "remedies": [{"remedy": "double_edges", "edges": [5], "added_mm": 70.0, "design_mm": 140.0}]
         });
         assert_eq!(serde_json::to_value(DiagnosticReport::from(&odd)).unwrap(), expected);

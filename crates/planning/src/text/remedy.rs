@@ -28,15 +28,15 @@ pub(super) fn clause(remedy: &Remedy) -> String {
             let share = 100.0 * added.mm() / design.mm().max(f64::MIN_POSITIVE);
             let edges = count(edges.len(), "edge", "edges");
             return format!(
-                "double {edges}: that adds {added:.1} ({share:.1} % of the design), the least possible"
+                "run the wire along {edges} twice: that adds {added:.1} ({share:.1} % of the design), the least possible"
             );
         }
         Remedy::Detour { edges, added } => {
             let edges = count(edges.len(), "more edge", "more edges");
-            return format!("take a detour: double {edges}, which adds {added:.1}");
+            return format!("take a detour: run the wire along {edges} twice, which adds {added:.1}");
         }
-        Remedy::FindDoubling => "double the cheapest edges",
-        Remedy::ReduceOddVertices => "add and delete edges until at most two vertices are odd",
+        Remedy::FindDoubling => "run the wire along the cheapest edges twice",
+        Remedy::ReduceOddVertices => "add and delete edges until at most two corners are odd",
         Remedy::StartAtVertex => "start the wire at this vertex",
         Remedy::EndAtVertex => "start or end the wire there",
         Remedy::ChooseStart => "start the wire at another vertex",

@@ -2,13 +2,15 @@
 
 use wirebend_core::wireframe::EdgeId;
 
+use super::number::count;
+
 pub(super) fn no_euler_path(odd: usize, allowed: usize) -> String {
     let wires = match allowed {
-        0 => "no closed wire runs".to_owned(),
-        2 => "no single wire runs".to_owned(),
-        more => format!("no {} wires run", more / 2),
+        0 => "cannot be a closed wire".to_owned(),
+        2 => "needs more than one wire".to_owned(),
+        more => format!("needs more than {} wires", more / 2),
     };
-    format!("{odd} vertices are odd: {wires} through every edge once")
+    format!("{wires} ({})", count(odd, "odd corner", "odd corners"))
 }
 
 pub(super) fn doubled_edge(edge: EdgeId, passes: usize) -> String {

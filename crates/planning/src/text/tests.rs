@@ -94,9 +94,9 @@ fn findings_of_the_drawing_name_vertices_and_edges() {
 fn findings_of_the_route_say_why_there_is_none() {
     let odd = |allowed| Fact::NoEulerPath { odd: 8, allowed };
     let nowhere = Location::default;
-    says(nowhere(), odd(4), "8 vertices are odd: no 2 wires run through every edge once");
-    says(nowhere(), odd(2), "8 vertices are odd: no single wire runs through every edge once");
-    says(nowhere(), odd(0), "8 vertices are odd: no closed wire runs through every edge once");
+    says(nowhere(), odd(4), "needs more than 2 wires (8 odd corners)");
+    says(nowhere(), odd(2), "needs more than one wire (8 odd corners)");
+    says(nowhere(), odd(0), "cannot be a closed wire (8 odd corners)");
     says(
         nowhere(),
         Fact::DoubledEdge { edge: EdgeId(7), passes: 2 },
@@ -316,7 +316,7 @@ fn remedies_are_alternatives_with_their_figures() {
     let edges = |count: u32| (0..count).map(EdgeId).collect();
     helps(
         vec![Remedy::DoubleEdges { edges: edges(3), added: mm(90.0), design: mm(360.0) }],
-        "double 3 edges: that adds 90.0 mm (25.0 % of the design), the least possible",
+        "run the wire along 3 edges twice: that adds 90.0 mm (25.0 % of the design), the least possible",
     );
     helps(
         vec![
@@ -324,7 +324,7 @@ fn remedies_are_alternatives_with_their_figures() {
             Remedy::LeaveStartOpen,
             Remedy::DoubleEdges { edges: edges(1), added: mm(70.0), design: mm(140.0) },
         ],
-        "start the wire at another vertex, leave its start open, or double 1 edge: that adds 70.0 mm (50.0 % of the design), the least possible",
+        "start the wire at another vertex, leave its start open, or run the wire along 1 edge twice: that adds 70.0 mm (50.0 % of the design), the least possible",
     );
 }
 

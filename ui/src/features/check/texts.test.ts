@@ -21,8 +21,8 @@ const odd: DiagnosticReport = {
   vertices: [4, 5],
   value: 22,
   limit: 2,
-  message: "22 vertices are odd",
-  help: "double 11 edges",
+  message: "needs more than one wire (22 odd corners)",
+  help: "run the wire along 11 edges twice",
 };
 const near: DiagnosticReport = {
   code: "bend_near_limit",
@@ -58,20 +58,21 @@ describe("the list of checks", () => {
 
   it("has one line for what is of a kind", () => {
     expect(groups.map(titleOf)).toEqual([
-      "22 odd vertices: no single wire",
+      "Needs more than one wire (22 odd corners)",
       "2 edges too short",
       "Bend at vertex 17 close to the limit",
     ]);
   });
 
-  it("says how many wires the odd vertices are too many for", () => {
-    expect(whatOf({ ...odd, value: 8, limit: 4 })).toBe("8 odd vertices: too many for 2 wires");
-    expect(groupsOf(check([odd, odd])).map(titleOf)).toEqual(["2 parts with too many odd vertices"]);
+  it("says how many wires are too few for the odd corners", () => {
+    expect(whatOf({ ...odd, value: 8, limit: 4 })).toBe("Needs more than 2 wires (8 odd corners)");
+    expect(whatOf({ ...odd, value: 6, limit: 0 })).toBe("Cannot be a closed wire (6 odd corners)");
+    expect(groupsOf(check([odd, odd])).map(titleOf)).toEqual(["2 parts with too many odd corners"]);
   });
 
   it("names the worst value, its limit and where that comes from", () => {
     expect(groups.map((group) => figuresOf(group, "mm"))).toEqual([
-      "Double 11 edges",
+      "Run the wire along 11 edges twice",
       "least 17.9 mm, limit 25.0 mm \u00b7 the head needs room",
       "\u2212151.3°, limit \u2212155.0°",
     ]);

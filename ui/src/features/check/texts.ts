@@ -31,8 +31,8 @@ type Title = { one(report: Place): string; many(count: string): string } | null;
 /** A title for every kind of finding: one that is new does not compile before it is decided how it is named. */
 const TITLES: Readonly<Record<DiagnosticCode, Title>> = {
   no_euler_path: {
-    one: ({ value, limit }) => `${number(value ?? 0, 0)} odd vertices: ${tooMany(limit ?? 2)}`,
-    many: (n) => `${n} parts with too many odd vertices`,
+    one: ({ value, limit }) => `${tooFew(limit ?? 2)} (${count(value ?? 0, "odd corner")})`,
+    many: (n) => `${n} parts with too many odd corners`,
   },
   edge_too_short: { one: (r) => `${edgeName(r)} too short`, many: (n) => `${n} edges too short` },
   edge_near_limit: {
@@ -104,8 +104,10 @@ const TITLES: Readonly<Record<DiagnosticCode, Title>> = {
 };
 
 /** Two vertices may be odd for each open wire. */
-const tooMany = (allowed: number): string =>
-  allowed === 0 ? "no closed wire" : allowed === 2 ? "no single wire" : `too many for ${count(allowed / 2, "wire")}`;
+const tooFew = (allowed: number): string =>
+  allowed === 0
+    ? "Cannot be a closed wire"
+    : `Needs more than ${allowed === 2 ? "one wire" : count(allowed / 2, "wire")}`;
 
 function edgeName({ edge, edges }: Place): string {
   const all = edges && edges.length > 1 ? edges : null;

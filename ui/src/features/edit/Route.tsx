@@ -20,7 +20,9 @@ export function Route() {
   return (
     <div className="stack">
       <div className="row wrap">
-        <span className="grow">{state.start === null ? "Start: automatic" : `Start: vertex ${state.start}`}</span>
+        <span className="grow">
+          {state.start === null ? "Start point: automatic" : `Start point: vertex ${state.start}`}
+        </span>
         {state.start !== null && (
           <Button small onClick={() => void edit({ edit: "start", vertex: null })}>
             Choose automatically

@@ -75,11 +75,11 @@ export function ArrayForm() {
           <Field label="Through">
             {() => <Segmented<About> label="The axis goes through" choices={ABOUT} value={about} onChoose={setAbout} />}
           </Field>
-          <Field label="Angle">
-            {({ id }) => <NumberField id={id} kind="angle" label="Angle" value={deg} onCommit={setDeg} />}
+          <Field label="Angle per copy">
+            {({ id }) => <NumberField id={id} kind="angle" label="Angle per copy" value={deg} onCommit={setDeg} />}
           </Field>
-          <Field label="Offset">
-            {({ id }) => <NumberField id={id} label="Offset along the axis" value={along} onCommit={setAlong} />}
+          <Field label="Rise per copy">
+            {({ id }) => <NumberField id={id} label="Rise per copy" value={along} onCommit={setAlong} />}
           </Field>
         </>
       )}

@@ -55,7 +55,7 @@ export function Connect() {
           <Line tone="warning" {...interrupted} />
         </ul>
       )}
-      <Field label="Port" stacked hint={simulated ? "Nothing moves: the machine is computed." : null}>
+      <Field label="Port" stacked hint={simulated ? "Simulation: no motors move." : null}>
         {(ids) => (
           <span className="row">
             <Select

@@ -39,7 +39,7 @@ describe("buttons", () => {
     expect(buttons(because("ready", "start", "no-wire-armed", "home", "jog", "arm"), READY)).toMatchObject({
       next: "arm",
       arm: null,
-      start: "Arm a wire first.",
+      start: "Arm the machine first.",
     });
     expect(buttons(state("armed", "start", "disarm", "jog"), READY)).toMatchObject({
       next: "start",
@@ -53,7 +53,7 @@ describe("buttons", () => {
     for (const phase of phases) {
       expect(buttons(state(phase, "home"), READY).home).toBeNull();
       expect(buttons(because(phase, "home", "wire-armed"), READY).home).toBe(
-        "A wire is armed: start or disarm it first.",
+        "The machine is armed: start or disarm it first.",
       );
     }
     expect(buttons(because("making", "pause", "unable"), READY).pause).toEqual({
@@ -103,7 +103,8 @@ describe("phrase", () => {
       job_hash: "",
       name: "House",
     };
-    expect(phrase({ ...state("making"), wire })).toBe("bending a wire · 14 of 31 done");
+    expect(phrase({ ...state("making"), wire })).toBe("bending · 14 of 31 done");
+    expect(phrase({ ...state("holding"), wire })).toBe("paused · 14 of 31 done");
   });
 });
 

@@ -22,7 +22,7 @@ export function LeavingDialog() {
         </>
       }
     >
-      <p>It has unsaved changes. They are lost if you do not save.</p>
+      <p>Unsaved changes will be lost.</p>
     </Dialog>
   );
 }

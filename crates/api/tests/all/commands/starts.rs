@@ -116,7 +116,7 @@ fn a_start_that_does_not_fit_says_what_doubling_would_add() {
     let refused =
         found.report.wires()[0].diagnostics.iter().find(|d| d.code.as_str() == "route_refused").unwrap();
     // From vertex 2 the shorter way to an end is the last side.
-    assert!(refused.help.contains("double 1 edge: that adds 70.0 mm"), "{}", refused.help);
+    assert!(refused.help.contains("run the wire along 1 edge twice: that adds 70.0 mm"), "{}", refused.help);
     request.choices.double = true;
     let Response::Plan(found) = Command::Plan(request).run(&app, &NoProgress).unwrap() else { panic!() };
     assert_eq!(found.report.wires()[0].route.as_ref().unwrap().doubled, [2]);

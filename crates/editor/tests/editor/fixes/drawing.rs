@@ -73,7 +73,7 @@ fn edges_that_end_on_others_are_joined_to_them() {
 fn a_start_that_does_not_fit_is_given_up() {
     let mut editor = on_kit(&[[0., 0., 0.], [60., 0., 0.], [60., 60., 0.]]);
     edit(&mut editor, &json!({"edit": "start", "vertex": 1}));
-    let check = mend(&mut editor, &app(), "Start at the best vertex");
+    let check = mend(&mut editor, &app(), "Start point: automatic");
     assert!(check.feasible);
     assert_eq!(editor.state().start, None);
 }

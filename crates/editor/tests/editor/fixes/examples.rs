@@ -24,7 +24,7 @@ fn fixes_keep_what_they_promise() {
     for name in ["bunny.obj", "teapot.obj"] {
         let mut editor = frame(name);
         let doubled = promised(&mut editor, &app()).remove(0);
-        assert!(doubled.title.starts_with("Double "), "{}", doubled.title);
+        assert!(doubled.title.starts_with("Run the wire along "), "{}", doubled.title);
         editor.edit(&app(), &doubled.edit).unwrap();
         promised(&mut editor, &app());
     }
@@ -39,7 +39,11 @@ fn what_is_doubled_is_the_least() {
         let fixes = editor.fixes(&app()).unwrap();
         let fix = fixes.iter().find(|fix| fix.mends.code.as_str() == "no_euler_path").unwrap();
         let added = length_mm - once;
-        assert!(fix.title.starts_with(&format!("Double {count} edges (+{added:.1} mm, +")), "{}", fix.title);
+        assert!(
+            fix.title.starts_with(&format!("Run the wire along {count} edges twice (+{added:.1} mm, +")),
+            "{}",
+            fix.title
+        );
         assert_eq!(fix.preview.doubled.len(), count);
         editor.edit(&app(), &fix.edit).unwrap();
         let check = editor.check(&app(), &[]).unwrap();
@@ -62,21 +66,21 @@ fn a_cube_is_four_wires_or_fewer_with_edges_twice() {
     assert_eq!(
         titles(&fixes, "no_euler_path"),
         [
-            "Double 3 edges (+90.0 mm, +$0.18)",
-            "Bend 2 wires, double 2 edges (+60.0 mm, +$0.12)",
-            "Bend 3 wires, double 1 edge (+30.0 mm, +$0.06)",
-            "Bend 4 wires, no edge doubled"
+            "Run the wire along 3 edges twice (+90.0 mm, +$0.18)",
+            "Split into 2 wires, run along 2 edges twice (+60.0 mm, +$0.12)",
+            "Split into 3 wires, run along 1 edge twice (+30.0 mm, +$0.06)",
+            "Split into 4 wires, no doubled edges"
         ]
     );
     let further: Vec<usize> = fixes.iter().map(|fix| fix.preview.detached.len()).collect();
     assert_eq!(further, [0, 1, 2, 3]);
-    let check = mend(&mut editor, &app(), "Bend 4 wires, no edge doubled");
+    let check = mend(&mut editor, &app(), "Split into 4 wires, no doubled edges");
     assert!(check.feasible);
     assert_eq!(check.wires.len(), 4);
     let length: f64 = check.wires.iter().map(|wire| wire.length_mm.unwrap()).sum();
     assert!((length - 12.0 * 30.0).abs() < 1e-9, "every edge once");
     let state = editor.state();
-    assert_eq!((state.undo.as_deref(), state.wires), (Some("bend 4 wires"), 4));
+    assert_eq!((state.undo.as_deref(), state.wires), (Some("split into 4 wires"), 4));
     assert_eq!(codes(&check), [""; 0]);
     assert!(editor.fixes(&app()).unwrap().is_empty());
 }
@@ -87,7 +91,7 @@ fn several_wires_replace_earlier_doublings() {
     let mut editor = open("cube.obj");
     edit(&mut editor, &json!({"edit": "doublings", "edges": [0]}));
     edit(&mut editor, &json!({"edit": "start", "vertex": 7}));
-    let check = mend(&mut editor, &app(), "Bend 4 wires, no edge doubled");
+    let check = mend(&mut editor, &app(), "Split into 4 wires, no doubled edges");
     assert!(check.feasible, "{check:?}");
     assert_eq!(editor.state().doublings, [0; 0]);
     assert_eq!(check.wires[0].route[0], 7);
@@ -103,8 +107,8 @@ fn a_closed_wire_is_the_only_one() {
     let state = editor.state();
     assert_eq!((state.wires, state.closed, state.reversed), (1, true, true));
     let offered = titles(&promised(&mut editor, &app()), "no_euler_path");
-    assert!(offered.contains(&"Bend 4 open wires, no edge doubled".to_owned()), "{offered:?}");
-    let check = mend(&mut editor, &app(), "Double 4 edges (+120.0 mm, +$0.24)");
+    assert!(offered.contains(&"Split into 4 open wires, no doubled edges".to_owned()), "{offered:?}");
+    let check = mend(&mut editor, &app(), "Run the wire along 4 edges twice (+120.0 mm, +$0.24)");
     assert_eq!(check.wires[0].route.first(), check.wires[0].route.last());
     edit(&mut editor, &json!({"edit": "wires", "wires": 2}));
     assert_eq!((editor.state().wires, editor.state().closed), (2, false));
@@ -131,10 +135,10 @@ fn a_fold_back_is_not_made_where_two_wires_do() {
     let mut editor = open("fold-back.obj");
     let fixes = promised(&mut editor, &app());
     let offered = titles(&fixes, "no_euler_path");
-    let two = "Bend 2 wires, no edge doubled".to_owned();
+    let two = "Split into 2 wires, no doubled edges".to_owned();
     assert!(offered.contains(&two), "{offered:?}");
     // Doubled anyway, the way out is offered again.
-    let doubled = fixes.iter().find(|fix| fix.title.starts_with("Double ")).unwrap();
+    let doubled = fixes.iter().find(|fix| fix.title.starts_with("Run the wire along ")).unwrap();
     editor.edit(&app(), &doubled.edit).unwrap();
     let fixes = promised(&mut editor, &app());
     assert!(titles(&fixes, "fold_back").contains(&two), "{fixes:?}");

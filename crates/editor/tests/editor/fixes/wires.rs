@@ -33,7 +33,7 @@ fn one_of_two_parts_is_bent_from_two_wires() {
     let mut editor = on_kit(&[[0., 200., 0.], [80., 200., 0.]]);
     edit(&mut editor, &json!({"edit": "draw", "through_mm": [[-60, 0, 0], [0, 0, 0], [60, 0, 0]]}));
     crossed(&mut editor, 3);
-    let title = "Bend 3 wires, no edge doubled";
+    let title = "Split into 3 wires, no doubled edges";
     let fixes = promised(&mut editor, &app());
     let fix = fixes.iter().find(|fix| fix.title == title);
     let fix = fix.unwrap_or_else(|| panic!("{:?}", titles(&fixes, "no_euler_path")));
@@ -74,7 +74,7 @@ fn a_detour_keeps_what_is_doubled() {
     for wires in [2, 4] {
         let mut editor = frame("bunny.obj");
         let fixes = editor.fixes(&app()).unwrap();
-        let several = format!("Bend {wires} wires, ");
+        let several = format!("Split into {wires} wires, ");
         let several = fixes.iter().find(|fix| fix.title.starts_with(&several)).unwrap();
         editor.edit(&app(), &several.edit).unwrap();
         let doubled = editor.state().doublings;

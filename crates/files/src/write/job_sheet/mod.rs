@@ -84,7 +84,7 @@ pub fn job_sheet(sheet: &JobSheet) -> Pdf {
     let area = flow.take(height);
     picture::draw(flow.page(), &wires, area);
     for (index, wire) in sheet.wires.iter().enumerate() {
-        facts(&mut flow, &numbered("It takes", index, sheet.wires.len()), &wire.facts);
+        facts(&mut flow, &numbered("Totals", index, sheet.wires.len()), &wire.facts);
     }
     checks(&mut flow, sheet);
     figures(&mut flow, sheet);

@@ -64,7 +64,7 @@ export function Comparison() {
         </>
       )}
       <div className="row end wrap">
-        <Button onClick={stopComparing}>Keep</Button>
+        <Button onClick={stopComparing}>Cancel</Button>
         {own && (
           <Button kind="primary" onClick={() => void switchTo(machine, own.material)}>
             Switch, with its own wire

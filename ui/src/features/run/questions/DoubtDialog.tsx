@@ -126,7 +126,7 @@ function Figures({ doubt }: { readonly doubt: Doubt }) {
   const rows: [string, string][] = [
     ["Step", `${step} of ${of}, wire ${wire + 1}`],
     ["As designed", motion(designed)],
-    ["As sent", motion(told)],
+    ["Command sent", motion(told)],
     ...(before.feed_mm || before.rotate_deg ? [["Done before", share(before)] as [string, string]] : []),
     ["Counted", counted ? share(counted) : "not counted by the machine"],
   ];

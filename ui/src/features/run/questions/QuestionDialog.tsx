@@ -11,7 +11,7 @@ import { DoubtDialog } from "./DoubtDialog";
 /** Title, and what no and yes are called. No comes first and has the focus: it is what changes nothing. */
 const WORDS: Readonly<Record<Exclude<Question["kind"], "doubt">, readonly [string, string, string]>> = {
   move: ["The machine is about to move", "Do not move", "Move"],
-  arm: ["Arm the wire", "Do not arm", "Arm"],
+  arm: ["Arm the machine", "Do not arm", "Arm"],
   "go-on": ["The wire is about to resume", "Do not resume", "Resume"],
   said: ["Confirm your earlier answer", "It is different", "It is right"],
   settings: ["The machine's settings are about to be written", "Do not write", "Write"],
