@@ -201,7 +201,8 @@ it("arms with a summary, starts, shows the steps, pauses and resumes", async () 
         .catch(() => undefined);
     return (await state()).phase;
   }).toBe("holding");
-  await stands("holding");
+  await run().locator(".run-phase.holding", { hasText: /^paused$/ }).waitFor();
+  await shown.filter({ hasText: /^paused · step/ }).waitFor();
   await atRest();
   const held = await state();
   await editor.isCleanNow("run-holding");

@@ -28,6 +28,8 @@ describe("buttons", () => {
     expect(buttons(because("making", "home", "wire-under-way"), READY).home).toBe("A wire is being bent.");
     expect(doingPhrase({ ...state("ready"), doing: "reading", question })).toBe("waits for an answer");
     expect(doingPhrase(state("homing"))).toBe("homing");
+    expect(doingPhrase({ ...state("making"), doing: "bending the wire" })).toBe("bending the wire");
+    expect(doingPhrase({ ...state("holding"), doing: "bending the wire" })).toBe("paused");
   });
 
   it("leads from connected to home, arm, start", () => {

@@ -129,9 +129,10 @@ const PHASES: Readonly<Record<Phase, string>> = {
   closed: "not connected",
 };
 
-/** How it stands, and what it does within that; a user who is asked has to answer first. */
+/** How it stands, and what it does within that, unless it is paused; a user who is asked has to answer first. */
 export function doingPhrase({ phase, doing, question }: Pick<MachineState, "phase" | "doing" | "question">): string {
-  return question ? "waits for an answer" : (doing ?? PHASES[phase]);
+  if (question) return "waits for an answer";
+  return phase === "holding" ? PHASES.holding : (doing ?? PHASES[phase]);
 }
 
 /** What the header of the section says. */

@@ -27,7 +27,9 @@ const LIVE = "A machine is bending the wire.";
 export function Timeline() {
   const { program, wire, asking } = useProgram();
   const { played, step, playing, live } = usePlayback();
-  const inDoubt = useRun((run) => run.question?.doubt != null);
+  const stands = useRun(({ question, state }) =>
+    question?.doubt != null ? "stopped" : state?.phase === "holding" ? "paused" : "bending",
+  );
   const stale = useStale();
   const speeds = useSpeeds();
   const { length } = useLengths();
@@ -93,8 +95,7 @@ export function Timeline() {
       {byHand === null ? (
         <>
           <span className="timeline-step">
-            {live ? (inDoubt ? "stopped · " : "bending · ") : ""}step {at + 1} / {total} ·{" "}
-            {percent(total > 0 ? step / total : 0)}
+            {live ? `${stands} · ` : ""}step {at + 1} / {total} · {percent(total > 0 ? step / total : 0)}
           </span>
           <span className="timeline-time muted">
             {time(
