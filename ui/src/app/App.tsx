@@ -2,6 +2,7 @@ import "./App.css";
 import { AboutDialog } from "../features/about/AboutDialog";
 import { AnimateSection } from "../features/animate/AnimateSection";
 import { CheckSection } from "../features/check/CheckSection";
+import { ContextMenu } from "../features/context/ContextMenu";
 import { EditSection } from "../features/edit/EditSection";
 import { ExportSection } from "../features/export/ExportSection";
 import { MachineSection } from "../features/machine/MachineSection";
@@ -81,6 +82,9 @@ export function App() {
         <Dialogs />
         <AboutDialog />
         <DropArea />
+      </Guard>
+      <Guard name="A menu">
+        <ContextMenu />
       </Guard>
     </div>
   );

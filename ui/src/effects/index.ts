@@ -9,6 +9,7 @@ import { followDesign } from "./design";
 import { listenToSystem } from "./files";
 import { listenToKeys } from "./keyboard";
 import { followMachine, followPlayback } from "./machine";
+import { listenToRightClicks } from "./right_click";
 import { followWindow } from "./window";
 
 /** Starts all of them; the function that is returned ends them. */
@@ -19,6 +20,7 @@ export function start(): End {
     followPlayback(),
     followMachine(),
     listenToKeys(),
+    listenToRightClicks(),
     listenToSystem(),
   ]);
 }

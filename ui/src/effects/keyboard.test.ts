@@ -50,6 +50,40 @@ describe("keys of the window", () => {
     expect(ran).toEqual(["save"]);
   });
 
+  it("do nothing to the design while a field was used last, although it has lost the focus", () => {
+    const field = add('<div><input type="text" data-target><p>mm</p></div><canvas class="work" tabindex="0"></canvas>');
+    (field as HTMLElement).focus();
+    (field as HTMLElement).blur();
+    for (const key of ["m", "x", "Delete", "1", " "]) expect(press(key).defaultPrevented).toBe(true);
+    expect(ran).toEqual([]);
+    expect(useProblems.getState().problems.map(({ code }) => code)).toEqual(["keys_of_view"]);
+    press("s", document.body, { ctrlKey: true });
+    press("Escape");
+    expect(ran).toEqual(["save", "end"]);
+    document.querySelector("canvas")?.dispatchEvent(new PointerEvent("pointerdown", { bubbles: true }));
+    press("m");
+    expect(ran.at(-1)).toBe("merge");
+    useProblems.setState({ problems: [] });
+  });
+
+  it("work again once something else has the focus, and after a dialog with fields", () => {
+    const field = add('<input type="text" data-target><button>Arm</button><dialog><input type="text"></dialog>');
+    (field as HTMLElement).focus();
+    document.querySelector("button")?.focus();
+    press("m");
+    const asked = document.querySelector<HTMLInputElement>("dialog input");
+    asked?.focus();
+    asked?.blur();
+    press("c");
+    expect(ran).toEqual(["merge", "connect"]);
+  });
+
+  it("do not load the page anew", () => {
+    for (const held of [{}, { ctrlKey: true }]) expect(press("F5", document.body, held).defaultPrevented).toBe(true);
+    expect(press("r", document.body, { ctrlKey: true }).defaultPrevented).toBe(true);
+    expect(ran).toEqual([]);
+  });
+
   it("stop the machine wherever the focus is, also under a question, also while composing, once a press", () => {
     const field = add('<dialog open><input type="text" data-target></dialog>');
     press(" ", field, { ctrlKey: true, isComposing: true });

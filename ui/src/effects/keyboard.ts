@@ -3,14 +3,8 @@ import { copied, pasteText, remove } from "../state/design/operations";
 import { run, whyNot } from "../state/window/commands";
 import { type CommandId, chordOf, commandOf } from "../state/window/keys";
 import { useView } from "../state/window/view";
-
-/** Whether the focus is where a person writes, so that letters are letters. */
-function typing(target: EventTarget | null): boolean {
-  if (!(target instanceof HTMLElement)) return false;
-  if (target.isContentEditable || target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement)
-    return true;
-  return target instanceof HTMLInputElement && !["checkbox", "radio", "range", "button"].includes(target.type);
-}
+import { together } from "./changes";
+import { followFields, typing, wasTyping } from "./fields";
 
 /** Keys that a control uses itself while it has the focus. */
 function used(target: EventTarget | null, key: string): boolean {
@@ -36,9 +30,24 @@ function stopPressed(event: KeyboardEvent): void {
   if (!event.repeat) run(entry.command);
 }
 
+/** To load the page anew would leave the machine with a connection that nobody holds. */
+function reloads(event: KeyboardEvent): void {
+  if (["F5", "Ctrl+F5", "Ctrl+R", "Ctrl+Shift+R"].includes(chordOf(event))) event.preventDefault();
+}
+
+/** A key that writes or deletes a sign. */
+const writesSign = ({ key, ctrlKey, metaKey, altKey }: KeyboardEvent): boolean =>
+  !ctrlKey && !metaKey && !altKey && (key.length === 1 || key === "Delete" || key === "Backspace");
+
 function pressed(event: KeyboardEvent): void {
   if (event.isComposing || event.defaultPrevented || asked() || inMenu(event)) return;
   const writes = typing(event.target);
+  if (!writes && wasTyping() && writesSign(event)) {
+    event.preventDefault();
+    if (commandOf(chordOf(event), false))
+      tell("info", "A field was used last: click in the view first, then its keys work.", "keys_of_view");
+    return;
+  }
   // While something is moved, X, Y, Z, digits and Enter belong to the move.
   if (!writes && useView.getState().handle?.handleKey(event)) {
     event.preventDefault();
@@ -88,10 +97,11 @@ export function listenToKeys(): () => void {
   const stop = new AbortController();
   const { signal } = stop;
   window.addEventListener("keydown", stopPressed, { signal, capture: true });
+  window.addEventListener("keydown", reloads, { signal, capture: true });
   window.addEventListener("keydown", () => (middle = false), { signal, capture: true });
   window.addEventListener("pointerdown", ({ button }) => (middle = button === 1), { signal, capture: true });
   window.addEventListener("keydown", pressed, { signal });
   for (const type of ["copy", "cut", "paste"] as const) document.addEventListener(type, clipboard, { signal });
   for (const type of ["beforecopy", "beforecut", "beforepaste"]) document.addEventListener(type, wanted, { signal });
-  return () => stop.abort();
+  return together([followFields(), () => stop.abort()]);
 }

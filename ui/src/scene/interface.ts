@@ -139,6 +139,8 @@ export interface SceneListener {
   strandEnded(): void;
   /** "Front", "Back", "Right", "Left", "Top", "Bottom", "Parallel", or "Perspective": also once the view was turned, so that a name no longer holds. */
   viewChanged(name: string): void;
+  /** A right click that neither turned the view nor gave something up; what it is on is selected. */
+  menu(at: { readonly x: number; readonly y: number }): void;
 }
 
 /**

@@ -18,12 +18,17 @@ export function Viewport() {
     let end = () => {};
     let gone = false;
     void Promise.all([import("../../scene/viewport"), begun()]).then(([{ Viewport: View }]) => {
-      if (gone || !host.current) return;
+      const element = host.current;
+      if (gone || !element) return;
       try {
-        scene = new View(host.current, listenerOf(), {
-          label: "View of the design. Keys: question mark lists them.",
-          lengths: lengthFormat(useUnits.getState().unit),
-        });
+        scene = new View(
+          element,
+          listenerOf(() => element.getBoundingClientRect()),
+          {
+            label: "View of the design. Keys: question mark lists them.",
+            lengths: lengthFormat(useUnits.getState().unit),
+          },
+        );
       } catch (error) {
         const why = error instanceof Error ? error.message : String(error);
         setWrong(why);

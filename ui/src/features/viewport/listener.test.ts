@@ -5,6 +5,7 @@ const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(async () => {}), 
 vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
 
 import { type DesignState, useDesign } from "../../state/design/design";
+import { closeMenu, useContextMenu } from "../../state/window/context_menu";
 import { useView } from "../../state/window/view";
 import { drawOf, endOf, listenerOf, strokeOf } from "./listener";
 
@@ -36,13 +37,13 @@ describe("the strand that is shown in the panel", () => {
 
   it("has the edges that were drawn", async () => {
     platform.ask.mockResolvedValue(made);
-    expect(await listenerOf().stroke(stroke)).toBe(1);
+    expect(await listenerOf(() => ({ left: 0, top: 44 })).stroke(stroke)).toBe(1);
     expect(useView.getState().strand).toBe(1);
   });
 
   it("is over when it was ended while its stroke was on its way", async () => {
     platform.ask.mockResolvedValue(made);
-    const listener = listenerOf();
+    const listener = listenerOf(() => ({ left: 0, top: 44 }));
     const drawn = listener.stroke(stroke);
     listener.strandEnded();
     await drawn;
@@ -105,4 +106,10 @@ describe("a stroke", () => {
     expect(request).toEqual({ edit: "split", edge: 7, at: 0.5 });
     expect(endOf(ends, [60])).toBe(60);
   });
+});
+
+it("shows the menu of a right click where it was, in the window", () => {
+  listenerOf(() => ({ left: 10, top: 44 })).menu({ x: 100, y: 200 });
+  expect(useContextMenu.getState().opened).toMatchObject({ place: "design", at: { x: 110, y: 244 } });
+  closeMenu();
 });

@@ -3,6 +3,7 @@ import type { Moved, SceneListener, Stroke } from "../../scene/interface";
 import { checkDesign, edit, useDesign } from "../../state/design/design";
 import { select } from "../../state/design/selection";
 import { settled } from "../../state/design/turns";
+import { openMenu } from "../../state/window/context_menu";
 import { useView } from "../../state/window/view";
 
 /** The stroke as a change. */
@@ -62,8 +63,8 @@ async function stroke(asked: Stroke): Promise<number | null> {
   return next;
 }
 
-/** What is done with what the view reports. */
-export function listenerOf(): SceneListener {
+/** What is done with what the view reports; `corner` is its own in the window, px. */
+export function listenerOf(corner: () => { readonly left: number; readonly top: number }): SceneListener {
   return {
     selected: ({ vertices, edges }) => select(vertices, edges),
     hovered: (hovered) => useView.setState({ hovered }),
@@ -76,6 +77,10 @@ export function listenerOf(): SceneListener {
       useView.setState({ strand: null });
     },
     viewChanged: (viewName) => useView.setState({ viewName }),
+    menu: ({ x, y }) => {
+      const { left, top } = corner();
+      openMenu("design", { x: left + x, y: top + y });
+    },
   };
 }
 

@@ -21,9 +21,9 @@ beforeEach(() => {
   pointer = new Pointer(canvas, new Camera(), () => tool, vi.fn(), vi.fn());
 });
 
-function send(name: string, x: number): void {
+function send(name: string, x: number, button = 0): void {
   // The canvas lies 100 pixels from the left.
-  const event = new PointerEvent(name, { button: 0, clientX: x + 100 });
+  const event = new PointerEvent(name, { button, clientX: x + 100, cancelable: true });
   Object.defineProperties(event, { offsetX: { value: x }, offsetY: { value: 0 } });
   canvas.dispatchEvent(event);
 }
@@ -74,4 +74,19 @@ it("ends a drag where the last move was, although no frame came between", () => 
   send("pointerup", 30);
   expect(dragged()).toEqual([10, 30]);
   expect(tool.release).toHaveBeenCalledWith(expect.objectContaining({ x: 30 }), true);
+});
+
+it("asks for the menu by a right click that did not turn the view, and by the key for it", () => {
+  const asked = (): number[] => tool.context.mock.calls.map(([at]) => (at as Place).x);
+  send("pointerdown", 5, 2);
+  send("contextmenu", 5, 2);
+  expect(asked()).toEqual([]);
+  send("pointerup", 5, 2);
+  expect(asked()).toEqual([5]);
+  send("pointerdown", 5, 2);
+  send("pointermove", 60, 2);
+  send("pointerup", 60, 2);
+  expect(asked()).toEqual([5]);
+  send("contextmenu", 0, 0);
+  expect(tool.context).toHaveBeenCalledTimes(2);
 });

@@ -23,8 +23,8 @@ export interface ToolHandler {
   drag(at: Place): void;
   release(at: Place, dragged: boolean): void;
   double(at: Place): void;
-  /** Right click without dragging. */
-  context(): void;
+  /** Right click without dragging, or the key for it. */
+  context(at: Place): void;
   /** The system has taken the pointer away. */
   abort(): void;
 }
@@ -74,7 +74,7 @@ export class Pointer {
     on("mousedown", (event) => void (event.button === 1 && event.preventDefault()));
     on("wheel", (event) => this.wheel(event));
     on("dblclick", (event) => this.tool().double(this.place(event)));
-    on("contextmenu", (event) => event.preventDefault());
+    on("contextmenu", (event) => this.asked(event));
   }
 
   /** What came since the last frame. */
@@ -163,7 +163,7 @@ export class Pointer {
     this.pressed = null;
     this.corner = null;
     if (mode === "tool") this.tool().release(at, far);
-    else if (event.button === 2 && !far) this.tool().context();
+    else if (event.button === 2 && !far) this.tool().context(at);
   }
 
   private aborted(event: PointerEvent): void {
@@ -181,6 +181,14 @@ export class Pointer {
     this.hovering = null;
     this.left = true;
     this.schedule();
+  }
+
+  /** By the button it comes with the press, of which is not known yet whether it turns the view; by a key there is no press. */
+  private asked(event: MouseEvent): void {
+    event.preventDefault();
+    if (event.button === 2) return;
+    const [x, y] = [this.camera.width / 2, this.camera.height / 2];
+    this.tool().context({ x, y, shift: false, ctrl: false, touch: false });
   }
 
   private wheel(event: WheelEvent): void {

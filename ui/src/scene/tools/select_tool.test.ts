@@ -16,7 +16,7 @@ const ENDS = [
   [1, 2],
 ] as const;
 
-const listener = { dropped: vi.fn(), dragging: vi.fn(), dragCancelled: vi.fn(), hovered: vi.fn(), selected: vi.fn() };
+const listener = { dropped: vi.fn(), dragging: vi.fn(), dragCancelled: vi.fn(), hovered: vi.fn(), selected: vi.fn(), menu: vi.fn() };
 let stage: Stage;
 let tool: SelectTool;
 
@@ -82,5 +82,27 @@ describe("while something is moved", () => {
     expect(listener.dragCancelled).toHaveBeenCalledOnce();
     expect(listener.dropped).not.toHaveBeenCalled();
     expect(place()).toEqual(at);
+  });
+});
+
+describe("a right click", () => {
+  const at = (id: number) => {
+    const { x, y } = stage.projection.seen(given(stage.design.place(id) ?? undefined));
+    return { x, y, shift: false, ctrl: false, touch: false };
+  };
+
+  it("gives up what is in the hand, and asks for nothing else", () => {
+    tool.context(at(1));
+    expect([tool.grab, listener.menu.mock.calls.length]).toEqual([null, 0]);
+  });
+
+  it("selects what it is on, and leaves a selection alone that has it", () => {
+    tool.cancel();
+    tool.context(at(2));
+    expect([...stage.selected.selection.vertices]).toEqual([2]);
+    stage.select({ vertices: new Set([0, 2]), edges: new Set() });
+    tool.context(at(0));
+    expect([...stage.selected.selection.vertices]).toEqual([0, 2]);
+    expect(listener.menu).toHaveBeenCalledTimes(2);
   });
 });

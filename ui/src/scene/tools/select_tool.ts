@@ -97,8 +97,13 @@ export class SelectTool implements ToolHandler {
     if (vertex !== undefined) this.choose(stage.design.connected(vertex), { ...at, ctrl: false });
   }
 
-  context(): void {
-    this.cancel();
+  /** What is moved is given up; else what is there is chosen, where it is not part of the selection, and its menu shown. */
+  context(at: Place): void {
+    if (this.cancel()) return;
+    const { stage } = this;
+    const picked = stage.playing ? null : pick(stage.design, stage.projection, at.x, at.y, at.touch);
+    if (picked && !this.isSelected(picked)) this.choose(only(picked), { ...at, shift: false, ctrl: false });
+    this.listener.menu({ x: at.x, y: at.y });
   }
 
   abort(): void {

@@ -74,8 +74,8 @@ export class TraceTool implements ToolHandler {
     // Each of its clicks was taken already.
   }
 
-  context(): void {
-    this.cancel();
+  context(at: Place): void {
+    if (!this.cancel()) this.listener.menu({ x: at.x, y: at.y });
   }
 
   abort(): void {

@@ -120,3 +120,31 @@ describe("a field for a length", () => {
     expect(committed).toEqual([]);
   });
 });
+
+describe("beside its digits", () => {
+  it("a click on the unit keeps the focus, and gives it to a field that has none", () => {
+    const field = show();
+    const unit = at.host.querySelector(".number-unit");
+    const click = () => {
+      const event = new MouseEvent("mousedown", { bubbles: true, cancelable: true });
+      act(() => void unit?.dispatchEvent(event));
+      return event.defaultPrevented;
+    };
+    expect([click(), document.activeElement === field]).toEqual([true, true]);
+    field.setSelectionRange(1, 1);
+    expect([click(), document.activeElement === field, field.selectionStart]).toEqual([true, true, 1]);
+  });
+
+  it("the menu of a right click takes the focus, and nothing of what was typed", () => {
+    const field = show();
+    const menu = document.createElement("div");
+    menu.setAttribute("role", "menu");
+    document.body.append(menu);
+    type(field, "12", "Shift");
+    act(() => void field.dispatchEvent(new FocusEvent("focusout", { bubbles: true, relatedTarget: menu })));
+    expect([field.value, committed]).toEqual(["12", []]);
+    act(() => void field.dispatchEvent(new FocusEvent("focusout", { bubbles: true })));
+    expect(committed).toEqual([12]);
+    menu.remove();
+  });
+});

@@ -1,4 +1,4 @@
-import { type KeyboardEvent, useEffect, useRef, useState } from "react";
+import { type FocusEvent, type KeyboardEvent, type MouseEvent, useEffect, useRef, useState } from "react";
 import "./controls.css";
 import { type DisplayUnit, lengthNumber, number, short, unitName } from "../figures/format";
 import { parseAngle, parseLength, parseNumber } from "../figures/parse";
@@ -146,14 +146,24 @@ export function NumberField({
       onCommit(next);
     }
   };
-  const leave = () => {
+  const leave = ({ relatedTarget }: FocusEvent) => {
+    // The menu of a right click gives the focus back.
+    if (relatedTarget instanceof Element && relatedTarget.closest("[role=menu]")) return;
     if (wrong) setTyped(null);
     else commit();
     stepped.current = [];
   };
+  /** A click beside the digits, such as on the unit, is one on the field. */
+  const beside = (event: MouseEvent) => {
+    if (event.target === field.current) return;
+    event.preventDefault();
+    if (document.activeElement !== field.current) field.current?.focus();
+  };
   return (
+    // biome-ignore lint/a11y/noStaticElementInteractions: the field in it is what is used; around it is its frame
     <span
       className={wrong ? "number-field wrong" : "number-field"}
+      onMouseDown={beside}
       data-off={why ? true : undefined}
       title={why ?? (wrong ? `Expected ${limits}` : undefined)}
     >

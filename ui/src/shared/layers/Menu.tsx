@@ -27,7 +27,7 @@ export type MenuItem = { readonly kind: "rule" } | Item | Submenu;
 
 /** px between a head and its menu, from the edges of the window, and of a submenu over its own. */
 const APART = 4;
-const FROM_EDGE = 8;
+export const FROM_EDGE = 8;
 const OVER = -2;
 /** px: the first item of a submenu is beside the one that it hangs from. */
 const UP = -7;
@@ -62,7 +62,7 @@ function moveFocus(event: KeyboardEvent, back: string, on: string): void {
   items.at(to % items.length)?.focus();
 }
 
-const withinMenu = (event: KeyboardEvent) => moveFocus(event, "ArrowUp", "ArrowDown");
+export const withinMenu = (event: KeyboardEvent) => moveFocus(event, "ArrowUp", "ArrowDown");
 const withinBar = (event: KeyboardEvent) => moveFocus(event, "ArrowLeft", "ArrowRight");
 
 function Choice({ item, choose }: { readonly item: Item; readonly choose: Choose }) {
@@ -154,7 +154,7 @@ interface Menu {
 }
 
 /** What is in a menu while it is open: asked for when it opens, since what can be done may have changed since it was open last. */
-function Opened({
+export function Opened({
   items,
   choose,
   list,

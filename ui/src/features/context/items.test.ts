@@ -1,0 +1,51 @@
+// @vitest-environment happy-dom
+import { beforeEach, expect, it, vi } from "vitest";
+
+const platform = vi.hoisted(() => ({ ask: vi.fn(async () => null), stop: vi.fn(), listen: vi.fn() }));
+vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
+
+import type { Played } from "../../scene/interface";
+import type { MenuItem } from "../../shared/layers/Menu";
+import { useSelection } from "../../state/design/selection";
+import { usePlayback } from "../../state/program/program";
+import { openMenu } from "../../state/window/context_menu";
+import { itemsOf } from "./items";
+
+beforeEach(() => {
+  useSelection.setState({ vertices: new Set(), edges: new Set() });
+  usePlayback.setState({ played: null, live: false });
+});
+
+const labels = (items: readonly MenuItem[]) => items.flatMap((item) => (item.kind === "rule" ? [] : [item.label]));
+const why = (items: readonly MenuItem[], name: string) =>
+  items.flatMap((item) => (item.kind === "item" && item.label === name ? [item.why ?? null] : []))[0];
+
+it("offers in the view what can be done with what is selected, else how to select and draw", () => {
+  expect(labels(itemsOf("design"))).toContain("Draw on a plane");
+  expect(labels(itemsOf("design"))).not.toContain("Merge");
+  useSelection.setState({ vertices: new Set([1]), edges: new Set() });
+  expect(labels(itemsOf("design"))).toContain("Merge");
+  expect(why(itemsOf("design"), "Merge")).toBe("Select at least 2 vertices to merge.");
+});
+
+it("offers no change of the design while a program is shown", () => {
+  usePlayback.setState({ played: {} as Played, live: true });
+  expect(labels(itemsOf("design"))).toEqual(["Play or pause", "Show the design", "Frame all"]);
+  expect(why(itemsOf("design"), "Show the design")).toBe("A machine is bending the wire.");
+});
+
+it("offers in a field what its marks allow, and says why not", () => {
+  document.body.innerHTML = '<input value="12.5">';
+  const field = document.querySelector("input") as HTMLInputElement;
+  field.focus();
+  field.setSelectionRange(0, 0);
+  openMenu("field", { x: 0, y: 0 });
+  expect(why(itemsOf("field"), "Copy")).toBe("Nothing is marked in the field.");
+  field.readOnly = true;
+  field.select();
+  openMenu("field", { x: 0, y: 0 });
+  expect([why(itemsOf("field"), "Copy"), why(itemsOf("field"), "Paste")]).toEqual([
+    null,
+    "The field cannot be changed now.",
+  ]);
+});

@@ -1,0 +1,54 @@
+import * as Radix from "@radix-ui/react-menubar";
+import { type CSSProperties, useRef } from "react";
+import { FROM_EDGE, type MenuItem, Opened, withinMenu } from "./Menu";
+
+/** A menu at a place of the window, without a head: what a right click opens. `back` gives the focus to where it was. */
+export function MenuAt({
+  label,
+  at,
+  items,
+  back,
+  close,
+}: {
+  readonly label: string;
+  readonly at: { readonly x: number; readonly y: number };
+  readonly items: () => readonly MenuItem[];
+  readonly back: () => void;
+  readonly close: () => void;
+}) {
+  const list = useRef<HTMLDivElement>(null);
+  const place: CSSProperties = { position: "fixed", left: at.x, top: at.y, width: 0, height: 0 };
+  return (
+    <Radix.Root aria-label={label} value="at" onValueChange={(open) => open === "" && close()} style={place}>
+      <Radix.Menu value="at">
+        {/* It only says where: the menu has no head to go back to. */}
+        <Radix.Trigger tabIndex={-1} aria-label={label} className="menu-at" />
+        <Radix.Content
+          ref={list}
+          className="menu"
+          aria-label={label}
+          loop
+          align="start"
+          collisionPadding={FROM_EDGE}
+          onKeyDownCapture={(event) => {
+            withinMenu(event);
+            if (event.key !== "Tab") return;
+            event.preventDefault();
+            event.stopPropagation();
+          }}
+          onEscapeKeyDown={back}
+          onCloseAutoFocus={(event) => event.preventDefault()}
+        >
+          <Opened
+            items={items}
+            list={list}
+            choose={(run) => {
+              back();
+              run();
+            }}
+          />
+        </Radix.Content>
+      </Radix.Menu>
+    </Radix.Root>
+  );
+}
