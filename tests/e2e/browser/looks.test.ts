@@ -142,11 +142,13 @@ it("keeps what is under the pointer in the panel where it is when something abov
   await held.scrollIntoViewIfNeeded();
   await held.hover();
   const top = () => held.evaluate((button) => Math.round(button.getBoundingClientRect().top));
-  const height = () => editor.section("edit").evaluate((section) => section.getBoundingClientRect().height);
-  const [before, edit] = [await top(), await height()];
-  // What is selected is listed in the section above.
+  const height = () => editor.section("check").evaluate((section) => section.getBoundingClientRect().height);
+  const [before, check] = [await top(), await height()];
+  // What the checks say of the design is listed in the section above.
   await editor.page.keyboard.press("Control+a");
-  await until(height).not.toBe(edit);
+  await editor.page.keyboard.press("Delete");
+  await until(height).not.toBe(check);
   await until(top).toBe(before);
+  await editor.page.keyboard.press("Control+z");
   await editor.page.setViewportSize(SIZES[0]);
 });

@@ -63,7 +63,7 @@ describe("the window of the package", () => {
       // The animation.
       await driven.click(section("Animate"));
       const position = "Number(document.querySelector('.timeline input[type=range]').value)";
-      await driven.until("document.querySelector('.timeline input[type=range]')", "there is a timeline");
+      await driven.until("document.querySelector('.timeline input[type=range]:enabled')", "there is a program");
       await driven.click("//section[@aria-label='Timeline']//button[@aria-label='Play']");
       await driven.until(`${position} > 0`, "it plays");
       await driven.click("//section[@aria-label='Timeline']//button[@aria-label='Pause']");

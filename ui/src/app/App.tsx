@@ -2,6 +2,7 @@ import "./App.css";
 import { AboutDialog } from "../features/about/AboutDialog";
 import { AnimateSection } from "../features/animate/AnimateSection";
 import { CheckSection } from "../features/check/CheckSection";
+import { PreviewFigures } from "../features/check/PreviewFigures";
 import { ContextMenu } from "../features/context/ContextMenu";
 import { EditSection } from "../features/edit/EditSection";
 import { ExportSection } from "../features/export/ExportSection";
@@ -41,6 +42,7 @@ export function App() {
           <EmptyState />
           <Unsaved />
           <OpenNotes />
+          <PreviewFigures />
           <HoverCard />
           <Hit />
           <Hints />

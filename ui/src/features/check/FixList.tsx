@@ -7,7 +7,7 @@ import { useInSight } from "../../shared/lists/sight";
 import { useDesign } from "../../state/design/design";
 import { isCollision } from "../../state/design/findings";
 import { applyFix, showFix, useFixes } from "../../state/design/fixes";
-import { totals } from "./totals";
+import { isFirst } from "./totals";
 
 /** What changes, in a line: "+601.4 mm · +$1.20 · +2:10"; without a route, what there is then. */
 function useChange(): (fix: Fix) => string {
@@ -35,70 +35,12 @@ function useChange(): (fix: Fix) => string {
   };
 }
 
-/** Without a route there are no figures, and what is wrong along it is not known before there is one. */
-const isFirst = ({ length_mm, stock_mm, time_s, cost }: Fix["change"]): boolean =>
-  length_mm === null && stock_mm === null && time_s === null && cost === null;
-
 function afterwards(change: Fix["change"], { wires, collisions }: Fix["after"], errors: number): string {
   // Only a fix of a collision was tried with a check for them.
   const left = collisions === 0 ? "no collision found" : collisions === null ? null : count(collisions, "collision");
   if (errors === 0) return `then ${left ?? LIMITS_ONLY}`;
   const made = wires > 1 ? `${wires} wires` : "a wire";
   return isFirst(change) ? `gives ${made} with ${count(errors, "error")}` : `then ${count(errors, "error")}`;
-}
-
-/** Before and after, while a fix is shown in the view. */
-function Figures({ fix }: { readonly fix: Fix }) {
-  const check = useDesign((design) => design.check);
-  const { length, long } = useLengths();
-  const { change } = fix;
-  const now = totals(check);
-  const row = (
-    name: string,
-    before: number | null,
-    by: number | null,
-    after: number | null,
-    shown: (value: number) => string,
-  ) => {
-    if (before === null && by === null && after === null) return null;
-    const known = before !== null && by !== null;
-    return (
-      <tr key={name}>
-        <th scope="row">{name}</th>
-        <td>{before === null ? "\u2013" : shown(before)}</td>
-        <td>{after !== null ? shown(after) : known ? shown(before + by) : "\u2013"}</td>
-      </tr>
-    );
-  };
-  if (isFirst(change) && fix.after.time_s === null)
-    return (
-      <p className="muted small">
-        Totals of stock, time and cost are shown once the wires are within the machine's limits.
-      </p>
-    );
-  const errors = check?.diagnostics.filter(({ severity }) => severity === "error").length ?? 0;
-  return (
-    <table className="before-after">
-      <thead>
-        <tr>
-          <td />
-          <th scope="col">now</th>
-          <th scope="col">with the fix</th>
-        </tr>
-      </thead>
-      <tbody>
-        {row("Wire", now.length_mm, change.length_mm, fix.after.length_mm, length)}
-        {row("Stock", now.stock_mm, change.stock_mm, fix.after.stock_mm, long)}
-        {row("Time", now.time_s, change.time_s, fix.after.time_s, time)}
-        {row("Cost", now.cost, change.cost, fix.after.cost, (value) => money(value, change.currency ?? now.currency))}
-        <tr>
-          <th scope="row">Errors</th>
-          <td>{errors}</td>
-          <td>{fix.errors_after}</td>
-        </tr>
-      </tbody>
-    </table>
-  );
 }
 
 /** Changes that would fix it, each tried on a copy before: shown in the view, and made with one click that undo takes back. */
@@ -139,8 +81,6 @@ export function FixList({ fixes }: { readonly fixes: readonly Fix[] }) {
                 Apply
               </Button>
             </div>
-            {/* Below the buttons, which stay where the pointer is. */}
-            {now && <Figures fix={fix} />}
           </li>
         );
       })}

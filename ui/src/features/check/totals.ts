@@ -1,4 +1,4 @@
-import type { LiveCheck, WireFigures } from "../../generated/responses";
+import type { Fix, LiveCheck, WireFigures } from "../../generated/responses";
 
 type Sums = { readonly [K in "length_mm" | "stock_mm" | "time_s" | "cost" | "bends"]: number | null } & {
   readonly currency: string | null;
@@ -23,3 +23,7 @@ export function totals(check: LiveCheck | null): Sums {
     currency: wires[0]?.currency ?? null,
   };
 }
+
+/** Without a route there are no figures, and what is wrong along it is not known before there is one. */
+export const isFirst = ({ length_mm, stock_mm, time_s, cost }: Fix["change"]): boolean =>
+  length_mm === null && stock_mm === null && time_s === null && cost === null;

@@ -28,7 +28,9 @@ function Selected() {
       .join(" · ");
   }, [selection, design, length]);
   return (
-    <p role="status">{text ?? <span className="muted">Nothing selected. Click in the view, or drag a box.</span>}</p>
+    <p role="status" className="selected">
+      {text ?? <span className="muted">Nothing selected. Click in the view, or drag a box.</span>}
+    </p>
   );
 }
 

@@ -21,11 +21,13 @@ export function PlaceFields({
   at,
   change,
   label,
+  why,
   onEnter,
 }: {
   readonly at: Vec3;
   readonly change: (at: Vec3) => void;
   readonly label: string;
+  readonly why?: string | null;
   readonly onEnter?: (at: Vec3) => void;
 }) {
   return (
@@ -36,6 +38,7 @@ export function PlaceFields({
           label={`${label}, ${axis.toUpperCase()}`}
           prefix={axis.toUpperCase()}
           value={at[axisIndex(axis)]}
+          why={why}
           onCommit={(value) => change(with_(at, axis, value))}
           {...(onEnter ? { onEnter: (value: number) => onEnter(with_(at, axis, value)) } : {})}
         />
@@ -44,16 +47,16 @@ export function PlaceFields({
   );
 }
 
-function MoveBy() {
+function MoveBy({ none }: { readonly none: string | null }) {
   const [by, setBy] = useState<Vec3>([0, 0, 0]);
   const still = by.every((value) => value === 0);
   return (
     <>
-      <PlaceFields at={by} change={setBy} label="Move by" />
+      <PlaceFields at={by} change={setBy} label="Move by" why={none} />
       <div className="row">
         <Button
           className="grow"
-          why={still ? "Type a distance first" : null}
+          why={none ?? (still ? "Type a distance first" : null)}
           onClick={() => {
             void moveBy(by);
             setBy([0, 0, 0]);
@@ -72,37 +75,46 @@ function grab(axis: Axis): void {
   useView.getState().handle?.lockAxis(axis);
 }
 
-/** Where one vertex is, or how far several are to go. */
+const NONE = "Nothing is selected.";
+
+/** Where one vertex is, or how far several are to go. As high whatever is selected: what is below it stays where it is. */
 export function Position() {
   const design = useDesign();
   const selection = useSelection();
   const ids = verticesOf(selection, design);
   const [one] = ids;
   const vertex = ids.length === 1 && one !== undefined ? design.vertices.get(one) : undefined;
-  if (ids.length === 0) return null;
+  const none = ids.length === 0 ? NONE : null;
   const supports = ids.filter((id) => design.vertices.get(id)?.support).length;
   return (
     <>
       {vertex ? (
-        <PlaceFields
-          key={vertex.id}
-          at={vertex.at}
-          label={`Vertex ${vertex.id}`}
-          change={(at) => void place(vertex.id, at)}
-        />
+        <>
+          <PlaceFields
+            key={vertex.id}
+            at={vertex.at}
+            label={`Vertex ${vertex.id}`}
+            change={(at) => void place(vertex.id, at)}
+          />
+          <div className="row">
+            <Button className="grow" why="The vertex moves to what is typed into X, Y and Z.">
+              Move
+            </Button>
+          </div>
+        </>
       ) : (
-        <MoveBy />
+        <MoveBy none={none} />
       )}
       <div className="row">
         <span className="muted grow">Move with the pointer along</span>
         {AXES.map((axis) => (
-          <Button key={axis} small onClick={() => grab(axis)} title={`G, then ${axis.toUpperCase()}`}>
+          <Button key={axis} small why={none} onClick={() => grab(axis)} title={`G, then ${axis.toUpperCase()}`}>
             {axis.toUpperCase()}
           </Button>
         ))}
       </div>
-      <Checkbox checked={supports === ids.length} onChange={(fixed) => void support(fixed)}>
-        {ids.length === 1 ? "Support: this vertex is held fixed" : `Supports: ${supports} of ${ids.length} are fixed`}
+      <Checkbox checked={none === null && supports === ids.length} why={none} onChange={(fixed) => void support(fixed)}>
+        {ids.length <= 1 ? "Support: this vertex is held fixed" : `Supports: ${supports} of ${ids.length} are fixed`}
       </Checkbox>
     </>
   );

@@ -1,23 +1,35 @@
-import { useEffect } from "react";
+import { useEffect, useLayoutEffect, useRef, useState } from "react";
 import { Button } from "../../shared/controls/Button";
 import { Mark } from "../../shared/lists/Mark";
-import { dismiss, type Problem, useProblems } from "../../state/asking/problems";
+import { dismiss, dismissEverything, type Problem, useProblems } from "../../state/asking/problems";
+import { coversSelection } from "./covers";
 import "./problems.css";
 
-/** News goes by itself; what is wrong stays until it was read. */
-const NEWS_MS = 8000;
+/** How long they are shown, ms: longer what is worse, and not counted while a person reads them or has the window out of sight. */
+const LIFE_MS: Readonly<Record<Problem["severity"], number>> = { info: 8_000, warning: 20_000, error: 40_000 };
 /** More at once hide the work. */
-const MAX = 4;
+const MAX = 3;
 
-function One({ problem }: { readonly problem: Problem }) {
+/** Whether the window is out of sight. */
+function useHidden(): boolean {
+  const [hidden, setHidden] = useState(document.hidden);
+  useEffect(() => {
+    const look = () => setHidden(document.hidden);
+    document.addEventListener("visibilitychange", look);
+    return () => document.removeEventListener("visibilitychange", look);
+  }, []);
+  return hidden;
+}
+
+function One({ problem, held, gone }: { readonly problem: Problem; readonly held: boolean; readonly gone: boolean }) {
   const { id, severity, message } = problem;
   useEffect(() => {
-    if (severity !== "info") return;
-    const timer = setTimeout(() => dismiss(id), NEWS_MS);
+    if (held) return;
+    const timer = setTimeout(() => dismiss(id), LIFE_MS[severity]);
     return () => clearTimeout(timer);
-  }, [id, severity]);
+  }, [held, id, severity]);
   return (
-    <li className={`problem ${severity}`}>
+    <li className={`problem ${severity}${gone ? " gone" : ""}`} aria-hidden={gone || undefined}>
       <Mark tone={severity} />
       <p className="selectable">{message}</p>
       <Button kind="quiet" icon="close" small aria-label="Dismiss" onClick={() => dismiss(id)} />
@@ -25,20 +37,64 @@ function One({ problem }: { readonly problem: Problem }) {
   );
 }
 
-/** What went wrong, and what a person should know: over the view, read aloud as it comes. */
+/**
+ * What went wrong, and what a person should know: over the view, read aloud as it comes, the newest on top. While the pointer or the focus
+ * is on them none comes, goes or moves.
+ */
 export function Problems() {
   const problems = useProblems((store) => store.problems);
+  const [over, setOver] = useState(false);
+  const [focused, setFocused] = useState(false);
+  const used = over || focused;
+  const hidden = useHidden();
+  const box = useRef<HTMLDivElement>(null);
+  const [atTop, setAtTop] = useState(false);
+  const [kept, setKept] = useState<readonly Problem[]>([]);
+  const latest = problems.slice(-MAX).toReversed();
+  // Those that are looked at keep their places until they are not any more.
+  const shown = used ? kept : latest;
+  const some = shown.length > 0;
+  useLayoutEffect(() => {
+    // Decided when the first comes: they do not jump while they are read.
+    if (some && box.current) setAtTop(coversSelection(box.current));
+    else setAtTop(false);
+  }, [some]);
+  const keep = () => {
+    if (!used) setKept(latest);
+  };
+  const more = problems.filter((problem) => !shown.includes(problem)).length;
   return (
-    <div className="problems" role="status" aria-live="polite" aria-label="Messages">
-      <ul>
-        {problems.slice(-MAX).map((problem) => (
-          <One key={problem.id} problem={problem} />
-        ))}
-      </ul>
-      {problems.length > MAX && (
-        <Button kind="link" onClick={() => problems.slice(0, -1).forEach(({ id }) => dismiss(id))}>
-          {problems.length - MAX} more: dismiss all but the last
-        </Button>
+    // biome-ignore lint/a11y/noStaticElementInteractions: it is only looked at
+    <div
+      ref={box}
+      className={atTop ? "problems top" : "problems"}
+      onPointerEnter={() => {
+        keep();
+        setOver(true);
+      }}
+      onPointerLeave={() => setOver(false)}
+      onFocus={() => {
+        keep();
+        setFocused(true);
+      }}
+      onBlur={({ relatedTarget }) => {
+        if (!box.current?.contains(relatedTarget)) setFocused(false);
+      }}
+    >
+      <div role="status" aria-live="polite" aria-label="Messages">
+        <ul>
+          {shown.map((problem) => (
+            <One key={problem.id} problem={problem} held={used || hidden} gone={!problems.includes(problem)} />
+          ))}
+        </ul>
+      </div>
+      {problems.length > 1 && (
+        <div className="problems-all">
+          {more > 0 && <span className="muted">{more} more</span>}
+          <Button small onClick={dismissEverything}>
+            Dismiss all
+          </Button>
+        </div>
       )}
     </div>
   );

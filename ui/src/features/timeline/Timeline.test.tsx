@@ -55,3 +55,13 @@ it("says that the view shows moves by hand, and goes back from there", () => {
   act(() => at.host.querySelector<HTMLButtonElement>('[aria-label="Back to the design"]')?.click());
   expect(at.host.textContent).toContain("step 1 / 1");
 });
+
+it("keeps its place while there is no program, and says so", () => {
+  useByHand.setState({ moves: 0, played: null });
+  useProgram.setState({ program: null });
+  at.show(<Timeline />);
+  expect(at.host.textContent).toContain("no program yet");
+  expect(at.host.querySelector<HTMLInputElement>("input[type=range]")?.disabled).toBe(true);
+  const why = [...at.host.querySelectorAll("button")].map((button) => button.title);
+  expect(why).toEqual(["There is no program yet.", "The design is empty.", "There is no program yet."]);
+});

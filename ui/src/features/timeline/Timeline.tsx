@@ -17,13 +17,16 @@ import {
   useProgram,
   useStale,
 } from "../../state/program/program";
+import { useWhyNot } from "../../state/window/commands";
 import { namedSteps, spoken } from "../animate/steps";
 import { Track } from "./Track";
 import "./timeline.css";
 
 const LIVE = "A machine is bending the wire.";
 
-/** The program under the view; nothing without one. */
+const NO_PROGRAM = "There is no program yet.";
+
+/** The program under the view. Its place is kept while there is none, so that the view keeps its own. */
 export function Timeline() {
   const { program, wire, asking } = useProgram();
   const { played, step, playing, live } = usePlayback();
@@ -36,10 +39,11 @@ export function Timeline() {
   const check = useDesign((design) => design.check);
   const byHand = useByHand(({ played, moves }) => (played ? moves : null));
   const { contacts } = useContacts();
+  const none = useWhyNot("play");
   const one = program?.wires[wire];
-  if (!program || !one) return null;
-  const total = one.steps.length;
+  const total = one?.steps.length ?? 0;
   const why = live ? LIVE : null;
+  const whyStep = why ?? (one ? null : NO_PROGRAM);
   const at = Math.max(stepOf(total, step), 0);
   const moveOf = (key: string): (() => void) | null => {
     switch (key) {
@@ -72,68 +76,72 @@ export function Timeline() {
   };
   return (
     <section className="timeline" aria-label="Timeline">
-      <Button icon="previous" aria-label="Step back" title="Step back" why={why} onClick={back} />
+      <Button icon="previous" aria-label="Step back" title="Step back" why={whyStep} onClick={back} />
       <Button
         kind="primary"
         icon={playing ? "pause" : "play"}
         aria-label={playing ? "Pause" : "Play"}
         title={playing ? "Pause (Space)" : "Play (Space)"}
-        why={why}
+        why={why ?? (one ? null : none)}
         onClick={togglePlay}
       />
-      <Button icon="next" aria-label="Step forward" title="Step forward" why={why} onClick={forward} />
+      <Button icon="next" aria-label="Step forward" title="Step forward" why={whyStep} onClick={forward} />
       <Track
         value={step}
         of={total}
-        text={spoken(one, at, length)}
-        ticks={namedSteps(check?.diagnostics ?? [], program.wires.length)}
-        contacts={contacts}
-        off={live}
+        text={one ? spoken(one, at, length) : NO_PROGRAM}
+        ticks={program ? namedSteps(check?.diagnostics ?? [], program.wires.length) : []}
+        contacts={one ? contacts : []}
+        off={live || !one}
         onChange={scrub}
         onKeyDown={keys}
       />
-      {byHand === null ? (
-        <>
-          <span className="timeline-step">
-            {live ? `${stands} · ` : ""}step {at + 1} / {total} · {percent(total > 0 ? step / total : 0)}
+      <span className={byHand === null && one ? "timeline-step" : "timeline-step muted"}>
+        {byHand !== null
+          ? `${count(byHand, "move")} by hand, not this program`
+          : one
+            ? `${live ? `${stands} · ` : ""}step ${at + 1} / ${total} · ${percent(total > 0 ? step / total : 0)}`
+            : "no program yet"}
+      </span>
+      <span className="timeline-time muted">
+        {byHand === null &&
+          one &&
+          time(
+            machineSeconds(
+              one.steps.map((each) => each.seconds),
+              step,
+            ),
+          )}
+      </span>
+      <span className="timeline-end">
+        {one && stale && !live ? (
+          <Button
+            small
+            why={asking ? "The program is being generated." : null}
+            title="The design has changed since the program was made"
+            onClick={() => void makeProgram()}
+          >
+            Update
+          </Button>
+        ) : live || byHand !== null || !one ? null : (
+          <span className="timeline-speeds muted" title="Playback speed relative to the machine. Set it under Animate">
+            feed ×{number(speeds.feed * speeds.all, digits(speeds.feed * speeds.all))} · bend ×
+            {number(speeds.bend * speeds.all, digits(speeds.bend * speeds.all))} · rotate ×
+            {number(speeds.rotate * speeds.all, digits(speeds.rotate * speeds.all))}
           </span>
-          <span className="timeline-time muted">
-            {time(
-              machineSeconds(
-                one.steps.map((each) => each.seconds),
-                step,
-              ),
-            )}
-          </span>
-        </>
-      ) : (
-        <span className="timeline-step muted">{count(byHand, "move")} by hand, not this program</span>
-      )}
-      {stale && !live ? (
-        <Button
-          small
-          why={asking ? "The program is being generated." : null}
-          title="The design has changed since the program was made"
-          onClick={() => void makeProgram()}
-        >
-          Update
-        </Button>
-      ) : live || byHand !== null ? null : (
-        <span className="timeline-speeds muted" title="Playback speed relative to the machine. Set it under Animate">
-          feed ×{number(speeds.feed * speeds.all, digits(speeds.feed * speeds.all))} · bend ×
-          {number(speeds.bend * speeds.all, digits(speeds.bend * speeds.all))} · rotate ×
-          {number(speeds.rotate * speeds.all, digits(speeds.rotate * speeds.all))}
-        </span>
-      )}
-      {((played && !live) || byHand !== null) && (
-        <Button
-          kind="quiet"
-          icon="close"
-          aria-label="Back to the design"
-          title="Back to the design"
-          onClick={played ? showDesignAgain : hideByHand}
-        />
-      )}
+        )}
+      </span>
+      <span className="timeline-back">
+        {((played && !live) || byHand !== null) && (
+          <Button
+            kind="quiet"
+            icon="close"
+            aria-label="Back to the design"
+            title="Back to the design"
+            onClick={played ? showDesignAgain : hideByHand}
+          />
+        )}
+      </span>
     </section>
   );
 }

@@ -33,10 +33,12 @@ export function TopBar() {
     <header className="top-bar">
       <h1 className="top-name" title={state?.file ?? "Not saved yet"}>
         <span className="ellipsis">{name}</span>
-        {state?.changed && (
+        {state?.changed ? (
           <span className="top-dot" title="Unsaved changes">
             <span className="visually-hidden">, unsaved changes</span>
           </span>
+        ) : (
+          <span className="top-dot saved" />
         )}
       </h1>
       <Guard name="The menus">

@@ -1,10 +1,19 @@
 import { Button } from "../../shared/controls/Button";
+import "./trace.css";
 import { count } from "../../shared/figures/format";
 import { useDesign } from "../../state/design/design";
 import { useView } from "../../state/window/view";
 
-/** How the strand stands that is being drawn, and how it is ended. */
+/** How the strand stands that is being drawn, and how it is ended: in as much room whatever it says. */
 export function Strand() {
+  return (
+    <div className="strand">
+      <State />
+    </div>
+  );
+}
+
+function State() {
   const { tool, strand, handle } = useView();
   const stencil = useDesign((design) => design.stencil);
   if (tool === "select")

@@ -103,34 +103,30 @@ export function TraceSection() {
           </Button>
         </div>
         <Strand />
-        {tool === "draw" && (
-          <>
-            <Field label="Plane">
-              {() => (
-                <Segmented<PlaneName>
-                  label="Plane"
-                  choices={[
-                    { value: "xy", label: "XY" },
-                    { value: "xz", label: "XZ" },
-                    { value: "yz", label: "YZ" },
-                  ]}
-                  value={plane}
-                  onChoose={(value) => useView.setState({ plane: value })}
-                />
-              )}
-            </Field>
-            <Field label="Offset">
-              {({ id }) => (
-                <NumberField
-                  id={id}
-                  label="Offset of the plane"
-                  value={planeOffset}
-                  onCommit={(mm) => useView.setState({ planeOffset: mm })}
-                />
-              )}
-            </Field>
-          </>
-        )}
+        <Field label="Plane">
+          {() => (
+            <Segmented<PlaneName>
+              label="Plane"
+              choices={[
+                { value: "xy", label: "XY" },
+                { value: "xz", label: "XZ" },
+                { value: "yz", label: "YZ" },
+              ]}
+              value={plane}
+              onChoose={(value) => useView.setState({ plane: value })}
+            />
+          )}
+        </Field>
+        <Field label="Offset">
+          {({ id }) => (
+            <NumberField
+              id={id}
+              label="Offset of the plane"
+              value={planeOffset}
+              onCommit={(mm) => useView.setState({ planeOffset: mm })}
+            />
+          )}
+        </Field>
       </Part>
       <Part title="Clicks snap to">
         <div>

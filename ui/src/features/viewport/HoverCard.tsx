@@ -7,6 +7,7 @@ import { useDesign } from "../../state/design/design";
 import { distance } from "../../state/design/geometry";
 import { useByHand } from "../../state/machine/by_hand";
 import { usePlayback } from "../../state/program/program";
+import { useContextMenu } from "../../state/window/context_menu";
 import { useView } from "../../state/window/view";
 import { marksOf } from "./marks";
 import "./viewport.css";
@@ -26,11 +27,12 @@ const SNAP_NAMES: Readonly<Record<SnapKind, string>> = {
 export function HoverCard() {
   const hovered = useView((view) => view.hovered);
   const played = usePlayback(({ played }) => played !== null);
+  const menu = useContextMenu(({ opened }) => opened !== null);
   const byHand = useByHand(({ played }) => played !== null);
   const { vertices, edges, check } = useDesign();
   const { bare, name, length } = useLengths();
   const marks = useMemo(() => marksOf(check), [check]);
-  if (!hovered || played || byHand) return null;
+  if (!hovered || played || byHand || menu) return null;
   let title = "";
   let sub = "";
   let verdict = null;

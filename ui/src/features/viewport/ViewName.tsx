@@ -20,6 +20,7 @@ export function ViewName() {
         <button
           key={command}
           type="button"
+          className={command === "view-perspective" ? "view-free" : undefined}
           aria-pressed={name === label}
           title={command === "view-perspective" ? "Perspective or parallel" : undefined}
           onClick={() => run(command)}

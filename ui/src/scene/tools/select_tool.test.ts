@@ -16,7 +16,14 @@ const ENDS = [
   [1, 2],
 ] as const;
 
-const listener = { dropped: vi.fn(), dragging: vi.fn(), dragCancelled: vi.fn(), hovered: vi.fn(), selected: vi.fn(), menu: vi.fn() };
+const listener = {
+  dropped: vi.fn(),
+  dragging: vi.fn(),
+  dragCancelled: vi.fn(),
+  hovered: vi.fn(),
+  selected: vi.fn(),
+  menu: vi.fn(),
+};
 let stage: Stage;
 let tool: SelectTool;
 

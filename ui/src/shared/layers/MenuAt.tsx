@@ -28,6 +28,7 @@ export function MenuAt({
           className="menu"
           aria-label={label}
           loop
+          side="right"
           align="start"
           collisionPadding={FROM_EDGE}
           onKeyDownCapture={(event) => {

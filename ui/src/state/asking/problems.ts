@@ -31,6 +31,11 @@ export function dismiss(id: number): void {
   useProblems.setState(({ problems }) => ({ problems: problems.filter((problem) => problem.id !== id) }));
 }
 
+/** All of them were read. */
+export function dismissEverything(): void {
+  useProblems.setState({ problems: [] });
+}
+
 /** What was shown under this code is over. */
 export function dismissAll(code: string): void {
   useProblems.setState(({ problems }) => ({ problems: problems.filter((problem) => problem.code !== code) }));

@@ -1,5 +1,5 @@
 import { create } from "zustand";
-import type { Axis, DrawingPlane, Hovered, Preview, Selection, SnapKind, Tool } from "../../scene/interface";
+import type { Axis, DrawingPlane, Hovered, Preview, Selection, SnapKind, Tool, Vec3 } from "../../scene/interface";
 import { useDesign } from "../design/design";
 import { surroundings } from "../design/selecting";
 import { store, stored } from "./ui";
@@ -10,6 +10,8 @@ interface ViewHandle {
   view(name: "front" | "right" | "top"): void;
   toggleParallel(): void;
   frame(selection?: Selection): void;
+  /** CSS pixels in the view of a place of the design; null where it is behind the eye. */
+  screen(at: Vec3): { readonly x: number; readonly y: number } | null;
   startGrab(): boolean;
   lockAxis(axis: Axis | null): void;
   handleKey(event: KeyboardEvent): boolean;

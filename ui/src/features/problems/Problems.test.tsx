@@ -1,0 +1,91 @@
+// @vitest-environment happy-dom
+import { act } from "react";
+import { afterEach, beforeEach, expect, it, vi } from "vitest";
+
+vi.mock("../../platform", () => ({
+  platform: { ask: vi.fn(), stop: vi.fn(), listen: vi.fn() },
+  Refused: class Refused extends Error {},
+}));
+
+import { place } from "../../shared/testing";
+import { tell, useProblems } from "../../state/asking/problems";
+import { useDesign } from "../../state/design/design";
+import { useSelection } from "../../state/design/selection";
+import { useView } from "../../state/window/view";
+import { Problems } from "./Problems";
+
+const at = place();
+
+beforeEach(() => {
+  vi.useFakeTimers();
+  useProblems.setState({ problems: [] });
+  at.show(<Problems />);
+});
+afterEach(() => {
+  vi.useRealTimers();
+  useView.setState({ handle: null });
+});
+
+const box = () => at.host.querySelector<HTMLElement>(".problems") as HTMLElement;
+const texts = () => [...at.host.querySelectorAll("li:not(.gone) p")].map(({ textContent }) => textContent);
+const pass = (ms: number) => act(() => void vi.advanceTimersByTime(ms));
+const say = (severity: "info" | "warning" | "error", ...messages: string[]) =>
+  act(() => messages.forEach((message) => tell(severity, message)));
+const point = (over: boolean) =>
+  act(() => void box().dispatchEvent(new PointerEvent(over ? "pointerover" : "pointerout", { bubbles: true })));
+const press = (name: string) =>
+  act(() =>
+    [...at.host.querySelectorAll("button")]
+      .find((button) => (button.getAttribute("aria-label") ?? button.textContent) === name)
+      ?.click(),
+  );
+
+it("goes by itself, sooner what is only news", () => {
+  say("info", "saved");
+  say("warning", "no backup");
+  say("error", "no file");
+  expect(texts()).toEqual(["no file", "no backup", "saved"]);
+  pass(8000);
+  expect(texts()).toEqual(["no file", "no backup"]);
+  pass(12_000);
+  expect(texts()).toEqual(["no file"]);
+  pass(20_000);
+  expect(texts()).toEqual([]);
+});
+
+it("shows three, says how many more, and all are dismissed at once", () => {
+  say("error", "1", "2", "3", "4", "5");
+  expect(texts()).toEqual(["5", "4", "3"]);
+  expect(box().textContent).toContain("2 more");
+  press("Dismiss all");
+  expect(useProblems.getState().problems).toEqual([]);
+});
+
+it("neither goes, comes nor moves while the pointer is on it", () => {
+  say("info", "1", "2");
+  point(true);
+  pass(60_000);
+  say("error", "3");
+  expect(texts()).toEqual(["2", "1"]);
+  press("Dismiss");
+  // Its place stays empty, so that the next one is not under the pointer.
+  expect(texts()).toEqual(["1"]);
+  expect(at.host.querySelectorAll("li")).toHaveLength(2);
+  point(false);
+  expect(texts()).toEqual(["3", "1"]);
+});
+
+it("is at the upper edge where it would cover what is selected", () => {
+  const handle = { screen: () => ({ x: 0, y: 0 }) } as unknown as ReturnType<typeof useView.getState>["handle"];
+  useDesign.setState({ vertices: new Map([[1, { id: 1, at: [0, 0, 0], support: false }]]), edges: new Map() });
+  Object.defineProperty(HTMLElement.prototype, "offsetParent", { get: () => document.body, configurable: true });
+  const topped = () => box().className === "problems top";
+  useView.setState({ handle });
+  useSelection.setState({ vertices: new Set(), edges: new Set() });
+  say("error", "1");
+  expect(topped()).toBe(false);
+  press("Dismiss");
+  useSelection.setState({ vertices: new Set([1]), edges: new Set() });
+  say("error", "2");
+  expect(topped()).toBe(true);
+});
