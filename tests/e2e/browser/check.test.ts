@@ -48,7 +48,8 @@ it("fixes 22 odd corners with the edges that add least, shows it before, and tak
   await fixesOf("22 odd corners");
   const fix = check().locator(".fix", { hasText: "Run the wire along 11 edges twice (+601.4 mm" });
   await fix.getByRole("button", { name: "Preview" }).click();
-  await fix.locator("tr", { hasText: "Wire" }).getByText("11\u202f821.4 mm").waitFor();
+  const figures = editor.page.getByRole("region", { name: "Before and after the fix" });
+  await figures.locator("tr", { hasText: "Wire" }).getByText("11\u202f821.4 mm").waitFor();
   expect(await fix.getByRole("button", { name: "Preview" }).getAttribute("aria-pressed")).toBe("true");
   await editor.isClean("check-preview");
 
@@ -130,7 +131,8 @@ it("says an edge is too short as soon as it is, and moves a vertex to fix it", a
     .locator(".fix", { hasText: /Move vertex/ })
     .first();
   await fix.getByRole("button", { name: "Preview" }).click();
-  const [now, then] = await fix.locator("tr", { hasText: "Errors" }).locator("td").allInnerTexts();
+  const figures = editor.page.getByRole("region", { name: "Before and after the fix" });
+  const [now, then] = await figures.locator("tr", { hasText: "Errors" }).locator("td").allInnerTexts();
   expect(Number(then)).toBeLessThan(Number(now));
   await fix.getByRole("button", { name: "Apply" }).click();
   await check().getByText("Edges long enough").waitFor();

@@ -21,11 +21,16 @@ export class Sight {
 
   /** Turns the view to a side and frames everything: `places` are the outermost of it. */
   static async from(page: Page, side: keyof typeof SIDES, places: readonly Place[]): Promise<Sight> {
-    const sides = SIDES[side];
-    const [key, right, up] = sides;
     await page.locator(".viewport canvas").focus();
-    await page.keyboard.press(key);
+    await page.keyboard.press(SIDES[side][0]);
     await page.keyboard.press("Home");
+    return Sight.framed(page, side, places);
+  }
+
+  /** The same where the view looks from that side already, with everything framed. */
+  static async framed(page: Page, side: keyof typeof SIDES, places: readonly Place[]): Promise<Sight> {
+    const sides = SIDES[side];
+    const [, right, up] = sides;
     const box = await page.locator(".viewport canvas").boundingBox();
     if (!box) throw new Error("there is no view");
     const extent = (axis: number): [number, number] => {

@@ -23,6 +23,7 @@ import { TopBar } from "../features/topbar/TopBar";
 import { TraceSection } from "../features/trace/TraceSection";
 import { Hit } from "../features/viewport/Hit";
 import { HoverCard } from "../features/viewport/HoverCard";
+import { PointerHint } from "../features/viewport/PointerHint";
 import { ViewName } from "../features/viewport/ViewName";
 import { Viewport } from "../features/viewport/Viewport";
 import { Guard } from "../shared/Guard";
@@ -39,6 +40,7 @@ export function App() {
         <Guard name="What lies over the view">
           <Toolbar />
           <ViewName />
+          <PointerHint />
           <EmptyState />
           <Unsaved />
           <OpenNotes />

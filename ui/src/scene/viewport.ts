@@ -19,6 +19,7 @@ import type {
   Tool,
   Touch,
 } from "./interface";
+import { normalOf } from "./layers/grid";
 import { spacingText } from "./layers/grid_spacing";
 import { Overlay } from "./layers/overlay";
 import { Stage } from "./stage";
@@ -26,7 +27,7 @@ import { Pointer, type ToolHandler } from "./tools/pointer";
 import { SelectTool } from "./tools/select_tool";
 import { TraceTool } from "./tools/trace_tool";
 import { Frames } from "./view/frames";
-import { looking, type Orbit, type ViewName } from "./view/orbit";
+import { facingPlane, looking, type Orbit, squareness, type ViewName, viewOf } from "./view/orbit";
 import { afterKey } from "./view/view_keys";
 
 export interface ViewportOptions {
@@ -42,6 +43,11 @@ type AnyView = ViewName | "parallel";
 
 /** As it is told: "Front". */
 const shownName = (view: AnyView): string => (view[0] ?? "").toUpperCase() + view.slice(1);
+
+/** How squarely a plane is seen that need not be turned to: 30° from its edge. */
+const FACED = 0.5;
+/** Nearer to its edge than 8° a plane that is drawn on cannot be turned. */
+const EDGE_ON = 0.14;
 
 /** More pixels than these cannot be distinguished, and cost time. */
 const MAX_RATIO = 2;
@@ -60,6 +66,8 @@ export class Viewport {
   private framed = false;
   private view_: AnyView = "perspective";
   private ratio = 0;
+  /** Where the plane that is drawn on was last seen from well. */
+  private upright: Orbit | null = null;
   private beforePlay: { orbit: Orbit; view: AnyView } | null = null;
 
   constructor(
@@ -159,6 +167,7 @@ export class Viewport {
     this.selecting.hover(null);
     this.tracing.leave();
     this.stage.tool = tool;
+    this.upright = null;
     this.overlay.cursor(tool === "select" ? "default" : "crosshair");
     this.frames.request();
   }
@@ -171,6 +180,7 @@ export class Viewport {
   /** Null for the ground. */
   setPlane(plane: DrawingPlane | null): void {
     this.stage.plane = plane;
+    this.upright = null;
     this.frames.request();
   }
 
@@ -216,6 +226,17 @@ export class Viewport {
     camera.orbit = looking(camera.orbit, name);
     this.named(name);
     this.stage.viewMoved();
+  }
+
+  /** Turns straight at a plane that is seen from its edge, or nearly so; whether it had to. */
+  face(plane: DrawingPlane): boolean {
+    const { camera } = this.stage;
+    const normal = normalOf(plane);
+    if (this.stage.playing || squareness(camera.orbit, normal) >= FACED) return false;
+    camera.orbit = facingPlane(camera.orbit, normal);
+    this.named(viewOf(camera.orbit) ?? "parallel");
+    this.stage.viewMoved();
+    return true;
   }
 
   /** From the perspective to the same view without it, and back; from the side of an axis to the perspective. */
@@ -350,7 +371,12 @@ export class Viewport {
   }
 
   private viewMoved(turned: boolean): void {
-    const { camera } = this.stage;
+    const { camera, plane, tool, playing } = this.stage;
+    if (turned && tool === "draw" && plane && !playing) {
+      // Seen from its edge nothing can be drawn on it: the turn ends before.
+      if (squareness(camera.orbit, normalOf(plane)) >= EDGE_ON) this.upright = camera.orbit;
+      else if (this.upright) camera.orbit = this.upright;
+    }
     if (turned && this.view_ === "parallel") camera.orbit = { ...camera.orbit, orthographic: true };
     else if (turned) this.named("perspective");
     this.stage.viewMoved();

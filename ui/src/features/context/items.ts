@@ -50,7 +50,14 @@ const beside = (): MenuItem[] => [
   {
     kind: "menu",
     label: "View",
-    items: [item("Front", "view-front"), item("Right", "view-right"), item("Top", "view-top")],
+    items: [
+      item("Front", "view-front"),
+      item("Back", "view-back"),
+      item("Right", "view-right"),
+      item("Left", "view-left"),
+      item("Top", "view-top"),
+      item("Bottom", "view-bottom"),
+    ],
   },
 ];
 

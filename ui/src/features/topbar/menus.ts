@@ -88,8 +88,11 @@ function viewing(): MenuItem[] {
   });
   return [
     item("Front", "view-front"),
+    item("Back", "view-back"),
     item("Right", "view-right"),
+    item("Left", "view-left"),
     item("Top", "view-top"),
+    item("Bottom", "view-bottom"),
     item(useView.getState().viewName === "Perspective" ? "Parallel" : "Perspective", "view-perspective"),
     RULE,
     item("Frame the selection", "frame"),

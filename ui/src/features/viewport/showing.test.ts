@@ -4,7 +4,7 @@ import { afterEach, beforeEach, expect, it, vi } from "vitest";
 const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(async () => {}), listen: vi.fn() }));
 vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
 
-import type { SceneDesign } from "../../scene/interface";
+import type { DrawingPlane, SceneDesign, Vec3 } from "../../scene/interface";
 import type { Viewport } from "../../scene/viewport";
 import { useDesign } from "../../state/design/design";
 import { useFiles } from "../../state/files/files";
@@ -13,9 +13,10 @@ import { show } from "./showing";
 
 /** A view that does nothing but count how often it turns to everything. */
 const frame = vi.fn();
-const scene = new Proxy({ frame } as unknown as Viewport, {
-  get: (target, name) => (name === "frame" ? target.frame : () => {}),
-});
+const face = vi.fn((_: DrawingPlane) => true);
+const view = vi.fn();
+const heard: Record<string | symbol, unknown> = { frame, face, view };
+const scene = new Proxy({} as Viewport, { get: (_, name) => heard[name] ?? (() => {}) });
 const empty = (): SceneDesign => ({ vertices: new Map(), edges: new Map() });
 const vertex = (id: number, x: number) => [id, { id, at: [x, 0, 0] as const, support: false }] as const;
 const EDGE: SceneDesign = {
@@ -29,6 +30,8 @@ beforeEach(() => {
   useView.setState({ tool: "select" });
   end = show(scene);
   frame.mockClear();
+  face.mockClear();
+  view.mockClear();
 });
 afterEach(() => end());
 
@@ -52,4 +55,37 @@ it.each([
   frame.mockClear();
   useDesign.setState({ ...EDGE });
   expect(frame).not.toHaveBeenCalled();
+});
+
+const at = (...places: Vec3[]): SceneDesign => ({
+  vertices: new Map(places.map((at, id) => [id, { id, at, support: false }])),
+  edges: new Map(),
+});
+
+it("turns to the plane of a flat drawing, which would be seen from its edge, and back for what is not flat", () => {
+  open(at([0, 0, 5], [40, 0, 5], [40, 30, 5]));
+  expect(face.mock.calls).toEqual([[{ origin: [0, 0, 5], u: [1, 0, 0], v: [0, 1, 0] }]]);
+  open(at([0, 0, 0], [40, 0, 0], [40, 30, 20]));
+  expect(view.mock.calls).toEqual([["perspective"]]);
+  // A person's own view is left alone.
+  open(at([0, 0, 0], [40, 10, 0], [40, 30, 20]));
+  expect([face.mock.calls.length, view.mock.calls.length, frame.mock.calls.length]).toEqual([1, 1, 3]);
+});
+
+it("turns to a plane as soon as it is drawn on", () => {
+  useView.setState({ plane: "xz" });
+  expect(face).not.toHaveBeenCalled();
+  useView.setState({ tool: "draw" });
+  useView.setState({ plane: "yz" });
+  expect(face.mock.calls.map(([{ v, u }]) => [u, v])).toEqual([
+    [
+      [1, 0, 0],
+      [0, 0, 1],
+    ],
+    [
+      [0, 1, 0],
+      [0, 0, 1],
+    ],
+  ]);
+  useView.setState({ plane: "xy" });
 });

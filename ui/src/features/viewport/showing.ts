@@ -11,7 +11,7 @@ import { usePlayback, useProgram } from "../../state/program/program";
 import { shownTheme, systemTheme } from "../../state/window/theme";
 import { useUi } from "../../state/window/ui";
 import { useUnits } from "../../state/window/units";
-import { planeOf, useView } from "../../state/window/view";
+import { planeOf, planeOfAll, useView } from "../../state/window/view";
 import { measureText } from "../check/texts";
 import { labelsOf, marksOf } from "./marks";
 
@@ -52,6 +52,17 @@ export function show(scene: Scene): () => void {
     const { vertices, stencil } = useDesign.getState();
     if (vertices.size > 0 || stencil !== null) return;
     justOpened = false;
+    scene.frame();
+  };
+  // Whether the view stands as a flat drawing has wanted it, and no person.
+  let turned = false;
+  const showOpened = () => {
+    const plane = planeOfAll(useDesign.getState());
+    if (plane) turned = scene.face(plane) || turned;
+    else if (turned) {
+      scene.view("perspective");
+      turned = false;
+    }
     scene.frame();
   };
   let touched: readonly Touch[] = [];
@@ -108,6 +119,13 @@ export function show(scene: Scene): () => void {
       useView,
       ({ tool, plane, planeOffset }) => [tool, plane, planeOffset],
       ({ plane, planeOffset }) => scene.setPlane(planeOf(plane, planeOffset)),
+    ),
+    follow(
+      useView,
+      ({ tool, plane }) => [tool, plane],
+      ({ tool, plane, planeOffset }) => {
+        if (tool === "draw") scene.face(planeOf(plane, planeOffset));
+      },
     ),
     follow(
       useView,
@@ -181,9 +199,10 @@ export function show(scene: Scene): () => void {
     useDesign.subscribe(({ vertices, stencil }, before) => {
       if (!justOpened || (vertices === before.vertices && stencil === before.stencil)) return;
       justOpened = vertices.size === 0 && stencil === null;
-      if (!justOpened) scene.frame();
+      if (!justOpened) showOpened();
       else if (useView.getState().tool !== "select") drawsOnNothing();
     }),
   ];
+  if (useDesign.getState().vertices.size > 0) showOpened();
   return () => ends.forEach((end) => end());
 }

@@ -1,17 +1,20 @@
 import { describe, expect, it } from "vitest";
 import type { Vec3 } from "../interface";
-import { cross, dot } from "../vec";
+import { cross, direction, dot } from "../vec";
 import { Camera } from "./camera";
 import {
   axes,
   FIRST,
+  facingPlane,
   framedAspect,
   framing,
   looking,
   type Orbit,
   pixelAtTarget,
   shifted,
+  squareness,
   turned,
+  viewOf,
   zoomed,
 } from "./orbit";
 
@@ -85,5 +88,29 @@ describe("framing", () => {
 
   it("leaves the view of nothing as it is", () => {
     expect(framing(FIRST, [], 1)).toBe(FIRST);
+  });
+});
+
+describe("a plane that is drawn on", () => {
+  const PLANES = [
+    ["xy", [0, 0, 1], "top", "bottom"],
+    ["xz", [0, -1, 0], "front", "back"],
+    ["yz", [1, 0, 0], "right", "left"],
+  ] as const;
+
+  it.each(PLANES)("%s is faced from the side that the eye is on, else from its own", (_, normal, own, other) => {
+    for (const view of ["front", "back", "right", "left", "top", "bottom"] as const) {
+      const faced = facingPlane(looking(FIRST, view), normal);
+      expect(viewOf(faced)).toBe(view === other ? other : own);
+      expect(squareness(faced, normal)).toBeCloseTo(1);
+    }
+  });
+
+  it("is faced wherever it lies, with the horizon level", () => {
+    const normal = direction([1, 2, 3]) ?? [0, 0, 1];
+    const faced = facingPlane(FIRST, normal);
+    expect(squareness(faced, normal)).toBeCloseTo(1);
+    expect(axes(faced).right[2]).toBe(0);
+    expect(viewOf(faced)).toBeNull();
   });
 });

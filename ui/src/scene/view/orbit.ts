@@ -80,6 +80,27 @@ export function looking(orbit: Orbit, view: ViewName): Orbit {
   return { ...orbit, ...VIEWS[view], orthographic: view !== "perspective" };
 }
 
+/** How squarely a plane is seen, by its normal of length 1: 1 straight on, 0 from its edge. */
+export const squareness = (orbit: Orbit, normal: Vec3): number => Math.abs(dot(axes(orbit).back, normal));
+
+/** Looking straight at a plane from the side that the eye is on, from that of its normal where it is on neither; without perspective. */
+export function facingPlane(orbit: Orbit, normal: Vec3): Orbit {
+  const [x, y, z] = dot(axes(orbit).back, normal) < -1e-6 ? scale(normal, -1) : normal;
+  const yaw = Math.hypot(x, y) < 1e-9 ? VIEWS.top.yaw : Math.atan2(y, x);
+  return { ...orbit, yaw, pitch: Math.asin(Math.min(Math.max(z, -1), 1)), orthographic: true };
+}
+
+/** Which of the axis views this is; null of any other. */
+export function viewOf(orbit: Orbit): ViewName | null {
+  const { back, up } = axes(orbit);
+  const names = Object.keys(VIEWS) as ViewName[];
+  const same = names.find((name) => {
+    const other = axes({ ...orbit, ...VIEWS[name] });
+    return dot(back, other.back) > 1 - 1e-9 && dot(up, other.up) > 1 - 1e-9;
+  });
+  return orbit.orthographic && same && same !== "perspective" ? same : null;
+}
+
 /** CSS pixels that framing leaves free at the left and at the right, where tools lie over the view. */
 const BESIDE = 56;
 

@@ -12,6 +12,7 @@ import { run, whyNot } from "./commands";
 import type { CommandId } from "./keys";
 import { useUi } from "./ui";
 import { useUnits } from "./units";
+import { useView } from "./view";
 
 const CHANGES: readonly CommandId[] = [
   "undo",
@@ -74,5 +75,42 @@ describe("the unit of lengths", () => {
     run("units");
     expect(useUi.getState().unit).toBe("inch");
     expect(platform.ask).not.toHaveBeenCalled();
+  });
+});
+
+describe("the plane that is drawn on", () => {
+  const seen: string[] = [];
+  beforeEach(() => {
+    seen.length = 0;
+    const handle = { view: (side: string) => seen.push(side) } as unknown as NonNullable<
+      ReturnType<typeof useView.getState>["handle"]
+    >;
+    useView.setState({ handle, tool: "draw", plane: "xy", strand: null });
+  });
+
+  it.each([
+    ["view-front", "front", "xz"],
+    ["view-back", "back", "xz"],
+    ["view-right", "right", "yz"],
+    ["view-left", "left", "yz"],
+    ["view-top", "top", "xy"],
+    ["view-bottom", "bottom", "xy"],
+  ] as const)("goes with %s, which would show another one from its edge", (command, side, plane) => {
+    expect(run(command)).toBe(true);
+    expect([seen, useView.getState().plane]).toEqual([[side], plane]);
+  });
+
+  it("stays while a strand is drawn on it, and the view with it", () => {
+    useView.setState({ strand: 1 });
+    expect(whyNot("view-front")).toMatch(/end the strand first/);
+    expect(run("view-front")).toBe(false);
+    expect(run("view-bottom")).toBe(true);
+    expect([seen, useView.getState().plane]).toEqual([["bottom"], "xy"]);
+  });
+
+  it("stays as it is while nothing is drawn", () => {
+    useView.setState({ tool: "select", strand: null });
+    run("view-right");
+    expect([seen, useView.getState().plane]).toEqual([["right"], "xy"]);
   });
 });

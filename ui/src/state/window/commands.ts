@@ -9,7 +9,7 @@ import { showHints } from "./hints";
 import type { CommandId } from "./keys";
 import { type DialogName, type OperationName, useUi } from "./ui";
 import { useUnits } from "./units";
-import { chooseTool, setAnnotations, useView } from "./view";
+import { chooseTool, FACING, type Side, setAnnotations, useView } from "./view";
 
 /** What is done when a key is pressed or a menu or button chosen, and why it cannot be done just now: a sentence. */
 interface Command {
@@ -32,7 +32,20 @@ const anything = () => (useDesign.getState().vertices.size > 0 ? null : "The des
 const machine = () => (useDesign.getState().state?.machine ? null : "Choose a machine first.");
 const dialog = (name: DialogName) => () => useUi.getState().showDialog(name);
 const operation = (name: OperationName) => () => useUi.getState().showOperation(name);
-const view = (name: "front" | "right" | "top") => () => useView.getState().handle?.view(name);
+/** Looks from a side. The plane that is drawn on goes with the view, which never shows it from its edge. */
+function view(side: Side): Command {
+  const drawing = () => useView.getState().tool === "draw" && useView.getState().plane !== FACING[side];
+  return {
+    run: () => {
+      useView.getState().handle?.view(side);
+      if (drawing()) useView.setState({ plane: FACING[side] });
+    },
+    why: () =>
+      drawing() && useView.getState().strand !== null
+        ? "The plane would be seen from its edge: end the strand first, with Esc."
+        : null,
+  };
+}
 
 function selectAll(): void {
   const design = useDesign.getState();
@@ -125,9 +138,12 @@ const COMMANDS: Readonly<Record<CommandId, Command>> = {
   ),
   merge: change(() => void operations.merge(), vertices(2, "merge")),
   connect: change(() => void operations.connect(), vertices(2, "connect")),
-  "view-front": { run: view("front") },
-  "view-right": { run: view("right") },
-  "view-top": { run: view("top") },
+  "view-front": view("front"),
+  "view-back": view("back"),
+  "view-right": view("right"),
+  "view-left": view("left"),
+  "view-top": view("top"),
+  "view-bottom": view("bottom"),
   "view-perspective": { run: () => useView.getState().handle?.toggleParallel() },
   frame: {
     run: () => {
@@ -166,6 +182,8 @@ export function useWhyNot(id: CommandId): string | null {
   useSelection(({ edges: some }) => some);
   usePlayback(({ live }) => live);
   useFiles(({ busy }) => busy);
+  useView(({ tool }) => tool);
+  useView(({ strand }) => strand);
   return whyNot(id);
 }
 

@@ -34,8 +34,11 @@ export type CommandId =
   | "merge"
   | "connect"
   | "view-front"
+  | "view-back"
   | "view-right"
+  | "view-left"
   | "view-top"
+  | "view-bottom"
   | "view-perspective"
   | "frame"
   | "frame-all"
@@ -96,8 +99,11 @@ export const KEYS: readonly KeyEntry[] = [
   { command: "connect", label: "Connect", keys: ["C"], group: "Tools" },
   { command: "end", label: "End a strand, give up a move, select nothing", keys: ["Escape"], group: "Tools" },
   { command: "view-front", label: "Front", keys: ["1"], group: "View" },
+  { command: "view-back", label: "Back", keys: ["Ctrl+1"], group: "View" },
   { command: "view-right", label: "Right", keys: ["3"], group: "View" },
+  { command: "view-left", label: "Left", keys: ["Ctrl+3"], group: "View" },
   { command: "view-top", label: "Top", keys: ["7"], group: "View" },
+  { command: "view-bottom", label: "Bottom", keys: ["Ctrl+7"], group: "View" },
   { command: "view-perspective", label: "Perspective or parallel", keys: ["5"], group: "View" },
   { command: "frame", label: "Frame the selection", keys: ["F"], group: "View" },
   { command: "frame-all", label: "Frame all", keys: ["Home"], group: "View" },

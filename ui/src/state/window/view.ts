@@ -7,7 +7,7 @@ import { type DisplayUnit, useUnits } from "./units";
 
 /** What the rest of the window asks of the view. */
 interface ViewHandle {
-  view(name: "front" | "right" | "top"): void;
+  view(name: Side): void;
   toggleParallel(): void;
   frame(selection?: Selection): void;
   /** CSS pixels in the view of a place of the design; null where it is behind the eye. */
@@ -18,8 +18,21 @@ interface ViewHandle {
   cancel(): boolean;
 }
 
+/** Sides that the view looks from, along an axis. */
+export type Side = "front" | "back" | "right" | "left" | "top" | "bottom";
+
 /** Which of the planes of the axes is drawn on. */
 export type PlaneName = "xy" | "xz" | "yz";
+
+/** The plane that is seen straight on from a side. */
+export const FACING: Readonly<Record<Side, PlaneName>> = {
+  front: "xz",
+  back: "xz",
+  right: "yz",
+  left: "yz",
+  top: "xy",
+  bottom: "xy",
+};
 
 interface ViewStore {
   /** Null before the view is there. */
@@ -109,6 +122,26 @@ export function planeOf(name: PlaneName, offset: number): DrawingPlane {
     case "yz":
       return { origin: [offset, 0, 0], u: [0, 1, 0], v: [0, 0, 1] };
   }
+}
+
+/** Vertices nearer than this lie in one plane, mm: as exact as drawings are written. */
+const FLAT = 0.001;
+
+/** The plane of the axes that a flat design lies in; null of one that is not flat, has a stencil, or is a line, which lies in several. */
+export function planeOfAll({
+  vertices,
+  stencil,
+}: Pick<ReturnType<typeof useDesign.getState>, "vertices" | "stencil">): DrawingPlane | null {
+  if (stencil !== null || vertices.size === 0) return null;
+  const extent = [0, 1, 2].map((axis) => {
+    const places = [...vertices.values()].map(({ at }) => at[axis] ?? 0);
+    const least = places.reduce((a, b) => Math.min(a, b), Infinity);
+    return [least, places.reduce((a, b) => Math.max(a, b), -Infinity) - least] as const;
+  });
+  const flat = extent.flatMap(([, size], axis) => (size <= FLAT ? [axis] : []));
+  const [axis] = flat;
+  const name = (["yz", "xz", "xy"] as const)[axis ?? -1];
+  return flat.length === 1 && name ? planeOf(name, extent[axis ?? 0]?.[0] ?? 0) : null;
 }
 
 /** Frames places with what is next to them, so that a person sees where in the design they are. */
