@@ -148,7 +148,7 @@ it("keeps what was moved, writes it, and replays it", async () => {
   await button("Clear").click();
   await button("Home").click();
   await stands("ready");
-  await editor.choose(file, () => button("Replay…").click());
+  await editor.choose(file, () => button("Replay a file…").click());
   // What the file holds is read before it moves anything.
   await dialog().getByText("Moves: feed 12.5 mm, rotate 90°, bend 45°, rotate -90°").waitFor();
   await dialog().getByRole("button", { name: "Move", exact: true }).click();
@@ -159,7 +159,7 @@ it("keeps what was moved, writes it, and replays it", async () => {
   const moves = readFileSync(file, "utf8");
   expect(moves).toContain('"wirebend-kit"');
   writeFileSync(file, moves.replace('"wirebend-kit"', '"grbl-bender"'));
-  await editor.choose(file, () => button("Replay…").click());
+  await editor.choose(file, () => button("Replay a file…").click());
   const asks = run().getByRole("group", { name: "Moves of another machine" });
   await asks.waitFor();
   await editor.isCleanNow("run-foreign-moves");

@@ -7,7 +7,7 @@ vi.mock("../platform", () => ({ platform, Refused: class Refused extends Error {
 import type { ByHandResponse, MachineViewResponse, PlayedWire } from "../generated/responses";
 import type { Played } from "../scene/interface";
 import { useDesign } from "../state/design/design";
-import { beginMove, cancelMove, hearByHand, hideByHand, useByHand } from "../state/machine/by_hand";
+import { hearByHand, hideByHand, jogBy, useByHand } from "../state/machine/by_hand";
 import { useMachines } from "../state/machine/machines";
 import type { Move } from "../state/machine/operator";
 import { useRun } from "../state/machine/run";
@@ -61,12 +61,15 @@ describe("what is heard of a machine", () => {
   const asked = (): number => platform.ask.mock.calls.filter(([name]) => name === "by-hand").length;
   const shown = (): number | undefined => useByHand.getState().played?.steps.length;
 
+  let refuses = false;
   let end = () => {};
   beforeEach(() => {
+    refuses = false;
     rust = { moves: 0, wire: wireOf(1) };
-    platform.ask
-      .mockReset()
-      .mockImplementation((name: string) => (name === "by-hand" ? Promise.resolve(rust) : new Promise(() => {})));
+    platform.ask.mockReset().mockImplementation((name: string) => {
+      if (name === "order" && refuses) return Promise.reject(new Error("no"));
+      return name === "by-hand" ? Promise.resolve(rust) : new Promise(() => {});
+    });
     useRun.setState({ state: { ...machineState("moving"), machine: "kit" } });
     useMachines.setState({ views: new Map([["kit", VIEW]]), machines: [], materials: [] });
     usePlayback.setState({ played: null, live: false });
@@ -116,7 +119,7 @@ describe("what is heard of a machine", () => {
     };
     await at(100);
     expect(asked()).toBe(0);
-    beginMove();
+    void jogBy([feed(20)], false);
     await at(105);
     await at(106);
     expect([asked(), shown()]).toEqual([2, 1]);
@@ -124,12 +127,16 @@ describe("what is heard of a machine", () => {
     // What was not ordered here, such as moves of a file, is drawn when it is done.
     await at(150);
     expect(asked()).toBe(3);
-    for (const end of [cancelMove, hideByHand, () => state("ready"), () => state("stopped")]) {
-      beginMove();
+    for (const end of [hideByHand, () => state("ready"), () => state("stopped")]) {
+      void jogBy([feed(20)], false);
       end();
       await at(160);
       expect(asked()).toBe(3);
     }
+    refuses = true;
+    await jogBy([feed(20)], false);
+    await at(160);
+    expect(asked()).toBe(3);
   });
 
   it("is asked for once at a time, and once more for what was reported meanwhile", async () => {

@@ -93,6 +93,7 @@ export function Connect() {
           {again ? "Connect again" : "Connect"}
         </Button>
       </div>
+      {again && <p className="muted small">The connection that failed is let go of. Nothing moves.</p>}
     </div>
   );
 }

@@ -3,7 +3,7 @@ import { Button } from "../../shared/controls/Button";
 import { TextInput } from "../../shared/controls/inputs";
 import { count } from "../../shared/figures/format";
 import { told } from "../../state/asking/problems";
-import { asText, filtered } from "../../state/machine/console";
+import { asText, clockOf, filtered } from "../../state/machine/console";
 import { clearConsole, useRun } from "../../state/machine/run";
 import { Fold } from "../machine/Fold";
 
@@ -68,6 +68,7 @@ function Lines() {
       >
         {shown.map((line) => (
           <div key={line.id} className={line.toMachine ? "to-machine" : undefined}>
+            <time className="console-time">{clockOf(line.at)}</time>{" "}
             <span
               className="console-way"
               aria-label={line.toMachine ? "to the machine" : "from the machine"}

@@ -1,4 +1,3 @@
-import { errorText } from "../../platform/error_text";
 import { Button } from "../../shared/controls/Button";
 import { Line } from "../../shared/lists/Line";
 import { useDesign } from "../../state/design/design";
@@ -6,6 +5,7 @@ import { useMachines } from "../../state/machine/machines";
 import type { MachineState } from "../../state/machine/operator";
 import { order } from "../../state/machine/run";
 import { buttons, doingPhrase } from "./buttons";
+import { Fault } from "./Fault";
 import { useProspect } from "./prospect";
 
 /** Which machine is connected, how it stands, homing, and disconnecting. */
@@ -24,17 +24,7 @@ export function Session({ state }: { readonly state: MachineState }) {
         </span>
         {state.identity && <span className="muted small">{state.identity}</span>}
       </div>
-      {state.problem && (
-        <div role="alert">
-          <ul>
-            <Line
-              tone="error"
-              what={state.phase === "failed" ? "The machine failed" : "That did not work"}
-              sub={<span className="lines">{errorText(state.problem)}</span>}
-            />
-          </ul>
-        </div>
-      )}
+      <Fault state={state} all={all} />
       {other && (
         <ul>
           <Line
@@ -58,6 +48,9 @@ export function Session({ state }: { readonly state: MachineState }) {
           Disconnect
         </Button>
       </div>
+      {state.phase === "stopped" && all.home === null && (
+        <p className="muted small">Home moves the axes at once, until their place is known.</p>
+      )}
     </div>
   );
 }

@@ -7,8 +7,8 @@ import { useDesign } from "../design/design";
 import { playedDesign } from "../program/played";
 import { showDesignAgain, usePlayback } from "../program/program";
 import { needMachines, useMachines, viewOf } from "./machines";
-import type { OperatorEvent, Phase } from "./operator";
-import { useRun } from "./run";
+import type { Move, OperatorEvent, Phase } from "./operator";
+import { order, useRun } from "./run";
 
 interface ByHandStore {
   /** How many are done since the machine was homed or connected. */
@@ -61,14 +61,11 @@ async function draw(): Promise<void> {
   if (again) await draw();
 }
 
-/** A person has ordered a move: it is drawn while it runs, as far as the machine reports where its axes are. */
-export function beginMove(): void {
+/** Moves as a person has ordered it: drawn while it runs, as far as the machine reports where its axes are. */
+export async function jogBy(moves: readonly Move[], record: boolean): Promise<void> {
   following = true;
-}
-
-/** It was refused. */
-export function cancelMove(): void {
-  following = false;
+  // Refused, it goes nowhere.
+  if (!(await order({ order: "jog", moves: [...moves], record }))) following = false;
 }
 
 /** The view shows the design again; the next move is drawn with those before it. */

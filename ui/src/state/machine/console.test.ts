@@ -1,7 +1,8 @@
 import { describe, expect, it } from "vitest";
 import { asText, type ConsoleLine, filtered, withLines } from "./console";
 
-const line = (text: string, toMachine = false) => ({ text, toMachine });
+const AT = new Date(2026, 0, 2, 14, 3, 7, 50).getTime();
+const line = (text: string, toMachine = false) => ({ text, toMachine, at: AT });
 const lines: readonly ConsoleLine[] = withLines([], [line("G1 X10", true), line("ok"), line("<Idle|MPos:0,0,0>")]);
 
 describe("withLines", () => {
@@ -21,7 +22,7 @@ describe("filtered", () => {
 });
 
 describe("asText", () => {
-  it("says which way a line went", () => {
-    expect(asText(lines.slice(0, 2))).toBe("> G1 X10\n< ok");
+  it("says when a line went, and which way", () => {
+    expect(asText(lines.slice(0, 2))).toBe("14:03:07.050 > G1 X10\n14:03:07.050 < ok");
   });
 });

@@ -4,6 +4,8 @@ export interface ConsoleLine {
   /** Counts up, so that a line stays the same one. */
   readonly id: number;
   readonly toMachine: boolean;
+  /** When it was heard, ms since 1970. */
+  readonly at: number;
   readonly text: string;
 }
 
@@ -30,7 +32,15 @@ export function filtered(lines: readonly ConsoleLine[], filter: string): readonl
   return lines.filter(({ text }) => words.every((word) => text.toLowerCase().includes(word)));
 }
 
-/** The lines as text to be copied: `>` to the machine, `<` from it. */
+/** "14:03:07.250", by the clock of this computer. */
+export function clockOf(at: number): string {
+  const when = new Date(at);
+  const two = (value: number) => String(value).padStart(2, "0");
+  const ms = String(when.getMilliseconds()).padStart(3, "0");
+  return `${two(when.getHours())}:${two(when.getMinutes())}:${two(when.getSeconds())}.${ms}`;
+}
+
+/** The lines as text to be copied: when, and `>` to the machine, `<` from it. */
 export function asText(lines: readonly ConsoleLine[]): string {
-  return lines.map(({ toMachine, text }) => `${toMachine ? ">" : "<"} ${text}`).join("\n");
+  return lines.map(({ toMachine, at, text }) => `${clockOf(at)} ${toMachine ? ">" : "<"} ${text}`).join("\n");
 }

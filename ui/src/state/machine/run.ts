@@ -135,7 +135,7 @@ function hearProgress(news: Extract<OperatorEvent, { event: "news" }>): void {
   const { state } = useRun.getState();
   switch (news.news) {
     case "console":
-      collect({ toMachine: news.to_machine, text: news.text });
+      collect({ toMachine: news.to_machine, at: Date.now(), text: news.text });
       break;
     case "warning":
       tell("warning", errorText(news), news.code);

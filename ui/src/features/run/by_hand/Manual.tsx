@@ -3,19 +3,16 @@ import { Button } from "../../../shared/controls/Button";
 import { NumberField } from "../../../shared/controls/NumberField";
 import { angle } from "../../../shared/figures/format";
 import { useLengths } from "../../../shared/figures/unit";
-import { beginMove, cancelMove, hideByHand, useByHand } from "../../../state/machine/by_hand";
+import { hideByHand, jogBy, useByHand } from "../../../state/machine/by_hand";
 import type { MachineState, Move } from "../../../state/machine/operator";
-import { order } from "../../../state/machine/run";
 import { Part } from "../../panel/Section";
 import { buttons } from "../buttons";
 import { movePhrase } from "../phrases";
 import { useProspect } from "../prospect";
+import { JogKeys } from "./JogKeys";
+import { type Axis, STEPS, type Steps } from "./jog_keys";
 import { Recording } from "./Recording";
 
-type Axis = "feed" | "bend" | "rotate";
-
-/** mm and degrees. */
-const START: Readonly<Record<Axis, number>> = { feed: 10, bend: 45, rotate: 90 };
 const AXES: readonly (readonly [Axis, string, string])[] = [
   ["feed", "F", "Feed"],
   ["bend", "B", "Bend"],
@@ -26,19 +23,14 @@ const moveOf = (axis: Axis, by: number): Move => (axis === "feed" ? { move: "fee
 
 /** Moving the machine axis by axis. */
 export function Manual({ state }: { readonly state: MachineState }) {
-  const [by, setBy] = useState(START);
+  const [by, setBy] = useState<Steps>(STEPS.coarse);
   const [record, setRecord] = useState(false);
   const { length, unit } = useLengths();
   const why = buttons(state, useProspect()).jog;
   const drawn = useByHand(({ played }) => played !== null);
   const { position } = state;
   const jog = (axis: Axis, amount: number) => {
-    if (why) return;
-    const move = moveOf(axis, amount);
-    beginMove();
-    void order({ order: "jog", moves: [move], record }).then((taken) => {
-      if (!taken) cancelMove();
-    });
+    if (!why) void jogBy([moveOf(axis, amount)], record);
   };
   const at: Readonly<Record<Axis, string>> = {
     feed: position ? length(position.feed_mm) : "–",
@@ -96,6 +88,7 @@ export function Manual({ state }: { readonly state: MachineState }) {
           </fieldset>
         ))}
       </div>
+      <JogKeys steps={by} why={why} onSteps={setBy} onJog={jog} />
       <Recording state={state} record={record} />
       {drawn && (
         <div className="row" role="status">

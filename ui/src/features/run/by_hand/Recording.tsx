@@ -6,6 +6,7 @@ import { useUnit } from "../../../shared/figures/unit";
 import { Mark } from "../../../shared/lists/Mark";
 import { Scrolls } from "../../../shared/lists/Scrolls";
 import { told } from "../../../state/asking/problems";
+import { jogBy } from "../../../state/machine/by_hand";
 import type { MachineState } from "../../../state/machine/operator";
 import { clearRecording, order, saveRecording, useRun } from "../../../state/machine/run";
 import { buttons } from "../buttons";
@@ -22,6 +23,7 @@ export function Recording({ state, record }: { readonly state: MachineState; rea
   const recorded = useRun((run) => run.recorded);
   const unit = useUnit();
   const [file, setFile] = useState<string | null>(null);
+  const [asking, setAsking] = useState(false);
   const [replayed, setReplayed] = useState<string | null>(null);
   const all = buttons(state, useProspect());
   const none = recorded.length === 0 ? "No moves are recorded." : null;
@@ -34,6 +36,11 @@ export function Recording({ state, record }: { readonly state: MachineState; rea
     if (picked === null) return;
     setReplayed(picked);
     await order({ order: "replay", file: picked });
+  };
+  // They count from the reference. A person has seen them; where something moves they say once more that it may.
+  const again = () => {
+    setAsking(false);
+    void jogBy(recorded[0]?.move === "home" ? recorded : [{ move: "home" }, ...recorded], false);
   };
   const foreign = replayed !== null && state.problem?.code === OF_ANOTHER;
   const asked = foreign && (
@@ -78,10 +85,32 @@ export function Recording({ state, record }: { readonly state: MachineState; rea
         <Button small why={none} onClick={() => void save()}>
           Save…
         </Button>
+        <Button
+          small
+          why={none ?? all.jog}
+          title={`Homes, then runs the ${count(recorded.length, "recorded move")} again`}
+          onClick={() => (state.simulated ? again() : setAsking(true))}
+        >
+          Replay
+        </Button>
         <Button small why={all.replay} onClick={() => void replay()}>
-          Replay…
+          Replay a file…
         </Button>
       </div>
+      {asking && (
+        <fieldset className="unfinished stack" aria-label="Replay the recorded moves">
+          <p>
+            <Mark tone="warning" /> The machine homes, then makes the {count(recorded.length, "move")} below without
+            another question. Watch it, with STOP at hand.
+          </p>
+          <div className="row end">
+            <Button onClick={() => setAsking(false)}>Leave it</Button>
+            <Button kind="danger" why={none ?? all.jog} onClick={again}>
+              Move
+            </Button>
+          </div>
+        </fieldset>
+      )}
       <Scrolls className="recorded" label="Recorded moves">
         {none ? (
           <span className="muted">Your moves are recorded here.</span>

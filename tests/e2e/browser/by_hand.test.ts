@@ -1,0 +1,109 @@
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { Editor, until } from "../support/editor.ts";
+
+let editor: Editor;
+beforeAll(async () => {
+  editor = await Editor.open();
+  await editor.take("house", "run");
+});
+afterAll(() => editor?.end());
+
+const run = () => editor.section("run");
+const button = (name: string | RegExp) =>
+  run().getByRole("button", typeof name === "string" ? { name, exact: true } : { name });
+const press = (key: string) => editor.page.keyboard.press(key);
+const state = async () => {
+  const { state } = await editor.loopback.ask("machine-state", {});
+  if (!state) throw new Error("no machine is connected");
+  return state;
+};
+/** Until it stands so and is done with its order, also in the window. */
+const rests = async (phase: string) => {
+  await until(async () => {
+    const now = await state();
+    return now.busy ? "busy" : now.phase;
+  }).toBe(phase);
+  await run().locator(`.run-phase.${phase}`).waitFor();
+  await until(() => button("Disconnect").getAttribute("aria-disabled")).toBeNull();
+};
+const places = async () => {
+  const { position } = await state();
+  return [position?.feed_mm, position?.bend_deg, position?.rotate_deg].map((value) => Math.round((value ?? NaN) * 10));
+};
+
+it("moves by keys only while the button for it is on, by the step that is shown", async () => {
+  await run().getByLabel("Port", { exact: true }).selectOption("sim:max");
+  await button("Connect").click();
+  await rests("connected");
+  await button("Home").click();
+  await rests("ready");
+  await button("Record").click();
+  const keys = button("Jog with keys");
+  await run().getByText("Fine", { exact: true }).click();
+  await keys.focus();
+  await press("ArrowRight");
+  expect(await places()).toEqual([0, 0, 0]);
+  await press("Space");
+  await run().getByText("Keys move the machine. Esc ends it.").waitFor();
+  await run().getByText("feed by 0.1 mm", { exact: false }).waitFor();
+  const moves = [
+    ["ArrowRight", "Feed 0.1 mm"],
+    ["ArrowUp", "Bend 0.5°"],
+    ["PageUp", "Rotate 0.5°"],
+    ["ArrowDown", "Bend −0.5°"],
+    ["+", null],
+    ["ArrowRight", "Feed 1.0 mm"],
+  ] as const;
+  const made: string[] = [];
+  for (const [key, move] of moves) {
+    await press(key);
+    if (move === null) {
+      await run().getByText("feed by 1.0 mm", { exact: false }).waitFor();
+      continue;
+    }
+    made.push(move);
+    await until(async () => (await state()).recorded).toBe(made.length);
+    await rests("ready");
+  }
+  await until(() => run().locator(".recorded li").allInnerTexts()).toEqual(made);
+  expect(await places()).toEqual([11, 0, 5]);
+  await editor.isCleanNow("by-hand-keys");
+  // The focus elsewhere, and keys are for something else.
+  await run().getByLabel("Feed by, mm").focus();
+  await run().getByText("Off: keys do not move the machine.").waitFor();
+  expect(await places()).toEqual([11, 0, 5]);
+});
+
+it("replays at once what was just recorded, from the reference", async () => {
+  await button("Home").click();
+  await rests("ready");
+  await button("Clear").first().click();
+  await until(async () => (await state()).recorded).toBe(0);
+  await run().getByText("Coarse", { exact: true }).click();
+  const [from = 0] = await places();
+  for (const [name, recorded] of [
+    ["Feed 10.0 mm", 1],
+    ["Rotate 90.0°", 2],
+  ] as const) {
+    await button(name).click();
+    await until(async () => (await state()).recorded).toBe(recorded);
+    await rests("ready");
+  }
+  expect(await places()).toEqual([from + 100, 0, 900]);
+  await button("Replay").click();
+  // The same feed once more; the head at 90° once more, and not at 180°.
+  await until(async () => (await places())[0]).toBe(from + 200);
+  await rests("ready");
+  expect(await places()).toEqual([from + 200, 0, 900]);
+  expect((await state()).recorded).toBe(2);
+});
+
+it("says in the console when each line went over the wire", async () => {
+  await button(/^Console/).click();
+  const lines = run().getByRole("log", { name: "Lines to and from the machine" }).locator("time");
+  await until(() => lines.count()).toBeGreaterThan(10);
+  const times = await lines.allInnerTexts();
+  expect(times.every((text) => /^\d\d:\d\d:\d\d\.\d{3}$/.test(text))).toBe(true);
+  expect(times.toSorted()).toEqual(times);
+  await editor.isClean("by-hand-console");
+});
