@@ -86,8 +86,10 @@ it("fits every section, opened to its last fold", async () => {
     if (id === "animate") await editor.section(id).getByRole("listbox", { name: "Steps" }).waitFor();
     if (id === "export") await editor.section(id).locator(".preview pre").first().waitFor();
     if (id === "run") {
-      await until(() => editor.button("Connect").getAttribute("aria-disabled")).toBeNull();
-      await editor.button("Connect").click();
+      await until(() =>
+        editor.section("run").getByRole("button", { name: "Connect", exact: true }).getAttribute("aria-disabled"),
+      ).toBeNull();
+      await editor.section("run").getByRole("button", { name: "Connect", exact: true }).click();
       await until(() => editor.button("Home").getAttribute("aria-disabled")).toBeNull();
       await editor.button("Record").click();
     }
@@ -99,6 +101,69 @@ it("fits every section, opened to its last fold", async () => {
     await everywhere(id, LARGE.has(id) ? ["dark"] : []);
     await editor.section(id).locator(".section-head").click();
   }
+});
+
+/** From the smallest window that is supported to a large screen. */
+const WINDOWS = [
+  { width: 960, height: 600 },
+  { width: 1280, height: 720 },
+  { width: 1920, height: 1080 },
+  { width: 2560, height: 1440 },
+] as const;
+
+/** Whether a click in the middle of STOP would press it. */
+const stopIsThere = () =>
+  editor.page.evaluate(() =>
+    [...document.querySelectorAll(".stop-button")].some((button) => {
+      const { left, right, top, bottom } = button.getBoundingClientRect();
+      const inside = left >= 0 && top >= 0 && right <= innerWidth && bottom <= innerHeight && right - left > 40;
+      const hit = document.elementFromPoint((left + right) / 2, (top + bottom) / 2);
+      return inside && hit !== null && button.contains(hit);
+    }),
+  );
+
+it("has STOP in sight in every window and theme, with every section, dialog, menu and message", async () => {
+  await editor.take("house", ...SECTIONS);
+  // As wide as it was made on a large screen.
+  const edge = editor.page.getByRole("separator", { name: "Width of the panel" });
+  await editor.page.setViewportSize(WINDOWS[3]);
+  await edge.focus();
+  await editor.page.keyboard.press("Home");
+  await until(() =>
+    editor.section("run").getByRole("button", { name: "Connect", exact: true }).getAttribute("aria-disabled"),
+  ).toBeNull();
+  await editor.section("run").getByRole("button", { name: "Connect", exact: true }).click();
+  await editor.section("run").locator(".run-phase.connected").waitFor();
+  for (const size of WINDOWS) {
+    await editor.page.setViewportSize(size);
+    for (const colorScheme of THEMES) {
+      await editor.page.emulateMedia({ colorScheme });
+      await until(() => editor.page.evaluate(() => document.documentElement.dataset.theme)).toBe(colorScheme);
+      const where = `at ${size.width} × ${size.height} in ${colorScheme}`;
+      expect(await outside(), where).toEqual([]);
+      expect(await stopIsThere(), `STOP ${where}`).toBe(true);
+      await picture(editor.page, `looks-stop-${size.width}-${colorScheme}`);
+    }
+    await editor.drop("nothing.xyzzy", "x");
+    await editor.messages.first().waitFor();
+    expect(await stopIsThere(), `STOP beside a message at ${size.width}`).toBe(true);
+    await editor.messages.first().getByRole("button", { name: "Dismiss" }).click();
+    await editor.page.locator(".viewport canvas").focus();
+    await editor.page.keyboard.press("?");
+    await editor.page.getByRole("dialog", { name: "Keys" }).waitFor();
+    expect(await stopIsThere(), `STOP beside a dialog at ${size.width}`).toBe(true);
+    await editor.page.keyboard.press("Escape");
+    await editor.page.getByRole("dialog", { name: "Keys" }).waitFor({ state: "detached" });
+    await editor.page.locator(".viewport canvas").focus();
+    await editor.page.keyboard.press("Shift+F10");
+    await editor.page.getByRole("menu").waitFor();
+    expect(await stopIsThere(), `STOP beside a menu at ${size.width}`).toBe(true);
+    await editor.page.keyboard.press("Escape");
+  }
+  await editor.page.emulateMedia({ colorScheme: "dark" });
+  await editor.button("Disconnect").click();
+  await edge.dblclick();
+  await editor.page.setViewportSize(SIZES[0]);
 });
 
 it("fits a narrow panel and a wide one, and shows lengths in inches", async () => {

@@ -183,7 +183,7 @@ it("keeps the layout when messages come, go and are dismissed, three at a time",
   );
 });
 
-it("keeps the layout while a machine is connected, and what is around its section", async () => {
+it("keeps the layout around the panel while a machine is connected", async () => {
   await editor.take("house", "run");
   const run = editor.section("run");
   await until(() => editor.button("Connect").getAttribute("aria-disabled")).toBeNull();
@@ -192,7 +192,7 @@ it("keeps the layout while a machine is connected, and what is around its sectio
     "connecting",
     () => editor.button("Connect").click(),
     () => run.locator(".run-phase.connected").waitFor(),
-    "#section-run .section-body",
+    ".panel-sections",
   );
   await until(() => editor.button("Disconnect").getAttribute("aria-disabled")).toBeNull();
   await holdsStill(
@@ -200,7 +200,7 @@ it("keeps the layout while a machine is connected, and what is around its sectio
     "disconnecting",
     () => editor.button("Disconnect").click(),
     () => editor.button("Connect").waitFor(),
-    "#section-run .section-body",
+    ".panel-sections",
   );
 });
 

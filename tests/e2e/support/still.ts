@@ -46,6 +46,18 @@ function moved(page: Page): Promise<string[]> {
   }, SAME);
 }
 
+/** What was opened comes into sight half a second later; nothing is measured before everything has been where it is for longer. */
+const REST_MS = 700;
+
+/** Waits until nothing moves any more of what came before. */
+async function atRest(page: Page): Promise<void> {
+  for (let still = 0; still < REST_MS; ) {
+    await measure(page, "");
+    await page.waitForTimeout(100);
+    still = (await moved(page)).length === 0 ? still + 100 : 0;
+  }
+}
+
 /**
  * Does something, and shows that nothing has moved but what it is done to: `acted` names that, and what belongs below it, as a selector. `settled`
  * waits for what the action brings.
@@ -57,6 +69,7 @@ export async function holdsStill(
   settled: () => Promise<unknown>,
   acted = "",
 ): Promise<void> {
+  await atRest(page);
   await measure(page, acted);
   await action();
   await settled();

@@ -7,6 +7,7 @@ import { useDesign } from "../../state/design/design";
 import { AXES, axisIndex, boundsOf, rotation, scaling, translation } from "../../state/design/geometry";
 import { array, largest, selectedVertices, transform } from "../../state/design/operations";
 import { useSelection } from "../../state/design/selection";
+import { useWhyNot } from "../../state/window/commands";
 import { AxisField, Do } from "./forms";
 
 type Kind = "step" | "turn";
@@ -97,9 +98,10 @@ export function ScaleForm() {
   useDesign();
   useSelection();
   const now = largest();
-  const make = () => {
-    if (!now) return;
-    void transform(scaling(factor, about === "origin" ? [0, 0, 0] : now.centre));
+  const why = useWhyNot("scale");
+  const make = (by: number) => {
+    if (!now || why || by === 1) return;
+    void transform(scaling(by, about === "origin" ? [0, 0, 0] : now.centre));
     setFactor(1);
   };
   return (
@@ -115,19 +117,29 @@ export function ScaleForm() {
             value={now && now.size * factor}
             min={0.001}
             onCommit={(mm) => now && setFactor(mm / now.size)}
+            onEnter={(mm) => now && make(mm / now.size)}
             why={now ? null : "The selection has no size"}
           />
         )}
       </Field>
       <Field label="Factor">
         {({ id }) => (
-          <NumberField id={id} kind="number" label="Factor" value={factor} min={1e-4} max={1e4} onCommit={setFactor} />
+          <NumberField
+            id={id}
+            kind="number"
+            label="Factor"
+            value={factor}
+            min={1e-4}
+            max={1e4}
+            onCommit={setFactor}
+            onEnter={make}
+          />
         )}
       </Field>
       <Field label="About">
         {() => <Segmented<About> label="Fixed point" choices={ABOUT} value={about} onChoose={setAbout} />}
       </Field>
-      <Do command="scale" onDo={make}>
+      <Do command="scale" onDo={() => make(factor)} why={factor === 1 ? "Type a size or a factor first." : null}>
         Scale
       </Do>
     </>

@@ -16,13 +16,16 @@ const AXIS_CHOICES = AXES.map((axis) => ({ value: axis, label: axis.toUpperCase(
 export function Do({
   command,
   onDo,
+  why: own,
   children,
 }: {
   readonly command: CommandId;
   readonly onDo: () => void;
+  /** Why its fields ask for nothing yet. */
+  readonly why?: string | null;
   readonly children: ReactNode;
 }) {
-  const why = useWhyNot(command);
+  const why = useWhyNot(command) ?? own ?? null;
   return (
     <div className="row end">
       {why && <span className="muted small grow">{why}</span>}

@@ -5,6 +5,8 @@ import "./panel.css";
 
 /** px of an arrow key. */
 const STEP = 16;
+/** px of the window that are left for the view, however wide the panel was made in a larger one. */
+const VIEW = 480;
 
 /** The panel on the right; its left edge is dragged, or moved with the arrow keys. */
 export function Panel({ children }: { readonly children: ReactNode }) {
@@ -18,7 +20,7 @@ export function Panel({ children }: { readonly children: ReactNode }) {
     grip.current = { x: event.clientX, width };
   };
   const move = (event: PointerEvent) => {
-    if (grip.current) setWidth(Math.min(grip.current.width + grip.current.x - event.clientX, window.innerWidth - 480));
+    if (grip.current) setWidth(Math.min(grip.current.width + grip.current.x - event.clientX, window.innerWidth - VIEW));
   };
   const key = (event: KeyboardEvent) => {
     const to: Partial<Record<string, number>> = {
@@ -33,7 +35,7 @@ export function Panel({ children }: { readonly children: ReactNode }) {
     setWidth(wanted);
   };
   return (
-    <aside className="panel" style={{ width }} aria-label="Panel">
+    <aside className="panel" style={{ width: `min(${width}px, 100vw - ${VIEW}px)` }} aria-label="Panel">
       {/* biome-ignore lint/a11y/useSemanticElements: it is dragged, and has a value; a line has none */}
       <div
         className="panel-edge"
