@@ -12,7 +12,9 @@ import { ScaleForm } from "./copies";
 
 const at = place();
 
-beforeEach(() => platform.ask.mockReset().mockReturnValue(new Promise(() => {})));
+beforeEach(() => {
+  platform.ask.mockReset().mockReturnValue(new Promise(() => {}));
+});
 
 const press = (on: Element, init: KeyboardEventInit) =>
   act(() => void on.dispatchEvent(new KeyboardEvent("keydown", { bubbles: true, cancelable: true, ...init })));
