@@ -50,6 +50,15 @@ describe("keys of the window", () => {
     expect(ran).toEqual(["save"]);
   });
 
+  it("undo what a field has changed, while nothing else is typed in it", () => {
+    const field = add('<input type="text" data-undo="design" data-target>');
+    press("z", field, { ctrlKey: true });
+    press("m", field);
+    field.removeAttribute("data-undo");
+    press("z", field, { ctrlKey: true });
+    expect(ran).toEqual(["undo"]);
+  });
+
   it("do nothing to the design while a field was used last, although it has lost the focus", () => {
     const field = add('<div><input type="text" data-target><p>mm</p></div><canvas class="work" tabindex="0"></canvas>');
     (field as HTMLElement).focus();

@@ -39,6 +39,12 @@ function reloads(event: KeyboardEvent): void {
 const writesSign = ({ key, ctrlKey, metaKey, altKey }: KeyboardEvent): boolean =>
   !ctrlKey && !metaKey && !altKey && (key.length === 1 || key === "Delete" || key === "Backspace");
 
+/** Whether undo is for the design although a field has the focus: what was typed there is taken, and changed something. */
+function undoesDesign({ target, key, ctrlKey, metaKey }: KeyboardEvent): boolean {
+  const taken = target instanceof HTMLElement && target.dataset.undo === "design";
+  return taken && (ctrlKey || metaKey) && ["z", "y"].includes(key.toLowerCase());
+}
+
 function pressed(event: KeyboardEvent): void {
   if (event.isComposing || event.defaultPrevented || asked() || inMenu(event)) return;
   const writes = typing(event.target);
@@ -53,7 +59,7 @@ function pressed(event: KeyboardEvent): void {
     event.preventDefault();
     return;
   }
-  const entry = commandOf(chordOf(event), writes);
+  const entry = commandOf(chordOf(event), writes && !undoesDesign(event));
   if (!entry || entry.native || used(event.target, event.key)) return;
   event.preventDefault();
   if (!event.repeat || entry.command === "undo" || entry.command === "redo") run(entry.command);

@@ -135,6 +135,15 @@ describe("beside its digits", () => {
     expect([click(), document.activeElement === field, field.selectionStart]).toEqual([true, true, 1]);
   });
 
+  it("undo is for the design until something is typed, and again once that is taken", () => {
+    const field = show();
+    expect(field.dataset.undo).toBe("design");
+    type(field, "12", "Shift");
+    expect(field.dataset.undo).toBeUndefined();
+    type(field, "12");
+    expect([committed, field.dataset.undo]).toEqual([[12], "design"]);
+  });
+
   it("the menu of a right click takes the focus, and nothing of what was typed", () => {
     const field = show();
     const menu = document.createElement("div");

@@ -177,6 +177,8 @@ export function NumberField({
         id={id}
         ref={field}
         type="text"
+        // With nothing typed that is not taken, undo is for what was changed by it.
+        data-undo={typed === null ? "design" : undefined}
         inputMode="decimal"
         autoComplete="off"
         spellCheck={false}
