@@ -10,17 +10,25 @@ const WHY: &str = "the flow of the house is one way, so that a stage can be read
 const MAY_KNOW: &[(&str, &[&str])] = &[
     ("crates/collide", &[]),
     ("crates/postman", &[]),
-    ("crates/core", &["crates/collide", "crates/postman"]),
+    ("crates/frame", &[]),
+    ("crates/core", &["crates/collide", "crates/postman", "crates/frame"]),
     ("crates/error", &[]),
     ("crates/profile", &["crates/error"]),
-    ("crates/files", &["crates/core", "crates/error", "crates/profile"]),
+    ("crates/files", &["crates/core", "crates/error", "crates/profile", "crates/frame"]),
     ("crates/driver-api", &[]),
     ("crates/journal", &[]),
     ("crates/driver-host", &["crates/driver-api", "crates/error", "crates/journal", "tests/built"]),
     ("drivers/*", &["crates/driver-api"]),
     (
         "crates/planning",
-        &["crates/core", "crates/error", "crates/profile", "crates/files", "crates/driver-host"],
+        &[
+            "crates/core",
+            "crates/error",
+            "crates/profile",
+            "crates/files",
+            "crates/frame",
+            "crates/driver-host",
+        ],
     ),
     (
         "crates/editor",
@@ -73,6 +81,7 @@ const MAY_KNOW: &[(&str, &[&str])] = &[
         &[
             "crates/collide",
             "crates/postman",
+            "crates/frame",
             "crates/core",
             "crates/profile",
             "crates/files",

@@ -1,0 +1,1 @@
+//! Stiffness, mass and loads of one beam.
