@@ -28,6 +28,9 @@ pub enum ModelError {
     /// A support holds a node that is not there.
     #[error("a support holds node {}, and there are {nodes} nodes", node.0)]
     UnknownSupport { node: NodeId, nodes: usize },
+    /// Memory does not hold its equations.
+    #[error("the equations of {nodes} nodes do not fit into memory")]
+    TooLarge { nodes: usize },
 }
 
 /// A frame that cannot stand.

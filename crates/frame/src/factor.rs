@@ -1,20 +1,59 @@
 //! A frame whose stiffness is factored: ready for any number of loads.
 
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::llt::factor::LltError;
+use faer::sparse::linalg::cholesky::{LltRef, SymbolicCholesky, SymbolicCholeskyRaw};
+use faer::{Conj, MatMut, Par, Side};
+
 use crate::assembly::Assembly;
+use crate::equations::Equations;
 use crate::error::{SolveError, Unstable};
 use crate::load::Load;
+use crate::loads::Acting;
 use crate::member_set::MemberSet;
-use crate::response::Response;
+use crate::model::NodeId;
+use crate::parts;
+use crate::response::{self, Response};
+
+/// A pivot that is smaller than this share of its diagonal is rounding: the frame has no stiffness there. A chain of n struts
+/// has pivots down to 1/n³ of slenderness 1/(L/d)².
+const NO_STIFFNESS: f64 = 1e-13;
+
+/// So many sizes of the model a node may move; more is a frame that hardly stands.
+const TOO_FAR: f64 = 10.0;
+
+/// So many right sides are solved together.
+const TOGETHER: usize = 32;
 
 /// The factored stiffness of some members of an assembly.
 pub struct Factor<'a> {
     assembly: &'a Assembly,
     members: MemberSet,
+    touched: Vec<bool>,
+    /// The lower half of the stiffness.
+    numbers: Vec<f64>,
+    lower: Lower,
 }
 
 impl<'a> Factor<'a> {
     pub(crate) fn new(assembly: &'a Assembly, members: &MemberSet) -> Result<Self, Unstable> {
-        Ok(Self { assembly, members: members.clone() })
+        parts::check(assembly, members)?;
+        let equations = &assembly.equations;
+        let touched = assembly.touched(members);
+        let numbers = stiffness(assembly, members, &touched);
+        let mechanism = |equation: usize| {
+            let node = equations.freedoms.get(equation).map_or(0, |freedom| freedom.node);
+            Unstable::Mechanism { node: NodeId(node) }
+        };
+        let lower = Lower::new(equations, &numbers).map_err(mechanism)?;
+        for equation in 0..equations.len() {
+            let pivot = lower.diagonal(&equations.symbolic, equation);
+            // Not a number is refused, too.
+            if !(pivot * pivot > NO_STIFFNESS * numbers[equations.diagonal(equation)]) {
+                return Err(mechanism(equation));
+            }
+        }
+        Ok(Self { assembly, members: members.clone(), touched, numbers, lower })
     }
 
     /// The members that are there.
@@ -23,20 +62,178 @@ impl<'a> Factor<'a> {
         &self.members
     }
 
+    /// The assembly that it is a part of.
+    #[must_use]
+    pub fn assembly(&self) -> &'a Assembly {
+        self.assembly
+    }
+
     /// What the frame does under a load.
     ///
     /// # Errors
     /// A load on a member or node that is not there; a displacement beyond ten times the size of the model.
     pub fn solve(&self, load: &Load) -> Result<Response, SolveError> {
-        let _ = (load, self.assembly);
-        unimplemented!("skeleton")
+        let acting = Acting::new(self.assembly, &self.members, load)?;
+        let forces = acting.nodal_forces(self.assembly, &self.members);
+        let displacements = self.displacements(std::slice::from_ref(&forces)).swap_remove(0);
+        let response = response::of(self.assembly, &self.members, &acting, &forces, displacements);
+        let (node, displacement_mm) = response.max_displacement();
+        let size_mm = self.assembly.size();
+        let finite = response.displacements.iter().flatten().all(|value| value.is_finite());
+        if !finite || displacement_mm > TOO_FAR * size_mm {
+            return Err(Unstable::TooSoft { node, displacement_mm, size_mm }.into());
+        }
+        Ok(response)
     }
 
     /// Displacements alone, for many cases of forces and moments at nodes at once: `forces[case][node]`, in the model's axes.
     /// What acts at a node that is held or not there is left out. Nothing is checked.
     #[must_use]
     pub fn displacements(&self, forces: &[Vec<[f64; 6]>]) -> Vec<Vec<[f64; 6]>> {
-        let _ = forces;
-        unimplemented!("skeleton")
+        let mut displacements = Vec::with_capacity(forces.len());
+        for cases in forces.chunks(TOGETHER) {
+            self.solve_together(cases, &mut displacements);
+        }
+        displacements
+    }
+
+    fn solve_together(&self, cases: &[Vec<[f64; 6]>], into: &mut Vec<Vec<[f64; 6]>>) {
+        let equations = &self.assembly.equations;
+        let n = equations.len();
+        let mut right = vec![0.0; n * cases.len()];
+        for (column, forces) in right.chunks_mut(n.max(1)).zip(cases) {
+            self.gather(forces, column);
+        }
+        let mut solution = right.clone();
+        let mut solver = self.lower.solver(&equations.symbolic, cases.len());
+        solver.solve(&mut solution);
+        // One step of refinement, with what the solution leaves of the right side.
+        for (x, rest) in solution.chunks(n.max(1)).zip(right.chunks_mut(n.max(1))) {
+            equations.subtract_product(&self.numbers, x, rest);
+        }
+        solver.solve(&mut right);
+        for (k, _) in cases.iter().enumerate() {
+            let part = k * n..(k + 1) * n;
+            let column = solution[part.clone()].iter().zip(&right[part]).map(|(x, more)| x + more);
+            into.push(self.scatter(column));
+        }
+    }
+
+    /// The right side of forces at nodes.
+    fn gather(&self, forces: &[[f64; 6]], column: &mut [f64]) {
+        let unit = self.assembly.rotation_unit;
+        for (value, freedom) in column.iter_mut().zip(&self.assembly.equations.freedoms) {
+            if self.touched[freedom.node] {
+                let force = forces[freedom.node][freedom.axis];
+                *value = if freedom.axis < 3 { force } else { force / unit };
+            }
+        }
+    }
+
+    /// The displacements of nodes of a solution.
+    fn scatter(&self, column: impl Iterator<Item = f64>) -> Vec<[f64; 6]> {
+        let unit = self.assembly.rotation_unit;
+        let mut displacements = vec![[0.0; 6]; self.assembly.model().nodes.len()];
+        for (value, freedom) in column.zip(&self.assembly.equations.freedoms) {
+            if self.touched[freedom.node] {
+                displacements[freedom.node][freedom.axis] =
+                    if freedom.axis < 3 { value } else { value / unit };
+            }
+        }
+        displacements
+    }
+}
+
+/// The lower half of the stiffness of some members. Nodes that none touches have a diagonal of its mean.
+fn stiffness(assembly: &Assembly, members: &MemberSet, touched: &[bool]) -> Vec<f64> {
+    let equations = &assembly.equations;
+    let mut numbers = vec![0.0; equations.numbers()];
+    for member in members.iter() {
+        let matrix = assembly.elements[member.0].stiffness(assembly.rotation_unit);
+        equations.add(&mut numbers, member.0, &matrix);
+    }
+    fill_untouched(equations, &mut numbers, touched);
+    numbers
+}
+
+/// Gives nodes that no member touches a diagonal as large as the mean of the others.
+pub(crate) fn fill_untouched(equations: &Equations, numbers: &mut [f64], touched: &[bool]) {
+    let own = |equation: usize| touched[equations.freedoms[equation].node];
+    let (mut sum, mut count) = (0.0, 0.0);
+    for equation in (0..equations.len()).filter(|&equation| own(equation)) {
+        sum += numbers[equations.diagonal(equation)];
+        count += 1.0;
+    }
+    let mean = if count > 0.0 && sum > 0.0 { sum / count } else { 1.0 };
+    for equation in (0..equations.len()).filter(|&equation| !own(equation)) {
+        numbers[equations.diagonal(equation)] = mean;
+    }
+}
+
+/// The lower triangle L of L Lᵀ.
+pub(crate) struct Lower {
+    values: Vec<f64>,
+}
+
+impl Lower {
+    /// Factors a matrix by its lower half. The error is the equation at which it is not positive definite.
+    pub fn new(equations: &Equations, numbers: &[f64]) -> Result<Self, usize> {
+        let symbolic = &equations.symbolic;
+        let mut values = vec![0.0; symbolic.len_val()];
+        let mut memory =
+            MemBuffer::new(symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default()));
+        symbolic
+            .factorize_numeric_llt(
+                &mut values,
+                equations.matrix(numbers),
+                Side::Lower,
+                Default::default(),
+                Par::Seq,
+                MemStack::new(&mut memory),
+                Default::default(),
+            )
+            .map_err(|LltError::NonPositivePivot { index }| index)?;
+        Ok(Self { values })
+    }
+
+    /// The root of the pivot of an equation.
+    fn diagonal(&self, symbolic: &SymbolicCholesky<usize>, equation: usize) -> f64 {
+        match symbolic.raw() {
+            SymbolicCholeskyRaw::Simplicial(simplicial) => self.values[simplicial.col_ptr()[equation]],
+            SymbolicCholeskyRaw::Supernodal(supernodal) => {
+                let begins = supernodal.supernode_begin();
+                let s = begins.partition_point(|&begin| begin <= equation) - 1;
+                let within = equation - begins[s];
+                let rows =
+                    supernodal.supernode_end()[s] - begins[s] + supernodal.supernode(s).pattern().len();
+                self.values[supernodal.col_ptr_for_val()[s] + within * (rows + 1)]
+            }
+        }
+    }
+
+    /// Memory for so many right sides at once.
+    pub fn solver<'s>(&'s self, symbolic: &'s SymbolicCholesky<usize>, columns: usize) -> Solver<'s> {
+        let memory = MemBuffer::new(symbolic.solve_in_place_scratch::<f64>(columns, Par::Seq));
+        Solver { factor: LltRef::new(symbolic, &self.values), memory, columns }
+    }
+}
+
+/// Solves several right sides at once, again and again.
+pub(crate) struct Solver<'s> {
+    factor: LltRef<'s, usize, f64>,
+    memory: MemBuffer,
+    columns: usize,
+}
+
+impl Solver<'_> {
+    /// Solves in place; columns follow each other, at most as many as there is memory for.
+    pub fn solve(&mut self, columns: &mut [f64]) {
+        let rows = self.factor.symbolic().nrows();
+        if rows == 0 {
+            return;
+        }
+        let count = (columns.len() / rows).min(self.columns);
+        let right = MatMut::from_column_major_slice_mut(&mut columns[..rows * count], rows, count);
+        self.factor.solve_in_place_with_conj(Conj::No, right, Par::Seq, MemStack::new(&mut self.memory));
     }
 }

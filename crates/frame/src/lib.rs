@@ -13,14 +13,18 @@
 //! node are three displacements and three rotations about x, y and z.
 
 mod assembly;
+mod checks;
 mod element;
+mod equations;
 mod error;
 mod factor;
 mod flexibility;
 mod load;
+mod loads;
 mod member_set;
 mod model;
 mod modes;
+mod parts;
 mod pieces;
 mod response;
 mod section;

@@ -27,20 +27,21 @@ pub struct LineLoad {
     pub force: Vector3<f64>,
 }
 
-/// How a member without stress differs from the one drawn: it is forced between its nodes all the same.
+/// A member that does not fit between its nodes as drawn, and is forced to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Misfit {
     /// Which member.
     pub member: MemberId,
     /// How much longer it is, mm.
     pub extra_length: f64,
-    /// By how much its end at `a` is turned against the drawing, a small rotation vector in the model's axes, radian.
+    /// By how much its end at `a` is turned against the joint that it is made to, a small rotation vector in the model's
+    /// axes, radian: a joint that stays as drawn turns the end of the member by this.
     pub rotation_a: Vector3<f64>,
     /// The same at `b`.
     pub rotation_b: Vector3<f64>,
 }
 
-/// The general misfit: where the ends of a member without stress are, seen from the drawing.
+/// The general misfit: how the ends of a member are moved beside what their nodes do. Its forces are `K_e (u + ends)`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EndMotion {
     /// Which member.

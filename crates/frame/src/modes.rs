@@ -1,5 +1,9 @@
 //! How a frame vibrates.
 
+use crate::assembly::Assembly;
+use crate::error::ModesError;
+use crate::member_set::MemberSet;
+
 /// What modes are looked for.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ModeSearch {
@@ -35,4 +39,13 @@ pub struct Mode {
     pub kind: ModeKind,
     /// Of each node, mm and radian, so that the modal mass is 1 t. Modes of equal frequency come in any mixture.
     pub shape: Vec<[f64; 6]>,
+}
+
+pub(crate) fn find(
+    assembly: &Assembly,
+    members: &MemberSet,
+    search: &ModeSearch,
+) -> Result<Vec<Mode>, ModesError> {
+    let _ = (assembly, members, search);
+    unimplemented!("skeleton")
 }

@@ -2,6 +2,11 @@
 
 use nalgebra::Vector3;
 
+use crate::assembly::Assembly;
+use crate::element::Vector12;
+use crate::equations::NONE;
+use crate::loads::{self, Acting};
+use crate::member_set::MemberSet;
 use crate::model::{MemberId, NodeId};
 use crate::section::Section;
 use crate::stress::{SectionForces, Stress};
@@ -126,4 +131,80 @@ impl MemberForces {
         let euler = std::f64::consts::PI.powi(2) * section.e * section.iy.min(section.iz);
         compression * self.length * self.length / euler
     }
+}
+
+/// What there is to tell of displacements: forces of members and supports, and how well all balances.
+pub(crate) fn of(
+    assembly: &Assembly,
+    members: &MemberSet,
+    acting: &Acting,
+    forces: &[[f64; 6]],
+    displacements: Vec<[f64; 6]>,
+) -> Response {
+    // What members do to nodes, and what acts there from outside.
+    let mut at_nodes = vec![[0.0; 6]; displacements.len()];
+    let mut member_forces = Vec::with_capacity(members.len());
+    for member in members.iter() {
+        let element = &assembly.elements[member.0];
+        let line = acting.line[member.0];
+        let ends = assembly.ends(member, &displacements) + acting.misfit(member);
+        let by_joints = element.forces(&ends) - element.spread(&line);
+        loads::add(assembly, &mut at_nodes, member, &by_joints);
+        let local = local(&element.axes, &by_joints);
+        let line = (element.axes * line).into();
+        member_forces.push(MemberForces { member, length: element.length, local, line });
+    }
+    let work =
+        forces.iter().flatten().zip(displacements.iter().flatten()).map(|(f, u)| f * u).sum::<f64>() / 2.0;
+    for (sum, outside) in at_nodes.iter_mut().flatten().zip(acting.nodal.iter().flatten()) {
+        *sum -= outside;
+    }
+    let residual = residual(assembly, acting, &at_nodes, &member_forces);
+    Response {
+        reactions: reactions(assembly, members, &at_nodes),
+        displacements,
+        member_forces,
+        residual,
+        work,
+    }
+}
+
+fn local(axes: &nalgebra::Matrix3<f64>, ends: &Vector12) -> [f64; 12] {
+    let mut local = [0.0; 12];
+    for (k, turned) in local.chunks_mut(3).enumerate() {
+        turned.copy_from_slice((axes * ends.fixed_rows::<3>(3 * k)).as_slice());
+    }
+    local
+}
+
+/// What is left over at nodes that are free, against the largest force there is. Moments count by the mean length.
+fn residual(assembly: &Assembly, acting: &Acting, rest: &[[f64; 6]], forces: &[MemberForces]) -> f64 {
+    let unit = |axis: usize| if axis % 6 < 3 { 1.0 } else { assembly.rotation_unit };
+    let size = |values: &[f64]| {
+        values.iter().enumerate().map(|(axis, value)| value.abs() / unit(axis)).fold(0.0, f64::max)
+    };
+    let most = forces.iter().map(|forces| size(&forces.local)).fold(0.0, f64::max);
+    let most = acting.nodal.iter().map(|nodal| size(nodal)).fold(most, f64::max);
+    let mut left = 0.0_f64;
+    for (rest, equations) in rest.iter().zip(&assembly.equations.of_node) {
+        for axis in (0..6).filter(|&axis| equations[axis] != NONE) {
+            left = left.max(rest[axis].abs() / unit(axis));
+        }
+    }
+    if most > 0.0 { left / most } else { 0.0 }
+}
+
+fn reactions(assembly: &Assembly, members: &MemberSet, at_nodes: &[[f64; 6]]) -> Vec<Reaction> {
+    let touched = assembly.touched(members);
+    let held = assembly.equations.of_node.iter().zip(at_nodes).enumerate();
+    let held = held.filter(|(node, (equations, _))| touched[*node] && equations.contains(&NONE));
+    let reaction = held.map(|(node, (equations, sum))| {
+        let at = |axis: usize| if equations[axis] == NONE { sum[axis] } else { 0.0 };
+        Reaction {
+            node: NodeId(node),
+            force: Vector3::new(at(0), at(1), at(2)),
+            moment: Vector3::new(at(3), at(4), at(5)),
+        }
+    });
+    reaction.collect()
 }
