@@ -62,9 +62,11 @@ impl Equations {
             blocks.places(&equations, &freedoms, pattern.col_ptr())
         });
         let places = places.collect();
+        // In the order as it is faer wants the upper half here, and takes the lower one for the numbers.
+        let upper = pattern.as_ref().transpose().to_col_major().ok()?;
         let symbolic = factorize_symbolic_cholesky(
-            pattern.as_ref(),
-            Side::Lower,
+            upper.as_ref(),
+            Side::Upper,
             SymmetricOrdering::Identity,
             CholeskySymbolicParams::default(),
         )

@@ -99,7 +99,13 @@ pub enum ModesError {
     /// A section weighs nothing, so that its members vibrate at no frequency.
     #[error("section {} has no density", section.0)]
     Weightless { section: SectionId },
+    /// There is not one strut named for each member.
+    #[error("struts are named for {struts} of {members} members")]
+    Struts { struts: usize, members: usize },
     /// The search has not come to an end.
-    #[error("{found} of {wanted} modes were found after {solves} solutions")]
-    NotConverged { found: usize, wanted: usize, solves: usize },
+    #[error("{found} of {wanted} modes were found among {vectors} directions")]
+    NotConverged { found: usize, wanted: usize, vectors: usize },
+    /// A figure is so large or small that what was computed is no number.
+    #[error("the modes are no finite numbers")]
+    NotFinite,
 }

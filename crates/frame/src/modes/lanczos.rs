@@ -1,0 +1,130 @@
+//! The lowest modes by shift-invert Lanczos in blocks.
+//!
+//! The operator (K + σ M)⁻¹ M is symmetric in the inner product of M, and its largest values belong to the lowest modes. What it
+//! makes of a block is made orthogonal to all that is there, and is the next block; the operator between all blocks is a small matrix,
+//! whose values become those of the operator.
+
+use faer::{Mat, MatRef, Side};
+
+use super::basis::{Basis, Block};
+use super::mass::Mass;
+use crate::error::ModesError;
+use crate::factor::Solver;
+
+/// So many vectors are solved together; as many equal frequencies are found at once.
+pub(super) const BLOCK: usize = 6;
+
+/// A mode has converged when what is left of its value is below this share of it. The share bounds the error of the value, and
+/// a frequency errs by half as much.
+const CONVERGED: f64 = 1e-8;
+
+/// Beyond so many vectors, and ten more for each mode wanted, a search has failed.
+const MOST_VECTORS: usize = 1000;
+
+/// The vectors of the `wanted` lowest modes, lowest first, beside the rigid ones. `free` is how many rows are those of nodes that
+/// are there; no more than `free` less the rigid ones are wanted.
+pub(super) fn lowest(
+    mass: &Mass,
+    solver: &mut Solver,
+    rigid: &[Vec<f64>],
+    free: usize,
+    wanted: usize,
+) -> Result<Vec<Vec<f64>>, ModesError> {
+    let all = free - rigid.len();
+    let most = all.min(MOST_VECTORS + 10 * wanted);
+    let mut basis = Basis::new(mass, rigid);
+    let mut random = Random(0x2545_F491_4F6C_DD1D);
+    let mut operator = Vec::<Mat<f64>>::new();
+    let mut look_at = wanted.max(2 * BLOCK);
+    let mut block = begin(&basis, solver, &mut random);
+    while basis.len() < most && block.width() > 0 {
+        block.keep(most - basis.len());
+        let from = basis.append(&block);
+        let mut next = basis.mass_vectors_from(from).to_vec();
+        solver.solve(&mut next);
+        block = basis.orthogonal(next);
+        operator.push(block.along.clone());
+        let (end, complete) = (basis.len(), basis.len() == all);
+        if end >= look_at || complete || end == most {
+            let ritz = Ritz::new(&operator)?;
+            let converged = if complete { all } else { ritz.converged(&block.leads) };
+            if converged >= wanted {
+                return Ok((0..wanted).map(|k| basis.combined(&ritz.vector(k))).collect());
+            }
+            if end == most {
+                return Err(ModesError::NotConverged { found: converged, wanted, vectors: end });
+            }
+            // The small problem costs its size cubed, and so is looked at but now and then.
+            look_at = end + (end / 6).max(2 * BLOCK);
+        }
+        if block.width() == 0 {
+            // What the search began with holds no other mode; equal ones may be left.
+            block = begin(&basis, solver, &mut random);
+        }
+    }
+    // Reached only with nothing wanted, or with fewer directions than rows, which a positive mass does not have.
+    if wanted == 0 {
+        Ok(Vec::new())
+    } else {
+        Err(ModesError::NotConverged { found: 0, wanted, vectors: basis.len() })
+    }
+}
+
+/// A block of random directions, in which the lowest modes are already the strongest.
+fn begin(basis: &Basis, solver: &mut Solver, random: &mut Random) -> Block {
+    let mut columns: Vec<f64> = (0..basis.rows() * BLOCK).map(|_| random.next()).collect();
+    columns = basis.mass().times(&columns);
+    solver.solve(&mut columns);
+    basis.orthogonal(columns)
+}
+
+/// The values and vectors of the operator between the blocks, largest value first.
+struct Ritz {
+    values: Vec<f64>,
+    vectors: Mat<f64>,
+}
+
+impl Ritz {
+    /// Each column block of the operator down to its diagonal block.
+    fn new(operator: &[Mat<f64>]) -> Result<Self, ModesError> {
+        let size = operator.iter().map(Mat::ncols).sum();
+        let mut upper = Mat::<f64>::zeros(size, size);
+        let mut from = 0;
+        for block in operator {
+            upper.as_mut().submatrix_mut(0, from, block.nrows(), block.ncols()).copy_from(block);
+            from += block.ncols();
+        }
+        let eigen = upper.self_adjoint_eigen(Side::Upper).map_err(|_| ModesError::NotFinite)?;
+        let values = eigen.S().column_vector().iter().rev().copied().collect();
+        let vectors = eigen.U().reverse_cols().to_owned();
+        Ok(Self { values, vectors })
+    }
+
+    fn vector(&self, k: usize) -> Vec<f64> {
+        self.vectors.col(k).iter().copied().collect()
+    }
+
+    /// How many of the largest have converged, up to the first that has not. `leads` goes from the last block to the next.
+    fn converged(&self, leads: &Mat<f64>) -> usize {
+        let width = leads.ncols();
+        let last: MatRef<f64> = self.vectors.as_ref().subrows(self.values.len() - width, width);
+        let left = leads * last;
+        let norm = |k: usize| left.col(k).norm_l2();
+        (0..self.values.len()).take_while(|&k| norm(k) <= CONVERGED * self.values[k]).count()
+    }
+}
+
+/// The same numbers at every run (Marsaglia's xorshift, 2003).
+struct Random(u64);
+
+impl Random {
+    /// From -1 to 1.
+    fn next(&mut self) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        #[allow(clippy::cast_precision_loss, reason = "53 bits are what a number holds")]
+        let share = (self.0 >> 11) as f64 / (1_u64 << 53) as f64;
+        2.0 * share - 1.0
+    }
+}

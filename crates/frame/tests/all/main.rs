@@ -1,0 +1,9 @@
+//! Frames against figures of other programs, theory, and what has to hold for any frame.
+
+mod flexibility;
+mod frames;
+mod modes;
+mod properties;
+mod published;
+mod refusals;
+mod trusses;

@@ -1,0 +1,163 @@
+//! Frequencies: theory, other programs, and trusses that others have published.
+
+use std::f64::consts::{PI, TAU};
+
+use nalgebra::Vector3;
+use wirebend_frame::{Assembly, Mode, ModeKind, ModeSearch, Model, NodeId, Pieces, Section, Support};
+
+use crate::frames::{ABS, STEEL, assert_close, beam, bunny, frame};
+use crate::trusses::{accuracy_test_wire, truss};
+
+fn modes(model: &Model, pieces: usize, count: usize) -> Vec<Mode> {
+    let cut = Pieces::new(model, pieces);
+    let assembly = Assembly::new(&cut.model).expect("a model");
+    let search = ModeSearch { count, shift_hz: 100.0, struts: cut.struts };
+    assembly.modes(&assembly.all(), &search).expect("modes")
+}
+
+/// Without those in which nothing bends.
+fn bending(modes: &[Mode]) -> Vec<f64> {
+    modes.iter().filter(|mode| mode.kind != ModeKind::Rigid).map(|mode| mode.frequency_hz).collect()
+}
+
+fn assert_frequencies(found: &[f64], expected: &[f64], share: f64) {
+    assert!(found.len() >= expected.len(), "{found:?}");
+    for (found, expected) in found.iter().zip(expected) {
+        assert_close(*found, *expected, share);
+    }
+}
+
+/// (β L)² / 2π L² · √(E I / ρ A) of a steel wire of diameter 0.9 mm, Hz.
+fn beam_theory(beta_length: f64, length: f64) -> f64 {
+    let section = Section::round(0.9, &STEEL);
+    let stiff = section.e * section.iy / (section.density * section.area);
+    beta_length.powi(2) / (TAU * length * length) * stiff.sqrt()
+}
+
+/// Bernoulli's β L of clamped-free beams is 1.875104068711961. Four cubic elements are too stiff by 3.3e-5 in the first mode
+/// (Archer 1963 has the matrix), as OpenSees finds.
+#[test]
+fn a_cantilever_of_four_pieces_is_three_in_a_hundred_thousand_above_theory() {
+    let mut model = beam(Vector3::new(30.0, -40.0, 120.0));
+    model.supports = vec![Support::clamped(NodeId(0))];
+    let found = bending(&modes(&model, 4, 2));
+    let theory = beam_theory(1.875_104_068_711_961, 130.0);
+    for frequency in found {
+        let above = frequency / theory - 1.0;
+        assert!((1e-6..1e-4).contains(&above), "{above}");
+    }
+}
+
+/// β L of free-free beams is 4.730040744862704; four elements are 1.1e-3 above.
+#[test]
+fn a_free_beam_of_four_pieces_is_one_in_a_thousand_above_theory() {
+    let found = modes(&beam(Vector3::new(0.0, 0.0, 100.0)), 4, 2);
+    let rigid: Vec<&Mode> = found.iter().filter(|mode| mode.kind == ModeKind::Rigid).collect();
+    assert_eq!(rigid.len(), 6);
+    assert!(rigid.iter().all(|mode| mode.frequency_hz < 1e-3), "{rigid:?}");
+    let theory = beam_theory(4.730_040_744_862_704, 100.0);
+    for frequency in bending(&found) {
+        assert_close(frequency / theory - 1.0, 1.1e-3, 0.05);
+    }
+}
+
+/// A clamped rod that is twisted and stretched: 1/4L of the speed of either wave. Elements of a rod are too stiff by (π/4n)²/6.
+#[test]
+fn a_rod_twists_and_stretches_at_the_speed_of_waves() {
+    let mut model = beam(Vector3::new(2.0, 0.0, 0.0));
+    model.supports = vec![Support::clamped(NodeId(0))];
+    let found = bending(&modes(&model, 40, 30));
+    for stiffness in [STEEL.g, STEEL.e] {
+        let theory = (stiffness / STEEL.density).sqrt() / (4.0 * 2.0);
+        let above = 1.0 + (PI / 160.0).powi(2) / 6.0;
+        let nearest = found.iter().map(|f| (f / (theory * above) - 1.0).abs()).fold(f64::INFINITY, f64::min);
+        assert!(nearest < 1e-6, "{theory} Hz is not among {found:?}");
+    }
+}
+
+/// OpenSeesPy 3.7.1.2, one element a strut, feet clamped.
+#[test]
+fn printed_frames_vibrate_as_other_programs_say() {
+    let expected = [18.1481, 23.1528, 26.5428];
+    assert_frequencies(&bending(&modes(&bunny(), 1, 3)), &expected, 1e-5);
+    let c_shape = frame("tests/data/C_shape.txt", Section::round(1.5, &ABS));
+    assert_frequencies(&bending(&modes(&c_shape, 1, 3)), &[31.372, 39.653, 46.206], 2e-5);
+}
+
+/// The tetrahedral trusses of Bend-Forming with 1 and 3 rings, each strut once. N 1 by OpenSees too.
+#[test]
+fn free_trusses() {
+    for (rings, expected) in [(1, 596.635), (3, 598.175)] {
+        let found = modes(&truss(rings), 4, 3);
+        assert_eq!(found.iter().filter(|mode| mode.kind == ModeKind::Rigid).count(), 6);
+        assert_close(bending(&found)[0], expected, 1e-6);
+    }
+}
+
+/// The same with 5 rings: 18,972 equations, the lowest modes those of the whole truss.
+#[test]
+fn a_free_truss_of_five_rings() {
+    let found = modes(&truss(5), 4, 3);
+    assert_close(bending(&found)[0], 439.158, 2e-6);
+    assert_eq!(found[6].kind, ModeKind::Global);
+}
+
+/// The wire of Bend-Forming's accuracy test, struts that it takes twice being two members.
+#[test]
+fn a_truss_as_its_wire_runs() {
+    let model = accuracy_test_wire();
+    assert_close(bending(&modes(&model, 4, 1))[0], 564.80, 1e-5);
+    assert_close(bending(&modes(&model, 8, 1))[0], 564.60, 1e-5);
+}
+
+/// A part that nothing holds beside one that stands, and one that can spin about its own axis.
+#[test]
+fn rigid_motions_are_those_that_supports_leave() {
+    let mut model = beam(Vector3::new(100.0, 0.0, 0.0));
+    model.supports = vec![Support::clamped(NodeId(0))];
+    assert!(modes(&model, 4, 1).iter().all(|mode| mode.kind != ModeKind::Rigid));
+    model.supports = vec![Support::pinned(NodeId(0)), Support::pinned(NodeId(1))];
+    let found = modes(&model, 4, 1);
+    assert_eq!(found[0].kind, ModeKind::Rigid);
+    let spin = found[0].shape[0][3].abs();
+    assert!(found[0].shape.iter().all(|u| (u[3].abs() - spin).abs() < 1e-9 * spin), "{:?}", found[0].shape);
+    assert!(bending(&found)[0] > 1.0);
+
+    let mut two = bunny();
+    let loose = NodeId(two.nodes.len());
+    two.nodes.extend([nalgebra::Point3::new(500.0, 0.0, 0.0), nalgebra::Point3::new(600.0, 0.0, 0.0)]);
+    two.members.push(wirebend_frame::Member::new(loose, NodeId(loose.0 + 1), wirebend_frame::SectionId(0)));
+    let found = modes(&two, 1, 3);
+    assert_eq!(found.iter().filter(|mode| mode.kind == ModeKind::Rigid).count(), 6);
+    assert_frequencies(&bending(&found), &[18.1481, 23.1528, 26.5428], 1e-5);
+}
+
+/// A long thin strut on a stiff frame vibrates alone, and is told so.
+#[test]
+fn a_mode_of_one_strut_names_it() {
+    let mut model = beam(Vector3::new(10.0, 0.0, 0.0));
+    let wire = model.members[0];
+    model.nodes.extend([(0.0, 10.0, 0.0), (200.0, 0.0, 0.0)].map(|(x, y, z)| nalgebra::Point3::new(x, y, z)));
+    model.members.push(wirebend_frame::Member { a: NodeId(0), b: NodeId(2), ..wire });
+    model.members.push(wirebend_frame::Member { a: NodeId(1), b: NodeId(3), ..wire });
+    model.supports = [0, 2, 3].map(|node| Support::clamped(NodeId(node))).to_vec();
+    assert_eq!(modes(&model, 4, 1)[0].kind, ModeKind::Local { strut: 2 });
+}
+
+/// As many modes as a model has, each but once: of a clamped beam of one element the two roots of 35 μ² - 102 μ + 3 = 0, with
+/// 420 μ = ρ A L⁴ ω² / E I, in both planes (Leckie, Lindberg 1963), and 3 c² / L² of either wave.
+#[test]
+fn all_modes_of_a_single_element() {
+    let mut model = beam(Vector3::new(100.0, 0.0, 0.0));
+    model.supports = vec![Support::clamped(NodeId(0))];
+    let found = modes(&model, 1, 100);
+    let bend = [-1.0, 1.0].map(|sign| {
+        let root = (102.0 + sign * (102.0_f64.powi(2) - 420.0).sqrt()) / 70.0;
+        beam_theory((420.0 * root).powf(0.25), 100.0)
+    });
+    let rod = |stiffness: f64| (3.0 * stiffness / STEEL.density).sqrt() / 100.0 / TAU;
+    let mut expected = [bend[0], bend[0], bend[1], bend[1], rod(STEEL.g), rod(STEEL.e)];
+    expected.sort_by(f64::total_cmp);
+    assert_eq!(found.len(), 6);
+    assert_frequencies(&bending(&found), &expected, 1e-9);
+}
