@@ -11,8 +11,9 @@ use crate::error::Unstable;
 use crate::factor::Factor;
 use crate::member_set::MemberSet;
 
-/// A strut that leaves less than this share of what it holds up is not taken out of F: too many digits would be lost.
-const LEFT: f64 = 1e-6;
+/// A strut is not taken out of F when less than this share of F is left of the difference that decides: F is good to about twelve
+/// digits, and five are wanted.
+const LEFT: f64 = 1e-7;
 
 /// F = K⁻¹ of the nodes that move: those that members that stand touch and that are not held altogether.
 pub(super) struct Store<'a> {
@@ -162,7 +163,7 @@ impl<'a> Store<'a> {
         let spans = self.spans(strut, base.as_deref(), tip.as_deref());
         let weight = -strut.weight;
         let apart = self.apart(strut, &spans, displacements, &weight.into());
-        let force = left(&strut.gives, &spans.deformed)?.solve(&apart);
+        let force = left(&strut.gives, &spans)?.solve(&apart);
         let at_base = weight.fixed_rows::<6>(0) - strut.carried_back(&force);
         let at_tip = weight.fixed_rows::<6>(6) + force;
         for (rows, force) in [(base, at_base), (tip, at_tip)] {
@@ -181,7 +182,13 @@ impl<'a> Store<'a> {
         let at_base = base_tip.transpose() - strut.carried_all(&base_base);
         let at_tip = tip_tip - strut.carried_all(&base_tip);
         let deformed = at_tip - strut.carried_all(&at_base.transpose()).transpose();
-        Spans { at_base, at_tip, deformed: (deformed + deformed.transpose()) / 2.0 }
+        Spans {
+            at_base,
+            at_tip,
+            deformed: (deformed + deformed.transpose()) / 2.0,
+            base: base_base,
+            tip: tip_tip,
+        }
     }
 
     /// How far the tip is from where the base would carry it, with forces on both added.
@@ -197,7 +204,7 @@ impl<'a> Store<'a> {
         match place {
             Place::Hangs(strut) => self.hang(strut),
             Place::Joins(strut) => {
-                let gives = strut.gives + self.deformed(strut);
+                let gives = strut.gives + self.spans_of(strut).deformed;
                 if let Some(factor) = gives.cholesky() {
                     self.update(strut, &factor, -1.0);
                 }
@@ -210,16 +217,16 @@ impl<'a> Store<'a> {
         match place {
             Place::Hangs(strut) => self.drop_node(strut.tip),
             Place::Joins(strut) => {
-                if let Some(factor) = left(&strut.gives, &self.deformed(strut)) {
+                if let Some(factor) = left(&strut.gives, &self.spans_of(strut)) {
                     self.update(strut, &factor, 1.0);
                 }
             }
         }
     }
 
-    fn deformed(&self, strut: &Strut) -> Matrix6<f64> {
+    fn spans_of(&self, strut: &Strut) -> Spans {
         let (base, tip) = (self.rows(strut.base), self.rows(strut.tip));
-        self.spans(strut, base.as_deref(), tip.as_deref()).deformed
+        self.spans(strut, base.as_deref(), tip.as_deref())
     }
 
     /// F + sign · F Gᵀ S⁻¹ G F, with S factored.
@@ -306,16 +313,24 @@ struct Spans {
     at_tip: Matrix6<f64>,
     /// G F Gᵀ.
     deformed: Matrix6<f64>,
+    /// F at the base.
+    base: Matrix6<f64>,
+    /// F at the tip.
+    tip: Matrix6<f64>,
 }
 
-/// C - G F Gᵀ, factored, where enough of C is left of it.
-fn left(gives: &Matrix6<f64>, deformed: &Matrix6<f64>) -> Option<Cholesky<f64, nalgebra::U6>> {
-    // In units in which C is 1, so that the least value is the share that is left.
+/// C - G F Gᵀ, factored, where rounding leaves enough digits of it.
+fn left(gives: &Matrix6<f64>, spans: &Spans) -> Option<Cholesky<f64, nalgebra::U6>> {
+    // In units in which C is 1: what is left of it, and how large the figures are of which it is the difference.
     let root = gives.cholesky()?.l();
-    let half = root.solve_lower_triangular(&(gives - deformed))?;
-    let share = root.solve_lower_triangular(&half.transpose())?;
-    let least = share.symmetric_eigenvalues().min();
-    if least > LEFT { (gives - deformed).cholesky() } else { None }
+    let in_units = |matrix: &Matrix6<f64>| {
+        let half = root.solve_lower_triangular(matrix)?;
+        root.solve_lower_triangular(&half.transpose())
+    };
+    let rest = gives - spans.deformed;
+    let least = in_units(&rest)?.symmetric_eigenvalues().min();
+    let large = 1.0 + in_units(&spans.base)?.trace() + in_units(&spans.tip)?.trace();
+    if least > LEFT * large { rest.cholesky() } else { None }
 }
 
 /// The rows of F of a node, at some nodes.
