@@ -61,7 +61,7 @@ impl Element {
         let (near, far) = (self.near / square, self.far / square);
         let mut k = Matrix12::zeros();
         let mut put = |row: usize, column: usize, block: Matrix3<f64>| {
-            k.fixed_view_mut::<3, 3>(row, column).copy_from(&block)
+            k.fixed_view_mut::<3, 3>(row, column).copy_from(&block);
         };
         put(0, 0, self.along);
         put(0, 3, across);

@@ -1,9 +1,9 @@
 //! A frame whose stiffness is factored: ready for any number of loads.
 
 use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::linalg::cholesky::llt::factor::LltError;
+use faer::linalg::cholesky::llt::factor::{LltError, LltRegularization};
 use faer::sparse::linalg::cholesky::{LltRef, SymbolicCholesky, SymbolicCholeskyRaw};
-use faer::{Conj, MatMut, Par, Side};
+use faer::{Conj, MatMut, Par, Side, Spec};
 
 use crate::assembly::Assembly;
 use crate::equations::Equations;
@@ -47,9 +47,8 @@ impl<'a> Factor<'a> {
         };
         let lower = Lower::new(equations, &numbers).map_err(mechanism)?;
         for equation in 0..equations.len() {
-            let pivot = lower.diagonal(&equations.symbolic, equation);
-            // Not a number is refused, too.
-            if !(pivot * pivot > NO_STIFFNESS * numbers[equations.diagonal(equation)]) {
+            let pivot = lower.diagonal(&equations.symbolic, equation).powi(2);
+            if pivot.is_nan() || pivot <= NO_STIFFNESS * numbers[equations.diagonal(equation)] {
                 return Err(mechanism(equation));
             }
         }
@@ -181,16 +180,16 @@ impl Lower {
         let symbolic = &equations.symbolic;
         let mut values = vec![0.0; symbolic.len_val()];
         let mut memory =
-            MemBuffer::new(symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default()));
+            MemBuffer::new(symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Spec::default()));
         symbolic
             .factorize_numeric_llt(
                 &mut values,
                 equations.matrix(numbers),
                 Side::Lower,
-                Default::default(),
+                LltRegularization::default(),
                 Par::Seq,
                 MemStack::new(&mut memory),
-                Default::default(),
+                Spec::default(),
             )
             .map_err(|LltError::NonPositivePivot { index }| index)?;
         Ok(Self { values })

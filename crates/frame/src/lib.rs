@@ -8,8 +8,8 @@
 //! Euler-Bernoulli beams of constant section, no shear deformation, small displacements: where a strut is near buckling, or
 //! turns visibly, the answer no longer holds.
 //!
-//! Lengths in mm, angles in radian, forces in N, stresses in MPa, masses in tonne, so that densities are in t/mm³,
-//! accelerations in mm/s² and frequencies in Hz. The axes are the model's own, right-handed. The six degrees of freedom of a
+//! Lengths in mm, angles in radian, forces in N, stresses in MPa, masses in tonne, so that densities are in `t/mm³`,
+//! accelerations in `mm/s²` and frequencies in Hz. The axes are the model's own, right-handed. The six degrees of freedom of a
 //! node are three displacements and three rotations about x, y and z.
 
 mod assembly;

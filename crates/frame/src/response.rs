@@ -123,7 +123,7 @@ impl MemberForces {
         self.peak_von_mises(section) / section.yield_strength
     }
 
-    /// The largest compression as a share of the Euler load of the member with pinned ends, `-N L²/(π² E I)`; below zero under
+    /// The largest compression as a share of the Euler load of the member with pinned ends, `-N L² / (π² E I)`; below zero under
     /// tension. From about one half on, a linear answer no longer holds.
     #[must_use]
     pub fn buckling_ratio(&self, section: &Section) -> f64 {

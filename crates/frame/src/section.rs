@@ -7,7 +7,7 @@ pub struct Material {
     pub e: f64,
     /// Shear modulus, MPa.
     pub g: f64,
-    /// t/mm³: 7800 kg/m³ are 7.8e-9.
+    /// `t/mm³`: 7800 `kg/m³` are 7.8e-9.
     pub density: f64,
     /// The stress at which it yields, MPa.
     pub yield_strength: f64,
@@ -30,7 +30,7 @@ pub struct Section {
     pub e: f64,
     /// Shear modulus, MPa.
     pub g: f64,
-    /// t/mm³.
+    /// `t/mm³`.
     pub density: f64,
     /// The stress at which it yields, MPa.
     pub yield_strength: f64,

@@ -1,6 +1,6 @@
 //! What one strut more or less does to the sag of a frame that is being built.
 //!
-//! F = K⁻¹ is kept for what stands. Node j that hangs on i by one strut has F_j* = H F_i* and F_jj = H F_ii Hᵀ + C, with H the rigid
+//! F = K⁻¹ is kept for what stands. Node j that hangs on i by one strut has `F_j* = H F_i*` and `F_jj = H F_ii Hᵀ + C`, with H the rigid
 //! transport and C the flexibility of the cantilever; all else sees the weight of the strut alone. A strut between two nodes that
 //! stand is a change of rank six, with G = [-H, 1]: F - F Gᵀ (C + G F Gᵀ)⁻¹ G F (Woodbury). Both give the displacements under weight
 //! for the price of the rows of F of the two nodes.
@@ -224,8 +224,7 @@ impl<'a> Flexibility<'a> {
         let more = self.store.under(&self.left_over());
         let (moved, all) = (sag(&more).max_displacement, self.sag().max_displacement);
         self.changes += 1;
-        // Not a number is made anew, too.
-        if self.changes >= CHANGES || !(moved <= DRIFT * all) {
+        if self.changes >= CHANGES || moved.is_nan() || moved > DRIFT * all {
             return self.make_anew(self.standing.clone());
         }
         self.displacements.iter_mut().flatten().zip(more.iter().flatten()).for_each(|(u, more)| *u += more);

@@ -6,6 +6,7 @@ use nalgebra::{Cholesky, Matrix6, Vector6};
 
 use super::strut::{Place, Strut};
 use crate::assembly::Assembly;
+use crate::element::Vector12;
 use crate::equations::NONE;
 use crate::error::Unstable;
 use crate::factor::Factor;
@@ -144,7 +145,7 @@ impl<'a> Store<'a> {
         let (base, tip) = (self.rows(strut.base), self.rows(strut.tip));
         let spans = self.spans(strut, base.as_deref(), tip.as_deref());
         let weight = strut.weight;
-        let apart = self.apart(strut, &spans, displacements, &weight.into());
+        let apart = spans.apart(strut, displacements, &weight);
         let gives = strut.gives + spans.deformed;
         // C is positive and F not negative, so that there always is a solution.
         let force = gives.cholesky().map_or_else(|| Vector6::repeat(f64::NAN), |factor| factor.solve(&apart));
@@ -162,7 +163,7 @@ impl<'a> Store<'a> {
         let (base, tip) = (self.rows(strut.base), self.rows(strut.tip));
         let spans = self.spans(strut, base.as_deref(), tip.as_deref());
         let weight = -strut.weight;
-        let apart = self.apart(strut, &spans, displacements, &weight.into());
+        let apart = spans.apart(strut, displacements, &weight);
         let force = left(&strut.gives, &spans)?.solve(&apart);
         let at_base = weight.fixed_rows::<6>(0) - strut.carried_back(&force);
         let at_tip = weight.fixed_rows::<6>(6) + force;
@@ -189,14 +190,6 @@ impl<'a> Store<'a> {
             base: base_base,
             tip: tip_tip,
         }
-    }
-
-    /// How far the tip is from where the base would carry it, with forces on both added.
-    fn apart(&self, strut: &Strut, spans: &Spans, u: &[[f64; 6]], forces: &[f64; 12]) -> Vector6<f64> {
-        let (base, tip) = (Vector6::from(u[strut.base]), Vector6::from(u[strut.tip]));
-        let at_base = Vector6::from_column_slice(&forces[..6]);
-        let at_tip = Vector6::from_column_slice(&forces[6..]);
-        tip - strut.carried(&base) + spans.at_base * at_base + spans.at_tip * at_tip
     }
 
     /// Puts a strut into F.
@@ -317,6 +310,16 @@ struct Spans {
     base: Matrix6<f64>,
     /// F at the tip.
     tip: Matrix6<f64>,
+}
+
+impl Spans {
+    /// How far the tip is from where the base would carry it, with forces on both added.
+    fn apart(&self, strut: &Strut, displacements: &[[f64; 6]], forces: &Vector12) -> Vector6<f64> {
+        let (base, tip) = (displacements[strut.base].into(), Vector6::from(displacements[strut.tip]));
+        tip - strut.carried(&base)
+            + self.at_base * forces.fixed_rows::<6>(0)
+            + self.at_tip * forces.fixed_rows::<6>(6)
+    }
 }
 
 /// C - G F Gᵀ, factored, where rounding leaves enough digits of it.

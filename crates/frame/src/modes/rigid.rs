@@ -32,7 +32,9 @@ pub(super) fn motions(assembly: &Assembly, members: &MemberSet, mass: &Mass) -> 
                 }
             }
             let norm = dot(&vector, &mass.times(&vector)).sqrt();
-            vector.iter_mut().for_each(|value| *value /= norm);
+            for value in &mut vector {
+                *value /= norm;
+            }
             motions.push(vector);
         }
     }

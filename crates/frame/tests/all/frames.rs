@@ -8,7 +8,7 @@ use wirebend_frame::{Load, Material, Member, Model, NodeId, Section, SectionId, 
 /// The ABS of FrameFab (Huang et al. 2016): struts of radius 0.75 mm.
 pub const ABS: Material = Material { e: 3457.0, g: 1294.0, density: 1.21e-9, yield_strength: 40.0 };
 
-/// The PLA of assembly_instances and conmech: 12.2582 kN/m³ of weight, here with g 9.80665 m/s².
+/// The PLA of `assembly_instances` and conmech: 12.2582 kN/m³ of weight, here with g 9.80665 m/s².
 pub const PLA: Material =
     Material { e: 3500.0, g: 2400.0, density: 12.2582e-6 / 9806.65, yield_strength: 36.0 };
 

@@ -1,5 +1,7 @@
 //! Frames against figures of other programs, theory, and what has to hold for any frame.
 
+#![allow(clippy::expect_used, clippy::panic, reason = "tests")]
+
 mod flexibility;
 mod frames;
 mod modes;

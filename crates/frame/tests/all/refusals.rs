@@ -73,7 +73,7 @@ fn a_part_without_support_is_named() {
     without.remove(MemberId(model.members.len() - 1));
     let response =
         assembly.factor(&without).expect("it stands").solve(&Load::self_weight()).expect("a response");
-    assert_eq!(response.displacements[loose.0], [0.0; 6]);
+    assert!(response.displacements[loose.0].iter().all(|value| value.abs() <= 0.0));
     assert_eq!(response.forces(MemberId(model.members.len() - 1)), None);
 }
 
