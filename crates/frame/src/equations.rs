@@ -108,19 +108,27 @@ impl Equations {
         SparseColMatRef::new(self.pattern.as_ref(), numbers)
     }
 
-    /// `into -= K x` for the lower half of K with these numbers.
-    pub fn subtract_product(&self, numbers: &[f64], x: &[f64], into: &mut [f64]) {
+    /// K X for the lower half of K with these numbers, several columns beside each other.
+    pub fn product<const N: usize>(&self, numbers: &[f64], x: &[[f64; N]]) -> Vec<[f64; N]> {
         let (starts, rows) = (self.pattern.col_ptr(), self.pattern.row_idx());
+        let mut product = vec![[0.0; N]; self.len()];
         for column in 0..self.len() {
-            let from = starts[column];
-            let (own, mut sum) = (x[column], numbers[from] * x[column]);
-            for place in from + 1..starts[column + 1] {
-                let row = rows[place];
-                sum += numbers[place] * x[row];
-                into[row] -= numbers[place] * own;
+            let own = x[column];
+            let mut sum = [0.0; N];
+            let below = starts[column] + 1..starts[column + 1];
+            for (&value, &row) in numbers[below.clone()].iter().zip(&rows[below]) {
+                let (other, into) = (&x[row], &mut product[row]);
+                for k in 0..N {
+                    sum[k] += value * other[k];
+                    into[k] += value * own[k];
+                }
             }
-            into[column] -= sum;
+            let diagonal = numbers[starts[column]];
+            for k in 0..N {
+                product[column][k] += sum[k] + diagonal * own[k];
+            }
         }
+        product
     }
 }
 

@@ -108,7 +108,9 @@ impl<'a> Factor<'a> {
         solver.solve(&mut solution);
         // One step of refinement, with what the solution leaves of the right side.
         for (x, rest) in solution.chunks(n.max(1)).zip(right.chunks_mut(n.max(1))) {
-            equations.subtract_product(&self.numbers, x, rest);
+            let beside: Vec<[f64; 1]> = x.iter().map(|&value| [value]).collect();
+            let product = equations.product(&self.numbers, &beside);
+            rest.iter_mut().zip(product).for_each(|(rest, [value])| *rest -= value);
         }
         solver.solve(&mut right);
         for (k, _) in cases.iter().enumerate() {

@@ -4,6 +4,9 @@ use crate::assembly::Assembly;
 use crate::equations::Equations;
 use crate::member_set::MemberSet;
 
+/// So many columns are multiplied at once: the matrix, which is larger than they are, is read but once for them.
+const TOGETHER: usize = super::lanczos::BLOCK;
+
 /// The consistent mass of some members. Nodes that none touches have none.
 pub(super) struct Mass<'a> {
     equations: &'a Equations,
@@ -29,13 +32,17 @@ impl<'a> Mass<'a> {
 
     /// M times columns that follow each other.
     pub fn times(&self, columns: &[f64]) -> Vec<f64> {
-        let mut product = vec![0.0; columns.len()];
         let rows = self.rows();
-        for (x, into) in columns.chunks(rows).zip(product.chunks_mut(rows)) {
-            self.equations.subtract_product(&self.numbers, x, into);
-        }
-        for value in &mut product {
-            *value = -*value;
+        let mut product = vec![0.0; columns.len()];
+        for (x, into) in columns.chunks(rows * TOGETHER).zip(product.chunks_mut(rows * TOGETHER)) {
+            let mut beside = vec![[0.0; TOGETHER]; rows];
+            for (k, column) in x.chunks(rows).enumerate() {
+                beside.iter_mut().zip(column).for_each(|(beside, value)| beside[k] = *value);
+            }
+            let sums = self.equations.product(&self.numbers, &beside);
+            for (k, column) in into.chunks_mut(rows).enumerate() {
+                column.iter_mut().zip(&sums).for_each(|(value, sums)| *value = sums[k]);
+            }
         }
         product
     }

@@ -2,6 +2,7 @@
 
 #![allow(clippy::expect_used, clippy::panic, reason = "tests")]
 
+mod element;
 mod flexibility;
 mod frames;
 mod modes;

@@ -1,0 +1,189 @@
+//! How long frames take to solve and to vibrate, and peers on the same frames, whose displacements and frequencies have to agree.
+//! Usage: `frames PEER-PYTHON`.
+
+#![allow(clippy::print_stdout, reason = "its output is the table")]
+
+mod models;
+
+use std::path::Path;
+use std::process::Command;
+use std::time::Instant;
+
+use anyhow::{Context, Result, ensure};
+use nalgebra::Vector3;
+use serde_json::{Value, json};
+use wirebend_frame::{Assembly, Flexibility, Load, MemberId, ModeKind, ModeSearch, Model, Pieces};
+
+/// The median of so many runs is taken; of large frames of so many.
+const RUNS: usize = 21;
+const RUNS_OF_LARGE: usize = 5;
+/// From so many members on a frame is large: peers that loop over members in Python take minutes.
+const LARGE: usize = 1000;
+/// Ours and a peer's displacements and frequencies agree so well, as a share.
+const SAME: f64 = 1e-6;
+/// mm/s².
+const GRAVITY: Vector3<f64> = Vector3::new(0.0, 0.0, -9806.65);
+/// Where the search for modes begins, Hz.
+const SHIFT_HZ: f64 = 100.0;
+/// So many modes of each frame.
+const MODES: usize = 3;
+
+fn main() -> Result<()> {
+    let python = std::env::args().nth(1).context("name the peers' Python")?;
+    let folder = tempfile::tempdir()?;
+    println!(
+        "{:<22} {:>8} {:>8} {:>10} {:>10} {:>10}   peers: build + solve, as many times ours",
+        "frames, self-weight", "members", "unknowns", "analysed", "solved", "together"
+    );
+    for (name, model) in models::standing()? {
+        solved(&python, folder.path(), name, &model)?;
+    }
+    println!();
+    tried("bunny", &models::bunny()?)?;
+    println!();
+    for (name, rings) in [("truss 1, free, 4 pieces", 1), ("truss 3, free, 4 pieces", 3), ("truss 5, free, 4 pieces", 5)] {
+        vibrating(&python, folder.path(), name, &Pieces::new(&models::truss(rings), 4))?;
+    }
+    Ok(())
+}
+
+/// One frame under its own weight, by us and by peers.
+fn solved(python: &str, folder: &Path, name: &str, model: &Model) -> Result<()> {
+    let is_large = model.members.len() > LARGE;
+    let runs = if is_large { RUNS_OF_LARGE } else { RUNS };
+    let load = Load { gravity: GRAVITY, ..Load::default() };
+    let (analysed, assembly) = timed(runs, || Ok(Assembly::new(model)?))?;
+    let all = assembly.all();
+    let (factored, response) = timed(runs, || Ok(assembly.factor(&all)?.solve(&load)?))?;
+    let unknowns = 6 * (model.nodes.len() - model.supports.len());
+    print!(
+        "{name:<22} {:>8} {unknowns:>8} {analysed:>7.2} ms {factored:>7.2} ms {:>7.2} ms  ",
+        model.members.len(),
+        analysed + factored
+    );
+    let file = written(folder, model)?;
+    let peers: &[&str] =
+        if is_large { &["scipy", "scipy-best"] } else { &["pyconmech", "pynite", "scipy", "scipy-best"] };
+    for peer in peers {
+        let theirs = ask(python, &["solve", peer], &file)?;
+        let [build, solve, most] = ["build_ms", "solve_ms", "max_mm"].map(|key| theirs[key].as_f64());
+        let (build, solve) = (build.context("no time")?, solve.context("no time")?);
+        let (most, ours) = (most.context("no displacement")?, response.max_displacement().1);
+        ensure!((most / ours - 1.0).abs() < SAME, "{name}: {ours} mm, {peer} {most} mm");
+        print!(" {peer} {build:.1} + {solve:.1} ms, {:.0}x;", solve / factored);
+    }
+    println!();
+    Ok(())
+}
+
+/// Every strut of a frame tried that can be added to half of it, and taken away from the whole.
+fn tried(name: &str, model: &Model) -> Result<()> {
+    let assembly = Assembly::new(model)?;
+    let mut growing = Flexibility::new(&assembly, GRAVITY);
+    let mut tries = 0_u32;
+    let begin = Instant::now();
+    while growing.standing().len() < model.members.len() {
+        let mut best = (f64::INFINITY, None);
+        for member in (0..model.members.len()).map(MemberId) {
+            if growing.standing().contains(member) {
+                continue;
+            }
+            if let Ok(sag) = growing.try_add(member) {
+                tries += 1;
+                if sag.max_displacement < best.0 {
+                    best = (sag.max_displacement, Some(member));
+                }
+            }
+        }
+        growing.add(best.1.context("nothing can be added")?)?;
+    }
+    let ms = begin.elapsed().as_secs_f64() * 1000.0;
+    println!("{name}: the stiffest order, {tries} struts tried, {ms:.1} ms");
+    let begin = Instant::now();
+    let mut standing = 0_u32;
+    for member in (0..model.members.len()).map(MemberId) {
+        standing += u32::from(growing.try_remove(member).is_ok());
+    }
+    let ms = begin.elapsed().as_secs_f64() * 1000.0;
+    println!("{name}: {standing} of {} struts can be taken away from the whole, {ms:.1} ms", model.members.len());
+    // As many frames factored as there are steps of an order, each but one strut more.
+    let begin = Instant::now();
+    let mut members = assembly.all();
+    for member in (0..model.members.len()).rev().map(MemberId) {
+        if members.remove(member) && assembly.factor(&members).is_err() {
+            members.insert(member);
+        }
+    }
+    let ms = begin.elapsed().as_secs_f64() * 1000.0;
+    println!("{name}: {} frames factored, each with one strut less, {ms:.1} ms", model.members.len());
+    Ok(())
+}
+
+/// The lowest modes of a frame that floats, by us and by SciPy.
+fn vibrating(python: &str, folder: &Path, name: &str, cut: &Pieces) -> Result<()> {
+    let search = ModeSearch { count: MODES, shift_hz: SHIFT_HZ, struts: cut.struts.clone() };
+    let (ours, modes) = timed(RUNS_OF_LARGE, || {
+        let assembly = Assembly::new(&cut.model)?;
+        Ok(assembly.modes(&assembly.all(), &search)?)
+    })?;
+    let bending: Vec<f64> =
+        modes.iter().filter(|mode| mode.kind != ModeKind::Rigid).map(|mode| mode.frequency_hz).collect();
+    let unknowns = 6 * cut.model.nodes.len();
+    print!("{name}: {unknowns} unknowns, {:.3} Hz, {ours:.0} ms;", bending[0]);
+    let file = written(folder, &cut.model)?;
+    for peer in ["eigsh", "eigsh-symmetric"] {
+        let theirs = ask(python, &["modes", peer], &file)?;
+        let ms = theirs["ms"].as_f64().context("no time")?;
+        let found: Vec<f64> = serde_json::from_value(theirs["hz"].clone())?;
+        for (ours, theirs) in bending.iter().zip(&found) {
+            ensure!((theirs / ours - 1.0).abs() < SAME, "{name}: {ours} Hz, {peer} {theirs} Hz");
+        }
+        print!(" {peer} {ms:.0} ms, {:.1}x;", ms / ours);
+    }
+    println!();
+    Ok(())
+}
+
+/// A frame as peers read it.
+fn written(folder: &Path, model: &Model) -> Result<std::path::PathBuf> {
+    let section = model.sections[0];
+    let nodes: Vec<[f64; 3]> = model.nodes.iter().map(|node| [node.x, node.y, node.z]).collect();
+    let members: Vec<[usize; 2]> = model.members.iter().map(|member| [member.a.0, member.b.0]).collect();
+    let supports: Vec<usize> = model.supports.iter().map(|support| support.node.0).collect();
+    let file = folder.join("frame.json");
+    let frame = json!({
+        "nodes_mm": nodes, "members": members, "clamped": supports, "radius_mm": section.radius, "e_mpa": section.e,
+        "g_mpa": section.g, "density_t_mm3": section.density, "gravity_mm_s2": -GRAVITY.z, "modes": MODES,
+        "shift_hz": SHIFT_HZ,
+    });
+    std::fs::write(&file, frame.to_string())?;
+    Ok(file)
+}
+
+/// What a peer prints, as JSON.
+fn ask(python: &str, task: &[&str], file: &Path) -> Result<Value> {
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("peers/frames.py");
+    // Ours has one core; so have theirs.
+    let done = Command::new(python)
+        .arg(script)
+        .args(task)
+        .arg(file)
+        .envs([("OPENBLAS_NUM_THREADS", "1"), ("OMP_NUM_THREADS", "1")])
+        .output()
+        .with_context(|| format!("{python} cannot be started"))?;
+    ensure!(done.status.success(), "{task:?}: {}", String::from_utf8_lossy(&done.stderr));
+    Ok(serde_json::from_slice(&done.stdout)?)
+}
+
+/// The median of so many runs, in milliseconds, and what the last gave.
+fn timed<T>(runs: usize, mut work: impl FnMut() -> Result<T>) -> Result<(f64, T)> {
+    let mut times = Vec::with_capacity(runs);
+    let mut last = None;
+    for _ in 0..runs {
+        let begin = Instant::now();
+        last = Some(work()?);
+        times.push(begin.elapsed().as_secs_f64() * 1000.0);
+    }
+    times.sort_by(f64::total_cmp);
+    Ok((times[times.len() / 2], last.context("nothing was run")?))
+}
