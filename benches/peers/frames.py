@@ -152,8 +152,7 @@ def by_pynite(frame):
 def by_pyconmech(frame):
     """It turns members along z wrongly, and so the whole model is turned, and its gravity."""
     from pyconmech import StiffnessChecker
-    from pyconmech.frame_analysis import GravityLoad, LoadCase, Model
-    from pyconmech.frame_analysis import CrossSec, Element, Material, Node, Support
+    from pyconmech.frame_analysis import CrossSec, Element, GravityLoad, LoadCase, Material, Model, Node, Support
 
     logging.disable(logging.CRITICAL)
     angles = numpy.array([0.4, 0.7])
@@ -164,12 +163,13 @@ def by_pyconmech(frame):
     fixed = set(frame.clamped)
     nodes = [Node(point, k, k in fixed) for k, point in enumerate(metres)]
     elements = [Element((a, b), k, elem_tag="", bending_stiff=True) for k, (a, b) in enumerate(frame.members.tolist())]
-    supports = {node: Support([True] * 6, node) for node in frame.clamped}
-    section = CrossSec(frame.area * 1e-6, frame.j * 1e-12, frame.i * 1e-12, frame.i * 1e-12, elem_tags=[None, ""], family="round", name="round")
+    supports = [Support([True] * 6, node) for node in frame.clamped]
+    i = frame.i * 1e-12
+    section = CrossSec(frame.area * 1e-6, frame.j * 1e-12, i, i, elem_tags=[""])
     # kN and m; its density is a weight.
     weight = frame.density * frame.gravity * 1e6
-    material = Material(frame.e * 1e3, frame.g * 1e3, 1.0, weight, elem_tags=[None, ""], family="any", name="any")
-    checker = StiffnessChecker(Model(nodes, elements, supports, {}, {None: material, "": material}, {None: section, "": section}, "m", "frame"), verbose=False)
+    material = Material(frame.e * 1e3, frame.g * 1e3, 1.0, weight, elem_tags=[""])
+    checker = StiffnessChecker(Model(nodes, elements, supports, [], [material], [section]))
     checker.set_loads(LoadCase(gravity_load=GravityLoad((turn @ [0, 0, -1]).tolist())))
     built = time.perf_counter()
     checker.solve(eid_sanity_check=False)
