@@ -8,6 +8,10 @@ use super::mass::Mass;
 /// A direction that is shorter than this share of the longest of its block is rounding.
 const DEPENDENT: f64 = 1e-11;
 
+/// A direction of which more than this share of the longest is new has lost few digits. Half of all digits are enough for what is
+/// computed with them (Simon 1984), and inner products in the mass lose some more where pieces are short.
+const SHORT: f64 = 0.03;
+
 /// Directions of modal mass 1, orthogonal to each other: first the rigid motions, then what was appended.
 pub(super) struct Basis<'a> {
     mass: &'a Mass<'a>,
@@ -15,14 +19,13 @@ pub(super) struct Basis<'a> {
     rigid: usize,
     /// Columns behind each other.
     vectors: Vec<f64>,
-    /// M times each.
-    mass_vectors: Vec<f64>,
 }
 
 /// Directions orthogonal to a basis and to each other.
 pub(super) struct Block {
     vectors: Vec<f64>,
-    mass_vectors: Vec<f64>,
+    /// M times each.
+    pub mass_vectors: Vec<f64>,
     rows: usize,
     /// How the columns that it is made of lie along the appended part of the basis.
     pub along: Mat<f64>,
@@ -46,8 +49,7 @@ impl Block {
 
 impl<'a> Basis<'a> {
     pub fn new(mass: &'a Mass, rigid: &[Vec<f64>]) -> Self {
-        let vectors = rigid.concat();
-        Self { mass, rows: mass.rows(), rigid: rigid.len(), mass_vectors: mass.times(&vectors), vectors }
+        Self { mass, rows: mass.rows(), rigid: rigid.len(), vectors: rigid.concat() }
     }
 
     pub fn mass(&self) -> &Mass<'a> {
@@ -63,17 +65,9 @@ impl<'a> Basis<'a> {
         self.vectors.len() / self.rows - self.rigid
     }
 
-    /// Appends a block; the number of its first direction.
-    pub fn append(&mut self, block: &Block) -> usize {
-        let from = self.len();
+    /// Appends a block.
+    pub fn append(&mut self, block: &Block) {
         self.vectors.extend_from_slice(&block.vectors);
-        self.mass_vectors.extend_from_slice(&block.mass_vectors);
-        from
-    }
-
-    /// M times the appended directions from one on.
-    pub fn mass_vectors_from(&self, from: usize) -> &[f64] {
-        &self.mass_vectors[(self.rigid + from) * self.rows..]
     }
 
     /// A sum of the appended directions.
@@ -85,21 +79,27 @@ impl<'a> Basis<'a> {
         sum
     }
 
-    /// The directions of columns that are new. All is done twice (Parlett): what rounding leaves the first time is gone then.
+    /// The directions of columns that are new. Where little is left of a column, all is done twice: what rounding leaves the first
+    /// time is gone then (Parlett).
     pub fn orthogonal(&self, columns: Vec<f64>) -> Block {
-        let once = self.once(columns);
-        let twice = self.once(once.vectors);
+        let (once, shortest) = self.once(columns);
+        if shortest > SHORT {
+            return once;
+        }
+        let (twice, _) = self.once(once.vectors);
         // c = V a + W l and W = V a' + W' l'.
         let along = once.along + &twice.along * &once.leads;
         let leads = &twice.leads * &once.leads;
         Block { along, leads, ..twice }
     }
 
-    fn once(&self, mut columns: Vec<f64>) -> Block {
+    /// Also the share of the longest column that is left of the shortest.
+    fn once(&self, mut columns: Vec<f64>) -> (Block, f64) {
         let rows = self.rows;
         let (width, count) = (columns.len() / rows, self.vectors.len() / rows);
         let mut along = Mat::<f64>::zeros(count, width);
-        product(along.as_mut(), view(&self.mass_vectors, rows).transpose(), view(&columns, rows), 1.0);
+        let mass_columns = self.mass.times(&columns);
+        product(along.as_mut(), view(&self.vectors, rows).transpose(), view(&mass_columns, rows), 1.0);
         let rest = MatMut::from_column_major_slice_mut(&mut columns, rows, width);
         product(rest, view(&self.vectors, rows), along.as_ref(), -1.0);
         let mass_columns = self.mass.times(&columns);
@@ -116,17 +116,19 @@ impl<'a> Basis<'a> {
             along.col(k).squared_norm_l2() + dot(&columns[part.clone()], &mass_columns[part])
         };
         let longest = (0..width).map(squared).fold(0.0, f64::max).sqrt();
+        let mut shortest = f64::INFINITY;
         for (k, (column, mass_column)) in columns.chunks(rows).zip(mass_columns.chunks(rows)).enumerate() {
-            block.push(k, column, mass_column, DEPENDENT * longest);
+            shortest = shortest.min(block.push(k, column, mass_column, DEPENDENT * longest) / longest);
         }
         block.leads.resize_with(block.width(), width, |_, _| 0.0);
-        block
+        (block, shortest)
     }
 }
 
 impl Block {
-    /// Takes away from a column what lies along the directions that are there, and appends the rest if it is long enough.
-    fn push(&mut self, number: usize, column: &[f64], mass_column: &[f64], shortest: f64) {
+    /// Takes away from a column what lies along the directions that are there, and appends the rest if it is long enough. Its
+    /// length.
+    fn push(&mut self, number: usize, column: &[f64], mass_column: &[f64], shortest: f64) -> f64 {
         let (mut rest, mut mass_rest) = (column.to_vec(), mass_column.to_vec());
         for k in 0..self.width() {
             let part = k * self.rows..(k + 1) * self.rows;
@@ -142,6 +144,7 @@ impl Block {
             self.vectors.extend(rest.iter().map(|value| value / length));
             self.mass_vectors.extend(mass_rest.iter().map(|value| value / length));
         }
+        length
     }
 }
 

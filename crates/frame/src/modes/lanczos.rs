@@ -14,9 +14,9 @@ use crate::factor::Solver;
 /// So many vectors are solved together; as many equal frequencies are found at once.
 pub(super) const BLOCK: usize = 6;
 
-/// A mode has converged when what is left of its value is below this share of it. The share bounds the error of the value, and
-/// a frequency errs by half as much.
-const CONVERGED: f64 = 1e-8;
+/// A mode has converged when what is left of its value is below this share of it. The share bounds the error of the value, the
+/// square of it over the distance to the next value is the usual error, and a frequency errs by half as much.
+const CONVERGED: f64 = 1e-6;
 
 /// Beyond so many vectors, and ten more for each mode wanted, a search has failed.
 const MOST_VECTORS: usize = 1000;
@@ -39,8 +39,8 @@ pub(super) fn lowest(
     let mut block = begin(&basis, solver, &mut random);
     while basis.len() < most && block.width() > 0 {
         block.keep(most - basis.len());
-        let from = basis.append(&block);
-        let mut next = basis.mass_vectors_from(from).to_vec();
+        basis.append(&block);
+        let mut next = block.mass_vectors;
         solver.solve(&mut next);
         block = basis.orthogonal(next);
         operator.push(block.along.clone());
