@@ -1,15 +1,11 @@
 //! A frame whose stiffness is factored: ready for any number of loads.
 
-use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::linalg::cholesky::llt::factor::{LltError, LltRegularization};
-use faer::sparse::linalg::cholesky::{LltRef, SymbolicCholesky, SymbolicCholeskyRaw};
-use faer::{Conj, MatMut, Par, Side, Spec};
-
 use crate::assembly::Assembly;
 use crate::equations::Equations;
 use crate::error::{SolveError, Unstable};
 use crate::load::Load;
 use crate::loads::Acting;
+use crate::lower::Lower;
 use crate::member_set::MemberSet;
 use crate::model::NodeId;
 use crate::parts;
@@ -168,73 +164,5 @@ pub(crate) fn fill_untouched(equations: &Equations, numbers: &mut [f64], touched
     let mean = if count > 0.0 && sum > 0.0 { sum / count } else { 1.0 };
     for equation in (0..equations.len()).filter(|&equation| !own(equation)) {
         numbers[equations.diagonal(equation)] = mean;
-    }
-}
-
-/// The lower triangle L of L Lᵀ.
-pub(crate) struct Lower {
-    values: Vec<f64>,
-}
-
-impl Lower {
-    /// Factors a matrix by its lower half. The error is the equation at which it is not positive definite.
-    pub fn new(equations: &Equations, numbers: &[f64]) -> Result<Self, usize> {
-        let symbolic = &equations.symbolic;
-        let mut values = vec![0.0; symbolic.len_val()];
-        let mut memory =
-            MemBuffer::new(symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Spec::default()));
-        symbolic
-            .factorize_numeric_llt(
-                &mut values,
-                equations.matrix(numbers),
-                Side::Lower,
-                LltRegularization::default(),
-                Par::Seq,
-                MemStack::new(&mut memory),
-                Spec::default(),
-            )
-            .map_err(|LltError::NonPositivePivot { index }| index)?;
-        Ok(Self { values })
-    }
-
-    /// The root of the pivot of an equation.
-    fn diagonal(&self, symbolic: &SymbolicCholesky<usize>, equation: usize) -> f64 {
-        match symbolic.raw() {
-            SymbolicCholeskyRaw::Simplicial(simplicial) => self.values[simplicial.col_ptr()[equation]],
-            SymbolicCholeskyRaw::Supernodal(supernodal) => {
-                let begins = supernodal.supernode_begin();
-                let s = begins.partition_point(|&begin| begin <= equation) - 1;
-                let within = equation - begins[s];
-                let rows =
-                    supernodal.supernode_end()[s] - begins[s] + supernodal.supernode(s).pattern().len();
-                self.values[supernodal.col_ptr_for_val()[s] + within * (rows + 1)]
-            }
-        }
-    }
-
-    /// Memory for so many right sides at once.
-    pub fn solver<'s>(&'s self, symbolic: &'s SymbolicCholesky<usize>, columns: usize) -> Solver<'s> {
-        let memory = MemBuffer::new(symbolic.solve_in_place_scratch::<f64>(columns, Par::Seq));
-        Solver { factor: LltRef::new(symbolic, &self.values), memory, columns }
-    }
-}
-
-/// Solves several right sides at once, again and again.
-pub(crate) struct Solver<'s> {
-    factor: LltRef<'s, usize, f64>,
-    memory: MemBuffer,
-    columns: usize,
-}
-
-impl Solver<'_> {
-    /// Solves in place; columns follow each other, at most as many as there is memory for.
-    pub fn solve(&mut self, columns: &mut [f64]) {
-        let rows = self.factor.symbolic().nrows();
-        if rows == 0 {
-            return;
-        }
-        let count = (columns.len() / rows).min(self.columns);
-        let right = MatMut::from_column_major_slice_mut(&mut columns[..rows * count], rows, count);
-        self.factor.solve_in_place_with_conj(Conj::No, right, Par::Seq, MemStack::new(&mut self.memory));
     }
 }

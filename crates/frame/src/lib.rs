@@ -21,6 +21,7 @@ mod factor;
 mod flexibility;
 mod load;
 mod loads;
+mod lower;
 mod member_set;
 mod model;
 mod modes;

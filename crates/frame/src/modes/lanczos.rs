@@ -1,6 +1,6 @@
-//! The lowest modes by shift-invert Lanczos in blocks.
+//! The largest values of an operator by Lanczos in blocks.
 //!
-//! The operator (K + σ M)⁻¹ M is symmetric in the inner product of M, and its largest values belong to the lowest modes. What it
+//! The operator (K - μ M)⁻¹ M is symmetric in the inner product of M, and its largest values belong to the lowest modes. What it
 //! makes of a block is made orthogonal to all that is there, and is the next block; the operator between all blocks is a small matrix,
 //! whose values become those of the operator.
 
@@ -9,7 +9,7 @@ use faer::{Mat, MatRef, Side};
 use super::basis::{Basis, Block};
 use super::mass::Mass;
 use crate::error::ModesError;
-use crate::factor::Solver;
+use crate::lower::Solver;
 
 /// So many vectors are solved together; as many equal frequencies are found at once.
 pub(super) const BLOCK: usize = 6;
@@ -21,22 +21,39 @@ const CONVERGED: f64 = 1e-6;
 /// Beyond so many vectors, and ten more for each mode wanted, a search has failed.
 const MOST_VECTORS: usize = 1000;
 
-/// The vectors of the `wanted` lowest modes, lowest first, beside the rigid ones. `free` is how many rows are those of nodes that
-/// are there; no more than `free` less the rigid ones are wanted.
-pub(super) fn lowest(
-    mass: &Mass,
-    solver: &mut Solver,
-    rigid: &[Vec<f64>],
-    free: usize,
-    wanted: usize,
-) -> Result<Vec<Vec<f64>>, ModesError> {
-    let all = free - rigid.len();
+/// What a search is for. `free` is how many rows are those of nodes that are there; no more than `free` less the rigid motions
+/// are wanted.
+#[derive(Clone, Copy)]
+pub(super) struct Goal<'a> {
+    pub mass: &'a Mass<'a>,
+    pub rigid: &'a [Vec<f64>],
+    pub free: usize,
+    pub wanted: usize,
+    /// Where the lowest mode may be known within this share of its value, the search ends early; 0 for never.
+    pub near: f64,
+}
+
+/// What a search has come to.
+pub(super) enum Found {
+    /// What the operator makes of each mode wanted, and its vector, lowest mode first; without the rigid ones.
+    Modes(Vec<(f64, Vec<f64>)>),
+    /// About what the operator makes of the lowest mode, and no less than that.
+    Near(f64),
+}
+
+/// Looks for the largest values of an operator.
+pub(super) fn lowest(goal: &Goal, solver: &mut Solver) -> Result<Found, ModesError> {
+    let (wanted, all) = (goal.wanted, goal.free - goal.rigid.len());
+    if wanted == 0 {
+        return Ok(Found::Modes(Vec::new()));
+    }
     let most = all.min(MOST_VECTORS + 10 * wanted);
-    let mut basis = Basis::new(mass, rigid);
+    let mut basis = Basis::new(goal.mass, goal.rigid);
     let mut random = Random(0x2545_F491_4F6C_DD1D);
     let mut operator = Vec::<Mat<f64>>::new();
     let mut look_at = wanted.max(2 * BLOCK);
     let mut block = begin(&basis, solver, &mut random);
+    // A block without directions would be a positive mass with fewer of them than rows.
     while basis.len() < most && block.width() > 0 {
         block.keep(most - basis.len());
         basis.append(&block);
@@ -45,14 +62,18 @@ pub(super) fn lowest(
         block = basis.orthogonal(next);
         operator.push(block.along.clone());
         let (end, complete) = (basis.len(), basis.len() == all);
-        if end >= look_at || complete || end == most {
+        if end >= look_at || end == most {
             let ritz = Ritz::new(&operator)?;
             let converged = if complete { all } else { ritz.converged(&block.leads) };
             if converged >= wanted {
-                return Ok((0..wanted).map(|k| basis.combined(&ritz.vector(k))).collect());
+                let mode = |k: usize| (ritz.values[k], basis.combined(&ritz.vector(k)));
+                return Ok(Found::Modes((0..wanted).map(mode).collect()));
             }
             if end == most {
                 return Err(ModesError::NotConverged { found: converged, wanted, vectors: end });
+            }
+            if ritz.left_of_first(&block.leads) < goal.near {
+                return Ok(Found::Near(ritz.values[0]));
             }
             // The small problem costs its size cubed, and so is looked at but now and then.
             look_at = end + (end / 6).max(2 * BLOCK);
@@ -62,12 +83,7 @@ pub(super) fn lowest(
             block = begin(&basis, solver, &mut random);
         }
     }
-    // Reached only with nothing wanted, or with fewer directions than rows, which a positive mass does not have.
-    if wanted == 0 {
-        Ok(Vec::new())
-    } else {
-        Err(ModesError::NotConverged { found: 0, wanted, vectors: basis.len() })
-    }
+    Err(ModesError::NotConverged { found: 0, wanted, vectors: basis.len() })
 }
 
 /// A block of random directions, in which the lowest modes are already the strongest.
@@ -106,11 +122,19 @@ impl Ritz {
 
     /// How many of the largest have converged, up to the first that has not. `leads` goes from the last block to the next.
     fn converged(&self, leads: &Mat<f64>) -> usize {
+        let left = self.left(leads);
+        (0..self.values.len()).take_while(|&k| left.col(k).norm_l2() <= CONVERGED * self.values[k]).count()
+    }
+
+    /// How much is left of the largest value, as a share of it.
+    fn left_of_first(&self, leads: &Mat<f64>) -> f64 {
+        self.left(leads).col(0).norm_l2() / self.values[0]
+    }
+
+    fn left(&self, leads: &Mat<f64>) -> Mat<f64> {
         let width = leads.ncols();
         let last: MatRef<f64> = self.vectors.as_ref().subrows(self.values.len() - width, width);
-        let left = leads * last;
-        let norm = |k: usize| left.col(k).norm_l2();
-        (0..self.values.len()).take_while(|&k| norm(k) <= CONVERGED * self.values[k]).count()
+        leads * last
     }
 }
 

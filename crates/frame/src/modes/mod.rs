@@ -1,11 +1,11 @@
 //! How a frame vibrates: the lowest modes of K x = ω² M x, with the consistent mass of the members.
 //!
-//! K + σ M is factored with a shift σ above zero, which makes it positive definite even for a frame that floats. Rigid motions
-//! are written down, not searched for; the others are found by shift-invert Lanczos in blocks (Golub, Underwood 1977; Grimes,
-//! Lewis, Simon 1994), orthogonal to all before. Hundreds of modes of single struts may crowd within 2 % of the lowest, and modes of
-//! symmetric frames are equal in pairs, so that iteration in a small subspace does not converge.
+//! Rigid motions are written down, not searched for; the others are found by shift-invert Lanczos in blocks (Golub, Underwood
+//! 1977; Grimes, Lewis, Simon 1994). Hundreds of modes of single struts may crowd within 2 % of the lowest, and modes of symmetric
+//! frames are equal in pairs, so that iteration in a small subspace does not converge.
 
 mod basis;
+mod bending;
 mod lanczos;
 mod local;
 mod mass;
@@ -15,7 +15,6 @@ use std::f64::consts::TAU;
 
 use crate::assembly::Assembly;
 use crate::error::ModesError;
-use crate::factor::{Lower, fill_untouched};
 use crate::member_set::MemberSet;
 use crate::model::SectionId;
 use mass::Mass;
@@ -63,24 +62,9 @@ pub(crate) fn find(
     search: &ModeSearch,
 ) -> Result<Vec<Mode>, ModesError> {
     check(assembly, members, search)?;
-    let equations = &assembly.equations;
     let mass = Mass::new(assembly, members);
-    let shift = (TAU * search.shift_hz).powi(2);
-    let touched = assembly.touched(members);
-    let mut numbers = mass.numbers.iter().map(|value| value * shift).collect::<Vec<_>>();
-    for member in members.iter() {
-        let matrix = assembly.elements[member.0].stiffness(assembly.rotation_unit);
-        equations.add(&mut numbers, member.0, &matrix);
-    }
-    fill_untouched(equations, &mut numbers, &touched);
-    let lower =
-        Lower::new(equations, &numbers).map_err(|_| ModesError::Shift { shift_hz: search.shift_hz })?;
-
     let rigid = rigid::motions(assembly, members, &mass);
-    let free = equations.freedoms.iter().filter(|freedom| touched[freedom.node]).count();
-    let wanted = search.count.min(free - rigid.len());
-    let mut solver = lower.solver(&equations.symbolic, lanczos::BLOCK);
-    let bending = lanczos::lowest(&mass, &mut solver, &rigid, free, wanted)?;
+    let bending = bending::find(assembly, members, search, &mass, &rigid)?;
 
     let interiors = local::Interiors::new(assembly, members, &search.struts);
     let mut modes = Vec::with_capacity(rigid.len() + bending.len());
