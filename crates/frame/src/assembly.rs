@@ -5,13 +5,9 @@ use nalgebra::{Matrix3, Vector3};
 use crate::checks;
 use crate::element::{Element, Vector12};
 use crate::equations::Equations;
-use crate::error::{LoadError, ModelError, ModesError, Unstable};
-use crate::factor::Factor;
-use crate::load::Load;
-use crate::loads;
+use crate::error::ModelError;
 use crate::member_set::MemberSet;
 use crate::model::{MemberId, Model};
-use crate::modes::{self, Mode, ModeSearch};
 use crate::section::Section;
 
 /// A model that was checked, with the pattern of its stiffness.
@@ -79,22 +75,6 @@ impl Assembly {
         MemberSet::all(self.model.members.len())
     }
 
-    /// Factors the stiffness of some of the members. Nodes that none of them touches take no part.
-    ///
-    /// # Errors
-    /// A part that nothing holds, or that can move without bending anything.
-    pub fn factor(&self, members: &MemberSet) -> Result<Factor<'_>, Unstable> {
-        Factor::new(self, members)
-    }
-
-    /// The lowest modes of some of the members, by rising frequency: first the rigid ones, then as many as asked for.
-    ///
-    /// # Errors
-    /// No member; a shift that is not above zero; a section without density; a search that does not come to an end.
-    pub fn modes(&self, members: &MemberSet, search: &ModeSearch) -> Result<Vec<Mode>, ModesError> {
-        modes::find(self, members, search)
-    }
-
     /// mm.
     #[must_use]
     pub fn length(&self, member: MemberId) -> f64 {
@@ -117,15 +97,6 @@ impl Assembly {
     #[must_use]
     pub fn end_forces(&self, member: MemberId, ends: &[f64; 12]) -> [f64; 12] {
         self.elements[member.0].forces(&Vector12::from(*ends)).into()
-    }
-
-    /// The forces and moments at nodes that stand for a load on some of the members: those at nodes, those that stand for what
-    /// acts along members, and `-K_e q0` of members that do not fit.
-    ///
-    /// # Errors
-    /// A load on a member or node that is not there.
-    pub fn nodal_forces(&self, members: &MemberSet, load: &Load) -> Result<Vec<[f64; 6]>, LoadError> {
-        Ok(loads::Acting::new(self, members, load)?.nodal_forces(self, members))
     }
 
     /// The mass of some of the members, t.

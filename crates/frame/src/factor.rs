@@ -31,8 +31,18 @@ pub struct Factor<'a> {
     lower: Lower,
 }
 
+impl Assembly {
+    /// Factors the stiffness of some of the members. Nodes that none of them touches take no part.
+    ///
+    /// # Errors
+    /// A part that nothing holds, or that can move without bending anything.
+    pub fn factor(&self, members: &MemberSet) -> Result<Factor<'_>, Unstable> {
+        Factor::new(self, members)
+    }
+}
+
 impl<'a> Factor<'a> {
-    pub(crate) fn new(assembly: &'a Assembly, members: &MemberSet) -> Result<Self, Unstable> {
+    fn new(assembly: &'a Assembly, members: &MemberSet) -> Result<Self, Unstable> {
         parts::check(assembly, members)?;
         let equations = &assembly.equations;
         let touched = assembly.touched(members);

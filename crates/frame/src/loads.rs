@@ -92,6 +92,17 @@ impl Acting {
     }
 }
 
+impl Assembly {
+    /// The forces and moments at nodes that stand for a load on some of the members: those at nodes, those that stand for what
+    /// acts along members, and `-K_e q0` of members that do not fit.
+    ///
+    /// # Errors
+    /// A load on a member or node that is not there.
+    pub fn nodal_forces(&self, members: &MemberSet, load: &Load) -> Result<Vec<[f64; 6]>, LoadError> {
+        Ok(Acting::new(self, members, load)?.nodal_forces(self, members))
+    }
+}
+
 fn present(members: &MemberSet, member: MemberId) -> Result<(), LoadError> {
     members.contains(member).then_some(()).ok_or(LoadError::AbsentMember { member })
 }

@@ -7,12 +7,12 @@
 use faer::{Mat, MatRef, Side};
 
 use super::basis::{Basis, Block};
-use super::mass::Mass;
+use super::mass::{self, Mass};
 use crate::error::ModesError;
 use crate::lower::Solver;
 
-/// So many vectors are solved together; as many equal frequencies are found at once.
-pub(super) const BLOCK: usize = 6;
+/// So many vectors at once; as many equal frequencies are found together.
+pub(super) const BLOCK: usize = mass::TOGETHER;
 
 /// A mode has converged when what is left of its value is below this share of it. The share bounds the error of the value, the
 /// square of it over the distance to the next value is the usual error, and a frequency errs by half as much.

@@ -56,11 +56,17 @@ pub struct Mode {
     pub shape: Vec<[f64; 6]>,
 }
 
-pub(crate) fn find(
-    assembly: &Assembly,
-    members: &MemberSet,
-    search: &ModeSearch,
-) -> Result<Vec<Mode>, ModesError> {
+impl Assembly {
+    /// The lowest modes of some of the members, by rising frequency: first the rigid ones, then as many as asked for.
+    ///
+    /// # Errors
+    /// No member; a shift that is not above zero; a section without density; a search that does not come to an end.
+    pub fn modes(&self, members: &MemberSet, search: &ModeSearch) -> Result<Vec<Mode>, ModesError> {
+        find(self, members, search)
+    }
+}
+
+fn find(assembly: &Assembly, members: &MemberSet, search: &ModeSearch) -> Result<Vec<Mode>, ModesError> {
     check(assembly, members, search)?;
     let mass = Mass::new(assembly, members);
     let rigid = rigid::motions(assembly, members, &mass);
