@@ -1,7 +1,7 @@
 //! A frame whose stiffness is factored: ready for any number of loads.
 
 use crate::assembly::Assembly;
-use crate::equations::Equations;
+use crate::equations::{Equations, NONE};
 use crate::error::{SolveError, Unstable};
 use crate::load::Load;
 use crate::loads::Acting;
@@ -100,6 +100,29 @@ impl<'a> Factor<'a> {
             self.solve_together(cases, &mut displacements);
         }
         displacements
+    }
+
+    /// The rows of K⁻¹ of a node at some nodes, in the model's axes, each node six figures; not refined.
+    pub(crate) fn inverse_rows(&self, node: usize, at: &[usize]) -> Vec<f64> {
+        let equations = &self.assembly.equations;
+        let n = equations.len();
+        let unit = |axis: usize| if axis < 3 { 1.0 } else { self.assembly.rotation_unit };
+        let mut columns = vec![0.0; 6 * n];
+        for axis in 0..6 {
+            let equation = equations.of_node[node][axis];
+            if equation != NONE {
+                columns[axis * n + equation] = 1.0 / unit(axis);
+            }
+        }
+        self.lower.solver(&equations.symbolic, 6).solve(&mut columns);
+        let mut rows = Vec::with_capacity(36 * at.len());
+        for column in columns.chunks(n.max(1)) {
+            for &node in at {
+                let of_node = equations.of_node[node].iter().enumerate();
+                rows.extend(of_node.map(|(axis, &k)| if k == NONE { 0.0 } else { column[k] / unit(axis) }));
+            }
+        }
+        rows
     }
 
     fn solve_together(&self, cases: &[Vec<[f64; 6]>], into: &mut Vec<Vec<[f64; 6]>>) {

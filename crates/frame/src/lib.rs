@@ -30,6 +30,7 @@ mod pieces;
 mod response;
 mod section;
 mod stress;
+mod substitute;
 
 pub use assembly::Assembly;
 pub use error::{LoadError, ModelError, ModesError, SolveError, Unstable};

@@ -7,6 +7,7 @@ use faer::sparse::linalg::cholesky::{LdltRef, LltRef, SymbolicCholesky, Symbolic
 use faer::{Conj, MatMut, Par, Side, Spec};
 
 use crate::equations::Equations;
+use crate::substitute::Triangle;
 
 /// The lower triangle L, with D on its diagonal where there is one.
 pub(crate) struct Lower {
@@ -94,10 +95,14 @@ impl Solver<'_> {
             return;
         }
         let count = (columns.len() / rows).min(self.columns);
-        let right = MatMut::from_column_major_slice_mut(&mut columns[..rows * count], rows, count);
-        let (symbolic, values) = (self.symbolic, &self.lower.values[..]);
+        let (symbolic, values, is_definite) = (self.symbolic, &self.lower.values[..], self.lower.is_definite);
+        let columns = &mut columns[..rows * count];
+        if let SymbolicCholeskyRaw::Simplicial(symbolic) = symbolic.raw() {
+            return Triangle { symbolic, values, is_definite }.solve(columns);
+        }
+        let right = MatMut::from_column_major_slice_mut(columns, rows, count);
         let memory = MemStack::new(&mut self.memory);
-        if self.lower.is_definite {
+        if is_definite {
             LltRef::new(symbolic, values).solve_in_place_with_conj(Conj::No, right, Par::Seq, memory);
         } else {
             LdltRef::new(symbolic, values).solve_in_place_with_conj(Conj::No, right, Par::Seq, memory);

@@ -62,7 +62,7 @@ impl<'a> Store<'a> {
                 dense.clear();
                 if let Some(factor) = &factor {
                     for &node in &self.nodes {
-                        dense.extend(rows_of(factor, node, &self.nodes));
+                        dense.extend(factor.inverse_rows(node, &self.nodes));
                     }
                 }
             }
@@ -82,7 +82,7 @@ impl<'a> Store<'a> {
                 Some(Cow::Borrowed(&dense[slot * length..(slot + 1) * length]))
             }
             Matrix::Factored(factor) => {
-                factor.as_ref().map(|factor| Cow::Owned(rows_of(factor, node, &self.nodes)))
+                factor.as_ref().map(|factor| Cow::Owned(factor.inverse_rows(node, &self.nodes)))
             }
         }
     }
@@ -334,16 +334,4 @@ fn left(gives: &Matrix6<f64>, spans: &Spans) -> Option<Cholesky<f64, nalgebra::U
     let least = in_units(&rest)?.symmetric_eigenvalues().min();
     let large = 1.0 + in_units(&spans.base)?.trace() + in_units(&spans.tip)?.trace();
     if least > LEFT * large { rest.cholesky() } else { None }
-}
-
-/// The rows of F of a node, at some nodes.
-fn rows_of(factor: &Factor, node: usize, at: &[usize]) -> Vec<f64> {
-    let nodes = factor.assembly().model().nodes.len();
-    let unit = |axis: usize| {
-        let mut forces = vec![[0.0; 6]; nodes];
-        forces[node][axis] = 1.0;
-        forces
-    };
-    let columns = factor.displacements(&(0..6).map(unit).collect::<Vec<_>>());
-    columns.iter().flat_map(|column| at.iter().flat_map(|&node| column[node])).collect()
 }
