@@ -83,7 +83,7 @@ proptest! {
 
     #[test]
     fn a_frame_that_grows_sags_as_when_factored(keys in Just((0..179).collect::<Vec<usize>>()).prop_shuffle()) {
-        build(&bunny(), &keys, 60);
+        build(&bunny(), &keys, 90);
     }
 }
 

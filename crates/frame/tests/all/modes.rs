@@ -3,9 +3,12 @@
 use std::f64::consts::{PI, TAU};
 
 use nalgebra::Vector3;
-use wirebend_frame::{Assembly, Mode, ModeKind, ModeSearch, Model, NodeId, Pieces, Section, Support};
+use wirebend_frame::{
+    Assembly, MemberId, MemberSet, Mode, ModeKind, ModeSearch, Model, NodeId, Pieces, Section, Support,
+    Unstable,
+};
 
-use crate::frames::{ABS, STEEL, assert_close, beam, bunny, frame};
+use crate::frames::{ABS, STEEL, assert_close, beam, bunny, frame, framefab_weight};
 use crate::trusses::{accuracy_test_wire, truss};
 
 fn modes(model: &Model, pieces: usize, count: usize) -> Vec<Mode> {
@@ -160,4 +163,33 @@ fn all_modes_of_a_single_element() {
     expected.sort_by(f64::total_cmp);
     assert_eq!(found.len(), 6);
     assert_frequencies(&bending(&found), &expected, 1e-9);
+}
+
+/// The bunny as a few members of a model in which every node is joined with every other: its matrix is full, and factored in blocks.
+#[test]
+fn a_frame_within_a_full_matrix() {
+    let mut model = bunny();
+    let struts = model.members.len();
+    for b in 0..model.nodes.len() {
+        let joined =
+            (0..b).map(|a| wirebend_frame::Member { a: NodeId(a), b: NodeId(b), ..model.members[0] });
+        model.members.extend(joined.collect::<Vec<_>>());
+    }
+    let assembly = Assembly::new(&model).expect("a model");
+    let mut members = MemberSet::empty(model.members.len());
+    for member in 0..struts {
+        members.insert(MemberId(member));
+    }
+    let response =
+        assembly.factor(&members).expect("it stands").solve(&framefab_weight()).expect("a response");
+    assert_close(response.max_displacement().1, 0.427_187, 2e-6);
+    let search = ModeSearch { count: 3, shift_hz: 4.0, struts: Vec::new() };
+    let found = assembly.modes(&members, &search).expect("modes");
+    assert_frequencies(&bending(&found), &[18.1481, 23.1528, 26.5428], 1e-5);
+
+    // On hinges alone it is found to move in blocks, too.
+    let hinged = Model { supports: vec![Support::pinned(model.supports[0].node)], ..model };
+    let assembly = Assembly::new(&hinged).expect("a model");
+    let refused = assembly.factor(&members).err();
+    assert!(matches!(refused, Some(Unstable::Mechanism { .. })), "{refused:?}");
 }
