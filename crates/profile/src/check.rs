@@ -32,7 +32,7 @@ pub fn check_text(file: &str, text: &str) -> Result<Checked, Vec<ProfileError>> 
 }
 
 /// Examines a profile file; its parents are looked for among the shipped profiles and, when the
-/// file lies in `machines/`, `materials/` or `noise/`, in that profile folder.
+/// file lies in the folder of its kind, such as `machines/`, in that profile folder.
 ///
 /// # Errors
 /// All rules that the file breaks; what keeps it from being read hides the rest.

@@ -7,7 +7,8 @@ use crate::library::Library;
 use crate::merge::merge;
 use crate::resolve::typed;
 use crate::{
-    Kind, MachineProfile, MaterialProfile, NoiseProfile, Profile, ProfileError, SCHEMA_VERSION, to_text,
+    Kind, MachineProfile, MaterialProfile, NoiseProfile, Profile, ProfileError, SCHEMA_VERSION,
+    StrutBuilderProfile, to_text,
 };
 
 /// A profile to be written.
@@ -37,6 +38,7 @@ impl Library {
             Kind::Machine => self.child_text_as::<MachineProfile>(child),
             Kind::Material => self.child_text_as::<MaterialProfile>(child),
             Kind::Noise => self.child_text_as::<NoiseProfile>(child),
+            Kind::StrutBuilder => self.child_text_as::<StrutBuilderProfile>(child),
         }
     }
 

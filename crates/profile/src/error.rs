@@ -81,7 +81,7 @@ pub enum ProfileError {
         remedy: Box<ErrorRemedy>,
     },
     /// The `kind` key is absent or not a known word.
-    #[error("{place}: {found}, expected \"kind\": \"machine\", \"material\" or \"noise\"")]
+    #[error("{place}: {found}, expected \"kind\": \"machine\", \"material\", \"noise\" or \"strut-builder\"")]
     UnknownKind {
         /// Where.
         place: Place,
@@ -183,12 +183,14 @@ pub enum ProfileError {
         remedy: Box<ErrorRemedy>,
     },
     /// No profile has this id.
-    #[error("no {kind} has the id `{id}`")]
+    #[error("no {kind} has the id `{id}`{}", other.map(|kind| format!(": it is a {kind}")).unwrap_or_default())]
     Unknown {
         /// Kind.
         kind: Kind,
         /// Id that was asked for.
         id: String,
+        /// A kind that has a profile with this id.
+        other: Option<Kind>,
         /// The nearest ids and the known ones.
         remedy: Box<ErrorRemedy>,
     },

@@ -9,7 +9,8 @@ use crate::merge::{Merged, is_figure, merge};
 use crate::position::line_of;
 use crate::resolved::origin;
 use crate::{
-    Kind, MachineProfile, MaterialProfile, NoiseProfile, Place, Profile, ProfileError, Resolved, to_text,
+    Kind, MachineProfile, MaterialProfile, NoiseProfile, Place, Profile, ProfileError, Resolved,
+    StrutBuilderProfile, to_text,
 };
 
 /// A profile with its values and the files that set them.
@@ -75,6 +76,7 @@ impl Library {
             Kind::Machine => self.explain_as::<MachineProfile>(id),
             Kind::Material => self.explain_as::<MaterialProfile>(id),
             Kind::Noise => self.explain_as::<NoiseProfile>(id),
+            Kind::StrutBuilder => self.explain_as::<StrutBuilderProfile>(id),
         }
     }
 

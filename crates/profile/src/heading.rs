@@ -1,4 +1,4 @@
-//! The heading that every profile file begins with, in one place for the three kinds.
+//! The heading that every profile file begins with, in one place for all kinds.
 
 /// Keys that speak of one file and are never taken from a parent: all of the heading but its texts for people.
 pub(crate) const OWN: [&str; 6] = ["$schema", "schema_version", "kind", "id", "inherits", "abstract"];

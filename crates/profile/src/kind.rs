@@ -1,11 +1,11 @@
-//! The three kinds of profile and what is common to their files.
+//! The kinds of profile and what is common to their files.
 
 use std::fmt;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// The version of the three file formats that this program reads and writes.
+/// The version of the file formats that this program reads and writes.
 pub const SCHEMA_VERSION: u32 = 1;
 
 /// Largest profile file that is read, in bytes (1 MiB). The shipped ones are below 10 kB.
@@ -21,11 +21,13 @@ pub enum Kind {
     Material,
     /// The errors of a bender, for simulation.
     Noise,
+    /// A machine that builds a frame strut by strut.
+    StrutBuilder,
 }
 
 impl Kind {
     /// All kinds, in the order in which lists show them.
-    pub const ALL: [Self; 3] = [Self::Machine, Self::Material, Self::Noise];
+    pub const ALL: [Self; 4] = [Self::Machine, Self::Material, Self::Noise, Self::StrutBuilder];
 
     /// The word of the file's `kind` key.
     #[must_use]
@@ -34,6 +36,7 @@ impl Kind {
             Self::Machine => "machine",
             Self::Material => "material",
             Self::Noise => "noise",
+            Self::StrutBuilder => "strut-builder",
         }
     }
 
@@ -44,6 +47,7 @@ impl Kind {
             Self::Machine => "machines",
             Self::Material => "materials",
             Self::Noise => "noise",
+            Self::StrutBuilder => "strut-builders",
         }
     }
 

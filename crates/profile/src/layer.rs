@@ -10,7 +10,7 @@ use crate::machine_rules::FIGURE;
 use crate::position::line_of;
 use crate::{
     Kind, MAX_FILE_BYTES, MachineProfile, MaterialProfile, NoiseProfile, Place, Profile, ProfileError,
-    SCHEMA_VERSION,
+    SCHEMA_VERSION, StrutBuilderProfile,
 };
 
 /// One file that is a profile by itself; whether it fits its parents is not known yet.
@@ -49,6 +49,7 @@ impl Layer {
             Kind::Machine => Self::of::<MachineProfile>(file, text, values, shipped),
             Kind::Material => Self::of::<MaterialProfile>(file, text, values, shipped),
             Kind::Noise => Self::of::<NoiseProfile>(file, text, values, shipped),
+            Kind::StrutBuilder => Self::of::<StrutBuilderProfile>(file, text, values, shipped),
         }?;
         layer.check_id()?;
         Ok(layer)

@@ -1,4 +1,4 @@
-//! Machine, material and noise profiles: what a bender can do and how a wire behaves, as data.
+//! Profiles of machines, strut builders, materials and noise: what a machine can do and how a wire behaves, as data.
 //!
 //! One JSON file a profile. A file may inherit from one parent and then sets only what it changes;
 //! every measured or published figure says where it comes from. A file that is wrong is refused
@@ -42,12 +42,15 @@ mod schema;
 mod shape;
 mod shipped;
 mod sourced;
+mod strut_builder;
+mod strut_builder_rules;
 
 pub use check::{Checked, check_file, check_text};
 pub use child::Child;
 pub use error::{Place, ProfileError};
 pub use explain::{Ancestor, Explained, ExplainedValue, Overridden};
 pub use figures::machine::{BendFigures, LimitFigures, MachineFigures};
+pub use figures::strut_builder::{HeadPoint, StrutBuilderFigures, WorkspaceFigures};
 pub use figures::{Complete, ErrorFigures, MaterialFigures, NoiseFigures};
 pub use kind::{Kind, MAX_FILE_BYTES, SCHEMA_VERSION, is_slug};
 pub use library::{Added, Library, Listing};
@@ -63,3 +66,7 @@ pub use resolved::Resolved;
 pub use schema::{schema, schema_files};
 pub use shape::{Part, Shape, Solid};
 pub use sourced::{Reference, Sign, Sourced};
+pub use strut_builder::{
+    ApproachAngles, BuildSpeed, HeadDirections, StrutBuilderProfile, StrutBuilderTag, StrutProcess, ToolHead,
+    Workspace,
+};

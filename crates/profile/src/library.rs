@@ -11,7 +11,7 @@ use crate::error::nearest;
 use crate::layer::Layer;
 use crate::{
     Kind, MAX_FILE_BYTES, MachineProfile, MaterialProfile, NoiseProfile, Profile, ProfileError, Resolved,
-    shipped,
+    StrutBuilderProfile, shipped,
 };
 
 /// Every known profile, by kind and id. Each one in it has passed all rules.
@@ -42,8 +42,8 @@ pub struct Added {
     pub loaded: Vec<(Kind, String)>,
     /// Why other files were refused; one file may have several reasons.
     pub refused: Vec<ProfileError>,
-    /// What was not taken for a profile: not `*.json`, or not in `machines/`, `materials/` or
-    /// `noise/`.
+    /// What was not taken for a profile: not `*.json`, or not in the folder of a
+    /// kind ([`Kind::folder`]).
     pub ignored: Vec<PathBuf>,
 }
 
@@ -64,8 +64,8 @@ impl Library {
         }
     }
 
-    /// Adds the profiles of `folder/machines/*.json`, `folder/materials/*.json` and
-    /// `folder/noise/*.json`. Files that break a rule are left out and reported; the others,
+    /// Adds the profiles of `folder/machines/*.json`, `folder/materials/*.json`, `folder/noise/*.json`
+    /// and `folder/strut-builders/*.json`. Files that break a rule are left out and reported; the others,
     /// and all that was there before, stay usable. An absent sub-folder is empty.
     pub fn add_folder(&mut self, folder: &Path) -> Added {
         let mut added = Added::default();
@@ -174,6 +174,14 @@ impl Library {
         self.get(id)
     }
 
+    /// The strut builder with this id, complete, its parents merged in.
+    ///
+    /// # Errors
+    /// As [`Library::machine`].
+    pub fn strut_builder(&self, id: &str) -> Result<Resolved<StrutBuilderProfile>, ProfileError> {
+        self.get(id)
+    }
+
     fn get<T: Profile>(&self, id: &str) -> Result<Resolved<T>, ProfileError> {
         let layer = self.find(T::KIND, id)?;
         if layer.is_abstract {
@@ -195,7 +203,8 @@ impl Library {
     }
 
     fn unknown(&self, kind: Kind, id: &str) -> ProfileError {
-        ProfileError::Unknown { kind, id: id.into(), remedy: Box::new(self.known(kind, id, "")) }
+        let other = Kind::ALL.into_iter().find(|other| self.layer(*other, id).is_some());
+        ProfileError::Unknown { kind, id: id.into(), other, remedy: Box::new(self.known(kind, id, "")) }
     }
 
     /// The kinds that have a profile with this id, at least one.
@@ -228,6 +237,12 @@ impl Library {
     #[must_use]
     pub fn noises(&self) -> Vec<Listing> {
         self.list(Kind::Noise)
+    }
+
+    /// All strut builders, abstract ones too, by id.
+    #[must_use]
+    pub fn strut_builders(&self) -> Vec<Listing> {
+        self.list(Kind::StrutBuilder)
     }
 
     /// All profiles of a kind, abstract ones too, by id.

@@ -7,7 +7,7 @@ use crate::heading::profile;
 use crate::sourced::Sourced;
 
 profile! {
-    /// A wire: diameter, neutral fibre, springback, strength, density, price.
+    /// A wire: diameter, neutral fibre, springback, stiffness, strength, density, price.
     pub struct MaterialProfile: MaterialTag::Material, "material" {
         /// A few sentences: what wire this is, what was and was not measured.
         description;
@@ -23,10 +23,19 @@ profile! {
         pub springback: Option<Springback>,
         /// Young's modulus, gigapascal.
         pub youngs_modulus_gpa: Option<Sourced<f64>>,
+        /// Shear modulus, gigapascal. Either this or `poisson_ratio`, never both; a child that states one takes the other
+        /// away. Without either, no frame of this wire can be computed.
+        pub shear_modulus_gpa: Option<Sourced<f64>>,
+        /// Poisson's ratio: more than -1, up to 0.5.
+        pub poisson_ratio: Option<Sourced<f64>>,
         /// Yield strength, megapascal.
         pub yield_strength_mpa: Option<Sourced<f64>>,
         /// Ultimate strength, megapascal.
         pub ultimate_strength_mpa: Option<Sourced<f64>>,
+        /// Elongation at fracture, as a ratio: 0.2 is 20 percent.
+        pub fracture_strain: Option<Sourced<f64>>,
+        /// Energy that the process takes to form a kilogram of this wire, megajoule a kilogram.
+        pub process_energy_mj_per_kg: Option<Sourced<f64>>,
         /// Density, kilograms a cubic metre.
         pub density_kg_per_m3: Option<Sourced<f64>>,
         /// Price of a millimetre of wire in `currency`.

@@ -39,6 +39,9 @@ impl Profile for MaterialProfile {
         above(&mut faults, "yield_strength_mpa", &self.yield_strength_mpa);
         above(&mut faults, "ultimate_strength_mpa", &self.ultimate_strength_mpa);
         above(&mut faults, "density_kg_per_m3", &self.density_kg_per_m3);
+        above(&mut faults, "fracture_strain", &self.fracture_strain);
+        above(&mut faults, "process_energy_mj_per_kg", &self.process_energy_mj_per_kg);
+        self.shear_faults(&mut faults);
         within(&mut faults, "k_factor", &self.k_factor, 0.0, 1.0);
         within(&mut faults, "price_per_mm", &self.price_per_mm, 0.0, f64::MAX);
         if let (Some(yields), Some(breaks)) = (&self.yield_strength_mpa, &self.ultimate_strength_mpa)
@@ -71,6 +74,22 @@ impl Profile for MaterialProfile {
             None => {}
         }
         faults
+    }
+}
+
+impl MaterialProfile {
+    /// An isotropic material that resists both a change of volume and one of shape has -1 < ν ≤ 0.5.
+    fn shear_faults(&self, faults: &mut Vec<Fault>) {
+        above(faults, "shear_modulus_gpa", &self.shear_modulus_gpa);
+        if let Some(ratio) = &self.poisson_ratio
+            && !(ratio.value > -1.0 && ratio.value <= 0.5)
+        {
+            faults.push(Fault::new("poisson_ratio", ratio.value, "more than -1 and at most 0.5"));
+        }
+        if let (Some(_), Some(ratio)) = (&self.shear_modulus_gpa, &self.poisson_ratio) {
+            let expected = "no poisson_ratio beside shear_modulus_gpa: the one follows from the other";
+            faults.push(Fault::new("poisson_ratio", ratio.value, expected).against("shear_modulus_gpa"));
+        }
     }
 }
 

@@ -32,6 +32,7 @@ pub(crate) fn merge(chain: &[&Layer], whole: &[&str]) -> Merged {
         merged.values.retain(|key, _| !OWN.contains(&key.as_str()));
         merged.provenance.retain(|key, _| !OWN.contains(&key.as_str()));
         merged.drop_settings_of_another_driver(&layer.values);
+        merged.drop_other_way(&layer.values);
         let origin = Origin { id: layer.id.clone(), file: layer.file.clone() };
         let mut onto = Onto { provenance: &mut merged.provenance, origin, whole };
         onto.put_all(&mut merged.values, &layer.values, "");
@@ -50,6 +51,23 @@ impl Merged {
             for key in ["settings", "stop_bytes", "stop_reply"] {
                 driver.remove(key);
                 forget(&mut self.provenance, &format!("driver.{key}"));
+            }
+        }
+    }
+}
+
+/// Keys of which a profile states one: the other follows from it.
+const ONE_OF: [[&str; 2]; 2] =
+    [["shear_modulus_gpa", "poisson_ratio"], ["poisson_ratio", "shear_modulus_gpa"]];
+
+impl Merged {
+    /// A child that states a value one way does not keep its parent's, which is stated the other way. A file that
+    /// states both itself keeps both, and is refused by its rules.
+    fn drop_other_way(&mut self, child: &Map<String, Value>) {
+        for [stated, other] in ONE_OF {
+            if child.get(stated).is_some_and(|value| !value.is_null()) {
+                self.values.remove(other);
+                forget(&mut self.provenance, other);
             }
         }
     }

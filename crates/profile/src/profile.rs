@@ -1,4 +1,4 @@
-//! What the three kinds of profile have in common.
+//! What all kinds of profile have in common.
 
 use schemars::JsonSchema;
 use serde::Serialize;

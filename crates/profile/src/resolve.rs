@@ -52,6 +52,7 @@ impl Library {
             Kind::Machine => self.resolve::<crate::MachineProfile>(layer).map(drop),
             Kind::Material => self.resolve::<crate::MaterialProfile>(layer).map(drop),
             Kind::Noise => self.resolve::<crate::NoiseProfile>(layer).map(drop),
+            Kind::StrutBuilder => self.resolve::<crate::StrutBuilderProfile>(layer).map(drop),
         };
         result.err().unwrap_or_default()
     }

@@ -1,8 +1,8 @@
-//! The JSON Schemas of the three file formats.
+//! The JSON Schemas of the file formats.
 
 use serde_json::{Map, Value};
 
-use crate::{Kind, MachineProfile, MaterialProfile, NoiseProfile};
+use crate::{Kind, MachineProfile, MaterialProfile, NoiseProfile, StrutBuilderProfile};
 
 /// The JSON Schema (draft 2020-12) of a kind of profile file. Strict: unknown keys are refused.
 ///
@@ -14,6 +14,7 @@ pub fn schema(kind: Kind) -> Value {
         Kind::Machine => schemars::schema_for!(MachineProfile),
         Kind::Material => schemars::schema_for!(MaterialProfile),
         Kind::Noise => schemars::schema_for!(NoiseProfile),
+        Kind::StrutBuilder => schemars::schema_for!(StrutBuilderProfile),
     };
     let mut value = sorted(schema.to_value());
     if let Value::Object(root) = &mut value {

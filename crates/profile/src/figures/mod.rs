@@ -1,6 +1,7 @@
 //! The figures of a complete profile without their sources.
 
 pub(crate) mod machine;
+pub(crate) mod strut_builder;
 
 use serde::{Deserialize, Serialize};
 
@@ -54,22 +55,36 @@ pub struct MaterialFigures {
     pub price_per_mm: Option<f64>,
     /// ISO 4217 code.
     pub currency: Option<String>,
+    /// Shear modulus, gigapascal: as stated, or E/(2(1 + ν)) where Poisson's ratio is; `None` where neither is.
+    #[serde(default)]
+    pub shear_modulus_gpa: Option<f64>,
+    /// Elongation at fracture, as a ratio.
+    #[serde(default)]
+    pub fracture_strain: Option<f64>,
+    /// Energy that forming takes, megajoule a kilogram.
+    #[serde(default)]
+    pub process_energy_mj_per_kg: Option<f64>,
 }
 
 impl Complete for MaterialProfile {
     type Figures = MaterialFigures;
 
     fn complete(&self) -> Option<MaterialFigures> {
+        let youngs_modulus_gpa = v(&self.youngs_modulus_gpa)?;
+        let of_poisson = v(&self.poisson_ratio).map(|ratio| youngs_modulus_gpa / (2.0 * (1.0 + ratio)));
         Some(MaterialFigures {
             diameter_mm: v(&self.diameter_mm)?,
             k_factor: v(&self.k_factor)?,
             springback: self.springback.clone()?,
-            youngs_modulus_gpa: v(&self.youngs_modulus_gpa)?,
+            youngs_modulus_gpa,
             yield_strength_mpa: v(&self.yield_strength_mpa)?,
             ultimate_strength_mpa: v(&self.ultimate_strength_mpa)?,
             density_kg_per_m3: v(&self.density_kg_per_m3)?,
             price_per_mm: v(&self.price_per_mm),
             currency: self.currency.clone(),
+            shear_modulus_gpa: v(&self.shear_modulus_gpa).or(of_poisson),
+            fracture_strain: v(&self.fracture_strain),
+            process_energy_mj_per_kg: v(&self.process_energy_mj_per_kg),
         })
     }
 }

@@ -8,3 +8,4 @@ mod inheritance;
 mod refusals;
 mod schema_files;
 mod shipped;
+mod strut_builders;

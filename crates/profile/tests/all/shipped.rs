@@ -29,6 +29,9 @@ fn every_shipped_profile_can_be_chosen() {
     for listing in library.materials().iter().filter(|listing| !listing.is_abstract) {
         library.material(&listing.id).unwrap().figures().unwrap();
     }
+    for listing in library.strut_builders().iter().filter(|listing| !listing.is_abstract) {
+        library.strut_builder(&listing.id).unwrap().figures().unwrap();
+    }
     for listing in library.noises().iter().filter(|listing| !listing.is_abstract) {
         library.noise(&listing.id).unwrap().figures().unwrap();
     }
@@ -43,16 +46,19 @@ fn the_lists_have_the_machines_materials_and_errors_that_the_manual_names() {
     let machines = ["grbl-bender", "howtomechatronics", "pensa-diwire-pro", "table-bender", "wirebend-kit"];
     assert_eq!(ids(library.machines()), machines);
     let materials = [
+        "abs-1-5mm",
         "aluminium-3-175mm",
         "aluminium-6061-o-3mm",
         "aluminium-6061-t6-3mm",
         "brass-1-6mm",
         "copper-2mm",
+        "pla-3mm",
         "steel-0-9mm",
         "steel-1mm",
         "steel-3mm",
     ];
     assert_eq!(ids(library.materials()), materials);
+    assert_eq!(ids(library.strut_builders()), ["framefab-extruder"]);
     assert_eq!(ids(library.noises()), ["bend-forming", "none", "wirebend-kit"]);
 }
 
@@ -139,6 +145,32 @@ fn wires_have_their_published_figures() {
     let steel = library.material("steel-0-9mm").unwrap();
     near(steel.figures().unwrap().diameter_mm, 0.9);
     assert_eq!(steel.chain, ["steel-0-9mm", "steel-1010"]);
+}
+
+/// The stiffness that published frames were computed with: FrameFab's ABS, the PLA of the assembly instances, whose shear modulus
+/// is stated and does not follow from its Poisson's ratio, and the steel of the Bend-Forming accuracy models.
+#[test]
+fn struts_have_the_stiffness_of_the_published_frames() {
+    let library = library();
+    let figures = |id| library.material(id).unwrap().figures().unwrap();
+    let abs = figures("abs-1-5mm");
+    near(abs.youngs_modulus_gpa, 3.457);
+    near(abs.shear_modulus_gpa.unwrap(), 1.294);
+    near(abs.density_kg_per_m3, 1210.0);
+    near(abs.diameter_mm, 1.5);
+    let pla = figures("pla-3mm");
+    near(pla.youngs_modulus_gpa, 3.5);
+    near(pla.shear_modulus_gpa.unwrap(), 2.4);
+    near(pla.density_kg_per_m3, 1250.0);
+    let steel = figures("steel-0-9mm");
+    near(steel.youngs_modulus_gpa, 200.0);
+    near(steel.shear_modulus_gpa.unwrap(), 200.0 / 2.58);
+    near(steel.density_kg_per_m3, 7800.0);
+    near(steel.process_energy_mj_per_kg.unwrap(), 0.33);
+    for listing in library.materials().iter().filter(|listing| !listing.is_abstract) {
+        let figures = figures(&listing.id);
+        assert!(figures.shear_modulus_gpa.is_some() && figures.fracture_strain.is_some(), "{}", listing.id);
+    }
 }
 
 /// An estimate that is labelled as measured would be trusted.

@@ -27,6 +27,7 @@ fn below(heading: &str) -> Option<Names> {
     let names = match (heading, in_backticks) {
         ("Key of a machine", _) => schema("machine-profiles/schema/machine.schema.json"),
         ("Key of a material", _) => schema("machine-profiles/schema/material.schema.json"),
+        ("Key of a strut builder", _) => schema("machine-profiles/schema/strut-builder.schema.json"),
         ("Key of a noise profile", _) => schema("machine-profiles/schema/noise.schema.json"),
         ("Key of `.wirebend`", _) => schema("crates/files/schema/wirebend.schema.json"),
         ("Key of `.wbjob`", _) => schema("crates/files/schema/wbjob.schema.json"),

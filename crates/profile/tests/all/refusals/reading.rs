@@ -87,28 +87,28 @@ fn a_file_says_what_it_describes() {
         "mine.json",
         "{\"schema_version\": 1, \"id\": \"mine\"}",
         expect![[r#"
-            profile-unknown-kind: mine.json:1: no "kind", expected "kind": "machine", "material" or "noise" [CorrectProfile]
+            profile-unknown-kind: mine.json:1: no "kind", expected "kind": "machine", "material", "noise" or "strut-builder" [CorrectProfile]
         "#]],
     );
     refuse(
         "mine.json",
         "{\n\"kind\": \"robot\"}",
         expect![[r#"
-            profile-unknown-kind: mine.json:2: the unknown kind "robot", expected "kind": "machine", "material" or "noise" [CorrectProfile]
+            profile-unknown-kind: mine.json:2: the unknown kind "robot", expected "kind": "machine", "material", "noise" or "strut-builder" [CorrectProfile]
         "#]],
     );
     refuse(
         "mine.json",
         "{\n\"kind\": 3}",
         expect![[r#"
-            profile-unknown-kind: mine.json:2: a "kind" that is not text, expected "kind": "machine", "material" or "noise" [CorrectProfile]
+            profile-unknown-kind: mine.json:2: a "kind" that is not text, expected "kind": "machine", "material", "noise" or "strut-builder" [CorrectProfile]
         "#]],
     );
     refuse(
         "mine.json",
         "[1]",
         expect![[r#"
-            profile-unknown-kind: mine.json:1: not a JSON object, expected "kind": "machine", "material" or "noise" [CorrectProfile]
+            profile-unknown-kind: mine.json:1: not a JSON object, expected "kind": "machine", "material", "noise" or "strut-builder" [CorrectProfile]
         "#]],
     );
 }

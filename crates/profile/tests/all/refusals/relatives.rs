@@ -52,7 +52,7 @@ fn other_profiles_that_are_named_must_exist() {
         "mine.json",
         &text,
         expect![[r#"
-            profile-unknown-reference: mine.json:6: default_material names the unknown material `steel` [ChooseKnown { near: ["steel-1mm", "steel-3mm", "steel-1010"], known: ["aluminium-3-175mm", "aluminium-6061-o-3mm", "aluminium-6061-t6-3mm", "brass-1-6mm", "copper-2mm", "steel-0-9mm", "steel-1010", "steel-1mm", "steel-3mm"] }]
+            profile-unknown-reference: mine.json:6: default_material names the unknown material `steel` [ChooseKnown { near: ["steel-1mm", "steel-3mm", "steel-1010"], known: ["abs-1-5mm", "aluminium-3-175mm", "aluminium-6061-o-3mm", "aluminium-6061-t6-3mm", "brass-1-6mm", "copper-2mm", "pla-3mm", "steel-0-9mm", "steel-1010", "steel-1mm", "steel-3mm"] }]
             profile-unknown-reference: mine.json:7: error names the unknown noise `nope` [ChooseKnown { near: ["none"], known: ["bend-forming", "none", "wirebend-kit"] }]
         "#]],
     );
@@ -135,16 +135,19 @@ fn an_unknown_id_is_answered_with_the_nearest_and_the_known() {
     let (near, far) = (library.kinds("pensa").unwrap_err(), library.kinds("zzz").unwrap_err());
     // Of every kind, each id once.
     let all = [
+        "abs-1-5mm",
         "aluminium-3-175mm",
         "aluminium-6061-o-3mm",
         "aluminium-6061-t6-3mm",
         "bend-forming",
         "brass-1-6mm",
         "copper-2mm",
+        "framefab-extruder",
         "grbl-bender",
         "howtomechatronics",
         "none",
         "pensa-diwire-pro",
+        "pla-3mm",
         "steel-0-9mm",
         "steel-1010",
         "steel-1mm",

@@ -2,7 +2,7 @@
 
 use expect_test::expect;
 use serde_json::{Value, json};
-use wirebend_profile::check_text;
+use wirebend_profile::{Library, check_text};
 
 use crate::refusals::{figure, messages, refuse};
 
@@ -95,6 +95,58 @@ fn a_wire_that_contradicts_itself_is_refused() {
             profile-shape: mine.json:1: unknown field `source`, expected `angle_deg` (column 191) [SeeSchema]
         "#]],
     );
+}
+
+/// The shear modulus follows from Poisson's ratio; two statements of one thing differ sooner or later.
+#[test]
+fn a_wire_states_its_shear_one_way() {
+    let both = material(&[("shear_modulus_gpa", figure(26.0)), ("poisson_ratio", figure(0.3))]);
+    refuse(
+        "mine.json",
+        &both,
+        expect![[r#"
+        profile-rule: mine.json:1: poisson_ratio is 0.3, expected no poisson_ratio beside shear_modulus_gpa: the one follows from the other [CorrectProfile]
+    "#]],
+    );
+    let stiff = material(&[("shear_modulus_gpa", figure(0.0))]);
+    refuse(
+        "mine.json",
+        &stiff,
+        expect![[r#"
+        profile-rule: mine.json:1: shear_modulus_gpa is 0, expected a value above 0 [CorrectProfile]
+    "#]],
+    );
+    for ratio in [-1.0, 0.51] {
+        let text =
+            messages(&check_text("mine.json", &material(&[("poisson_ratio", figure(ratio))])).unwrap_err());
+        assert!(text.contains("expected more than -1 and at most 0.5"), "{text}");
+    }
+    let brittle = material(&[("fracture_strain", figure(0.0)), ("process_energy_mj_per_kg", figure(-1.0))]);
+    refuse(
+        "mine.json",
+        &brittle,
+        expect![[r#"
+        profile-rule: mine.json:1: fracture_strain is 0, expected a value above 0 [CorrectProfile]
+        profile-rule: mine.json:1: process_energy_mj_per_kg is -1, expected a value above 0 [CorrectProfile]
+    "#]],
+    );
+}
+
+/// A child of a wire with Poisson's ratio may have measured its shear modulus, and the other way round.
+#[test]
+fn a_child_states_its_shear_its_own_way() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::create_dir(folder.path().join("materials")).unwrap();
+    let text = material(&[("shear_modulus_gpa", figure(27.0))]);
+    std::fs::write(folder.path().join("materials/mine.json"), text).unwrap();
+    let mut library = Library::shipped().unwrap();
+    assert!(library.add_folder(folder.path()).refused.is_empty());
+    let mine = library.material("mine").unwrap();
+    assert_eq!(mine.figures().unwrap().shear_modulus_gpa, Some(27.0));
+    assert_eq!(mine.profile.poisson_ratio, None);
+    assert!(mine.origin("poisson_ratio").is_none());
+    let parent = library.material("aluminium-6061-t6-3mm").unwrap();
+    assert_eq!(parent.figures().unwrap().shear_modulus_gpa, Some(68.03 / 2.0 / 1.33));
 }
 
 #[test]
