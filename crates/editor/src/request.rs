@@ -2,7 +2,7 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use wirebend_files::document::Walk;
+use wirebend_files::document::{JointFile, Walk};
 use wirebend_files::read::LengthUnit;
 
 /// A change that a person asks for. Lengths in mm, vertices and edges by their ids.
@@ -86,6 +86,18 @@ pub enum EditRequest {
         vertices: Vec<u32>,
         /// Fixed or free.
         support: bool,
+    },
+    /// Puts a joint at vertices, or takes theirs away.
+    Joint {
+        vertices: Vec<u32>,
+        /// What holds the struts together there; null takes it away.
+        joint: Option<JointFile>,
+    },
+    /// Marks edges as part of the ceiling, the last layer that is built, or takes the mark away.
+    Ceiling {
+        edges: Vec<u32>,
+        /// With or without the mark.
+        ceiling: bool,
     },
     /// Merges vertices that lie on each other.
     Weld {
@@ -177,6 +189,9 @@ pub struct PastedVertex {
     /// Whether the design holds it fixed.
     #[serde(default)]
     pub support: bool,
+    /// What holds the struts together there.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub joint: Option<JointFile>,
 }
 
 /// A vertex and where it goes.

@@ -2,7 +2,7 @@
 
 use nalgebra::{Affine3, Matrix4, Point3, Unit, Vector3};
 use wirebend_core::units::{Angle, Length};
-use wirebend_core::wireframe::{EdgeId, Edit, MergeAt, MirrorMode, Vertex, VertexId};
+use wirebend_core::wireframe::{EdgeId, Edit, Joint, MergeAt, MirrorMode, Vertex, VertexId};
 
 use super::EditorError;
 use super::request::{EditRequest, MergePlace};
@@ -20,7 +20,11 @@ impl EditRequest {
             Self::Paste { vertices, edges } => one(Edit::Paste {
                 vertices: vertices
                     .iter()
-                    .map(|vertex| Vertex { position: vertex.at_mm.into(), support: vertex.support })
+                    .map(|vertex| Vertex {
+                        position: vertex.at_mm.into(),
+                        support: vertex.support,
+                        joint: vertex.joint.map(Joint::from),
+                    })
                     .collect(),
                 edges: edges.iter().map(|&[a, b]| (a, b)).collect(),
             }),
@@ -62,6 +66,12 @@ impl EditRequest {
             }
             Self::Support { vertices, support } => {
                 one(Edit::SetSupport { vertices: ids(vertices), support: *support })
+            }
+            Self::Joint { vertices, joint } => {
+                one(Edit::SetJoint { vertices: ids(vertices), joint: joint.map(Joint::from) })
+            }
+            Self::Ceiling { edges, ceiling } => {
+                one(Edit::SetCeiling { edges: edge_ids(edges), ceiling: *ceiling })
             }
             Self::Weld { tolerance_mm } => one(Edit::Weld { tolerance: tolerance(*tolerance_mm)? }),
             Self::Detach { edges } => one(Edit::Detach { edges: edge_ids(edges) }),
@@ -115,6 +125,12 @@ impl EditRequest {
             Self::Array { .. } => "array".to_owned(),
             Self::Support { support: true, .. } => "fix support".to_owned(),
             Self::Support { .. } => "free support".to_owned(),
+            Self::Joint { vertices: jointed, joint: Some(_) } if jointed.len() == 1 => "set joint".to_owned(),
+            Self::Joint { joint: Some(_), .. } => "set joints".to_owned(),
+            Self::Joint { vertices: freed, .. } if freed.len() == 1 => "remove joint".to_owned(),
+            Self::Joint { .. } => "remove joints".to_owned(),
+            Self::Ceiling { ceiling: true, .. } => "mark as ceiling".to_owned(),
+            Self::Ceiling { .. } => "remove ceiling mark".to_owned(),
             Self::Weld { .. } => "weld".to_owned(),
             Self::Detach { edges } => format!("detach {}", some(edges.len(), "edge", "edges")),
             Self::Straighten { .. } => "straighten".to_owned(),

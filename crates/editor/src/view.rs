@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use wirebend_core::wireframe::{Edge, EdgeId, Vertex, VertexId};
 use wirebend_error::ProblemReport;
-use wirebend_files::document::DocumentChange;
+use wirebend_files::document::{DocumentChange, JointFile};
 use wirebend_files::read::LengthUnit;
 
 use super::{ChosenWalk, Editor};
@@ -16,6 +16,9 @@ pub struct VertexView {
     pub at_mm: [f64; 3],
     /// Whether the design holds it fixed.
     pub support: bool,
+    /// What holds the struts together there; absent where nothing does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub joint: Option<JointFile>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
@@ -25,6 +28,9 @@ pub struct EdgeView {
     pub a: u32,
     /// The vertex where it ends.
     pub b: u32,
+    /// Whether it is part of the ceiling; absent where it is not.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub ceiling: bool,
 }
 
 /// All but vertices, edges and the stencil.
@@ -159,9 +165,14 @@ impl Editor {
 }
 
 fn vertex((id, vertex): (VertexId, Vertex)) -> VertexView {
-    VertexView { id: id.0, at_mm: vertex.position.coords.into(), support: vertex.support }
+    VertexView {
+        id: id.0,
+        at_mm: vertex.position.coords.into(),
+        support: vertex.support,
+        joint: vertex.joint.map(JointFile::from),
+    }
 }
 
 const fn edge((id, edge): (EdgeId, Edge)) -> EdgeView {
-    EdgeView { id: id.0, a: edge.a.0, b: edge.b.0 }
+    EdgeView { id: id.0, a: edge.a.0, b: edge.b.0, ceiling: edge.ceiling }
 }

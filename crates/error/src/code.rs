@@ -179,6 +179,7 @@ codes! {
     ReadNoLayers = "read-no-layers",
     ReadNoSuchLayer = "read-no-such-layer",
     ReadNumber = "read-number",
+    ReadOtherDesign = "read-other-design",
     ReadScale = "read-scale",
     ReadStencil = "read-stencil",
     ReadSyntax = "read-syntax",

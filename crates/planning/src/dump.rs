@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use wirebend_core::plan::WirePlan;
 use wirebend_core::wireframe::Wireframe;
+use wirebend_files::document::JointFile;
 
 use crate::choices::PlanChoices;
 use crate::design::{DesignInput, Opened};
@@ -68,11 +69,21 @@ fn wireframe(opened: &Opened) -> Value {
         if vertex.support {
             value["support"] = json!(true);
         }
+        if let Some(joint) = vertex.joint {
+            value["joint"] = json!(JointFile::from(joint));
+        }
+        value
+    };
+    let edge = |(id, edge): (wirebend_core::wireframe::EdgeId, wirebend_core::wireframe::Edge)| {
+        let mut value = json!({ "id": id.0, "a": edge.a.0, "b": edge.b.0 });
+        if edge.ceiling {
+            value["ceiling"] = json!(true);
+        }
         value
     };
     json!({
         "vertices": wireframe.vertices().map(vertex).collect::<Vec<_>>(),
-        "edges": wireframe.edges().map(|(id, e)| json!({ "id": id.0, "a": e.a.0, "b": e.b.0 })).collect::<Vec<_>>(),
+        "edges": wireframe.edges().map(edge).collect::<Vec<_>>(),
     })
 }
 

@@ -4,7 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::Point3;
 
-use super::graph::{Edge, EdgeId, NextIds, Vertex, VertexId, Wireframe, WireframeError, check_position};
+use super::graph::{
+    Edge, EdgeId, EdgeMark, NextIds, Vertex, VertexId, Wireframe, WireframeError, check_vertex,
+};
 
 /// One thing before and after; `None` where it does not exist.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -152,7 +154,7 @@ impl Wireframe {
             if let Some(edge) = change.after
                 && let (Some(&a), Some(&b)) = (self.vertices.get(&edge.a), self.vertices.get(&edge.b))
             {
-                self.edges.insert(id, self.graph.add_edge(a, b, id));
+                self.edges.insert(id, self.graph.add_edge(a, b, EdgeMark { id, ceiling: edge.ceiling }));
             }
         }
         self.next = delta.next.1;
@@ -212,13 +214,17 @@ impl<'a> Draft<'a> {
 
     /// Whether some edge other than `except` joins the same two vertices.
     pub fn joined(&self, edge: Edge, except: Option<EdgeId>) -> bool {
-        self.incident(edge.a)
-            .into_iter()
-            .any(|id| Some(id) != except && self.edge(id).is_some_and(|other| other.ends() == edge.ends()))
+        self.joining(edge, except).is_some()
+    }
+
+    /// The first edge other than `except` that joins the same two vertices.
+    pub fn joining(&self, edge: Edge, except: Option<EdgeId>) -> Option<(EdgeId, Edge)> {
+        let around = self.incident(edge.a).into_iter().filter(|id| Some(*id) != except);
+        around.filter_map(|id| Some((id, self.edge(id)?))).find(|(_, other)| other.ends() == edge.ends())
     }
 
     pub fn set_vertex(&mut self, id: VertexId, vertex: Vertex) -> Result<(), WireframeError> {
-        check_position(vertex.position)?;
+        check_vertex(vertex)?;
         self.write_vertex(id, Some(vertex));
         Ok(())
     }
@@ -246,6 +252,13 @@ impl<'a> Draft<'a> {
 
     pub fn set_edge(&mut self, id: EdgeId, edge: Edge) {
         self.write_edge(id, Some(edge));
+    }
+
+    /// An edge that another one is merged into keeps the mark of both.
+    pub fn keep_mark(&mut self, id: EdgeId, merged: Edge) {
+        if let Some(edge) = self.edge(id).filter(|edge| merged.ceiling && !edge.ceiling) {
+            self.write_edge(id, Some(Edge { ceiling: true, ..edge }));
+        }
     }
 
     pub fn remove_edge(&mut self, id: EdgeId) {

@@ -6,6 +6,7 @@ use std::fmt;
 use nalgebra::{Point3, Vector3};
 use petgraph::stable_graph::{EdgeIndex, NodeIndex, StableUnGraph};
 
+use super::joint::{Joint, MAX_JOINT_G};
 use crate::units::Length;
 
 /// Largest coordinate that is accepted, in mm. A kilometre of wire is beyond every bender, and the
@@ -48,13 +49,20 @@ pub struct Vertex {
     pub position: Point3<f64>,
     /// Whether the design holds this point fixed (a support of the structure).
     pub support: bool,
+    /// What holds the struts together here; none where the wire itself runs through, or nothing does.
+    pub joint: Option<Joint>,
 }
 
 impl Vertex {
     /// A free vertex at a position in mm.
     #[must_use]
     pub const fn at(position: Point3<f64>) -> Self {
-        Self { position, support: false }
+        Self { position, support: false, joint: None }
+    }
+
+    /// This vertex with what another one has that is merged into it: a support stays one, and its own joint goes first.
+    pub(super) fn with_marks_of(self, merged: Self) -> Self {
+        Self { support: self.support || merged.support, joint: self.joint.or(merged.joint), ..self }
     }
 }
 
@@ -65,13 +73,27 @@ pub struct Edge {
     pub a: VertexId,
     /// Where it ends.
     pub b: VertexId,
+    /// Whether the design marks it as part of its ceiling: the last layer that is built.
+    pub ceiling: bool,
 }
 
 impl Edge {
+    /// A strut without a mark.
+    #[must_use]
+    pub const fn between(a: VertexId, b: VertexId) -> Self {
+        Self { a, b, ceiling: false }
+    }
+
     /// The end that is not `vertex`; for a loop, or a vertex that it does not touch, its `a`.
     #[must_use]
     pub fn other(self, vertex: VertexId) -> VertexId {
         if self.a == vertex { self.b } else { self.a }
+    }
+
+    /// The same strut, drawn the other way.
+    #[must_use]
+    pub const fn reversed(self) -> Self {
+        Self { a: self.b, b: self.a, ceiling: self.ceiling }
     }
 
     /// The ends, lower id first: equal for edges that join the same two vertices.
@@ -99,6 +121,9 @@ pub enum WireframeError {
     /// A coordinate is NaN, infinite or beyond a kilometre.
     #[error("{} is not a position: each coordinate must be a number within ±1 000 000 mm", Coordinates(.0))]
     Position(Point3<f64>),
+    /// The mass of a joint is NaN, infinite, negative or beyond a tonne.
+    #[error("{0} g is no mass of a joint: it must be a number from 0 to 1 000 000 g")]
+    JointMass(f64),
     /// An edge names a vertex that is not there.
     #[error("there is no vertex {0}")]
     NoVertex(VertexId),
@@ -113,11 +138,18 @@ pub enum WireframeError {
     Full,
 }
 
+/// What the graph keeps of an edge; its ends are petgraph's.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct EdgeMark {
+    pub id: EdgeId,
+    pub ceiling: bool,
+}
+
 /// A graph of struts with stable ids. Loops and parallel edges can be represented, because files
 /// hold them and the checks have to name them.
 #[derive(Debug, Clone, Default)]
 pub struct Wireframe {
-    pub(super) graph: StableUnGraph<(VertexId, Vertex), EdgeId>,
+    pub(super) graph: StableUnGraph<(VertexId, Vertex), EdgeMark>,
     pub(super) vertices: BTreeMap<VertexId, NodeIndex>,
     pub(super) edges: BTreeMap<EdgeId, EdgeIndex>,
     pub(super) next: NextIds,
@@ -153,16 +185,16 @@ impl Wireframe {
     /// [`WireframeError::NoVertex`] when an end is not there.
     pub fn add_edge(&mut self, a: VertexId, b: VertexId) -> Result<EdgeId, WireframeError> {
         let id = EdgeId(self.next.edge);
-        self.insert_edge(id, Edge { a, b })?;
+        self.insert_edge(id, Edge::between(a, b))?;
         Ok(id)
     }
 
     /// Adds a vertex under an id of the caller's, as a file that is read back does.
     ///
     /// # Errors
-    /// [`WireframeError`] when the position is not one or the id is taken.
+    /// [`WireframeError`] when the position or the mass of its joint is not one or the id is taken.
     pub fn insert_vertex(&mut self, id: VertexId, vertex: Vertex) -> Result<(), WireframeError> {
-        check_position(vertex.position)?;
+        check_vertex(vertex)?;
         if self.vertices.contains_key(&id) {
             return Err(WireframeError::VertexExists(id));
         }
@@ -184,7 +216,7 @@ impl Wireframe {
         }
         let next = id.0.checked_add(1).ok_or(WireframeError::Full)?;
         self.next.edge = self.next.edge.max(next);
-        self.edges.insert(id, self.graph.add_edge(a, b, id));
+        self.edges.insert(id, self.graph.add_edge(a, b, EdgeMark { id, ceiling: edge.ceiling }));
         Ok(())
     }
 
@@ -221,8 +253,12 @@ impl Wireframe {
     /// An edge by its id.
     #[must_use]
     pub fn edge(&self, id: EdgeId) -> Option<Edge> {
-        let [(a, _), (b, _)] = self.ends(*self.edges.get(&id)?)?;
-        Some(Edge { a, b })
+        self.edge_at(*self.edges.get(&id)?)
+    }
+
+    fn edge_at(&self, index: EdgeIndex) -> Option<Edge> {
+        let [(a, _), (b, _)] = self.ends(index)?;
+        Some(Edge { a, b, ceiling: self.graph.edge_weight(index)?.ceiling })
     }
 
     fn ends(&self, index: EdgeIndex) -> Option<[(VertexId, Vertex); 2]> {
@@ -237,10 +273,7 @@ impl Wireframe {
 
     /// All edges in order of id.
     pub fn edges(&self) -> impl Iterator<Item = (EdgeId, Edge)> + '_ {
-        self.edges.iter().filter_map(|(&id, &index)| {
-            let [(a, _), (b, _)] = self.ends(index)?;
-            Some((id, Edge { a, b }))
-        })
+        self.edges.iter().filter_map(|(&id, &index)| Some((id, self.edge_at(index)?)))
     }
 
     /// The edges at a vertex in order of id, a loop once; empty for a vertex that is not there.
@@ -249,7 +282,7 @@ impl Wireframe {
         let Some(&index) = self.vertices.get(&id) else {
             return Vec::new();
         };
-        let mut edges: Vec<EdgeId> = self.graph.edges(index).map(|edge| *edge.weight()).collect();
+        let mut edges: Vec<EdgeId> = self.graph.edges(index).map(|edge| edge.weight().id).collect();
         edges.sort_unstable();
         edges.dedup();
         edges
@@ -288,11 +321,22 @@ impl Wireframe {
 }
 
 /// Refuses a coordinate that is NaN, infinite or beyond a kilometre.
-pub(super) fn check_position(position: Point3<f64>) -> Result<(), WireframeError> {
+fn check_position(position: Point3<f64>) -> Result<(), WireframeError> {
     if position.coords.iter().all(|c| c.abs() <= MAX_COORDINATE_MM) {
         Ok(())
     } else {
         Err(WireframeError::Position(position))
+    }
+}
+
+/// Refuses what no vertex can be: its position, and the mass of its joint.
+pub(super) fn check_vertex(vertex: Vertex) -> Result<(), WireframeError> {
+    check_position(vertex.position)?;
+    match vertex.joint {
+        Some(Joint { mass_g, .. }) if !(0.0..=MAX_JOINT_G).contains(&mass_g) => {
+            Err(WireframeError::JointMass(mass_g))
+        }
+        _ => Ok(()),
     }
 }
 
@@ -319,7 +363,7 @@ mod tests {
         assert_eq!(w.insert_vertex(VertexId(u32::MAX), at(1.0)), Err(WireframeError::Full));
         let b = w.add_vertex(at(1.0)).unwrap();
         let e = w.add_edge(a, b).unwrap();
-        assert_eq!(w.insert_edge(e, Edge { a, b }), Err(WireframeError::EdgeExists(e)));
+        assert_eq!(w.insert_edge(e, Edge::between(a, b)), Err(WireframeError::EdgeExists(e)));
     }
 
     #[test]
@@ -330,6 +374,6 @@ mod tests {
         assert_eq!(w.incident(a), edges);
         assert_eq!(w.incident(b), edges[..2]);
         assert!((w.total_length().mm() - 6.0).abs() < 1e-12);
-        assert_eq!(w.edge(edges[1]), Some(Edge { a: b, b: a }));
+        assert_eq!(w.edge(edges[1]), Some(Edge::between(b, a)));
     }
 }

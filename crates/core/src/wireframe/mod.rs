@@ -11,6 +11,7 @@ mod components;
 mod delta;
 mod edits;
 mod graph;
+mod joint;
 mod weld;
 mod welder;
 
@@ -18,5 +19,6 @@ pub use components::Component;
 pub use delta::{Change, Delta, StaleDelta};
 pub use edits::{Edit, EditError, MergeAt, MirrorMode};
 pub use graph::{Edge, EdgeId, NextIds, Vertex, VertexId, Wireframe, WireframeError};
+pub use joint::{Joint, JointKind};
 pub use weld::WeldReport;
 pub use welder::Welder;

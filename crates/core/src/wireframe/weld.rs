@@ -1,9 +1,9 @@
 //! Welding: vertices that a file wrote twice become one.
 
-use std::collections::{BTreeMap, HashSet};
+use std::collections::{BTreeMap, HashMap};
 
 use super::delta::{Delta, Draft};
-use super::graph::{Edge, Vertex, VertexId, Wireframe};
+use super::graph::{Edge, VertexId, Wireframe};
 use super::welder::Welder;
 use crate::units::Length;
 
@@ -47,24 +47,29 @@ impl Wireframe {
             report.max_move = report.max_move.max(moved);
             report.merged_vertices += 1;
             into.insert(id, kept);
-            // A support stays one when it is welded to a free vertex. The position is that of an
+            // A support stays one when it is welded to a free vertex, and a joint is kept. The position is that of an
             // existing vertex, which is one by construction.
-            if vertex.support && !onto.support {
-                let _ = draft.set_vertex(kept, Vertex { support: true, ..onto });
+            let marked = onto.with_marks_of(vertex);
+            if marked != onto {
+                let _ = draft.set_vertex(kept, marked);
             }
         }
-        let mut seen = HashSet::new();
+        let mut seen = HashMap::new();
         let target = |id: VertexId| into.get(&id).copied().unwrap_or(id);
         for (id, edge) in self.edges() {
-            let welded = Edge { a: target(edge.a), b: target(edge.b) };
+            let welded = Edge { a: target(edge.a), b: target(edge.b), ..edge };
             if welded.a == welded.b {
                 report.collapsed_edges += 1;
                 draft.remove_edge(id);
-            } else if !seen.insert(welded.ends()) {
+            } else if let Some(&kept) = seen.get(&welded.ends()) {
                 report.duplicate_edges += 1;
                 draft.remove_edge(id);
-            } else if welded != edge {
-                draft.set_edge(id, welded);
+                draft.keep_mark(kept, welded);
+            } else {
+                seen.insert(welded.ends(), id);
+                if welded != edge {
+                    draft.set_edge(id, welded);
+                }
             }
         }
         for &gone in into.keys() {
@@ -76,6 +81,7 @@ impl Wireframe {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Vertex;
     use super::*;
     use nalgebra::Point3;
 
@@ -119,7 +125,7 @@ mod tests {
         w.commit(&delta).unwrap();
         assert_eq!(w.vertex_count(), 3, "a chain is not drawn together");
         assert!((report.max_move.mm() - 0.9).abs() < 1e-12);
-        assert_eq!(w.edges().next().map(|(_, edge)| edge), Some(Edge { a: VertexId(0), b: VertexId(3) }));
+        assert_eq!(w.edges().next().map(|(_, edge)| edge), Some(Edge::between(VertexId(0), VertexId(3))));
     }
 
     #[test]

@@ -4,8 +4,8 @@ use nalgebra::{Affine3, Matrix4, Point3, Unit, Vector3};
 use proptest::prelude::*;
 use wirebend_core::units::{Angle, Length};
 use wirebend_core::wireframe::{
-    Delta, Edge, EdgeId, Edit, EditError, MergeAt, MirrorMode, StaleDelta, Vertex, VertexId, Wireframe,
-    WireframeError,
+    Delta, Edge, EdgeId, Edit, EditError, Joint, JointKind, MergeAt, MirrorMode, StaleDelta, Vertex,
+    VertexId, Wireframe, WireframeError,
 };
 
 fn mm(value: f64) -> Length {
@@ -40,7 +40,7 @@ fn ids_are_never_used_twice() {
     assert_eq!((w.vertex_count(), w.edge_count()), (3, 2));
     w.apply(&Edit::AddVertex { position: Point3::new(5., 5., 5.) }).unwrap();
     w.apply(&Edit::Connect { a: VertexId(2), b: VertexId(4) }).unwrap();
-    assert_eq!(w.edge(EdgeId(4)), Some(Edge { a: VertexId(2), b: VertexId(4) }));
+    assert_eq!(w.edge(EdgeId(4)), Some(Edge::between(VertexId(2), VertexId(4))));
     assert_eq!(w.vertex(VertexId(3)), None);
 }
 
@@ -49,8 +49,8 @@ fn splitting_keeps_the_id_of_the_first_part() {
     let mut w = square();
     w.apply(&Edit::SplitEdge { edge: EdgeId(1), at: 0.25 }).unwrap();
     assert_eq!(w.vertex(VertexId(4)).unwrap().position, Point3::new(10., 2.5, 0.));
-    assert_eq!(w.edge(EdgeId(1)), Some(Edge { a: VertexId(1), b: VertexId(4) }));
-    assert_eq!(w.edge(EdgeId(4)), Some(Edge { a: VertexId(4), b: VertexId(2) }));
+    assert_eq!(w.edge(EdgeId(1)), Some(Edge::between(VertexId(1), VertexId(4))));
+    assert_eq!(w.edge(EdgeId(4)), Some(Edge::between(VertexId(4), VertexId(2))));
 }
 
 #[test]
@@ -101,7 +101,7 @@ fn a_piece_is_pasted_whole_or_not_at_all() {
     ];
     w.apply(&Edit::Paste { vertices: piece.to_vec(), edges: vec![(1, 0)] }).unwrap();
     assert_eq!(w.vertex(VertexId(5)), Some(piece[1]));
-    assert_eq!(w.edge(EdgeId(4)), Some(Edge { a: VertexId(5), b: VertexId(4) }));
+    assert_eq!(w.edge(EdgeId(4)), Some(Edge::between(VertexId(5), VertexId(4))));
     for (edge, error) in
         [((0, 2), EditError::NotInPiece { index: 2, count: 2 }), ((1, 1), EditError::Loop(VertexId(7)))]
     {
@@ -236,6 +236,11 @@ fn any_edit() -> impl Strategy<Value = Edit> {
             weld
         }),
         (some(), any::<bool>()).prop_map(|(vertices, support)| Edit::SetSupport { vertices, support }),
+        (some(), prop::option::of(0.0..50.0_f64)).prop_map(|(vertices, mass)| Edit::SetJoint {
+            vertices,
+            joint: mass.map(|mass_g| Joint { kind: JointKind::SnapFit, mass_g })
+        }),
+        (edges(), any::<bool>()).prop_map(|(edges, ceiling)| Edit::SetCeiling { edges, ceiling }),
         weld.prop_map(|tolerance| Edit::Weld { tolerance }),
         edges().prop_map(|edges| Edit::Detach { edges }),
         (edges(), 0.0..60.0_f64)

@@ -4,6 +4,7 @@
 
 mod chains;
 mod edits;
+mod marks;
 mod path_and_program;
 mod physics;
 mod routes;

@@ -8,6 +8,7 @@ use wirebend_core::wireframe::{Change, Delta, Edge, EdgeId, NextIds, Vertex, Ver
 
 use super::change::{DocumentChange, Replaced};
 use super::ids::{Pin, PinFile};
+use super::joint::JointFile;
 use super::project::WireCount;
 use super::snapshot::ProfileSnapshot;
 use super::stencil::{StencilFile, StencilSource};
@@ -16,10 +17,20 @@ use crate::length_unit::LengthUnit;
 
 /// Before and after.
 type Pair<T> = [Option<T>; 2];
-/// x, y and z in mm, and whether it is a support.
-type VertexPart = (f64, f64, f64, bool);
-/// Its two vertices.
-type EdgePart = (u32, u32);
+/// x, y and z in mm, and whether it is a support; then its joint, if it has one.
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(untagged)]
+enum VertexPart {
+    Plain(f64, f64, f64, bool),
+    Jointed(f64, f64, f64, bool, JointFile),
+}
+/// Its two vertices; then whether it is part of the ceiling, if it is.
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(untagged)]
+enum EdgePart {
+    Plain(u32, u32),
+    Marked(u32, u32, bool),
+}
 
 #[derive(Debug, Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
@@ -69,7 +80,7 @@ impl DocumentChange {
             self.stencil.as_ref().map(|swap| Ok::<_, String>([pack(&swap.before)?, pack(&swap.after)?]));
         let file = ChangeFile {
             vertices: parts(&self.wireframe.vertices, |id| id.0, vertex_part),
-            edges: parts(&self.wireframe.edges, |id| id.0, |edge| (edge.a.0, edge.b.0)),
+            edges: parts(&self.wireframe.edges, |id| id.0, edge_part),
             next: [self.wireframe.next.0, self.wireframe.next.1].map(|next| (next.vertex, next.edge)),
             stencil: stencil.transpose()?,
             machine: pair(self.machine.as_deref(), Clone::clone),
@@ -96,7 +107,7 @@ impl DocumentChange {
         let next = file.next.map(|(vertex, edge)| NextIds { vertex, edge });
         let wireframe = Delta {
             vertices: changes(file.vertices, VertexId, vertex_of),
-            edges: changes(file.edges, EdgeId, |(a, b)| Edge { a: VertexId(a), b: VertexId(b) }),
+            edges: changes(file.edges, EdgeId, edge_of),
             next: (next[0], next[1]),
         };
         let unpack = |stencil: Option<StencilFile>| {
@@ -124,12 +135,32 @@ impl DocumentChange {
 }
 
 fn vertex_part(vertex: &Vertex) -> VertexPart {
-    let Vertex { position: at, support } = vertex;
-    (at.x, at.y, at.z, *support)
+    let Vertex { position: at, support, joint } = *vertex;
+    match joint {
+        None => VertexPart::Plain(at.x, at.y, at.z, support),
+        Some(joint) => VertexPart::Jointed(at.x, at.y, at.z, support, joint.into()),
+    }
 }
 
-fn vertex_of((x, y, z, support): VertexPart) -> Vertex {
-    Vertex { position: Point3::new(x, y, z), support }
+fn vertex_of(part: VertexPart) -> Vertex {
+    let (x, y, z, support, joint) = match part {
+        VertexPart::Plain(x, y, z, support) => (x, y, z, support, None),
+        VertexPart::Jointed(x, y, z, support, joint) => (x, y, z, support, Some(joint.into())),
+    };
+    Vertex { position: Point3::new(x, y, z), support, joint }
+}
+
+fn edge_part(edge: &Edge) -> EdgePart {
+    let (a, b) = (edge.a.0, edge.b.0);
+    if edge.ceiling { EdgePart::Marked(a, b, true) } else { EdgePart::Plain(a, b) }
+}
+
+fn edge_of(part: EdgePart) -> Edge {
+    let (a, b, ceiling) = match part {
+        EdgePart::Plain(a, b) => (a, b, false),
+        EdgePart::Marked(a, b, ceiling) => (a, b, ceiling),
+    };
+    Edge { a: VertexId(a), b: VertexId(b), ceiling }
 }
 
 fn parts<K: Copy, T, U>(

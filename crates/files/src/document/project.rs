@@ -6,11 +6,12 @@ use nalgebra::Point3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_core::mesh::Stencil;
-use wirebend_core::wireframe::{Edge, EdgeId, NextIds, Vertex, VertexId, Wireframe};
+use wirebend_core::wireframe::{Edge, EdgeId, Joint, NextIds, Vertex, VertexId, Wireframe};
 
 use super::error::DocumentError;
 use super::hash::canonical_sha256;
 use super::ids::{Pin, PinFile, PinTarget};
+use super::joint::JointFile;
 use super::layout;
 use super::snapshot::ProfileSnapshot;
 use super::stencil::{StencilFile, StencilSource};
@@ -138,6 +139,9 @@ struct VertexFile {
     /// Whether the design holds it fixed.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     support: bool,
+    /// What holds the struts together there.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    joint: Option<JointFile>,
 }
 
 /// A strut.
@@ -150,6 +154,9 @@ struct EdgeFile {
     a: u32,
     /// The vertex where it ends, by id.
     b: u32,
+    /// Whether it is part of the ceiling, the last layer that is built.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    ceiling: bool,
 }
 
 /// What makes a design the same design: see [`Document::design_hash`].
@@ -342,20 +349,26 @@ impl WireframeFile {
             id: id.0,
             at_mm: vertex.position.coords.into(),
             support: vertex.support,
+            joint: vertex.joint.map(JointFile::from),
         });
-        let edges = wireframe.edges().map(|(id, edge)| EdgeFile { id: id.0, a: edge.a.0, b: edge.b.0 });
+        let edges = wireframe.edges().map(|(id, edge)| EdgeFile {
+            id: id.0,
+            a: edge.a.0,
+            b: edge.b.0,
+            ceiling: edge.ceiling,
+        });
         Self { next_vertex: vertex, next_edge: edge, vertices: vertices.collect(), edges: edges.collect() }
     }
 
     fn build(self, file: &str) -> Result<Wireframe, DocumentError> {
         let refuse = |error| DocumentError::Wireframe { file: file.to_owned(), error };
         let mut wireframe = Wireframe::new();
-        for VertexFile { id, at_mm, support } in self.vertices {
-            let vertex = Vertex { position: Point3::from(at_mm), support };
+        for VertexFile { id, at_mm, support, joint } in self.vertices {
+            let vertex = Vertex { position: Point3::from(at_mm), support, joint: joint.map(Joint::from) };
             wireframe.insert_vertex(VertexId(id), vertex).map_err(refuse)?;
         }
-        for EdgeFile { id, a, b } in self.edges {
-            let edge = Edge { a: VertexId(a), b: VertexId(b) };
+        for EdgeFile { id, a, b, ceiling } in self.edges {
+            let edge = Edge { a: VertexId(a), b: VertexId(b), ceiling };
             wireframe.insert_edge(EdgeId(id), edge).map_err(refuse)?;
         }
         wireframe.reserve_ids(NextIds { vertex: self.next_vertex, edge: self.next_edge });

@@ -1,26 +1,29 @@
-//! Assembly-instances JSON (repository `yijiangh/assembly_instances`): nodes, elements, supports.
+//! Assembly-instances JSON (repository `yijiangh/assembly_instances`): nodes, elements, supports, and one material for all.
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 
 use nalgebra::Point3;
 use serde::Deserialize;
+use wirebend_core::wireframe::{EdgeId, VertexId};
 use wirebend_error::ErrorRemedy;
 
-use super::Imported;
 use super::drawing::Drawing;
 use super::error::{Location, ReadError};
 use super::format::Format;
+use super::frame::{
+    Fixities, FrameFile, FrameMaterial, FrameMember, FrameSection, Quantity, merged, positive, quantity,
+};
 use super::note::NoteKind;
 use super::options::{LengthUnit, ReadOptions};
 use super::text::Source;
-use crate::document::without_place;
+use super::{Imported, json};
 
 #[derive(Deserialize)]
 struct Assembly {
     unit: Option<String>,
     node_list: Vec<Node>,
     element_list: Vec<Element>,
-    material_properties: Option<serde::de::IgnoredAny>,
+    material_properties: Option<Properties>,
 }
 
 #[derive(Deserialize)]
@@ -45,7 +48,39 @@ struct Coordinates {
 #[derive(Deserialize)]
 struct Element {
     end_node_ids: Vec<i64>,
-    layer_id: Option<serde::de::IgnoredAny>,
+    layer_id: Option<i64>,
+}
+
+/// One material and one section for all elements. The shear modulus is the stated one: the Poisson's ratio beside it is that of no
+/// plastic in the published files.
+#[derive(Deserialize)]
+struct Properties {
+    #[serde(default)]
+    material_name: String,
+    youngs_modulus: Option<f64>,
+    youngs_modulus_unit: Option<String>,
+    shear_modulus: Option<f64>,
+    shear_modulus_unit: Option<String>,
+    #[serde(alias = "tensile_yield_stress")]
+    tensile_yeild_stress: Option<f64>,
+    #[serde(alias = "tensile_yield_stress_unit")]
+    tensile_yeild_stress_unit: Option<String>,
+    density: Option<f64>,
+    density_unit: Option<String>,
+    cross_sec_area: Option<f64>,
+    cross_sec_area_unit: Option<String>,
+    #[serde(rename = "Jx")]
+    jx: Option<f64>,
+    #[serde(rename = "Jx_unit")]
+    jx_unit: Option<String>,
+    #[serde(rename = "Iy")]
+    iy: Option<f64>,
+    #[serde(rename = "Iy_unit")]
+    iy_unit: Option<String>,
+    #[serde(rename = "Iz")]
+    iz: Option<f64>,
+    #[serde(rename = "Iz_unit")]
+    iz_unit: Option<String>,
 }
 
 /// 0, 1, false or true.
@@ -64,29 +99,36 @@ impl Flag {
     }
 }
 
+impl Node {
+    /// How it holds; a node that is grounded and says no more holds in every direction.
+    fn fixities(&self, source: Source<'_>, place: Location) -> Result<Option<Fixities>, ReadError> {
+        let stated = self.fixities.as_deref().unwrap_or_default();
+        let held: Vec<bool> = stated.iter().map(Flag::is_set).collect();
+        match Fixities::try_from(held) {
+            Ok(held) => Ok(Some(held).filter(|held| held.contains(&true) || self.is_grounded.is_set())),
+            Err(held) if held.is_empty() => Ok(self.is_grounded.is_set().then_some([true; 6])),
+            Err(held) => {
+                let found = format!("{} fixities", held.len());
+                let expected = "six fixities, or none";
+                Err(source.syntax(place, &found, expected, ErrorRemedy::CorrectFile))
+            }
+        }
+    }
+}
+
 /// Reads a frame. A node that is grounded or has any fixity is a support; `unit` is honoured.
 pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> Result<Imported, ReadError> {
-    let assembly: Assembly = serde_json::from_slice(bytes).map_err(|error| {
-        let expected = "an object with node_list and element_list".into();
-        let remedy = ErrorRemedy::CorrectFile;
-        let found = without_place(&error);
-        let (file, place) = (source.name.to_owned(), Location::Line(error.line()));
-        ReadError::Syntax { file, place, found, expected, remedy: Box::new(remedy) }
-    })?;
+    let assembly: Assembly = json::parse(bytes, source, "an object with node_list and element_list")?;
     let mut drawing = Drawing::default();
     if let Some(word) = &assembly.unit {
         drawing.unit_mm = LengthUnit::from_word(word).map(LengthUnit::mm);
         if drawing.unit_mm.is_none() && options.units.is_none() {
-            let remedy = ErrorRemedy::ChooseUnit;
-            return Err(source.syntax(
-                Location::File,
-                word,
-                "a unit: millimeter, centimeter, meter or inch",
-                remedy,
-            ));
+            let expected = "a unit: millimeter, centimeter, meter or inch";
+            return Err(source.syntax(Location::File, word, expected, ErrorRemedy::ChooseUnit));
         }
     }
-    let mut index_of = HashMap::new();
+    let mut index_of = BTreeMap::new();
+    let mut supports: Vec<(u32, Fixities)> = Vec::new();
     for (k, node) in assembly.node_list.iter().enumerate() {
         let place = Location::Item("node", k);
         source.room(place.clone(), k, "nodes")?;
@@ -98,10 +140,42 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
         }
         let Coordinates { x, y, z } = node.point;
         drawing.points.push(Point3::new(x, y, z));
-        if node.is_grounded.is_set() || node.fixities.iter().flatten().any(Flag::is_set) {
-            drawing.supports.push(index);
-        }
+        supports.extend(node.fixities(source, place)?.map(|held| (index, held)));
     }
+    drawing.supports = supports.iter().map(|(index, _)| *index).collect();
+    let members = elements(&assembly, source, &index_of, &mut drawing)?;
+    let described = assembly.material_properties.as_ref();
+    drawing.notes.add(NoteKind::MaterialIgnored, usize::from(described.is_some()));
+    let material = described.map(|stated| stated.material(source)).transpose()?.flatten();
+    let section = described.map(|stated| stated.section(source)).transpose()?.flatten();
+    let member = |layer| FrameMember {
+        section: section.map(|_| 0),
+        material: material.as_ref().map(|_| 0),
+        tag: String::new(),
+        layer,
+    };
+    let members: Vec<FrameMember> = members.into_iter().map(member).collect();
+    let (mut imported, kept) = drawing.finish_kept(Format::Assembly, source, options)?;
+    let vertex = |index: u32| kept.get(index as usize).map_or(VertexId(index), |kept| VertexId(*kept));
+    let is_there = |id: EdgeId| imported.wireframe.edge(id).is_some();
+    imported.frame = Some(Box::new(FrameFile {
+        nodes: index_of.iter().map(|(number, index)| (*number, vertex(*index))).collect(),
+        supports: merged(supports.into_iter().map(|(index, how)| (vertex(index), how))),
+        sections: section.into_iter().collect(),
+        materials: material.into_iter().collect(),
+        members: (0..).map(EdgeId).zip(members).filter(|(id, _)| is_there(*id)).collect(),
+    }));
+    Ok(imported)
+}
+
+/// Adds the elements, and gives the layer of each.
+fn elements(
+    assembly: &Assembly,
+    source: Source<'_>,
+    index_of: &BTreeMap<i64, u32>,
+    drawing: &mut Drawing,
+) -> Result<Vec<Option<i64>>, ReadError> {
+    let mut layers = Vec::with_capacity(assembly.element_list.len());
     for (k, element) in assembly.element_list.iter().enumerate() {
         let place = Location::Item("element", k);
         source.room(place.clone(), k, "elements")?;
@@ -121,7 +195,63 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
         let edge = (end(a)?, end(b)?);
         drawing.edges.push(edge);
         drawing.notes.add(NoteKind::LayersIgnored, usize::from(element.layer_id.is_some()));
+        layers.push(element.layer_id);
     }
-    drawing.notes.add(NoteKind::MaterialIgnored, usize::from(assembly.material_properties.is_some()));
-    drawing.finish(Format::Assembly, source, options)
+    Ok(layers)
+}
+
+impl Properties {
+    /// The material, where both of its moduli and its density are stated.
+    fn material(&self, source: Source<'_>) -> Result<Option<FrameMaterial>, ReadError> {
+        let figure = |value: Option<f64>, unit: &Option<String>, wanted| {
+            figure(source, value, unit.as_deref(), wanted)
+        };
+        let youngs = figure(self.youngs_modulus, &self.youngs_modulus_unit, Quantity::Stress)?;
+        let shear = figure(self.shear_modulus, &self.shear_modulus_unit, Quantity::Stress)?;
+        let density = figure(self.density, &self.density_unit, Quantity::Density)?;
+        let yields = figure(self.tensile_yeild_stress, &self.tensile_yeild_stress_unit, Quantity::Stress)?;
+        let (Some(youngs_modulus_mpa), Some(shear_modulus_mpa), Some(density_kg_per_m3)) =
+            (youngs, shear, density)
+        else {
+            return Ok(None);
+        };
+        Ok(Some(FrameMaterial {
+            name: self.material_name.clone(),
+            youngs_modulus_mpa,
+            shear_modulus_mpa,
+            density_kg_per_m3,
+            yield_strength_mpa: yields,
+        }))
+    }
+
+    /// The section, where all of it is stated.
+    fn section(&self, source: Source<'_>) -> Result<Option<FrameSection>, ReadError> {
+        let moment =
+            |value, unit: &Option<String>| figure(source, value, unit.as_deref(), Quantity::SecondMoment);
+        let area = figure(source, self.cross_sec_area, self.cross_sec_area_unit.as_deref(), Quantity::Area)?;
+        let moments = (
+            moment(self.jx, &self.jx_unit)?,
+            moment(self.iy, &self.iy_unit)?,
+            moment(self.iz, &self.iz_unit)?,
+        );
+        let (Some(area_mm2), (Some(j_mm4), Some(iy_mm4), Some(iz_mm4))) = (area, moments) else {
+            return Ok(None);
+        };
+        Ok(Some(FrameSection { area_mm2, j_mm4, iy_mm4, iz_mm4 }))
+    }
+}
+
+/// A figure with its unit in the wanted one; none where either is not stated.
+fn figure(
+    source: Source<'_>,
+    value: Option<f64>,
+    unit: Option<&str>,
+    wanted: Quantity,
+) -> Result<Option<f64>, ReadError> {
+    let (Some(value), Some(unit)) = (value, unit) else {
+        return Ok(None);
+    };
+    let place = Location::Item("material_properties", 0);
+    let factor = quantity(source, &place, wanted, unit)?;
+    positive(source, &place, value).map(|value| Some(value * factor))
 }

@@ -21,6 +21,8 @@ pub(crate) struct Drawing {
     pub(crate) point_lines: Vec<usize>,
     pub(crate) supports: Vec<u32>,
     pub(crate) edges: Vec<(u32, u32)>,
+    /// Which of the edges are part of the ceiling, as their places in the list.
+    pub(crate) ceilings: HashSet<u32>,
     pub(crate) faces: Vec<Vec<u32>>,
     /// Sides of faces that the file hides, lower index first: they become no edges.
     pub(crate) hidden_sides: HashSet<(u32, u32)>,
@@ -37,11 +39,21 @@ impl Drawing {
     /// # Errors
     /// [`ReadError::Wireframe`] for a position beyond a kilometre.
     pub(crate) fn finish(
-        mut self,
+        self,
         format: Format,
         source: Source<'_>,
         options: &ReadOptions,
     ) -> Result<Imported, ReadError> {
+        self.finish_kept(format, source, options).map(|(imported, _)| imported)
+    }
+
+    /// As [`Drawing::finish`], and of each point the one that it was welded to, or itself.
+    pub(crate) fn finish_kept(
+        mut self,
+        format: Format,
+        source: Source<'_>,
+        options: &ReadOptions,
+    ) -> Result<(Imported, Vec<u32>), ReadError> {
         match (options.units.map(LengthUnit::mm), self.unit_mm) {
             (None, None) => self.notes.add(NoteKind::UnitsAssumed, 1),
             (Some(ours), Some(theirs)) if (ours - theirs).abs() > 1e-12 * theirs => {
@@ -77,16 +89,18 @@ impl Drawing {
         if stencil.is_none() && self.edges.is_empty() {
             return Err(source.empty("edges and no faces", &self.notes));
         }
-        let wireframe = self.wireframe(&used, source, options)?;
-        Ok(Imported {
+        let (wireframe, welded) = self.wireframe(&used, source, options)?;
+        let imported = Imported {
             format,
             wireframe,
             stencil,
             program: None,
+            frame: None,
             document: None,
             layers: self.layers,
             notes: self.notes.into_vec(),
-        })
+        };
+        Ok((imported, welded))
     }
 
     /// From numbers of the file to millimetres: the person's unit, else the file's, else none; and the scale.
@@ -127,7 +141,7 @@ impl Drawing {
         used: &[bool],
         source: Source<'_>,
         options: &ReadOptions,
-    ) -> Result<Wireframe, ReadError> {
+    ) -> Result<(Wireframe, Vec<u32>), ReadError> {
         let refuse = |place, error| ReadError::Wireframe { file: source.name.to_owned(), place, error };
         let mut welder = Welder::new(options.weld);
         let mut supports = vec![false; self.points.len()];
@@ -148,12 +162,14 @@ impl Drawing {
             }
             let place =
                 self.point_lines.get(k).map_or(Location::Item("vertex", k), |&line| Location::Line(line));
-            let vertex = Vertex { position, support: supports[k] };
+            let vertex = Vertex { support: supports[k], ..Vertex::at(position) };
             wireframe.insert_vertex(VertexId(welded[k]), vertex).map_err(|error| refuse(place, error))?;
         }
         let mut joined = HashSet::new();
         for (id, &(a, b)) in (0..).zip(&self.edges) {
-            let edge = Edge { a: VertexId(welded[a as usize]), b: VertexId(welded[b as usize]) };
+            let ceiling = self.ceilings.contains(&id);
+            let (a, b) = (VertexId(welded[a as usize]), VertexId(welded[b as usize]));
+            let edge = Edge { a, b, ceiling };
             if edge.a == edge.b {
                 self.notes.add(NoteKind::EdgesCollapsed, 1);
             } else if !joined.insert(edge.ends()) {
@@ -163,6 +179,6 @@ impl Drawing {
                 wireframe.insert_edge(EdgeId(id), edge).map_err(|error| refuse(place, error))?;
             }
         }
-        Ok(wireframe)
+        Ok((wireframe, welded))
     }
 }

@@ -24,6 +24,8 @@ pub enum Format {
     Xyz,
     /// Assembly-instances JSON: a frame with supports.
     Assembly,
+    /// conmech JSON: a frame with supports, sections and materials.
+    Conmech,
     /// `FrameFab` PWF: a frame with pillars.
     Pwf,
     /// WireBend-kit text: a program.
@@ -37,7 +39,7 @@ pub enum Format {
 }
 
 impl Format {
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 15] = [
         Self::Obj,
         Self::Stl,
         Self::Ply,
@@ -47,6 +49,7 @@ impl Format {
         Self::Svg,
         Self::Xyz,
         Self::Assembly,
+        Self::Conmech,
         Self::Pwf,
         Self::Kit,
         Self::Pensa,
@@ -67,6 +70,7 @@ impl Format {
             Self::Svg => "svg",
             Self::Xyz => "xyz",
             Self::Assembly => "assembly",
+            Self::Conmech => "conmech",
             Self::Pwf => "pwf",
             Self::Kit => "wirebend-kit",
             Self::Pensa => "pensa",
@@ -88,6 +92,7 @@ impl Format {
             Self::Svg => "SVG drawing",
             Self::Xyz => "XYZ point table",
             Self::Assembly => "assembly-instances JSON",
+            Self::Conmech => "conmech JSON",
             Self::Pwf => "FrameFab PWF",
             Self::Kit => "WireBend-kit program",
             Self::Pensa => "Pensa D.I.Wire script",
@@ -108,7 +113,7 @@ impl Format {
             Self::Dxf => &["dxf"],
             Self::Svg => &["svg"],
             Self::Xyz => &["xyz", "csv", "tsv", "txt"],
-            Self::Assembly => &["json"],
+            Self::Assembly | Self::Conmech => &["json"],
             Self::Pwf => &["pwf"],
             Self::Kit => &["txt"],
             Self::Pensa => &["txt", "dsw", "diw"],

@@ -11,8 +11,10 @@ mod drawing;
 mod dxf;
 mod error;
 mod format;
+pub mod frame;
 mod gcode;
 mod gltf;
+mod json;
 mod kit;
 mod lra;
 mod note;
@@ -60,6 +62,8 @@ pub struct Imported {
     pub stencil: Option<Stencil>,
     /// The program, if the file is one.
     pub program: Option<ImportedProgram>,
+    /// What a file of a frame says beside its struts.
+    pub frame: Option<Box<frame::FrameFile>>,
     /// The rest of a project document, if the file is one.
     pub document: Option<Box<Document>>,
     /// The layers of a drawing, hidden ones included, as [`ReadOptions::layers`] takes them.
@@ -129,6 +133,7 @@ fn read_as(
         Format::Svg => svg::read(bytes, source, options),
         Format::Xyz => xyz::read(bytes, source, options),
         Format::Assembly => assembly::read(bytes, source, options),
+        Format::Conmech => frame::read_conmech(bytes, source, options),
         Format::Pwf => pwf::read(bytes, source, options),
         Format::Kit => kit::read(bytes, source, options),
         Format::Pensa => pensa::read(bytes, source, options),
@@ -142,6 +147,7 @@ fn read_as(
                 wireframe,
                 stencil,
                 program: None,
+                frame: None,
                 document: Some(Box::new(document)),
                 layers: Vec::new(),
                 notes: Vec::new(),

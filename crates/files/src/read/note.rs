@@ -35,8 +35,6 @@ pub enum NoteKind {
     PinsIgnored,
     /// Layer numbers of a frame.
     LayersIgnored,
-    /// Marks of ceiling struts.
-    CeilingIgnored,
     /// Loads, sections and materials of a frame.
     MaterialIgnored,
     /// Faces that only became a stencil while the file also has lines.
@@ -126,7 +124,6 @@ impl NoteKind {
             Self::CommentsIgnored => "comments-ignored",
             Self::PinsIgnored => "pins-ignored",
             Self::LayersIgnored => "layers-ignored",
-            Self::CeilingIgnored => "ceiling-ignored",
             Self::MaterialIgnored => "material-ignored",
             Self::FacesToStencil => "faces-to-stencil",
             Self::HeaderSkipped => "header-skipped",
@@ -194,7 +191,6 @@ impl NoteKind {
             Self::CommentsIgnored => ("comment ignored", "comments ignored"),
             Self::PinsIgnored => ("pin command ignored", "pin commands ignored"),
             Self::LayersIgnored => ("layer number ignored", "layer numbers ignored"),
-            Self::CeilingIgnored => ("ceiling mark ignored", "ceiling marks ignored"),
             Self::MaterialIgnored => {
                 ("material or section of the frame ignored", "materials or sections of the frame ignored")
             }

@@ -125,7 +125,7 @@ impl<'a> Pen<'a> {
 
     /// Refuses what no wireframe has room for before a curve that goes there is cut into any number of pieces.
     fn within(&self, place: &Location, point: &Point3<f64>) -> Result<(), ReadError> {
-        let vertex = Vertex { position: point * self.factor, support: false };
+        let vertex = Vertex::at(point * self.factor);
         Wireframe::new().insert_vertex(VertexId(0), vertex).map_err(|error| ReadError::Wireframe {
             file: self.source.name.to_owned(),
             place: place.clone(),

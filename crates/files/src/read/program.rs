@@ -196,6 +196,7 @@ pub(crate) fn finish(
         wireframe,
         stencil: None,
         program: Some(program),
+        frame: None,
         document: None,
         layers: Vec::new(),
         notes: notes.into_vec(),

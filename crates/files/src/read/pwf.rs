@@ -1,7 +1,7 @@
 //! `FrameFab` PWF, as its authors' `WireFrame::LoadFromPWF` reads it (repository yijiangh/choreo).
 //!
 //! `v x y z` is a vertex; `l a b …` struts; `p base foot` a pillar, a strut from a vertex of the
-//! design to a foot that stands on the ground; `c a b` marks a strut as ceiling; `g a b layer` gives
+//! design to a foot that stands on the ground; `c a b` marks a strut as ceiling, the last layer that is built; `g a b layer` gives
 //! it a layer. `c` and `g` add the strut if it is not there. Indices count from 1.
 
 use std::collections::BTreeSet;
@@ -35,7 +35,7 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
         }
     }
     // Struts may come before their vertices, and marks before their struts.
-    let mut marked = Vec::new();
+    let (mut marked, mut ceilings) = (Vec::new(), Vec::new());
     for (line, text) in lines(&text) {
         let words: Vec<&str> = text.split_whitespace().collect();
         let Some((&kind, rest)) = words.split_first() else {
@@ -57,8 +57,9 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
                 drawing.supports.push(foot);
             }
             ("c", [a, b]) => {
-                drawing.notes.add(NoteKind::CeilingIgnored, 1);
-                marked.push((index(a)?, index(b)?));
+                let ceiling = (index(a)?, index(b)?);
+                marked.push(ceiling);
+                ceilings.push(ceiling);
             }
             ("g", [a, b, layer]) => {
                 source.whole(line, layer)?;
@@ -80,5 +81,11 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
     let ends = |&(a, b): &(u32, u32)| (a.min(b), a.max(b));
     let mut known: BTreeSet<(u32, u32)> = drawing.edges.iter().map(ends).collect();
     drawing.edges.extend(marked.into_iter().filter(|edge| known.insert(ends(edge))));
+    let ceilings: BTreeSet<(u32, u32)> = ceilings.iter().map(ends).collect();
+    drawing.ceilings = (0..)
+        .zip(&drawing.edges)
+        .filter(|(_, edge)| ceilings.contains(&ends(edge)))
+        .map(|(k, _)| k)
+        .collect();
     drawing.finish(Format::Pwf, source, options)
 }

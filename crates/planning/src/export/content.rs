@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use nalgebra::Point3;
 use wirebend_core::bend::Step;
 use wirebend_core::units::{Angle, Length};
+use wirebend_core::wireframe::{Joint, VertexId};
 use wirebend_error::{ErrorRemedy, InputName};
 use wirebend_files::document::JobWire;
 use wirebend_files::write::{Mark, PictureWire};
@@ -62,6 +63,8 @@ pub(super) struct Content {
     pub job_hash: Option<String>,
     pub wires: Vec<Wire>,
     pub marks: Vec<Mark>,
+    /// The joints of the design; none of a job, which is wire alone.
+    pub joints: Vec<(VertexId, Joint)>,
     pub notes: Vec<NoteReport>,
     pub feasible: bool,
     /// What the checks say; a job was feasible, or its maker knew.
@@ -130,6 +133,7 @@ impl Content {
             job_hash: None,
             design_hash: planned.opened.document.design_hash()?,
             marks: picture::marks(&planned),
+            joints: wireframe.vertices().filter_map(|(id, vertex)| Some((id, vertex.joint?))).collect(),
             notes: planned.opened.notes.clone(),
             feasible: planned.feasible(),
             report: Some(Box::new(report)),
@@ -213,6 +217,7 @@ impl Content {
             design_hash: contents.design_hash.clone(),
             wires: wires.collect::<Result<_, PlanningError>>()?,
             marks: Vec::new(),
+            joints: Vec::new(),
             notes: accepted_errors(contents),
             feasible: contents.objections.is_empty(),
             report: None,

@@ -4,6 +4,7 @@ mod by_driver;
 mod content;
 mod driver;
 mod format;
+mod joints;
 mod not_carried;
 mod print;
 mod sheet;

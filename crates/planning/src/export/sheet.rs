@@ -5,6 +5,7 @@ use wirebend_files::write::{Figure, Finding, JobSheet, SheetStep, SheetWire, job
 use wirebend_profile::{Profile as _, Sourced, Springback};
 
 use super::content::{Content, Wire};
+use super::joints;
 use super::print::{Print, letters_replaced};
 use crate::job::JobCollisions;
 use crate::machine::Setup;
@@ -30,6 +31,7 @@ fn sheet(content: &Content, print: &Print) -> JobSheet {
         material: format!("{} [{}]", setup.material_name(), setup.material_id()),
         figures: figures(setup),
         wires: content.wires.iter().map(|wire| sheet_wire(setup, wire)).collect(),
+        joints: joints::lines(&content.joints),
         findings: content.report.as_deref().map(findings).unwrap_or_default(),
         collisions: collisions(content),
         notes: content.notes.iter().map(|note| note.message.clone()).collect(),

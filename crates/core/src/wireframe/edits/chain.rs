@@ -59,9 +59,9 @@ impl Chain {
         draft.incident(self.vertices[place]).iter().any(|id| !own.contains(&Some(id)))
     }
 
-    /// Whether the design holds the vertex at a place fixed.
-    pub fn is_support(&self, draft: &Draft, place: usize) -> bool {
-        draft.vertex(self.vertices[place]).is_some_and(|vertex| vertex.support)
+    /// Whether the design holds the vertex at a place fixed, or a joint sits there.
+    pub fn is_held(&self, draft: &Draft, place: usize) -> bool {
+        draft.vertex(self.vertices[place]).is_some_and(|vertex| vertex.support || vertex.joint.is_some())
     }
 
     /// Draws the chain between two of its places anew, through other points. Vertices and edges keep their ids in
@@ -85,8 +85,9 @@ impl Chain {
         }
         vertices.push(self.vertices[to]);
         let edges = &self.edges[from..to];
+        let ceiling = edges.iter().any(|&id| draft.edge(id).is_some_and(|edge| edge.ceiling));
         for (k, ends) in vertices.windows(2).enumerate() {
-            let forward = Edge { a: ends[0], b: ends[1] };
+            let forward = Edge { a: ends[0], b: ends[1], ceiling };
             let Some(&id) = edges.get(k) else {
                 draft.add_edge(forward)?;
                 continue;
@@ -96,7 +97,7 @@ impl Chain {
             }
             // An edge keeps the direction in which it was drawn.
             let drawn_forward = draft.edge(id).is_none_or(|edge| edge.a == self.vertices[from + k]);
-            draft.set_edge(id, if drawn_forward { forward } else { Edge { a: forward.b, b: forward.a } });
+            draft.set_edge(id, if drawn_forward { forward } else { forward.reversed() });
         }
         for &gone in edges.iter().skip(vertices.len() - 1) {
             draft.remove_edge(gone);

@@ -52,7 +52,7 @@ pub(super) fn copy(
     }
     for edge in draft.edges().into_values() {
         if let (Some(&a), Some(&b)) = (image_of.get(&edge.a), image_of.get(&edge.b)) {
-            let copied = Edge { a, b };
+            let copied = Edge { a, b, ..edge };
             if a != b && !draft.joined(copied, None) {
                 draft.add_edge(copied)?;
             }

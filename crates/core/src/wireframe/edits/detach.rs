@@ -2,12 +2,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::super::Vertex;
 use super::super::delta::Draft;
 use super::super::graph::{Edge, EdgeId, VertexId, WireframeError};
 use super::{EditError, check_edges};
 
 /// Gives edges vertices of their own wherever others stay: one new vertex for each one that is shared, at the same
-/// place and as fixed as that one.
+/// place and as fixed as that one. A joint stays with what stays.
 pub(super) fn detach(draft: &mut Draft, edges: &[EdgeId]) -> Result<(), EditError> {
     check_edges(draft, edges)?;
     let taken: BTreeSet<EdgeId> = edges.iter().copied().collect();
@@ -17,6 +18,7 @@ pub(super) fn detach(draft: &mut Draft, edges: &[EdgeId]) -> Result<(), EditErro
         let detached = Edge {
             a: own_vertex(draft, edge.a, &taken, &mut own)?,
             b: own_vertex(draft, edge.b, &taken, &mut own)?,
+            ..edge
         };
         draft.set_edge(id, detached);
     }
@@ -37,7 +39,7 @@ fn own_vertex(
         return Ok(shared);
     }
     let vertex = draft.vertex(shared).ok_or(WireframeError::NoVertex(shared))?;
-    let new = draft.add_vertex(vertex)?;
+    let new = draft.add_vertex(Vertex { joint: None, ..vertex })?;
     own.insert(shared, new);
     Ok(new)
 }

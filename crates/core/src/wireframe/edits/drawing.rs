@@ -49,7 +49,7 @@ pub(super) fn piece(
     let id =
         |index: usize| ids.get(index).copied().ok_or(EditError::NotInPiece { index, count: vertices.len() });
     for &(a, b) in edges {
-        let edge = Edge { a: id(a)?, b: id(b)? };
+        let edge = Edge::between(id(a)?, id(b)?);
         if edge.a == edge.b {
             return Err(EditError::Loop(edge.a));
         }

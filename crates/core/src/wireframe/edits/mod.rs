@@ -143,6 +143,20 @@ pub enum Edit {
         /// Fixed or free.
         support: bool,
     },
+    /// Puts a joint at vertices, or takes theirs away.
+    SetJoint {
+        /// Which.
+        vertices: Vec<VertexId>,
+        /// What holds the struts together there.
+        joint: Option<super::Joint>,
+    },
+    /// Marks edges as part of the ceiling, the last layer that is built, or takes the mark away.
+    SetCeiling {
+        /// Which.
+        edges: Vec<EdgeId>,
+        /// With or without the mark.
+        ceiling: bool,
+    },
     /// Merges vertices that lie on each other.
     Weld {
         /// How close.
@@ -155,7 +169,7 @@ pub enum Edit {
         edges: Vec<EdgeId>,
     },
     /// Takes those vertices out of a chain that are within a tolerance of a straight line. Its ends stay; inner
-    /// vertices with other edges go onto the line, supports stay where they are.
+    /// vertices with other edges go onto the line, supports and joints stay where they are.
     Straighten {
         /// The chain, in any order.
         edges: Vec<EdgeId>,
@@ -163,7 +177,7 @@ pub enum Edit {
         tolerance: Length,
     },
     /// Draws a chain anew as lines and arcs, with the vertices of an arc on it. Its ends, inner vertices with other
-    /// edges and supports stay where they are and divide it.
+    /// edges, supports and joints stay where they are and divide it.
     Round {
         /// The chain, in any order.
         edges: Vec<EdgeId>,
@@ -210,6 +224,8 @@ impl Edit {
                 copies::array(&mut draft, vertices, step, *count, *weld)?;
             }
             Self::SetSupport { vertices, support } => placement::set_support(&mut draft, vertices, *support)?,
+            Self::SetJoint { vertices, joint } => placement::set_joint(&mut draft, vertices, *joint)?,
+            Self::SetCeiling { edges, ceiling } => placement::set_ceiling(&mut draft, edges, *ceiling)?,
             Self::Detach { edges } => detach::detach(&mut draft, edges)?,
             Self::Straighten { edges, tolerance } => smoothing::straighten(&mut draft, edges, *tolerance)?,
             Self::Round { edges, tolerance, step, min_edge } => {

@@ -1,11 +1,11 @@
-//! Edits that change where vertices are.
+//! Edits that change where vertices are, and what they and their edges are marked with.
 
 use nalgebra::{Affine3, Vector3};
 
-use super::super::Vertex;
 use super::super::delta::Draft;
-use super::super::graph::{VertexId, WireframeError};
-use super::{EditError, check_listed};
+use super::super::graph::{Edge, EdgeId, VertexId, WireframeError};
+use super::super::{Joint, Vertex};
+use super::{EditError, check_edges, check_listed};
 
 pub(super) fn shift(draft: &mut Draft, vertices: &[VertexId], by: &Vector3<f64>) -> Result<(), EditError> {
     check_listed(draft, vertices)?;
@@ -33,6 +33,28 @@ pub(super) fn set_support(draft: &mut Draft, vertices: &[VertexId], support: boo
     for &id in vertices {
         let vertex = draft.vertex(id).ok_or(WireframeError::NoVertex(id))?;
         draft.set_vertex(id, Vertex { support, ..vertex })?;
+    }
+    Ok(())
+}
+
+pub(super) fn set_joint(
+    draft: &mut Draft,
+    vertices: &[VertexId],
+    joint: Option<Joint>,
+) -> Result<(), EditError> {
+    check_listed(draft, vertices)?;
+    for &id in vertices {
+        let vertex = draft.vertex(id).ok_or(WireframeError::NoVertex(id))?;
+        draft.set_vertex(id, Vertex { joint, ..vertex })?;
+    }
+    Ok(())
+}
+
+pub(super) fn set_ceiling(draft: &mut Draft, edges: &[EdgeId], ceiling: bool) -> Result<(), EditError> {
+    check_edges(draft, edges)?;
+    for &id in edges {
+        let edge = draft.edge(id).ok_or(EditError::NoEdge(id))?;
+        draft.set_edge(id, Edge { ceiling, ..edge });
     }
     Ok(())
 }

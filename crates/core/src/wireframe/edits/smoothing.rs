@@ -15,7 +15,7 @@ const MAX_EDGES: u32 = 1_000_000;
 /// Takes out the vertices within `tolerance` of a straight line. Those that carry other edges go onto the line.
 pub(super) fn straighten(draft: &mut Draft, edges: &[EdgeId], tolerance: Length) -> Result<(), EditError> {
     let chain = Chain::of(draft, edges)?;
-    let mut parts: Vec<(usize, usize)> = pairs(&bounds(&chain, |k| chain.is_support(draft, k)));
+    let mut parts: Vec<(usize, usize)> = pairs(&bounds(&chain, |k| chain.is_held(draft, k)));
     while let Some((first, last)) = parts.pop() {
         let kept = simplify(&chain.points[first..=last], tolerance);
         for (from, to) in pairs(&kept).into_iter().map(|(from, to)| (first + from, first + to)) {
@@ -77,7 +77,7 @@ pub(super) fn round(
         return Err(EditError::ArcStep(step));
     }
     let chain = Chain::of(draft, edges)?;
-    let parts = bounds(&chain, |k| chain.is_support(draft, k) || chain.carries_others(draft, k));
+    let parts = bounds(&chain, |k| chain.is_held(draft, k) || chain.carries_others(draft, k));
     let mut drawn = Vec::new();
     for (first, last) in pairs(&parts) {
         for piece in fit_arcs(&chain.points[first..=last], tolerance) {

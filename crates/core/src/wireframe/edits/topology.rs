@@ -13,7 +13,7 @@ pub(super) fn connect(draft: &mut Draft, a: VertexId, b: VertexId) -> Result<(),
     if a == b {
         return Err(EditError::Loop(a));
     }
-    let edge = Edge { a, b };
+    let edge = Edge::between(a, b);
     if draft.joined(edge, None) {
         return Err(EditError::Connected(a, b));
     }
@@ -42,8 +42,8 @@ pub(super) fn split(draft: &mut Draft, id: EdgeId, at: f64) -> Result<(), EditEr
     }
     let (a, b) = (draft.position(edge.a)?, draft.position(edge.b)?);
     let middle = draft.add_vertex(Vertex::at(a + (b - a) * at))?;
-    draft.set_edge(id, Edge { a: edge.a, b: middle });
-    draft.add_edge(Edge { a: middle, b: edge.b })?;
+    draft.set_edge(id, Edge { b: middle, ..edge });
+    draft.add_edge(Edge { a: middle, ..edge })?;
     Ok(())
 }
 
@@ -60,15 +60,19 @@ pub(super) fn merge(draft: &mut Draft, vertices: &[VertexId], at: MergeAt) -> Re
         MergeAt::Last => draft.position(*last)?,
         MergeAt::Centre => centre(draft, vertices)?,
     };
-    let support = vertices.iter().any(|&id| draft.vertex(id).is_some_and(|vertex| vertex.support));
-    draft.set_vertex(*survivor, Vertex { position, support })?;
+    let all = vertices.iter().filter_map(|&id| draft.vertex(id));
+    let merged = all.reduce(Vertex::with_marks_of).unwrap_or(Vertex::at(position));
+    draft.set_vertex(*survivor, Vertex { position, ..merged })?;
     for &old in gone {
         for id in draft.incident(old) {
             let Some(edge) = draft.edge(id) else { continue };
             let onto = |v: VertexId| if v == old { *survivor } else { v };
-            let moved = Edge { a: onto(edge.a), b: onto(edge.b) };
-            if moved.a == moved.b || draft.joined(moved, Some(id)) {
+            let moved = Edge { a: onto(edge.a), b: onto(edge.b), ..edge };
+            if moved.a == moved.b {
                 draft.remove_edge(id);
+            } else if let Some((kept, _)) = draft.joining(moved, Some(id)) {
+                draft.remove_edge(id);
+                draft.keep_mark(kept, moved);
             } else {
                 draft.set_edge(id, moved);
             }

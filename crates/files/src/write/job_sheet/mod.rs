@@ -27,6 +27,8 @@ pub struct JobSheet {
     /// What the plan was made with.
     pub figures: Vec<Figure>,
     pub wires: Vec<SheetWire>,
+    /// What holds the struts together, and where: lines for people.
+    pub joints: Vec<String>,
     /// What the checks say.
     pub findings: Vec<Finding>,
     /// What is known of collisions: lines for people.
@@ -86,6 +88,7 @@ pub fn job_sheet(sheet: &JobSheet) -> Pdf {
     for (index, wire) in sheet.wires.iter().enumerate() {
         facts(&mut flow, &numbered("Totals", index, sheet.wires.len()), &wire.facts);
     }
+    joints(&mut flow, sheet);
     checks(&mut flow, sheet);
     figures(&mut flow, sheet);
     for (index, wire) in sheet.wires.iter().enumerate() {
@@ -133,6 +136,17 @@ fn facts(flow: &mut Flow, heading: &str, facts: &[(String, String)]) {
             flow.page().text([x, bottom + 1.2], &letters::cut(figure, value.size, true, room), value);
             x += column;
         }
+    }
+}
+
+/// What is needed beside the wire; left out where nothing is.
+fn joints(flow: &mut Flow, sheet: &JobSheet) {
+    if sheet.joints.is_empty() {
+        return;
+    }
+    flow.heading("Joints", 8.0);
+    for line in &sheet.joints {
+        flow.text(line, Type::new(3.2));
     }
 }
 

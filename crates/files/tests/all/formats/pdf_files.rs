@@ -248,6 +248,7 @@ fn sheet(steps: usize) -> JobSheet {
         job_hash: Some("d8139931d706aaaaaaaa".into()),
         feasible: false,
         collisions: vec!["No collision found.".to_owned()],
+        joints: vec!["2 zip ties, 0.6 g: vertices 1 and 3".to_owned()],
         machine: "WireBend-kit".into(),
         material: "Aluminium, Ø 3 mm".into(),
         figures: vec![Figure {
@@ -291,6 +292,7 @@ fn a_job_sheet_has_every_step_and_all_that_is_known() {
         "until it does not fit",
         "error [feed_too_short]: edge 42 is fed 21.9 mm",
         "help: make the edge at least 3.1 mm longer",
+        "2 zip ties, 0.6 g: vertices 1 and 3",
         "note: the springback is an estimate",
         "as sent to the machine",
     ] {

@@ -11,7 +11,7 @@ use nalgebra::Point3;
 use proptest::prelude::*;
 use serde_json::json;
 use wirebend_core::mesh::Stencil;
-use wirebend_core::wireframe::{EdgeId, NextIds, Vertex, VertexId, Wireframe};
+use wirebend_core::wireframe::{Edge, EdgeId, Joint, JointKind, NextIds, Vertex, VertexId, Wireframe};
 use wirebend_error::ErrorRemedy;
 use wirebend_files::document::{
     Document, Job, Pin, PinTarget, ProfileSnapshot, SourceFile, StencilSource, Walk, WireCount, sha256_hex,
@@ -22,7 +22,8 @@ use super::import_data;
 
 fn example() -> Document {
     let mut wireframe = Wireframe::new();
-    let a = wireframe.add_vertex(Vertex { position: Point3::new(0.1, -0.0, 1e-17), support: true }).unwrap();
+    let a =
+        wireframe.add_vertex(Vertex { support: true, ..Vertex::at(Point3::new(0.1, -0.0, 1e-17)) }).unwrap();
     let b = wireframe.add_vertex(Vertex::at(Point3::new(30.0, 1.0 / 3.0, 999_999.999))).unwrap();
     wireframe.insert_vertex(VertexId(7), Vertex::at(Point3::new(1.0, 2.0, 3.0))).unwrap();
     let edge = wireframe.add_edge(a, b).unwrap();
@@ -286,17 +287,22 @@ fn the_design_hash_is_of_the_design_only() {
 
 fn any_document() -> impl Strategy<Value = Document> {
     let coordinate = prop_oneof![-1e6..1e6_f64, -1e-3..1e-3_f64];
-    let vertices =
-        prop::collection::btree_map(0_u32..500, (prop::array::uniform3(coordinate), any::<bool>()), 1..20);
-    let edges = prop::collection::vec((any::<prop::sample::Index>(), any::<prop::sample::Index>()), 0..30);
+    let kinds = prop_oneof![Just(JointKind::SnapFit), Just(JointKind::Solder), Just(JointKind::ZipTie)];
+    let joint = prop::option::of((kinds, 0.0..1e6_f64).prop_map(|(kind, mass_g)| Joint { kind, mass_g }));
+    let vertex = (prop::array::uniform3(coordinate), any::<bool>(), joint);
+    let vertices = prop::collection::btree_map(0_u32..500, vertex, 1..20);
+    let edge = (any::<prop::sample::Index>(), any::<prop::sample::Index>(), any::<bool>());
+    let edges = prop::collection::vec(edge, 0..30);
     (vertices, edges, any::<String>(), any::<String>()).prop_map(|(vertices, edges, notes, text)| {
         let mut wireframe = Wireframe::new();
         let ids: Vec<u32> = vertices.keys().copied().collect();
-        for (id, (at, support)) in vertices {
-            wireframe.insert_vertex(VertexId(id), Vertex { position: Point3::from(at), support }).unwrap();
+        for (id, (at, support, joint)) in vertices {
+            let vertex = Vertex { position: Point3::from(at), support, joint };
+            wireframe.insert_vertex(VertexId(id), vertex).unwrap();
         }
-        for (a, b) in &edges {
-            wireframe.add_edge(VertexId(*a.get(&ids)), VertexId(*b.get(&ids))).unwrap();
+        for (k, (a, b, ceiling)) in (0..).zip(&edges) {
+            let (a, b) = (VertexId(*a.get(&ids)), VertexId(*b.get(&ids)));
+            wireframe.insert_edge(EdgeId(k), Edge { a, b, ceiling: *ceiling }).unwrap();
         }
         let doublings = wireframe.edges().map(|(id, _)| id).step_by(3).collect();
         let pins = vec![Pin { on: PinTarget::Vertex(VertexId(ids[0])), text }];
