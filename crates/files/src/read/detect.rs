@@ -23,11 +23,12 @@ pub fn detect(name: &str, bytes: &[u8]) -> Result<Format, ReadError> {
         .collect();
     let by_content = sniff(bytes);
     match (by_name.as_slice(), by_content) {
+        // JSON says itself which it is; what does not gets the error of a reader, with a line.
+        ([Format::Assembly, ..], Some(found @ (Format::Wirebend | Format::Conmech))) => Ok(found),
+        ([Format::Assembly, ..], _) => Ok(Format::Assembly),
         (&[only], _) => Ok(only),
         (_, Some(format)) => Ok(format),
         // A table without any number still gets the error of its reader, with a line.
-        // JSON says itself which it is; what does not gets the error of a reader, with a line.
-        ([Format::Assembly, ..], None) => Ok(Format::Assembly),
         ([Format::Xyz, ..], None) if extension.as_deref() != Some("txt") => Ok(Format::Xyz),
         _ if is_blank(bytes) => Err(ReadError::EmptyFile { file: name.to_owned() }),
         _ if gcode::is_named(extension.as_deref()) || is_gcode(bytes) => {

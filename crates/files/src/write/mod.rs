@@ -3,6 +3,7 @@
 //! Programs of machines are written by their drivers. Lengths are mm, angles degrees.
 
 mod centreline;
+pub mod frame;
 mod glb;
 mod job_sheet;
 mod obj;

@@ -50,6 +50,7 @@ pub fn valid_files() -> Vec<(Format, Vec<u8>)> {
         ),
         text(Format::Xyz, "x_mm;y_mm;z_mm\n0;0;0\n1,5;0;0\n1,5;2;0\n"),
         (Format::Assembly, frame),
+        (Format::Conmech, data("conmech/four-frame.json").0),
         text(Format::Pwf, "v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3\np 1 2\nc 1 3\ng 2 3 4\n"),
         text(Format::Kit, "# design\nF 10\nR -90\nB 45\nF 20\n"),
         text(Format::Pensa, "FEED 10 (x)\nROTATE -90\nBEND 45\nPINZ -5\nFEED 20\n"),

@@ -286,6 +286,7 @@ fn formats_are_told_by_name_and_by_content() {
     assert_eq!(told("a.txt", "F 10\n"), Some(Format::Kit));
     assert_eq!(told("a.txt", "Feed 10\n"), Some(Format::Pensa));
     assert_eq!(told("a.json", "{\"node_list\": []}"), Some(Format::Assembly));
+    assert_eq!(told("a.json", "{\"elements\": [{\"end_node_inds\": [0, 1]}]}"), Some(Format::Conmech));
     assert_eq!(told("a.json", "{\"format\": \"wirebend\"}"), Some(Format::Wirebend));
     assert_eq!(told("-", "{\"format\": \"wirebend\"}"), Some(Format::Wirebend));
     assert_eq!(told("-", "v 1 2 3\nl 1 1\n"), Some(Format::Obj));
@@ -304,9 +305,9 @@ fn formats_are_told_by_name_and_by_content() {
     assert_eq!(told("-", "solid x\nendsolid\n"), Some(Format::Stl));
     assert_eq!(import("notes.txt", "Dear diary").unwrap_err().code(), "read-unknown-format");
     let error = import("notes.doc", "Dear diary").unwrap_err();
-    expect!["read-unknown-format: notes.doc: this is none of the known formats (obj, stl, ply, 3mf, gltf, dxf, svg, xyz, assembly, pwf, wirebend-kit, pensa, lra, wirebend) [ChooseFileFormat]"].assert_eq(&format!("{}: {error} {:?}", error.code(), error.remedies()));
+    expect!["read-unknown-format: notes.doc: this is none of the known formats (obj, stl, ply, 3mf, gltf, dxf, svg, xyz, assembly, conmech, pwf, wirebend-kit, pensa, lra, wirebend) [ChooseFileFormat]"].assert_eq(&format!("{}: {error} {:?}", error.code(), error.remedies()));
     assert_eq!(told("a.txt", "L,R,A\n1,2,3\n"), Some(Format::Lra));
-    expect![[r#""step" is no format that can be read; they are obj, stl, ply, 3mf, gltf, dxf, svg, xyz, assembly, pwf, wirebend-kit, pensa, lra, wirebend"#]].assert_eq(&"step".parse::<Format>().unwrap_err().to_string());
+    expect![[r#""step" is no format that can be read; they are obj, stl, ply, 3mf, gltf, dxf, svg, xyz, assembly, conmech, pwf, wirebend-kit, pensa, lra, wirebend"#]].assert_eq(&"step".parse::<Format>().unwrap_err().to_string());
     assert_eq!("Pensa".parse(), Ok(Format::Pensa));
 }
 

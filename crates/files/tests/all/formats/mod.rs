@@ -16,6 +16,8 @@ mod dxf_faces;
 mod dxf_splines;
 mod encodings;
 mod errors;
+mod frame_files;
+mod frame_results;
 mod left_out;
 mod meshes;
 mod models;

@@ -1,0 +1,60 @@
+//! VTK legacy file of a frame under load, as ParaView opens it: a line for each strut, with figures at nodes and struts.
+
+use std::fmt::Write as _;
+
+use super::FrameResult;
+
+/// A line of the format holds no more of a title.
+const TITLE: usize = 200;
+/// The format's number of a line cell.
+const LINE: usize = 3;
+
+/// Writes a frame. Points stand where nodes are without load: `displacement_mm` bends the picture (ParaView: Warp By Vector). Utilisation is
+/// left out where a yield strength is missing, and `step` where a strut has none.
+#[must_use]
+pub fn vtk(frame: &FrameResult) -> String {
+    let title: String = frame.title.chars().filter(|letter| !letter.is_control()).take(TITLE).collect();
+    let title = if title.is_empty() { "frame" } else { &title };
+    let (nodes, members) = (frame.nodes.len(), frame.members.len());
+    let mut text = format!("# vtk DataFile Version 3.0\n{title}\nASCII\nDATASET UNSTRUCTURED_GRID\n");
+    let _ = writeln!(text, "POINTS {nodes} double");
+    for node in &frame.nodes {
+        let _ = writeln!(text, "{} {} {}", node.position.x, node.position.y, node.position.z);
+    }
+    let _ = writeln!(text, "CELLS {members} {}", 3 * members);
+    for member in &frame.members {
+        let [a, b] = member.ends;
+        let _ = writeln!(text, "2 {a} {b}");
+    }
+    let _ = writeln!(text, "CELL_TYPES {members}");
+    for _ in &frame.members {
+        let _ = writeln!(text, "{LINE}");
+    }
+    let _ = writeln!(text, "POINT_DATA {nodes}\nVECTORS displacement_mm double");
+    for node in &frame.nodes {
+        let u = node.displacement;
+        let _ = writeln!(text, "{} {} {}", u.x, u.y, u.z);
+    }
+    scalars(&mut text, "vertex int", frame.nodes.iter().map(|node| Some(node.vertex.0)));
+    scalars(&mut text, "support int", frame.nodes.iter().map(|node| Some(u8::from(node.support))));
+    let _ = writeln!(text, "CELL_DATA {members}");
+    let members = || frame.members.iter();
+    scalars(&mut text, "edge int", members().map(|member| Some(member.edge.0)));
+    scalars(&mut text, "axial_n double", members().map(|member| Some(member.axial_n)));
+    scalars(&mut text, "moment_n_mm double", members().map(|member| Some(member.moment_n_mm)));
+    scalars(&mut text, "torque_n_mm double", members().map(|member| Some(member.torque_n_mm)));
+    scalars(&mut text, "von_mises_mpa double", members().map(|member| Some(member.von_mises_mpa)));
+    scalars(&mut text, "utilisation double", members().map(|member| member.utilisation));
+    scalars(&mut text, "buckling_ratio double", members().map(|member| Some(member.buckling_ratio)));
+    scalars(&mut text, "step int", members().map(|member| member.step));
+    text
+}
+
+/// A figure of each; nothing where one is missing.
+fn scalars<T: std::fmt::Display>(text: &mut String, name: &str, values: impl Iterator<Item = Option<T>>) {
+    let Some(values) = values.collect::<Option<Vec<T>>>() else { return };
+    let _ = writeln!(text, "SCALARS {name} 1\nLOOKUP_TABLE default");
+    for value in values {
+        let _ = writeln!(text, "{value}");
+    }
+}
