@@ -53,6 +53,7 @@ pub use wirebend_planning::drivers::{
 pub use wirebend_planning::dump::{DumpRequest, DumpResponse};
 pub use wirebend_planning::error::{DriverProblem, ErrorKind, PlanningError, StencilFileError};
 pub use wirebend_planning::export::{ExportFormat, ExportRequest, ExportResponse};
+pub use wirebend_planning::generate::{GenerateRequest, GenerateResponse, GeneratedShape};
 pub use wirebend_planning::import::{ImportRequest, ImportResponse};
 pub use wirebend_planning::installation::{DriverFolders, Installation};
 pub use wirebend_planning::output::Output;

@@ -6,19 +6,20 @@ use schemars::generate::SchemaSettings;
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
 use wirebend_operation::{by_hand, machine_settings, ports, run, runs};
-use wirebend_planning::{catalogue, compare, drivers, dump, export, import, plan, profiles, wires};
+use wirebend_planning::{catalogue, compare, drivers, dump, export, generate, import, plan, profiles, wires};
 
 use crate::workspace::{self, ApiErrorReport, Work, Workspace};
 use crate::{
     ApiError, CheckRequest, CheckResponse, Collisions, CompareRequest, CompareResponse, DriverCheckRequest,
     DriverCheckResponse, DriverTrustRequest, DriverTrustResponse, DriversRequest, DriversResponse,
-    DumpRequest, DumpResponse, ExportRequest, ExportResponse, FrontEnd, ImportRequest, ImportResponse,
-    Installation, JogRequest, JogResponse, LiveCheck, MachineSettingsRequest, MachineSettingsResponse,
-    MachinesRequest, MachinesResponse, MaterialsRequest, MaterialsResponse, OperatorEvent, PlanRequest,
-    PlanResponse, PortsRequest, PortsResponse, ProfileCheckRequest, ProfileCheckResponse,
-    ProfileExplainRequest, ProfileExplainResponse, ProfileNewRequest, ProfileNewResponse, ReplayRequest,
-    RunRequest, RunResponse, RunsExportRequest, RunsExportResponse, RunsRequest, RunsResponse,
-    RunsShowRequest, RunsShowResponse, SimulateRequest, SimulateResponse, WiresRequest, WiresResponse,
+    DumpRequest, DumpResponse, ExportRequest, ExportResponse, FrontEnd, GenerateRequest, GenerateResponse,
+    ImportRequest, ImportResponse, Installation, JogRequest, JogResponse, LiveCheck, MachineSettingsRequest,
+    MachineSettingsResponse, MachinesRequest, MachinesResponse, MaterialsRequest, MaterialsResponse,
+    OperatorEvent, PlanRequest, PlanResponse, PortsRequest, PortsResponse, ProfileCheckRequest,
+    ProfileCheckResponse, ProfileExplainRequest, ProfileExplainResponse, ProfileNewRequest,
+    ProfileNewResponse, ReplayRequest, RunRequest, RunResponse, RunsExportRequest, RunsExportResponse,
+    RunsRequest, RunsResponse, RunsShowRequest, RunsShowResponse, SimulateRequest, SimulateResponse,
+    WiresRequest, WiresResponse,
 };
 
 macro_rules! requests {
@@ -134,6 +135,8 @@ requests! {
         DriverCheck(DriverCheckRequest) -> DriverCheckResponse = drivers::check, "driver-check";
         /// Reads a file and makes a `.wirebend` document of it.
         Import(ImportRequest) -> ImportResponse = import::import, "import";
+        /// Makes a design from a few figures.
+        Generate(GenerateRequest) -> GenerateResponse = generate::generate, "generate";
         /// Says what a machine cannot make of a wireframe, and why.
         Check(CheckRequest) -> CheckResponse = plan::check, "check";
         /// Takes a wireframe through the whole pipeline to a job.

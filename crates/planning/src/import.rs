@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use wirebend_core::wireframe::Wireframe;
 use wirebend_error::ErrorRemedy;
 use wirebend_files::document::Document;
 
@@ -72,16 +73,6 @@ pub fn import(
     let as_obj = request.output.as_ref().is_some_and(Output::is_obj);
     let contents = if as_obj { wireframe_obj(&opened.document)? } else { opened.document.to_bytes()? };
     let wireframe = &opened.document.wireframe;
-    let mut corners = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
-    for (_, vertex) in wireframe.vertices() {
-        for (axis, &at) in vertex.position.iter().enumerate() {
-            corners[0][axis] = corners[0][axis].min(at);
-            corners[1][axis] = corners[1][axis].max(at);
-        }
-    }
-    let size = |axis: usize| {
-        if wireframe.vertex_count() > 0 { corners[1][axis] - corners[0][axis] } else { 0.0 }
-    };
     let mut notes = opened.notes;
     if wireframe.edge_count() == 0 && opened.document.stencil.is_some() {
         notes.push(NoteReport {
@@ -98,7 +89,7 @@ pub fn import(
         edges: wireframe.edge_count(),
         components: wireframe.components().len(),
         length_mm: wireframe.total_length().mm(),
-        size_mm: [size(0), size(1), size(2)],
+        size_mm: size_mm(wireframe),
         stencil: opened.document.embedded_stencil().map(|stencil| StencilReport {
             vertices: stencil.vertices().len(),
             faces: stencil.faces().len(),
@@ -107,6 +98,19 @@ pub fn import(
         contents: if output.is_some() { Vec::new() } else { contents },
         output,
     })
+}
+
+/// How large a wireframe is along x, y and z; nothing of an empty one.
+pub(crate) fn size_mm(wireframe: &Wireframe) -> [f64; 3] {
+    let mut corners = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+    for (_, vertex) in wireframe.vertices() {
+        for (axis, &at) in vertex.position.iter().enumerate() {
+            corners[0][axis] = corners[0][axis].min(at);
+            corners[1][axis] = corners[1][axis].max(at);
+        }
+    }
+    let [low, high] = corners;
+    std::array::from_fn(|axis| (high[axis] - low[axis]).max(0.0))
 }
 
 /// The wireframe alone, for another program.

@@ -16,6 +16,7 @@ pub mod drivers;
 pub mod dump;
 pub mod error;
 pub mod export;
+pub mod generate;
 pub mod import;
 pub mod installation;
 pub mod job;

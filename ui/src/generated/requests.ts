@@ -145,6 +145,22 @@ export type EditRequest =
       vertices: number[];
     }
   | {
+      edit: "joint";
+      /**
+       * What holds the struts together there; null takes it away.
+       */
+      joint?: Joint | null;
+      vertices: number[];
+    }
+  | {
+      /**
+       * With or without the mark.
+       */
+      ceiling: boolean;
+      edges: number[];
+      edit: "ceiling";
+    }
+  | {
       edit: "weld";
       /**
        * How close, mm.
@@ -242,6 +258,10 @@ export type EditRequest =
        */
       label: string;
     };
+/**
+ * How struts are held together.
+ */
+export type JointKind = ("solder" | "zip-tie") | "snap-fit";
 /**
  * Where the vertex goes that others are merged into.
  */
@@ -395,7 +415,7 @@ export type Decision =
 /**
  * What a profile describes.
  */
-export type Kind = "machine" | "material" | "noise";
+export type Kind = "machine" | "material" | "noise" | "strut-builder";
 /**
  * What lengths in messages are written in.
  */
@@ -600,9 +620,23 @@ export interface PastedVertex {
    */
   at_mm: [number, number, number];
   /**
+   * What holds the struts together there.
+   */
+  joint?: Joint | null;
+  /**
    * Whether the design holds it fixed.
    */
   support?: boolean;
+}
+/**
+ * What holds struts together at a vertex.
+ */
+export interface Joint {
+  kind: JointKind;
+  /**
+   * What it weighs, in g.
+   */
+  mass_g: number;
 }
 /**
  * A vertex and where it goes.

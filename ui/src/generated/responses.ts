@@ -786,6 +786,10 @@ export type SeverityName = "error" | "warning" | "info";
  */
 export type LengthUnit = ("mm" | "cm" | "m") | "inch";
 /**
+ * How struts are held together.
+ */
+export type JointKind = ("solder" | "zip-tie") | "snap-fit";
+/**
  * One axis by an amount, in canonical signs, or homing.
  */
 export type Move =
@@ -816,7 +820,7 @@ export type Move =
 /**
  * What a profile describes.
  */
-export type Kind = "machine" | "material" | "noise";
+export type Kind = "machine" | "material" | "noise" | "strut-builder";
 /**
  * Something that a driver can do.
  */
@@ -961,6 +965,22 @@ export type EditRequest =
        */
       support: boolean;
       vertices: number[];
+    }
+  | {
+      edit: "joint";
+      /**
+       * What holds the struts together there; null takes it away.
+       */
+      joint: Joint | null;
+      vertices: number[];
+    }
+  | {
+      /**
+       * With or without the mark.
+       */
+      ceiling: boolean;
+      edges: number[];
+      edit: "ceiling";
     }
   | {
       edit: "weld";
@@ -1388,6 +1408,7 @@ export type ErrorCode =
   | "read-no-layers"
   | "read-no-such-layer"
   | "read-number"
+  | "read-other-design"
   | "read-scale"
   | "read-stencil"
   | "read-syntax"
@@ -2293,6 +2314,10 @@ export interface EdgeView {
    * The vertex where it ends.
    */
   b: number;
+  /**
+   * Whether it is part of the ceiling; absent where it is not.
+   */
+  ceiling?: boolean;
   id: number;
 }
 /**
@@ -2395,9 +2420,23 @@ export interface VertexView {
   at_mm: [number, number, number];
   id: number;
   /**
+   * What holds the struts together there; absent where nothing does.
+   */
+  joint?: Joint | null;
+  /**
    * Whether the design holds it fixed.
    */
   support: boolean;
+}
+/**
+ * What holds struts together at a vertex.
+ */
+export interface Joint {
+  kind: JointKind;
+  /**
+   * What it weighs, in g.
+   */
+  mass_g: number;
 }
 /**
  * A file that was open.
@@ -3126,6 +3165,10 @@ export interface PastedVertex {
    * @maxItems 3
    */
   at_mm: [number, number, number];
+  /**
+   * What holds the struts together there.
+   */
+  joint?: Joint | null;
   /**
    * Whether the design holds it fixed.
    */

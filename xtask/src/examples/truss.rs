@@ -1,13 +1,9 @@
 //! Tetrahedral trusses (Bhundiya & Cordero 2023): two layers of a triangular lattice joined by diagonals.
-//!
-//! A lattice point has integer coordinates (a, b, c) along three directions 120° apart. In the top layer a + b + c = 1,
-//! so that the three points nearest to the axis form a triangle; N rings are the points with all of them in [-N, N + 1].
-//! The bottom layer is the top one turned by 180° about the axis, a depth H below.
+
+use wirebend_core::units::Length;
+use wirebend_core::wireframe::tetrahedral_truss;
 
 use super::{Example, Point};
-
-/// Integer lattice coordinates in the top layer's sense.
-type Lattice = [i32; 3];
 
 const DEPTH_MM: f64 = 50.0;
 
@@ -21,55 +17,21 @@ fn equal_strut(depth_mm: f64) -> f64 {
 }
 
 /// Truss with `rings` around the middle triangle; `face_strut_mm` is the edge of the two faces.
-fn truss(rings: i32, depth_mm: f64, face_strut_mm: f64) -> Example {
-    let layer = layer(rings);
-    let count = layer.len();
-    let top = layer.iter().map(|&at| position(at, face_strut_mm, 1.0, depth_mm));
-    let bottom = layer.iter().map(|&at| position(at, face_strut_mm, -1.0, 0.0));
-    let mut chains = Vec::new();
-    for (i, &a) in layer.iter().enumerate() {
-        for (j, &b) in layer.iter().enumerate() {
-            if i < j && neighbours(a, b) {
-                chains.push(vec![i, j]);
-                chains.push(vec![count + i, count + j]);
-            }
-            if joined(a, b) {
-                chains.push(vec![i, count + j]);
-            }
-        }
-    }
-    chains.sort();
+#[allow(clippy::expect_used)] // the examples' own parameters
+fn truss(rings: u32, depth_mm: f64, face_strut_mm: f64) -> Example {
+    let mm = |value| Length::from_mm(value).expect("a length");
+    let truss = tetrahedral_truss(rings, mm(face_strut_mm), mm(depth_mm)).expect("a truss");
+    let chains: Vec<Vec<usize>> =
+        truss.edges().map(|(_, edge)| vec![edge.a.0 as usize, edge.b.0 as usize]).collect();
     let about = [
-        format!("Tetrahedral truss with {rings} rings, depth {depth_mm} mm: {} vertices,", 2 * count),
+        format!(
+            "Tetrahedral truss with {rings} rings, depth {depth_mm} mm: {} vertices,",
+            truss.vertex_count()
+        ),
         format!("{} struts of {face_strut_mm:.3} mm (depth times the root of 3/2).", chains.len()),
     ];
-    let points = top.chain(bottom).collect();
+    let points: Vec<Point> = truss.vertices().map(|(_, vertex)| vertex.position.coords.into()).collect();
     Example { file: format!("truss-{rings}.obj"), about: about.to_vec(), points, chains }
-}
-
-fn layer(rings: i32) -> Vec<Lattice> {
-    let range = -rings..=rings + 1;
-    let pairs = range.clone().flat_map(|a| range.clone().map(move |b| [a, b, 1 - a - b]));
-    pairs.filter(|[_, _, c]| range.contains(c)).collect()
-}
-
-/// `side` is 1 in the top layer and -1 in the bottom one.
-fn position(at: Lattice, face_strut_mm: f64, side: f64, z_mm: f64) -> Point {
-    let [a, b, c] = at.map(f64::from);
-    let x = face_strut_mm / 2.0 * (c - b);
-    let y = face_strut_mm / 3.0_f64.sqrt() * (a - f64::midpoint(b, c));
-    [side * x, side * y, z_mm]
-}
-
-/// Two points of one layer are one strut apart.
-fn neighbours(a: Lattice, b: Lattice) -> bool {
-    let apart = [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-    apart != [0; 3] && apart.iter().all(|step| step.abs() <= 1)
-}
-
-/// A diagonal joins `top` and `bottom`: their difference, top plus bottom for the turned layer, is one lattice step.
-fn joined(top: Lattice, bottom: Lattice) -> bool {
-    (0..3).all(|k| (0..=1).contains(&(top[k] + bottom[k])))
 }
 
 #[cfg(test)]

@@ -34,7 +34,7 @@ pub struct Cli {
     /// Show more of what is done: -v, -vv, -vvv
     #[arg(short, long, action = clap::ArgAction::Count, global = true, display_order = 101)]
     pub(crate) verbose: u8,
-    /// Use the profiles in this folder too (machines/, materials/, noise/)
+    /// Use the profiles in this folder too (machines/, materials/, noise/, strut-builders/)
     #[arg(long, value_name = "FOLDER", global = true, display_order = 102)]
     pub(crate) profiles: Vec<PathBuf>,
     /// Look for drivers in this folder too, or take this library; they are used once they are trusted
@@ -78,6 +78,9 @@ pub(crate) enum Subcommands {
         #[command(flatten)]
         output: OutputArgs,
     },
+    /// Make a design from a few figures
+    #[command(subcommand)]
+    Generate(GenerateCommand),
     /// Report what a machine cannot make of a wireframe, and why
     #[command(after_help = "Example:\n  wirebend check examples/house.obj --machine wirebend-kit")]
     Check {
@@ -212,6 +215,27 @@ pub(crate) enum Subcommands {
     /// Print the manual page
     #[command(after_help = "Example:\n  wirebend man > wirebend.1 && man ./wirebend.1")]
     Man,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum GenerateCommand {
+    /// A tetrahedral truss: two hexagonal layers of triangles, joined by diagonals
+    #[command(
+        after_help = "Examples:\n  wirebend generate truss --rings 3 --strut 100 -o truss.wirebend\n  wirebend generate truss --rings 1 --strut 61.237 --depth 53.033 -o truss.obj"
+    )]
+    Truss {
+        /// Rings around the middle triangle, 0 to 100
+        #[arg(long, value_name = "N")]
+        rings: u32,
+        /// Length of the struts in both layers
+        #[arg(long, value_name = "MM")]
+        strut: f64,
+        /// Distance of the layers [default: all struts are of one length]
+        #[arg(long, value_name = "MM")]
+        depth: Option<f64>,
+        #[command(flatten)]
+        output: OutputArgs,
+    },
 }
 
 #[derive(Debug, Subcommand)]

@@ -17,8 +17,8 @@ use std::io::Write;
 
 use anstyle::{AnsiColor, Style};
 use wirebend_api::{
-    ExportResponse, ImportResponse, LeftBecause, NoteReport, Response, RunOutcome, RunResponse, SeverityName,
-    Standstill,
+    ExportResponse, GenerateResponse, ImportResponse, LeftBecause, NoteReport, Response, RunOutcome,
+    RunResponse, SeverityName, Standstill,
 };
 
 use crate::contents::Contents;
@@ -43,6 +43,7 @@ pub(crate) fn show(response: &Response, json: bool, contents: Contents) -> anyho
             Response::DriverCheck(found) => drivers::check(&mut err, found)?,
             Response::DriverTrust(found) => drivers::trust(&mut err, found)?,
             Response::Import(found) => import(&mut err, found)?,
+            Response::Generate(found) => generate(&mut err, found)?,
             Response::Check(found) => plan::check(&mut err, found)?,
             Response::Plan(found) => plan::plan(&mut err, found)?,
             Response::Export(found) => export(&mut err, found)?,
@@ -105,6 +106,7 @@ fn status(response: &Response) -> u8 {
         | Response::Drivers(_)
         | Response::Materials(_)
         | Response::Import(_)
+        | Response::Generate(_)
         | Response::Export(_)
         | Response::Dump(_)
         | Response::ProfileNew(_)
@@ -137,6 +139,7 @@ fn write_contents(response: &Response) -> anyhow::Result<bool> {
     let mut out = std::io::stdout().lock();
     let contents = match response {
         Response::Import(found) => &found.contents,
+        Response::Generate(found) => &found.contents,
         Response::Plan(found) => &found.contents,
         Response::ProfileNew(found) => &found.contents,
         Response::RunsExport(found) => &found.contents,
@@ -190,6 +193,21 @@ fn import(out: &mut impl Write, found: &ImportResponse) -> std::io::Result<()> {
         let faces = count(stencil.faces, "face", "faces");
         writeln!(out, "stencil: {}, {faces}", count(stencil.vertices, "vertex", "vertices"))?;
     }
+    written(out, found.output.iter())
+}
+
+fn generate(out: &mut impl Write, found: &GenerateResponse) -> std::io::Result<()> {
+    let size: Vec<String> = found.size_mm.iter().map(|&length| mm(length)).collect();
+    let [least, most] = found.strut_mm.map(mm);
+    let struts = if least == most { least } else { format!("{least} to {most}") };
+    writeln!(
+        out,
+        "{}, {} of {struts} mm; {} mm in all, {} mm large",
+        count(found.vertices, "vertex", "vertices"),
+        count(found.edges, "edge", "edges"),
+        mm(found.length_mm),
+        size.join(" × ")
+    )?;
     written(out, found.output.iter())
 }
 

@@ -8,15 +8,15 @@ use std::path::{Path, PathBuf};
 use anyhow::Context;
 use wirebend_api::{
     CheckRequest, Command, CompareRequest, DesignInput, DriverCheckRequest, DriverTrustRequest,
-    DriversRequest, DumpRequest, ExportRequest, ImportRequest, Input, MachinesRequest, MaterialsRequest,
-    Output, PlanChoices, PlanRequest, ProfileCheckRequest, ProfileExplainRequest, ProfileNewRequest,
-    ProfilePlace, SimulateRequest, WiresRequest,
+    DriversRequest, DumpRequest, ExportRequest, GenerateRequest, GeneratedShape, ImportRequest, Input,
+    MachinesRequest, MaterialsRequest, Output, PlanChoices, PlanRequest, ProfileCheckRequest,
+    ProfileExplainRequest, ProfileNewRequest, ProfilePlace, SimulateRequest, WiresRequest,
 };
 
 use crate::args::live::RunsCommand;
 use crate::args::{
-    ChoiceArgs, DangerArgs, DesignArgs, DriverCommand, OutputArgs, ProfileCommand, ReadArgs, Subcommands,
-    WireRange,
+    ChoiceArgs, DangerArgs, DesignArgs, DriverCommand, GenerateCommand, OutputArgs, ProfileCommand, ReadArgs,
+    Subcommands, WireRange,
 };
 use crate::contents::Contents;
 use crate::usage::{BadInput, WrongUse};
@@ -48,6 +48,12 @@ pub(crate) fn prepare(command: Subcommands) -> anyhow::Result<Prepared> {
             let design = design(&DesignArgs { file, read })?;
             let request = ImportRequest { design, machine, material, output };
             Prepared::Command(Box::new(Command::Import(request)), contents)
+        }
+        Subcommands::Generate(GenerateCommand::Truss { rings, strut, depth, output }) => {
+            let (output, contents) = place(output, true);
+            let shape = GeneratedShape::Truss { rings, strut_mm: strut, depth_mm: depth };
+            let request = GenerateRequest { shape, output };
+            Prepared::Command(Box::new(Command::Generate(request)), contents)
         }
         Subcommands::Check { design: args, choices: chosen } => {
             written(Command::Check(CheckRequest { design: design(&args)?, choices: choices(chosen)? }))

@@ -7,6 +7,7 @@ mod compare;
 #[cfg(target_os = "linux")]
 mod documents;
 mod drivers;
+mod generated;
 mod machine;
 mod outputs;
 mod profiles;

@@ -12,6 +12,7 @@ mod delta;
 mod edits;
 mod graph;
 mod joint;
+mod truss;
 mod weld;
 mod welder;
 
@@ -20,5 +21,6 @@ pub use delta::{Change, Delta, StaleDelta};
 pub use edits::{Edit, EditError, MergeAt, MirrorMode};
 pub use graph::{Edge, EdgeId, NextIds, Vertex, VertexId, Wireframe, WireframeError};
 pub use joint::{Joint, JointKind};
+pub use truss::{MAX_RINGS, TrussError, regular_depth, tetrahedral_truss};
 pub use weld::WeldReport;
 pub use welder::Welder;

@@ -8,3 +8,4 @@ mod marks;
 mod path_and_program;
 mod physics;
 mod routes;
+mod trusses;

@@ -4,15 +4,17 @@
 //! design to a foot that stands on the ground; `c a b` marks a strut as ceiling, the last layer that is built; `g a b layer` gives
 //! it a layer. `c` and `g` add the strut if it is not there. Indices count from 1.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::Point3;
+use wirebend_core::wireframe::{EdgeId, VertexId};
 use wirebend_error::ErrorRemedy;
 
 use super::Imported;
 use super::drawing::Drawing;
 use super::error::{Location, ReadError};
 use super::format::Format;
+use super::frame::{FrameFile, FrameMember};
 use super::note::NoteKind;
 use super::options::ReadOptions;
 use super::text::{Source, decode, lines};
@@ -36,6 +38,7 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
     }
     // Struts may come before their vertices, and marks before their struts.
     let (mut marked, mut ceilings) = (Vec::new(), Vec::new());
+    let mut layers = BTreeMap::new();
     for (line, text) in lines(&text) {
         let words: Vec<&str> = text.split_whitespace().collect();
         let Some((&kind, rest)) = words.split_first() else {
@@ -62,9 +65,10 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
                 ceilings.push(ceiling);
             }
             ("g", [a, b, layer]) => {
-                source.whole(line, layer)?;
+                let strut = (index(a)?, index(b)?);
                 drawing.notes.add(NoteKind::LayersIgnored, 1);
-                marked.push((index(a)?, index(b)?));
+                layers.insert(ends(&strut), source.whole(line, layer)?);
+                marked.push(strut);
             }
             (comment, _) if comment.starts_with('#') => drawing.notes.add(NoteKind::CommentsIgnored, 1),
             _ => {
@@ -78,7 +82,6 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
             }
         }
     }
-    let ends = |&(a, b): &(u32, u32)| (a.min(b), a.max(b));
     let mut known: BTreeSet<(u32, u32)> = drawing.edges.iter().map(ends).collect();
     drawing.edges.extend(marked.into_iter().filter(|edge| known.insert(ends(edge))));
     let ceilings: BTreeSet<(u32, u32)> = ceilings.iter().map(ends).collect();
@@ -87,5 +90,25 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
         .filter(|(_, edge)| ceilings.contains(&ends(edge)))
         .map(|(k, _)| k)
         .collect();
-    drawing.finish(Format::Pwf, source, options)
+    if layers.is_empty() {
+        return drawing.finish(Format::Pwf, source, options);
+    }
+    let (edges, feet, count) = (drawing.edges.clone(), drawing.supports.clone(), drawing.points.len());
+    let (mut imported, kept) = drawing.finish_kept(Format::Pwf, source, options)?;
+    let vertex = |index: u32| kept.get(index as usize).map_or(VertexId(index), |kept| VertexId(*kept));
+    let member = |edge| FrameMember { layer: layers.get(&ends(edge)).copied(), ..FrameMember::default() };
+    let is_there = |id: EdgeId| imported.wireframe.edge(id).is_some();
+    let members = (0..).map(EdgeId).zip(edges.iter().map(member)).filter(|(id, _)| is_there(*id)).collect();
+    imported.frame = Some(Box::new(FrameFile {
+        nodes: (1..).zip((0..).take(count).map(vertex)).collect(),
+        supports: feet.iter().map(|foot| (vertex(*foot), [true; 6])).collect(),
+        members,
+        ..FrameFile::default()
+    }));
+    Ok(imported)
+}
+
+/// The same for both directions of a strut.
+fn ends(&(a, b): &(u32, u32)) -> (u32, u32) {
+    (a.min(b), a.max(b))
 }
