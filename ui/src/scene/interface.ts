@@ -15,10 +15,18 @@ export interface LengthFormat {
   short(mm: number): string;
 }
 
+/** What holds struts together at a vertex. */
+export interface SceneJoint {
+  readonly kind: "snap-fit" | "solder" | "zip-tie";
+  /** g */
+  readonly mass_g: number;
+}
+
 export interface SceneVertex {
   readonly id: number;
   readonly at: Vec3;
   readonly support: boolean;
+  readonly joint?: SceneJoint;
 }
 
 export interface SceneEdge {

@@ -9,6 +9,7 @@ import { moveBy, place, support } from "../../state/design/operations";
 import { useSelection, verticesOf } from "../../state/design/selection";
 import { run } from "../../state/window/commands";
 import { useView } from "../../state/window/view";
+import { Joint } from "./Joint";
 
 function with_(at: Vec3, axis: Axis, value: number): Vec3 {
   const changed: [number, number, number] = [...at];
@@ -116,6 +117,7 @@ export function Position() {
       <Checkbox checked={none === null && supports === ids.length} why={none} onChange={(fixed) => void support(fixed)}>
         {ids.length <= 1 ? "Support: this vertex is held fixed" : `Supports: ${supports} of ${ids.length} are fixed`}
       </Checkbox>
+      <Joint />
     </>
   );
 }

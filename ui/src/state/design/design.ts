@@ -57,9 +57,14 @@ export const useDesign = create<DesignStore>()(() => ({
 /** How many designs were shown: what was asked of one is no answer for another. */
 let shown = 0;
 
+/** A vertex as the scene has it. */
+function seen({ id, at_mm, support, joint }: DesignView["vertices"][number]): SceneVertex {
+  return { id, at: at_mm, support, ...(joint ? { joint } : {}) };
+}
+
 /** Shows a design that was opened. It is called in its turn, see `turns.ts`; the caller has it checked afterwards. */
 export async function showDesign(view: DesignView, notes: readonly NoteReport[]): Promise<void> {
-  const vertices = new Map(view.vertices.map(({ id, at_mm, support }) => [id, { id, at: at_mm, support }] as const));
+  const vertices = new Map(view.vertices.map((vertex) => [vertex.id, seen(vertex)] as const));
   const edges = new Map(view.edges.map((edge) => [edge.id, edge] as const));
   shown += 1;
   const version = useDesign.getState().version + 1;
@@ -72,8 +77,7 @@ export async function showDesign(view: DesignView, notes: readonly NoteReport[])
 /** Brings the copy up to date with a change; what is not named in it stays the same object. It is called in its turn. */
 export async function applyChange(change: ViewChange): Promise<void> {
   const { vertices, edges, version } = useDesign.getState();
-  const seen = change.vertices.map(({ id, at_mm, support }) => ({ id, at: at_mm, support }));
-  const newVertices = withChanges(vertices, seen, change.gone_vertices);
+  const newVertices = withChanges(vertices, change.vertices.map(seen), change.gone_vertices);
   const newEdges = withChanges(edges, change.edges, change.gone_edges);
   useDesign.setState({ vertices: newVertices, edges: newEdges, state: change.state, version: version + 1 });
   if (change.stencil) await readStencil();

@@ -1,6 +1,6 @@
 import type { EditRequest } from "../../generated/requests";
 import type { ViewChange } from "../../generated/responses";
-import type { Axis, Vec3 } from "../../scene/interface";
+import type { Axis, SceneJoint, Vec3 } from "../../scene/interface";
 import { tell } from "../asking/problems";
 import { chooseTool, useView } from "../window/view";
 import { edit, useDesign } from "./design";
@@ -122,6 +122,11 @@ export async function place(vertex: number, at: Vec3): Promise<void> {
 
 export async function support(fixed: boolean): Promise<void> {
   await edit({ edit: "support", vertices: selectedVertices(), support: fixed });
+}
+
+/** Puts a joint at the selected vertices; null takes theirs away. */
+export async function setJoint(joint: SceneJoint | null): Promise<void> {
+  await edit({ edit: "joint", vertices: selectedVertices(), joint });
 }
 
 export async function detach(): Promise<void> {

@@ -22,6 +22,17 @@ describe("copying", () => {
     expect(pieceOf(of([]), design)).toBeNull();
   });
 
+  it("takes joints with it", () => {
+    const joint = { kind: "zip-tie", mass_g: 0.3 } as const;
+    const jointed = { ...design, vertices: new Map([[3, { id: 3, at: [3, 0, 1] as const, support: true, joint }]]) };
+    const piece = pieceOf(of([3]), jointed);
+    if (!piece) throw new Error("nothing was copied");
+    expect(piece.vertices).toEqual([{ at_mm: [3, 0, 1], support: true, joint }]);
+    expect(fromText(toText(piece))).toEqual(piece);
+    const other = toText(piece).replace("zip-tie", "rivet");
+    expect(fromText(other)).toMatch(/damaged/);
+  });
+
   it("comes back from the clipboard as it was", () => {
     const piece = pieceOf(of([], [1, 2]), design);
     if (!piece) throw new Error("nothing was copied");

@@ -1,5 +1,5 @@
 import type { EditRequest } from "../../generated/requests";
-import type { SceneDesign, Selection, Vec3 } from "../../scene/interface";
+import type { SceneDesign, SceneJoint, Selection, Vec3 } from "../../scene/interface";
 import { edgesOf, verticesOf } from "./selecting";
 
 /** What marks text on the clipboard as a piece of a wireframe, and its version. */
@@ -18,7 +18,9 @@ export function pieceOf(selection: Selection, design: SceneDesign): Piece | null
   const places = new Map(ids.map((id, place) => [id, place]));
   const vertices = ids.flatMap((id) => {
     const vertex = design.vertices.get(id);
-    return vertex ? [{ at_mm: [...vertex.at] as [number, number, number], support: vertex.support }] : [];
+    if (!vertex) return [];
+    const { at, support, joint } = vertex;
+    return [{ at_mm: [...at] as [number, number, number], support, ...(joint ? { joint } : {}) }];
   });
   const edges = edgesOf(selection, design).flatMap((id) => {
     const edge = design.edges.get(id);
@@ -31,6 +33,11 @@ export function pieceOf(selection: Selection, design: SceneDesign): Piece | null
 /** As text for the clipboard. */
 export function toText({ vertices, edges }: Piece): string {
   return JSON.stringify({ format: FORMAT, version: VERSION, unit: "mm", vertices, edges });
+}
+
+function isJoint(value: unknown): value is SceneJoint {
+  const { kind, mass_g } = (value ?? {}) as Record<string, unknown>;
+  return ["snap-fit", "solder", "zip-tie"].includes(kind as string) && Number.isFinite(mass_g);
 }
 
 /** The piece of a text; a sentence for the person where it is none. */
@@ -53,13 +60,15 @@ export function fromText(text: string): Piece | string {
   const isPlace = (value: unknown): value is number =>
     Number.isInteger(value) && (value as number) >= 0 && (value as number) < vertices.length;
   const isVertex = (value: unknown): value is Piece["vertices"][number] => {
-    const { at_mm, support = false } = (value ?? {}) as Record<string, unknown>;
-    return Array.isArray(at_mm) && at_mm.length === 3 && at_mm.every(Number.isFinite) && typeof support === "boolean";
+    const { at_mm, support = false, joint } = (value ?? {}) as Record<string, unknown>;
+    const isAt = Array.isArray(at_mm) && at_mm.length === 3 && at_mm.every(Number.isFinite);
+    return isAt && typeof support === "boolean" && (joint === undefined || isJoint(joint));
   };
   const isEdge = (value: unknown): value is [number, number] =>
     Array.isArray(value) && value.length === 2 && value.every(isPlace) && value[0] !== value[1];
   if (!vertices.every(isVertex) || !edges.every(isEdge)) return damaged;
-  return { edit: "paste", vertices: vertices.map(({ at_mm, support = false }) => ({ at_mm, support })), edges };
+  const known = vertices.map(({ at_mm, support = false, joint }) => ({ at_mm, support, ...(joint ? { joint } : {}) }));
+  return { edit: "paste", vertices: known, edges };
 }
 
 /** The same piece elsewhere, mm. */
