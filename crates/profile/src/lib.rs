@@ -50,7 +50,7 @@ pub use child::Child;
 pub use error::{Place, ProfileError};
 pub use explain::{Ancestor, Explained, ExplainedValue, Overridden};
 pub use figures::machine::{BendFigures, LimitFigures, MachineFigures};
-pub use figures::strut_builder::{HeadPoint, StrutBuilderFigures, WorkspaceFigures};
+pub use figures::strut_builder::{StrutBuilderFigures, WorkspaceFigures};
 pub use figures::{Complete, ErrorFigures, MaterialFigures, NoiseFigures};
 pub use kind::{Kind, MAX_FILE_BYTES, SCHEMA_VERSION, is_slug};
 pub use library::{Added, Library, Listing};
@@ -67,6 +67,6 @@ pub use schema::{schema, schema_files};
 pub use shape::{Part, Shape, Solid};
 pub use sourced::{Reference, Sign, Sourced};
 pub use strut_builder::{
-    ApproachAngles, BuildSpeed, HeadDirections, StrutBuilderProfile, StrutBuilderTag, StrutProcess, ToolHead,
-    Workspace,
+    ApproachAngles, BuildSpeed, HeadDirections, HeadPoint, StrutBuilderProfile, StrutBuilderTag,
+    StrutProcess, ToolHead, Workspace,
 };

@@ -3,7 +3,6 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::figures::strut_builder::HeadPoint;
 use crate::heading::profile;
 use crate::profile::layer;
 use crate::sourced::Sourced;
@@ -67,6 +66,16 @@ pub struct ToolHead {
     pub source: String,
     /// True when they were measured on the real machine.
     pub measured: bool,
+}
+
+/// A point of the outline of a tool.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct HeadPoint {
+    /// Distance from the tip along the axis, millimetres.
+    pub z_mm: f64,
+    /// Radius there, millimetres.
+    pub r_mm: f64,
 }
 
 layer! {

@@ -1,11 +1,10 @@
 //! What a complete strut-builder profile needs and what contradicts itself in one.
 
 use crate::Kind;
-use crate::figures::strut_builder::HeadPoint;
 use crate::heading::heading;
 use crate::machine_rules::{FIGURE, above, within};
 use crate::profile::{Fault, Profile};
-use crate::strut_builder::{StrutBuilderProfile, ToolHead, Workspace};
+use crate::strut_builder::{HeadPoint, StrutBuilderProfile, ToolHead, Workspace};
 
 const HEAD: &str =
     "{\"outline\": [{\"z_mm\": 0, \"r_mm\": number}, ...], \"source\": text, \"measured\": true or false}";

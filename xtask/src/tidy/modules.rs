@@ -22,8 +22,8 @@ const ORDER: &[(&str, &str)] = &[
     ),
     (
         "crates/profile",
-        "kind position sourced profile heading shape material machine machine_rules material_rules noise schema error shipped layer \
-         merge resolved library resolve explain figures child check",
+        "kind position sourced profile heading shape material machine machine_rules material_rules noise strut_builder \
+         strut_builder_rules schema error shipped layer merge resolved library resolve explain figures child check",
     ),
     ("crates/files", "limit length_unit encoding number document read write"),
     ("crates/journal", "error chain reading log"),
@@ -39,7 +39,7 @@ const ORDER: &[(&str, &str)] = &[
     (
         "crates/planning",
         "text report stage progress error output installation signs drivers bodies machine contacts job choices program design stencil \
-         turning_back plan compare wires catalogue import picture export dump profiles playback collisions simulate",
+         turning_back plan compare wires catalogue import generate picture export dump profiles playback collisions simulate",
     ),
     ("crates/editor", "request view error history edit_journal resolving changing check collisions fixes"),
     (

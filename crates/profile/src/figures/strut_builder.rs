@@ -1,20 +1,9 @@
 //! A complete strut builder's figures without their sources: what the search for a sequence takes.
 
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::figures::{Complete, v};
-use crate::strut_builder::{StrutBuilderProfile, StrutProcess};
-
-/// A point of the outline of a tool.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct HeadPoint {
-    /// Distance from the tip along the axis, millimetres.
-    pub z_mm: f64,
-    /// Radius there, millimetres.
-    pub r_mm: f64,
-}
+use crate::strut_builder::{HeadPoint, StrutBuilderProfile, StrutProcess};
 
 /// A box that the tip stays in.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

@@ -16,7 +16,7 @@ use wirebend_files::write::frame::{
     deformed_glb, framefab_sequence, members_csv, nodes_csv, vtk,
 };
 
-use super::mm;
+use crate::formats::{data, mm};
 
 /// A strut of 100 mm along x, whose free end goes down by 2 mm and turns.
 fn cantilever() -> FrameResult {
@@ -266,7 +266,7 @@ proptest! {
 /// The published sequence, written and read again.
 #[test]
 fn the_published_sequence_comes_back() {
-    let published = read_sequence(&super::data("framefab/bunny_result.json").0, "bunny.json").unwrap();
+    let published = read_sequence(&data("framefab/bunny_result.json").0, "bunny.json").unwrap();
     let again = read_sequence(framefab_sequence(&published).as_bytes(), "again.json").unwrap();
     assert_eq!(again.steps.len(), published.steps.len());
     for (a, b) in again.steps.iter().zip(&published.steps) {

@@ -10,7 +10,7 @@ use wirebend_files::read::frame::{
 };
 use wirebend_files::read::{Format, Imported, ReadError, ReadOptions, read};
 
-use super::{data, import, import_data, mm};
+use crate::formats::{data, import, import_data, mm};
 
 fn frame(name: &str) -> (Imported, FrameFile) {
     let imported = import_data(name, &ReadOptions::default());

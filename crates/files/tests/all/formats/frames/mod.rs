@@ -1,0 +1,4 @@
+//! Files of frames: what is read of them, and what is written.
+
+mod files;
+mod results;
