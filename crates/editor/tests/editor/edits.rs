@@ -60,7 +60,10 @@ pub fn every_edit() -> Vec<(Value, &'static str)> {
         (json!({"edit": "array", "vertices": [0, 1], "step": turn, "count": 3}), "array"),
         (json!({"edit": "support", "vertices": [5], "support": true}), "fix support"),
         (json!({"edit": "joint", "vertices": [5], "joint": {"kind": "zip-tie", "mass_g": 0.3}}), "set joint"),
-        (json!({"edit": "joint", "vertices": [5, 4], "joint": null}), "remove joints"),
+        (
+            json!({"edit": "joint", "vertices": [5, 4], "joint": {"kind": "solder", "mass_g": 0}}),
+            "set joints",
+        ),
         (json!({"edit": "ceiling", "edges": [0, 1], "ceiling": true}), "mark as ceiling"),
         (json!({"edit": "weld", "tolerance_mm": 31}), "weld"),
         (json!({"edit": "detach", "edges": [0, 1]}), "detach 2 edges"),
@@ -81,6 +84,18 @@ pub fn every_edit() -> Vec<(Value, &'static str)> {
             "round a side",
         ),
     ]
+}
+
+/// A joint that is taken away was there; it is shown until then.
+#[test]
+fn a_joint_is_shown_and_taken_away() {
+    let mut editor = open("cube.obj");
+    let joint = json!({"kind": "snap-fit", "mass_g": 1.5});
+    let change = edit(&mut editor, &json!({"edit": "joint", "vertices": [5], "joint": joint}));
+    assert_eq!(serde_json::to_value(change.vertices[0]).unwrap()["joint"], joint);
+    let change = edit(&mut editor, &json!({"edit": "joint", "vertices": [5], "joint": null}));
+    assert_eq!(change.state.undo.as_deref(), Some("remove joint"));
+    assert!(serde_json::to_value(change.vertices[0]).unwrap().get("joint").is_none());
 }
 
 #[test]

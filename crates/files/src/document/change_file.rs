@@ -18,14 +18,14 @@ use crate::length_unit::LengthUnit;
 /// Before and after.
 type Pair<T> = [Option<T>; 2];
 /// x, y and z in mm, and whether it is a support; then its joint, if it has one.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 #[serde(untagged)]
 enum VertexPart {
     Plain(f64, f64, f64, bool),
     Jointed(f64, f64, f64, bool, JointFile),
 }
 /// Its two vertices; then whether it is part of the ceiling, if it is.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 #[serde(untagged)]
 enum EdgePart {
     Plain(u32, u32),

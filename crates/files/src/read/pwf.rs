@@ -67,7 +67,7 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
             ("g", [a, b, layer]) => {
                 let strut = (index(a)?, index(b)?);
                 drawing.notes.add(NoteKind::LayersIgnored, 1);
-                layers.insert(ends(&strut), source.whole(line, layer)?);
+                layers.insert(ends(strut), source.whole(line, layer)?);
                 marked.push(strut);
             }
             (comment, _) if comment.starts_with('#') => drawing.notes.add(NoteKind::CommentsIgnored, 1),
@@ -82,12 +82,12 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
             }
         }
     }
-    let mut known: BTreeSet<(u32, u32)> = drawing.edges.iter().map(ends).collect();
-    drawing.edges.extend(marked.into_iter().filter(|edge| known.insert(ends(edge))));
-    let ceilings: BTreeSet<(u32, u32)> = ceilings.iter().map(ends).collect();
+    let mut known: BTreeSet<(u32, u32)> = drawing.edges.iter().copied().map(ends).collect();
+    drawing.edges.extend(marked.into_iter().filter(|edge| known.insert(ends(*edge))));
+    let ceilings: BTreeSet<(u32, u32)> = ceilings.into_iter().map(ends).collect();
     drawing.ceilings = (0..)
         .zip(&drawing.edges)
-        .filter(|(_, edge)| ceilings.contains(&ends(edge)))
+        .filter(|(_, edge)| ceilings.contains(&ends(**edge)))
         .map(|(k, _)| k)
         .collect();
     if layers.is_empty() {
@@ -98,7 +98,8 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
     let vertex = |index: u32| kept.get(index as usize).map_or(VertexId(index), |kept| VertexId(*kept));
     let member = |edge| FrameMember { layer: layers.get(&ends(edge)).copied(), ..FrameMember::default() };
     let is_there = |id: EdgeId| imported.wireframe.edge(id).is_some();
-    let members = (0..).map(EdgeId).zip(edges.iter().map(member)).filter(|(id, _)| is_there(*id)).collect();
+    let members =
+        (0..).map(EdgeId).zip(edges.into_iter().map(member)).filter(|(id, _)| is_there(*id)).collect();
     imported.frame = Some(Box::new(FrameFile {
         nodes: (1..).zip((0..).take(count).map(vertex)).collect(),
         supports: feet.iter().map(|foot| (vertex(*foot), [true; 6])).collect(),
@@ -109,6 +110,6 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
 }
 
 /// The same for both directions of a strut.
-fn ends(&(a, b): &(u32, u32)) -> (u32, u32) {
+fn ends((a, b): (u32, u32)) -> (u32, u32) {
     (a.min(b), a.max(b))
 }

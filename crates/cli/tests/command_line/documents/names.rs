@@ -40,6 +40,7 @@ fn below(heading: &str) -> Option<Names> {
         ("Command", _) => Names::All(known::commands(&wirebend_cli::command(), "")),
         ("Machine", _) => Names::All(known::ids("machine-profiles/machines")),
         ("Material", _) => Names::All(known::ids("machine-profiles/materials")),
+        ("Strut builder", _) => Names::All(known::ids("machine-profiles/strut-builders")),
         ("Noise profile", _) => Names::All(known::ids("machine-profiles/noise")),
         ("Driver", _) => Names::All(known::folders("drivers")),
         ("Format", _) => Names::All(known::formats()),

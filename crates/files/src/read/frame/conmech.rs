@@ -37,7 +37,8 @@ struct Model {
 #[derive(Deserialize)]
 struct Node {
     point: [f64; 3],
-    node_ind: i64,
+    #[serde(rename = "node_ind")]
+    number: i64,
     #[serde(default)]
     is_grounded: bool,
 }
@@ -178,8 +179,8 @@ fn nodes(model: &Model, source: Source<'_>, drawing: &mut Drawing) -> Result<BTr
     for (k, node) in model.nodes.iter().enumerate() {
         let place = Location::Item("node", k);
         source.room(place.clone(), k, "nodes")?;
-        if index_of.insert(node.node_ind, u32::try_from(k).unwrap_or(u32::MAX)).is_some() {
-            let found = format!("node_ind {} again", node.node_ind);
+        if index_of.insert(node.number, u32::try_from(k).unwrap_or(u32::MAX)).is_some() {
+            let found = format!("node_ind {} again", node.number);
             return Err(source.syntax(place, &found, "another node_ind", ErrorRemedy::CorrectFile));
         }
         drawing.points.push(Point3::from(node.point));
@@ -223,7 +224,7 @@ fn supports(
         }
     }
     for node in model.nodes.iter().filter(|node| node.is_grounded) {
-        if let Some(index) = index_of.get(&node.node_ind) {
+        if let Some(index) = index_of.get(&node.number) {
             supports.entry(*index).or_insert([true; 6]);
         }
     }

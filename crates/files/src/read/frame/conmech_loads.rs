@@ -89,6 +89,11 @@ pub fn read_loads(
     file.loadcases.into_iter().map(|(name, case)| reader.case(name, &case)).collect()
 }
 
+/// Whether two loads are not the same, beyond the rounding of what wrote them.
+fn differ(a: [f64; 3], b: [f64; 3]) -> bool {
+    a.iter().zip(b).any(|(a, b)| (a - b).abs() > 1e-9 * b.abs())
+}
+
 struct Reader<'a> {
     source: Source<'a>,
     wireframe: &'a Wireframe,
@@ -110,7 +115,7 @@ impl Reader<'_> {
         }
         for (k, load) in case.eloads.iter().enumerate() {
             let place = Location::Item("element load", k);
-            if load.load.is_some_and(|again| again != load.q) {
+            if load.load.is_some_and(|again| differ(again, load.q)) {
                 let expected = "load equal to q, which says the same";
                 return Err(self.source.syntax(
                     place,

@@ -1,6 +1,6 @@
 //! What files of frames say beside their struts: how supports hold, sections, materials, loads, and the order of building.
 //!
-//! Everything in mm, N, MPa, kg/m³; a member is an edge of the wireframe that the same file gives.
+//! Everything in mm, N, `MPa`, kg/m³; a member is an edge of the wireframe that the same file gives.
 
 mod conmech;
 mod conmech_loads;

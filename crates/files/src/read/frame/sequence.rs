@@ -1,4 +1,4 @@
-//! The order in which a frame is built, as FrameFab's own program writes it (repository `yijiangh/choreo`).
+//! The order in which a frame is built, as `FrameFab`'s own program writes it (repository `yijiangh/choreo`).
 
 use nalgebra::{Point3, Vector3};
 use serde::Deserialize;

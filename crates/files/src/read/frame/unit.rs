@@ -15,7 +15,7 @@ pub(crate) enum Quantity {
     Area,
     /// mm⁴.
     SecondMoment,
-    /// MPa.
+    /// `MPa`.
     Stress,
     /// kg/m³.
     Density,

@@ -17,7 +17,7 @@ pub use glb::deformed_glb;
 pub use sequence::framefab_sequence;
 pub use vtk::vtk;
 
-/// A frame under load: mm, N, MPa, radian.
+/// A frame under load: mm, N, `MPa`, radian.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct FrameResult {
     /// What it is called; one line.

@@ -1,4 +1,4 @@
-//! An order of building, as FrameFab's own program writes it.
+//! An order of building, as `FrameFab`'s own program writes it.
 
 use serde_json::{Value, json};
 

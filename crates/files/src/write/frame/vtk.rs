@@ -1,4 +1,4 @@
-//! VTK legacy file of a frame under load, as ParaView opens it: a line for each strut, with figures at nodes and struts.
+//! VTK legacy file of a frame under load, as `ParaView` opens it: a line for each strut, with figures at nodes and struts.
 
 use std::fmt::Write as _;
 
@@ -9,7 +9,7 @@ const TITLE: usize = 200;
 /// The format's number of a line cell.
 const LINE: usize = 3;
 
-/// Writes a frame. Points stand where nodes are without load: `displacement_mm` bends the picture (ParaView: Warp By Vector). Utilisation is
+/// Writes a frame. Points stand where nodes are without load: `displacement_mm` bends the picture (`ParaView`: Warp By Vector). Utilisation is
 /// left out where a yield strength is missing, and `step` where a strut has none.
 #[must_use]
 pub fn vtk(frame: &FrameResult) -> String {

@@ -27,7 +27,7 @@ fn refused(result: Result<impl std::fmt::Debug, ReadError>) -> String {
     format!("{}: {error}", error.code())
 }
 
-/// The published frames state E 3.5 GPa and G 2.4 GPa beside a Poisson's ratio of -0.27; struts are round, of radius 1.5 mm.
+/// The published frames state E 3500 and G 2400 N/mm² beside a Poisson's ratio of -0.27; struts are round, of radius 1.5 mm.
 #[test]
 fn an_assembly_states_its_material_and_its_section() {
     for name in ["four-frame", "simple_frame", "C_shape"] {
@@ -147,16 +147,19 @@ fn entries_of_a_conmech_frame_are_for_their_tags() {
     );
 }
 
+/// What is made wrong in a model.
+type Change<'a> = &'a dyn Fn(&mut Value);
+
 #[test]
 fn what_a_conmech_frame_has_that_is_not_computed_is_refused_by_name() {
     let model: Value = serde_json::from_slice(&data("conmech/four-frame.json").0).unwrap();
-    let with = |change: &dyn Fn(&mut Value)| {
+    let with = |change: Change<'_>| {
         let mut model = model.clone();
         change(&mut model);
         refused(import("a.json", model.to_string()))
     };
     let released = json!([{"c_conditions": [null, 0.0, null], "elem_tags": ["a"]}]);
-    let cases: [(&str, &dyn Fn(&mut Value)); 7] = [
+    let cases: [(&str, Change<'_>); 7] = [
         ("a.json, joint 0: a release at the end of an element (c_conditions) is not read", &|model| {
             model["joints"] = released.clone();
         }),
@@ -231,7 +234,7 @@ fn loads_on_what_is_not_there_are_refused() {
     assert_eq!(refused(none), "read-empty: l.json: no load cases in it");
 }
 
-/// The sequence that FrameFab's authors published for their bunny: every strut of the frame once, pillars first.
+/// The sequence that `FrameFab`'s authors published for their bunny: every strut of the frame once, pillars first.
 #[test]
 fn the_published_sequence_is_of_the_published_bunny() {
     let bunny = import_data("framefab/bunny0507_.pwf", &ReadOptions::default());
