@@ -13,6 +13,7 @@
 #![deny(missing_docs)]
 
 pub mod bend;
+pub mod calibrate;
 pub mod checks;
 pub mod clearance;
 pub mod compensate;

@@ -18,6 +18,8 @@ const MAY_USE: &[&str] = &[
     "rand",
     "rand_chacha",
     "rand_distr",
+    "rmpfit",
+    "statrs",
     "thiserror",
 ];
 

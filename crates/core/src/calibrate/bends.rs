@@ -1,0 +1,229 @@
+//! Springback and the dimensions of the bend head, from bends that the axis was sent to known positions for.
+
+use super::assumed::{Assumed, KnownLength, PegDimensions, bend_model};
+use super::estimate::{Figure, Fit, Misfit, Parameter};
+use super::fitting::Search;
+use super::least_squares::{Belief, Solution};
+use super::measured::{AngleSample, Gap, Kind, LeftOut};
+use super::screen::{Screened, bend, screen};
+use super::springback::{Knots, ShapeChoice, SpringbackShape};
+use super::statistics::median;
+use super::CalibrationError;
+use crate::compensate::{BendModel, PegGeometry, Springback, SpringbackPoint};
+use crate::units::{Angle, Length};
+
+/// How far off a loss may be that nothing tells, in degrees.
+const LOSS_DEVIATION_DEG: f64 = 30.0;
+
+/// The dimensions of a bend head as they were found. Only their ratios to one another show in bends: the radius of the
+/// orbit sets the scale, and stays nearly what it was taken to be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FittedPeg {
+    /// Radius R of the orbit.
+    pub orbit_radius: Length,
+    /// Offset s of its centre.
+    pub orbit_offset: Length,
+    /// Centreline radius of a bend.
+    pub bend_radius: Length,
+    /// Effective radius of the peg.
+    pub peg_radius: Length,
+}
+
+/// What bends tell.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BendFit {
+    /// The parameters and how well they fit.
+    pub fit: Fit,
+    /// The shape of the springback that was chosen.
+    pub shape: SpringbackShape,
+    /// The other shape and its error by leave-one-out, where the readings allow it.
+    pub other: Option<(SpringbackShape, Misfit)>,
+    /// What the wire loses.
+    pub springback: Springback,
+    /// For a springback that depends on the angle: pairs of each side, for a profile.
+    pub pairs: Option<[Vec<SpringbackPoint>; 2]>,
+    /// The bend head; none where the axis is the bend.
+    pub peg: Option<FittedPeg>,
+    /// The bend radius with its deviation, for what follows from it.
+    pub(super) bend_radius: KnownLength,
+}
+
+impl BendFit {
+    /// The model that compensates by what was found; `axis_limit` as before.
+    #[must_use]
+    pub fn model(&self, axis_limit: Option<Angle>) -> BendModel {
+        let setback = self.peg.and_then(|peg| {
+            PegGeometry::new(peg.orbit_radius, peg.orbit_offset, peg.bend_radius, peg.peg_radius).ok()
+        });
+        BendModel { springback: Some(self.springback.clone()), setback, axis_limit }
+    }
+}
+
+/// A kind of readings fitted, with what was left out and what is missing.
+pub(super) struct Outcome<T> {
+    pub fit: Option<T>,
+    pub left_out: Vec<LeftOut>,
+    pub gaps: Vec<Gap>,
+}
+
+pub(super) fn fit(
+    assumed: &Assumed,
+    samples: &[AngleSample],
+    choice: ShapeChoice,
+) -> Result<Outcome<BendFit>, CalibrationError> {
+    let before = assumed.bend_model()?;
+    let expected: Vec<Angle> = samples.iter().map(|sample| before.result(sample.axis)).collect();
+    let readings: Vec<&[Option<Angle>]> = samples.iter().map(|sample| sample.readings.as_slice()).collect();
+    let mut screened =
+        screen(Kind::Bends, &readings, Figure::Angle, |k| Figure::Angle(expected[k]), |k, reading| {
+            bend(samples[k].axis, assumed.axis_limit, expected[k], reading)
+        });
+    let none = |screened: Screened, given| Outcome {
+        fit: None,
+        left_out: screened.left_out,
+        gaps: vec![Gap::NoReadings { kind: Kind::Bends, given }],
+    };
+    let given = screened.given;
+    if screened.data.is_empty() {
+        return Ok(none(screened, given));
+    }
+    let axes: Vec<Angle> = screened.samples.iter().map(|&k| samples[k].axis).collect();
+    let expected: Vec<f64> = screened.samples.iter().map(|&k| expected[k].deg()).collect();
+    let told = |k: usize| Figure::Angle(axes[k]);
+    let no_solution = |_| CalibrationError::NoSolution { kind: Kind::Bends };
+    let side = Side { assumed, before: &before, axes: &axes };
+
+    let most = Knots::over(&expected).unwrap_or_default();
+    side.search(&most, &side.predict(&most)).take_out_wild(Kind::Bends, &mut screened).map_err(no_solution)?;
+
+    let constant = Knots::default();
+    let cubic = Knots::over(&side.formed(&screened));
+    let mut fitted = Vec::new();
+    let shapes = [(SpringbackShape::Constant, Some(constant)), (SpringbackShape::Cubic, cubic)];
+    for (shape, knots) in shapes.into_iter().filter_map(|(shape, knots)| Some((shape, knots?))) {
+        if choice != ShapeChoice::Fixed(SpringbackShape::Cubic) || shape == SpringbackShape::Cubic {
+            let (fit, solution) = {
+                let predict = side.predict(&knots);
+                let search = side.search(&knots, &predict);
+                search.fit(Kind::Bends, &screened, &told, &expected).map_err(no_solution)?
+            };
+            fitted.push((shape, knots, fit, solution));
+        }
+        if choice == ShapeChoice::Fixed(SpringbackShape::Constant) {
+            break;
+        }
+    }
+    // A constant is kept where a curve predicts no better what it has not seen.
+    fitted.sort_by(|a, b| a.2.leave_one_out.rms.total_cmp(&b.2.leave_one_out.rms));
+    let mut fitted = fitted.into_iter();
+    let Some((shape, knots, fit, solution)) = fitted.next() else { return Ok(none(screened, given)) };
+    let other = fitted.next().map(|(shape, _, fit, _)| (shape, fit.leave_one_out));
+    let gaps = side.gaps(&screened);
+    let fit = side.found(shape, &knots, fit, &solution, other);
+    Ok(Outcome { fit: Some(fit), left_out: screened.left_out, gaps })
+}
+
+/// The bends that were told, and the machine that made them.
+struct Side<'a> {
+    assumed: &'a Assumed,
+    before: &'a BendModel,
+    axes: &'a [Angle],
+}
+
+impl Side<'_> {
+    /// Bends in degrees from the dimensions of the head, where it has a peg, and the losses.
+    fn predict(&self, knots: &Knots) -> impl Fn(&[f64]) -> Vec<f64> {
+        let dimensions = if self.assumed.peg.is_some() { 4 } else { 0 };
+        move |parameters| {
+            let (peg, losses) = parameters.split_at(dimensions.min(parameters.len()));
+            let peg = PegDimensions::try_from(peg).ok();
+            let model = bend_model(peg, knots.springback(losses));
+            self.axes.iter().map(|&axis| model.result(axis).deg()).collect()
+        }
+    }
+
+    fn search<'s>(&self, knots: &Knots, predict: &'s dyn Fn(&[f64]) -> Vec<f64>) -> Search<'s> {
+        let known = |known: KnownLength| Belief {
+            value: known.value.mm(),
+            sd: known.deviation.mm().max(1e-3),
+        };
+        let mut parameters = Vec::new();
+        if let Some(peg) = &self.assumed.peg {
+            parameters.extend([
+                (Parameter::OrbitRadius, known(peg.orbit_radius)),
+                (Parameter::OrbitOffset, known(peg.orbit_offset)),
+                (Parameter::BendRadius, known(self.assumed.bend_radius)),
+                (Parameter::PegRadius, known(peg.peg_radius)),
+            ]);
+        }
+        let loss = |formed: f64| {
+            let formed = Angle::computed(formed.to_radians());
+            let bent = self.before.springback.as_ref().map_or(formed, |model| model.bend_to(formed));
+            Belief { value: (bent.abs() - formed.abs()).deg(), sd: LOSS_DEVIATION_DEG }
+        };
+        if knots.count() == 0 {
+            parameters.push((Parameter::Springback, loss(90.0)));
+        }
+        let signed = knots.positive.iter().copied().chain(knots.negative.iter().map(|knot| -knot));
+        parameters.extend(signed.map(|formed| {
+            (Parameter::SpringbackAt(Angle::computed(formed.to_radians())), loss(formed))
+        }));
+        Search { parameters, predict, reading: self.assumed.angle_reading.deg() }
+    }
+
+    /// The bend of each sample that has readings left: their median, in degrees.
+    fn formed(&self, screened: &Screened) -> Vec<f64> {
+        let of = |sample: usize| {
+            screened.data.iter().filter(|datum| datum.sample == sample).map(|datum| datum.value).collect()
+        };
+        let medians = (0..self.axes.len()).map(|sample| median(of(sample)));
+        medians.filter(|angle| *angle != 0.0).collect()
+    }
+
+    fn gaps(&self, screened: &Screened) -> Vec<Gap> {
+        let mut axes: Vec<Angle> = screened.data.iter().map(|datum| self.axes[datum.sample]).collect();
+        axes.sort();
+        axes.dedup_by(|next, before| (*next - *before).abs().deg() < 0.05);
+        let mut gaps = Vec::new();
+        if let [axis] = axes[..] {
+            gaps.push(Gap::OneAngle { axis });
+        }
+        for missing in [1.0, -1.0] {
+            if axes.iter().all(|axis| axis.signum() != missing) {
+                gaps.push(Gap::OneSide { missing });
+            }
+        }
+        gaps
+    }
+
+    fn found(
+        &self,
+        shape: SpringbackShape,
+        knots: &Knots,
+        fit: Fit,
+        solution: &Solution,
+        other: Option<(SpringbackShape, Misfit)>,
+    ) -> BendFit {
+        let parameters = &solution.parameters;
+        let losses = &parameters[if self.assumed.peg.is_some() { 4 } else { 0 }..];
+        let peg = self.assumed.peg.and(parameters.first_chunk::<4>()).map(|found| {
+            let [orbit_radius, orbit_offset, bend_radius, peg_radius] = found.map(Length::computed);
+            FittedPeg { orbit_radius, orbit_offset, bend_radius, peg_radius }
+        });
+        let pairs = (shape == SpringbackShape::Cubic).then(|| {
+            let (positive, negative) = losses.split_at(knots.positive.len());
+            let own = [Knots::pairs(&knots.positive, positive), Knots::pairs(&knots.negative, negative)];
+            match own {
+                [positive, negative] if positive.is_empty() => [negative.clone(), negative],
+                [positive, negative] if negative.is_empty() => [positive.clone(), positive],
+                both => both,
+            }
+        });
+        let radius = self.assumed.bend_radius;
+        let bend_radius = peg.map_or(radius, |peg| KnownLength {
+            value: peg.bend_radius,
+            deviation: Length::computed(solution.deviation(2, radius.deviation.mm())),
+        });
+        BendFit { fit, shape, other, springback: knots.springback(losses), pairs, peg, bend_radius }
+    }
+}

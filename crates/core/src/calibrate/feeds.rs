@@ -1,0 +1,103 @@
+//! The feed's scale and the wire in a bend, from sides of U-shapes.
+
+use super::CalibrationError;
+use super::assumed::{Assumed, KnownLength};
+use super::bends::Outcome;
+use super::estimate::{Figure, Fit, Parameter};
+use super::fitting::Search;
+use super::least_squares::Belief;
+use super::measured::{Gap, Kind, LengthSample};
+use super::screen::{screen, side};
+use crate::compensate::{BendModel, FeedModel};
+use crate::units::{Angle, Length};
+
+/// How far off the scale of a feed may be: a drive wheel of 37.3 mm that is 0.75 mm larger or smaller.
+const SCALE_DEVIATION: f64 = 0.02;
+
+/// What sides tell.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FeedFit {
+    /// The parameters and how well they fit.
+    pub fit: Fit,
+    /// Wire that comes out for a millimetre told.
+    pub scale: f64,
+    /// Depth of the neutral fibre, in diameters.
+    pub k_factor: f64,
+    /// The feed model with these.
+    pub model: FeedModel,
+}
+
+/// `bends` is what the positions of the axis leave, `radius` the bend radius as it is known by now.
+pub(super) fn fit(
+    assumed: &Assumed,
+    samples: &[LengthSample],
+    bends: &BendModel,
+    radius: KnownLength,
+) -> Result<Outcome<FeedFit>, CalibrationError> {
+    let side_of = |sample: &LengthSample, [scale, k, radius]: [f64; 3]| {
+        let [before, after] = [sample.axis_before, sample.axis_after].map(|axis| bends.result(axis));
+        let fed = Length::computed(scale * sample.feed.mm());
+        feed_model(assumed, k, radius).segment_of(fed, before, after)
+    };
+    let as_before = [1.0, assumed.k_factor, radius.value.mm()];
+    let expected: Vec<Length> = samples.iter().map(|sample| side_of(sample, as_before)).collect();
+    let readings: Vec<&[Option<Length>]> = samples.iter().map(|sample| sample.readings.as_slice()).collect();
+    let mut screened =
+        screen(Kind::Feeds, &readings, Figure::Length, |k| Figure::Length(expected[k]), |k, reading| {
+            side(expected[k], reading)
+        });
+    let given = screened.given;
+    if screened.data.is_empty() {
+        let gaps = vec![Gap::NoReadings { kind: Kind::Feeds, given }];
+        return Ok(Outcome { fit: None, left_out: screened.left_out, gaps });
+    }
+    let used: Vec<&LengthSample> = screened.samples.iter().map(|&k| &samples[k]).collect();
+    let made: Vec<[Angle; 2]> = used
+        .iter()
+        .map(|sample| [sample.axis_before, sample.axis_after].map(|axis| bends.result(axis)))
+        .collect();
+    let expected: Vec<f64> = screened.samples.iter().map(|&k| expected[k].mm()).collect();
+    let predict = |parameters: &[f64]| {
+        let &[scale, k, radius] = parameters else { return Vec::new() };
+        let model = feed_model(assumed, k, radius);
+        let side = |(sample, made): (&&LengthSample, &[Angle; 2])| {
+            model.segment_of(Length::computed(scale * sample.feed.mm()), made[0], made[1]).mm()
+        };
+        used.iter().zip(&made).map(side).collect()
+    };
+    let search = Search {
+        parameters: vec![
+            (Parameter::FeedScale, Belief { value: 1.0, sd: SCALE_DEVIATION }),
+            (Parameter::KFactor, Belief { value: assumed.k_factor, sd: assumed.k_deviation.max(1e-3) }),
+            (
+                Parameter::BendRadius,
+                Belief { value: radius.value.mm(), sd: radius.deviation.mm().max(1e-3) },
+            ),
+        ],
+        predict: &predict,
+        reading: assumed.length_reading.mm(),
+    };
+    let no_solution = |_| CalibrationError::NoSolution { kind: Kind::Feeds };
+    search.take_out_wild(Kind::Feeds, &mut screened).map_err(no_solution)?;
+    let told = |k: usize| Figure::Length(used[k].feed);
+    let (fit, solution) = search.fit(Kind::Feeds, &screened, &told, &expected).map_err(no_solution)?;
+    let mut gaps = Vec::new();
+    let feed = |datum: &super::least_squares::Datum| used[datum.sample].feed;
+    if let Some(first) = screened.data.first().map(feed)
+        && screened.data.iter().all(|datum| (feed(datum) - first).abs().mm() < 0.05)
+    {
+        gaps.push(Gap::OneLength { feed: first });
+    }
+    let fit = solution.parameters.first_chunk::<3>().map(|&[scale, k_factor, radius]| FeedFit {
+        fit,
+        scale,
+        k_factor,
+        model: feed_model(assumed, k_factor, radius),
+    });
+    Ok(Outcome { fit, left_out: screened.left_out, gaps })
+}
+
+fn feed_model(assumed: &Assumed, k_factor: f64, bend_radius: f64) -> FeedModel {
+    let pin = bend_radius - assumed.diameter.mm() / 2.0;
+    FeedModel::new(Length::computed(pin), assumed.diameter, k_factor)
+}

@@ -1,0 +1,103 @@
+//! Calibration: a machine and a wire as they are, from bends, sides and turns that were measured.
+//!
+//! [`Coupon`]s are bent, [`Measurements`] read of them, and [`calibrate`] finds the springback, the dimensions of the
+//! bend head, the wire in a bend, the scale of the feed and what turns are off by, with the same models that
+//! [`crate::compensate`] compensates with. What was known before counts as much as it is known: a parameter that no
+//! reading tells stays what it was, and the result says which those are. Readings that do not fit the others are named
+//! and left out.
+
+mod assumed;
+mod bends;
+mod coupon;
+mod estimate;
+mod feeds;
+mod fitting;
+mod least_squares;
+mod measured;
+mod screen;
+mod springback;
+mod statistics;
+mod turns;
+mod wild;
+
+use crate::compensate::PegGeometryError;
+
+pub use assumed::{Assumed, KnownLength, KnownPeg};
+pub use bends::{BendFit, FittedPeg};
+pub use coupon::{Coupon, CouponPlan, Measured};
+pub use estimate::{Estimate, Figure, Fit, Misfit, Parameter, Residual};
+pub use feeds::FeedFit;
+pub use measured::{
+    AngleSample, Gap, Kind, LeftOut, LeftOutReason, LengthSample, Measurements, OtherUnit, ReadingPlace,
+    TurnSample,
+};
+pub use springback::{ShapeChoice, SpringbackShape};
+pub use turns::TurnFit;
+
+/// Why there is no calibration.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum CalibrationError {
+    /// Not one reading can be fitted.
+    #[error("none of {given} readings can be fitted")]
+    NoReadings {
+        /// How many readings there are.
+        given: usize,
+    },
+    /// The figures of before are not those of a machine.
+    #[error(transparent)]
+    Geometry(#[from] PegGeometryError),
+    /// The search did not end.
+    #[error("the readings of {kind:?} fit no machine")]
+    NoSolution {
+        /// Of which kind.
+        kind: Kind,
+    },
+}
+
+/// What measurements tell of a machine and a wire.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Calibration {
+    /// Springback and bend head.
+    pub bends: Option<BendFit>,
+    /// Feed and wire in a bend.
+    pub feeds: Option<FeedFit>,
+    /// Turns of the head.
+    pub turns: Option<TurnFit>,
+    /// Readings that were left out.
+    pub left_out: Vec<LeftOut>,
+    /// What is not told.
+    pub gaps: Vec<Gap>,
+}
+
+/// Fits all that was measured; what was not measured stays as it was.
+///
+/// # Errors
+/// [`CalibrationError`] when nothing can be fitted.
+pub fn calibrate(
+    assumed: &Assumed,
+    measured: &Measurements,
+    choice: ShapeChoice,
+) -> Result<Calibration, CalibrationError> {
+    let bends = bends::fit(assumed, &measured.angles, choice)?;
+    let as_found = match &bends.fit {
+        Some(fit) => (fit.model(assumed.axis_limit), fit.bend_radius),
+        None => (assumed.bend_model()?, assumed.bend_radius),
+    };
+    let feeds = feeds::fit(assumed, &measured.lengths, &as_found.0, as_found.1)?;
+    let turns = turns::fit(assumed, &measured.turns)?;
+    if bends.fit.is_none() && feeds.fit.is_none() && turns.fit.is_none() {
+        let given = |gap: &Gap| if let Gap::NoReadings { given, .. } = gap { *given } else { 0 };
+        let all = [&bends.gaps, &feeds.gaps, &turns.gaps];
+        return Err(CalibrationError::NoReadings { given: all.into_iter().flatten().map(given).sum() });
+    }
+    Ok(Calibration {
+        bends: bends.fit,
+        feeds: feeds.fit,
+        turns: turns.fit,
+        left_out: [bends.left_out, feeds.left_out, turns.left_out].concat(),
+        gaps: [bends.gaps, feeds.gaps, turns.gaps].concat(),
+    })
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,112 @@
+//! Without scatter, what readings tell is found exactly; with it, what is commanded next comes out right.
+
+use super::*;
+
+const ANGLES: [f64; 10] = [15.0, 30.0, 45.0, 60.0, 75.0, 90.0, 105.0, 120.0, 130.0, 140.0];
+
+/// Everything 10 % off: were it not found, every bend would be about 3 degrees off.
+#[test]
+fn a_machine_that_is_all_off_by_a_tenth_makes_what_it_is_told_once_it_is_calibrated() {
+    let truth = machine([22.44, 10.8, 3.3, 5.14], 11.25);
+    let measured = Measurements {
+        angles: ladder(&truth, &ANGLES, 3, 0.5, &mut Normals::new(1)),
+        ..Measurements::default()
+    };
+    let found = calibrate(&published(), &measured, ShapeChoice::Better).unwrap();
+    let bends = found.bends.unwrap();
+    let model = bends.model(None);
+    for angle in [20.0, 50.0, 90.0, 135.0, -20.0, -90.0, -135.0] {
+        let made = truth.result(model.command(deg(angle)).unwrap());
+        assert!((made - deg(angle)).abs() < deg(0.5), "{angle} became {made:.2}");
+    }
+    assert!(bends.fit.before.mean_abs > 4.0 * bends.fit.after.mean_abs, "{:?}", bends.fit);
+    // Readings scatter by 0.5.
+    assert!((bends.fit.scatter.plain() - 0.5).abs() < 0.12, "{:?}", bends.fit.scatter);
+    assert!(found.left_out.is_empty() && found.gaps.len() == 2, "{:?} {:?}", found.left_out, found.gaps);
+}
+
+/// Bends tell only ratios, so a caliper has to say how large the orbit is.
+#[test]
+fn dimensions_are_found_once_one_of_them_is_known() {
+    let truth = machine([22.44, 10.8, 3.3, 5.14], 11.25);
+    let mut assumed = published();
+    assumed.peg.as_mut().unwrap().orbit_radius = KnownLength { value: mm(22.44), deviation: mm(0.001) };
+    let readings = ladder(&truth, &ANGLES, 3, 0.02, &mut Normals::new(2));
+    let measured = Measurements { angles: readings, ..Measurements::default() };
+    let bends = calibrate(&assumed, &measured, ShapeChoice::Better).unwrap().bends.unwrap();
+    assert_eq!(bends.shape, SpringbackShape::Constant);
+    let known =
+        [(Parameter::OrbitOffset, 10.8), (Parameter::PegRadius, 5.14), (Parameter::Springback, 11.25)];
+    for (parameter, truth) in known {
+        let found = estimate(&bends.fit, parameter);
+        assert!(covers(&found, truth), "{found:?}");
+        assert!(found.is_identified(), "{found:?}");
+        assert!((found.value.plain() / truth - 1.0).abs() < 0.05, "{found:?}");
+    }
+}
+
+/// The two sides of 1/8 inch aluminium differ: a constant would be off by two degrees.
+#[test]
+fn a_springback_that_grows_with_the_angle_is_found_as_a_curve() {
+    let truth = |axis: Angle| {
+        let geometry = machine([20.4, 12.0, 3.0, 4.675], 0.0);
+        let bent = geometry.result(axis).abs().deg();
+        // 4.9 degrees lost at 10, 8.6 at 130, and a degree less to the other side.
+        let loss = 4.9 + 3.7 * (bent - 14.9) / 123.7;
+        axis.signum() * (bent - loss + if axis < Angle::ZERO { 1.0 } else { 0.0 })
+    };
+    let mut random = Normals::new(3);
+    let asked = published().bend_model().unwrap();
+    let axes = ANGLES.iter().flat_map(|&angle| [angle, -angle]).map(|angle| asked.command(deg(angle)).unwrap());
+    let samples = axes.map(|axis| AngleSample {
+        axis,
+        readings: (0..3).map(|_| Some(deg(truth(axis) + random.next(0.2)))).collect(),
+    });
+    let measured = Measurements { angles: samples.collect(), ..Measurements::default() };
+    let bends = calibrate(&published(), &measured, ShapeChoice::Better).unwrap().bends.unwrap();
+    assert_eq!(bends.shape, SpringbackShape::Cubic);
+    let (_, constant) = bends.other.unwrap();
+    assert!(bends.fit.leave_one_out.rms < 0.8 * constant.rms, "{:?} {constant:?}", bends.fit.leave_one_out);
+    for angle in [25.0, 80.0, 110.0, -25.0, -80.0, -110.0] {
+        let made = truth(bends.model(None).command(deg(angle)).unwrap());
+        assert!((made - angle).abs() < 0.3, "{angle} became {made:.2}");
+    }
+    let [positive, negative] = bends.pairs.unwrap();
+    assert!(positive.len() > 4 && negative.len() > 4);
+}
+
+#[test]
+fn the_feed_and_the_wire_in_a_bend_are_found_from_two_lengths() {
+    let truth = machine([20.4, 12.0, 3.0, 4.675], 10.23);
+    let model = FeedModel::new(mm(1.5), mm(3.0), 0.33);
+    let mut random = Normals::new(4);
+    let mut assumed = published();
+    assumed.bend_radius.deviation = mm(0.01);
+    assumed.peg = None;
+    let measured = Measurements {
+        lengths: sides(&truth, &model, 1.012, 0.02, &mut random),
+        ..Measurements::default()
+    };
+    // The positions of the axis are those of the whole model here.
+    let mut with_peg = published();
+    with_peg.bend_radius.deviation = mm(0.01);
+    let feeds = calibrate(&with_peg, &measured, ShapeChoice::Better).unwrap().feeds.unwrap();
+    assert!((feeds.scale - 1.012).abs() < 0.001, "{}", feeds.scale);
+    assert!((feeds.k_factor - 0.33).abs() < 0.02, "{}", feeds.k_factor);
+    assert!(covers(&estimate(&feeds.fit, Parameter::KFactor), 0.33));
+}
+
+#[test]
+fn the_play_of_the_head_shows_in_turns_that_reverse() {
+    let sample = |rotate: f64, reverses: bool, reading: f64| TurnSample {
+        rotate: deg(rotate),
+        reverses,
+        readings: [-0.1, 0.0, 0.1].map(|off| Some(deg(reading + off))).to_vec(),
+    };
+    let turns = vec![sample(90.0, false, 90.4), sample(-90.0, true, -88.1), sample(90.0, true, 88.9)];
+    let measured = Measurements { turns, ..Measurements::default() };
+    let found = calibrate(&published(), &measured, ShapeChoice::Better).unwrap();
+    let turns = found.turns.unwrap();
+    // 90 + 0.4; -90 + 0.4 + 1.5; 90 + 0.4 - 1.5.
+    assert!((turns.offset_deg - 0.4).abs() < 0.02 && (turns.backlash_deg - 1.5).abs() < 0.02, "{turns:?}");
+}

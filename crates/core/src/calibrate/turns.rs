@@ -1,0 +1,65 @@
+//! What turns of the head are off by, and its play.
+
+use super::CalibrationError;
+use super::assumed::Assumed;
+use super::bends::Outcome;
+use super::estimate::{Figure, Fit, Parameter};
+use super::fitting::Search;
+use super::least_squares::Belief;
+use super::measured::{Gap, Kind, TurnSample};
+use super::screen::{screen, turn};
+
+/// How far off a turn, and how large a play may be, in degrees.
+const DEVIATION_DEG: f64 = 5.0;
+
+/// What turns tell.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TurnFit {
+    /// The parameters and how well they fit.
+    pub fit: Fit,
+    /// What every turn is off by, degrees.
+    pub offset_deg: f64,
+    /// What a turn loses that goes against the one before, degrees.
+    pub backlash_deg: f64,
+}
+
+pub(super) fn fit(assumed: &Assumed, samples: &[TurnSample]) -> Result<Outcome<TurnFit>, CalibrationError> {
+    let readings: Vec<_> = samples.iter().map(|sample| sample.readings.as_slice()).collect();
+    let expected = |k: usize| Figure::Angle(samples[k].rotate);
+    let mut screened = screen(Kind::Turns, &readings, Figure::Angle, expected, |k, reading| {
+        turn(samples[k].rotate, samples[k].rotate, reading)
+    });
+    let given = screened.given;
+    if screened.data.is_empty() {
+        let gaps = vec![Gap::NoReadings { kind: Kind::Turns, given }];
+        return Ok(Outcome { fit: None, left_out: screened.left_out, gaps });
+    }
+    let used: Vec<&TurnSample> = screened.samples.iter().map(|&k| &samples[k]).collect();
+    let predict = |parameters: &[f64]| {
+        let &[offset, backlash] = parameters else { return Vec::new() };
+        let made = |sample: &&TurnSample| {
+            let lost = if sample.reverses { sample.rotate.signum() * backlash } else { 0.0 };
+            sample.rotate.deg() + offset - lost
+        };
+        used.iter().map(made).collect()
+    };
+    let belief = Belief { value: 0.0, sd: DEVIATION_DEG };
+    let search = Search {
+        parameters: vec![(Parameter::RotationOffset, belief), (Parameter::RotationBacklash, belief)],
+        predict: &predict,
+        reading: assumed.angle_reading.deg(),
+    };
+    let no_solution = |_| CalibrationError::NoSolution { kind: Kind::Turns };
+    search.take_out_wild(Kind::Turns, &mut screened).map_err(no_solution)?;
+    let told = |k: usize| Figure::Angle(used[k].rotate);
+    let before: Vec<f64> = used.iter().map(|sample| sample.rotate.deg()).collect();
+    let (fit, solution) = search.fit(Kind::Turns, &screened, &told, &before).map_err(no_solution)?;
+    let reverses = screened.data.iter().any(|datum| used[datum.sample].reverses);
+    let fit = solution.parameters.first_chunk::<2>().map(|&[offset_deg, backlash_deg]| TurnFit {
+        fit,
+        offset_deg,
+        backlash_deg,
+    });
+    let gaps = if reverses { Vec::new() } else { vec![Gap::NoReversal] };
+    Ok(Outcome { fit, left_out: screened.left_out, gaps })
+}
