@@ -93,7 +93,10 @@ pub(super) fn fit(
     let no_solution = |_| CalibrationError::NoSolution { kind: Kind::Bends };
     let side = Side { assumed, before: &before, axes: &axes };
 
-    let most = Knots::over(&expected).unwrap_or_default();
+    let most = match choice {
+        ShapeChoice::Fixed(SpringbackShape::Constant) => Knots::default(),
+        _ => Knots::over(&expected).unwrap_or_default(),
+    };
     side.search(&most, &side.predict(&most)).take_out_wild(Kind::Bends, &mut screened).map_err(no_solution)?;
 
     let constant = Knots::default();

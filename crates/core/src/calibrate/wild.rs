@@ -68,13 +68,12 @@ fn robust(problem: &mut Problem) -> Result<Solution, NoSolution> {
     for round in 0..4 {
         let residual = |datum: &Datum| datum.value - solution.predicted[datum.sample];
         let residuals: Vec<f64> = problem.data.iter().map(residual).collect();
-        if round == 0 {
-            weigh(problem, &residuals, |t| (HUBER / t).min(1.0));
-            solution = problem.solve(Some(&solution))?;
-        } else {
-            weigh(problem, &residuals, |t| if t < TUKEY { (1.0 - (t / TUKEY).powi(2)).powi(2) } else { 0.0 });
-            solution = problem.solve_near(&solution)?;
-        }
+        weigh(problem, &residuals, |t| match round {
+            0 => (HUBER / t).min(1.0),
+            _ if t < TUKEY => (1.0 - (t / TUKEY).powi(2)).powi(2),
+            _ => 0.0,
+        });
+        solution = problem.solve_near(&solution)?;
     }
     Ok(solution)
 }

@@ -109,18 +109,28 @@ impl PegGeometry {
 
     /// The largest bend up to which the axis only ever moves forward, within half a turn.
     fn find_reach(&self) -> f64 {
-        let forward = |bend: f64| {
+        // How the axis moves on with the bend is 1 + slope/rise, by the derivative of the arcsine.
+        let parts = |bend: f64| {
             let sine = self.sine(bend);
             let slope = (self.offset * bend.cos() - self.pin * bend.sin()) / self.orbit_radius;
-            sine.abs() < 1.0 && slope > -(1.0 - sine * sine).sqrt()
+            (sine.abs() < 1.0).then(|| ((1.0 - sine * sine).sqrt(), slope))
         };
-        // A grid of 0.1° cannot miss where it turns: the slope changes by less than 1 % in a cell.
-        let mut last = 0.0;
-        for tenths in 1..=1800 {
+        let forward = |bend: f64| parts(bend).is_some_and(|(rise, slope)| slope > -rise);
+        // A grid of 0.1° cannot miss where it turns: the slope changes by less than 1 % in a cell. Far from there neither
+        // does one of 1°: the slope changes by 0.018·steepest in a cell, and the rise by less than 0.07·steepest.
+        let steepest = (self.offset.abs() + self.pin) / self.orbit_radius;
+        let (mut last, mut tenths) = (0.0, 1);
+        while tenths <= 1800 {
             let bend = f64::from(tenths).to_radians() / 10.0;
-            if !forward(bend) {
-                let beyond = |at: f64| if forward(at) { -1.0 } else { 1.0 };
-                return super::increasing_root(last, bend, beyond) - 1e-9;
+            match parts(bend).filter(|(rise, slope)| slope > &-rise) {
+                None => {
+                    let beyond = |at: f64| if forward(at) { -1.0 } else { 1.0 };
+                    return super::increasing_root(last, bend, beyond) - 1e-9;
+                }
+                Some((rise, slope)) => {
+                    let far = rise > 0.25 + 0.1 * steepest && slope + rise > 0.11 * steepest;
+                    tenths += if far && tenths <= 1790 { 10 } else { 1 };
+                }
             }
             last = bend;
         }

@@ -34,7 +34,7 @@ fn table(random: &mut Normals) -> Vec<AngleSample> {
 
 fn fitted(angles: Vec<AngleSample>) -> Vec<LeftOut> {
     let measured = Measurements { angles, ..Measurements::default() };
-    calibrate(&published(), &measured, ShapeChoice::Fixed(SpringbackShape::Constant)).unwrap().left_out
+    calibrate(&published(), &measured, ShapeChoice::Better).unwrap().left_out
 }
 
 #[test]
