@@ -57,7 +57,8 @@ impl Assumed {
     pub fn bend_model(&self) -> Result<BendModel, PegGeometryError> {
         let setback = self.peg.as_ref().map(|peg| {
             let [orbit, offset, pin, reach] =
-                [peg.orbit_radius, peg.orbit_offset, self.bend_radius, peg.peg_radius].map(|known| known.value);
+                [peg.orbit_radius, peg.orbit_offset, self.bend_radius, peg.peg_radius]
+                    .map(|known| known.value);
             PegGeometry::new(orbit, offset, pin, reach)
         });
         Ok(BendModel {

@@ -1,5 +1,6 @@
 //! Springback and the dimensions of the bend head, from bends that the axis was sent to known positions for.
 
+use super::CalibrationError;
 use super::assumed::{Assumed, KnownLength, PegDimensions, bend_model};
 use super::estimate::{Figure, Fit, Misfit, Parameter};
 use super::fitting::Search;
@@ -8,7 +9,6 @@ use super::measured::{AngleSample, Gap, Kind, LeftOut};
 use super::screen::{Screened, bend, screen};
 use super::springback::{Knots, ShapeChoice, SpringbackShape};
 use super::statistics::median;
-use super::CalibrationError;
 use crate::compensate::{BendModel, PegGeometry, Springback, SpringbackPoint};
 use crate::units::{Angle, Length};
 
@@ -74,10 +74,13 @@ pub(super) fn fit(
     let before = assumed.bend_model()?;
     let expected: Vec<Angle> = samples.iter().map(|sample| before.result(sample.axis)).collect();
     let readings: Vec<&[Option<Angle>]> = samples.iter().map(|sample| sample.readings.as_slice()).collect();
-    let mut screened =
-        screen(Kind::Bends, &readings, Figure::Angle, |k| Figure::Angle(expected[k]), |k, reading| {
-            bend(samples[k].axis, assumed.axis_limit, expected[k], reading)
-        });
+    let mut screened = screen(
+        Kind::Bends,
+        &readings,
+        Figure::Angle,
+        |k| Figure::Angle(expected[k]),
+        |k, reading| bend(samples[k].axis, assumed.axis_limit, expected[k], reading),
+    );
     let none = |screened: Screened, given| Outcome {
         fit: None,
         left_out: screened.left_out,
@@ -97,7 +100,9 @@ pub(super) fn fit(
         ShapeChoice::Fixed(SpringbackShape::Constant) => Knots::default(),
         _ => Knots::over(&expected).unwrap_or_default(),
     };
-    side.search(&most, &side.predict(&most)).take_out_wild(Kind::Bends, &mut screened).map_err(no_solution)?;
+    side.search(&most, &side.predict(&most))
+        .take_out_wild(Kind::Bends, &mut screened)
+        .map_err(no_solution)?;
 
     let constant = Knots::default();
     let cubic = Knots::over(&side.formed(&screened));
@@ -146,10 +151,8 @@ impl Side<'_> {
     }
 
     fn search<'s>(&self, knots: &Knots, predict: &'s dyn Fn(&[f64]) -> Vec<f64>) -> Search<'s> {
-        let known = |known: KnownLength| Belief {
-            value: known.value.mm(),
-            sd: known.deviation.mm().max(1e-3),
-        };
+        let known =
+            |known: KnownLength| Belief { value: known.value.mm(), sd: known.deviation.mm().max(1e-3) };
         let mut parameters = Vec::new();
         if let Some(peg) = &self.assumed.peg {
             parameters.extend([
@@ -168,9 +171,10 @@ impl Side<'_> {
             parameters.push((Parameter::Springback, loss(90.0)));
         }
         let signed = knots.positive.iter().copied().chain(knots.negative.iter().map(|knot| -knot));
-        parameters.extend(signed.map(|formed| {
-            (Parameter::SpringbackAt(Angle::computed(formed.to_radians())), loss(formed))
-        }));
+        parameters.extend(
+            signed
+                .map(|formed| (Parameter::SpringbackAt(Angle::computed(formed.to_radians())), loss(formed))),
+        );
         Search { parameters, predict, reading: self.assumed.angle_reading.deg() }
     }
 

@@ -42,10 +42,13 @@ pub(super) fn fit(
     let as_before = [1.0, assumed.k_factor, radius.value.mm()];
     let expected: Vec<Length> = samples.iter().map(|sample| side_of(sample, as_before)).collect();
     let readings: Vec<&[Option<Length>]> = samples.iter().map(|sample| sample.readings.as_slice()).collect();
-    let mut screened =
-        screen(Kind::Feeds, &readings, Figure::Length, |k| Figure::Length(expected[k]), |k, reading| {
-            side(expected[k], reading)
-        });
+    let mut screened = screen(
+        Kind::Feeds,
+        &readings,
+        Figure::Length,
+        |k| Figure::Length(expected[k]),
+        |k, reading| side(expected[k], reading),
+    );
     let given = screened.given;
     if screened.data.is_empty() {
         let gaps = vec![Gap::NoReadings { kind: Kind::Feeds, given }];
@@ -69,10 +72,7 @@ pub(super) fn fit(
         parameters: vec![
             (Parameter::FeedScale, Belief { value: 1.0, sd: SCALE_DEVIATION }),
             (Parameter::KFactor, Belief { value: assumed.k_factor, sd: assumed.k_deviation.max(1e-3) }),
-            (
-                Parameter::BendRadius,
-                Belief { value: radius.value.mm(), sd: radius.deviation.mm().max(1e-3) },
-            ),
+            (Parameter::BendRadius, Belief { value: radius.value.mm(), sd: radius.deviation.mm().max(1e-3) }),
         ],
         predict: &predict,
         reading: assumed.length_reading.mm(),

@@ -118,8 +118,7 @@ impl MonotoneCubic {
             let bent = knot + loss.clamp(0.0, 170.0);
             y.push(y.last().map_or(bent, |before| bent.max(before + 0.1)));
         }
-        let chord: Vec<f64> =
-            (1..y.len()).map(|k| (y[k] - y[k - 1]) / (x[k] - x[k - 1]).max(1e-9)).collect();
+        let chord: Vec<f64> = (1..y.len()).map(|k| (y[k] - y[k - 1]) / (x[k] - x[k - 1]).max(1e-9)).collect();
         let at = |k: usize| chord.get(k).copied().unwrap_or_default();
         let mut slope: Vec<f64> = (0..y.len())
             .map(|k| match k {
@@ -192,6 +191,9 @@ mod tests {
     fn few_angles_make_no_curve() {
         assert_eq!(Knots::over(&[30.0, 60.0, 90.0]), None);
         assert_eq!(Knots::over(&[]), None);
-        assert_eq!(Knots::over(&[30.0, 60.0, 90.0, 120.0]).map(|knots| knots.positive), Some(vec![30.0, 120.0]));
+        assert_eq!(
+            Knots::over(&[30.0, 60.0, 90.0, 120.0]).map(|knots| knots.positive),
+            Some(vec![30.0, 120.0])
+        );
     }
 }

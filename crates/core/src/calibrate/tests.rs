@@ -56,7 +56,13 @@ impl Normals {
 }
 
 /// Bends to both sides that a ladder of the published machine asks for, read with a scatter in degrees.
-fn ladder(truth: &BendModel, angles: &[f64], repeats: usize, scatter: f64, random: &mut Normals) -> Vec<AngleSample> {
+fn ladder(
+    truth: &BendModel,
+    angles: &[f64],
+    repeats: usize,
+    scatter: f64,
+    random: &mut Normals,
+) -> Vec<AngleSample> {
     let asked = published().bend_model().unwrap();
     let sides = angles.iter().flat_map(|angle| [*angle, -*angle]);
     sides
@@ -72,7 +78,13 @@ fn ladder(truth: &BendModel, angles: &[f64], repeats: usize, scatter: f64, rando
 }
 
 /// Sides of U-shapes as a feed model leaves them between right angles.
-fn sides(truth: &BendModel, model: &FeedModel, scale: f64, scatter: f64, random: &mut Normals) -> Vec<LengthSample> {
+fn sides(
+    truth: &BendModel,
+    model: &FeedModel,
+    scale: f64,
+    scatter: f64,
+    random: &mut Normals,
+) -> Vec<LengthSample> {
     let asked = published();
     let axis = asked.bend_model().unwrap().command(deg(90.0)).unwrap();
     let made = truth.result(axis);

@@ -62,7 +62,8 @@ fn without_any_reading_nothing_is_fitted_and_what_was_measured_is() {
     let model = FeedModel::new(mm(1.5), mm(3.0), 0.33);
     let lengths = sides(&truth(), &model, 1.0, 0.05, &mut Normals::new(5));
     let found =
-        calibrate(&published(), &Measurements { angles, lengths, turns: vec![] }, ShapeChoice::Better).unwrap();
+        calibrate(&published(), &Measurements { angles, lengths, turns: vec![] }, ShapeChoice::Better)
+            .unwrap();
     assert!(found.gaps.contains(&Gap::NoReadings { kind: Kind::Bends, given: 0 }), "{:?}", found.gaps);
     assert!(found.bends.is_none() && found.feeds.is_some());
 }
@@ -92,9 +93,11 @@ fn other_units_are_recognised_row_by_row() {
     let side = lengths[1].readings[0].unwrap().mm();
     lengths[1].readings[0] = Some(mm(side / 25.4));
     lengths[2].readings[1] = Some(mm(lengths[2].readings[1].unwrap().mm() / 10.0));
-    let found = calibrate(&published(), &Measurements { angles, lengths, turns: vec![] }, ShapeChoice::Better);
+    let found =
+        calibrate(&published(), &Measurements { angles, lengths, turns: vec![] }, ShapeChoice::Better);
     let found = found.unwrap();
-    let named: Vec<_> = found.left_out.iter().map(|left| (left.kind, left.place.sample, left.reason)).collect();
+    let named: Vec<_> =
+        found.left_out.iter().map(|left| (left.kind, left.place.sample, left.reason)).collect();
     let unit = LeftOutReason::Unit;
     assert_eq!(
         named,

@@ -38,9 +38,7 @@ fn stated_intervals_contain_the_truth_as_often_as_they_say() {
         let measured = Measurements { angles, ..Measurements::default() };
         let found = calibrate(&assumed, &measured, ShapeChoice::Fixed(SpringbackShape::Constant)).unwrap();
         let fit = found.bends.unwrap().fit;
-        for ((name, truth), covered) in
-            names.iter().zip([orbit, offset, pin, peg, loss]).zip(&mut covered)
-        {
+        for ((name, truth), covered) in names.iter().zip([orbit, offset, pin, peg, loss]).zip(&mut covered) {
             *covered += usize::from(covers(&estimate(&fit, *name), truth));
         }
     }

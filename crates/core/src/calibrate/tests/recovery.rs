@@ -57,7 +57,8 @@ fn a_springback_that_grows_with_the_angle_is_found_as_a_curve() {
     };
     let mut random = Normals::new(3);
     let asked = published().bend_model().unwrap();
-    let axes = ANGLES.iter().flat_map(|&angle| [angle, -angle]).map(|angle| asked.command(deg(angle)).unwrap());
+    let axes =
+        ANGLES.iter().flat_map(|&angle| [angle, -angle]).map(|angle| asked.command(deg(angle)).unwrap());
     let samples = axes.map(|axis| AngleSample {
         axis,
         readings: (0..3).map(|_| Some(deg(truth(axis) + random.next(0.2)))).collect(),
@@ -83,10 +84,8 @@ fn the_feed_and_the_wire_in_a_bend_are_found_from_two_lengths() {
     let mut assumed = published();
     assumed.bend_radius.deviation = mm(0.01);
     assumed.peg = None;
-    let measured = Measurements {
-        lengths: sides(&truth, &model, 1.012, 0.02, &mut random),
-        ..Measurements::default()
-    };
+    let measured =
+        Measurements { lengths: sides(&truth, &model, 1.012, 0.02, &mut random), ..Measurements::default() };
     // The positions of the axis are those of the whole model here.
     let mut with_peg = published();
     with_peg.bend_radius.deviation = mm(0.01);

@@ -52,7 +52,8 @@ fn a_typing_error_is_found_in_each_of_a_hundred_tables() {
         *reading = Some(deg(typed));
         let left_out = fitted(angles);
         let named = left_out.iter().find(|left| left.place == place);
-        let named = named.unwrap_or_else(|| panic!("round {round}: {right:.1} typed as {typed} is not found"));
+        let named =
+            named.unwrap_or_else(|| panic!("round {round}: {right:.1} typed as {typed} is not found"));
         assert!((named.expected.plain().abs() - right).abs() < 12.0, "{named:?} for {right:.1}");
         assert!(left_out.len() <= 2, "round {round}: {left_out:?}");
     }
