@@ -23,6 +23,7 @@ pub use wirebend_editor::{
     WireFigures,
 };
 pub use wirebend_operation::by_hand::{JogRequest, JogResponse, ReplayRequest};
+pub use wirebend_operation::calibrate::CalibrateEnterRequest;
 pub use wirebend_operation::machine_settings::{MachineSettingsRequest, MachineSettingsResponse};
 pub use wirebend_operation::ports::{PortEntry, PortsRequest, PortsResponse};
 pub use wirebend_operation::runs::{
@@ -35,6 +36,12 @@ pub use wirebend_operation::{
     OperationError, Operator, OperatorError, OperatorEvent, OperatorListener, Order, OrderName, Outcome,
     PartInWire, Phase, Prompt, Question, QuestionKind, Record, RunHow, RunOutcome, RunRequest, RunResponse,
     StoppedIn, ToldBy, Unfinished, Wait, WireRun, WireState, Wish,
+};
+pub use wirebend_planning::calibrate::{
+    CalibrateApplyRequest, CalibrateApplyResponse, CalibrateCompareRequest, CalibrateCompareResponse,
+    CalibrateEnterResponse, CalibrateFitRequest, CalibrateNewRequest, CalibrateNewResponse,
+    CalibrationReport, ComparedValue, KindName, KindReport, LeftOutReport, MisfitReport, ParameterReport,
+    ReadingReport, ShapeName, VersionMisfit,
 };
 pub use wirebend_planning::catalogue::{
     MachineEntry, MachinesRequest, MachinesResponse, MaterialEntry, MaterialsRequest, MaterialsResponse,
@@ -63,6 +70,7 @@ pub use wirebend_planning::profiles::explain::{
     AncestorReport, OverriddenReport, ProfileExplainRequest, ProfileExplainResponse, ValueReport,
 };
 pub use wirebend_planning::profiles::new::{ProfileNewRequest, ProfileNewResponse, ProfilePlace};
+pub use wirebend_planning::profiles::set::{ProfileSetRequest, ProfileSetResponse, SetValue};
 pub use wirebend_planning::profiles::springback::{SamplePlace, SpringbackReport, SpringbackSample};
 pub use wirebend_planning::program::ProgramKind;
 pub use wirebend_planning::progress::{NoProgress, Progress};

@@ -5,21 +5,26 @@ use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
+use wirebend_operation::calibrate::enter as calibrate_enter;
 use wirebend_operation::{by_hand, machine_settings, ports, run, runs};
-use wirebend_planning::{catalogue, compare, drivers, dump, export, generate, import, plan, profiles, wires};
+use wirebend_planning::{
+    calibrate, catalogue, compare, drivers, dump, export, generate, import, plan, profiles, wires,
+};
 
 use crate::workspace::{self, ApiErrorReport, Work, Workspace};
 use crate::{
-    ApiError, CheckRequest, CheckResponse, Collisions, CompareRequest, CompareResponse, DriverCheckRequest,
-    DriverCheckResponse, DriverTrustRequest, DriverTrustResponse, DriversRequest, DriversResponse,
-    DumpRequest, DumpResponse, ExportRequest, ExportResponse, FrontEnd, GenerateRequest, GenerateResponse,
-    ImportRequest, ImportResponse, Installation, JogRequest, JogResponse, LiveCheck, MachineSettingsRequest,
-    MachineSettingsResponse, MachinesRequest, MachinesResponse, MaterialsRequest, MaterialsResponse,
-    OperatorEvent, PlanRequest, PlanResponse, PortsRequest, PortsResponse, ProfileCheckRequest,
-    ProfileCheckResponse, ProfileExplainRequest, ProfileExplainResponse, ProfileNewRequest,
-    ProfileNewResponse, ReplayRequest, RunRequest, RunResponse, RunsExportRequest, RunsExportResponse,
-    RunsRequest, RunsResponse, RunsShowRequest, RunsShowResponse, SimulateRequest, SimulateResponse,
-    WiresRequest, WiresResponse,
+    ApiError, CalibrateApplyRequest, CalibrateApplyResponse, CalibrateCompareRequest,
+    CalibrateCompareResponse, CalibrateEnterRequest, CalibrateEnterResponse, CalibrateFitRequest,
+    CalibrateNewRequest, CalibrateNewResponse, CalibrationReport, CheckRequest, CheckResponse, Collisions,
+    CompareRequest, CompareResponse, DriverCheckRequest, DriverCheckResponse, DriverTrustRequest,
+    DriverTrustResponse, DriversRequest, DriversResponse, DumpRequest, DumpResponse, ExportRequest,
+    ExportResponse, FrontEnd, GenerateRequest, GenerateResponse, ImportRequest, ImportResponse, Installation,
+    JogRequest, JogResponse, LiveCheck, MachineSettingsRequest, MachineSettingsResponse, MachinesRequest,
+    MachinesResponse, MaterialsRequest, MaterialsResponse, OperatorEvent, PlanRequest, PlanResponse,
+    PortsRequest, PortsResponse, ProfileCheckRequest, ProfileCheckResponse, ProfileExplainRequest,
+    ProfileExplainResponse, ProfileNewRequest, ProfileNewResponse, ProfileSetRequest, ProfileSetResponse,
+    ReplayRequest, RunRequest, RunResponse, RunsExportRequest, RunsExportResponse, RunsRequest, RunsResponse,
+    RunsShowRequest, RunsShowResponse, SimulateRequest, SimulateResponse, WiresRequest, WiresResponse,
 };
 
 macro_rules! requests {
@@ -165,6 +170,18 @@ requests! {
         ProfileCheck(ProfileCheckRequest) -> ProfileCheckResponse = profiles::check::check, "profile-check";
         /// Writes a profile that inherits from a known one.
         ProfileNew(ProfileNewRequest) -> ProfileNewResponse = profiles::new::new, "profile-new";
+        /// Sets values of a profile of the person's own.
+        ProfileSet(ProfileSetRequest) -> ProfileSetResponse = profiles::set::set, "profile-set";
+        /// Writes coupons as jobs and a sheet for what is measured of them.
+        CalibrateNew(CalibrateNewRequest) -> CalibrateNewResponse = calibrate::new, "calibrate-new";
+        /// Enters readings into a sheet.
+        CalibrateEnter(CalibrateEnterRequest) -> CalibrateEnterResponse = calibrate_enter, "calibrate-enter";
+        /// Says what a sheet tells of the machine and the wire.
+        CalibrateFit(CalibrateFitRequest) -> CalibrationReport = calibrate::fit, "calibrate-fit";
+        /// Writes a version of the machine and of the wire with what a sheet tells.
+        CalibrateApply(CalibrateApplyRequest) -> CalibrateApplyResponse = calibrate::apply, "calibrate-apply";
+        /// Compares two versions of a machine and its wire.
+        CalibrateCompare(CalibrateCompareRequest) -> CalibrateCompareResponse = calibrate::compare, "calibrate-compare";
     }
     both {
         /// Lists the machines.

@@ -32,6 +32,7 @@ codes! {
     BegunElsewhere = "begun-elsewhere",
     BeyondLimit = "beyond-limit",
     Busy = "busy",
+    Calibration = "calibration",
     ClosedWires = "closed-wires",
     Compensated = "compensated",
     ConfirmationOfAnother = "confirmation-of-another",

@@ -61,6 +61,10 @@ pub enum InputName {
     Resume,
     /// Whether a wire is given up.
     Abandon,
+    /// What was read of coupons.
+    Readings,
+    /// The values of a profile.
+    ProfileValues,
 }
 
 impl InputName {
@@ -95,6 +99,8 @@ impl InputName {
             Self::Moves => "moves",
             Self::Resume => "resuming",
             Self::Abandon => "giving up",
+            Self::Readings => "readings",
+            Self::ProfileValues => "values",
         }
     }
 }

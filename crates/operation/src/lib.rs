@@ -6,6 +6,7 @@
 #![allow(clippy::missing_errors_doc, clippy::must_use_candidate, reason = "not published")]
 
 pub mod by_hand;
+pub mod calibrate;
 mod error;
 mod event;
 mod front_end;

@@ -6,6 +6,7 @@
 #![allow(clippy::missing_errors_doc, clippy::must_use_candidate, reason = "not published")]
 
 pub mod bodies;
+pub mod calibrate;
 pub mod catalogue;
 pub mod choices;
 pub mod collisions;

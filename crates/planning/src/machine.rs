@@ -132,7 +132,7 @@ fn not_finite(error: NotFinite) -> PlanningError {
     }
 }
 
-fn mm(value: f64) -> Result<Length, PlanningError> {
+pub fn mm(value: f64) -> Result<Length, PlanningError> {
     Length::from_mm(value).map_err(not_finite)
 }
 

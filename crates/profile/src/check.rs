@@ -58,6 +58,16 @@ impl Library {
         let layer = Layer::read(file, text.as_bytes(), false).map_err(|error| vec![error])?;
         check(self.clone(), layer)
     }
+
+    /// This library with the text of a profile more, which takes the place of one with its id.
+    ///
+    /// # Errors
+    /// The first thing that makes the text no profile. Whether it keeps the rules is for [`Library::check`] to say.
+    pub fn with(&self, file: &str, text: &str) -> Result<Self, ProfileError> {
+        let mut library = self.clone();
+        library.replace(Layer::read(file, text.as_bytes(), false)?);
+        Ok(library)
+    }
 }
 
 fn check(mut library: Library, layer: Layer) -> Result<Checked, Vec<ProfileError>> {

@@ -33,6 +33,8 @@ const INPUTS: Readonly<Record<InputName, string>> = {
   moves: "the moves",
   resume: "resuming",
   abandon: "giving up",
+  readings: "the readings",
+  "profile-values": "the values",
 };
 
 /** "Choose one of a, b and c." */

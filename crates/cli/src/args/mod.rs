@@ -1,5 +1,6 @@
 //! The arguments.
 
+pub(crate) mod calibrate;
 pub(crate) mod live;
 mod shared;
 
@@ -9,6 +10,7 @@ use clap::{Parser, Subcommand};
 use clap_complete::Shell;
 use wirebend_api::StageName;
 
+pub(crate) use calibrate::CalibrateCommand;
 use live::{JogArgs, MachineSettingsArgs, PortsArgs, ReplayArgs, RunArgs, RunsCommand};
 pub(crate) use shared::{
     ChoiceArgs, ClearanceArgs, DangerArgs, DesignArgs, ExportedArgs, KindArgs, OutputArgs, ReadArgs,
@@ -201,6 +203,9 @@ pub(crate) enum Subcommands {
         #[command(flatten)]
         choices: ChoiceArgs,
     },
+    /// Measure your machine and wire, and make profiles of what was measured
+    #[command(subcommand)]
+    Calibrate(CalibrateCommand),
     /// Work on machine, material and noise profiles
     #[command(subcommand)]
     Profile(ProfileCommand),
@@ -291,6 +296,29 @@ pub(crate) enum ProfileCommand {
         all: bool,
         #[command(flatten)]
         output: OutputArgs,
+    },
+    /// Set values of a profile of your own, each with its source
+    #[command(
+        after_help = "Example:\n  wirebend profile set my-bender --from wirebend-kit bend.orbit_offset_mm=11.6 --source \"caliper, 3 readings\" --measured"
+    )]
+    Set {
+        /// Profile to change, by id
+        #[arg(value_name = "ID")]
+        id: String,
+        /// Values to set, with dotted keys
+        #[arg(value_name = "KEY=VALUE", required = true)]
+        values: Vec<String>,
+        /// Where the values come from
+        #[arg(long, value_name = "TEXT")]
+        source: String,
+        /// They were measured on the machine or the wire
+        #[arg(long)]
+        measured: bool,
+        /// Where there is no profile of this id yet, make one that inherits from this one
+        #[arg(long, value_name = "ID")]
+        from: Option<String>,
+        #[command(flatten)]
+        kind: KindArgs,
     },
     /// Say which file and line set each value of a profile
     #[command(after_help = "Example:\n  wirebend profile explain steel-0-9mm")]

@@ -1,6 +1,7 @@
 //! Responses as text for a person, or as JSON for a program.
 
 pub(crate) mod advice;
+mod calibrate;
 mod compare;
 mod drivers;
 mod live;
@@ -66,6 +67,12 @@ pub(crate) fn show(response: &Response, json: bool, contents: Contents) -> anyho
             Response::Wires(found) => wires::wires(&mut err, found)?,
             Response::ProfileCheck(found) => profile::check(&mut err, found)?,
             Response::ProfileNew(found) => profile::new(&mut err, found)?,
+            Response::ProfileSet(found) => profile::set(&mut err, found)?,
+            Response::CalibrateNew(found) => calibrate::new(&mut err, found)?,
+            Response::CalibrateEnter(found) => calibrate::enter(&mut err, found)?,
+            Response::CalibrateFit(found) => calibrate::fit(&mut std::io::stdout().lock(), found)?,
+            Response::CalibrateApply(found) => calibrate::apply(&mut err, found)?,
+            Response::CalibrateCompare(found) => calibrate::compare(&mut std::io::stdout().lock(), found)?,
             Response::ProfileExplain(found) => profile::explain(&mut anstream::stdout().lock(), found)?,
         }
     }
@@ -110,7 +117,13 @@ fn status(response: &Response) -> u8 {
         | Response::Export(_)
         | Response::Dump(_)
         | Response::ProfileNew(_)
-        | Response::ProfileExplain(_) => true,
+        | Response::ProfileExplain(_)
+        | Response::ProfileSet(_)
+        | Response::CalibrateNew(_)
+        | Response::CalibrateEnter(_)
+        | Response::CalibrateFit(_)
+        | Response::CalibrateApply(_)
+        | Response::CalibrateCompare(_) => true,
     };
     if feasible { exit::DONE } else { exit::NOT_FEASIBLE }
 }

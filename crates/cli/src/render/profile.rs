@@ -5,7 +5,8 @@ use std::io::Write;
 use anstyle::Style;
 use serde_json::Value;
 use wirebend_api::{
-    ProfileCheckResponse, ProfileExplainResponse, ProfileNewResponse, SamplePlace, SeverityName,
+    ProfileCheckResponse, ProfileExplainResponse, ProfileNewResponse, ProfileSetResponse, SamplePlace, SetValue,
+    SeverityName,
     SpringbackReport, SpringbackSample, ValueReport,
 };
 
@@ -68,6 +69,16 @@ pub(super) fn new(out: &mut impl Write, found: &ProfileNewResponse) -> std::io::
         found.id,
         found.inherits
     )
+}
+
+pub(super) fn set(out: &mut impl Write, found: &ProfileSetResponse) -> std::io::Result<()> {
+    for SetValue { key, before, value } in &found.values {
+        match before {
+            Value::Null => writeln!(out, "{key}: {value}")?,
+            before => writeln!(out, "{key}: {value} instead of {before}")?,
+        }
+    }
+    writeln!(out, "wrote {} ({} '{}')", found.file.display(), found.kind, found.id)
 }
 
 pub(super) fn explain(out: &mut impl Write, found: &ProfileExplainResponse) -> std::io::Result<()> {

@@ -1,5 +1,6 @@
 //! From arguments to requests.
 
+mod calibrate;
 mod live;
 
 use std::io::Read;
@@ -10,7 +11,7 @@ use wirebend_api::{
     CheckRequest, Command, CompareRequest, DesignInput, DriverCheckRequest, DriverTrustRequest,
     DriversRequest, DumpRequest, ExportRequest, GenerateRequest, GeneratedShape, ImportRequest, Input,
     MachinesRequest, MaterialsRequest, Output, PlanChoices, PlanRequest, ProfileCheckRequest,
-    ProfileExplainRequest, ProfileNewRequest, ProfilePlace, SimulateRequest, WiresRequest,
+    ProfileExplainRequest, ProfileNewRequest, ProfilePlace, ProfileSetRequest, SimulateRequest, WiresRequest,
 };
 
 use crate::args::live::RunsCommand;
@@ -101,6 +102,13 @@ pub(crate) fn prepare(command: Subcommands) -> anyhow::Result<Prepared> {
         Subcommands::Runs { command } => live::runs(command.unwrap_or(RunsCommand::List)),
         Subcommands::Dump { stage, design: args, choices: chosen } => {
             written(Command::Dump(DumpRequest { stage, design: design(&args)?, choices: choices(chosen)? }))
+        }
+        Subcommands::Calibrate(command) => written(calibrate::calibrate(command)?),
+        Subcommands::Profile(ProfileCommand::Set { id, values, source, measured, from, kind }) => {
+            let folder = calibrate::own_folder()?;
+            let kind = kind.kind;
+            let request = ProfileSetRequest { id, from, kind, values, source, measured, folder };
+            written(Command::ProfileSet(request))
         }
         Subcommands::Profile(ProfileCommand::Check { files }) => {
             written(Command::ProfileCheck(ProfileCheckRequest { files }))

@@ -25,6 +25,7 @@ mod pensa;
 mod ply;
 mod program;
 mod pwf;
+mod sheet;
 mod stl;
 mod svg;
 mod table;
@@ -45,6 +46,8 @@ pub use format::{Format, UnknownName};
 pub use note::{Note, NoteKind};
 pub use options::{DEFAULT_TOLERANCE_MM, Handedness, LengthUnit, ReadOptions};
 pub use program::{ImportedProgram, wireframe_of_path};
+pub(crate) use sheet::COLUMNS as SHEET_COLUMNS;
+pub use sheet::{MeasuringSheet, PinPair, SheetQuantity, SheetRow, pin_table};
 
 use crate::document::Document;
 pub use crate::encoding::decode;

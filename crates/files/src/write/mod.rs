@@ -8,6 +8,7 @@ mod glb;
 mod job_sheet;
 mod obj;
 mod pdf;
+mod sheet;
 mod svg;
 mod template;
 mod tube;

@@ -40,6 +40,7 @@ impl PlanningError {
             | Self::Value { .. }
             | Self::NoMachine { .. }
             | Self::IdTaken { .. }
+            | Self::ShippedProfile { .. }
             | Self::SeveralKinds { .. }
             | Self::OtherKind { .. }
             | Self::OpenParent { .. }
@@ -57,6 +58,7 @@ impl PlanningError {
             | Self::Profile(_)
             | Self::Geometry { .. }
             | Self::Springback { .. }
+            | Self::Calibration(_)
             | Self::Noise { .. }
             | Self::OnlyStencil { .. }
             | Self::NoSurface { .. }
@@ -83,6 +85,8 @@ impl PlanningError {
             Self::Geometry { .. } => ErrorCode::MachineGeometry,
             Self::Springback { .. } => ErrorCode::SpringbackTable,
             Self::Noise { .. } => ErrorCode::NoiseProfile,
+            Self::Calibration(_) => ErrorCode::Calibration,
+            Self::ShippedProfile { .. } => ErrorCode::ShippedProfile,
             Self::Value { .. } => ErrorCode::Value,
             Self::IdTaken { .. } => ErrorCode::IdTaken,
             Self::SeveralKinds { .. } => ErrorCode::SeveralKinds,

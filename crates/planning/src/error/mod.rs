@@ -7,6 +7,7 @@ mod stencil;
 
 use std::path::PathBuf;
 
+use wirebend_core::calibrate::CalibrationError;
 use wirebend_core::compensate::{PegGeometryError, SpringbackError};
 use wirebend_core::simulate::BadErrorTerm;
 use wirebend_driver_host::HostError;
@@ -54,6 +55,12 @@ pub enum PlanningError {
     /// The surface of a design is in a file that cannot be had.
     #[error(transparent)]
     Stencil(#[from] StencilFileError),
+    /// Measurements that no machine can be fitted to.
+    #[error("{}", text::calibration::refusal(.0))]
+    Calibration(#[from] CalibrationError),
+    /// A profile that comes with the program is to be changed.
+    #[error("'{id}' comes with the program and stays as it is")]
+    ShippedProfile { id: String },
     /// A number is outside what makes sense.
     #[error("{name} is {value}, expected {expected}")]
     Value {

@@ -1,5 +1,6 @@
 //! What can be done about an error of planning.
 
+use wirebend_core::calibrate::CalibrationError;
 use wirebend_driver_host::advice_of;
 use wirebend_error::{ErrorRemedy, InputName};
 
@@ -17,6 +18,9 @@ impl PlanningError {
             Self::Stencil(error) => error.remedies(),
             Self::Driver(problem) => problem.remedies(),
             Self::Geometry { .. } | Self::Springback { .. } | Self::Noise { .. } => vec![R::CorrectProfile],
+            Self::Calibration(CalibrationError::Geometry(_)) => vec![R::CorrectProfile],
+            Self::Calibration(_) => vec![R::CorrectFile],
+            Self::ShippedProfile { .. } => vec![R::CopyProfile],
             Self::NoSurface { .. } => vec![R::OpenAsWireframe],
             Self::Value { input, .. } => input.iter().map(|&input| R::CorrectInput { input }).collect(),
             Self::IdTaken { .. } => vec![R::ChooseOtherId],

@@ -45,6 +45,19 @@ impl Installation {
         })
     }
 
+    /// The same with other profiles, which are given.
+    #[must_use]
+    pub(crate) fn with_library(&self, library: Library) -> Self {
+        Self {
+            library,
+            refused: Vec::new(),
+            drivers: self.drivers.clone(),
+            asks_drivers: self.asks_drivers,
+            boards: self.boards.clone(),
+            runs: self.runs.clone(),
+        }
+    }
+
     /// The same with drivers from other places than the folders beside the program.
     #[must_use]
     pub fn with_drivers(self, drivers: DriverFolders) -> Self {

@@ -62,7 +62,8 @@ pub fn new(
 ) -> Result<ProfileNewResponse, PlanningError> {
     progress.stage("writing a profile");
     let (id, inherits) = (&request.id, &request.inherits);
-    check_words(request)?;
+    check_id(id)?;
+    check_name(request)?;
     let kind = app.kind_of(inherits, request.kind)?;
     let path = match &request.place {
         ProfilePlace::Folder(folder) => Some(folder.join(kind.folder()).join(format!("{id}.json"))),
@@ -91,15 +92,19 @@ pub fn new(
 }
 
 /// Refuses an id before it becomes part of a path.
-fn check_words(request: &ProfileNewRequest) -> Result<(), PlanningError> {
-    if !is_slug(&request.id) {
-        return Err(PlanningError::Value {
-            input: Some(InputName::ProfileId),
-            name: "the new id",
-            value: format!("'{}'", request.id),
-            expected: "lower-case letters, digits and single hyphens, such as my-bender",
-        });
+pub(super) fn check_id(id: &str) -> Result<(), PlanningError> {
+    if is_slug(id) {
+        return Ok(());
     }
+    Err(PlanningError::Value {
+        input: Some(InputName::ProfileId),
+        name: "the new id",
+        value: format!("'{id}'"),
+        expected: "lower-case letters, digits and single hyphens, such as my-bender",
+    })
+}
+
+fn check_name(request: &ProfileNewRequest) -> Result<(), PlanningError> {
     if request.name.as_ref().is_some_and(|name| name.trim().is_empty()) {
         return Err(PlanningError::Value {
             input: Some(InputName::ProfileName),
@@ -113,7 +118,7 @@ fn check_words(request: &ProfileNewRequest) -> Result<(), PlanningError> {
 
 /// The path from a profile's file to its schema, where the schema lies as it does beside the shipped
 /// profiles.
-fn schema_beside(file: &Path, kind: Kind) -> Option<String> {
+pub(super) fn schema_beside(file: &Path, kind: Kind) -> Option<String> {
     let schema = format!("../schema/{kind}.schema.json");
     let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     // A folder that is yet to be created has no way up: `..` is worked out from its name.
@@ -124,7 +129,7 @@ fn schema_beside(file: &Path, kind: Kind) -> Option<String> {
     made.unwrap_or_else(|| folder.join(&schema)).is_file().then_some(schema)
 }
 
-fn make_folder(file: &Path) -> Result<(), PlanningError> {
+pub(super) fn make_folder(file: &Path) -> Result<(), PlanningError> {
     let Some(folder) = file.parent() else { return Ok(()) };
     std::fs::create_dir_all(folder).map_err(|error| {
         PlanningError::Document(DocumentError::Save { path: folder.display().to_string(), error })
@@ -133,7 +138,7 @@ fn make_folder(file: &Path) -> Result<(), PlanningError> {
 
 impl Installation {
     /// Refuses an id that another file has. The file that is to be replaced may have it.
-    fn check_free(&self, kind: Kind, id: &str, path: Option<&Path>) -> Result<(), PlanningError> {
+    pub(super) fn check_free(&self, kind: Kind, id: &str, path: Option<&Path>) -> Result<(), PlanningError> {
         let Some(taken) = self.library.list(kind).into_iter().find(|listing| listing.id == id) else {
             return Ok(());
         };

@@ -6,6 +6,7 @@
 //! sentence without a full stop, which begins in lower case.
 
 mod bend;
+pub mod calibration;
 mod contact;
 mod drawing;
 pub mod error;

@@ -1,0 +1,227 @@
+//! The sheet of a calibration: what was bent, how it was told, and what was read of it; and tables of pin angles.
+
+use wirebend_error::ErrorRemedy;
+
+use super::error::{Location, ReadError};
+use super::table::Table;
+use super::text::{Source, lines};
+use crate::encoding::decode;
+
+/// What is read of a row.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SheetQuantity {
+    /// A bend, in degrees: how far the wire behind it turns away from the wire before it.
+    Bend,
+    /// The middle side of a U, in mm, over its outside.
+    Side,
+    /// The turn of the head between two bends, in degrees.
+    Turn,
+    /// The same against the turn before.
+    TurnBack,
+}
+
+impl SheetQuantity {
+    const ALL: [(Self, &'static str); 4] =
+        [(Self::Bend, "bend"), (Self::Side, "side"), (Self::Turn, "turn"), (Self::TurnBack, "turn-back")];
+
+    /// The word that the sheet has for it.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        Self::ALL.iter().find(|(quantity, _)| *quantity == self).map_or("", |(_, word)| word)
+    }
+}
+
+/// A row: one thing to be read of equal coupons.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SheetRow {
+    /// Its line, from 1; 0 where it was not read from a file.
+    pub line: usize,
+    /// The coupon.
+    pub coupon: String,
+    pub quantity: SheetQuantity,
+    /// What was wanted, mm or degrees; of a side from corner to corner.
+    pub wanted: f64,
+    /// What was told: position of the bend axis or turn of the head in degrees, feed in mm.
+    pub told: f64,
+    /// Of a side the positions of the axis for the bends before and behind it, degrees.
+    pub axes_deg: Option<[f64; 2]>,
+    /// What was read, in the unit of what was wanted; none where nothing was.
+    pub readings: Vec<Option<f64>>,
+}
+
+/// A sheet.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeasuringSheet {
+    /// Id of the machine that the coupons were planned for.
+    pub machine: String,
+    /// Id of their wire.
+    pub material: String,
+    pub rows: Vec<SheetRow>,
+}
+
+/// Names of the columns before those of readings.
+pub(crate) const COLUMNS: [&str; 6] = ["coupon", "what", "wanted", "told", "before_deg", "after_deg"];
+
+impl MeasuringSheet {
+    /// Reads a sheet, as it was written or as a spreadsheet has saved it again.
+    ///
+    /// # Errors
+    /// [`ReadError`] with the line of what is no sheet.
+    pub fn read(file: &str, bytes: &[u8]) -> Result<Self, ReadError> {
+        let source = Source { name: file };
+        let text = decode(bytes);
+        let heading = |key: &str| {
+            let found = lines(&text).filter_map(|(_, line)| {
+                let (name, value) = line.trim().trim_matches('"').strip_prefix('#')?.split_once(':')?;
+                let value = value.trim().trim_end_matches([',', ';', '"', '\t', ' ']);
+                (name.trim() == key).then(|| value.to_owned())
+            });
+            let missing = || {
+                let expected = format!("a line `# {key}: ID` as `wirebend calibrate new` writes it");
+                source.syntax(Location::File, "none", expected, ErrorRemedy::CheckRightFile)
+            };
+            found.last().ok_or_else(missing)
+        };
+        let (machine, material) = (heading("machine")?, heading("material")?);
+        let table = Table::parse(&text);
+        let column = |name: &'static str| {
+            let word = name.split('_').next().unwrap_or(name);
+            let columns = || ErrorRemedy::NameColumns { columns: COLUMNS.join(", ") + ", reading_1, …" };
+            let missing = || source.syntax(Location::File, "no such column", name, columns());
+            table.column(&[word]).ok_or_else(missing)
+        };
+        let [coupon, what, wanted, told, before, after] = COLUMNS.map(column);
+        let (coupon, what, wanted, told, before, after) = (coupon?, what?, wanted?, told?, before?, after?);
+        let readings: Vec<usize> = (0..table.header.as_ref().map_or(0, Vec::len))
+            .filter(|&k| table.header.as_ref().is_some_and(|header| header[k].name == "reading"))
+            .collect();
+        let mut rows = Vec::with_capacity(table.rows.len());
+        for (row, (line, cells)) in table.rows.iter().enumerate() {
+            let word = cells.get(what).copied().unwrap_or_default();
+            let quantity = SheetQuantity::ALL.iter().find(|(_, known)| known.eq_ignore_ascii_case(word));
+            let Some(&(quantity, _)) = quantity else {
+                let known = "bend, side, turn or turn-back";
+                return Err(source.syntax(table.place(row), word, known, ErrorRemedy::CorrectFile));
+            };
+            let value = |column: usize| table.value(source, row, column);
+            let needed = |column: usize| {
+                let missing =
+                    || source.syntax(table.place(row), "nothing", "a number", ErrorRemedy::CorrectFile);
+                value(column)?.ok_or_else(missing)
+            };
+            let axes_deg = match quantity {
+                SheetQuantity::Side => Some([needed(before)?, needed(after)?]),
+                _ => None,
+            };
+            rows.push(SheetRow {
+                line: *line,
+                coupon: cells.get(coupon).copied().unwrap_or_default().to_owned(),
+                quantity,
+                wanted: needed(wanted)?,
+                told: needed(told)?,
+                axes_deg,
+                readings: readings.iter().map(|&column| value(column)).collect::<Result<_, _>>()?,
+            });
+        }
+        if rows.is_empty() {
+            return Err(ReadError::Empty { file: file.to_owned(), expected: "row", but: String::new() });
+        }
+        Ok(Self { machine, material, rows })
+    }
+}
+
+/// A pair of a table as programs for bending keep it: how far the pin was moved, and how much of that the wire took back.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PinPair {
+    /// Its line, from 1.
+    pub line: usize,
+    /// How far the pin was moved, degrees, signed as the bend.
+    pub pin_deg: f64,
+    /// What the wire took back of it, degrees.
+    pub springback_deg: f64,
+}
+
+/// Reads a table of pin angle and springback angle: two columns, in this order, or as a header line names them. A pair
+/// without a springback has none.
+///
+/// # Errors
+/// [`ReadError`] with the line of what is no number, or where there is no pair.
+pub fn pin_table(file: &str, bytes: &[u8]) -> Result<Vec<PinPair>, ReadError> {
+    let source = Source { name: file };
+    let text = decode(bytes);
+    let table = Table::parse(&text);
+    let springback = table.column(&["springback", "spring", "loss"]).unwrap_or(1);
+    let pin = table.column(&["pin", "bend", "angle"]).unwrap_or(usize::from(springback == 0));
+    let mut pairs = Vec::new();
+    for (row, (line, _)) in table.rows.iter().enumerate() {
+        let value = |column: usize| table.value(source, row, column);
+        if let (Some(pin_deg), Some(springback_deg)) = (value(pin)?, value(springback)?) {
+            pairs.push(PinPair { line: *line, pin_deg, springback_deg });
+        }
+    }
+    if pairs.is_empty() {
+        let expected = "pair of pin angle and springback angle";
+        return Err(ReadError::Empty { file: file.to_owned(), expected, but: String::new() });
+    }
+    Ok(pairs)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SHEET: &str = "# machine: kit\n# material: wire\ncoupon,what,wanted,told,before_deg,after_deg,reading_1,reading_2\n\
+        angle-20,bend,20,12.5,,,20.5,\nside-35,side,35,34.2,102,102,38.1,-\n";
+
+    #[test]
+    fn a_sheet_is_read_as_it_was_written() {
+        let sheet = MeasuringSheet::read("s.csv", SHEET.as_bytes()).unwrap();
+        assert_eq!((sheet.machine.as_str(), sheet.material.as_str()), ("kit", "wire"));
+        assert_eq!(sheet.rows[0].readings, [Some(20.5), None]);
+        assert_eq!(sheet.rows[1].axes_deg, Some([102.0, 102.0]));
+        let again = MeasuringSheet::read("s.csv", sheet.to_text().as_bytes()).unwrap();
+        let unlined = |mut sheet: MeasuringSheet| {
+            sheet.rows.iter_mut().for_each(|row| row.line = 0);
+            sheet
+        };
+        assert_eq!(unlined(again), unlined(sheet));
+    }
+
+    /// A spreadsheet in Europe writes semicolons, commas in numbers, and fills rows up.
+    #[test]
+    fn a_sheet_that_a_spreadsheet_has_saved_is_the_same() {
+        let saved = "# machine: kit;;;;;;;\n# material: wire;;;;;;;\n\
+            coupon;what;wanted;told;before_deg;after_deg;reading_1;reading_2\n\
+            angle-20;bend;20;12,5;;;20,5;\nside-35;side;35;34,2;102;102;38,1;-\n";
+        assert_eq!(
+            MeasuringSheet::read("s.csv", saved.as_bytes()).unwrap().rows,
+            MeasuringSheet::read("s.csv", SHEET.as_bytes()).unwrap().rows
+        );
+    }
+
+    #[test]
+    fn what_is_wrong_is_said_with_its_line() {
+        let broken = [
+            (SHEET.replace("38.1", "38.l"), "s.csv, line 5: '38.l' is not a finite number"),
+            (SHEET.replace("bend", "bent"), "s.csv, line 4: found 'bent', expected bend, side, turn or turn-back"),
+            (SHEET.replace("told,", "said,"), "s.csv: found 'no such column', expected told"),
+            (
+                SHEET.replace("# machine: kit\n", ""),
+                "s.csv: found 'none', expected a line `# machine: ID` as `wirebend calibrate new` writes it",
+            ),
+        ];
+        for (text, message) in broken {
+            assert_eq!(MeasuringSheet::read("s.csv", text.as_bytes()).unwrap_err().to_string(), message);
+        }
+    }
+
+    #[test]
+    fn tables_of_pin_angles_are_read_in_either_order() {
+        let pair = |line, pin_deg, springback_deg| PinPair { line, pin_deg, springback_deg };
+        let plain = pin_table("t", b"20 5.5\n40 6\n60\n").unwrap();
+        assert_eq!(plain, [pair(1, 20.0, 5.5), pair(2, 40.0, 6.0)]);
+        let named = pin_table("t", b"springback_angle,pin_angle\n5.5,20\n6,40\n").unwrap();
+        assert_eq!(named, [pair(2, 20.0, 5.5), pair(3, 40.0, 6.0)]);
+        assert!(pin_table("t", b"nothing\n").is_err());
+    }
+}

@@ -1,0 +1,192 @@
+//! `calibrate apply`: a version of the machine and the wire with what was found.
+
+use std::path::PathBuf;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+use wirebend_core::calibrate::{Estimate, Parameter};
+use wirebend_core::compensate::SpringbackPoint;
+use wirebend_driver_host::jobs::{Clock, SystemClock};
+use wirebend_profile::Kind;
+
+use super::fit::{Fitted, ShapeName};
+use super::report::{CalibrationReport, estimate};
+use crate::profiles::set::{OwnProfile, sourced};
+use crate::{Installation, PlanningError, Progress};
+
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct CalibrateApplyRequest {
+    /// The sheet.
+    pub sheet: PathBuf,
+    /// What the springback depends on; what predicts best if absent.
+    pub shape: Option<ShapeName>,
+    /// Id of the new version of the machine.
+    pub machine_id: String,
+    /// Id of the new version of the wire.
+    pub material_id: String,
+    /// The day of the measurement, such as 2026-11-25; today if absent.
+    pub date: Option<String>,
+    /// The folder with profiles of the person's own.
+    pub folder: PathBuf,
+    /// Whether profiles of these ids may be replaced.
+    #[serde(default)]
+    pub force: bool,
+}
+
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct CalibrateApplyResponse {
+    /// The new machine.
+    pub machine: String,
+    /// The new wire.
+    pub material: String,
+    /// The files of both.
+    pub files: Vec<PathBuf>,
+    /// What was found.
+    pub report: CalibrationReport,
+    /// What was found and has no place in a profile, with what to do about it.
+    pub notes: Vec<String>,
+}
+
+pub fn apply(
+    app: &Installation,
+    request: &CalibrateApplyRequest,
+    progress: &dyn Progress,
+) -> Result<CalibrateApplyResponse, PlanningError> {
+    let fitted = app.fitted(&request.sheet, request.shape, None, progress)?;
+    progress.stage("writing profiles");
+    let place = (request.folder.as_path(), request.force);
+    let new = |kind, id, inherits| OwnProfile::new(app, kind, id, inherits, place);
+    let mut machine = new(Kind::Machine, &request.machine_id, fitted.setup.machine_id())?;
+    let mut material = new(Kind::Material, &request.material_id, fitted.setup.material_id())?;
+    let today = SystemClock::default().stamp();
+    let today = today.split('T').next().unwrap_or_default();
+    let found = Values { fitted: &fitted, date: request.date.as_deref().unwrap_or(today) };
+    for (key, value) in found.of_machine() {
+        machine.set(key, value)?;
+    }
+    for (key, value) in found.of_material() {
+        material.set(key, value)?;
+    }
+    // The wire first: the machine names it.
+    material.check(app)?;
+    let with_material = app.with_profile(&material)?;
+    machine.set("default_material", json!(request.material_id))?;
+    machine.check(&with_material)?;
+    Ok(CalibrateApplyResponse {
+        machine: request.machine_id.clone(),
+        material: request.material_id.clone(),
+        files: vec![material.save()?, machine.save()?],
+        notes: found.notes(),
+        report: fitted.report.clone(),
+    })
+}
+
+/// What was found, as values of profiles.
+struct Values<'a> {
+    fitted: &'a Fitted,
+    date: &'a str,
+}
+
+impl Values<'_> {
+    /// A figure with its source: when, from how many readings, how well.
+    fn figure(&self, value: f64, estimate: &Estimate, readings: usize) -> Value {
+        let round = |value: f64, digits: f64| (value * digits).round() / digits;
+        let within = round(estimate.within_95.plain(), 1e3);
+        let how = if estimate.is_identified() {
+            format!("Calibrated {}: n = {readings} readings, ±{within} (95 %)", self.date)
+        } else {
+            let n = readings;
+            format!("Calibrated {}: not told by these {n} readings, kept near the value before, ±{within} (95 %)", self.date)
+        };
+        sourced(json!(round(value, 1e4)), &how, estimate.is_identified())
+    }
+
+    fn of_machine(&self) -> Vec<(&'static str, Value)> {
+        let Some((bends, peg)) = self.fitted.found.bends.as_ref().and_then(|bends| Some((bends, bends.peg?)))
+        else {
+            return Vec::new();
+        };
+        let half = self.fitted.setup.model.wire.diameter.mm() / 2.0;
+        let figures = [
+            ("bend.orbit_radius_mm", Parameter::OrbitRadius, peg.orbit_radius.mm()),
+            ("bend.orbit_offset_mm", Parameter::OrbitOffset, peg.orbit_offset.mm()),
+            ("bend.pin_radius_mm", Parameter::BendRadius, peg.bend_radius.mm() - half),
+            ("bend.rod_radius_mm", Parameter::PegRadius, peg.peg_radius.mm() - half),
+        ];
+        let figure = |(key, parameter, value)| {
+            let estimate = estimate(&bends.fit, parameter)?;
+            Some((key, self.figure(value, estimate, bends.fit.readings)))
+        };
+        figures.into_iter().filter_map(figure).collect()
+    }
+
+    fn of_material(&self) -> Vec<(&'static str, Value)> {
+        let mut values = Vec::new();
+        if let Some(feeds) = &self.fitted.found.feeds
+            && let Some(k) = estimate(&feeds.fit, Parameter::KFactor)
+        {
+            values.push(("k_factor", self.figure(feeds.k_factor, k, feeds.fit.readings)));
+        }
+        let Some(bends) = self.fitted.found.bends.as_ref() else { return values };
+        let springback = match (&bends.pairs, estimate(&bends.fit, Parameter::Springback)) {
+            (Some([positive, negative]), _) => {
+                let (n, scatter) = (bends.fit.readings, bends.fit.scatter.plain());
+                json!({
+                    "model": "table",
+                    "positive": pairs(positive),
+                    "negative": pairs(negative),
+                    "source": format!("Calibrated {}: n = {n} readings that scatter by {scatter:.2} degrees", self.date),
+                    "measured": true,
+                })
+            }
+            (None, Some(loss)) => {
+                let value = self.figure(loss.value.plain(), loss, bends.fit.readings);
+                json!({ "model": "constant", "angle_deg": value })
+            }
+            (None, None) => return values,
+        };
+        values.push(("springback", springback));
+        values
+    }
+
+    /// What no profile has a key for.
+    fn notes(&self) -> Vec<String> {
+        let found = &self.fitted.found;
+        let mut notes = Vec::new();
+        if let Some(scale) =
+            found.feeds.as_ref().and_then(|feeds| estimate(&feeds.fit, Parameter::FeedScale)).filter(off)
+        {
+            notes.push(format!(
+                "a millimetre told is {:.4} ± {:.4} mm of wire: multiply the controller's steps per millimetre by {:.4}",
+                scale.value.plain(),
+                scale.within_95.plain(),
+                1.0 / scale.value.plain()
+            ));
+        }
+        let turns = found.turns.as_ref().map(|turns| &turns.fit);
+        let of_turns = |parameter| turns.and_then(|fit| estimate(fit, parameter)).filter(off);
+        if let Some(offset) = of_turns(Parameter::RotationOffset) {
+            let (value, within) = (offset.value.plain(), offset.within_95.plain());
+            notes.push(format!("every turn of the head is off by {value:.2}° ± {within:.2}°: look at its belt and its zero"));
+        }
+        if let Some(play) = of_turns(Parameter::RotationBacklash) {
+            let (value, within) = (play.value.plain(), play.within_95.plain());
+            notes.push(format!("a turn back loses {value:.2}° ± {within:.2}°: tighten the belt of the head"));
+        }
+        notes
+    }
+}
+
+/// Whether the readings show that a value is not what it was.
+fn off(estimate: &&Estimate) -> bool {
+    (estimate.value.plain() - estimate.before.plain()).abs() > estimate.within_95.plain()
+}
+
+fn pairs(points: &[SpringbackPoint]) -> Value {
+    let round = |value: f64| (value * 1e3).round() / 1e3;
+    let pair = |point: &SpringbackPoint| {
+        json!({ "angle_deg": round(point.formed.deg()), "loss_deg": round(point.loss.deg()) })
+    };
+    points.iter().map(pair).collect()
+}

@@ -1,0 +1,57 @@
+//! What profiles say of a machine and a wire before a calibration, and how far that may be off.
+
+use wirebend_core::calibrate::{Assumed, KnownLength, KnownPeg};
+use wirebend_core::units::Length;
+use wirebend_profile::Sourced;
+
+use crate::PlanningError;
+use crate::machine::{Setup, deg, mm};
+
+/// A dimension that nobody measured may be off by this part of it: benders are built of what there is.
+const UNMEASURED: f64 = 0.15;
+/// One that was measured by a hundredth, or by what a caliper reads, mm.
+const MEASURED: f64 = 0.01;
+const CALIPER_MM: f64 = 0.05;
+/// K by so much, from handbooks and from measurements.
+const K_UNMEASURED: f64 = 0.1;
+const K_MEASURED: f64 = 0.03;
+/// A protractor is read to half a degree, a caliper on bent wire to a tenth of a millimetre.
+const PROTRACTOR_DEG: f64 = 0.5;
+const READ_MM: f64 = 0.1;
+
+fn known(value_mm: f64, stated: Option<&Sourced<f64>>) -> Result<KnownLength, PlanningError> {
+    let measured = stated.is_some_and(|stated| stated.measured);
+    let off = if measured { (MEASURED * value_mm.abs()).max(CALIPER_MM) } else { UNMEASURED * value_mm.abs() };
+    Ok(KnownLength { value: mm(value_mm)?, deviation: mm(off)? })
+}
+
+impl Setup {
+    /// What its profiles say, for a calibration.
+    pub fn assumed(&self) -> Result<Assumed, PlanningError> {
+        let bend = &self.machine.profile.bend;
+        let wire = self.material.figures()?;
+        let machine = self.machine.figures()?;
+        let half = wire.diameter_mm / 2.0;
+        let model = &self.model.compensation.bend;
+        let plain = |stated: &Option<Sourced<f64>>| stated.as_ref().map_or(0.0, |stated| stated.value);
+        let peg = model.setback.is_some().then(|| {
+            Ok::<_, PlanningError>(KnownPeg {
+                orbit_radius: known(plain(&bend.orbit_radius_mm), bend.orbit_radius_mm.as_ref())?,
+                orbit_offset: known(plain(&bend.orbit_offset_mm), bend.orbit_offset_mm.as_ref())?,
+                peg_radius: known(plain(&bend.rod_radius_mm) + half, bend.rod_radius_mm.as_ref())?,
+            })
+        });
+        let k = self.material.profile.k_factor.as_ref();
+        Ok(Assumed {
+            peg: peg.transpose()?,
+            bend_radius: known(machine.pin_radius_mm + half, bend.pin_radius_mm.as_ref())?,
+            springback: model.springback.clone(),
+            axis_limit: model.axis_limit,
+            diameter: Length::from_mm(wire.diameter_mm).unwrap_or_default(),
+            k_factor: wire.k_factor,
+            k_deviation: if k.is_some_and(|k| k.measured) { K_MEASURED } else { K_UNMEASURED },
+            angle_reading: deg(PROTRACTOR_DEG)?,
+            length_reading: mm(READ_MM)?,
+        })
+    }
+}

@@ -1,0 +1,262 @@
+//! `calibrate new`: coupons as jobs that can be run, and a sheet for what is measured of them.
+
+use std::path::PathBuf;
+
+use nalgebra::{Point3, Vector3};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use wirebend_core::bend::{Frame, program_of_path, replay};
+use wirebend_core::calibrate::{Coupon, CouponPlan, Measured};
+use wirebend_core::compensate::{CompensatedProgram, compensate};
+use wirebend_core::estimate::stock;
+use wirebend_core::units::{Angle, Length};
+use wirebend_core::wireframe::{Vertex, Wireframe};
+use wirebend_files::document::{
+    Document, DocumentError, Job, JobContents, JobStep, JobWire, ProfileSnapshot,
+};
+use wirebend_files::read::{MeasuringSheet, SheetQuantity, SheetRow};
+
+use crate::machine::{Setup, deg, mm};
+use crate::output::Output;
+use crate::{Installation, PlanningError, Progress};
+
+/// Angles of the ladder unless others are asked for: 7 to either side, which are measured in a quarter of an hour.
+const LADDER_DEG: [f64; 7] = [20.0, 40.0, 60.0, 80.0, 100.0, 120.0, 135.0];
+/// The turn of the twist pair.
+const TURN_DEG: f64 = 90.0;
+/// A longer side shows the feed's scale four times as well.
+const LONG_SIDE: f64 = 4.0;
+/// Lengths are multiples of this, mm.
+const MULTIPLE_MM: f64 = 5.0;
+/// From coupon to coupon in the design, mm.
+const APART_MM: f64 = 100.0;
+
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct CalibrateNewRequest {
+    /// The machine, by id.
+    pub machine: String,
+    /// The wire, by id; the one that the machine names if absent.
+    pub material: Option<String>,
+    /// Angles of the ladder, degrees; a usual set if empty.
+    #[serde(default)]
+    pub angles_deg: Vec<f64>,
+    /// How often each coupon is bent.
+    pub repeats: u32,
+    /// Where jobs and sheet go. It is created where it is missing.
+    pub folder: PathBuf,
+    /// Whether files that are there may be replaced.
+    #[serde(default)]
+    pub force: bool,
+}
+
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct CalibrateNewResponse {
+    pub machine: String,
+    pub material: String,
+    /// The table for what is measured.
+    pub sheet: PathBuf,
+    /// The jobs; each of their wires is a coupon.
+    pub jobs: Vec<PathBuf>,
+    /// How many coupons there are, without their repeats.
+    pub coupons: usize,
+    pub repeats: u32,
+    /// Wire that is fed for all of them, mm.
+    pub wire_mm: f64,
+    /// How long the machine bends, estimated, s.
+    pub seconds: f64,
+}
+
+/// A coupon as a wire of a job.
+struct Planned {
+    name: String,
+    coupon: Coupon,
+    told: CompensatedProgram,
+}
+
+pub fn new(
+    app: &Installation,
+    request: &CalibrateNewRequest,
+    progress: &dyn Progress,
+) -> Result<CalibrateNewResponse, PlanningError> {
+    progress.stage("planning coupons");
+    let setup = app.setup(&request.machine, request.material.as_deref())?;
+    if !(1..=20).contains(&request.repeats) {
+        return Err(wrong("the number of repeats", request.repeats.to_string(), "a number from 1 to 20"));
+    }
+    let plan = coupon_plan(&setup, &request.angles_deg)?;
+    let mut jobs: [(&str, Vec<Planned>); 3] =
+        [("angles", Vec::new()), ("sides", Vec::new()), ("turns", Vec::new())];
+    for coupon in plan.coupons() {
+        let (kind, name) = named(&coupon);
+        let told = compensate(&coupon.program, &setup.model.compensation)
+            .map_err(|_| wrong("a coupon", name.clone(), "one that the machine can bend"))?;
+        jobs[kind].1.push(Planned { name, coupon, told });
+    }
+    let sheet = MeasuringSheet {
+        machine: setup.machine_id().to_owned(),
+        material: setup.material_id().to_owned(),
+        rows: jobs.iter().flat_map(|(_, wires)| wires).flat_map(|wire| rows(wire, request.repeats)).collect(),
+    };
+    let output = |name: &str| Output { path: request.folder.join(name), force: request.force };
+    let written: Vec<_> = jobs.into_iter().filter(|(_, wires)| !wires.is_empty()).collect();
+    let outputs: Vec<Output> = written.iter().map(|(name, _)| output(&format!("{name}.wbjob"))).collect();
+    let sheet_output = output("sheet.csv");
+    outputs.iter().chain([&sheet_output]).try_for_each(Output::check)?;
+    std::fs::create_dir_all(&request.folder).map_err(|error| {
+        PlanningError::Document(DocumentError::Save { path: request.folder.display().to_string(), error })
+    })?;
+    progress.stage("writing");
+    let all = || written.iter().flat_map(|(_, wires)| wires);
+    let repeats = f64::from(request.repeats);
+    let response = CalibrateNewResponse {
+        machine: sheet.machine.clone(),
+        material: sheet.material.clone(),
+        sheet: sheet_output.path.clone(),
+        jobs: outputs.iter().map(|output| output.path.clone()).collect(),
+        coupons: all().count(),
+        repeats: request.repeats,
+        wire_mm: repeats * all().map(|wire| wire.told.feed_total().mm()).sum::<f64>(),
+        seconds: repeats * all().map(|wire| setup.model.time.seconds(&wire.told)).sum::<f64>(),
+    };
+    for ((_, wires), output) in written.iter().zip(&outputs) {
+        output.save(&job(&setup, wires)?.to_bytes()?)?;
+    }
+    sheet_output.save(sheet.to_text().as_bytes())?;
+    Ok(response)
+}
+
+fn wrong(name: &'static str, value: String, expected: &'static str) -> PlanningError {
+    PlanningError::Value { input: None, name, value, expected }
+}
+
+/// Coupons that a machine can bend.
+fn coupon_plan(setup: &Setup, asked_deg: &[f64]) -> Result<CouponPlan, PlanningError> {
+    let limits = &setup.model.limits;
+    let bends = &setup.model.compensation.bend;
+    let can = |angle: Angle| {
+        let within = angle <= limits.max_bend.value && -angle >= limits.min_bend.value;
+        angle > Angle::ZERO && within && bends.command(angle).is_ok() && bends.command(-angle).is_ok()
+    };
+    let asked = asked_deg.iter().map(|&angle| deg(angle)).collect::<Result<Vec<_>, _>>()?;
+    if let Some(angle) = asked.iter().find(|&&angle| !can(angle)) {
+        let expected = "one that the machine can bend to both sides";
+        return Err(wrong("an angle of the ladder", angle.to_string(), expected));
+    }
+    let usual = || LADDER_DEG.iter().filter_map(|&angle| deg(angle).ok()).filter(|&angle| can(angle)).collect();
+    let angles: Vec<Angle> = if asked.is_empty() { usual() } else { asked };
+    // A right angle takes a bend radius from each end of its sides.
+    let corner = setup.model.bend_radius.mm();
+    let shortest = limits.min_edge.value.mm().max(limits.min_feed.value.mm() + 2.0 * corner);
+    let round = |value: f64| mm((value / MULTIPLE_MM).ceil() * MULTIPLE_MM);
+    let bend = &setup.machine.profile.bend;
+    let plain =
+        |stated: &Option<wirebend_profile::Sourced<f64>>| stated.as_ref().map_or(0.0, |stated| stated.value);
+    // Nothing of the peg is farther from the pin than its whole orbit.
+    let reach = match bends.setback {
+        Some(_) => plain(&bend.orbit_offset_mm) + plain(&bend.orbit_radius_mm) + plain(&bend.rod_radius_mm),
+        None => 0.0,
+    };
+    let side = round(shortest)?;
+    let right = deg(90.0)?;
+    let turns = setup.model.head.max >= deg(TURN_DEG)?;
+    Ok(CouponPlan {
+        angles,
+        sides: if can(right) { vec![side, round(LONG_SIDE * side.mm())?] } else { Vec::new() },
+        turn: (turns && can(right)).then(|| deg(TURN_DEG)).transpose()?,
+        edge: round(shortest.max(reach + MULTIPLE_MM))?,
+    })
+}
+
+/// Of which job a coupon is, and its name.
+fn named(coupon: &Coupon) -> (usize, String) {
+    let steps = &coupon.program.steps;
+    match coupon.measured.first() {
+        Some(&(step, Measured::Side)) => (1, format!("side-{:.0}", steps[step].feed.mm())),
+        Some(&(step, Measured::Turn { .. })) => (2, format!("turn-{:.0}", steps[step].rotate.deg())),
+        Some(&(step, Measured::Bend)) => (0, format!("angle-{}", steps[step].bend.deg())),
+        None => (0, String::new()),
+    }
+}
+
+/// The rows of a coupon.
+fn rows(wire: &Planned, repeats: u32) -> Vec<SheetRow> {
+    let steps = &wire.coupon.program.steps;
+    let told = wire.told.steps();
+    let row = |&(step, measured): &(usize, Measured)| {
+        let (quantity, wanted, value) = match measured {
+            Measured::Bend => (SheetQuantity::Bend, steps[step].bend.deg(), told[step].bend.deg()),
+            Measured::Side => (SheetQuantity::Side, steps[step].feed.mm(), told[step].feed.mm()),
+            Measured::Turn { reverses } => {
+                let quantity = if reverses { SheetQuantity::TurnBack } else { SheetQuantity::Turn };
+                (quantity, steps[step].rotate.deg(), told[step].rotate.deg())
+            }
+        };
+        let axes = || [told[step - 1].bend.deg(), told[step].bend.deg()];
+        SheetRow {
+            line: 0,
+            coupon: wire.name.clone(),
+            quantity,
+            wanted,
+            told: value,
+            axes_deg: (quantity == SheetQuantity::Side).then(axes),
+            readings: vec![None; repeats as usize],
+        }
+    };
+    wire.coupon.measured.iter().map(row).collect()
+}
+
+/// The job whose wires are coupons.
+fn job(setup: &Setup, wires: &[Planned]) -> Result<Job, PlanningError> {
+    let mut wireframe = Wireframe::new();
+    let mut bent = Vec::with_capacity(wires.len());
+    for (at, wire) in (0_i32..).zip(wires) {
+        let from = Point3::new(0.0, 0.0, APART_MM * f64::from(at));
+        let path = Frame::looking(from, Vector3::x(), Vector3::y())
+            .map(|start| replay(start, &wire.coupon.program.steps))
+            .unwrap_or_default();
+        bent.push(job_wire(setup, wire, &path, &mut wireframe)?);
+    }
+    let snapshot = |id: &str, value| ProfileSnapshot { id: id.to_owned(), snapshot: value };
+    Ok(Job::seal(JobContents {
+        design_hash: Document::new(wireframe).design_hash()?,
+        machine: snapshot(setup.machine_id(), serde_json::to_value(&setup.machine)?),
+        material: snapshot(setup.material_id(), serde_json::to_value(&setup.material)?),
+        wires: bent,
+        objections: Vec::new(),
+    })?)
+}
+
+fn job_wire(
+    setup: &Setup,
+    wire: &Planned,
+    path: &[Point3<f64>],
+    wireframe: &mut Wireframe,
+) -> Result<JobWire, PlanningError> {
+    let coupon = |_| wrong("a coupon", wire.name.clone(), "a path of finite points");
+    let mut vertices = Vec::with_capacity(path.len());
+    for &point in path {
+        let id = wireframe.add_vertex(Vertex::at(point)).map_err(|_| coupon(()))?;
+        if let Some(&before) = vertices.last() {
+            wireframe.add_edge(before, id).map_err(|_| coupon(()))?;
+        }
+        vertices.push(id);
+    }
+    let (_, nominal) = program_of_path(path, setup.model.straight).map_err(|_| coupon(()))?;
+    let steps = |steps: &[wirebend_core::bend::Step]| steps.iter().copied().map(JobStep::from).collect();
+    Ok(JobWire {
+        vertices: vertices.iter().map(|id| id.0).collect(),
+        path_mm: path.iter().map(|point| [point.x, point.y, point.z]).collect(),
+        nominal: steps(&nominal.steps),
+        spans: nominal.spans.iter().map(|span| [span.start, span.end]).collect(),
+        scheduled: steps(&wire.coupon.program.steps),
+        compensated: steps(wire.told.steps()),
+        stock_mm: stock(&wire.told, setup.model.limits.tail.value).mm(),
+        time_s: setup.model.time.seconds(&wire.told),
+        avoids_collisions: false,
+    })
+}
+
+/// What a side is read over its outside, from what it has from corner to corner: half a wire more at either end.
+pub(super) fn over_outside(side: Length, diameter: Length) -> Length {
+    side + diameter
+}

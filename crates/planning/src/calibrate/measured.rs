@@ -1,0 +1,71 @@
+//! From a sheet to what `core` fits, and back to its lines.
+
+use wirebend_core::calibrate::{
+    AngleSample, Kind, LengthSample, Measurements, ReadingPlace, TurnSample,
+};
+use wirebend_files::read::{MeasuringSheet, SheetQuantity, SheetRow};
+
+use super::coupons::over_outside;
+use crate::PlanningError;
+use crate::machine::{Setup, deg, mm};
+
+/// The measurements of a sheet, and of each kind the rows that they are from.
+pub(super) struct OfSheet<'a> {
+    pub measured: Measurements,
+    bends: Vec<&'a SheetRow>,
+    sides: Vec<&'a SheetRow>,
+    turns: Vec<&'a SheetRow>,
+}
+
+impl<'a> OfSheet<'a> {
+    pub fn new(sheet: &'a MeasuringSheet, setup: &Setup) -> Result<Self, PlanningError> {
+        let mut found =
+            Self { measured: Measurements::default(), bends: vec![], sides: vec![], turns: vec![] };
+        let diameter = setup.model.wire.diameter;
+        for row in &sheet.rows {
+            let angles = || {
+                let read = |reading: &Option<f64>| reading.map(deg).transpose();
+                row.readings.iter().map(read).collect::<Result<Vec<_>, _>>()
+            };
+            match row.quantity {
+                SheetQuantity::Bend => {
+                    found.bends.push(row);
+                    found.measured.angles.push(AngleSample { axis: deg(row.told)?, readings: angles()? });
+                }
+                SheetQuantity::Side => {
+                    let [before, after] = row.axes_deg.unwrap_or_default();
+                    let corners = |reading: &Option<f64>| {
+                        let outside = reading.map(mm).transpose()?;
+                        Ok(outside.map(|outside| outside - over_outside(Default::default(), diameter)))
+                    };
+                    found.sides.push(row);
+                    found.measured.lengths.push(LengthSample {
+                        feed: mm(row.told)?,
+                        axis_before: deg(before)?,
+                        axis_after: deg(after)?,
+                        readings: row.readings.iter().map(corners).collect::<Result<_, PlanningError>>()?,
+                    });
+                }
+                SheetQuantity::Turn | SheetQuantity::TurnBack => {
+                    found.turns.push(row);
+                    found.measured.turns.push(TurnSample {
+                        rotate: deg(row.told)?,
+                        reverses: row.quantity == SheetQuantity::TurnBack,
+                        readings: angles()?,
+                    });
+                }
+            }
+        }
+        Ok(found)
+    }
+
+    /// The row that a reading stands in.
+    pub fn row(&self, kind: Kind, place: ReadingPlace) -> Option<&'a SheetRow> {
+        let rows = match kind {
+            Kind::Bends => &self.bends,
+            Kind::Feeds => &self.sides,
+            Kind::Turns => &self.turns,
+        };
+        rows.get(place.sample).copied()
+    }
+}

@@ -1,0 +1,205 @@
+//! A calibration as plain values with words.
+
+use schemars::JsonSchema;
+use serde::Serialize;
+use wirebend_core::calibrate::{
+    Calibration, Estimate, Figure, Fit, Kind, Misfit, Parameter, SpringbackShape,
+};
+
+use super::measured::OfSheet;
+use crate::text::calibration as words;
+
+/// What is calibrated apart from the others.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum KindName {
+    Bends,
+    Feeds,
+    Turns,
+}
+
+impl From<Kind> for KindName {
+    fn from(kind: Kind) -> Self {
+        match kind {
+            Kind::Bends => Self::Bends,
+            Kind::Feeds => Self::Feeds,
+            Kind::Turns => Self::Turns,
+        }
+    }
+}
+
+/// How far readings are from a model, in mm or degrees.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+pub struct MisfitReport {
+    pub mean_abs: f64,
+    pub rms: f64,
+}
+
+impl From<Misfit> for MisfitReport {
+    fn from(misfit: Misfit) -> Self {
+        Self { mean_abs: misfit.mean_abs, rms: misfit.rms }
+    }
+}
+
+/// A parameter as it was found.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct ParameterReport {
+    /// What it is, for people.
+    pub name: String,
+    /// `mm`, `deg` or empty for a ratio.
+    pub unit: &'static str,
+    pub before: f64,
+    pub value: f64,
+    /// With 95 % it is within this of the value.
+    pub within_95: f64,
+    /// Whether the readings tell more of it than was known before. What they do not tell stays near what it was.
+    pub identified: bool,
+    /// How much of what is known of it the readings tell, 0 to 1.
+    pub told: f64,
+}
+
+/// A reading beside what the fitted model makes of its command.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct ReadingReport {
+    /// Line of the sheet, from 1.
+    pub line: usize,
+    /// Which reading of the line, from 1.
+    pub reading: usize,
+    pub told: f64,
+    pub read: f64,
+    pub fitted: f64,
+}
+
+/// How readings of a kind were fitted.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct KindReport {
+    pub kind: KindName,
+    /// Unit of the readings: `deg` or `mm`.
+    pub unit: &'static str,
+    pub readings: usize,
+    pub parameters: Vec<ParameterReport>,
+    /// How many independent combinations of the parameters the readings tell.
+    pub rank: usize,
+    /// Standard deviation of a reading.
+    pub scatter: f64,
+    pub before: MisfitReport,
+    pub after: MisfitReport,
+    pub leave_one_out: MisfitReport,
+    pub values: Vec<ReadingReport>,
+}
+
+/// A reading that was left out.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct LeftOutReport {
+    pub kind: KindName,
+    /// Line of the sheet, from 1.
+    pub line: usize,
+    /// Which reading of the line, from 1.
+    pub reading: usize,
+    pub coupon: String,
+    pub read: f64,
+    pub expected: f64,
+    /// Why, for people.
+    pub message: String,
+}
+
+/// What measurements tell of a machine and a wire.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct CalibrationReport {
+    pub machine: String,
+    pub material: String,
+    pub kinds: Vec<KindReport>,
+    /// What the springback depends on: `constant` or `curve`; absent where no bend was measured.
+    pub shape: Option<&'static str>,
+    /// The error by leave-one-out of the other shape, degrees, where it can be fitted.
+    pub other_shape: Option<MisfitReport>,
+    pub left_out: Vec<LeftOutReport>,
+    /// What the measurements do not tell, and what is done for want of it.
+    pub gaps: Vec<String>,
+}
+
+impl CalibrationReport {
+    pub(super) fn new(machine: &str, material: &str, found: &Calibration, sheet: &OfSheet<'_>) -> Self {
+        let bends = found.bends.as_ref();
+        let fits = [
+            (Kind::Bends, bends.map(|bends| &bends.fit)),
+            (Kind::Feeds, found.feeds.as_ref().map(|feeds| &feeds.fit)),
+            (Kind::Turns, found.turns.as_ref().map(|turns| &turns.fit)),
+        ];
+        let left_out = found.left_out.iter().map(|left| {
+            let row = sheet.row(left.kind, left.place);
+            LeftOutReport {
+                kind: left.kind.into(),
+                line: row.map_or(0, |row| row.line),
+                reading: left.place.repeat + 1,
+                coupon: row.map(|row| row.coupon.clone()).unwrap_or_default(),
+                read: left.reading.plain(),
+                expected: left.expected.plain(),
+                message: words::left_out(left),
+            }
+        });
+        Self {
+            machine: machine.to_owned(),
+            material: material.to_owned(),
+            kinds: fits.into_iter().filter_map(|(kind, fit)| Some(kind_report(kind, fit?, sheet))).collect(),
+            shape: bends.map(|bends| shape(bends.shape)),
+            other_shape: bends.and_then(|bends| bends.other).map(|(_, misfit)| misfit.into()),
+            left_out: left_out.collect(),
+            gaps: found.gaps.iter().map(words::gap).collect(),
+        }
+    }
+}
+
+fn shape(shape: SpringbackShape) -> &'static str {
+    match shape {
+        SpringbackShape::Constant => "constant",
+        SpringbackShape::Cubic => "curve",
+    }
+}
+
+fn kind_report(kind: Kind, fit: &Fit, sheet: &OfSheet<'_>) -> KindReport {
+    let value = |residual: &wirebend_core::calibrate::Residual| ReadingReport {
+        line: sheet.row(kind, residual.place).map_or(0, |row| row.line),
+        reading: residual.place.repeat + 1,
+        told: residual.told.plain(),
+        read: residual.reading.plain(),
+        fitted: residual.fitted.plain(),
+    };
+    KindReport {
+        kind: kind.into(),
+        unit: unit(fit.scatter),
+        readings: fit.readings,
+        parameters: fit.estimates.iter().map(parameter).collect(),
+        rank: fit.rank,
+        scatter: fit.scatter.plain(),
+        before: fit.before.into(),
+        after: fit.after.into(),
+        leave_one_out: fit.leave_one_out.into(),
+        values: fit.residuals.iter().map(value).collect(),
+    }
+}
+
+fn parameter(estimate: &Estimate) -> ParameterReport {
+    ParameterReport {
+        name: words::parameter(estimate.parameter),
+        unit: unit(estimate.value),
+        before: estimate.before.plain(),
+        value: estimate.value.plain(),
+        within_95: estimate.within_95.plain(),
+        identified: estimate.is_identified(),
+        told: estimate.told,
+    }
+}
+
+fn unit(figure: Figure) -> &'static str {
+    match figure {
+        Figure::Length(_) => "mm",
+        Figure::Angle(_) => "deg",
+        Figure::Ratio(_) => "",
+    }
+}
+
+/// The estimate of a parameter.
+pub(super) fn estimate(fit: &Fit, wanted: Parameter) -> Option<&Estimate> {
+    fit.estimates.iter().find(|estimate| estimate.parameter == wanted)
+}

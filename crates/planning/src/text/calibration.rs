@@ -1,0 +1,115 @@
+//! Words for calibrations: parameters, readings that are left out, what is not told.
+
+use wirebend_core::calibrate::{
+    CalibrationError, Gap, Kind, LeftOut, LeftOutReason, OtherUnit, Parameter,
+};
+
+use super::number::count;
+
+/// What is calibrated, as one calls it.
+#[must_use]
+pub fn parameter(parameter: Parameter) -> String {
+    match parameter {
+        Parameter::Springback => "springback".to_owned(),
+        Parameter::SpringbackAt(angle) => format!("springback at {angle:.0}"),
+        Parameter::OrbitRadius => "orbit radius R".to_owned(),
+        Parameter::OrbitOffset => "orbit offset s".to_owned(),
+        Parameter::BendRadius => "centreline radius of a bend".to_owned(),
+        Parameter::PegRadius => "effective radius of the peg".to_owned(),
+        Parameter::KFactor => "K-factor".to_owned(),
+        Parameter::FeedScale => "wire for a millimetre told".to_owned(),
+        Parameter::RotationOffset => "offset of a turn".to_owned(),
+        Parameter::RotationBacklash => "play of a turn back".to_owned(),
+    }
+}
+
+/// Why a reading is left out.
+#[must_use]
+pub fn left_out(left: &LeftOut) -> String {
+    let (unit, digits) = match left.kind {
+        Kind::Bends | Kind::Turns => ("°", 1),
+        Kind::Feeds => (" mm", 2),
+    };
+    let value = |figure: wirebend_core::calibrate::Figure| format!("{:.digits$}{unit}", figure.plain());
+    let (read, expected) = (value(left.reading), value(left.expected));
+    match left.reason {
+        LeftOutReason::DoesNotFit => {
+            format!("{read} does not fit the other readings, which say {expected}: it looks like a typing error")
+        }
+        LeftOutReason::Impossible => format!("{read} cannot be; about {expected} was to be expected"),
+        LeftOutReason::AxisOutOfRange { limit } => {
+            format!("{read} belongs to a position that the bend axis does not reach: it goes to {limit} either way")
+        }
+        LeftOutReason::OtherSide => format!("{read} is to the other side than the wire was told, {expected}"),
+        LeftOutReason::Unit(unit) => {
+            let unit = match unit {
+                OtherUnit::Radians => "in radians",
+                OtherUnit::Inches => "in inches",
+                OtherUnit::Centimetres => "in centimetres",
+                OtherUnit::InnerAngle => "the angle between the legs instead of the bend",
+            };
+            format!("{read} seems to be {unit}; about {expected} was to be expected")
+        }
+        LeftOutReason::NoBend => {
+            "nothing stayed of this bend, which tells only that the wire took back all of it".to_owned()
+        }
+    }
+}
+
+fn kind(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Bends => "bends",
+        Kind::Feeds => "sides",
+        Kind::Turns => "turns of the head",
+    }
+}
+
+/// What is not told, and what is done for want of it.
+#[must_use]
+pub fn gap(gap: &Gap) -> String {
+    match gap {
+        Gap::NoReadings { kind: of, given } => {
+            let what = match of {
+                Kind::Bends => "springback and bend head stay as they are in the profiles",
+                Kind::Feeds => "K-factor and feed stay as they are in the profiles",
+                Kind::Turns => "nothing is said of the head",
+            };
+            match given {
+                0 => format!("no {} were measured: {what}", kind(*of)),
+                given => format!(
+                    "none of {} of {} can be fitted: {what}",
+                    count(*given, "reading", "readings"),
+                    kind(*of)
+                ),
+            }
+        }
+        Gap::OneSide { missing } => {
+            let side = if *missing < 0.0 { "negative" } else { "positive" };
+            format!("no bend to the {side} side was measured: it is taken to be as the other one")
+        }
+        Gap::OneAngle { axis } => format!(
+            "all bends were told the same, {axis}: their springback is fitted, and the dimensions of the bend head stay as they are"
+        ),
+        Gap::OneLength { feed } => format!(
+            "all sides were fed the same, {feed}: what they lack is shared out between the feed and the K-factor; measure another length"
+        ),
+        Gap::NoReversal => "no turn goes back: the play of the head is not told".to_owned(),
+    }
+}
+
+/// Why there is no calibration.
+#[must_use]
+pub fn refusal(error: &CalibrationError) -> String {
+    match error {
+        CalibrationError::NoReadings { given: 0 } => {
+            "the sheet has no readings: not one cell is filled in".to_owned()
+        }
+        CalibrationError::NoReadings { given } => {
+            format!("none of {} can be fitted", count(*given, "reading", "readings"))
+        }
+        CalibrationError::Geometry(error) => super::error::peg_geometry(error),
+        CalibrationError::NoSolution { kind: of } => {
+            format!("no machine bends as the readings of {} say", kind(*of))
+        }
+    }
+}
