@@ -19,7 +19,8 @@ const ADVICE: &[&str] = &["give", "choose", "leave", "correct", "try", "please",
 pub(super) fn check(files: &[TreeFile]) -> Vec<Finding> {
     let sources = format!("{PURE_ROOM}/src/");
     let is_code = |file: &&TreeFile| {
-        let test = file.path.ends_with("/tests.rs") || file.path.ends_with("/testing.rs");
+        let test = ["/tests.rs", "/testing.rs"].iter().any(|name| file.path.ends_with(name))
+            || file.path.contains("/tests/");
         file.path.starts_with(&sources) && file.has_extension(&["rs"]) && !test
     };
     files.iter().filter(is_code).flat_map(check_source).collect()

@@ -109,7 +109,11 @@ fn shown(unit: &str) -> &'static str {
 pub(super) fn apply(out: &mut impl Write, found: &CalibrateApplyResponse) -> std::io::Result<()> {
     let left_out = found.report.left_out.len();
     if left_out > 0 {
-        writeln!(out, "note: {} left out; `wirebend calibrate fit` names them", count(left_out, "reading is", "readings are"))?;
+        writeln!(
+            out,
+            "note: {} left out; `wirebend calibrate fit` names them",
+            count(left_out, "reading is", "readings are")
+        )?;
     }
     found.notes.iter().try_for_each(|note| writeln!(out, "note: {note}"))?;
     writeln!(out, "machine '{}' with material '{}'", found.machine, found.material)?;

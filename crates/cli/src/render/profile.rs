@@ -5,9 +5,8 @@ use std::io::Write;
 use anstyle::Style;
 use serde_json::Value;
 use wirebend_api::{
-    ProfileCheckResponse, ProfileExplainResponse, ProfileNewResponse, ProfileSetResponse, SamplePlace, SetValue,
-    SeverityName,
-    SpringbackReport, SpringbackSample, ValueReport,
+    ProfileCheckResponse, ProfileExplainResponse, ProfileNewResponse, ProfileSetResponse, SamplePlace,
+    SetValue, SeverityName, SpringbackReport, SpringbackSample, ValueReport,
 };
 
 use super::tables::padded;

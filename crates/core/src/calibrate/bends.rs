@@ -7,7 +7,7 @@ use super::fitting::Search;
 use super::least_squares::{Belief, Solution};
 use super::measured::{AngleSample, Gap, Kind, LeftOut};
 use super::screen::{Screened, bend, screen};
-use super::springback::{Knots, ShapeChoice, SpringbackShape};
+use super::springback::{CURVE_NEEDS, Knots, ShapeChoice, SpringbackShape};
 use super::statistics::median;
 use crate::compensate::{BendModel, PegGeometry, Springback, SpringbackPoint};
 use crate::units::{Angle, Length};
@@ -106,6 +106,8 @@ pub(super) fn fit(
 
     let constant = Knots::default();
     let cubic = Knots::over(&side.formed(&screened));
+    let too_few = choice == ShapeChoice::Fixed(SpringbackShape::Cubic) && cubic.is_none();
+    let choice = if too_few { ShapeChoice::Better } else { choice };
     let mut fitted = Vec::new();
     let shapes = [(SpringbackShape::Constant, Some(constant)), (SpringbackShape::Cubic, cubic)];
     for (shape, knots) in shapes.into_iter().filter_map(|(shape, knots)| Some((shape, knots?))) {
@@ -126,7 +128,10 @@ pub(super) fn fit(
     let mut fitted = fitted.into_iter();
     let Some((shape, knots, fit, solution)) = fitted.next() else { return Ok(none(screened, given)) };
     let other = fitted.next().map(|(shape, _, fit, _)| (shape, fit.leave_one_out));
-    let gaps = side.gaps(&screened);
+    let mut gaps = side.gaps(&screened);
+    if too_few {
+        gaps.push(Gap::FewAngles { needed: CURVE_NEEDS });
+    }
     let fit = side.found(shape, &knots, fit, &solution, other);
     Ok(Outcome { fit: Some(fit), left_out: screened.left_out, gaps })
 }

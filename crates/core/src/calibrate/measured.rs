@@ -136,6 +136,11 @@ pub enum Gap {
         /// The position of the axis.
         axis: Angle,
     },
+    /// A curve of the springback was asked for, and a side has too few angles for one: a constant is fitted.
+    FewAngles {
+        /// How many a side needs.
+        needed: usize,
+    },
     /// All sides were fed the same: the feed's scale and the wire in a bend cannot be told apart.
     OneLength {
         /// The feed.

@@ -7,6 +7,9 @@ use crate::units::Angle;
 /// hundredth of a degree at most where the loss bends by a degree in thirty.
 const PAIRS_APART_DEG: f64 = 5.0;
 
+/// How many angles a side needs for a curve: two for its ends, and two that can contradict the line between them.
+pub(super) const CURVE_NEEDS: usize = 4;
+
 /// What the loss depends on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SpringbackShape {
@@ -45,7 +48,7 @@ impl Knots {
             let count = (angles.len() / 2).clamp(2, 4);
             let parts = super::statistics::count(count - 1);
             let knots = (0..count).map(|k| first + (last - first) * super::statistics::count(k) / parts);
-            (angles.len() >= 4).then(|| knots.collect::<Vec<f64>>())
+            (angles.len() >= CURVE_NEEDS).then(|| knots.collect::<Vec<f64>>())
         };
         let has = |sign: f64| formed.iter().any(|angle| angle * sign > 0.0);
         let knots = |sign: f64| if has(sign) { side(sign) } else { Some(Vec::new()) };

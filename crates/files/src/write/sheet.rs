@@ -24,7 +24,8 @@ impl MeasuringSheet {
         text.push('\n');
         let number = |value: f64| short(value, 4);
         for row in &self.rows {
-            let [before, after] = row.axes_deg.map_or([String::new(), String::new()], |axes| axes.map(number));
+            let [before, after] =
+                row.axes_deg.map_or([String::new(), String::new()], |axes| axes.map(number));
             let (what, wanted, told) = (row.quantity.word(), number(row.wanted), number(row.told));
             let _ = write!(text, "{},{what},{wanted},{told},{before},{after}", row.coupon);
             for k in 0..readings {

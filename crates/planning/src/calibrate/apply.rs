@@ -97,7 +97,10 @@ impl Values<'_> {
             format!("Calibrated {}: n = {readings} readings, ±{within} (95 %)", self.date)
         } else {
             let n = readings;
-            format!("Calibrated {}: not told by these {n} readings, kept near the value before, ±{within} (95 %)", self.date)
+            format!(
+                "Calibrated {}: not told by these {n} readings, kept near the value before, ±{within} (95 %)",
+                self.date
+            )
         };
         sourced(json!(round(value, 1e4)), &how, estimate.is_identified())
     }
@@ -168,7 +171,9 @@ impl Values<'_> {
         let of_turns = |parameter| turns.and_then(|fit| estimate(fit, parameter)).filter(off);
         if let Some(offset) = of_turns(Parameter::RotationOffset) {
             let (value, within) = (offset.value.plain(), offset.within_95.plain());
-            notes.push(format!("every turn of the head is off by {value:.2}° ± {within:.2}°: look at its belt and its zero"));
+            notes.push(format!(
+                "every turn of the head is off by {value:.2}° ± {within:.2}°: look at its belt and its zero"
+            ));
         }
         if let Some(play) = of_turns(Parameter::RotationBacklash) {
             let (value, within) = (play.value.plain(), play.within_95.plain());
@@ -185,8 +190,6 @@ fn off(estimate: &&Estimate) -> bool {
 
 fn pairs(points: &[SpringbackPoint]) -> Value {
     let round = |value: f64| (value * 1e3).round() / 1e3;
-    let pair = |point: &SpringbackPoint| {
-        json!({ "angle_deg": round(point.formed.deg()), "loss_deg": round(point.loss.deg()) })
-    };
+    let pair = |point: &SpringbackPoint| json!({ "angle_deg": round(point.formed.deg()), "loss_deg": round(point.loss.deg()) });
     points.iter().map(pair).collect()
 }

@@ -21,7 +21,8 @@ const READ_MM: f64 = 0.1;
 
 fn known(value_mm: f64, stated: Option<&Sourced<f64>>) -> Result<KnownLength, PlanningError> {
     let measured = stated.is_some_and(|stated| stated.measured);
-    let off = if measured { (MEASURED * value_mm.abs()).max(CALIPER_MM) } else { UNMEASURED * value_mm.abs() };
+    let off =
+        if measured { (MEASURED * value_mm.abs()).max(CALIPER_MM) } else { UNMEASURED * value_mm.abs() };
     Ok(KnownLength { value: mm(value_mm)?, deviation: mm(off)? })
 }
 

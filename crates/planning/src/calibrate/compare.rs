@@ -80,11 +80,7 @@ pub fn compare(
     Ok(CalibrateCompareResponse { machines: request.machines.clone(), materials, values, misfits })
 }
 
-fn differing(
-    app: &Installation,
-    kind: Kind,
-    ids: &[String; 2],
-) -> Result<Vec<ComparedValue>, PlanningError> {
+fn differing(app: &Installation, kind: Kind, ids: &[String; 2]) -> Result<Vec<ComparedValue>, PlanningError> {
     let [first, second] = ids;
     let (a, b) = (app.library.explain(kind, first)?.values, app.library.explain(kind, second)?.values);
     let mut keys: Vec<&str> = a.iter().chain(&b).map(|value| value.key.as_str()).collect();

@@ -142,7 +142,8 @@ fn coupon_plan(setup: &Setup, asked_deg: &[f64]) -> Result<CouponPlan, PlanningE
         let expected = "one that the machine can bend to both sides";
         return Err(wrong("an angle of the ladder", angle.to_string(), expected));
     }
-    let usual = || LADDER_DEG.iter().filter_map(|&angle| deg(angle).ok()).filter(|&angle| can(angle)).collect();
+    let usual =
+        || LADDER_DEG.iter().filter_map(|&angle| deg(angle).ok()).filter(|&angle| can(angle)).collect();
     let angles: Vec<Angle> = if asked.is_empty() { usual() } else { asked };
     // A right angle takes a bend radius from each end of its sides.
     let corner = setup.model.bend_radius.mm();

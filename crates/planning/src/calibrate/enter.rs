@@ -47,12 +47,16 @@ impl SheetFile {
             value: format!("'{typed}'"),
             expected,
         };
-        let (row, values) =
-            typed.split_once('=').ok_or_else(|| wrong("a coupon and its readings, such as angle-40:1=38.5,39"))?;
+        let (row, values) = typed
+            .split_once('=')
+            .ok_or_else(|| wrong("a coupon and its readings, such as angle-40:1=38.5,39"))?;
         let (coupon, number) = row.split_once(':').map_or((row, None), |(coupon, n)| (coupon, Some(n)));
         let read = |value: &str| match value.trim() {
             "" | "-" => Ok(None),
-            value => value.parse().map(Some).map_err(|_| wrong("readings that are numbers, with commas between them")),
+            value => value
+                .parse()
+                .map(Some)
+                .map_err(|_| wrong("readings that are numbers, with commas between them")),
         };
         let readings: Vec<Option<f64>> = values.split(',').map(read).collect::<Result<_, _>>()?;
         let mut rows: Vec<&mut SheetRow> =
@@ -61,7 +65,9 @@ impl SheetFile {
             (_, 0) => return Err(wrong("a coupon of the sheet, by its name in the first column")),
             (None, 1) => 0,
             (None, _) => return Err(wrong("a row of a coupon that has several, such as angle-40:2")),
-            (Some(number), _) => number.parse::<usize>().ok().and_then(|n| n.checked_sub(1)).unwrap_or(usize::MAX),
+            (Some(number), _) => {
+                number.parse::<usize>().ok().and_then(|n| n.checked_sub(1)).unwrap_or(usize::MAX)
+            }
         };
         let row = rows.get_mut(index).ok_or_else(|| wrong("a row that the coupon has, counted from 1"))?;
         self.entered += readings.iter().flatten().count();

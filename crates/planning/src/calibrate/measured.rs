@@ -1,8 +1,6 @@
 //! From a sheet to what `core` fits, and back to its lines.
 
-use wirebend_core::calibrate::{
-    AngleSample, Kind, LengthSample, Measurements, ReadingPlace, TurnSample,
-};
+use wirebend_core::calibrate::{AngleSample, Kind, LengthSample, Measurements, ReadingPlace, TurnSample};
 use wirebend_files::read::{MeasuringSheet, SheetQuantity, SheetRow};
 
 use super::coupons::over_outside;

@@ -1,8 +1,6 @@
 //! Words for calibrations: parameters, readings that are left out, what is not told.
 
-use wirebend_core::calibrate::{
-    CalibrationError, Gap, Kind, LeftOut, LeftOutReason, OtherUnit, Parameter,
-};
+use wirebend_core::calibrate::{CalibrationError, Gap, Kind, LeftOut, LeftOutReason, OtherUnit, Parameter};
 
 use super::number::count;
 
@@ -34,11 +32,15 @@ pub fn left_out(left: &LeftOut) -> String {
     let (read, expected) = (value(left.reading), value(left.expected));
     match left.reason {
         LeftOutReason::DoesNotFit => {
-            format!("{read} does not fit the other readings, which say {expected}: it looks like a typing error")
+            format!(
+                "{read} does not fit the other readings, which say {expected}: it looks like a typing error"
+            )
         }
         LeftOutReason::Impossible => format!("{read} cannot be; about {expected} was to be expected"),
         LeftOutReason::AxisOutOfRange { limit } => {
-            format!("{read} belongs to a position that the bend axis does not reach: it goes to {limit} either way")
+            format!(
+                "{read} belongs to a position that the bend axis does not reach: it goes to {limit} either way"
+            )
         }
         LeftOutReason::OtherSide => format!("{read} is to the other side than the wire was told, {expected}"),
         LeftOutReason::Unit(unit) => {
@@ -92,6 +94,9 @@ pub fn gap(gap: &Gap) -> String {
         ),
         Gap::OneLength { feed } => format!(
             "all sides were fed the same, {feed}: what they lack is shared out between the feed and the K-factor; measure another length"
+        ),
+        Gap::FewAngles { needed } => format!(
+            "a curve of the springback needs {needed} angles of each side that was bent: a constant is fitted"
         ),
         Gap::NoReversal => "no turn goes back: the play of the head is not told".to_owned(),
     }

@@ -118,3 +118,12 @@ fn a_bend_to_the_other_side_and_one_that_left_nothing_are_no_angles() {
     let named: Vec<_> = fit(angles).left_out.iter().map(|left| left.reason).collect();
     assert_eq!(named, [LeftOutReason::OtherSide, LeftOutReason::NoBend]);
 }
+
+#[test]
+fn a_curve_that_few_angles_cannot_tell_is_a_constant() {
+    let angles = ladder(&truth(), &[60.0, 100.0], 2, 0.1, &mut Normals::new(10));
+    let measured = Measurements { angles, ..Measurements::default() };
+    let found = calibrate(&published(), &measured, ShapeChoice::Fixed(SpringbackShape::Cubic)).unwrap();
+    assert!(found.gaps.contains(&Gap::FewAngles { needed: 4 }), "{:?}", found.gaps);
+    assert_eq!(found.bends.unwrap().shape, SpringbackShape::Constant);
+}
