@@ -195,7 +195,9 @@ impl Observer for Terminal {
         if before != snapshot.phase {
             let said = self.changed(before, snapshot).filter(|_| !self.json);
             self.wished.set(None);
-            said.into_iter().for_each(|line| self.say(line));
+            if let Some(line) = said {
+                self.say(line);
+            }
         }
         if let Some(bar) = &self.bar {
             bar.snapshot(snapshot);
