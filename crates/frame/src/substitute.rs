@@ -22,9 +22,9 @@ impl Triangle<'_> {
         for group in &mut groups {
             // One alone is the usual case.
             if group.len() == rows {
-                self.solve_beside::<1>(group)
+                self.solve_beside::<1>(group);
             } else {
-                self.solve_beside::<BESIDE>(group)
+                self.solve_beside::<BESIDE>(group);
             }
         }
     }
