@@ -41,7 +41,9 @@ fn main() -> Result<()> {
     println!();
     tried("bunny", &models::bunny()?)?;
     println!();
-    for (name, rings) in [("truss 1, free, 4 pieces", 1), ("truss 3, free, 4 pieces", 3), ("truss 5, free, 4 pieces", 5)] {
+    for (name, rings) in
+        [("truss 1, free, 4 pieces", 1), ("truss 3, free, 4 pieces", 3), ("truss 5, free, 4 pieces", 5)]
+    {
         vibrating(&python, folder.path(), name, &Pieces::new(&models::truss(rings), 4))?;
     }
     Ok(())
@@ -105,7 +107,10 @@ fn tried(name: &str, model: &Model) -> Result<()> {
         standing += u32::from(growing.try_remove(member).is_ok());
     }
     let ms = begin.elapsed().as_secs_f64() * 1000.0;
-    println!("{name}: {standing} of {} struts can be taken away from the whole, {ms:.1} ms", model.members.len());
+    println!(
+        "{name}: {standing} of {} struts can be taken away from the whole, {ms:.1} ms",
+        model.members.len()
+    );
     // As many frames factored as there are steps of an order, each but one strut more.
     let begin = Instant::now();
     let mut members = assembly.all();
@@ -119,7 +124,7 @@ fn tried(name: &str, model: &Model) -> Result<()> {
     Ok(())
 }
 
-/// The lowest modes of a frame that floats, by us and by SciPy.
+/// The lowest modes of a frame that floats, by us and by `SciPy`.
 fn vibrating(python: &str, folder: &Path, name: &str, cut: &Pieces) -> Result<()> {
     let search = ModeSearch { count: MODES, shift_hz: SHIFT_HZ, struts: cut.struts.clone() };
     let (ours, modes) = timed(RUNS_OF_LARGE, || {

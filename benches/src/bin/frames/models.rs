@@ -9,7 +9,8 @@ use wirebend_frame::{Material, Member, Model, NodeId, Pieces, Section, SectionId
 /// FrameFab's ABS.
 const ABS: Material = Material { e: 3457.0, g: 1294.0, density: 1.21e-9, yield_strength: 40.0 };
 /// Bend-Forming's wire.
-const STEEL: Material = Material { e: 200_000.0, g: 200_000.0 / 2.58, density: 7.8e-9, yield_strength: 1000.0 };
+const STEEL: Material =
+    Material { e: 200_000.0, g: 200_000.0 / 2.58, density: 7.8e-9, yield_strength: 1000.0 };
 /// The length of the struts of Bend-Forming's truss, mm, and its depth.
 const STRUT: f64 = 61.237_243_569_579_45;
 const DEPTH: f64 = 50.0;
@@ -46,7 +47,9 @@ fn read(file: &str) -> Result<Model> {
             Ok(NodeId(words.get(k).context(line.to_owned())?.parse::<usize>()? - 1))
         };
         match words.first() {
-            Some(&"v") => model.nodes.push(Point3::new(words[1].parse()?, words[2].parse()?, words[3].parse()?)),
+            Some(&"v") => {
+                model.nodes.push(Point3::new(words[1].parse()?, words[2].parse()?, words[3].parse()?));
+            }
             Some(&"s") => model.supports.push(Support::clamped(node(1)?)),
             Some(&("l" | "p")) => {
                 model.members.push(Member::new(node(1)?, node(2)?, SectionId(0)));
