@@ -9,6 +9,8 @@ import "./problems.css";
 const LIFE_MS: Readonly<Record<Problem["severity"], number>> = { info: 8_000, warning: 20_000, error: 40_000 };
 /** More at once hide the work. */
 const MAX = 3;
+/** px that a pointer may tremble. */
+const STILL = 3;
 
 /** Whether the window is out of sight. */
 function useHidden(): boolean {
@@ -47,12 +49,15 @@ export function Problems() {
   const [focused, setFocused] = useState(false);
   const used = over || focused;
   const hidden = useHidden();
+  const entered = useRef({ x: 0, y: 0 });
   const box = useRef<HTMLDivElement>(null);
   const [atTop, setAtTop] = useState(false);
   const [kept, setKept] = useState<readonly Problem[]>([]);
   const latest = problems.slice(-MAX).toReversed();
-  // Those that are looked at keep their places until they are not any more.
-  const shown = used ? kept : latest;
+  // Those that are looked at keep their places until they are not any more; another one comes above them, where there is room.
+  const read = kept.filter((problem) => problems.includes(problem));
+  const above = latest.filter((problem) => !kept.includes(problem)).slice(0, Math.max(MAX - read.length, 0));
+  const shown = used ? [...above, ...kept] : latest;
   const some = shown.length > 0;
   useLayoutEffect(() => {
     // Decided when the first comes: they do not jump while they are read.
@@ -68,7 +73,11 @@ export function Problems() {
     <div
       ref={box}
       className={atTop ? "problems top" : "problems"}
-      onPointerEnter={() => {
+      // One that comes under a pointer that rests is not looked at: only who moves there reads.
+      onPointerEnter={({ clientX, clientY }) => (entered.current = { x: clientX, y: clientY })}
+      onPointerMove={({ clientX, clientY }) => {
+        const { x, y } = entered.current;
+        if (Math.hypot(clientX - x, clientY - y) < STILL) return;
         keep();
         setOver(true);
       }}

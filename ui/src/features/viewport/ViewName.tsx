@@ -3,33 +3,33 @@ import { type CommandId, keyOf } from "../../state/window/keys";
 import { useView } from "../../state/window/view";
 import "./viewport.css";
 
-/** Each side above the one across from it. */
-const NEAR: readonly (readonly [CommandId, string])[] = [
+/** Each side before the one across from it, which has the same key with Ctrl. */
+const SIDES: readonly (readonly [CommandId, string])[] = [
   ["view-front", "Front"],
-  ["view-right", "Right"],
-  ["view-top", "Top"],
-];
-const ACROSS: readonly (readonly [CommandId, string])[] = [
   ["view-back", "Back"],
+  ["view-right", "Right"],
   ["view-left", "Left"],
+  ["view-top", "Top"],
   ["view-bottom", "Bottom"],
 ];
 
-function Side({ command, label, keys }: { command: CommandId; label: string; keys?: string | undefined }) {
+function Side({ command, label }: { readonly command: CommandId; readonly label: string }) {
   const name = useView((view) => view.viewName);
   const why = useWhyNot(command);
+  const keys = keyOf(command);
   return (
     <button
       type="button"
       aria-pressed={name === label}
       aria-disabled={why ? true : undefined}
-      title={why ?? `${label} (${keyOf(command)})`}
+      title={why ?? `${label} (${keys})`}
       onClick={() => run(command)}
     >
-      {/* The second row has the same keys with Ctrl: an empty place keeps its names below the others. */}
-      <span className="view-key" aria-hidden="true">
-        {keys}
-      </span>
+      {keys?.length === 1 && (
+        <span className="view-key" aria-hidden="true">
+          {keys}
+        </span>
+      )}
       {label}
     </button>
   );
@@ -41,8 +41,8 @@ export function ViewName() {
   const free = name === "Parallel" ? name : "Perspective";
   return (
     <fieldset className="view-name" aria-label="View">
-      {NEAR.map(([command, label]) => (
-        <Side key={command} command={command} label={label} keys={keyOf(command)} />
+      {SIDES.map(([command, label]) => (
+        <Side key={command} command={command} label={label} />
       ))}
       <button
         type="button"
@@ -56,9 +56,6 @@ export function ViewName() {
         </span>
         {free}
       </button>
-      {ACROSS.map(([command, label]) => (
-        <Side key={command} command={command} label={label} />
-      ))}
       <button type="button" onClick={() => run("frame-all")} title="Frame everything (Home)">
         <span className="view-key" aria-hidden="true">
           {keyOf("frame")}
