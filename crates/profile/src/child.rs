@@ -65,6 +65,21 @@ impl Library {
     }
 }
 
+/// The text of a profile as this program writes one: keys in the order of the documentation, a figure on a line. `None`
+/// where it is no profile of the kind; [`Library::check`] says why.
+#[must_use]
+pub fn written(kind: Kind, text: &str) -> Option<String> {
+    fn of<T: Profile>(text: &str) -> Option<String> {
+        to_text(&serde_json::from_str::<T>(text).ok()?).ok()
+    }
+    let text = match kind {
+        Kind::Machine => of::<MachineProfile>(text),
+        Kind::Material => of::<MaterialProfile>(text),
+        Kind::Noise => of::<NoiseProfile>(text),
+    };
+    text.map(|text| figures_on_a_line(&text))
+}
+
 /// Puts each figure with its source on one line, as in the shipped files: a person who goes through
 /// them compares values, not braces.
 fn figures_on_a_line(text: &str) -> String {

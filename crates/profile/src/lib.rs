@@ -46,7 +46,7 @@ mod strut_builder;
 mod strut_builder_rules;
 
 pub use check::{Checked, check_file, check_text};
-pub use child::Child;
+pub use child::{Child, written};
 pub use error::{Place, ProfileError};
 pub use explain::{Ancestor, Explained, ExplainedValue, Overridden};
 pub use figures::machine::{BendFigures, LimitFigures, MachineFigures};

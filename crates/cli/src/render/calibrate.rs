@@ -61,7 +61,7 @@ fn one_kind(out: &mut impl Write, kind: &KindReport, found: &CalibrationReport) 
     let of = kind.parameters.len();
     writeln!(
         out,
-        "\n{name}: {} that scatter by {:.2}{unit}; {} of {} are told",
+        "\n{name}: {}, scatter {:.2}{unit}; {} of {} told",
         count(kind.readings, "reading", "readings"),
         kind.scatter,
         kind.rank,

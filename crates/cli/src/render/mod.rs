@@ -70,7 +70,7 @@ pub(crate) fn show(response: &Response, json: bool, contents: Contents) -> anyho
             Response::ProfileSet(found) => profile::set(&mut err, found)?,
             Response::CalibrateNew(found) => calibrate::new(&mut err, found)?,
             Response::CalibrateEnter(found) => calibrate::enter(&mut err, found)?,
-            Response::CalibrateFit(found) => calibrate::fit(&mut std::io::stdout().lock(), found)?,
+            Response::CalibrateFit(found) => calibrate::fit(&mut anstream::stdout().lock(), found)?,
             Response::CalibrateApply(found) => calibrate::apply(&mut err, found)?,
             Response::CalibrateCompare(found) => calibrate::compare(&mut std::io::stdout().lock(), found)?,
             Response::ProfileExplain(found) => profile::explain(&mut anstream::stdout().lock(), found)?,

@@ -18,15 +18,22 @@ fn coupons_that_the_simulated_machine_has_bent_make_profiles_that_are_used() {
     assert_fits("calibrate-new", &made);
     assert_eq!((made["coupons"].as_u64(), made["jobs"].as_array().map(Vec::len)), (Some(7), Some(3)));
     assert!(run(&new).ended(2).err.contains("--force"), "what is measured is not written over");
-    for job in ["angles", "sides", "turns"] {
+    for (job, wires) in [("angles", 4), ("sides", 2), ("turns", 1)] {
         let job = format!("calibration/{job}.wbjob");
-        run(&["run", &job, "--port", "sim:max", "--yes"]).ended(0);
+        for wire in 1..=wires {
+            let wire = wire.to_string();
+            run(&["run", &job, "--wire", &wire, "--port", "sim:max", "--yes"]).ended(0);
+        }
         let enter = ["calibrate", "enter", "calibration/sheet.csv", "--bent", &job, "--json"];
         assert_fits("calibrate-enter", &run(&enter).ended(0).json());
     }
     // 80 becomes 725 at the keyboard; here a bend of about 90 degrees.
-    let typed = ["calibrate", "enter", "calibration/sheet.csv", "angle-90:1=725"];
-    run(&typed).ended(0);
+    // Beside the reading that the simulated machine has made.
+    let right =
+        sheet(folder.path()).lines().find(|line| line.starts_with("angle-90,bend,90,")).map(str::to_owned);
+    let right = right.and_then(|line| line.rsplit(',').next().map(str::to_owned)).unwrap();
+    let typed = format!("angle-90:1={right},725");
+    run(&["calibrate", "enter", "calibration/sheet.csv", &typed]).ended(0);
     let fit = run(&["calibrate", "fit", "calibration/sheet.csv", "--json"]).ended(0).json();
     assert_fits("calibrate-fit", &fit);
     let left_out = fit["left_out"].as_array().unwrap();
@@ -45,7 +52,7 @@ fn coupons_that_the_simulated_machine_has_bent_make_profiles_that_are_used() {
     assert!(run(&apply).ended(2).err.contains("--force"));
     let explained = run(&["profile", "explain", "my-wire"]).ended(0);
     let explained = String::from_utf8(explained.out).unwrap();
-    assert!(explained.contains("Calibrated 2026-11-25: n = 7 readings"), "{explained}");
+    assert!(explained.contains("Calibrated 2026-11-25: n = 8,"), "{explained}");
     run(&["check", &example("cube-8-edges.obj"), "--units", "mm", "--machine", "my-kit"]).ended(0);
 
     let compare =

@@ -17,6 +17,8 @@ pub(super) struct Search<'a> {
     pub reading: f64,
 }
 
+/// Deviations of what was believed within which 95 % lie.
+const BELIEVED: f64 = 1.96;
 /// The least scatter as a part of what a reading resolves: an even spread over one division has 0.29 of it.
 const LEAST_SCATTER: f64 = 0.29;
 
@@ -61,11 +63,13 @@ impl Search<'_> {
         let problem = self.problem(screened);
         let solution = problem.solve(None)?;
         let factor = within(0.95, solution.freedom);
+        // What was believed is an interval by itself, which readings do not widen, however few they are.
+        let half = |k, sd: f64| (factor * solution.deviation(k, sd)).min(BELIEVED * sd);
         let estimate = |(k, (parameter, belief)): (usize, &(Parameter, Belief))| Estimate {
             parameter: *parameter,
             before: parameter.figure(belief.value),
             value: parameter.figure(solution.parameters[k]),
-            within_95: parameter.figure(factor * solution.deviation(k, belief.sd)),
+            within_95: parameter.figure(half(k, belief.sd)),
             told: solution.told(k),
         };
         let off = |from: &[f64]| -> Vec<f64> {

@@ -49,7 +49,7 @@ pub(super) struct Solution {
     pub parameters: Vec<f64>,
     /// Standard deviation of a reading.
     pub scatter: f64,
-    /// Degrees of freedom that the scatter is from.
+    /// Degrees of freedom that the scatter is from; infinite where it is what was said of the instrument.
     pub freedom: f64,
     /// Predicted value of each sample.
     pub predicted: Vec<f64>,
@@ -194,11 +194,14 @@ impl Problem<'_> {
             .sum();
         let freedom = weights - used;
         // With hardly a reading more than what it decides the scatter is what was said of the instrument.
-        let scatter = if freedom < 1.0 { self.first_scatter } else { (squares / freedom).sqrt() };
+        let (scatter, freedom) = match freedom {
+            few if few < 1.0 => (self.first_scatter, f64::INFINITY),
+            freedom => ((squares / freedom).sqrt(), freedom),
+        };
         let scatter = scatter.max(self.least_scatter);
         let (covariance, _) = of(scatter)?;
         let parameters = self.unscaled(scaled);
-        Ok(Solution { parameters, scatter, freedom: freedom.max(1.0), predicted, slopes, covariance })
+        Ok(Solution { parameters, scatter, freedom, predicted, slopes, covariance })
     }
 }
 

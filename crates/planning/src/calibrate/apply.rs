@@ -94,11 +94,10 @@ impl Values<'_> {
         let round = |value: f64, digits: f64| (value * digits).round() / digits;
         let within = round(estimate.within_95.plain(), 1e3);
         let how = if estimate.is_identified() {
-            format!("Calibrated {}: n = {readings} readings, ±{within} (95 %)", self.date)
+            format!("Calibrated {}: n = {readings}, ±{within} (95 %)", self.date)
         } else {
-            let n = readings;
             format!(
-                "Calibrated {}: not told by these {n} readings, kept near the value before, ±{within} (95 %)",
+                "Calibrated {}: n = {readings}, which does not tell it: kept near the value before, ±{within} (95 %)",
                 self.date
             )
         };
@@ -139,7 +138,7 @@ impl Values<'_> {
                     "model": "table",
                     "positive": pairs(positive),
                     "negative": pairs(negative),
-                    "source": format!("Calibrated {}: n = {n} readings that scatter by {scatter:.2} degrees", self.date),
+                    "source": format!("Calibrated {}: n = {n}, scatter {scatter:.2} degrees", self.date),
                     "measured": true,
                 })
             }

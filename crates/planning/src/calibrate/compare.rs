@@ -63,6 +63,7 @@ pub fn compare(
     // That they name another wire is no value of theirs.
     values.retain(|value| value.key != "default_material");
     values.extend(differing(app, Kind::Material, &materials)?);
+    values.retain(|value| !["name", "description"].contains(&value.key.as_str()));
     let mut misfits = Vec::new();
     if let Some(sheet) = &request.sheet {
         let of = |k: usize| app.fitted(sheet, None, Some([&request.machines[k], &materials[k]]), progress);

@@ -14,6 +14,7 @@ use wirebend_core::wireframe::{Vertex, Wireframe};
 use wirebend_files::document::{
     Document, DocumentError, Job, JobContents, JobStep, JobWire, ProfileSnapshot,
 };
+use wirebend_files::number::short;
 use wirebend_files::read::{MeasuringSheet, SheetQuantity, SheetRow};
 
 use crate::machine::{Setup, deg, mm};
@@ -172,9 +173,9 @@ fn coupon_plan(setup: &Setup, asked_deg: &[f64]) -> Result<CouponPlan, PlanningE
 fn named(coupon: &Coupon) -> (usize, String) {
     let steps = &coupon.program.steps;
     match coupon.measured.first() {
-        Some(&(step, Measured::Side)) => (1, format!("side-{:.0}", steps[step].feed.mm())),
-        Some(&(step, Measured::Turn { .. })) => (2, format!("turn-{:.0}", steps[step].rotate.deg())),
-        Some(&(step, Measured::Bend)) => (0, format!("angle-{}", steps[step].bend.deg())),
+        Some(&(step, Measured::Side)) => (1, format!("side-{}", short(steps[step].feed.mm(), 2))),
+        Some(&(step, Measured::Turn { .. })) => (2, format!("turn-{}", short(steps[step].rotate.deg(), 2))),
+        Some(&(step, Measured::Bend)) => (0, format!("angle-{}", short(steps[step].bend.deg(), 2))),
         None => (0, String::new()),
     }
 }

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
 use wirebend_error::InputName;
 use wirebend_files::read::read_file;
-use wirebend_profile::{Child, Kind, schema};
+use wirebend_profile::{Child, Kind, schema, written};
 
 use super::new::{check_id, make_folder, schema_beside};
 use crate::output::Output;
@@ -197,7 +197,8 @@ impl OwnProfile {
     }
 
     fn text(&self) -> Result<String, PlanningError> {
-        Ok(serde_json::to_string_pretty(&self.values)? + "\n")
+        let text = serde_json::to_string_pretty(&self.values)? + "\n";
+        Ok(written(self.kind, &text).unwrap_or(text))
     }
 
     /// Refuses what is no profile, by the rules and by the machine's driver.
