@@ -18,7 +18,7 @@ const FLAT: usize = 25;
 const ORDER: &[(&str, &str)] = &[
     (
         "crates/core",
-        "units mesh curve wireframe route bend schedule compensate estimate simulate motion sag clearance search checks plan",
+        "units mesh curve wireframe route bend schedule compensate calibrate estimate simulate motion sag clearance search checks plan",
     ),
     (
         "crates/profile",
@@ -39,12 +39,12 @@ const ORDER: &[(&str, &str)] = &[
     (
         "crates/planning",
         "text report stage progress error output installation signs drivers bodies machine contacts job choices program design stencil \
-         turning_back plan compare wires catalogue import generate picture export dump profiles playback collisions simulate",
+         turning_back plan compare wires catalogue import generate picture export dump profiles calibrate playback collisions simulate",
     ),
     ("crates/editor", "request view error history edit_journal resolving changing check collisions fixes"),
     (
         "crates/operation",
-        "event phase order error front_end runs live ports machine_settings simulate run by_hand operator",
+        "event phase order error front_end runs calibrate live ports machine_settings simulate run by_hand operator",
     ),
     ("crates/api", "error places workspace requests asking"),
     (

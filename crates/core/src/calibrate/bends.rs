@@ -2,7 +2,8 @@
 
 use super::CalibrationError;
 use super::assumed::{Assumed, KnownLength, PegDimensions, bend_model};
-use super::estimate::{Figure, Fit, Misfit, Parameter};
+use super::estimate::{Fit, Misfit, Parameter};
+use super::figure::Figure;
 use super::fitting::Search;
 use super::least_squares::{Belief, Solution};
 use super::measured::{AngleSample, Gap, Kind, LeftOut};

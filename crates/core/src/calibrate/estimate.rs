@@ -1,29 +1,7 @@
 //! What was found, with how well it is known.
 
-use crate::units::{Angle, Length};
-
-/// A figure of a machine or a wire, in the unit of its type.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Figure {
-    /// A length.
-    Length(Length),
-    /// An angle.
-    Angle(Angle),
-    /// A ratio.
-    Ratio(f64),
-}
-
-impl Figure {
-    /// Millimetres, degrees or the ratio.
-    #[must_use]
-    pub fn plain(self) -> f64 {
-        match self {
-            Self::Length(length) => length.mm(),
-            Self::Angle(angle) => angle.deg(),
-            Self::Ratio(ratio) => ratio,
-        }
-    }
-}
+use super::figure::{Figure, ReadingPlace};
+use crate::units::Angle;
 
 /// What a calibration tells.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -96,7 +74,7 @@ impl Misfit {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Residual {
     /// Where it stands.
-    pub place: super::ReadingPlace,
+    pub place: ReadingPlace,
     /// What was told: position of the axis, feed or turn.
     pub told: Figure,
     /// What was read.

@@ -3,7 +3,8 @@
 use super::CalibrationError;
 use super::assumed::{Assumed, KnownLength};
 use super::bends::Outcome;
-use super::estimate::{Figure, Fit, Parameter};
+use super::estimate::{Fit, Parameter};
+use super::figure::Figure;
 use super::fitting::Search;
 use super::least_squares::Belief;
 use super::measured::{Gap, Kind, LengthSample};

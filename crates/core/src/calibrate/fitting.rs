@@ -1,6 +1,7 @@
 //! From readings and a model to estimates: what the fits of all kinds share.
 
-use super::estimate::{Estimate, Figure, Fit, Misfit, Parameter, Residual};
+use super::estimate::{Estimate, Fit, Misfit, Parameter, Residual};
+use super::figure::Figure;
 use super::least_squares::{Belief, NoSolution, Predict, Problem, Solution};
 use super::measured::{Kind, LeftOut, LeftOutReason};
 use super::screen::Screened;

@@ -1,15 +1,7 @@
 //! What a person measured of the coupons, with readings that are missing and repeats.
 
+use super::figure::{Figure, ReadingPlace};
 use crate::units::{Angle, Length};
-
-/// Where a reading stands: which sample of its kind, and which of its repeats, both from 0.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub struct ReadingPlace {
-    /// The sample.
-    pub sample: usize,
-    /// The repeat.
-    pub repeat: usize,
-}
 
 /// Bends that the axis was sent to one position for.
 #[derive(Debug, Clone, PartialEq)]
@@ -109,9 +101,9 @@ pub struct LeftOut {
     /// Where it stands.
     pub place: ReadingPlace,
     /// What it says.
-    pub reading: super::Figure,
+    pub reading: Figure,
     /// What the others say that it should be.
-    pub expected: super::Figure,
+    pub expected: Figure,
     /// Why.
     pub reason: LeftOutReason,
 }

@@ -11,6 +11,7 @@ mod bends;
 mod coupon;
 mod estimate;
 mod feeds;
+mod figure;
 mod fitting;
 mod least_squares;
 mod measured;
@@ -25,11 +26,11 @@ use crate::compensate::PegGeometryError;
 pub use assumed::{Assumed, KnownLength, KnownPeg};
 pub use bends::{BendFit, FittedPeg};
 pub use coupon::{Coupon, CouponPlan, Measured};
-pub use estimate::{Estimate, Figure, Fit, Misfit, Parameter, Residual};
+pub use estimate::{Estimate, Fit, Misfit, Parameter, Residual};
 pub use feeds::FeedFit;
+pub use figure::{Figure, ReadingPlace};
 pub use measured::{
-    AngleSample, Gap, Kind, LeftOut, LeftOutReason, LengthSample, Measurements, OtherUnit, ReadingPlace,
-    TurnSample,
+    AngleSample, Gap, Kind, LeftOut, LeftOutReason, LengthSample, Measurements, OtherUnit, TurnSample,
 };
 pub use springback::{ShapeChoice, SpringbackShape};
 pub use turns::TurnFit;

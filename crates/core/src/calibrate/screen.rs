@@ -1,8 +1,8 @@
 //! What can be said of a reading by itself, before anything is fitted: impossible, other side, other unit.
 
-use super::estimate::Figure;
+use super::figure::{Figure, ReadingPlace};
 use super::least_squares::Datum;
-use super::measured::{Kind, LeftOut, LeftOutReason, OtherUnit, ReadingPlace};
+use super::measured::{Kind, LeftOut, LeftOutReason, OtherUnit};
 use crate::units::{Angle, Length};
 
 /// Two angles in degrees that are meant as one by a person who read in another unit.
