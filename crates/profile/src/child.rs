@@ -76,6 +76,7 @@ pub fn written(kind: Kind, text: &str) -> Option<String> {
         Kind::Machine => of::<MachineProfile>(text),
         Kind::Material => of::<MaterialProfile>(text),
         Kind::Noise => of::<NoiseProfile>(text),
+        Kind::StrutBuilder => of::<StrutBuilderProfile>(text),
     };
     text.map(|text| figures_on_a_line(&text))
 }

@@ -101,7 +101,7 @@ fn what_cannot_be_read_or_fitted_is_said() {
     let broken = sheet(folder.path()).replacen("bend,", "bent,", 1);
     std::fs::write(folder.path().join("broken.csv"), broken).unwrap();
     let said = run(&["calibrate", "fit", "broken.csv"]).ended(3).err;
-    assert!(said.contains("broken.csv, line 6: found 'bent'"), "{said}");
+    assert!(said.contains("broken.csv, line 6: found \"bent\""), "{said}");
     let too_far = ["calibrate", "new", "--machine", "wirebend-kit", "--angles", "90,170", "-o", "other"];
     let said = run(&too_far).ended(2).err;
     assert!(said.contains("170.0°") && !folder.path().join("other").exists(), "{said}");

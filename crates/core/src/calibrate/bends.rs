@@ -202,7 +202,7 @@ impl Side<'_> {
             gaps.push(Gap::OneAngle { axis });
         }
         for missing in [1.0, -1.0] {
-            if axes.iter().all(|axis| axis.signum() != missing) {
+            if axes.iter().all(|axis| axis.signum() * missing < 0.0) {
                 gaps.push(Gap::OneSide { missing });
             }
         }

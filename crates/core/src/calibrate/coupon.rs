@@ -30,7 +30,7 @@ pub struct Coupon {
 impl Coupon {
     fn new(steps: Vec<Step>, measured: Vec<(usize, Measured)>) -> Self {
         let head = steps.iter().scan(Angle::ZERO, |head, step| {
-            *head = *head + step.rotate;
+            *head += step.rotate;
             Some(*head)
         });
         Self { program: ScheduledProgram { head: head.collect(), steps }, measured }

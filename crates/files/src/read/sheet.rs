@@ -202,15 +202,15 @@ mod tests {
     #[test]
     fn what_is_wrong_is_said_with_its_line() {
         let broken = [
-            (SHEET.replace("38.1", "38.l"), "s.csv, line 5: '38.l' is not a finite number"),
+            (SHEET.replace("38.1", "38.l"), "s.csv, line 5: \"38.l\" is not a finite number"),
             (
                 SHEET.replace("bend", "bent"),
-                "s.csv, line 4: found 'bent', expected bend, side, turn or turn-back",
+                "s.csv, line 4: found \"bent\", expected bend, side, turn or turn-back",
             ),
-            (SHEET.replace("told,", "said,"), "s.csv: found 'no such column', expected told"),
+            (SHEET.replace("told,", "said,"), "s.csv: found \"no such column\", expected told"),
             (
                 SHEET.replace("# machine: kit\n", ""),
-                "s.csv: found 'none', expected a line `# machine: ID` as `wirebend calibrate new` writes it",
+                "s.csv: found \"none\", expected a line `# machine: ID` as `wirebend calibrate new` writes it",
             ),
         ];
         for (text, message) in broken {

@@ -101,7 +101,7 @@ impl Values<'_> {
                 self.date
             )
         };
-        sourced(json!(round(value, 1e4)), &how, estimate.is_identified())
+        sourced(&json!(round(value, 1e4)), &how, estimate.is_identified())
     }
 
     fn of_machine(&self) -> Vec<(&'static str, Value)> {
@@ -156,8 +156,11 @@ impl Values<'_> {
     fn notes(&self) -> Vec<String> {
         let found = &self.fitted.found;
         let mut notes = Vec::new();
-        if let Some(scale) =
-            found.feeds.as_ref().and_then(|feeds| estimate(&feeds.fit, Parameter::FeedScale)).filter(off)
+        if let Some(scale) = found
+            .feeds
+            .as_ref()
+            .and_then(|feeds| estimate(&feeds.fit, Parameter::FeedScale))
+            .filter(|found| off(found))
         {
             notes.push(format!(
                 "a millimetre told is {:.4} ± {:.4} mm of wire: multiply the controller's steps per millimetre by {:.4}",
@@ -167,7 +170,7 @@ impl Values<'_> {
             ));
         }
         let turns = found.turns.as_ref().map(|turns| &turns.fit);
-        let of_turns = |parameter| turns.and_then(|fit| estimate(fit, parameter)).filter(off);
+        let of_turns = |parameter| turns.and_then(|fit| estimate(fit, parameter)).filter(|found| off(found));
         if let Some(offset) = of_turns(Parameter::RotationOffset) {
             let (value, within) = (offset.value.plain(), offset.within_95.plain());
             notes.push(format!(
@@ -183,7 +186,7 @@ impl Values<'_> {
 }
 
 /// Whether the readings show that a value is not what it was.
-fn off(estimate: &&Estimate) -> bool {
+fn off(estimate: &Estimate) -> bool {
     (estimate.value.plain() - estimate.before.plain()).abs() > estimate.within_95.plain()
 }
 

@@ -234,7 +234,7 @@ fn job_wire(
     path: &[Point3<f64>],
     wireframe: &mut Wireframe,
 ) -> Result<JobWire, PlanningError> {
-    let coupon = |_| wrong("a coupon", wire.name.clone(), "a path of finite points");
+    let coupon = |()| wrong("a coupon", wire.name.clone(), "a path of finite points");
     let mut vertices = Vec::with_capacity(path.len());
     for &point in path {
         let id = wireframe.add_vertex(Vertex::at(point)).map_err(|_| coupon(()))?;

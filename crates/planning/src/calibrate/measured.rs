@@ -1,6 +1,7 @@
 //! From a sheet to what `core` fits, and back to its lines.
 
 use wirebend_core::calibrate::{AngleSample, Kind, LengthSample, Measurements, ReadingPlace, TurnSample};
+use wirebend_core::units::Length;
 use wirebend_files::read::{MeasuringSheet, SheetQuantity, SheetRow};
 
 use super::coupons::over_outside;
@@ -34,7 +35,7 @@ impl<'a> OfSheet<'a> {
                     let [before, after] = row.axes_deg.unwrap_or_default();
                     let corners = |reading: &Option<f64>| {
                         let outside = reading.map(mm).transpose()?;
-                        Ok(outside.map(|outside| outside - over_outside(Default::default(), diameter)))
+                        Ok(outside.map(|outside| outside - over_outside(Length::ZERO, diameter)))
                     };
                     found.sides.push(row);
                     found.measured.lengths.push(LengthSample {

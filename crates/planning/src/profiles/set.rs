@@ -97,7 +97,7 @@ pub fn set(
             value: value.clone(),
         });
         let value = if is_figure(&schema, key) && !value.is_object() && !value.is_null() {
-            sourced(value, &request.source, request.measured)
+            sourced(&value, &request.source, request.measured)
         } else {
             value
         };
@@ -109,7 +109,7 @@ pub fn set(
 }
 
 /// A figure with its source.
-pub(crate) fn sourced(value: Value, source: &str, measured: bool) -> Value {
+pub(crate) fn sourced(value: &Value, source: &str, measured: bool) -> Value {
     json!({ "value": value, "source": source, "measured": measured })
 }
 

@@ -81,15 +81,11 @@ fn the_feed_and_the_wire_in_a_bend_are_found_from_two_lengths() {
     let truth = machine([20.4, 12.0, 3.0, 4.675], 10.23);
     let model = FeedModel::new(mm(1.5), mm(3.0), 0.33);
     let mut random = Normals::new(4);
-    let mut assumed = published();
-    assumed.bend_radius.deviation = mm(0.01);
-    assumed.peg = None;
     let measured =
         Measurements { lengths: sides(&truth, &model, 1.012, 0.02, &mut random), ..Measurements::default() };
-    // The positions of the axis are those of the whole model here.
-    let mut with_peg = published();
-    with_peg.bend_radius.deviation = mm(0.01);
-    let feeds = calibrate(&with_peg, &measured, ShapeChoice::Better).unwrap().feeds.unwrap();
+    let mut assumed = published();
+    assumed.bend_radius.deviation = mm(0.01);
+    let feeds = calibrate(&assumed, &measured, ShapeChoice::Better).unwrap().feeds.unwrap();
     assert!((feeds.scale - 1.012).abs() < 0.001, "{}", feeds.scale);
     assert!((feeds.k_factor - 0.33).abs() < 0.02, "{}", feeds.k_factor);
     assert!(covers(&estimate(&feeds.fit, Parameter::KFactor), 0.33));
