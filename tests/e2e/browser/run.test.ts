@@ -201,7 +201,9 @@ it("arms with a summary, starts, shows the steps, pauses and resumes", async () 
         .catch(() => undefined);
     return (await state()).phase;
   }).toBe("holding");
-  await run().locator(".run-phase.holding", { hasText: /^paused$/ }).waitFor();
+  await run()
+    .locator(".run-phase.holding", { hasText: /^paused$/ })
+    .waitFor();
   await shown.filter({ hasText: /^paused · step/ }).waitFor();
   await atRest();
   const held = await state();
