@@ -6,10 +6,14 @@
 //! sampled: a part of the motion is left out only where a bound on speed, or what the motion leaves as it is (see [`Ring`]), proves
 //! that nothing meets there.
 //!
+//! A [`Head`] is carried along a line without turning, and is asked for many directions of its axis at once.
+//!
 //! Lengths have one unit throughout; here it is called mm. Thickness is the caller's: a chain of capsules of radius r meets a
 //! solid where the distance of its centreline is r.
 
 mod chain;
+mod direction_set;
+mod head;
 mod motion;
 mod pairs;
 mod piece;
@@ -18,6 +22,8 @@ mod solid;
 mod sweep;
 
 pub use chain::{Chain, Interval};
+pub use direction_set::DirectionSet;
+pub use head::{Head, HeadError, Passage};
 pub use motion::Motion;
 pub use pairs::{ClosePair, close_pairs};
 pub use piece::{Near, between_pieces, to_solid};
