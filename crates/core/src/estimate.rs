@@ -83,12 +83,23 @@ pub struct WireModel {
 }
 
 impl WireModel {
+    /// Area of its cross-section, in mm².
+    #[must_use]
+    pub fn section_mm2(&self) -> f64 {
+        std::f64::consts::FRAC_PI_4 * self.diameter.mm().powi(2)
+    }
+
+    /// Young's modulus in megapascal, which are N/mm².
+    #[must_use]
+    pub fn youngs_modulus_mpa(&self) -> f64 {
+        self.youngs_modulus_gpa * 1.0e3
+    }
+
     /// Mass of a length of wire, in g.
     #[must_use]
     pub fn mass_g(&self, length: Length) -> f64 {
-        let section_mm2 = std::f64::consts::FRAC_PI_4 * self.diameter.mm().powi(2);
         // kg/m³ is 1e-6 g/mm³.
-        length.mm() * section_mm2 * self.density_kg_per_m3 * 1.0e-6
+        length.mm() * self.section_mm2() * self.density_kg_per_m3 * 1.0e-6
     }
 
     /// Price of a length of wire.

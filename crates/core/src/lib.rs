@@ -12,6 +12,7 @@
 
 #![deny(missing_docs)]
 
+pub mod accuracy;
 pub mod bend;
 pub mod calibrate;
 pub mod checks;

@@ -49,6 +49,32 @@ pub enum InputName {
     Clearance,
     /// How often a job is simulated.
     Runs,
+    /// What holds a frame.
+    Supports,
+    /// Gravity.
+    Gravity,
+    /// How many modes are looked for.
+    Modes,
+    /// How many pieces a strut is cut into.
+    Pieces,
+    /// The faces that are to be flat.
+    Faces,
+    /// What is required of a closed frame.
+    Requirements,
+    /// Which motions are off.
+    Vary,
+    /// The share of what is required that is for feeds.
+    FeedShare,
+    /// A truss of closed formulas.
+    Continuum,
+    /// Whether the exact expectation is asked for.
+    Expected,
+    /// How far a joint of a frame may be from where it is drawn.
+    Epsilon,
+    /// How long is searched.
+    TimeLimit,
+    /// What is placed at once.
+    GroupBy,
     /// The id of a new profile.
     ProfileId,
     /// The name of a new profile.
@@ -93,6 +119,19 @@ impl InputName {
             Self::AvoidCollisions => "search for a program without collisions",
             Self::Clearance => "clearance",
             Self::Runs => "number of runs",
+            Self::Supports => "supports",
+            Self::Gravity => "gravity",
+            Self::Modes => "number of modes",
+            Self::Pieces => "number of pieces",
+            Self::Faces => "faces",
+            Self::Requirements => "requirements",
+            Self::Vary => "motions that vary",
+            Self::FeedShare => "share for feeds",
+            Self::Continuum => "truss of closed formulas",
+            Self::Expected => "exact expectation",
+            Self::Epsilon => "largest sag",
+            Self::TimeLimit => "time limit",
+            Self::GroupBy => "groups",
             Self::ProfileId => "id",
             Self::ProfileName => "name",
             Self::FormatSettings => "settings of the format",

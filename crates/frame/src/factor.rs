@@ -1,5 +1,6 @@
 //! A frame whose stiffness is factored: ready for any number of loads.
 
+use crate::arc::EndStiffness;
 use crate::assembly::Assembly;
 use crate::equations::{Equations, NONE};
 use crate::error::{SolveError, Unstable};
@@ -37,16 +38,34 @@ impl Assembly {
     /// # Errors
     /// A part that nothing holds, or that can move without bending anything.
     pub fn factor(&self, members: &MemberSet) -> Result<Factor<'_>, Unstable> {
-        Factor::new(self, members)
+        Factor::new(self, members, None)
+    }
+
+    /// The same with stiffnesses of the members' own, such as those of [`Arc`](crate::Arc)s, in the order of the model's members. A
+    /// member without one has that of a straight beam. [`Factor::displacements`] is right for them; [`Factor::solve`] takes
+    /// all members to be straight.
+    ///
+    /// # Errors
+    /// A part that nothing holds, or that can move without bending anything.
+    pub fn factor_with(
+        &self,
+        members: &MemberSet,
+        stiffness: &[EndStiffness],
+    ) -> Result<Factor<'_>, Unstable> {
+        Factor::new(self, members, Some(stiffness))
     }
 }
 
 impl<'a> Factor<'a> {
-    fn new(assembly: &'a Assembly, members: &MemberSet) -> Result<Self, Unstable> {
+    fn new(
+        assembly: &'a Assembly,
+        members: &MemberSet,
+        own: Option<&[EndStiffness]>,
+    ) -> Result<Self, Unstable> {
         parts::check(assembly, members)?;
         let equations = &assembly.equations;
         let touched = assembly.touched(members);
-        let numbers = stiffness(assembly, members, &touched);
+        let numbers = stiffness(assembly, members, &touched, own.unwrap_or_default());
         let mechanism = |equation: usize| {
             let node = equations.freedoms.get(equation).map_or(0, |freedom| freedom.node);
             Unstable::Mechanism { node: NodeId(node) }
@@ -174,16 +193,27 @@ impl<'a> Factor<'a> {
     }
 }
 
-/// The lower half of the stiffness of some members. Nodes that none touches have a diagonal of its mean.
-fn stiffness(assembly: &Assembly, members: &MemberSet, touched: &[bool]) -> Vec<f64> {
+/// The lower half of the stiffness of some members, `own` where they have one. Nodes that none touches have a diagonal of its
+/// mean.
+fn stiffness(assembly: &Assembly, members: &MemberSet, touched: &[bool], own: &[EndStiffness]) -> Vec<f64> {
     let equations = &assembly.equations;
     let mut numbers = vec![0.0; equations.numbers()];
     for member in members.iter() {
-        let matrix = assembly.elements[member.0].stiffness(assembly.rotation_unit);
+        let unit = assembly.rotation_unit;
+        let matrix = match own.get(member.0) {
+            Some(own) => with_rotations_in(unit, own),
+            None => assembly.elements[member.0].stiffness(unit),
+        };
         equations.add(&mut numbers, member.0, &matrix);
     }
     fill_untouched(equations, &mut numbers, touched);
     numbers
+}
+
+/// A stiffness with rotations measured as `unit` times the angle.
+fn with_rotations_in(unit: f64, stiffness: &EndStiffness) -> EndStiffness {
+    let scale = |k: usize| if k % 6 < 3 { 1.0 } else { 1.0 / unit };
+    EndStiffness::from_fn(|row, column| stiffness[(row, column)] * scale(row) * scale(column))
 }
 
 /// Gives nodes that no member touches a diagonal as large as the mean of the others.

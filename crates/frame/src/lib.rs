@@ -12,6 +12,7 @@
 //! accelerations in `mm/s²` and frequencies in Hz. The axes are the model's own, right-handed. The six degrees of freedom of a
 //! node are three displacements and three rotations about x, y and z.
 
+mod arc;
 mod assembly;
 mod checks;
 mod element;
@@ -32,6 +33,7 @@ mod section;
 mod stress;
 mod substitute;
 
+pub use arc::{Arc, EndStiffness};
 pub use assembly::Assembly;
 pub use error::{LoadError, ModelError, ModesError, SolveError, Unstable};
 pub use factor::Factor;

@@ -81,6 +81,26 @@ codes! {
     MeetsStock = "meets_stock",
     /// No program was found whose wire meets nothing.
     NoClearProgram = "no_clear_program",
+    /// Nothing holds the frame, or a part of it.
+    FrameUnsupported = "frame_unsupported",
+    /// The frame, or a part of it, can move without bending anything.
+    FrameMechanism = "frame_mechanism",
+    /// A strut is stressed beyond where its material yields.
+    StrutOverstressed = "strut_overstressed",
+    /// A strut carries so much of its Euler load that a linear computation no longer holds.
+    StrutNearBuckling = "strut_near_buckling",
+    /// The frame, or what stands of it while it is built, sags too far under its own weight.
+    FrameTooSoft = "frame_too_soft",
+    /// A strut is to be built where nothing is that it could hang on.
+    StrutFloating = "strut_floating",
+    /// The head of the strut builder cannot stand in any direction while it places a strut.
+    NoHeadDirection = "no_head_direction",
+    /// The tip of the strut builder does not get to a vertex.
+    OutOfWorkspace = "out_of_workspace",
+    /// No order was found in which the struts can be built.
+    SequenceNotFound = "sequence_not_found",
+    /// A sequence is none of this design.
+    SequenceWrong = "sequence_wrong",
 }
 
 impl fmt::Display for Code {

@@ -8,6 +8,7 @@ use crate::bend::PathError;
 use crate::clearance::{Obstacle, Phase};
 use crate::route::RouteError;
 use crate::search::Helps;
+use crate::sequence::Violation;
 use crate::units::{Angle, Length};
 use crate::wireframe::{EdgeId, VertexId};
 
@@ -292,6 +293,66 @@ pub enum Fact {
         /// Which changes were tried and help.
         helps: Helps,
     },
+    /// Nothing holds the frame, or a part of it.
+    FrameUnsupported {
+        /// How many edges the part has.
+        edges: usize,
+        /// Whether nothing else is held either.
+        whole: bool,
+    },
+    /// The frame, or a part of it, can move without bending anything.
+    FrameMechanism,
+    /// A strut is stressed beyond where its material yields.
+    StrutOverstressed {
+        /// The largest von Mises stress along it, in MPa.
+        stress_mpa: f64,
+        /// Where its material yields, in MPa.
+        yield_mpa: f64,
+        /// Where that comes from.
+        source: Source,
+    },
+    /// A strut carries so much of its Euler load that a linear computation no longer holds.
+    StrutNearBuckling {
+        /// Its compression over that load.
+        ratio: f64,
+        /// From this ratio on.
+        limit: f64,
+    },
+    /// The finished frame, or what stands before a strut is built, sags too far.
+    FrameTooSoft {
+        /// How far the vertex moves that moves most.
+        sag: Length,
+        /// How far a joint may be from where it is drawn.
+        max: Length,
+        /// The strut that would come next; none where the frame is finished.
+        without: Option<EdgeId>,
+    },
+    /// Without a strut others would hang on nothing, or it would itself.
+    StrutFloating {
+        /// The strut.
+        edge: Option<EdgeId>,
+    },
+    /// The head cannot stand in any direction while it places a strut.
+    NoHeadDirection {
+        /// The strut.
+        edge: Option<EdgeId>,
+        /// How many struts are in the way of some directions.
+        blocking: usize,
+    },
+    /// The tip does not get to a vertex.
+    OutOfWorkspace,
+    /// No order was found in which the struts can be built.
+    SequenceNotFound {
+        /// How many groups stand where the search came farthest, none of which can have been the last; none where it did not get
+        /// stuck.
+        step: Option<usize>,
+        /// How many there are.
+        of: usize,
+        /// Whether every order was tried.
+        proved: bool,
+    },
+    /// A step of a sequence cannot be made.
+    SequenceStep(Violation),
 }
 
 /// Which bend a finding is about.
@@ -339,6 +400,30 @@ impl Fact {
             Self::MeetsMachine { .. } => Code::MeetsMachine,
             Self::MeetsStock { .. } => Code::MeetsStock,
             Self::NoClearProgram { .. } => Code::NoClearProgram,
+            Self::FrameUnsupported { .. } => Code::FrameUnsupported,
+            Self::FrameMechanism => Code::FrameMechanism,
+            Self::StrutOverstressed { .. } => Code::StrutOverstressed,
+            Self::StrutNearBuckling { .. } => Code::StrutNearBuckling,
+            Self::FrameTooSoft { .. } | Self::SequenceStep(Violation::Sags { .. }) => Code::FrameTooSoft,
+            Self::StrutFloating { .. } | Self::SequenceStep(Violation::Floating { .. }) => {
+                Code::StrutFloating
+            }
+            Self::NoHeadDirection { .. }
+            | Self::SequenceStep(
+                Violation::NoDirection { .. } | Violation::Approach { .. } | Violation::HeadMeets { .. },
+            ) => Code::NoHeadDirection,
+            Self::OutOfWorkspace | Self::SequenceStep(Violation::OutOfReach { .. }) => Code::OutOfWorkspace,
+            Self::SequenceNotFound { .. } => Code::SequenceNotFound,
+            Self::SequenceStep(
+                Violation::UnknownEdge { .. }
+                | Violation::Twice { .. }
+                | Violation::Missing { .. }
+                | Violation::Empty { .. }
+                | Violation::NotAnEnd { .. }
+                | Violation::JointMissing { .. }
+                | Violation::WrongKind { .. }
+                | Violation::GroundLate { .. },
+            ) => Code::SequenceWrong,
         }
     }
 }

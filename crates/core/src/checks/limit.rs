@@ -40,6 +40,10 @@ pub enum Quantity {
     Angle(Angle),
     /// A number of vertices, wires or passes.
     Count(usize),
+    /// A stress, in MPa.
+    Stress(f64),
+    /// A share of something.
+    Ratio(f64),
 }
 
 impl fmt::Display for Quantity {
@@ -48,6 +52,8 @@ impl fmt::Display for Quantity {
             Self::Length(length) => length.fmt(f),
             Self::Angle(angle) => angle.fmt(f),
             Self::Count(count) => count.fmt(f),
+            Self::Stress(stress) => write!(f, "{stress:.1} MPa"),
+            Self::Ratio(ratio) => write!(f, "{ratio:.2}"),
         }
     }
 }
@@ -92,4 +98,12 @@ pub enum LimitSource<'a> {
     Reach(&'a ReachLimit),
     /// Half of what the bend axis resolves.
     AxisResolution,
+    /// Half of the load at which Euler's column with pinned ends buckles.
+    EulerLoad,
+    /// How far a joint may be from where it is drawn, so that the head still meets it.
+    JointReach,
+    /// How near the head of a strut builder may come to a strut.
+    HeadClearance,
+    /// How far its axis may lean over its way.
+    HeadApproach,
 }

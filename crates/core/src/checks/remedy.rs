@@ -112,6 +112,18 @@ pub enum Remedy {
     AllowWires,
     /// Measure the body of the machine and enter its dimensions.
     MeasureBody,
+    /// Hold the frame at vertices.
+    SupportVertices,
+    /// Brace the frame with more struts.
+    BraceFrame,
+    /// Build it later, or what is in its way.
+    BuildLater,
+    /// Choose another direction of the head.
+    TurnHead,
+    /// Move the frame to where the machine reaches.
+    MoveFrame,
+    /// Allow joints to be farther from where they are drawn.
+    AllowMoreSag,
     /// Choose another material.
     ChooseMaterial,
     /// Choose another machine.

@@ -2,6 +2,7 @@
 
 use super::Fact;
 use crate::checks::limit::{Limit, LimitSource, Quantity};
+use crate::sequence::Violation;
 use crate::units::Angle;
 
 impl Fact {
@@ -38,11 +39,25 @@ impl Fact {
             | Self::NoEulerPath { odd: count, .. }
             | Self::DoubledEdge { passes: count, .. } => Quantity::Count(*count),
             Self::NoEdges => Quantity::Count(0),
-            Self::NoPath(_)
+            Self::FrameUnsupported { edges, .. } => Quantity::Count(*edges),
+            Self::StrutOverstressed { stress_mpa, .. } => Quantity::Stress(*stress_mpa),
+            Self::StrutNearBuckling { ratio, .. } => Quantity::Ratio(*ratio),
+            Self::FrameTooSoft { sag, .. } | Self::SequenceStep(Violation::Sags { sag: Some(sag), .. }) => {
+                Quantity::Length(*sag)
+            }
+            Self::SequenceStep(Violation::HeadMeets { distance, .. }) => Quantity::Length(*distance),
+            Self::SequenceStep(Violation::Approach { angle, .. }) => Quantity::Angle(*angle),
+            Self::StrutFloating { .. }
+            | Self::NoHeadDirection { .. }
+            | Self::OutOfWorkspace
+            | Self::SequenceNotFound { .. }
+            | Self::SequenceStep(_)
+            | Self::NoPath(_)
             | Self::ParallelEdges { .. }
             | Self::IsolatedVertex { .. }
             | Self::RouteRefused(_)
-            | Self::NoClearProgram { .. } => return None,
+            | Self::NoClearProgram { .. }
+            | Self::FrameMechanism => return None,
         })
     }
 
@@ -92,7 +107,29 @@ impl Fact {
                 let limit = if diameter < min { min } else { max };
                 Limit { value: Quantity::Length(*limit), source: LimitSource::Stated(source) }
             }
-            Self::ZeroLengthEdge { .. }
+            Self::StrutOverstressed { yield_mpa, source, .. } => {
+                Limit { value: Quantity::Stress(*yield_mpa), source: LimitSource::Stated(source) }
+            }
+            Self::StrutNearBuckling { limit, .. } => {
+                Limit { value: Quantity::Ratio(*limit), source: LimitSource::EulerLoad }
+            }
+            Self::FrameTooSoft { max, .. } | Self::SequenceStep(Violation::Sags { max, .. }) => {
+                Limit { value: Quantity::Length(*max), source: LimitSource::JointReach }
+            }
+            Self::SequenceStep(Violation::HeadMeets { least, .. }) => {
+                Limit { value: Quantity::Length(*least), source: LimitSource::HeadClearance }
+            }
+            Self::SequenceStep(Violation::Approach { max, .. }) => {
+                Limit { value: Quantity::Angle(*max), source: LimitSource::HeadApproach }
+            }
+            Self::StrutFloating { .. }
+            | Self::NoHeadDirection { .. }
+            | Self::OutOfWorkspace
+            | Self::SequenceNotFound { .. }
+            | Self::SequenceStep(_)
+            | Self::ZeroLengthEdge { .. }
+            | Self::FrameUnsupported { .. }
+            | Self::FrameMechanism
             | Self::NoPath(_)
             | Self::ParallelEdges { .. }
             | Self::IsolatedVertex { .. }
