@@ -27,6 +27,7 @@ pub mod route;
 pub mod sag;
 pub mod schedule;
 pub mod search;
+pub mod sequence;
 pub mod simulate;
 #[cfg(test)]
 mod testing;

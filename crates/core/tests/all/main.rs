@@ -9,4 +9,5 @@ mod marks;
 mod path_and_program;
 mod physics;
 mod routes;
+mod sequence;
 mod trusses;

@@ -1,0 +1,218 @@
+//! Whether a sequence can be built: everything anew from the drawing, with nothing of the search.
+//!
+//! The head's distance is measured to its real surface, by narrowing down over motion and strut; the stiffness is that of a frame
+//! of only what stands.
+
+mod given;
+mod head;
+mod stands;
+mod violation;
+
+pub use given::{GivenJoint, GivenStep};
+pub use violation::Violation;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::outcome::StepKind;
+use super::search::Task;
+use crate::units::{Angle, Length};
+use crate::wireframe::{EdgeId, VertexId};
+
+/// What was found out about a sequence.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Checked {
+    /// All that is wrong, step by step; nothing where it can be built.
+    pub violations: Vec<Violation>,
+    /// The largest sag after each step, mm; none where it does not stand.
+    pub sags_mm: Vec<Option<f64>>,
+    /// Of each step, how many directions are given, and how many of them are free.
+    pub directions: Vec<[usize; 2]>,
+}
+
+/// Checks a sequence, all of it: a step that cannot be made is taken as made for those after it.
+#[must_use]
+pub fn check(task: &Task<'_>, steps: &[GivenStep]) -> Checked {
+    let structure = task.structure;
+    let mut run = Run {
+        task,
+        checked: Checked::default(),
+        standing: Vec::new(),
+        built: BTreeMap::new(),
+        unreached: BTreeSet::new(),
+        fallen: false,
+        others: false,
+    };
+    for node in structure.nodes().iter().filter(|node| node.support) {
+        run.built.insert(node.vertex, 0);
+    }
+    let mut first: BTreeMap<EdgeId, usize> = BTreeMap::new();
+    for (k, step) in steps.iter().enumerate() {
+        let number = k + 1;
+        run.checked.directions.push([0; 2]);
+        let mut struts = Vec::new();
+        for &edge in &step.edges {
+            match (structure.strut_of(edge), first.get(&edge)) {
+                (None, _) => run.found(Violation::UnknownEdge { step: number, edge }),
+                (Some(_), Some(&first)) => run.found(Violation::Twice { step: number, edge, first }),
+                (Some(strut), None) => {
+                    first.insert(edge, number);
+                    struts.push(strut);
+                }
+            }
+        }
+        if struts.is_empty() {
+            if step.edges.is_empty() {
+                run.found(Violation::Empty { step: number });
+            }
+            run.checked.sags_mm.push(run.checked.sags_mm.last().copied().flatten());
+            continue;
+        }
+        run.place(number, step, &struts);
+    }
+    let edges: Vec<EdgeId> =
+        structure.struts().iter().map(|strut| strut.edge).filter(|edge| !first.contains_key(edge)).collect();
+    if !edges.is_empty() {
+        run.found(Violation::Missing { edges });
+    }
+    run.checked
+}
+
+/// A sequence while it is followed.
+struct Run<'a> {
+    task: &'a Task<'a>,
+    checked: Checked,
+    standing: Vec<usize>,
+    /// The step that built each vertex; 0 of the ground.
+    built: BTreeMap<VertexId, usize>,
+    /// The vertices that were named as out of reach.
+    unreached: BTreeSet<VertexId>,
+    /// Whether something was built that did not stand.
+    fallen: bool,
+    /// Whether a strut stands that is not on the ground.
+    others: bool,
+}
+
+impl Run<'_> {
+    fn found(&mut self, violation: Violation) {
+        self.checked.violations.push(violation);
+    }
+
+    fn place(&mut self, number: usize, step: &GivenStep, struts: &[usize]) {
+        let structure = self.task.structure;
+        let mut vertices: Vec<VertexId> = struts
+            .iter()
+            .flat_map(|&strut| structure.struts()[strut].ends)
+            .map(|node| structure.nodes()[node].vertex)
+            .collect();
+        vertices.sort_unstable();
+        vertices.dedup();
+        let edge = structure.struts()[struts[0]].edge;
+        let grounded = struts.iter().any(|&strut| structure.is_grounded(strut));
+        let joined: Vec<VertexId> =
+            vertices.iter().copied().filter(|vertex| self.built.contains_key(vertex)).collect();
+        if joined.is_empty() {
+            self.found(Violation::Floating { step: number, edge, vertex: None });
+        }
+        let is = match (grounded, joined.len() == vertices.len()) {
+            (true, _) => StepKind::Ground,
+            (false, true) => StepKind::Connect,
+            (false, false) => StepKind::Create,
+        };
+        if let Some(said) = step.kind.filter(|said| *said != is) {
+            self.found(Violation::WrongKind { step: number, said, is });
+        }
+        if grounded && self.others && self.task.builder.ground_first {
+            self.found(Violation::GroundLate { step: number, edge });
+        }
+        for joint in &step.joints {
+            if !vertices.contains(&joint.vertex) {
+                self.found(Violation::NotAnEnd { step: number, vertex: joint.vertex });
+            } else if !self.built.contains_key(&joint.vertex) {
+                self.found(Violation::Floating { step: number, edge, vertex: Some(joint.vertex) });
+            } else {
+                self.head(number, joint, struts, joined.len() == vertices.len());
+            }
+        }
+        // A strut is drawn from one end; a wire is fastened wherever it meets what is built.
+        let needed = if struts.len() > 1 { joined.len() } else { joined.len().min(1) };
+        let given = |vertex: &VertexId| step.joints.iter().any(|joint| joint.vertex == *vertex);
+        if struts.len() > 1 || step.joints.is_empty() {
+            for &vertex in joined[..needed].iter().filter(|vertex| !given(vertex)) {
+                self.found(Violation::JointMissing { step: number, vertex });
+            }
+        }
+        for node in struts.iter().flat_map(|&strut| structure.struts()[strut].ends) {
+            let node = structure.nodes()[node];
+            if !self.task.builder.reaches(&node.at) && self.unreached.insert(node.vertex) {
+                self.found(Violation::OutOfReach { step: number, vertex: node.vertex });
+            }
+        }
+        for vertex in vertices {
+            self.built.entry(vertex).or_insert(number);
+        }
+        self.standing.extend(struts);
+        self.others |= !grounded;
+        self.sag(number);
+    }
+
+    fn sag(&mut self, step: usize) {
+        let max = self.task.builder.max_sag;
+        let sagging = stands::sag(self.task, &self.standing);
+        self.checked.sags_mm.push(sagging.mm);
+        if sagging.mm.is_none_or(|mm| mm > max.mm() + stands::ROUNDING_MM) {
+            // What has fallen once stays down.
+            if sagging.mm.is_none() && std::mem::replace(&mut self.fallen, true) {
+                return;
+            }
+            let sag = sagging.mm.map(Length::computed);
+            self.found(Violation::Sags { step, vertex: sagging.vertex, sag, max });
+        }
+    }
+
+    /// The head at one joint: one of the given directions has to be free.
+    fn head(&mut self, step: usize, joint: &GivenJoint, struts: &[usize], connects: bool) {
+        let (structure, builder) = (self.task.structure, self.task.builder);
+        let way = head::way(structure, struts, joint.vertex);
+        let [mut steepest, mut contact] = [None::<Violation>, None];
+        let mut free = 0;
+        for direction in &joint.directions {
+            let Some(axis) = direction.try_normalize(1e-9) else {
+                self.found(Violation::NoDirection { step, vertex: joint.vertex });
+                continue;
+            };
+            let max = if connects { builder.max_connect } else { builder.max_create };
+            let angle = Angle::computed(way.along.map_or(0.0, |along| axis.angle(&along)));
+            // Directions are often written with three digits.
+            if struts.len() == 1 && angle.rad() > max.rad() + given::ROUNDING_RAD {
+                let least =
+                    matches!(&steepest, Some(Violation::Approach { angle: least, .. }) if *least <= angle);
+                if !least {
+                    steepest = Some(Violation::Approach { step, angle, max });
+                }
+                continue;
+            }
+            match head::first_met(self.task, &self.standing, struts, &way, &axis) {
+                None => free += 1,
+                Some(met) => {
+                    contact.get_or_insert(Violation::HeadMeets {
+                        step,
+                        edge: structure.struts()[met.strut].edge,
+                        distance: Length::computed(met.distance),
+                        least: Length::computed(met.least),
+                    });
+                }
+            }
+        }
+        if let Some([given, are_free]) = self.checked.directions.last_mut() {
+            *given += joint.directions.len();
+            *are_free += free;
+        }
+        if free == 0 {
+            if let Some(violation) = contact.or(steepest) {
+                self.found(violation);
+            } else if joint.directions.is_empty() {
+                self.found(Violation::NoDirection { step, vertex: joint.vertex });
+            }
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! Sequences that are found, and that none is found where there is none.
+
+use std::ops::ControlFlow;
+
+use wirebend_core::sequence::{
+    GivenStep, Groups, LayerOptions, Outcome, SearchOptions, Strategy, Structure, Task, check, cost, layers,
+    search, search_by_paper, stiffest_order,
+};
+
+use super::brute;
+use super::frames::{abs, both, builder};
+
+fn found(structure: &Structure) -> Outcome {
+    let (builder, weight, groups) = (builder(), abs(), Groups::single(structure));
+    let task = Task { structure, groups: &groups, builder: &builder, weight: &weight };
+    search(&task, &SearchOptions::default(), &mut |_| ControlFlow::Continue(())).unwrap()
+}
+
+/// 155 of 178 and 191 of 198 steps share a node in sequences of an independent search; the sags are those of the whole frames, by
+/// two other programs.
+#[test]
+fn frames_that_others_built_are_built_at_once() {
+    for ((name, structure), (max_sag, least_sharing)) in
+        both().into_iter().zip([(0.427_187, 155), (0.223_261, 191)])
+    {
+        let outcome = found(&structure);
+        assert!(outcome.is_found() && outcome.proved, "{name}: {:?}", outcome.obstacle);
+        assert_eq!(outcome.strategy, Some(Strategy::FromGround), "{name}");
+        let (builder, weight, groups) = (builder(), abs(), Groups::single(&structure));
+        let task = Task { structure: &structure, groups: &groups, builder: &builder, weight: &weight };
+        let worst = outcome.steps.iter().map(|step| step.max_sag_mm).fold(0.0, f64::max);
+        assert!((worst - max_sag).abs() < 1e-5 * max_sag, "{name}: {worst}");
+        let cost = cost(&outcome.steps, &structure, &builder);
+        assert!(cost.sharing >= least_sharing && cost.least_free > 0, "{name}: {cost:?}");
+        let given: Vec<GivenStep> =
+            outcome.steps.iter().map(|step| GivenStep::of(step, &structure, &builder)).collect();
+        let checked = check(&task, &given);
+        assert_eq!(checked.violations, [], "{name}");
+        assert_eq!(brute::faults(&task, &given), [""; 0], "{name}");
+        assert_eq!(found(&structure), outcome, "{name}: the same question has the same answer");
+    }
+}
+
+/// The largest sags of orders that an independent program found by stiffness alone.
+#[test]
+fn the_stiffest_order_sags_no_more_than_the_whole_frame() {
+    let frames =
+        both().into_iter().zip([0.427_187, 0.223_261]).map(|((_, structure), wanted)| (structure, wanted));
+    for (structure, wanted) in frames {
+        let (builder, weight, groups) = (builder(), abs(), Groups::single(&structure));
+        let task = Task { structure: &structure, groups: &groups, builder: &builder, weight: &weight };
+        let (order, worst) = stiffest_order(&task).unwrap();
+        assert_eq!(order.len(), structure.struts().len());
+        assert!((worst - wanted).abs() < 1e-4 * wanted, "{worst} instead of {wanted}");
+    }
+}
+
+/// FrameFab's authors publish 8 layers of the bunny and 9 of the C; an independent exact cut has 10 of each. Every lower part stands.
+#[test]
+fn layers_are_few_and_each_lower_part_stands() {
+    for (name, structure) in both() {
+        let (builder, weight, groups) = (builder(), abs(), Groups::single(&structure));
+        let task = Task { structure: &structure, groups: &groups, builder: &builder, weight: &weight };
+        let layer = layers(&task, &[], &LayerOptions::default()).unwrap();
+        let count = layer.iter().max().unwrap() + 1;
+        assert!((8..=12).contains(&count), "{name}: {count}");
+        for top in 0..count {
+            let steps: Vec<GivenStep> = (0..layer.len())
+                .filter(|&strut| layer[strut] <= top)
+                .map(|strut| GivenStep {
+                    edges: vec![structure.struts()[strut].edge],
+                    kind: None,
+                    joints: Vec::new(),
+                })
+                .collect();
+            let last = check(&task, &steps).sags_mm.last().copied().flatten();
+            assert!(last.is_some_and(|sag| sag <= 0.65), "{name}, layer {top}: {last:?}");
+        }
+    }
+}
+
+#[test]
+fn by_the_cost_of_the_paper_the_bunny_is_built_layer_by_layer() {
+    let [(_, structure), _] = both();
+    let (builder, weight, groups) = (builder(), abs(), Groups::single(&structure));
+    let task = Task { structure: &structure, groups: &groups, builder: &builder, weight: &weight };
+    let layer = layers(&task, &[], &LayerOptions::default()).unwrap();
+    let outcome = search_by_paper(&task, &layer, 1000, &mut |_| ControlFlow::Continue(())).unwrap();
+    assert!(outcome.is_found(), "{:?}", outcome.obstacle);
+    let given: Vec<GivenStep> =
+        outcome.steps.iter().map(|step| GivenStep::of(step, &structure, &builder)).collect();
+    assert_eq!(check(&task, &given).violations, []);
+}

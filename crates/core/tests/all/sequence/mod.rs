@@ -1,0 +1,8 @@
+//! The order in which struts are built, against what others published and what brute force finds.
+
+mod brute;
+mod directions;
+mod found;
+mod frames;
+mod refused;
+mod small;
