@@ -60,6 +60,12 @@ pub use wirebend_planning::drivers::{
 pub use wirebend_planning::dump::{DumpRequest, DumpResponse};
 pub use wirebend_planning::error::{DriverProblem, ErrorKind, PlanningError, StencilFileError};
 pub use wirebend_planning::export::{ExportFormat, ExportRequest, ExportResponse};
+pub use wirebend_planning::frame::{
+    AchievedReport, ClosingChoice, ClosingFigures, ClosingName, ClosingReport, ClosingRuns, ContinuumChoice,
+    FrameFigures, FrameRequest, FrameResponse, FrameSupports, LoadsChoice, MemberReport, ModeKindName,
+    ModeReport, ReactionReport, RequirementName, RequirementsChoice, ResourcesReport, StaticReport,
+    ToleranceRequest, ToleranceResponse, ToleranceSubject, VaryName,
+};
 pub use wirebend_planning::generate::{GenerateRequest, GenerateResponse, GeneratedShape};
 pub use wirebend_planning::import::{ImportRequest, ImportResponse};
 pub use wirebend_planning::installation::{DriverFolders, Installation};
@@ -78,6 +84,10 @@ pub use wirebend_planning::report::{
     CompensatedReport, DiagnosticCode, DiagnosticReport, JobStep, NoteReport, PartOfStep, PlanReport,
     ProgramReport, RemedyReport, RouteReport, SHOWN_AS_ZERO, SearchReport, SearchWeights, SeverityName,
     WireReport, WireframeReport, shown_deg,
+};
+pub use wirebend_planning::sequence::{
+    CostName, GroupBy, ObstacleReport, ObstacleRuleName, SequenceFormat, SequenceJoint, SequenceRequest,
+    SequenceResponse, SequenceStepReport, StepTypeName, StrategyName,
 };
 pub use wirebend_planning::simulate::{
     GapReport, SimulateRequest, SimulateResponse, SimulatedCollisions, SimulatedContact, SimulationModel,

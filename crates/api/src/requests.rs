@@ -8,7 +8,8 @@ use serde_json::value::RawValue;
 use wirebend_operation::calibrate::enter as calibrate_enter;
 use wirebend_operation::{by_hand, machine_settings, ports, run, runs};
 use wirebend_planning::{
-    calibrate, catalogue, compare, drivers, dump, export, generate, import, plan, profiles, wires,
+    calibrate, catalogue, compare, drivers, dump, export, frame, generate, import, plan, profiles, sequence,
+    wires,
 };
 
 use crate::workspace::{self, ApiErrorReport, Work, Workspace};
@@ -18,13 +19,15 @@ use crate::{
     CalibrateNewRequest, CalibrateNewResponse, CalibrationReport, CheckRequest, CheckResponse, Collisions,
     CompareRequest, CompareResponse, DriverCheckRequest, DriverCheckResponse, DriverTrustRequest,
     DriverTrustResponse, DriversRequest, DriversResponse, DumpRequest, DumpResponse, ExportRequest,
-    ExportResponse, FrontEnd, GenerateRequest, GenerateResponse, ImportRequest, ImportResponse, Installation,
-    JogRequest, JogResponse, LiveCheck, MachineSettingsRequest, MachineSettingsResponse, MachinesRequest,
-    MachinesResponse, MaterialsRequest, MaterialsResponse, OperatorEvent, PlanRequest, PlanResponse,
-    PortsRequest, PortsResponse, ProfileCheckRequest, ProfileCheckResponse, ProfileExplainRequest,
-    ProfileExplainResponse, ProfileNewRequest, ProfileNewResponse, ProfileSetRequest, ProfileSetResponse,
-    ReplayRequest, RunRequest, RunResponse, RunsExportRequest, RunsExportResponse, RunsRequest, RunsResponse,
-    RunsShowRequest, RunsShowResponse, SimulateRequest, SimulateResponse, WiresRequest, WiresResponse,
+    ExportResponse, FrameRequest, FrameResponse, FrontEnd, GenerateRequest, GenerateResponse, ImportRequest,
+    ImportResponse, Installation, JogRequest, JogResponse, LiveCheck, MachineSettingsRequest,
+    MachineSettingsResponse, MachinesRequest, MachinesResponse, MaterialsRequest, MaterialsResponse,
+    OperatorEvent, PlanRequest, PlanResponse, PortsRequest, PortsResponse, ProfileCheckRequest,
+    ProfileCheckResponse, ProfileExplainRequest, ProfileExplainResponse, ProfileNewRequest,
+    ProfileNewResponse, ProfileSetRequest, ProfileSetResponse, ReplayRequest, RunRequest, RunResponse,
+    RunsExportRequest, RunsExportResponse, RunsRequest, RunsResponse, RunsShowRequest, RunsShowResponse,
+    SequenceRequest, SequenceResponse, SimulateRequest, SimulateResponse, ToleranceRequest,
+    ToleranceResponse, WiresRequest, WiresResponse,
 };
 
 macro_rules! requests {
@@ -152,6 +155,12 @@ requests! {
         Wires(WiresRequest) -> WiresResponse = wires::wires, "wires";
         /// Writes what a machine, another program or a person reads.
         Export(ExportRequest) -> ExportResponse = export::export, "export";
+        /// Computes a design as a frame: what its struts carry, how it vibrates, and how accurate it is once its joints are closed.
+        Frame(FrameRequest) -> FrameResponse = frame::frame, "frame";
+        /// Says how good a machine must be for what is required of the closed frame.
+        Tolerance(ToleranceRequest) -> ToleranceResponse = frame::tolerance, "tolerance";
+        /// Finds the order in which a machine builds the struts of a frame, or checks one.
+        Sequence(SequenceRequest) -> SequenceResponse = sequence::sequence, "sequence";
         /// Simulates a job.
         Simulate(SimulateRequest) -> SimulateResponse = wirebend_operation::simulate::simulate, "simulate";
         /// Bends the wires of a job on its machine.

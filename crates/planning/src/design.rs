@@ -7,6 +7,7 @@ use serde::Deserialize;
 use wirebend_core::units::Length;
 use wirebend_error::{ErrorRemedy, InputName};
 use wirebend_files::document::{Document, Job, SourceFile, StencilSource, sha256_hex};
+use wirebend_files::read::frame::FrameFile;
 use wirebend_files::read::{
     DEFAULT_TOLERANCE_MM, Format, Handedness, LengthUnit, ReadOptions, read, read_file,
 };
@@ -221,7 +222,15 @@ impl DesignInput {
                 ..Document::new(imported.wireframe)
             },
         };
-        Ok(Opened { name, format: imported.format, document, layers: imported.layers, program, notes })
+        Ok(Opened {
+            name,
+            format: imported.format,
+            document,
+            layers: imported.layers,
+            program,
+            frame: imported.frame,
+            notes,
+        })
     }
 }
 
@@ -234,6 +243,8 @@ pub struct Opened {
     pub layers: Vec<String>,
     /// Of a file that is one.
     pub program: Option<ReadProgram>,
+    /// Of a file of a frame what it says beside its struts.
+    pub frame: Option<Box<FrameFile>>,
     pub notes: Vec<NoteReport>,
 }
 
@@ -246,6 +257,7 @@ impl Opened {
             document: self.document.clone(),
             layers: Vec::new(),
             program: self.program.clone(),
+            frame: self.frame.clone(),
             notes: self.notes.clone(),
         }
     }
@@ -258,8 +270,19 @@ impl Opened {
             document,
             layers: Vec::new(),
             program: None,
+            frame: None,
             notes: Vec::new(),
         }
+    }
+
+    /// The error that a vertex is not there.
+    pub(crate) fn no_vertex(&self, vertex: u32, input: InputName) -> PlanningError {
+        let ids: Vec<u32> = self.document.wireframe.vertices().map(|(id, _)| id.0).collect();
+        let range = match (ids.first(), ids.last()) {
+            (Some(first), Some(last)) => format!("{first} to {last}"),
+            _ => "none".to_owned(),
+        };
+        PlanningError::NoVertex { vertex, name: self.name.clone(), count: ids.len(), range, input }
     }
 
     /// The design, if it has a wireframe to work on.

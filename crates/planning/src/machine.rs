@@ -141,7 +141,7 @@ pub fn deg(value: f64) -> Result<Angle, PlanningError> {
 }
 
 /// Where a figure of a profile comes from.
-fn source<T: Profile>(profile: &Resolved<T>, key: &str, reason: Option<&str>) -> Source {
+pub(crate) fn source<T: Profile>(profile: &Resolved<T>, key: &str, reason: Option<&str>) -> Source {
     let origin = profile.origin(key).map_or(profile.profile.id(), |origin| origin.id.as_str());
     Source { reason: reason.map(str::to_owned), entry: format!("{origin}, {key}") }
 }

@@ -535,12 +535,27 @@ export type InputName =
   | "avoid-collisions"
   | "clearance"
   | "runs"
+  | "supports"
+  | "gravity"
+  | "modes"
+  | "pieces"
+  | "faces"
+  | "requirements"
+  | "vary"
+  | "feed-share"
+  | "continuum"
+  | "expected"
+  | "epsilon"
+  | "time-limit"
+  | "group-by"
   | "profile-id"
   | "profile-name"
   | "format-settings"
   | "moves"
   | "resume"
-  | "abandon";
+  | "abandon"
+  | "readings"
+  | "profile-values";
 /**
  * What a question is about.
  */
@@ -612,7 +627,17 @@ export type DiagnosticCode =
   | "wire_does_not_fit"
   | "meets_machine"
   | "meets_stock"
-  | "no_clear_program";
+  | "no_clear_program"
+  | "frame_unsupported"
+  | "frame_mechanism"
+  | "strut_overstressed"
+  | "strut_near_buckling"
+  | "frame_too_soft"
+  | "strut_floating"
+  | "no_head_direction"
+  | "out_of_workspace"
+  | "sequence_not_found"
+  | "sequence_wrong";
 /**
  * What can be done about a finding, where the finding is.
  */
@@ -767,6 +792,24 @@ export type RemedyReport =
     }
   | {
       remedy: "measure_body";
+    }
+  | {
+      remedy: "support_vertices";
+    }
+  | {
+      remedy: "brace_frame";
+    }
+  | {
+      remedy: "build_later";
+    }
+  | {
+      remedy: "turn_head";
+    }
+  | {
+      remedy: "move_frame";
+    }
+  | {
+      remedy: "allow_more_sag";
     }
   | {
       remedy: "choose_material";
@@ -1261,7 +1304,9 @@ export type ErrorCode =
   | "begun-elsewhere"
   | "beyond-limit"
   | "busy"
+  | "calibration"
   | "closed-wires"
+  | "closing-joints"
   | "compensated"
   | "confirmation-of-another"
   | "confirmation-used"
@@ -1304,6 +1349,7 @@ export type ErrorCode =
   | "driver-unsafe"
   | "edit"
   | "exists"
+  | "faces"
   | "failure"
   | "files-only"
   | "format-of-another"
@@ -1326,6 +1372,7 @@ export type ErrorCode =
   | "journal-newer"
   | "json"
   | "left-in-wire"
+  | "load-case"
   | "machine-at-work"
   | "machine-fault"
   | "machine-geometry"
@@ -1336,17 +1383,23 @@ export type ErrorCode =
   | "no-edge"
   | "no-example"
   | "no-file"
+  | "no-frame"
   | "no-job"
+  | "no-limit"
   | "no-machine"
+  | "no-material"
+  | "no-modes"
   | "no-order"
   | "no-own-folder"
   | "no-port"
   | "no-question"
   | "no-run"
   | "no-settings"
+  | "no-shear-modulus"
   | "no-surface"
   | "no-thread"
   | "no-vertex"
+  | "no-walks"
   | "no-wire"
   | "noise-profile"
   | "not-a-job"
@@ -1365,6 +1418,7 @@ export type ErrorCode =
   | "nowhere-to-record"
   | "nowhere-to-trust"
   | "off-zero"
+  | "only-lengths"
   | "only-stencil"
   | "open-parent"
   | "other-compensation"
@@ -1421,6 +1475,7 @@ export type ErrorCode =
   | "read-unsupported"
   | "read-wireframe"
   | "runs-folder"
+  | "sequence-file"
   | "session-purpose"
   | "session-stale"
   | "session-state"
@@ -1442,6 +1497,7 @@ export type ErrorCode =
   | "stopped"
   | "stopped-before"
   | "stopped-since"
+  | "strut-without-length"
   | "unfinished"
   | "unknown-format"
   | "unsupported"
@@ -2205,7 +2261,7 @@ export interface DiagnosticReport {
    */
   step?: number | null;
   /**
-   * The unit of value and limit: `mm`, `deg`, or none for a count.
+   * The unit of value and limit: `mm`, `deg`, `mpa`, or none for a count and for a share.
    */
   unit?: string | null;
   /**
@@ -2795,7 +2851,7 @@ export interface WireDiagnostic {
    */
   step?: number | null;
   /**
-   * The unit of value and limit: `mm`, `deg`, or none for a count.
+   * The unit of value and limit: `mm`, `deg`, `mpa`, or none for a count and for a share.
    */
   unit?: string | null;
   /**

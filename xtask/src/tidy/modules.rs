@@ -18,7 +18,7 @@ const FLAT: usize = 25;
 const ORDER: &[(&str, &str)] = &[
     (
         "crates/core",
-        "units mesh curve wireframe route bend schedule compensate calibrate estimate simulate motion sag clearance search checks plan",
+        "units mesh curve wireframe route bend schedule compensate calibrate estimate simulate accuracy motion sag clearance search sequence checks plan",
     ),
     (
         "crates/profile",
@@ -39,7 +39,7 @@ const ORDER: &[(&str, &str)] = &[
     (
         "crates/planning",
         "text report stage progress error output installation signs drivers bodies machine contacts job choices program design stencil \
-         turning_back plan compare wires catalogue import generate picture export dump profiles calibrate playback collisions simulate",
+         turning_back plan compare wires catalogue import generate picture export dump profiles calibrate playback collisions simulate frame sequence",
     ),
     ("crates/editor", "request view error history edit_journal resolving changing check collisions fixes"),
     (

@@ -1,7 +1,9 @@
 //! The arguments.
 
 pub(crate) mod calibrate;
+pub(crate) mod frame;
 pub(crate) mod live;
+pub(crate) mod sequence;
 mod shared;
 
 use std::path::PathBuf;
@@ -11,7 +13,9 @@ use clap_complete::Shell;
 use wirebend_api::StageName;
 
 pub(crate) use calibrate::CalibrateCommand;
+use frame::{FrameArgs, ToleranceArgs};
 use live::{JogArgs, MachineSettingsArgs, PortsArgs, ReplayArgs, RunArgs, RunsCommand};
+use sequence::SequenceArgs;
 pub(crate) use shared::{
     ChoiceArgs, ClearanceArgs, DangerArgs, DesignArgs, ExportedArgs, KindArgs, OutputArgs, ReadArgs,
     WireRange,
@@ -131,6 +135,21 @@ pub(crate) enum Subcommands {
         #[command(flatten)]
         danger: DangerArgs,
     },
+    /// Compute a wireframe as a frame: what its struts carry, how it vibrates, how accurate it is once its joints are closed
+    #[command(
+        after_help = "Examples:\n  wirebend frame examples/bunny-frame.pwf --material abs-1-5mm\n  wirebend frame examples/truss-1.obj --material steel-0-9mm --supports free --modes 3\n  wirebend frame examples/truss-1.obj --machine pensa-diwire-pro --material steel-0-9mm --double --supports free --close --errors bend-forming"
+    )]
+    Frame(FrameArgs),
+    /// Say how good a machine must be for what is required of a closed frame
+    #[command(
+        after_help = "Examples:\n  wirebend tolerance examples/truss-1.obj --machine pensa-diwire-pro --material steel-0-9mm --double --require surface=0.1mm,force=20N\n  wirebend tolerance --continuum 408,50,50000 --material steel-0-9mm --require surface=1mm,force=5N"
+    )]
+    Tolerance(ToleranceArgs),
+    /// Find the order in which a machine builds the struts of a frame, or check one
+    #[command(
+        after_help = "Examples:\n  wirebend sequence bunny.pwf --machine framefab-extruder -o bunny-sequence.json\n  wirebend sequence bunny.pwf --machine framefab-extruder --check bunny-sequence.json\n  wirebend sequence bunny.pwf --machine framefab-extruder --layers --cost paper"
+    )]
+    Sequence(SequenceArgs),
     /// Bend a job without a machine, with the errors that machines make
     #[command(
         after_help = "Examples:\n  wirebend simulate cube.wbjob --noise wirebend-kit --runs 500 --seed 1 --svg cube-made.svg\n  wirebend simulate cube.wbjob --noise wirebend-kit --runs 100 --collisions"

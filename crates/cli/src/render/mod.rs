@@ -4,12 +4,14 @@ pub(crate) mod advice;
 mod calibrate;
 mod compare;
 mod drivers;
+mod frame;
 mod live;
 pub(crate) mod number;
 mod options;
 pub(crate) mod plan;
 mod profile;
 mod runs;
+mod sequence;
 mod simulate;
 mod tables;
 mod wires;
@@ -49,6 +51,9 @@ pub(crate) fn show(response: &Response, json: bool, contents: Contents) -> anyho
             Response::Plan(found) => plan::plan(&mut err, found)?,
             Response::Export(found) => export(&mut err, found)?,
             Response::Simulate(found) => simulate::simulate(&mut err, found)?,
+            Response::Frame(found) => frame::frame(&mut err, found)?,
+            Response::Tolerance(found) => frame::tolerance(&mut err, found)?,
+            Response::Sequence(found) => sequence::sequence(&mut err, found)?,
             Response::Run(found) => live::run(&mut std::io::stdout().lock(), &mut err, found)?,
             Response::Jog(found) | Response::Replay(found) => {
                 live::jog(&mut std::io::stdout().lock(), &mut err, found)?;
@@ -85,6 +90,8 @@ fn status(response: &Response) -> u8 {
         Response::Plan(found) => found.report.feasible(),
         Response::Compare(found) => found.from.feasible,
         Response::Simulate(found) => !simulate::hits(found),
+        Response::Frame(found) => found.holds,
+        Response::Sequence(found) => found.feasible,
         Response::Wires(found) => found.rows.iter().any(|row| row.side.feasible),
         Response::ProfileCheck(found) => return if found.ok { exit::DONE } else { exit::BAD_INPUT },
         Response::DriverCheck(found) => return if found.kept { exit::DONE } else { exit::FAILURE },
@@ -116,6 +123,7 @@ fn status(response: &Response) -> u8 {
         | Response::Generate(_)
         | Response::Export(_)
         | Response::Dump(_)
+        | Response::Tolerance(_)
         | Response::ProfileNew(_)
         | Response::ProfileExplain(_)
         | Response::ProfileSet(_)

@@ -25,6 +25,7 @@ fn option(remedy: &RemedyReport) -> Option<&'static str> {
         RemedyReport::AllowWires => Some("--wires N"),
         RemedyReport::TakeFaceEdges => Some("--face-edges"),
         RemedyReport::ChooseMaterial => Some("--material ID"),
+        RemedyReport::SupportVertices => Some("--supports VERTICES"),
         RemedyReport::ChooseMachine | RemedyReport::ChooseMachineWithRotation => Some("--machine ID"),
         RemedyReport::Leave
         | RemedyReport::LeaveTouching
@@ -57,7 +58,12 @@ fn option(remedy: &RemedyReport) -> Option<&'static str> {
         | RemedyReport::EaseBends
         | RemedyReport::TurnBendPlane
         | RemedyReport::MoveApart
-        | RemedyReport::MeasureBody => None,
+        | RemedyReport::MeasureBody
+        | RemedyReport::BraceFrame
+        | RemedyReport::BuildLater
+        | RemedyReport::TurnHead
+        | RemedyReport::MoveFrame => None,
+        RemedyReport::AllowMoreSag => Some("--epsilon MM"),
     }
 }
 

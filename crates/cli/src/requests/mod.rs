@@ -1,7 +1,9 @@
 //! From arguments to requests.
 
 mod calibrate;
+mod frame;
 mod live;
+mod sequence;
 
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -32,6 +34,7 @@ pub(crate) enum Prepared {
     Text(Vec<u8>),
 }
 
+#[allow(clippy::too_many_lines, reason = "one arm a command")]
 pub(crate) fn prepare(command: Subcommands) -> anyhow::Result<Prepared> {
     let written = |request| Prepared::Command(Box::new(request), Contents::Written);
     Ok(match command {
@@ -94,6 +97,9 @@ pub(crate) fn prepare(command: Subcommands) -> anyhow::Result<Prepared> {
                 collision_margin_mm: clearance.clearance,
             }))
         }
+        Subcommands::Frame(args) => written(frame::frame(args)?),
+        Subcommands::Tolerance(args) => written(frame::tolerance(args)?),
+        Subcommands::Sequence(args) => written(sequence::sequence(args)?),
         Subcommands::Run(args) => written(live::run(args)?),
         Subcommands::Jog(args) => written(live::jog(args)?),
         Subcommands::Replay(args) => written(live::replay(args)?),

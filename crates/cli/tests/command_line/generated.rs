@@ -20,11 +20,13 @@ fn a_truss_is_written_and_can_be_planned() {
 #[test]
 fn a_report_fits_its_schema() {
     let folder = tempfile::tempdir().unwrap();
-    let deep = ["generate", "truss", "--rings", "2", "--strut", "10", "--depth", "30", "-o", "t.obj", "--json"];
+    let deep =
+        ["generate", "truss", "--rings", "2", "--strut", "10", "--depth", "30", "-o", "t.obj", "--json"];
     let made = run_in(folder.path(), &deep, b"").ended(0).json();
     assert_fits("generate", &made);
     assert_eq!((&made["vertices"], &made["edges"]), (&54.into(), &198.into()));
-    let struts: Vec<f64> = made["strut_mm"].as_array().unwrap().iter().map(|mm| mm.as_f64().unwrap()).collect();
+    let struts: Vec<f64> =
+        made["strut_mm"].as_array().unwrap().iter().map(|mm| mm.as_f64().unwrap()).collect();
     let diagonal = (100.0_f64 / 3.0 + 900.0).sqrt();
     assert!((struts[0] - 10.0).abs() < 1e-9 && (struts[1] - diagonal).abs() < 1e-9, "{struts:?}");
     let text = std::fs::read_to_string(folder.path().join("t.obj")).unwrap();

@@ -8,12 +8,14 @@ mod compare;
 #[cfg(target_os = "linux")]
 mod documents;
 mod drivers;
+mod frames;
 mod generated;
 mod machine;
 mod outputs;
 mod profiles;
 mod programs;
 mod results;
+mod sequences;
 mod several_wires;
 mod simulations;
 mod statuses;

@@ -294,7 +294,21 @@ fn candidates(finding: Finding, all: &[Finding], trials: &mut Trials) -> Vec<Can
             found.extend(cuts::within_step(finding, trials.document()));
             found.extend(scale::down(finding, trials));
         }
-        Code::FoldBack | Code::SeveralWires | Code::NoEdges | Code::DoubledEdge | Code::WireDoesNotFit => {}
+        Code::FoldBack
+        | Code::SeveralWires
+        | Code::NoEdges
+        | Code::DoubledEdge
+        | Code::WireDoesNotFit
+        | Code::FrameUnsupported
+        | Code::FrameMechanism
+        | Code::StrutOverstressed
+        | Code::StrutNearBuckling
+        | Code::FrameTooSoft
+        | Code::StrutFloating
+        | Code::NoHeadDirection
+        | Code::OutOfWorkspace
+        | Code::SequenceNotFound
+        | Code::SequenceWrong => {}
     }
     found
 }

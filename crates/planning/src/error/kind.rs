@@ -32,6 +32,7 @@ impl PlanningError {
         match self {
             Self::Driver(problem) => problem.kind(),
             Self::Document(DocumentError::Save { .. } | DocumentError::Write(_))
+            | Self::NoModes { .. }
             | Self::Picture(_)
             | Self::Json(_) => ErrorKind::Failure,
             Self::Profile(
@@ -39,6 +40,11 @@ impl PlanningError {
             )
             | Self::Value { .. }
             | Self::NoMachine { .. }
+            | Self::NoMaterial { .. }
+            | Self::NoLimit
+            | Self::NoWalks { .. }
+            | Self::LoadCase { .. }
+            | Self::OnlyLengths
             | Self::IdTaken { .. }
             | Self::ShippedProfile { .. }
             | Self::SeveralKinds { .. }
@@ -57,6 +63,14 @@ impl PlanningError {
             | Self::Document(_)
             | Self::Profile(_)
             | Self::Geometry { .. }
+            | Self::NoShearModulus { .. }
+            | Self::StrutWithoutLength { .. }
+            | Self::NoFrame { .. }
+            | Self::SequenceFile { .. }
+            | Self::OtherDesign { .. }
+            | Self::StrutBuilder { .. }
+            | Self::Faces { .. }
+            | Self::Closing { .. }
             | Self::Springback { .. }
             | Self::Calibration(_)
             | Self::Noise { .. }
@@ -82,7 +96,20 @@ impl PlanningError {
             Self::Read(error) => error.code(),
             Self::Document(error) => error.code(),
             Self::Profile(error) => error.code(),
-            Self::Geometry { .. } => ErrorCode::MachineGeometry,
+            Self::Geometry { .. } | Self::StrutBuilder { .. } => ErrorCode::MachineGeometry,
+            Self::NoMaterial { .. } => ErrorCode::NoMaterial,
+            Self::NoShearModulus { .. } => ErrorCode::NoShearModulus,
+            Self::StrutWithoutLength { .. } => ErrorCode::StrutWithoutLength,
+            Self::NoFrame { .. } => ErrorCode::NoFrame,
+            Self::NoWalks { .. } => ErrorCode::NoWalks,
+            Self::SequenceFile { .. } => ErrorCode::SequenceFile,
+            Self::OtherDesign { error, .. } => error.code(),
+            Self::NoModes { .. } => ErrorCode::NoModes,
+            Self::LoadCase { .. } => ErrorCode::LoadCase,
+            Self::Closing { .. } => ErrorCode::ClosingJoints,
+            Self::Faces { .. } => ErrorCode::Faces,
+            Self::NoLimit => ErrorCode::NoLimit,
+            Self::OnlyLengths => ErrorCode::OnlyLengths,
             Self::Springback { .. } => ErrorCode::SpringbackTable,
             Self::Noise { .. } => ErrorCode::NoiseProfile,
             Self::Calibration(_) => ErrorCode::Calibration,

@@ -7,6 +7,7 @@ mod stencil;
 
 use std::path::PathBuf;
 
+use wirebend_core::accuracy::ClosingError;
 use wirebend_core::calibrate::CalibrationError;
 use wirebend_core::compensate::{PegGeometryError, SpringbackError};
 use wirebend_core::simulate::BadErrorTerm;
@@ -14,6 +15,7 @@ use wirebend_driver_host::HostError;
 use wirebend_error::{ErrorRemedy, InputName};
 use wirebend_files::document::DocumentError;
 use wirebend_files::read::ReadError;
+use wirebend_files::read::frame::StrutMatchError;
 use wirebend_profile::{Kind, ProfileError};
 
 pub use driver::DriverProblem;
@@ -39,6 +41,72 @@ pub enum PlanningError {
     /// The figures of a machine profile contradict each other.
     #[error("machine '{machine}': {}", text::error::peg_geometry(error))]
     Geometry { machine: String, error: PegGeometryError },
+    /// No wire was named, neither by the command nor by the design, nor a machine that has one.
+    #[error("no material is named")]
+    NoMaterial {
+        /// The materials that there are.
+        known: Vec<String>,
+    },
+    /// Torsion of a wire cannot be computed.
+    #[error(
+        "material '{material}' has neither a shear modulus nor Poisson's ratio: no frame of it can be computed"
+    )]
+    NoShearModulus { material: String },
+    /// A strut has no direction.
+    #[error("{name}: edge {edge} has no length: vertices {} and {} are at the same place", ends[0], ends[1])]
+    StrutWithoutLength {
+        /// The design.
+        name: String,
+        edge: u32,
+        ends: [u32; 2],
+    },
+    /// A design is no frame that can be computed.
+    #[error("{name} cannot be computed as a frame: {reason}")]
+    NoFrame {
+        /// The design.
+        name: String,
+        reason: String,
+    },
+    /// A design has chosen no walks, by which its edges would belong to wires.
+    #[error("{name} has no walks of wires: which edges are one wire is not known")]
+    NoWalks { name: String },
+    /// A sequence cannot be read.
+    #[error("{name}, line {line}: {reason}")]
+    SequenceFile { name: String, line: usize, reason: String },
+    /// A sequence is of another design.
+    #[error("{name}: {error}")]
+    OtherDesign { name: String, error: StrutMatchError },
+    /// The figures of a strut builder make no machine.
+    #[error("machine '{machine}': {reason}")]
+    StrutBuilder { machine: String, reason: String },
+    /// A file has several load cases, or not the one that is wanted.
+    #[error("{name} has {}", case_words(wanted.as_deref(), known))]
+    LoadCase {
+        /// The file.
+        name: String,
+        wanted: Option<String>,
+        /// Those that it has.
+        known: Vec<String>,
+    },
+    /// The search for modes came to nothing.
+    #[error("the modes of the frame were not found: {reason}")]
+    NoModes { reason: String },
+    /// The joints of a frame cannot be closed.
+    #[error("{name}: {}", text::error::closing(error))]
+    Closing {
+        /// The design.
+        name: String,
+        error: ClosingError,
+    },
+    /// A file of faces is none.
+    #[error("{name} is no list of faces: {reason}")]
+    Faces { name: String, reason: String },
+    /// Nothing that is required depends on what varies.
+    #[error("nothing that is required depends on the motions that vary")]
+    NoLimit,
+    /// Closed formulas say nothing of what was asked.
+    #[error("the closed formulas know feeds alone, and neither angles nor stresses")]
+    OnlyLengths,
     /// A springback table is not one.
     #[error("material '{material}': {}", text::error::springback(error))]
     Springback { material: String, error: SpringbackError },
@@ -117,6 +185,8 @@ pub enum PlanningError {
         count: usize,
         /// First and last.
         range: String,
+        /// What names it.
+        input: InputName,
     },
     /// A format that cannot be written.
     #[error("'{name}' is not a format that can be written{}", missing.as_ref().map(|error| format!(": {error}")).unwrap_or_default())]
@@ -232,6 +302,14 @@ pub enum PlanningError {
     /// A value cannot be turned into JSON.
     #[error("the result cannot be written as JSON: {0}")]
     Json(#[from] serde_json::Error),
+}
+
+/// "no load case 'wind'", "several load cases".
+fn case_words(wanted: Option<&str>, known: &[String]) -> String {
+    match wanted {
+        Some(wanted) => format!("no load case '{wanted}'"),
+        None => format!("{} load cases", known.len()),
+    }
 }
 
 /// "a machine profile and a noise profile".

@@ -1,10 +1,14 @@
 //! What can be done about an error of planning.
 
+use wirebend_core::accuracy::ClosingError;
 use wirebend_core::calibrate::CalibrationError;
 use wirebend_driver_host::advice_of;
 use wirebend_error::{ErrorRemedy, InputName};
 
 use super::{DriverProblem, PlanningError, StencilFileError};
+
+/// What a material profile lacks without which no frame of it can be computed.
+const SHEAR_MODULUS: &str = "\"poisson_ratio\": {\"value\": number, \"source\": text, \"measured\": true or false}, or \"shear_modulus_gpa\" like it";
 
 impl PlanningError {
     /// What can be done about it.
@@ -17,10 +21,33 @@ impl PlanningError {
             Self::Profile(error) => error.remedies(),
             Self::Stencil(error) => error.remedies(),
             Self::Driver(problem) => problem.remedies(),
-            Self::Geometry { .. } | Self::Springback { .. } | Self::Noise { .. } => vec![R::CorrectProfile],
-            Self::Calibration(CalibrationError::Geometry(_)) => vec![R::CorrectProfile],
-            Self::Calibration(_) => vec![R::CorrectFile],
+            Self::Geometry { .. }
+            | Self::Springback { .. }
+            | Self::Noise { .. }
+            | Self::StrutBuilder { .. }
+            | Self::Calibration(CalibrationError::Geometry(_))
+            | Self::Closing { error: ClosingError::Errors(_), .. } => vec![R::CorrectProfile],
+            Self::Calibration(_)
+            | Self::StrutWithoutLength { .. }
+            | Self::Faces { .. }
+            | Self::SequenceFile { .. } => vec![R::CorrectFile],
             Self::ShippedProfile { .. } => vec![R::CopyProfile],
+            Self::NoMaterial { known } | Self::LoadCase { known, .. } => {
+                vec![R::ChooseKnown { near: Vec::new(), known: known.clone() }]
+            }
+            Self::NoShearModulus { .. } => vec![R::AddKey { text: SHEAR_MODULUS.to_owned() }],
+            Self::NoWalks { .. } => vec![R::LeaveOut { inputs: vec![InputName::GroupBy] }],
+            Self::OtherDesign { error, .. } => error.remedies(),
+            Self::NoFrame { .. } => vec![R::CheckScale, R::SimplifyModel],
+            Self::NoModes { .. } => vec![R::CorrectInput { input: InputName::Modes }],
+            Self::Closing { error: ClosingError::Bowed, .. } => {
+                vec![R::LeaveOut { inputs: vec![InputName::Expected] }]
+            }
+            Self::Closing { .. } | Self::DamagedJob { .. } => vec![R::PlanAgain],
+            Self::NoLimit | Self::OnlyLengths => vec![
+                R::CorrectInput { input: InputName::Requirements },
+                R::CorrectInput { input: InputName::Vary },
+            ],
             Self::NoSurface { .. } => vec![R::OpenAsWireframe],
             Self::Value { input, .. } => input.iter().map(|&input| R::CorrectInput { input }).collect(),
             Self::IdTaken { .. } => vec![R::ChooseOtherId],
@@ -33,9 +60,8 @@ impl PlanningError {
             Self::OpenParent { complete, .. } => vec![R::InheritFrom { ids: complete.clone() }],
             Self::NoMachine { known } => vec![R::ChooseMachine { known: known.clone() }],
             Self::OnlyStencil { .. } => vec![R::TakeFaceEdges, R::TraceSurface],
-            Self::NoVertex { .. } | Self::StartWithoutEdge { .. } => {
-                vec![R::CorrectInput { input: InputName::Start }]
-            }
+            Self::NoVertex { input, .. } => vec![R::CorrectInput { input: *input }],
+            Self::StartWithoutEdge { .. } => vec![R::CorrectInput { input: InputName::Start }],
             Self::UnknownFormat { known, missing, .. } => {
                 let driver = missing.iter().flat_map(|problem| problem.remedies());
                 std::iter::once(R::ChooseKnown { near: Vec::new(), known: known.clone() })
@@ -60,7 +86,6 @@ impl PlanningError {
                 let leave_out = |input| R::LeaveOut { inputs: vec![input] };
                 [InputName::Closed, InputName::Wires].map(leave_out).into()
             }
-            Self::DamagedJob { .. } => vec![R::PlanAgain],
             Self::OtherMachine { wanted, .. } => vec![R::PlanForMachine { machine: Some(wanted.clone()) }],
             Self::Unwritable { .. } => vec![R::ExportAs { form: "template-svg or template-dxf".to_owned() }],
             Self::StageNotReached { .. } => vec![R::FixFindings],

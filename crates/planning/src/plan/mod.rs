@@ -14,7 +14,7 @@ use wirebend_core::checks::{Design, Diagnostic, check_design};
 use wirebend_core::plan::{PlanOptions, WirePlan, plan_wires};
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::{Component, VertexId};
-use wirebend_error::ErrorRemedy;
+use wirebend_error::{ErrorRemedy, InputName};
 use wirebend_files::document::{Job, JobContents, JobStep, JobWire, ProfileSnapshot};
 
 use crate::choices::PlanChoices;
@@ -141,12 +141,7 @@ impl Installation {
         let document = &opened.document;
         let start = choices.start.map(VertexId).or(document.start);
         if let Some(VertexId(vertex)) = start.filter(|&vertex| document.wireframe.vertex(vertex).is_none()) {
-            let ids: Vec<u32> = document.wireframe.vertices().map(|(id, _)| id.0).collect();
-            let range = match (ids.first(), ids.last()) {
-                (Some(first), Some(last)) => format!("{first} to {last}"),
-                _ => "none".to_owned(),
-            };
-            return Err(PlanningError::NoVertex { vertex, name: opened.name, count: ids.len(), range });
+            return Err(opened.no_vertex(vertex, InputName::Start));
         }
 
         progress.stage("checking the design");

@@ -64,7 +64,7 @@ pub struct DiagnosticReport {
     /// The limit, in `unit`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limit: Option<f64>,
-    /// The unit of value and limit: `mm`, `deg`, or none for a count.
+    /// The unit of value and limit: `mm`, `deg`, `mpa`, or none for a count and for a share.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unit: Option<&'static str>,
     /// Where the limit comes from.
@@ -121,6 +121,8 @@ fn number(quantity: Quantity) -> (f64, Option<&'static str>) {
         Quantity::Length(length) => (length.mm(), Some("mm")),
         Quantity::Angle(angle) => (angle.deg(), Some("deg")),
         Quantity::Count(count) => (count as f64, None),
+        Quantity::Stress(mpa) => (mpa, Some("mpa")),
+        Quantity::Ratio(ratio) => (ratio, None),
     }
 }
 

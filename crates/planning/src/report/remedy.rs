@@ -107,6 +107,18 @@ pub enum RemedyReport {
     AllowWires,
     /// Measure the body of the machine and enter its dimensions.
     MeasureBody,
+    /// Hold the frame at vertices.
+    SupportVertices,
+    /// Brace the frame with more struts.
+    BraceFrame,
+    /// Build the strut at another step, or what is in its way.
+    BuildLater,
+    /// Choose another direction of the head.
+    TurnHead,
+    /// Move the frame to where the machine reaches.
+    MoveFrame,
+    /// Allow joints to be farther from where they are drawn.
+    AllowMoreSag,
     /// Choose another material.
     ChooseMaterial,
     /// Choose another machine.
@@ -166,6 +178,12 @@ impl From<&Remedy> for RemedyReport {
             Remedy::SearchLonger => Self::SearchLonger,
             Remedy::AllowWires => Self::AllowWires,
             Remedy::MeasureBody => Self::MeasureBody,
+            Remedy::SupportVertices => Self::SupportVertices,
+            Remedy::BraceFrame => Self::BraceFrame,
+            Remedy::BuildLater => Self::BuildLater,
+            Remedy::TurnHead => Self::TurnHead,
+            Remedy::MoveFrame => Self::MoveFrame,
+            Remedy::AllowMoreSag => Self::AllowMoreSag,
             Remedy::ChooseMaterial => Self::ChooseMaterial,
             Remedy::ChooseMachine => Self::ChooseMachine,
             Remedy::ChooseMachineWithRotation => Self::ChooseMachineWithRotation,

@@ -268,7 +268,7 @@ pub fn simulate(
     })
 }
 
-fn noise_model(app: &Installation, id: &str) -> Result<ErrorModel, PlanningError> {
+pub(crate) fn noise_model(app: &Installation, id: &str) -> Result<ErrorModel, PlanningError> {
     let figures = app.library.noise(id)?.figures()?;
     let term = |figure: wirebend_profile::ErrorFigures| ErrorTerm { bias: figure.bias, sigma: figure.sigma };
     Ok(ErrorModel {

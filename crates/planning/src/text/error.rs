@@ -1,5 +1,6 @@
 //! Errors of `core` as a person reads them: what is wrong, and what would be right.
 
+use wirebend_core::accuracy::ClosingError;
 use wirebend_core::compensate::{PegGeometryError, PegRadius, SpringbackError};
 use wirebend_core::route::RouteError;
 use wirebend_core::simulate::{BadErrorTerm, ErrorSource};
@@ -121,6 +122,26 @@ pub fn springback(error: &SpringbackError) -> String {
             "pair {} of the springback table: both the formed angle and the formed angle plus loss must increase",
             pair + 1
         ),
+    }
+}
+
+/// Why the joints of a frame cannot be closed.
+#[must_use]
+pub fn closing(error: &ClosingError) -> String {
+    match error {
+        ClosingError::NoVertex { wire, vertex, vertices } => {
+            format!("wire {} passes vertex {vertex}, and there are {vertices}", wire + 1)
+        }
+        ClosingError::OtherProgram { wire, struts, segments } => format!(
+            "wire {} runs along {struts} edges, and its program has {segments} straight parts",
+            wire + 1
+        ),
+        ClosingError::Model(error) => format!("the wires are no frame: {error}"),
+        ClosingError::Unstable(error) => format!("the closed frame does not hold together: {error}"),
+        ClosingError::Errors(error) => noise(error),
+        ClosingError::Bowed => {
+            "struts that are bowed at random have no exact expectation: wires have to be drawn".to_owned()
+        }
     }
 }
 

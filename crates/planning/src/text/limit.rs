@@ -18,6 +18,12 @@ pub fn source(source: LimitSource) -> String {
         LimitSource::Reach(ReachLimit::Peg) => {
             "springback and setback of this wire on this machine".to_owned()
         }
+        LimitSource::EulerLoad => {
+            "half the load at which a column with pinned ends buckles (Euler)".to_owned()
+        }
+        LimitSource::JointReach => "how far a joint may be from where it is drawn".to_owned(),
+        LimitSource::HeadClearance => "the head's clearance".to_owned(),
+        LimitSource::HeadApproach => "the machine's largest angle of approach".to_owned(),
         LimitSource::AxisResolution => "half the resolution of the bend axis".to_owned(),
     }
 }

@@ -10,11 +10,13 @@ pub mod calibration;
 mod contact;
 mod drawing;
 pub mod error;
+mod frame;
 mod limit;
 mod machine;
 mod number;
 mod remedy;
 mod route;
+mod sequence;
 mod shown;
 mod straight;
 #[cfg(test)]
@@ -86,6 +88,18 @@ pub fn message(diagnostic: &Diagnostic) -> String {
             let found = contact::no_clear_program(at, &searched, *obstacle, body.as_deref(), *passed);
             found + &contact::helps(*helps)
         }
+        Fact::FrameUnsupported { edges, whole } => frame::unsupported(at, *edges, *whole),
+        Fact::FrameMechanism => frame::mechanism(at),
+        Fact::StrutOverstressed { stress_mpa, yield_mpa, .. } => {
+            frame::overstressed(at, *stress_mpa, *yield_mpa)
+        }
+        Fact::StrutNearBuckling { ratio, .. } => frame::near_buckling(at, *ratio),
+        Fact::FrameTooSoft { sag, max, without } => sequence::too_soft(at, *sag, *max, *without),
+        Fact::StrutFloating { edge } => sequence::floating(*edge),
+        Fact::NoHeadDirection { edge, blocking } => sequence::no_direction(*edge, *blocking),
+        Fact::OutOfWorkspace => sequence::out_of_reach(at),
+        Fact::SequenceNotFound { step, of, proved } => sequence::not_found(*step, *of, *proved),
+        Fact::SequenceStep(violation) => sequence::violation(violation),
     }
 }
 

@@ -289,6 +289,7 @@ fn limits_say_where_they_come_from() {
         ),
         (LimitSource::Reach(&ReachLimit::Peg), "springback and setback of this wire on this machine"),
         (LimitSource::AxisResolution, "half the resolution of the bend axis"),
+        (LimitSource::EulerLoad, "half the load at which a column with pinned ends buckles (Euler)"),
     ] {
         assert_eq!(source(limit), words);
     }
@@ -375,6 +376,8 @@ fn every_remedy_is_a_clause() {
         Remedy::SearchLonger,
         Remedy::AllowWires,
         Remedy::MeasureBody,
+        Remedy::SupportVertices,
+        Remedy::BraceFrame,
         Remedy::ChooseMaterial,
         Remedy::ChooseMachine,
         Remedy::ChooseMachineWithRotation,

@@ -14,6 +14,7 @@ export function valueText(
   if (value === null || value === undefined) return null;
   if (unit === "mm") return length(value, shown);
   if (unit === "deg") return angle(value);
+  if (unit === "mpa") return `${number(value, 1)} MPa`;
   return number(value, Number.isInteger(value) ? 0 : 1);
 }
 
@@ -76,6 +77,22 @@ const TITLES: Readonly<Record<DiagnosticCode, Title>> = {
     one: (r) => `The wire hits itself${inStep(r)}`,
     many: (n) => `The wire hits itself: ${n} times`,
   },
+  frame_unsupported: { one: () => "Nothing holds the frame", many: (n) => `Nothing holds ${n} parts of the frame` },
+  frame_mechanism: { one: (r) => `The frame does not stand${at(r)}`, many: (n) => `${n} parts do not stand` },
+  strut_overstressed: { one: (r) => `${edgeName(r)} yields`, many: (n) => `${n} edges yield` },
+  strut_near_buckling: { one: (r) => `${edgeName(r)} is near buckling`, many: (n) => `${n} edges are near buckling` },
+  frame_too_soft: {
+    one: (r) => `The frame sags too far${at(r)}`,
+    many: (n) => `The frame sags too far at ${n} places`,
+  },
+  strut_floating: { one: (r) => `${edgeName(r)} hangs on nothing`, many: (n) => `${n} edges hang on nothing` },
+  no_head_direction: {
+    one: (r) => `The head cannot place ${edgeName(r).toLowerCase()}`,
+    many: (n) => `The head cannot place ${n} edges`,
+  },
+  out_of_workspace: { one: (r) => `Out of the workspace${at(r)}`, many: (n) => `${n} vertices out of the workspace` },
+  sequence_not_found: null,
+  sequence_wrong: null,
   no_clear_program: {
     one: (r) => `No program without a collision was found${at(r)}`,
     many: (n) => `${n} parts have no program without a collision`,

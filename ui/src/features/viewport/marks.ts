@@ -14,6 +14,10 @@ const ABOUT_EDGES: ReadonlySet<string> = new Set([
   "edges_meet",
   "meets_machine",
   "meets_stock",
+  "strut_overstressed",
+  "strut_near_buckling",
+  "strut_floating",
+  "no_head_direction",
 ]);
 const ABOUT_VERTICES: ReadonlySet<string> = new Set([
   "bend_too_sharp",
@@ -27,6 +31,10 @@ const ABOUT_VERTICES: ReadonlySet<string> = new Set([
   "coincident_vertices",
   "isolated_vertex",
   "no_euler_path",
+  "frame_unsupported",
+  "frame_mechanism",
+  "frame_too_soft",
+  "out_of_workspace",
 ]);
 
 /** The vertices and edges that a diagnostic is about. */

@@ -1,3 +1,4 @@
+use wirebend_core::accuracy::ClosingError;
 use wirebend_core::compensate::{PegGeometryError, PegRadius, SpringbackError};
 use wirebend_core::simulate::{BadErrorTerm, ErrorSource};
 use wirebend_core::units::{Angle, Length};
@@ -83,6 +84,14 @@ fn models_of_machine_and_material_say_which_figure_is_wrong() {
     ] {
         assert_eq!(super::springback(&error), words);
     }
+    assert_eq!(
+        super::closing(&ClosingError::NoVertex { wire: 0, vertex: 7, vertices: 3 }),
+        "wire 1 passes vertex 7, and there are 3"
+    );
+    assert_eq!(
+        super::closing(&ClosingError::OtherProgram { wire: 1, struts: 4, segments: 3 }),
+        "wire 2 runs along 4 edges, and its program has 3 straight parts"
+    );
     let noise = BadErrorTerm { of: ErrorSource::Bend, bias: 0.0, sigma: -1.0 };
     assert_eq!(
         super::noise(&noise),

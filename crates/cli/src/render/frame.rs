@@ -1,0 +1,152 @@
+//! What a frame carries, how it vibrates, how accurate it is, and how good a machine must be for that.
+
+use std::io::Write;
+
+use wirebend_api::{
+    ClosingFigures, ClosingName, FrameResponse, MemberReport, ModeKindName, RequirementName, ResourcesReport,
+    StaticReport, ToleranceResponse,
+};
+
+use super::number::{count, mm};
+use super::tables::table;
+use super::{notes, plan, written};
+
+/// The most modes that are listed before the rest is left to `--json`.
+const LISTED_MODES: usize = 20;
+
+pub(super) fn frame(out: &mut impl Write, found: &FrameResponse) -> std::io::Result<()> {
+    notes(out, &found.notes)?;
+    let figures = &found.frame;
+    let held = match figures.supports {
+        0 => "held nowhere".to_owned(),
+        supports => format!("held at {}", count(supports, "vertex", "vertices")),
+    };
+    row(
+        out,
+        "frame",
+        &format!(
+            "{} at {}, {} mm of {}, {:.1} g; {held}",
+            count(figures.members, "strut", "struts"),
+            count(figures.nodes, "vertex", "vertices"),
+            mm(figures.length_mm),
+            found.material,
+            figures.mass_g
+        ),
+    )?;
+    if let Some(statics) = &found.statics {
+        carried(out, statics)?;
+    }
+    modes(out, found)?;
+    if let Some(closing) = &found.closing {
+        closed(out, found, closing.model, &closing.figures)?;
+    }
+    if let Some(resources) = &found.resources {
+        takes(out, resources)?;
+    }
+    for finding in &found.diagnostics {
+        plan::finding(out, finding, "compute it again with ")?;
+    }
+    written(out, found.files.iter())
+}
+
+fn row(out: &mut impl Write, label: &str, words: &str) -> std::io::Result<()> {
+    writeln!(out, "  {label:<18} {words}")
+}
+
+fn carried(out: &mut impl Write, found: &StaticReport) -> std::io::Result<()> {
+    row(out, "displacement", &format!("{:.4} mm at vertex {}", found.max_displacement_mm, found.at_vertex))?;
+    let most = |of: fn(&MemberReport) -> f64| {
+        found.members.iter().max_by(|a, b| of(a).total_cmp(&of(b))).map(|member| (member.edge, of(member)))
+    };
+    if let Some((edge, stress)) = most(|member| member.von_mises_mpa) {
+        let shares = found.members.iter().filter_map(|member| member.utilisation);
+        let share = shares.reduce(f64::max).map(|share| format!(", {:.1} % of what yields", 100.0 * share));
+        row(out, "stress", &format!("{stress:.3} MPa in edge {edge}{}", share.unwrap_or_default()))?;
+    }
+    match most(|member| member.buckling_ratio).filter(|&(_, ratio)| ratio > 0.0) {
+        Some((edge, ratio)) => {
+            row(out, "buckling", &format!("edge {edge} carries {:.1} % of its Euler load", 100.0 * ratio))
+        }
+        None => Ok(()),
+    }
+}
+
+fn modes(out: &mut impl Write, found: &FrameResponse) -> std::io::Result<()> {
+    if found.modes.is_empty() {
+        return Ok(());
+    }
+    let rows = found.modes.iter().take(LISTED_MODES).enumerate().map(|(k, mode)| {
+        let kind = match (mode.kind, mode.edge) {
+            (ModeKindName::Rigid, _) => "the frame moves without bending".to_owned(),
+            (ModeKindName::Global, _) => "the frame bends".to_owned(),
+            (ModeKindName::Local, edge) => format!("edge {} swings", edge.unwrap_or_default()),
+        };
+        [(k + 1).to_string(), format!("{:.3} Hz", mode.frequency_hz), kind]
+    });
+    table(out, ["mode", "frequency", "what moves"], rows)?;
+    match found.modes.len().saturating_sub(LISTED_MODES) {
+        0 => Ok(()),
+        more => writeln!(out, "and {more} more: --json has all"),
+    }
+}
+
+fn closed(
+    out: &mut impl Write,
+    found: &FrameResponse,
+    model: ClosingName,
+    figures: &ClosingFigures,
+) -> std::io::Result<()> {
+    let how = match model {
+        ClosingName::Aligned => "pulled to its vertices, locked and let go",
+        ClosingName::Coupled => "joints rigid from the start",
+    };
+    let of = match found.runs {
+        Some(runs) => format!("root mean squares of {}", count(runs as usize, "wire", "wires")),
+        None => "expected of all wires".to_owned(),
+    };
+    row(out, "closed", &format!("{how}; {of}"))?;
+    let sd = found.of_runs.map(|runs| runs.sd);
+    let spread = |of: fn(&ClosingFigures) -> f64, unit: &str| {
+        sd.map(|sd| format!(", ± {:.3} {unit} from wire to wire", of(&sd))).unwrap_or_default()
+    };
+    let surface = spread(|figures| figures.surface_rms_mm, "mm");
+    row(out, "surface", &format!("{:.4} mm{surface}", figures.surface_rms_mm))?;
+    let force = spread(|figures| figures.axial_rms_n, "N");
+    row(out, "force", &format!("{:.3} N along a strut{force}", figures.axial_rms_n))?;
+    let stress = spread(|figures| figures.von_mises_rms_mpa, "MPa");
+    row(out, "stress", &format!("{:.2} MPa von Mises{stress}", figures.von_mises_rms_mpa))?;
+    if let Some(pull) = figures.largest_pull_n {
+        row(out, "largest pull", &format!("{pull:.2} N; {:.2} N mm are stored", figures.energy_n_mm))?;
+    }
+    match figures.gap_mm {
+        Some(gap) => row(out, "gap before", &format!("{gap:.1} mm between passes through one vertex")),
+        None => Ok(()),
+    }
+}
+
+fn takes(out: &mut impl Write, found: &ResourcesReport) -> std::io::Result<()> {
+    let energy = match (found.energy_kj, found.time_min) {
+        (Some(energy), Some(time)) => format!("; {energy:.2} kJ, {time:.1} min at 25 W"),
+        _ => String::new(),
+    };
+    row(out, "takes", &format!("{:.1} g of wire{energy}", found.wire_g))
+}
+
+pub(super) fn tolerance(out: &mut impl Write, found: &ToleranceResponse) -> std::io::Result<()> {
+    notes(out, &found.notes)?;
+    if let Some(sigma) = found.feed_sigma_mm {
+        row(out, "feeds", &format!("within {sigma:.5} mm (standard deviation)"))?;
+    }
+    if let Some(sigma) = found.angle_sigma_deg {
+        row(out, "bends, rotations", &format!("within {sigma:.4}° (standard deviation)"))?;
+    }
+    let governs = match found.governed_by {
+        RequirementName::Surface => "the surface",
+        RequirementName::Force => "the force along struts",
+        RequirementName::Stress => "the stress",
+    };
+    row(out, "governed by", governs)?;
+    let achieved = &found.achieved;
+    let stress = achieved.stress_mpa.map(|stress| format!(", {stress:.2} MPa")).unwrap_or_default();
+    row(out, "achieved", &format!("{:.4} mm, {:.3} N{stress}", achieved.surface_mm, achieved.force_n))
+}

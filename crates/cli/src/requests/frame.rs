@@ -1,0 +1,58 @@
+//! The requests of frames.
+
+use std::path::{Path, PathBuf};
+
+use wirebend_api::{
+    ClosingChoice, Command, FrameRequest, LoadsChoice, Output, ToleranceRequest, ToleranceSubject,
+};
+
+use super::{choices, design, input};
+use crate::args::DesignArgs;
+use crate::args::frame::{FrameArgs, ToleranceArgs};
+use crate::usage::WrongUse;
+
+pub(super) fn frame(args: FrameArgs) -> anyhow::Result<Command> {
+    let faces = args.closing.faces.as_deref().map(input).transpose()?;
+    if [&args.vtk, &args.csv].into_iter().flatten().any(|path| path == Path::new("-")) {
+        return Err(WrongUse("results go to files: name one after --vtk or --csv".to_owned()).into());
+    }
+    let force = args.force;
+    let file = |path: PathBuf| Output { path, force };
+    let loads = args.loads.as_deref().map(input).transpose()?;
+    let close = args.errors.filter(|_| args.close).map(|errors| ClosingChoice {
+        errors,
+        closing: args.closing.closing,
+        runs: if args.expected { 0 } else { args.runs },
+        seed: args.seed,
+        faces,
+    });
+    Ok(Command::Frame(FrameRequest {
+        design: design(&args.design)?,
+        choices: choices(args.choices)?,
+        supports: args.supports,
+        loads: loads.map(|file| LoadsChoice { file, case: args.load_case }),
+        gravity: args.gravity.map(|gravity| gravity.0),
+        vtk: args.vtk.map(file),
+        csv: args.csv.map(file),
+        modes: args.modes,
+        pieces: args.pieces,
+        close,
+    }))
+}
+
+pub(super) fn tolerance(args: ToleranceArgs) -> anyhow::Result<Command> {
+    let of = match (args.continuum, args.file) {
+        (Some(truss), _) => ToleranceSubject::Continuum(truss),
+        (None, Some(file)) => ToleranceSubject::Design(design(&DesignArgs { file, read: args.read })?),
+        (None, None) => return Err(WrongUse("no wireframe is named".to_owned()).into()),
+    };
+    Ok(Command::Tolerance(ToleranceRequest {
+        of,
+        choices: choices(args.choices)?,
+        required: args.required,
+        vary: args.vary,
+        feed_share: args.feed_share,
+        closing: args.closing.closing,
+        faces: args.closing.faces.as_deref().map(input).transpose()?,
+    }))
+}

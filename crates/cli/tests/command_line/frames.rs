@@ -1,0 +1,264 @@
+//! `frame` and `tolerance`: real frames with figures of other programs, and input that is no frame.
+
+use serde_json::Value;
+
+use crate::{Ran, assert_fits, example, root, run, run_in};
+
+/// Gravity as the programs have it that the figures are from: 9.80633 m/s².
+const THEIR_GRAVITY: [&str; 2] = ["--gravity", "0,0,-0.99996737"];
+
+/// A file that a reader is tested with.
+fn data(name: &str) -> String {
+    root().join("crates/files/tests/data").join(name).display().to_string()
+}
+
+fn frame(file: &str, rest: &[&str]) -> Ran {
+    run(&[&["frame", file], rest].concat())
+}
+
+#[track_caller]
+fn near(value: &Value, expected: f64, part: f64) {
+    let value = value.as_f64().unwrap_or_else(|| panic!("{value} is no number"));
+    assert!((value - expected).abs() <= part * expected.abs(), "{value} instead of {expected}");
+}
+
+/// Under its own weight the bunny of FrameFab sags as OpenSees, PyNite and pyconmech say, which has vertical pillars right where it is
+/// turned.
+#[test]
+fn the_bunny_sags_as_three_other_programs_say() {
+    let arguments = [&["--material", "abs-1-5mm", "--json"], &THEIR_GRAVITY[..]].concat();
+    let found = frame(&data("framefab/bunny0507_.pwf"), &arguments).ended(0).json();
+    assert_fits("frame", &found);
+    near(&found["static"]["max_displacement_mm"], 0.427_187, 1e-5);
+    near(&found["frame"]["mass_g"], 13.760, 1e-4);
+    let members = found["static"]["members"].as_array().unwrap();
+    let peak = members.iter().map(|member| member["von_mises_mpa"].as_f64().unwrap()).fold(0.0, f64::max);
+    near(&peak.into(), 0.55602, 1e-4);
+    assert!(found["static"]["residual"].as_f64().unwrap() < 1e-9);
+    // The supports bear its weight.
+    let reactions = found["static"]["reactions"].as_array().unwrap();
+    let borne: f64 = reactions.iter().map(|reaction| reaction["force_n"][2].as_f64().unwrap()).sum();
+    near(&borne.into(), 13.760e-3 * 9.80633, 1e-4);
+}
+
+/// The first frequencies of `OpenSees` and an independent program, with one element for each strut.
+#[test]
+fn the_bunny_vibrates_as_another_program_says() {
+    let arguments = ["--material", "abs-1-5mm", "--modes", "3", "--pieces", "1", "--json"];
+    let found = frame(&data("framefab/bunny0507_.pwf"), &arguments).ended(0).json();
+    let modes = found["modes"].as_array().unwrap();
+    assert_eq!(modes.len(), 3);
+    for (mode, frequency) in modes.iter().zip([18.1481, 23.1528, 26.5428]) {
+        near(&mode["frequency_hz"], frequency, 1e-4);
+    }
+}
+
+#[test]
+fn a_file_of_an_assembly_brings_its_supports() {
+    let arguments = [&["--material", "abs-1-5mm", "--json"], &THEIR_GRAVITY[..]].concat();
+    let found = frame(&data("assembly-instances/C_shape.json"), &arguments).ended(0).json();
+    near(&found["static"]["max_displacement_mm"], 0.223_261, 1e-5);
+}
+
+/// A frame whose analytic answer its authors give rounded; the figures are those of `PyNite` and pyconmech. Sections, material, supports
+/// and loads are the files' own.
+#[test]
+fn loads_of_a_file_do_what_the_analytic_model_says() {
+    let loads = data("conmech/uniform_load_analytical_model_loads.json");
+    let model = data("conmech/uniform_load_analytical_model.json");
+    let found = frame(&model, &["--loads", &loads, "--json"]).ended(0).json();
+    near(&found["static"]["max_displacement_mm"], 22.3845, 1e-5);
+    assert_eq!(found["notes"], serde_json::json!([]), "what the file says is taken");
+    let reactions = found["static"]["reactions"].as_array().unwrap();
+    let mut borne: Vec<f64> =
+        reactions.iter().map(|reaction| reaction["force_n"][2].as_f64().unwrap()).collect();
+    borne.sort_by(f64::total_cmp);
+    near(&borne[0].into(), 5247.6, 1e-4);
+    near(&borne[1].into(), 14752.4, 1e-4);
+    let said = frame(&model, &["--loads", &loads, "--load-case", "wind"]).ended(2).err;
+    assert!(said.contains("no load case 'wind'"), "{said}");
+}
+
+const TRUSS: [&str; 8] =
+    ["--units", "mm", "--material", "steel-0-9mm", "--machine", "pensa-diwire-pro", "--double", "--json"];
+
+fn faces(folder: &std::path::Path) -> String {
+    let file = folder.join("faces.json");
+    let list = |from: u32| (from..from + 12).map(|id| id.to_string()).collect::<Vec<_>>().join(",");
+    std::fs::write(&file, format!("[[{}],[{}]]", list(0), list(12))).unwrap();
+    file.display().to_string()
+}
+
+/// The same wires for the same seed, whichever processor draws them; and one of them more changes the rest by nothing.
+#[test]
+fn closed_joints_depend_on_the_seed_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let faces = faces(folder.path());
+    let close = |rest: &[&str]| {
+        let closing = ["--supports", "free", "--close", "--errors", "bend-forming", "--faces", &faces];
+        frame(&example("truss-1.obj"), &[&TRUSS[..], &closing, rest].concat()).ended(0).json()
+    };
+    let first = close(&["--runs", "12", "--seed", "3"]);
+    assert_fits("frame", &first);
+    assert_eq!(first["runs"], 12);
+    assert!(first["static"].is_null());
+    let again = close(&["--runs", "12", "--seed", "3"]);
+    assert_eq!((&first["closing"], &first["of_runs"]), (&again["closing"], &again["of_runs"]));
+    assert_ne!(first["closing"], close(&["--runs", "12", "--seed", "4"])["closing"]);
+    let closing = &first["closing"];
+    let of = |key: &str| closing[key].as_f64().unwrap();
+    assert!(
+        of("gap_mm") > 10.0 * of("surface_rms_mm"),
+        "passes are far apart before they are pulled together"
+    );
+    // The root of the mean square is above the mean by what the runs spread.
+    let (mean, sd) = (&first["of_runs"]["mean"]["axial_rms_n"], &first["of_runs"]["sd"]["axial_rms_n"]);
+    let square = mean.as_f64().unwrap().powi(2) + sd.as_f64().unwrap().powi(2);
+    near(&closing["axial_rms_n"], square.sqrt(), 1e-9);
+    let coupled = close(&["--runs", "12", "--seed", "3", "--closing", "coupled"]);
+    assert!(coupled["closing"]["axial_rms_n"].as_f64().unwrap() > 1.2 * of("axial_rms_n"), "bowed struts");
+    assert!(coupled["closing"]["largest_pull_n"].is_null());
+    // 0.33 kJ a gram at 25 W (Bend-Forming, Table 1).
+    let wire_g = first["resources"]["wire_g"].as_f64().unwrap();
+    near(&first["resources"]["energy_kj"], 0.33 * wire_g, 1e-9);
+    near(&first["resources"]["time_min"], 0.33 * wire_g * 1000.0 / 25.0 / 60.0, 1e-9);
+}
+
+#[test]
+fn an_expectation_is_for_straight_struts() {
+    let close = ["--supports", "free", "--close", "--expected", "--errors"];
+    let with = |errors: &str| frame(&example("truss-1.obj"), &[&TRUSS[..], &close, &[errors]].concat());
+    let none = with("none").ended(0).json();
+    assert_eq!(none["closing"]["axial_rms_n"], 0.0);
+    assert!(none["runs"].is_null());
+    let said = with("bend-forming").ended(3).json();
+    assert_eq!(said["error"]["code"], "closing-joints");
+    assert!(said["error"]["message"].as_str().unwrap().contains("bowed"), "{said}");
+    assert_eq!(said["error"]["help"][0], "leave out --expected");
+}
+
+/// The reflector of Bend-Forming: 50 m across, 50 mm deep, true within 1 mm, 5 N in its struts.
+#[test]
+fn a_reflector_asks_for_feeds_within_micrometres() {
+    let arguments =
+        ["tolerance", "--continuum", "408,50,50000", "--material", "steel-0-9mm", "--json", "--require"];
+    let require = |limits: &str| run(&[&arguments[..], &[limits]].concat());
+    let surface = require("surface=1mm").ended(0).json();
+    assert_fits("tolerance", &surface);
+    near(&surface["feed_sigma_mm"], 8.40e-3, 1e-3);
+    assert_eq!(surface["governed_by"], "surface");
+    let both = require("surface=1mm,force=5N").ended(0).json();
+    near(&both["feed_sigma_mm"], 4.168e-3, 1e-3);
+    assert_eq!(both["governed_by"], "force");
+    assert_eq!(require("stress=100MPa").ended(2).json()["error"]["code"], "only-lengths");
+}
+
+#[test]
+fn half_of_what_is_required_takes_half_the_errors() {
+    let folder = tempfile::tempdir().unwrap();
+    let faces = faces(folder.path());
+    let file = example("truss-1.obj");
+    let tolerance = |rest: &[&str]| {
+        run(&[&["tolerance", &file], &TRUSS[..], &["--faces", &faces], rest].concat()).ended(0).json()
+    };
+    let whole = tolerance(&["--require", "surface=0.2,force=1000"]);
+    let half = tolerance(&["--require", "surface=0.1"]);
+    let of = |found: &Value| found["feed_sigma_mm"].as_f64().unwrap();
+    near(&(2.0 * of(&half)).into(), of(&whole), 1e-9);
+    near(&whole["achieved"]["surface_mm"], 0.2, 1e-9);
+    assert!(whole["angle_sigma_deg"].is_null());
+    let both = tolerance(&["--require", "surface=0.2", "--vary", "both"]);
+    assert!(both["angle_sigma_deg"].as_f64().unwrap() > 0.0);
+    near(&(of(&both) / of(&whole)).into(), 0.5_f64.sqrt(), 1e-9);
+}
+
+#[test]
+fn what_is_no_frame_is_refused_by_name() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+    write("two.obj", "v 0 0 0\nv 50 0 0\nv 0 99 0\nv 50 99 0\nl 1 2\nl 3 4\n");
+    write("point.obj", "v 0 0 0\nv 50 0 0\n");
+    write("faces.json", "[[0, 1, 1, 2]]");
+    write("numbers.json", "{\"faces\": 3}");
+    let ran = |rest: &[&str]| {
+        let arguments = [&["frame", "two.obj", "--units", "mm", "--json"], rest].concat();
+        run_in(folder.path(), &arguments, b"")
+    };
+    let material = ["--material", "abs-1-5mm"];
+    let code = |ran: Ran, status: i32| ran.ended(status).json()["error"]["code"].as_str().unwrap().to_owned();
+    assert_eq!(code(ran(&[]), 2), "no-material");
+    assert_eq!(code(ran(&[&material[..], &["--supports", "7"]].concat()), 3), "no-vertex");
+    assert_eq!(code(ran(&[&material[..], &["--modes", "1001"]].concat()), 2), "value");
+    ran(&[&material[..], &["--supports", "a,b"]].concat()).ended(2);
+    ran(&[&material[..], &["--gravity", "0,1"]].concat()).ended(2);
+    ran(&[&material[..], &["--close"]].concat()).ended(2);
+
+    let finding = |ran: Ran| ran.ended(4).json()["diagnostics"][0].clone();
+    let nothing = finding(ran(&material));
+    assert_eq!(nothing["code"], "frame_unsupported");
+    assert_eq!(nothing["message"], "nothing holds the frame: no vertex is a support");
+    let part = finding(ran(&[&material[..], &["--supports", "0"]].concat()));
+    assert_eq!((&part["code"], &part["edge"]), (&"frame_unsupported".into(), &1.into()));
+    assert_eq!(part["message"], "nothing holds the part of 1 edge at vertex 2");
+    let arguments = ["frame", "point.obj", "--units", "mm", "--json", "--material", "abs-1-5mm"];
+    let empty = run_in(folder.path(), &arguments, b"");
+    assert!([3, 4].contains(&empty.status), "{}", empty.err);
+
+    let close = ["--machine", "wirebend-kit", "--supports", "free", "--close", "--errors", "none", "--faces"];
+    for file in ["faces.json", "numbers.json", "missing.json"] {
+        let refused = ran(&[&close[..], &[file]].concat());
+        assert_eq!(refused.status, 3, "{file}: {}", refused.err);
+    }
+}
+
+/// A strut that is too heavy for its material is named, and one that a column's load would buckle.
+#[test]
+fn struts_that_do_not_hold_are_named() {
+    let folder = tempfile::tempdir().unwrap();
+    // A cantilever of ABS of 400 mm, and a column of 250 mm with a roof on it.
+    std::fs::write(folder.path().join("long.obj"), "v 0 0 0\nv 400 0 0\nl 1 2\n").unwrap();
+    let arguments =
+        ["frame", "long.obj", "--units", "mm", "--material", "abs-1-5mm", "--supports", "0", "--json"];
+    let heavy =
+        run_in(folder.path(), &[&arguments[..], &["--gravity", "0,0,-40"]].concat(), b"").ended(4).json();
+    assert_eq!(heavy["diagnostics"][0]["code"], "strut_overstressed");
+    assert_eq!(heavy["diagnostics"][0]["edge"], 0);
+    assert_eq!(heavy["diagnostics"][0]["unit"], "mpa");
+    // Bending at the root: w L²/2 over the section modulus.
+    let (radius, length) = (0.75_f64, 400.0_f64);
+    let weight = 1210e-12 * std::f64::consts::PI * radius * radius * 9806.65 * 40.0;
+    let modulus = std::f64::consts::PI * radius.powi(3) / 4.0;
+    near(&heavy["diagnostics"][0]["value"], weight * length * length / 2.0 / modulus, 1e-6);
+    let column =
+        run_in(folder.path(), &[&arguments[..], &["--gravity=-500,0,0"]].concat(), b"").ended(4).json();
+    let codes: Vec<&str> =
+        column["diagnostics"].as_array().unwrap().iter().map(|one| one["code"].as_str().unwrap()).collect();
+    assert!(codes.contains(&"strut_near_buckling"), "{codes:?}");
+}
+
+/// `ParaView` opens the file; a table has a row for each vertex and each strut.
+#[test]
+fn results_are_written_for_other_programs() {
+    let folder = tempfile::tempdir().unwrap();
+    let bunny = data("framefab/bunny0507_.pwf");
+    let arguments = ["frame", &bunny, "--material", "abs-1-5mm", "--vtk", "bunny.vtk", "--csv", "bunny.csv"];
+    run_in(folder.path(), &arguments, b"").ended(0);
+    let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
+    assert!(read("bunny.vtk").starts_with("# vtk DataFile Version "));
+    // The heading, and 179 struts.
+    assert_eq!(read("bunny-members.csv").lines().filter(|line| !line.starts_with('#')).count(), 180);
+    assert_eq!(read("bunny-nodes.csv").lines().filter(|line| !line.starts_with('#')).count(), 92);
+    let again = run_in(folder.path(), &arguments, b"").ended(2).err;
+    assert!(again.contains("exists already"), "{again}");
+    let floating = [&arguments[..], &["--supports", "free", "--force"]].concat();
+    let said = run_in(folder.path(), &floating, b"").ended(0).err;
+    assert!(said.contains("no file of displacements is written"), "{said}");
+}
+
+#[test]
+fn a_person_reads_what_the_frame_does() {
+    let said = frame(&data("framefab/bunny0507_.pwf"), &["--material", "abs-1-5mm"]).ended(0);
+    assert!(said.out.is_empty(), "reports go to the error stream");
+    assert!(said.err.contains("  displacement       0.4272 mm at vertex "), "{}", said.err);
+    assert!(said.err.contains(", 13.8 g; held at "), "{}", said.err);
+}

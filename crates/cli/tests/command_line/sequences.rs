@@ -1,0 +1,129 @@
+//! `sequence`: frames that are built strut by strut, sequences that are checked, and input that is none.
+
+use serde_json::{Value, json};
+
+use crate::{Ran, assert_fits, root, run, run_in};
+
+/// A file that a reader is tested with.
+fn data(name: &str) -> String {
+    root().join("crates/files/tests/data").join(name).display().to_string()
+}
+
+fn sequence(file: &str, rest: &[&str]) -> Ran {
+    run(&[&["sequence", &data(file), "--machine", "framefab-extruder", "--json"], rest].concat())
+}
+
+fn codes(found: &Value) -> Vec<&str> {
+    found["diagnostics"].as_array().unwrap().iter().map(|finding| finding["code"].as_str().unwrap()).collect()
+}
+
+/// 155 of 178 steps share a vertex in the sequence of an independent search; the sag is that of three other programs, under standard
+/// gravity.
+#[test]
+fn the_bunny_of_framefab_is_built() {
+    let found = sequence("framefab/bunny0507_.pwf", &["--layers"]).ended(0).json();
+    assert_fits("sequence", &found);
+    assert_eq!((&found["feasible"], &found["proved"]), (&json!(true), &json!(true)));
+    let steps = found["steps"].as_array().unwrap();
+    assert_eq!(steps.len(), 179);
+    assert_eq!(steps.iter().filter(|step| step["type"] == "ground").count(), 12);
+    assert!(steps[..12].iter().all(|step| step["direction"] == json!([0.0, 0.0, 1.0])), "pillars from above");
+    let sag = found["max_displacement_mm"].as_f64().unwrap();
+    assert!((sag - 0.427_187 * 9.80665 / 9.80633).abs() < 1e-5, "{sag}");
+    assert_eq!((&found["sharing"], &found["epsilon_mm"]), (&json!(155), &json!(0.65)));
+    let layered: usize =
+        found["layers"].as_array().unwrap().iter().map(|layer| layer.as_array().unwrap().len()).sum();
+    assert_eq!(layered, 179, "every strut is in one layer");
+}
+
+#[test]
+fn a_sequence_that_was_written_is_checked_and_a_spoilt_one_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let frame = data("assembly-instances/simple_frame.json");
+    let ask = |rest: &[&str]| {
+        run_in(folder.path(), &[&["sequence", &frame, "--machine", "framefab-extruder"], rest].concat(), b"")
+    };
+    ask(&["-o", "order.json"]).ended(0);
+    ask(&["-o", "order.json"]).ended(2);
+    let checked = ask(&["--check", "order.json", "--json"]).ended(0).json();
+    assert_fits("sequence", &checked);
+    assert_eq!((&checked["feasible"], checked["steps"].as_array().unwrap().len()), (&json!(true), 19));
+
+    // What other programs read says the same.
+    ask(&["-o", "framefab.json", "-f", "framefab"]).ended(0);
+    let framefab = ask(&["--check", "framefab.json", "--json"]).ended(0).json();
+    assert_eq!(framefab["max_displacement_mm"], checked["max_displacement_mm"]);
+    ask(&["-o", "instances.json", "-f", "assembly-instances"]).ended(0);
+    let again = ["sequence", "instances.json", "--machine", "framefab-extruder", "--json"];
+    assert_eq!(run_in(folder.path(), &again, b"").ended(0).json()["feasible"], json!(true));
+    let written: Value =
+        serde_json::from_slice(&std::fs::read(folder.path().join("instances.json")).unwrap()).unwrap();
+    let elements = written["element_list"].as_array().unwrap();
+    let steps = checked["steps"].as_array().unwrap();
+    assert_eq!(elements.len(), steps.len());
+    for (element, step) in elements.iter().zip(steps) {
+        let ends = element["end_node_ids"].as_array().unwrap();
+        assert!(ends.contains(&step["from_vertex"]), "{element} is not built from {}", step["from_vertex"]);
+    }
+
+    let path = folder.path().join("order.json");
+    let mut spoilt: Value = serde_json::from_slice(&std::fs::read(&path).unwrap()).unwrap();
+    let steps = spoilt["steps"].as_array_mut().unwrap();
+    steps.reverse();
+    steps.pop();
+    std::fs::write(folder.path().join("spoilt.json"), spoilt.to_string()).unwrap();
+    let refused = ask(&["--check", "spoilt.json", "--json"]).ended(4).json();
+    assert_eq!(refused["feasible"], json!(false));
+    for code in ["strut_floating", "sequence_wrong"] {
+        assert!(codes(&refused).contains(&code), "{code}: {refused}");
+    }
+    let told = ask(&["--check", "spoilt.json"]).ended(4).err;
+    assert!(told.contains("error[strut_floating]: step 1: "), "{told}");
+    assert!(told.contains("1 edge is never built"), "{told}");
+}
+
+#[test]
+fn a_frame_that_is_too_soft_or_out_of_reach_is_refused_with_its_place() {
+    let soft = sequence("framefab/bunny0507_.pwf", &["--epsilon", "0.3"]).ended(4).json();
+    assert_eq!((&soft["feasible"], &soft["proved"]), (&json!(false), &json!(true)));
+    assert_eq!(codes(&soft), ["frame_too_soft"]);
+    // Node 34 of three other programs, which count from 1.
+    assert_eq!(soft["diagnostics"][0]["vertex"], json!(33));
+    assert_eq!(soft["obstacle"]["rule"], json!("whole-frame"));
+    // No time, no answer.
+    let stopped = sequence("framefab/bunny0507_.pwf", &["--limit", "0"]).ended(4).json();
+    assert_eq!((&stopped["proved"], codes(&stopped)), (&json!(false), vec!["sequence_not_found"]));
+}
+
+#[test]
+fn what_is_no_frame_and_no_sequence_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+    let ask = |arguments: &[&str]| run_in(folder.path(), &[&["sequence"], arguments].concat(), b"");
+    let frame = data("assembly-instances/four-frame.json");
+    let machine = ["--machine", "framefab-extruder"];
+    // A bender is no strut builder.
+    let bender = ask(&[&frame, "--machine", "wirebend-kit"]).ended(2).err;
+    assert!(bender.contains("no strut-builder has the id `wirebend-kit`: it is a machine"), "{bender}");
+    let builder = run(&["plan", &frame, "--machine", "framefab-extruder"]).ended(2).err;
+    assert!(builder.contains("framefab-extruder"), "{builder}");
+    // Nothing stands on anything.
+    write("line.obj", "v 0 0 0\nv 0 0 30\nl 1 2\n");
+    let free = ask(&[&["line.obj", "--units", "mm", "--json"], &machine[..]].concat()).ended(4).json();
+    assert_eq!(codes(&free), ["frame_unsupported"]);
+    for epsilon in ["0", "-1", "NaN"] {
+        let arguments = [&[frame.as_str()], &machine[..], &["--epsilon", epsilon]].concat();
+        assert!([2, 3].contains(&ask(&arguments).status), "{epsilon}");
+    }
+    write("none.json", "{\"steps\": [{\"edge\": -3}]}");
+    let none = ask(&[&[frame.as_str()], &machine[..], &["--check", "none.json"]].concat()).ended(3).err;
+    assert!(none.contains("none.json, line 1"), "{none}");
+    write("other.json", "[1, 2]");
+    ask(&[&[frame.as_str()], &machine[..], &["--check", "other.json"]].concat()).ended(3);
+    // The authors' sequence is of the bunny in another place and size.
+    let published = data("framefab/bunny_result.json");
+    let other = ask(&[&[frame.as_str()], &machine[..], &["--check", &published]].concat()).ended(3).err;
+    assert!(other.contains("step 1 of the sequence: no vertex of the design"), "{other}");
+    let wires = ask(&[&[frame.as_str()], &machine[..], &["--group-by", "wire"]].concat()).ended(2).err;
+    assert!(wires.contains("has no walks of wires"), "{wires}");
+}

@@ -1,0 +1,131 @@
+//! A frame whose joints are closed: how accurate it is, what its struts carry then, and what it takes.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use wirebend_core::accuracy::{Closing, Resources};
+
+use super::figures::ClosingFigures;
+use super::material::FrameMaterial;
+use super::runs::{Figures, Runs};
+use crate::choices::PlanChoices;
+use crate::design::{Input, Opened};
+use crate::report::NoteReport;
+use crate::simulate::noise_model;
+use crate::{Installation, PlanningError, Progress};
+
+/// How joints are closed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum ClosingName {
+    /// Each pass of the wire is pulled to its vertex and turns freely; then joints are locked, and all is let go.
+    #[default]
+    Aligned,
+    /// Joints are rigid from the start.
+    Coupled,
+}
+
+impl From<ClosingName> for Closing {
+    fn from(name: ClosingName) -> Self {
+        match name {
+            ClosingName::Aligned => Self::Aligned,
+            ClosingName::Coupled => Self::Coupled,
+        }
+    }
+}
+
+/// How joints are closed, and what is off.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+pub struct ClosingChoice {
+    /// The errors: the id of a noise profile.
+    pub errors: String,
+    #[serde(default)]
+    pub closing: ClosingName,
+    /// How many wires are drawn; 0: none, the exact expectation over all of them, which there is for straight struts alone.
+    pub runs: u32,
+    /// Where the random numbers start.
+    pub seed: u64,
+    /// The faces that are to be flat: a JSON list of lists of vertices. Absent, all vertices count, after the motion of the whole that
+    /// fits them best.
+    pub faces: Option<Input>,
+}
+
+/// A closed frame: over drawn wires roots of mean squares, or those that are expected of all.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct ClosingReport {
+    /// How joints were closed.
+    pub model: ClosingName,
+    #[serde(flatten)]
+    pub figures: ClosingFigures,
+}
+
+/// Over all runs.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+pub struct ClosingRuns {
+    pub mean: ClosingFigures,
+    /// Standard deviations.
+    pub sd: ClosingFigures,
+}
+
+/// What the wires take. Time is energy at the authors' 25 W, and not the time of the machine.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+pub struct ResourcesReport {
+    pub wire_g: f64,
+    pub joints_g: f64,
+    /// Null where the material's profile does not say what forming takes.
+    pub energy_kj: Option<f64>,
+    pub time_min: Option<f64>,
+}
+
+/// What closing joints came to.
+#[derive(Default)]
+pub(super) struct JointsClosed {
+    pub report: Option<ClosingReport>,
+    pub runs: Option<u32>,
+    pub of_runs: Option<ClosingRuns>,
+    pub resources: Option<ResourcesReport>,
+    pub notes: Vec<NoteReport>,
+}
+
+impl Installation {
+    /// Closes the joints of the wires that a design is planned as.
+    pub(super) fn close_joints(
+        &self,
+        opened: Opened,
+        material: &FrameMaterial,
+        choices: &PlanChoices,
+        choice: &ClosingChoice,
+        progress: &dyn Progress,
+    ) -> Result<JointsClosed, PlanningError> {
+        Runs::check(choice.runs)?;
+        let errors = noise_model(self, &choice.errors)?;
+        let wires = self.wires_to_close(opened, material, choices, choice.faces.as_ref(), progress)?;
+        progress.stage("closing joints");
+        let closing = Closing::from(choice.closing);
+        let (figures, of_runs) = if choice.runs == 0 {
+            let prepared = wires.model.straight().map_err(|error| wires.failed(error))?;
+            let expected = prepared.expected(closing, &errors, &wires.surface);
+            (ClosingFigures::from(expected.map_err(|error| wires.failed(error))?), None)
+        } else {
+            let runs =
+                Runs { wires: &wires, errors: &errors, closing, count: choice.runs, seed: choice.seed };
+            let figures = runs.all(progress).map_err(|error| wires.failed(error))?;
+            let of_runs =
+                ClosingRuns { mean: Figures::mean(&figures).into(), sd: Figures::deviation(&figures).into() };
+            (Figures::root_mean_square(&figures).into(), Some(of_runs))
+        };
+        let used = Resources { wire_g: material.wire.mass_g(wires.length), joints_g: wires.joints_g };
+        let energy_kj = material.energy_kj_per_g.map(|energy| used.energy_kj(energy));
+        Ok(JointsClosed {
+            report: Some(ClosingReport { model: choice.closing, figures }),
+            runs: (choice.runs > 0).then_some(choice.runs),
+            of_runs,
+            resources: Some(ResourcesReport {
+                wire_g: used.wire_g,
+                joints_g: used.joints_g,
+                energy_kj,
+                time_min: energy_kj.map(Resources::time_min),
+            }),
+            notes: wires.notes,
+        })
+    }
+}

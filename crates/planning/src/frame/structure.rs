@@ -1,0 +1,134 @@
+//! A design as the beams of a frame.
+
+use std::collections::BTreeMap;
+
+use wirebend_core::wireframe::{EdgeId, VertexId};
+use wirebend_frame::{Assembly, Member, MemberId, Model, ModelError, NodeId, Support};
+
+use super::FrameFigures;
+use super::material::FrameMaterial;
+use super::supports::FrameSupports;
+use crate::PlanningError;
+use crate::design::Opened;
+use crate::report::NoteReport;
+
+/// A frame whose nodes are the vertices of a design and whose members are its edges, both in order of id.
+pub(super) struct Structure {
+    pub assembly: Assembly,
+    pub vertices: Vec<VertexId>,
+    pub edges: Vec<EdgeId>,
+    /// Whether something holds it.
+    pub held: bool,
+    /// What joins struts at vertices, and what it weighs, g.
+    pub joints: Vec<(NodeId, f64)>,
+}
+
+impl Structure {
+    pub fn new(
+        opened: &Opened,
+        material: &FrameMaterial,
+        supports: &FrameSupports,
+        notes: &mut Vec<NoteReport>,
+    ) -> Result<Self, PlanningError> {
+        let wireframe = &opened.document.wireframe;
+        let vertices: Vec<VertexId> = wireframe.vertices().map(|(id, _)| id).collect();
+        let node: BTreeMap<VertexId, NodeId> =
+            vertices.iter().enumerate().map(|(k, &id)| (id, NodeId(k))).collect();
+        let members = wireframe.edges().filter_map(|(id, edge)| {
+            Some((id, Member::new(*node.get(&edge.a)?, *node.get(&edge.b)?, material.section_of(id))))
+        });
+        let (edges, members): (Vec<EdgeId>, Vec<Member>) = members.unzip();
+        let held = held(opened, supports)?;
+        let (bearing, unused): (Vec<VertexId>, Vec<VertexId>) =
+            held.into_iter().partition(|&vertex| !wireframe.incident(vertex).is_empty());
+        notes.extend(unused_supports(&unused));
+        let model = Model {
+            nodes: wireframe.vertices().map(|(_, vertex)| vertex.position).collect(),
+            members,
+            sections: material.sections.clone(),
+            supports: bearing
+                .iter()
+                .filter_map(|id| Some(support(opened, supports, *id, *node.get(id)?)))
+                .collect(),
+        };
+        let assembly = Assembly::new(&model).map_err(|error| no_frame(opened, &edges, &vertices, &error))?;
+        let joints = wireframe.vertices().filter_map(|(id, vertex)| {
+            let bears = !wireframe.incident(id).is_empty();
+            Some((*node.get(&id)?, vertex.joint.filter(|_| bears)?.mass_g))
+        });
+        let joints = joints.collect();
+        Ok(Self { assembly, held: !bearing.is_empty(), joints, vertices, edges })
+    }
+
+    /// The node of a vertex.
+    pub fn node(&self, id: VertexId) -> Option<NodeId> {
+        self.vertices.binary_search(&id).ok().map(NodeId)
+    }
+
+    pub fn figures(&self) -> FrameFigures {
+        let model = self.assembly.model();
+        let ends = model.members.iter().flat_map(|member| [member.a, member.b]);
+        let mut nodes: Vec<NodeId> = ends.collect();
+        nodes.sort_unstable();
+        nodes.dedup();
+        let length_mm = (0..model.members.len()).map(|k| self.assembly.length(MemberId(k))).sum();
+        FrameFigures {
+            nodes: nodes.len(),
+            members: model.members.len(),
+            supports: model.supports.len(),
+            length_mm,
+            // Tonnes are 1e6 g.
+            mass_g: self.assembly.mass(&self.assembly.all()) * 1.0e6,
+        }
+    }
+}
+
+/// How a vertex is held: as its file says, or altogether.
+fn support(opened: &Opened, supports: &FrameSupports, id: VertexId, node: NodeId) -> Support {
+    let of_file = opened.frame.as_ref().filter(|_| *supports == FrameSupports::Design);
+    let fixed = of_file.and_then(|file| file.supports.get(&id).copied()).unwrap_or([true; 6]);
+    Support { node, fixed }
+}
+
+/// The vertices that are held.
+fn held(opened: &Opened, supports: &FrameSupports) -> Result<Vec<VertexId>, PlanningError> {
+    let wireframe = &opened.document.wireframe;
+    let mut held: Vec<VertexId> = match supports {
+        FrameSupports::Free => Vec::new(),
+        FrameSupports::Design => {
+            wireframe.vertices().filter(|(_, vertex)| vertex.support).map(|(id, _)| id).collect()
+        }
+        FrameSupports::Vertices(ids) => ids.iter().copied().map(VertexId).collect(),
+    };
+    held.sort_unstable();
+    held.dedup();
+    match held.iter().find(|&&id| wireframe.vertex(id).is_none()) {
+        Some(&VertexId(vertex)) => Err(opened.no_vertex(vertex, wirebend_error::InputName::Supports)),
+        None => Ok(held),
+    }
+}
+
+/// A support that holds nothing is worth knowing of.
+fn unused_supports(unused: &[VertexId]) -> Option<NoteReport> {
+    let ids: Vec<String> = unused.iter().take(6).map(ToString::to_string).collect();
+    let more = if unused.len() > ids.len() { " and others" } else { "" };
+    (!unused.is_empty()).then(|| NoteReport {
+        code: "support-unused".into(),
+        count: unused.len(),
+        message: format!("no strut ends at the support at vertex {}{more}: it holds nothing", ids.join(", ")),
+        remedies: Vec::new(),
+    })
+}
+
+/// Why the edges of a design are no beams.
+fn no_frame(opened: &Opened, edges: &[EdgeId], vertices: &[VertexId], error: &ModelError) -> PlanningError {
+    let name = opened.name.clone();
+    match error {
+        ModelError::NoLength { member, a, b } => PlanningError::StrutWithoutLength {
+            name,
+            edge: edges.get(member.0).map_or(0, |id| id.0),
+            ends: [a, b].map(|node| vertices.get(node.0).map_or(0, |id| id.0)),
+        },
+        error => PlanningError::NoFrame { name, reason: error.to_string() },
+    }
+}

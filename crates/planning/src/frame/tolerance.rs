@@ -1,0 +1,253 @@
+//! `tolerance`: how good a machine must be for what is required of the closed frame.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use wirebend_core::accuracy::{
+    self, Closing, Continuum, NoLimit, Requirement, Responses, Surface, Tolerance, Vary,
+};
+use wirebend_core::simulate::{ErrorModel, ErrorTerm};
+use wirebend_core::units::Length;
+use wirebend_error::InputName;
+
+use super::closing::ClosingName;
+use super::wires::Wires;
+use crate::choices::PlanChoices;
+use crate::design::{DesignInput, Input};
+use crate::report::NoteReport;
+use crate::{Installation, PlanningError, Progress};
+
+/// What is required of a closed frame.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize, JsonSchema)]
+pub struct RequirementsChoice {
+    /// How far the faces may be off, RMS.
+    pub surface_mm: Option<f64>,
+    /// Force along a strut, RMS.
+    pub force_n: Option<f64>,
+    /// Von Mises stress, RMS.
+    pub stress_mpa: Option<f64>,
+}
+
+/// Which motions are off.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum VaryName {
+    #[default]
+    Feed,
+    /// Bends and rotations, by the same.
+    Angle,
+    /// Feeds, bends and rotations.
+    Both,
+}
+
+/// A tetrahedral truss of many rings, by closed formulas.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+pub struct ContinuumChoice {
+    /// Rings around the middle triangle.
+    pub rings: u32,
+    pub depth_mm: f64,
+    pub diameter_mm: f64,
+}
+
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct ToleranceRequest {
+    pub of: ToleranceSubject,
+    /// The wire, the machine and how its wires run.
+    pub choices: PlanChoices,
+    pub required: RequirementsChoice,
+    #[serde(default)]
+    pub vary: VaryName,
+    /// Of what is required, the share of the squares that is for feeds where both vary.
+    #[serde(default = "half")]
+    #[schemars(range(min = 0.0, max = 1.0))]
+    pub feed_share: f64,
+    #[serde(default)]
+    pub closing: ClosingName,
+    /// The faces that are to be flat: a JSON list of lists of vertices.
+    pub faces: Option<Input>,
+}
+
+/// Whose joints are closed.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ToleranceSubject {
+    Design(DesignInput),
+    /// A truss of many rings, by closed formulas.
+    Continuum(ContinuumChoice),
+}
+
+const fn half() -> f64 {
+    0.5
+}
+
+/// What can be required.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum RequirementName {
+    Surface,
+    Force,
+    Stress,
+}
+
+impl From<Requirement> for RequirementName {
+    fn from(requirement: Requirement) -> Self {
+        match requirement {
+            Requirement::Surface => Self::Surface,
+            Requirement::Force => Self::Force,
+            Requirement::Stress => Self::Stress,
+        }
+    }
+}
+
+/// What the frame comes to, expected of all wires; of a truss by closed formulas no stress is known.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+pub struct AchievedReport {
+    pub surface_mm: f64,
+    pub force_n: f64,
+    pub stress_mpa: Option<f64>,
+}
+
+/// How good the motions of a machine must be: standard deviations without a systematic part.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct ToleranceResponse {
+    pub material: String,
+    /// Of feeds; null where they do not vary.
+    pub feed_sigma_mm: Option<f64>,
+    /// Of bends and rotations; null where they do not vary.
+    pub angle_sigma_deg: Option<f64>,
+    /// The requirement that leaves no reserve.
+    pub governed_by: RequirementName,
+    pub achieved: AchievedReport,
+    /// What was merged, ignored or assumed while reading.
+    pub notes: Vec<NoteReport>,
+}
+
+pub fn tolerance(
+    app: &Installation,
+    request: &ToleranceRequest,
+    progress: &dyn Progress,
+) -> Result<ToleranceResponse, PlanningError> {
+    let required = request.required.checked()?;
+    if !(0.0..=1.0).contains(&request.feed_share) {
+        return Err(wrong(InputName::FeedShare, request.feed_share, "a share from 0 to 1"));
+    }
+    let vary = match request.vary {
+        VaryName::Feed => Vary::Feed,
+        VaryName::Angle => Vary::Angle,
+        VaryName::Both => Vary::Both { feed_share: request.feed_share },
+    };
+    let no_limit = |NoLimit| PlanningError::NoLimit;
+    match &request.of {
+        ToleranceSubject::Continuum(truss) => {
+            let material = app.material_of(request.choices.material.as_deref())?;
+            let truss = truss.checked(&material.wire)?;
+            if request.vary != VaryName::Feed || request.required.stress_mpa.is_some() {
+                return Err(PlanningError::OnlyLengths);
+            }
+            let feed = Responses {
+                surface: truss.surface_per_length(),
+                force: truss.force_per_length(),
+                stress: 0.0,
+            };
+            let found =
+                accuracy::tolerance(&feed, &Responses::default(), &required, vary).map_err(no_limit)?;
+            Ok(ToleranceResponse::new(material.id, &found, false, Vec::new()))
+        }
+        ToleranceSubject::Design(design) => {
+            let opened = app.designed(design.open(progress)?, &request.choices)?.with_wireframe()?;
+            let material = app.frame_material(&opened, &request.choices)?;
+            let mut notes = opened.notes.clone();
+            let wires =
+                app.wires_to_close(opened, &material, &request.choices, request.faces.as_ref(), progress)?;
+            progress.stage("closing joints");
+            let closing = request.closing.into();
+            let feed = wires.responses(closing, &one_mm(), request.vary != VaryName::Angle)?;
+            let angle = wires.responses(closing, &one_degree(), request.vary != VaryName::Feed)?;
+            let found = accuracy::tolerance(&feed, &angle, &required, vary).map_err(no_limit)?;
+            notes.extend(wires.notes);
+            Ok(ToleranceResponse::new(material.id, &found, true, notes))
+        }
+    }
+}
+
+fn one_mm() -> ErrorModel {
+    ErrorModel { feed_mm: ErrorTerm { bias: 0.0, sigma: 1.0 }, ..ErrorModel::default() }
+}
+
+fn one_degree() -> ErrorModel {
+    let one = ErrorTerm { bias: 0.0, sigma: 1.0 };
+    ErrorModel { bend_deg: one, rotate_deg: one, ..ErrorModel::default() }
+}
+
+fn wrong(input: InputName, value: f64, expected: &'static str) -> PlanningError {
+    PlanningError::Value { input: Some(input), name: input.words(), value: value.to_string(), expected }
+}
+
+impl Wires {
+    /// What a deviation of one unit does; nothing where it does not vary.
+    fn responses(
+        &self,
+        closing: Closing,
+        errors: &ErrorModel,
+        varies: bool,
+    ) -> Result<Responses, PlanningError> {
+        if !varies {
+            return Ok(Responses::default());
+        }
+        let surface: &Surface = &self.surface;
+        let expected = self.model.straight().and_then(|prepared| prepared.expected(closing, errors, surface));
+        let expected = expected.map_err(|error| self.failed(error))?;
+        Ok(Responses {
+            surface: expected.surface_rms,
+            force: expected.axial_rms,
+            stress: expected.von_mises_rms,
+        })
+    }
+}
+
+impl RequirementsChoice {
+    /// What is required, each a number above 0.
+    fn checked(&self) -> Result<Vec<(Requirement, f64)>, PlanningError> {
+        let given = [
+            (Requirement::Surface, self.surface_mm),
+            (Requirement::Force, self.force_n),
+            (Requirement::Stress, self.stress_mpa),
+        ];
+        let given: Vec<(Requirement, f64)> =
+            given.into_iter().filter_map(|(of, limit)| Some((of, limit?))).collect();
+        match given.iter().find(|(_, limit)| !(limit.is_finite() && *limit > 0.0)) {
+            Some(&(_, limit)) => Err(wrong(InputName::Requirements, limit, "a number above 0")),
+            None => Ok(given),
+        }
+    }
+}
+
+impl ContinuumChoice {
+    fn checked(&self, wire: &wirebend_core::estimate::WireModel) -> Result<Continuum, PlanningError> {
+        let length = |mm: f64| {
+            let length = Length::from_mm(mm).ok().filter(|length| *length > Length::ZERO);
+            length.ok_or_else(|| wrong(InputName::Continuum, mm, "a length above 0, in mm"))
+        };
+        if self.rings == 0 {
+            return Err(wrong(InputName::Continuum, 0.0, "at least 1 ring"));
+        }
+        let (depth, diameter) = (length(self.depth_mm)?, length(self.diameter_mm)?);
+        Ok(Continuum { rings: self.rings, depth, diameter, wire: *wire })
+    }
+}
+
+impl ToleranceResponse {
+    fn new(material: String, found: &Tolerance, stress: bool, notes: Vec<NoteReport>) -> Self {
+        Self {
+            material,
+            feed_sigma_mm: found.feed_sigma,
+            angle_sigma_deg: found.angle_sigma,
+            governed_by: found.governed_by.into(),
+            achieved: AchievedReport {
+                surface_mm: found.achieved.surface,
+                force_n: found.achieved.force,
+                stress_mpa: stress.then_some(found.achieved.stress),
+            },
+            notes,
+        }
+    }
+}

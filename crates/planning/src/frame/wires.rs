@@ -1,0 +1,80 @@
+//! The wires that a design is planned as, ready to be closed.
+
+use wirebend_core::accuracy::{ClosingModel, FrameWire, Surface};
+use wirebend_core::bend::NominalProgram;
+use wirebend_core::simulate::scheduled_start;
+use wirebend_core::units::Length;
+use wirebend_core::wireframe::VertexId;
+
+use super::faces::{faces, surface};
+use super::material::FrameMaterial;
+use crate::choices::PlanChoices;
+use crate::design::{Input, Opened};
+use crate::plan::Planned;
+use crate::report::NoteReport;
+use crate::stage::StageName;
+use crate::{Installation, PlanningError, Progress};
+
+/// The wires of a design, ready to be closed.
+pub(super) struct Wires {
+    pub model: ClosingModel,
+    pub surface: Surface,
+    /// Of all wires.
+    pub length: Length,
+    /// What joints at vertices weigh, g.
+    pub joints_g: f64,
+    pub notes: Vec<NoteReport>,
+    name: String,
+}
+
+impl Installation {
+    /// The wires that a design is planned as, whether or not the machine can bend them.
+    pub(super) fn wires_to_close(
+        &self,
+        opened: Opened,
+        material: &FrameMaterial,
+        choices: &PlanChoices,
+        chosen_faces: Option<&Input>,
+        progress: &dyn Progress,
+    ) -> Result<Wires, PlanningError> {
+        let before = opened.notes.len();
+        let groups = chosen_faces.map(|input| faces(input, &opened)).transpose()?;
+        let planned = self.plan_design(opened, choices, progress)?;
+        let wireframe = &planned.opened.document.wireframe;
+        let vertices: Vec<VertexId> = wireframe.vertices().map(|(id, _)| id).collect();
+        let points: Vec<_> = wireframe.vertices().map(|(_, vertex)| vertex.position).collect();
+        let wires = planned.wires.iter().map(|wire| {
+            let (route, nominal, scheduled) =
+                (wire.route.as_ref()?, wire.nominal.as_ref()?, wire.scheduled.as_ref()?);
+            let places = route.vertices().into_iter().filter_map(|id| vertices.binary_search(&id).ok());
+            Some(FrameWire {
+                vertices: places.collect(),
+                start: scheduled_start(wire.start, &scheduled.steps),
+                program: NominalProgram { steps: scheduled.steps.clone(), spans: nominal.spans.clone() },
+            })
+        });
+        let wires: Vec<FrameWire> = wires.collect::<Option<_>>().ok_or_else(|| unplanned(&planned))?;
+        let name = planned.opened.name.clone();
+        let model = ClosingModel::new(&points, &wires, material.section())
+            .map_err(|error| PlanningError::Closing { name: name.clone(), error })?;
+        let surface = surface(&points, &vertices, groups.as_deref(), wireframe);
+        let joints_g = wireframe
+            .vertices()
+            .filter_map(|(_, vertex)| vertex.joint)
+            .fold(0.0, |sum, joint| sum + joint.mass_g);
+        let notes = planned.opened.notes.into_iter().skip(before).collect();
+        let length = wires.iter().map(|wire| wire.program.length()).sum();
+        Ok(Wires { model, surface, length, joints_g, notes, name })
+    }
+}
+
+/// Not every part of the design has a route and a program.
+fn unplanned(planned: &Planned) -> PlanningError {
+    PlanningError::StageNotReached { stage: StageName::Schedule, report: Box::new(planned.report()) }
+}
+
+impl Wires {
+    pub fn failed(&self, error: wirebend_core::accuracy::ClosingError) -> PlanningError {
+        PlanningError::Closing { name: self.name.clone(), error }
+    }
+}

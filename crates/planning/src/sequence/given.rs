@@ -1,0 +1,102 @@
+//! A sequence from a file: what this command wrote, or what `FrameFab` did.
+
+use nalgebra::Vector3;
+use serde::Deserialize;
+use wirebend_core::sequence::{GivenJoint, GivenStep, StepKind};
+use wirebend_core::units::Length;
+use wirebend_core::wireframe::{EdgeId, VertexId};
+use wirebend_files::read::frame::{StrutKind, read_sequence};
+
+use super::report::StepTypeName;
+use crate::PlanningError;
+use crate::design::{Input, Opened};
+
+/// Files of positions have three decimals.
+const POSITIONS_MM: f64 = 0.01;
+
+/// What is read of the answer of this command.
+#[derive(Deserialize)]
+struct OwnFile {
+    steps: Vec<OwnStep>,
+}
+
+#[derive(Deserialize)]
+struct OwnStep {
+    edge: u32,
+    from_vertex: Option<u32>,
+    #[serde(rename = "type")]
+    kind: Option<StepTypeName>,
+    direction: Option<[f64; 3]>,
+    /// Of a wire or rod.
+    #[serde(default)]
+    edges: Vec<u32>,
+    #[serde(default)]
+    joints: Vec<OwnJoint>,
+}
+
+#[derive(Deserialize)]
+struct OwnJoint {
+    vertex: u32,
+    direction: [f64; 3],
+}
+
+pub(super) fn read(input: &Input, opened: &Opened) -> Result<Vec<GivenStep>, PlanningError> {
+    let (name, bytes) = input.load()?;
+    if !is_own(&bytes) {
+        return framefab(&bytes, &name, opened);
+    }
+    let file: OwnFile = serde_json::from_slice(&bytes).map_err(|error| PlanningError::SequenceFile {
+        name: name.clone(),
+        line: error.line(),
+        reason: error.to_string(),
+    })?;
+    Ok(file.steps.into_iter().map(step).collect())
+}
+
+/// Whether it has steps; everything else is told by the reader of `FrameFab`'s files.
+fn is_own(bytes: &[u8]) -> bool {
+    #[derive(Deserialize)]
+    struct Shape {
+        #[serde(rename = "steps")]
+        _steps: serde::de::IgnoredAny,
+    }
+    serde_json::from_slice::<Shape>(bytes).is_ok()
+}
+
+fn step(own: OwnStep) -> GivenStep {
+    let joints = if own.joints.is_empty() {
+        let of = |(vertex, direction): (u32, [f64; 3])| OwnJoint { vertex, direction };
+        own.from_vertex.zip(own.direction).map(of).into_iter().collect()
+    } else {
+        own.joints
+    };
+    let edges = if own.edges.is_empty() { vec![own.edge] } else { own.edges };
+    GivenStep {
+        edges: edges.into_iter().map(EdgeId).collect(),
+        kind: own.kind.map(StepKind::from),
+        joints: joints
+            .into_iter()
+            .map(|joint| GivenJoint {
+                vertex: VertexId(joint.vertex),
+                directions: vec![Vector3::from(joint.direction)],
+            })
+            .collect(),
+    }
+}
+
+fn framefab(bytes: &[u8], name: &str, opened: &Opened) -> Result<Vec<GivenStep>, PlanningError> {
+    let file = read_sequence(bytes, name)?;
+    let tolerance = Length::from_mm(POSITIONS_MM).unwrap_or_default();
+    let matched = file.match_edges(&opened.document.wireframe, tolerance);
+    let matched = matched.map_err(|error| PlanningError::OtherDesign { name: name.to_owned(), error })?;
+    let steps = matched.into_iter().zip(file.steps).map(|(matched, step)| GivenStep {
+        edges: vec![matched.edge],
+        kind: Some(match step.kind {
+            StrutKind::Ground => StepKind::Ground,
+            StrutKind::Create => StepKind::Create,
+            StrutKind::Connect => StepKind::Connect,
+        }),
+        joints: vec![GivenJoint { vertex: matched.from, directions: step.directions }],
+    });
+    Ok(steps.collect())
+}

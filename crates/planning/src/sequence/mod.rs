@@ -1,0 +1,222 @@
+//! `sequence`: the order in which a machine builds the struts of a design, or whether one that is given can be built.
+
+mod builder;
+mod findings;
+mod given;
+mod report;
+mod write;
+
+use std::ops::ControlFlow;
+use std::time::{Duration, Instant};
+
+use nalgebra::Vector3;
+use schemars::JsonSchema;
+use serde::Deserialize;
+use wirebend_core::checks::Diagnostic;
+use wirebend_core::sequence::{
+    self, GivenStep, Groups, LayerOptions, Outcome, Progress as SearchProgress, SearchOptions, Structure,
+    Task, Weight,
+};
+use wirebend_core::wireframe::EdgeId;
+use wirebend_error::InputName;
+use wirebend_frame::STANDARD_GRAVITY;
+
+use crate::choices::PlanChoices;
+use crate::design::{DesignInput, Input, Opened};
+use crate::{Installation, Output, PlanningError, Progress};
+use builder::BuilderSetup;
+pub use report::{
+    ObstacleReport, ObstacleRuleName, SequenceJoint, SequenceResponse, SequenceStepReport, StepTypeName,
+    StrategyName,
+};
+
+pub use write::SequenceFormat;
+
+/// So long is searched where nobody says, s.
+const LIMIT_S: f64 = 120.0;
+
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct SequenceRequest {
+    pub design: DesignInput,
+    /// The machine that builds the struts: the id of a strut builder.
+    pub machine: String,
+    /// What the struts are made of; absent, what the design says, else what the machine's profile names.
+    pub material: Option<String>,
+    /// How far a joint may be from where it is drawn, mm; absent, the radius of a strut less the machine's position tolerance.
+    #[schemars(range(min = 0.0))]
+    pub epsilon_mm: Option<f64>,
+    /// A sequence to check, in place of a search: what this command wrote, or a file of `FrameFab`.
+    pub check: Option<Input>,
+    /// Whether to cut the frame into layers, too.
+    #[serde(default)]
+    pub layers: bool,
+    /// What is placed at once.
+    #[serde(default)]
+    pub group_by: GroupBy,
+    /// What makes one order better than another.
+    #[serde(default)]
+    pub cost: CostName,
+    /// How long is searched, s; absent, 120.
+    #[schemars(range(min = 0.0))]
+    pub limit_s: Option<f64>,
+    /// Where the chance of the search begins; absent, 1. The same seed finds the same.
+    pub seed: Option<u64>,
+    /// Where the sequence goes.
+    pub output: Option<Output>,
+    /// What it is written as.
+    #[serde(default)]
+    pub format: SequenceFormat,
+}
+
+/// What is placed at once.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum GroupBy {
+    /// A strut.
+    #[default]
+    Edge,
+    /// All struts of a wire, along the walks that the design has chosen for its wires.
+    Wire,
+}
+
+/// What makes one order better than another.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum CostName {
+    /// The first that is found, with struts that share a vertex after each other.
+    #[default]
+    Sharing,
+    /// That of `FrameFab`, layer by layer.
+    Paper,
+}
+
+pub fn sequence(
+    app: &Installation,
+    request: &SequenceRequest,
+    progress: &dyn Progress,
+) -> Result<SequenceResponse, PlanningError> {
+    if let Some(output) = &request.output {
+        output.check()?;
+    }
+    let limit = seconds(request.limit_s)?;
+    let started = Instant::now();
+    let opened = request.design.open(progress)?.with_wireframe()?;
+    opened.require_designed()?;
+    let setup = BuilderSetup::new(app, &opened, request)?;
+    let mut answer = report::Answer::new(&opened, &setup);
+    answer.took("read", started);
+    let structure = match Structure::new(&opened.document.wireframe) {
+        Ok(structure) => structure,
+        Err(error) => return Ok(answer.refused(&findings::no_structure(&opened, &error))),
+    };
+    let groups = groups(&opened, &structure, request.group_by)?;
+    let weight = Weight { section: setup.section, gravity: Vector3::new(0.0, 0.0, -STANDARD_GRAVITY) };
+    let task = Task { structure: &structure, groups: &groups, builder: &setup.builder, weight: &weight };
+    let no_frame = |error: wirebend_frame::ModelError| PlanningError::NoFrame {
+        name: opened.name.clone(),
+        reason: error.to_string(),
+    };
+    let layers = if request.layers || request.cost == CostName::Paper {
+        progress.stage("cutting layers");
+        let since = Instant::now();
+        let ceilings: Vec<EdgeId> =
+            opened.document.wireframe.edges().filter(|(_, edge)| edge.ceiling).map(|(id, _)| id).collect();
+        let layers = sequence::layers(&task, &ceilings, &LayerOptions::default()).map_err(no_frame)?;
+        answer.took("layers", since);
+        Some(layers)
+    } else {
+        None
+    };
+    if request.layers {
+        answer.layers(&structure, layers.as_deref().unwrap_or_default());
+    }
+    if let Some(input) = &request.check {
+        progress.stage("checking the sequence");
+        let since = Instant::now();
+        let given = given::read(input, &opened)?;
+        let checked = sequence::check(&task, &given);
+        answer.took("check", since);
+        return Ok(answer.checked(&task, &given, &checked));
+    }
+    let since = Instant::now();
+    let mut watch = Watch { progress, until: since + limit, named: false };
+    let outcome = if let (CostName::Paper, Some(layers)) = (request.cost, layers) {
+        let backtracks = SearchOptions::default().backtracks;
+        sequence::search_by_paper(&task, &layers, backtracks, &mut |told| watch.hear(told))
+    } else {
+        let options = SearchOptions { seed: request.seed.unwrap_or(1), ..SearchOptions::default() };
+        sequence::search(&task, &options, &mut |told| watch.hear(told))
+    };
+    let outcome = outcome.map_err(no_frame)?;
+    answer.took("search", since);
+    let since = Instant::now();
+    let refused = rechecked(&task, &outcome, progress);
+    answer.took("check", since);
+    let mut response = answer.found(&task, &outcome, refused);
+    if let Some(output) = request.output.as_ref().filter(|_| response.feasible) {
+        let text = write::text(request.format, &response, &task, &outcome, &opened.document.wireframe)?;
+        response.files.push(output.save(text.as_bytes())?);
+    }
+    Ok(response)
+}
+
+/// What an independent check says of a sequence that was found.
+fn rechecked(task: &Task<'_>, outcome: &Outcome, progress: &dyn Progress) -> Vec<Diagnostic> {
+    if !outcome.is_found() {
+        return Vec::new();
+    }
+    progress.stage("checking the sequence");
+    let given: Vec<GivenStep> =
+        outcome.steps.iter().map(|step| GivenStep::of(step, task.structure, task.builder)).collect();
+    sequence::check(task, &given).violations.iter().map(findings::violation).collect()
+}
+
+/// Groups by what the design says of its wires.
+fn groups(opened: &Opened, structure: &Structure, by: GroupBy) -> Result<Groups, PlanningError> {
+    if by == GroupBy::Edge {
+        return Ok(Groups::single(structure));
+    }
+    let walks = &opened.document.walks;
+    if walks.is_empty() {
+        return Err(PlanningError::NoWalks { name: opened.name.clone() });
+    }
+    let wires: Vec<Vec<EdgeId>> = walks.iter().map(|walk| walk.edges.clone()).collect();
+    Groups::together(structure, &wires)
+        .map_err(|error| PlanningError::NoFrame { name: opened.name.clone(), reason: error.to_string() })
+}
+
+fn seconds(limit: Option<f64>) -> Result<Duration, PlanningError> {
+    let limit = limit.unwrap_or(LIMIT_S);
+    Duration::try_from_secs_f64(limit).map_err(|_| PlanningError::Value {
+        input: Some(InputName::TimeLimit),
+        name: InputName::TimeLimit.words(),
+        value: limit.to_string(),
+        expected: "seconds, 0 or more",
+    })
+}
+
+/// Tells a front end how far a search is, and ends it when time is up or a person has had enough.
+struct Watch<'a> {
+    progress: &'a dyn Progress,
+    until: Instant,
+    named: bool,
+}
+
+impl Watch<'_> {
+    fn hear(&mut self, told: &SearchProgress) -> ControlFlow<()> {
+        if !std::mem::replace(&mut self.named, true) {
+            self.progress.search("looking for a sequence");
+        }
+        self.progress.advance(told.taken as u64, told.of as u64);
+        if self.progress.goes_on() && Instant::now() < self.until {
+            ControlFlow::Continue(())
+        } else {
+            ControlFlow::Break(())
+        }
+    }
+}
+
+/// The choices by which the material of a frame is found.
+fn material_choices(request: &SequenceRequest) -> PlanChoices {
+    PlanChoices { material: request.material.clone(), ..PlanChoices::default() }
+}

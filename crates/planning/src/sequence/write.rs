@@ -1,0 +1,94 @@
+//! A sequence as a file: for this command, for `FrameFab`, for programs that read assembly instances.
+
+use std::collections::BTreeMap;
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+use wirebend_core::sequence::{Outcome, Step, StepKind, Task};
+use wirebend_core::wireframe::Wireframe;
+use wirebend_error::InputName;
+use wirebend_files::read::frame::{SequenceFile, SequenceStep, StrutKind};
+use wirebend_files::write::frame::{BuiltMember, assembly_instances, framefab_sequence};
+
+use super::report::SequenceResponse;
+use crate::PlanningError;
+
+/// What a sequence is written as.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum SequenceFormat {
+    /// The answer as JSON, which can be checked again.
+    #[default]
+    Wirebend,
+    /// The JSON of `FrameFab`, with all free directions.
+    Framefab,
+    /// Assembly instances, elements in the order of building; `layer_id` is the layer, or without layers the step.
+    AssemblyInstances,
+}
+
+pub(super) fn text(
+    format: SequenceFormat,
+    response: &SequenceResponse,
+    task: &Task<'_>,
+    outcome: &Outcome,
+    wireframe: &Wireframe,
+) -> Result<String, PlanningError> {
+    Ok(match format {
+        SequenceFormat::Wirebend => {
+            let mut text = serde_json::to_string_pretty(response)?;
+            text.push('\n');
+            text
+        }
+        SequenceFormat::Framefab => {
+            let steps: Result<Vec<SequenceStep>, _> =
+                outcome.steps.iter().map(|step| framefab_step(task, step)).collect();
+            framefab_sequence(&SequenceFile { base_centre: None, steps: steps? })
+        }
+        SequenceFormat::AssemblyInstances => {
+            let built = built(response);
+            assembly_instances(wireframe, &built, &BTreeMap::new(), None, None)
+        }
+    })
+}
+
+fn framefab_step(task: &Task<'_>, step: &Step) -> Result<SequenceStep, PlanningError> {
+    let ([strut], [joint]) = (&step.struts[..], &step.joints[..]) else {
+        return Err(PlanningError::Value {
+            input: Some(InputName::GroupBy),
+            name: InputName::GroupBy.words(),
+            value: "wire".to_owned(),
+            expected: "edge: files of FrameFab have one strut for each step",
+        });
+    };
+    let nodes = task.structure.nodes();
+    let [a, b] = task.structure.struts()[*strut].ends;
+    let to = if joint.node == a { b } else { a };
+    let directions = task.builder.directions.all();
+    Ok(SequenceStep {
+        start: nodes[joint.node].at,
+        end: nodes[to].at,
+        kind: match step.kind {
+            StepKind::Ground => StrutKind::Ground,
+            StepKind::Create => StrutKind::Create,
+            StepKind::Connect => StrutKind::Connect,
+        },
+        directions: joint.free.iter().map(|index| directions[index].into_inner()).collect(),
+    })
+}
+
+fn built(response: &SequenceResponse) -> Vec<BuiltMember> {
+    let mut layer_of = BTreeMap::new();
+    for (layer, edges) in (0_i64..).zip(response.layers.iter().flatten()) {
+        layer_of.extend(edges.iter().map(|&edge| (edge, layer)));
+    }
+    let steps = (0_i64..).zip(&response.steps);
+    let members = steps.flat_map(|(number, step)| {
+        let edges = if step.edges.is_empty() { vec![step.edge] } else { step.edges.clone() };
+        edges.into_iter().map(move |edge| (number, edge))
+    });
+    let member = |(number, edge): (i64, u32)| BuiltMember {
+        edge: wirebend_core::wireframe::EdgeId(edge),
+        layer: layer_of.get(&edge).copied().unwrap_or(number),
+    };
+    members.map(member).collect()
+}
