@@ -11,7 +11,7 @@ use super::drawing::Drawing;
 use super::error::{Location, ReadError};
 use super::format::Format;
 use super::frame::{
-    Fixities, FrameFile, FrameMaterial, FrameMember, FrameSection, Quantity, merged, positive, quantity,
+    Fixities, FrameFile, FrameMaterial, FrameMember, FrameSection, Quantity, merged, with_unit,
 };
 use super::note::NoteKind;
 use super::options::{LengthUnit, ReadOptions};
@@ -100,12 +100,12 @@ impl Flag {
 }
 
 impl Node {
-    /// How it holds; a node that is grounded and says no more holds in every direction.
+    /// How it holds; a node that is grounded and says no more holds in every direction, and one whose fixities are all off holds nothing.
     fn fixities(&self, source: Source<'_>, place: Location) -> Result<Option<Fixities>, ReadError> {
         let stated = self.fixities.as_deref().unwrap_or_default();
         let held: Vec<bool> = stated.iter().map(Flag::is_set).collect();
         match Fixities::try_from(held) {
-            Ok(held) => Ok(Some(held).filter(|held| held.contains(&true) || self.is_grounded.is_set())),
+            Ok(held) => Ok(Some(held).filter(|held| held.contains(&true))),
             Err(held) if held.is_empty() => Ok(self.is_grounded.is_set().then_some([true; 6])),
             Err(held) => {
                 let found = format!("{} fixities", held.len());
@@ -116,7 +116,7 @@ impl Node {
     }
 }
 
-/// Reads a frame. A node that is grounded or has any fixity is a support; `unit` is honoured.
+/// Reads a frame. A node that has any fixity is a support, and so is one that is grounded and says none; `unit` is honoured.
 pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> Result<Imported, ReadError> {
     let assembly: Assembly = json::parse(bytes, source, "an object with node_list and element_list")?;
     let mut drawing = Drawing::default();
@@ -203,13 +203,15 @@ fn elements(
 impl Properties {
     /// The material, where both of its moduli and its density are stated.
     fn material(&self, source: Source<'_>) -> Result<Option<FrameMaterial>, ReadError> {
-        let figure = |value: Option<f64>, unit: &Option<String>, wanted| {
-            figure(source, value, unit.as_deref(), wanted)
+        let figure = |key, value: Option<f64>, unit: &Option<String>, wanted| {
+            figure(source, key, value, unit.as_deref(), wanted)
         };
-        let youngs = figure(self.youngs_modulus, &self.youngs_modulus_unit, Quantity::Stress)?;
-        let shear = figure(self.shear_modulus, &self.shear_modulus_unit, Quantity::Stress)?;
-        let density = figure(self.density, &self.density_unit, Quantity::Density)?;
-        let yields = figure(self.tensile_yeild_stress, &self.tensile_yeild_stress_unit, Quantity::Stress)?;
+        let stress = Quantity::Stress;
+        let youngs = figure("youngs_modulus", self.youngs_modulus, &self.youngs_modulus_unit, stress)?;
+        let shear = figure("shear_modulus", self.shear_modulus, &self.shear_modulus_unit, stress)?;
+        let density = figure("density", self.density, &self.density_unit, Quantity::Density)?;
+        let (value, unit) = (self.tensile_yeild_stress, &self.tensile_yeild_stress_unit);
+        let yields = figure("tensile_yeild_stress", value, unit, stress)?;
         let (Some(youngs_modulus_mpa), Some(shear_modulus_mpa), Some(density_kg_per_m3)) =
             (youngs, shear, density)
         else {
@@ -226,13 +228,15 @@ impl Properties {
 
     /// The section, where all of it is stated.
     fn section(&self, source: Source<'_>) -> Result<Option<FrameSection>, ReadError> {
-        let moment =
-            |value, unit: &Option<String>| figure(source, value, unit.as_deref(), Quantity::SecondMoment);
-        let area = figure(source, self.cross_sec_area, self.cross_sec_area_unit.as_deref(), Quantity::Area)?;
+        let moment = |key, value, unit: &Option<String>| {
+            figure(source, key, value, unit.as_deref(), Quantity::SecondMoment)
+        };
+        let unit = self.cross_sec_area_unit.as_deref();
+        let area = figure(source, "cross_sec_area", self.cross_sec_area, unit, Quantity::Area)?;
         let moments = (
-            moment(self.jx, &self.jx_unit)?,
-            moment(self.iy, &self.iy_unit)?,
-            moment(self.iz, &self.iz_unit)?,
+            moment("Jx", self.jx, &self.jx_unit)?,
+            moment("Iy", self.iy, &self.iy_unit)?,
+            moment("Iz", self.iz, &self.iz_unit)?,
         );
         let (Some(area_mm2), (Some(j_mm4), Some(iy_mm4), Some(iz_mm4))) = (area, moments) else {
             return Ok(None);
@@ -241,17 +245,14 @@ impl Properties {
     }
 }
 
-/// A figure with its unit in the wanted one; none where either is not stated.
+/// A figure with its unit in the wanted one; none where it is not stated.
 fn figure(
     source: Source<'_>,
+    key: &str,
     value: Option<f64>,
     unit: Option<&str>,
     wanted: Quantity,
 ) -> Result<Option<f64>, ReadError> {
-    let (Some(value), Some(unit)) = (value, unit) else {
-        return Ok(None);
-    };
     let place = Location::Item("material_properties", 0);
-    let factor = quantity(source, &place, wanted, unit)?;
-    positive(source, &place, value).map(|value| Some(value * factor))
+    value.map(|value| with_unit(source, &place, key, value, unit, wanted)).transpose()
 }

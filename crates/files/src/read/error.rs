@@ -18,6 +18,8 @@ pub enum Location {
     Byte(usize),
     /// An entry of a list, as its name and its index from 0: "node 3".
     Item(&'static str, usize),
+    /// The same in a part of the file that has a name: "load case wind, node load 3".
+    ItemOf { part: &'static str, name: String, what: &'static str, index: usize },
     /// The file as a whole.
     File,
 }
@@ -28,6 +30,7 @@ impl fmt::Display for Location {
             Self::Line(line) => write!(f, ", line {line}"),
             Self::Byte(offset) => write!(f, ", byte {offset}"),
             Self::Item(what, index) => write!(f, ", {what} {index}"),
+            Self::ItemOf { part, name, what, index } => write!(f, ", {part} {name}, {what} {index}"),
             Self::File => Ok(()),
         }
     }

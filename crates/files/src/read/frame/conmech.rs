@@ -114,7 +114,8 @@ struct Material {
     density_unit: String,
 }
 
-/// Reads a frame. A node of `supports` is a support; one that is grounded and not in that list is held in every direction.
+/// Reads a frame. A node of `supports` is a support, held as all of its entries say together; one that is grounded and not in that list is
+/// held in every direction.
 pub(crate) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> Result<Imported, ReadError> {
     let model: Model = json::parse(bytes, source, "a conmech frame with unit, nodes, elements and supports")?;
     let mut drawing =
@@ -215,19 +216,20 @@ fn supports(
     source: Source<'_>,
     index_of: &BTreeMap<i64, u32>,
 ) -> Result<BTreeMap<u32, Fixities>, ReadError> {
-    let mut supports = BTreeMap::new();
+    let mut supports: BTreeMap<u32, Fixities> = BTreeMap::new();
     for (k, support) in model.supports.iter().enumerate() {
         let place = Location::Item("support", k);
         let index = node(source, &place, index_of, support.node_ind)?;
-        if support.condition.contains(&true) {
-            supports.insert(index, support.condition);
-        }
+        let held = supports.entry(index).or_default();
+        *held = std::array::from_fn(|axis| held[axis] || support.condition[axis]);
     }
     for node in model.nodes.iter().filter(|node| node.is_grounded) {
         if let Some(index) = index_of.get(&node.number) {
             supports.entry(*index).or_insert([true; 6]);
         }
     }
+    // A condition that holds nothing is no support.
+    supports.retain(|_, held| held.contains(&true));
     Ok(supports)
 }
 
@@ -267,27 +269,45 @@ fn sections(model: &Model, source: Source<'_>) -> Result<Vec<FrameSection>, Read
 fn materials(model: &Model, source: Source<'_>) -> Result<Vec<FrameMaterial>, ReadError> {
     let material = |(k, material): (usize, &Material)| {
         let place = Location::Item("material", k);
-        let in_unit = |value: f64, wanted, unit: &str| {
-            let factor = quantity(source, &place, wanted, unit)?;
-            positive(source, &place, value).map(|value| value * factor)
-        };
-        let yields = match (material.fy, &material.fy_unit) {
-            (Some(fy), Some(unit)) => Some(in_unit(fy, Quantity::Stress, unit)?),
-            _ => None,
-        };
+        let in_unit =
+            |key, value: f64, wanted, unit: &str| with_unit(source, &place, key, value, Some(unit), wanted);
+        let yields =
+            |fy: f64| with_unit(source, &place, "fy", fy, material.fy_unit.as_deref(), Quantity::Stress);
         Ok(FrameMaterial {
             name: material.name.clone(),
-            youngs_modulus_mpa: in_unit(material.e, Quantity::Stress, &material.e_unit)?,
-            shear_modulus_mpa: in_unit(material.g, Quantity::Stress, &material.g_unit)?,
-            density_kg_per_m3: in_unit(material.density, Quantity::Density, &material.density_unit)?,
-            yield_strength_mpa: yields,
+            youngs_modulus_mpa: in_unit("E", material.e, Quantity::Stress, &material.e_unit)?,
+            shear_modulus_mpa: in_unit("G12", material.g, Quantity::Stress, &material.g_unit)?,
+            density_kg_per_m3: in_unit(
+                "density",
+                material.density,
+                Quantity::Density,
+                &material.density_unit,
+            )?,
+            yield_strength_mpa: material.fy.map(yields).transpose()?,
         })
     };
     model.materials.iter().enumerate().map(material).collect()
 }
 
+/// A figure above zero, in the wanted unit. Without its own it says nothing.
+pub(in super::super) fn with_unit(
+    source: Source<'_>,
+    place: &Location,
+    key: &str,
+    value: f64,
+    unit: Option<&str>,
+    wanted: Quantity,
+) -> Result<f64, ReadError> {
+    let Some(unit) = unit else {
+        let (found, expected) = (format!("{key} without a unit"), format!("{key}_unit beside it"));
+        return Err(source.syntax(place.clone(), &found, &expected, ErrorRemedy::CorrectFile));
+    };
+    let factor = quantity(source, place, wanted, unit)?;
+    positive(source, place, value).map(|value| value * factor)
+}
+
 /// A figure that must be above zero.
-pub(in super::super) fn positive(source: Source<'_>, place: &Location, value: f64) -> Result<f64, ReadError> {
+fn positive(source: Source<'_>, place: &Location, value: f64) -> Result<f64, ReadError> {
     if value > 0.0 {
         return Ok(value);
     }

@@ -86,7 +86,7 @@ pub fn read_loads(
         return Err(ReadError::Empty { file: name.to_owned(), expected: "load cases", but });
     }
     let reader = Reader { source, wireframe, frame };
-    file.loadcases.into_iter().map(|(name, case)| reader.case(name, &case)).collect()
+    file.loadcases.into_iter().map(|(name, case)| reader.case(&name, &case)).collect()
 }
 
 /// Whether two loads are not the same, beyond the rounding of what wrote them.
@@ -101,10 +101,11 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    fn case(&self, name: String, case: &Case) -> Result<LoadCase, ReadError> {
-        let mut read = LoadCase { name, ..LoadCase::default() };
+    fn case(&self, name: &str, case: &Case) -> Result<LoadCase, ReadError> {
+        let item = |what, index| Location::ItemOf { part: "load case", name: name.to_owned(), what, index };
+        let mut read = LoadCase { name: name.to_owned(), ..LoadCase::default() };
         for (k, load) in case.ploads.iter().enumerate() {
-            let place = Location::Item("node load", k);
+            let place = item("node load", k);
             let force = quantity(self.source, &place, Quantity::Force, &load.force_unit)?;
             let moment = quantity(self.source, &place, Quantity::Moment, &load.moment_unit)?;
             read.nodal.push(NodalLoad {
@@ -114,7 +115,7 @@ impl Reader<'_> {
             });
         }
         for (k, load) in case.eloads.iter().enumerate() {
-            let place = Location::Item("element load", k);
+            let place = item("element load", k);
             if load.load.is_some_and(|again| differ(again, load.q)) {
                 let expected = "load equal to q, which says the same";
                 return Err(self.source.syntax(

@@ -12,11 +12,12 @@ use std::collections::BTreeMap;
 
 use wirebend_core::wireframe::{EdgeId, VertexId};
 
-pub(super) use conmech::{merged, positive, read as read_conmech};
+pub(super) use conmech::{merged, read as read_conmech, with_unit};
 pub use conmech_loads::read_loads;
 pub use match_struts::{MatchedStep, StrutMatchError};
 pub use sequence::{SequenceFile, SequenceStep, StrutKind, read_sequence};
-pub(super) use unit::{Quantity, quantity};
+pub(super) use unit::Quantity;
+use unit::quantity;
 
 /// How a support holds: translations along x, y and z, then rotations about them.
 pub type Fixities = [bool; 6];

@@ -78,6 +78,15 @@ fn an_assembly_may_be_of_either_dialect() {
     assert_eq!(frame.supports.values().copied().collect::<Vec<_>>(), held);
     assert!(frame.materials.is_empty() && frame.sections.is_empty());
     assert!((imported.wireframe.total_length().mm() - 10.0).abs() < 1e-12);
+    // What is said to hold nothing is no support.
+    let text = assembly(vec![
+        node(0.0, json!({"is_grounded": 1, "fixities": [0, 0, 0, 0, 0, 0]})),
+        node(1.0, json!({"is_grounded": 1, "fixities": []})),
+    ]);
+    let imported = import("a.json", &text).unwrap();
+    assert_eq!(imported.frame.unwrap().supports.into_iter().collect::<Vec<_>>(), [(VertexId(1), [true; 6])]);
+    let supports = imported.wireframe.vertices().filter(|(_, vertex)| vertex.support).map(|(id, _)| id);
+    assert_eq!(supports.collect::<Vec<_>>(), [VertexId(1)]);
     let text = assembly(vec![node(0.0, json!({"fixities": [1, 1, 1]})), node(1.0, json!({}))]);
     assert_eq!(
         refused(import("a.json", &text)),
@@ -87,6 +96,11 @@ fn an_assembly_may_be_of_either_dialect() {
     wrong["material_properties"]["youngs_modulus_unit"] = json!("psi");
     let text = refused(import("a.json", wrong.to_string()));
     assert!(text.contains("found \"psi\", expected one of the units kN/m2, kN/cm2"), "{text}");
+    wrong["material_properties"]["youngs_modulus_unit"] = json!(null);
+    assert_eq!(
+        refused(import("a.json", wrong.to_string())),
+        "read-syntax: a.json, material_properties 0: found \"youngs_modulus without a unit\", expected youngs_modulus_unit beside it"
+    );
     wrong["material_properties"]["youngs_modulus_unit"] = json!("MPa");
     wrong["material_properties"]["youngs_modulus"] = json!(0);
     let text = refused(import("a.json", wrong.to_string()));
@@ -147,6 +161,25 @@ fn entries_of_a_conmech_frame_are_for_their_tags() {
     );
 }
 
+/// Entries of one node hold it together; a condition that holds nothing is no support, and a node that is grounded is one where no entry
+/// says how.
+#[test]
+fn a_conmech_node_is_held_as_all_of_its_entries_say() {
+    let mut model: Value = serde_json::from_slice(&data("conmech/four-frame.json").0).unwrap();
+    let entry = |node: i64, held: [bool; 6]| json!({"condition": held, "node_ind": node});
+    let [along_z, about_x] = [2, 3].map(|axis| std::array::from_fn(|k| k == axis));
+    model["supports"] = json!([entry(0, along_z), entry(1, [false; 6]), entry(0, about_x)]);
+    model["nodes"][1]["is_grounded"] = json!(true);
+    let imported = import("a.json", model.to_string()).unwrap();
+    let supports = imported.frame.unwrap().supports;
+    let held = [false, false, true, true, false, false];
+    assert_eq!(
+        supports.into_iter().collect::<Vec<_>>(),
+        [(VertexId(0), held), (VertexId(2), [true; 6])],
+        "node 1 says that nothing holds it, node 2 is grounded and says no more"
+    );
+}
+
 /// What is made wrong in a model.
 type Change<'a> = &'a dyn Fn(&mut Value);
 
@@ -159,7 +192,11 @@ fn what_a_conmech_frame_has_that_is_not_computed_is_refused_by_name() {
         refused(import("a.json", model.to_string()))
     };
     let released = json!([{"c_conditions": [null, 0.0, null], "elem_tags": ["a"]}]);
-    let cases: [(&str, Change<'_>); 7] = [
+    let cases: [(&str, Change<'_>); 8] = [
+        ("a.json, material 0: found \"fy without a unit\", expected fy_unit beside it", &|model| {
+            model["materials"][0]["fy"] = json!(36.0);
+            model["materials"][0]["fy_unit"] = json!(null);
+        }),
         ("a.json, joint 0: a release at the end of an element (c_conditions) is not read", &|model| {
             model["joints"] = released.clone();
         }),
@@ -215,19 +252,25 @@ fn loads_are_at_nodes_and_along_tagged_elements() {
 fn loads_on_what_is_not_there_are_refused() {
     let (imported, frame) = frame("conmech/uniform_load_analytical_model.json");
     let read = |case: Value| {
-        let text = json!({"loadcases": {"0": case}}).to_string();
+        let text = json!({"loadcases": {"dead": {}, "wind": case}}).to_string();
         refused(read_loads(text.as_bytes(), "l.json", &imported.wireframe, Some(&frame)))
     };
     let point = |node: i64, unit: &str| {
         json!({"ploads": [{"force": [0, 0, 1], "force_unit": unit, "moment": [0, 0, 0], "moment_unit": "kNm",
             "node_ind": node}]})
     };
-    assert!(read(point(9, "kN")).ends_with("l.json, node load 0: 9 names no node of the frame: there are 3"));
+    assert!(
+        read(point(9, "kN"))
+            .ends_with("l.json, load case wind, node load 0: 9 names no node of the frame: there are 3")
+    );
     assert!(read(point(-1, "kN")).contains("-1 names no node"));
     assert!(read(point(1, "lbf")).contains("found \"lbf\", expected one of the units kN, N"));
     let along = |tag: &str, again: f64| json!({"eloads": [{"q": [0, 0, 1], "q_unit": "kN/m", "load": [0, 0, again], "elem_tags": [tag]}]});
     assert!(read(along("xy", 1.0)).contains("found \"the tag \"xy\"\", expected elem_tags of elements"));
-    assert!(read(along("ab", 2.0)).contains("found \"a load that is not q\""));
+    assert!(
+        read(along("ab", 2.0))
+            .contains("l.json, load case wind, element load 0: found \"a load that is not q\"")
+    );
     let text = read(json!({"tloads": []}));
     assert!(text.contains("unknown field `tloads`"), "{text}");
     let none = read_loads(b"{\"loadcases\": {}}", "l.json", &imported.wireframe, None);
