@@ -101,6 +101,14 @@ impl MemberForces {
         [self.at(0.0).stress(section), self.at(1.0).stress(section)]
     }
 
+    /// The largest bending moment along it, N mm: at its ends, at its quarters, and where the load along it makes it largest between
+    /// them. Exact where ends and load bend it in one plane.
+    #[must_use]
+    pub fn peak_moment(&self) -> f64 {
+        let places = [0.0, 0.25, 0.5, 0.75, 1.0, self.turning(1), self.turning(2)];
+        places.into_iter().map(|share| self.at(share).moment()).fold(0.0, f64::max)
+    }
+
     /// The largest von Mises stress along it, MPa: at its ends, and where a moment is largest between them.
     #[must_use]
     pub fn peak_von_mises(&self, section: &Section) -> f64 {

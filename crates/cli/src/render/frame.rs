@@ -55,15 +55,16 @@ fn row(out: &mut impl Write, label: &str, words: &str) -> std::io::Result<()> {
 
 fn carried(out: &mut impl Write, found: &StaticReport) -> std::io::Result<()> {
     row(out, "displacement", &format!("{:.4} mm at vertex {}", found.max_displacement_mm, found.at_vertex))?;
-    let most = |of: fn(&MemberReport) -> f64| {
-        found.members.iter().max_by(|a, b| of(a).total_cmp(&of(b))).map(|member| (member.edge, of(member)))
+    let most = |of: fn(&MemberReport) -> Option<f64>| {
+        let known = found.members.iter().filter_map(|member| Some((member.edge, of(member)?)));
+        known.max_by(|a, b| a.1.total_cmp(&b.1))
     };
     if let Some((edge, stress)) = most(|member| member.von_mises_mpa) {
         let shares = found.members.iter().filter_map(|member| member.utilisation);
         let share = shares.reduce(f64::max).map(|share| format!(", {:.1} % of what yields", 100.0 * share));
         row(out, "stress", &format!("{stress:.3} MPa in edge {edge}{}", share.unwrap_or_default()))?;
     }
-    match most(|member| member.buckling_ratio).filter(|&(_, ratio)| ratio > 0.0) {
+    match most(|member| Some(member.buckling_ratio)).filter(|&(_, ratio)| ratio > 0.0) {
         Some((edge, ratio)) => {
             row(out, "buckling", &format!("edge {edge} carries {:.1} % of its Euler load", 100.0 * ratio))
         }

@@ -68,7 +68,24 @@ fn loads_of_a_file_do_what_the_analytic_model_says() {
     let model = data("conmech/uniform_load_analytical_model.json");
     let found = frame(&model, &["--loads", &loads, "--json"]).ended(0).json();
     near(&found["static"]["max_displacement_mm"], 22.3845, 1e-5);
-    assert_eq!(found["notes"], serde_json::json!([]), "what the file says is taken");
+    // What the file says is taken. Its beams have 4000 mm² and 5e7 mm⁴: of a round section the area alone would make the stress several
+    // times too small.
+    assert_fits("frame", &found);
+    let notes = found["notes"].as_array().unwrap();
+    assert_eq!(
+        (notes.len(), &notes[0]["code"], &notes[0]["count"]),
+        (1, &"stress-unknown".into(), &2.into())
+    );
+    for member in found["static"]["members"].as_array().unwrap() {
+        assert!(member["von_mises_mpa"].is_null() && member["utilisation"].is_null(), "{member}");
+        assert!(member["moment_n_mm"].as_f64().unwrap() > 1e6, "{member}");
+    }
+    assert_eq!(found["diagnostics"], serde_json::json!([]), "nothing is said of what is not known");
+    let written = tempfile::tempdir().unwrap();
+    let csv = written.path().join("beams.csv").display().to_string();
+    frame(&model, &["--loads", &loads, "--csv", &csv]).ended(0);
+    let rows = std::fs::read_to_string(written.path().join("beams-members.csv")).unwrap();
+    assert!(rows.lines().skip(1).all(|row| row.split(',').skip(7).take(2).eq(["", ""])), "{rows}");
     let reactions = found["static"]["reactions"].as_array().unwrap();
     let mut borne: Vec<f64> =
         reactions.iter().map(|reaction| reaction["force_n"][2].as_f64().unwrap()).collect();
@@ -262,3 +279,11 @@ fn a_person_reads_what_the_frame_does() {
     assert!(said.err.contains("  displacement       0.4272 mm at vertex "), "{}", said.err);
     assert!(said.err.contains(", 13.8 g; held at "), "{}", said.err);
 }
+    // At two metres it hangs down by w L⁴/8EI, far more than it is long: soft, and no mechanism.
+    std::fs::write(folder.path().join("soft.obj"), "v 0 0 0\nv 2000 0 0\nl 1 2\n").unwrap();
+    let soft =
+        run_in(folder.path(), &[&["frame", "soft.obj"], &arguments[2..]].concat(), b"").ended(4).json();
+    let finding = &soft["diagnostics"][0];
+    assert_eq!((&finding["code"], &finding["vertex"]), (&"frame_too_soft".into(), &1.into()), "{finding}");
+    near(&finding["value"], 1210e-12 * 9806.65 * 2000.0_f64.powi(4) / (2.0 * 3457.0 * radius * radius), 1e-6);
+    assert!(finding["message"].as_str().unwrap().contains("hardly stands"), "{finding}");

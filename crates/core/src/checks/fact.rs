@@ -302,6 +302,13 @@ pub enum Fact {
     },
     /// The frame, or a part of it, can move without bending anything.
     FrameMechanism,
+    /// What loads do to the frame is far more than it is large, so that nothing computed of it means anything.
+    FrameHardlyStands {
+        /// How far the vertex would move that moves most.
+        displacement: Length,
+        /// The diagonal of the box around the frame.
+        size: Length,
+    },
     /// A strut is stressed beyond where its material yields.
     StrutOverstressed {
         /// The largest von Mises stress along it, in MPa.

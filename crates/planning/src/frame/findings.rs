@@ -1,6 +1,7 @@
 //! What is wrong with a frame, as findings.
 
 use wirebend_core::checks::{Diagnostic, Fact, Location, Remedy, Severity};
+use wirebend_core::units::Length;
 use wirebend_core::wireframe::EdgeId;
 use wirebend_frame::{MemberId, Unstable};
 
@@ -19,8 +20,15 @@ pub(super) fn unstable(structure: &Structure, unstable: &Unstable) -> Diagnostic
             let edges = members.iter().filter_map(|member| structure.edges.get(member.0).copied()).collect();
             (vertex(*node), edges, Fact::FrameUnsupported { edges: members.len(), whole: !structure.held })
         }
-        Unstable::Mechanism { node } | Unstable::TooSoft { node, .. } => {
-            (vertex(*node), Vec::new(), Fact::FrameMechanism)
+        Unstable::Mechanism { node } => (vertex(*node), Vec::new(), Fact::FrameMechanism),
+        Unstable::TooSoft { node, displacement_mm, size_mm } => {
+            // More than any length: it moves freely.
+            let lengths = Length::from_mm(*displacement_mm).ok().zip(Length::from_mm(*size_mm).ok());
+            let fact = lengths.map_or(Fact::FrameMechanism, |(displacement, size)| Fact::FrameHardlyStands {
+                displacement,
+                size,
+            });
+            (vertex(*node), Vec::new(), fact)
         }
     };
     let remedies = match fact {
@@ -51,7 +59,7 @@ pub(super) fn strong_enough(
         severity: Severity::Error,
         location: Location::at_edges(edges),
         fact: Fact::StrutOverstressed {
-            stress_mpa: worst.von_mises_mpa,
+            stress_mpa: worst.von_mises_mpa.unwrap_or_default(),
             yield_mpa: yields(worst),
             source: material.yield_source.clone(),
         },

@@ -1,6 +1,6 @@
 //! The wire that a frame is made of.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use wirebend_core::estimate::WireModel;
 use wirebend_core::units::Length;
@@ -23,6 +23,8 @@ pub(crate) struct FrameMaterial {
     pub sections: Vec<Section>,
     /// Where struts have not all the first section.
     sections_of: BTreeMap<EdgeId, SectionId>,
+    /// Sections of a file that are no solid round: how far their outermost fibre is from the middle is not known, and so no stress.
+    not_round: BTreeSet<SectionId>,
     pub wire: WireModel,
     /// Energy that forming a gram takes, kJ, where its profile says so.
     pub energy_kj_per_g: Option<f64>,
@@ -74,6 +76,11 @@ impl FrameMaterial {
         self.sections_of.get(&edge).copied().unwrap_or(SectionId(0))
     }
 
+    /// Whether the stresses in a strut of a section are known.
+    pub fn knows_stress(&self, section: SectionId) -> bool {
+        !self.not_round.contains(&section)
+    }
+
     /// The section of its only wire.
     pub fn section(&self) -> &Section {
         &self.sections[0]
@@ -82,24 +89,30 @@ impl FrameMaterial {
     /// What the file of a frame says of its struts; `None` where it does not say it of each.
     fn of_file(opened: &Opened, file: &FrameFile) -> Option<Self> {
         let (mut sections, mut sections_of) = (Vec::new(), BTreeMap::new());
+        let mut not_round = BTreeSet::new();
         let mut known: BTreeMap<(usize, usize), SectionId> = BTreeMap::new();
         for (edge, _) in opened.document.wireframe.edges() {
             let member = file.members.get(&edge)?;
             let pair = (member.section?, member.material?);
             let (shape, material) = (file.sections.get(pair.0)?, file.materials.get(pair.1)?);
             let section = *known.entry(pair).or_insert_with(|| {
+                let id = SectionId(sections.len());
+                let radius = shape.round_radius_mm().unwrap_or_else(|| {
+                    not_round.insert(id);
+                    (shape.area_mm2 / std::f64::consts::PI).sqrt()
+                });
                 sections.push(Section {
                     area: shape.area_mm2,
                     iy: shape.iy_mm4,
                     iz: shape.iz_mm4,
                     j: shape.j_mm4,
-                    radius: (shape.area_mm2 / std::f64::consts::PI).sqrt(),
+                    radius,
                     e: material.youngs_modulus_mpa,
                     g: material.shear_modulus_mpa,
                     density: material.density_kg_per_m3 * 1.0e-12,
                     yield_strength: material.yield_strength_mpa.unwrap_or(UNKNOWN_YIELD),
                 });
-                SectionId(sections.len() - 1)
+                id
             });
             sections_of.insert(edge, section);
         }
@@ -109,6 +122,7 @@ impl FrameMaterial {
             id: material.name.clone(),
             sections,
             sections_of,
+            not_round,
             wire: WireModel {
                 diameter,
                 density_kg_per_m3: material.density_kg_per_m3,
@@ -140,6 +154,7 @@ impl FrameMaterial {
         Ok(Self {
             sections: vec![Section::round(figures.diameter_mm, &elastic)],
             sections_of: BTreeMap::new(),
+            not_round: BTreeSet::new(),
             wire: WireModel {
                 diameter: Length::from_mm(figures.diameter_mm).unwrap_or_default(),
                 density_kg_per_m3: figures.density_kg_per_m3,

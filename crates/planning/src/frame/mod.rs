@@ -143,6 +143,7 @@ pub fn frame(
         notes.retain(|note| note.code != NoteKind::MaterialIgnored.code());
     }
     let structure = Structure::new(&opened, &material, &request.supports, &mut notes)?;
+    notes.extend(structure.without_stress(&material));
     timings.took("read");
     let mut found = Vec::new();
     if structure.edges.is_empty() {

@@ -20,9 +20,9 @@ pub struct MemberReport {
     /// The largest bending moment along it.
     pub moment_n_mm: f64,
     pub torque_n_mm: f64,
-    /// The largest along it.
-    pub von_mises_mpa: f64,
-    /// The largest stress as a share of the yield strength; null where that is not known.
+    /// The largest along it; null where its section is no solid round, so that the place of the largest is not known.
+    pub von_mises_mpa: Option<f64>,
+    /// The largest stress as a share of the yield strength; null where either is not known.
     pub utilisation: Option<f64>,
     /// Compression as a share of the Euler load of the strut with pinned ends: from 0.5 on, a linear result no longer holds.
     pub buckling_ratio: f64,

@@ -27,7 +27,7 @@ impl Structure {
         }
         match self.solve(load) {
             Ok(response) => {
-                let report = self.report(&response);
+                let report = self.report(&response, material);
                 found.extend(findings::strong_enough(self, material, &report));
                 Ok(Some((report, response)))
             }
@@ -43,7 +43,7 @@ impl Structure {
         self.assembly.factor(&self.assembly.all())?.solve(load)
     }
 
-    fn report(&self, response: &Response) -> StaticReport {
+    fn report(&self, response: &Response, material: &FrameMaterial) -> StaticReport {
         let (node, max_displacement_mm) = response.max_displacement();
         let vertex = |node: wirebend_frame::NodeId| self.vertices.get(node.0).map_or(0, |id| id.0);
         let reactions = response.reactions.iter().map(|reaction| ReactionReport {
@@ -51,7 +51,7 @@ impl Structure {
             force_n: reaction.force.into(),
             moment_n_mm: reaction.moment.into(),
         });
-        let members = response.member_forces.iter().map(|forces| self.member(forces));
+        let members = response.member_forces.iter().map(|forces| self.member(forces, material));
         StaticReport {
             max_displacement_mm,
             at_vertex: vertex(node),
@@ -62,16 +62,17 @@ impl Structure {
         }
     }
 
-    fn member(&self, forces: &MemberForces) -> MemberReport {
+    fn member(&self, forces: &MemberForces, material: &FrameMaterial) -> MemberReport {
         let section = self.assembly.section(forces.member);
-        let moments = [0.0, 0.25, 0.5, 0.75, 1.0].map(|share| forces.at(share).moment());
+        let stressed = material.knows_stress(self.assembly.model().members[forces.member.0].section);
+        let yields = stressed && section.yield_strength < UNKNOWN_YIELD;
         MemberReport {
             edge: self.edges.get(forces.member.0).map_or(0, |id| id.0),
             axial_n: forces.axial(),
-            moment_n_mm: moments.into_iter().fold(0.0, f64::max),
+            moment_n_mm: forces.peak_moment(),
             torque_n_mm: forces.at(0.0).torque,
-            von_mises_mpa: forces.peak_von_mises(section),
-            utilisation: (section.yield_strength < UNKNOWN_YIELD).then(|| forces.utilisation(section)),
+            von_mises_mpa: stressed.then(|| forces.peak_von_mises(section)),
+            utilisation: yields.then(|| forces.utilisation(section)),
             buckling_ratio: forces.buckling_ratio(section),
         }
     }

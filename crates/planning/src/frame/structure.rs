@@ -65,6 +65,21 @@ impl Structure {
         self.vertices.binary_search(&id).ok().map(NodeId)
     }
 
+    /// Struts whose section is no solid round have no stress, and so no yield check, which is worth knowing of.
+    pub fn without_stress(&self, material: &FrameMaterial) -> Option<NoteReport> {
+        let members = self.assembly.model().members.iter();
+        let count = members.filter(|member| !material.knows_stress(member.section)).count();
+        let of = if count == 1 { "1 edge".to_owned() } else { format!("{count} edges") };
+        (count > 0).then(|| NoteReport {
+            code: "stress-unknown".into(),
+            count,
+            message: format!(
+                "the section of {of} is no solid round: stresses are not known, and whether it yields is not checked"
+            ),
+            remedies: Vec::new(),
+        })
+    }
+
     pub fn figures(&self) -> FrameFigures {
         let model = self.assembly.model();
         let ends = model.members.iter().flat_map(|member| [member.a, member.b]);

@@ -1,6 +1,7 @@
 //! The frame as a structure: what holds it, and what its struts carry.
 
 use wirebend_core::checks::Location;
+use wirebend_core::units::Length;
 
 use super::number::count;
 
@@ -16,6 +17,13 @@ pub(super) fn mechanism(at: &Location) -> String {
     let place =
         at.vertices.first().map(|vertex| format!(": vertex {vertex} can move or turn")).unwrap_or_default();
     format!("the frame does not stand{place}, and nothing resists it")
+}
+
+pub(super) fn hardly_stands(at: &Location, displacement: Length, size: Length) -> String {
+    let vertex = at.vertices.first().map_or_else(|| "a vertex".to_owned(), |id| format!("vertex {id}"));
+    format!(
+        "the frame hardly stands: {vertex} would move by {displacement:.1}, and all of it is {size:.1} large"
+    )
 }
 
 pub(super) fn overstressed(at: &Location, stress_mpa: f64, yield_mpa: f64) -> String {
@@ -70,6 +78,11 @@ mod tests {
         assert_eq!(
             mechanism(&at),
             "the frame does not stand: vertex 4 can move or turn, and nothing resists it"
+        );
+        let [moved, size] = [48_812.0, 2000.0].map(|mm| Length::from_mm(mm).unwrap());
+        assert_eq!(
+            hardly_stands(&at, moved, size),
+            "the frame hardly stands: vertex 4 would move by 48812.0 mm, and all of it is 2000.0 mm large"
         );
     }
 

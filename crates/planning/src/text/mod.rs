@@ -94,6 +94,7 @@ pub fn message(diagnostic: &Diagnostic) -> String {
             frame::overstressed(at, *stress_mpa, *yield_mpa)
         }
         Fact::StrutNearBuckling { ratio, .. } => frame::near_buckling(at, *ratio),
+        Fact::FrameHardlyStands { displacement, size } => frame::hardly_stands(at, *displacement, *size),
         Fact::FrameTooSoft { sag, max, without } => sequence::too_soft(at, *sag, *max, *without),
         Fact::StrutFloating { edge } => sequence::floating(*edge),
         Fact::NoHeadDirection { edge, blocking } => sequence::no_direction(*edge, *blocking),

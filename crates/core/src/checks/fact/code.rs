@@ -42,7 +42,9 @@ impl Fact {
             Self::FrameMechanism => Code::FrameMechanism,
             Self::StrutOverstressed { .. } => Code::StrutOverstressed,
             Self::StrutNearBuckling { .. } => Code::StrutNearBuckling,
-            Self::FrameTooSoft { .. } | Self::SequenceStep(Violation::Sags { .. }) => Code::FrameTooSoft,
+            Self::FrameTooSoft { .. }
+            | Self::FrameHardlyStands { .. }
+            | Self::SequenceStep(Violation::Sags { .. }) => Code::FrameTooSoft,
             Self::StrutFloating { .. } | Self::SequenceStep(Violation::Floating { .. }) => {
                 Code::StrutFloating
             }

@@ -40,6 +40,7 @@ impl Fact {
             | Self::DoubledEdge { passes: count, .. } => Quantity::Count(*count),
             Self::NoEdges => Quantity::Count(0),
             Self::FrameUnsupported { edges, .. } => Quantity::Count(*edges),
+            Self::FrameHardlyStands { displacement, .. } => Quantity::Length(*displacement),
             Self::StrutOverstressed { stress_mpa, .. } => Quantity::Stress(*stress_mpa),
             Self::StrutNearBuckling { ratio, .. } => Quantity::Ratio(*ratio),
             Self::FrameTooSoft { sag, .. } | Self::SequenceStep(Violation::Sags { sag: Some(sag), .. }) => {
@@ -130,6 +131,7 @@ impl Fact {
             | Self::ZeroLengthEdge { .. }
             | Self::FrameUnsupported { .. }
             | Self::FrameMechanism
+            | Self::FrameHardlyStands { .. }
             | Self::NoPath(_)
             | Self::ParallelEdges { .. }
             | Self::IsolatedVertex { .. }

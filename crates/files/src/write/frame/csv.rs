@@ -30,14 +30,14 @@ pub fn members_csv(frame: &FrameResult) -> String {
         let [a, b] = member.ends.map(|end| &frame.nodes[end]);
         let length = (b.position - a.position).norm();
         let _ = write!(text, "{},{},{},{length}", member.edge, a.vertex, b.vertex);
-        let figures = [member.axial_n, member.moment_n_mm, member.torque_n_mm, member.von_mises_mpa];
-        for figure in figures {
+        for figure in [member.axial_n, member.moment_n_mm, member.torque_n_mm] {
             let _ = write!(text, ",{figure}");
         }
         let known = |figure: Option<String>| figure.unwrap_or_default();
+        let stress = known(member.von_mises_mpa.map(|figure| figure.to_string()));
         let utilisation = known(member.utilisation.map(|figure| figure.to_string()));
         let step = known(member.step.map(|step| step.to_string()));
-        let _ = writeln!(text, ",{utilisation},{},{step}", member.buckling_ratio);
+        let _ = writeln!(text, ",{stress},{utilisation},{},{step}", member.buckling_ratio);
     }
     text
 }

@@ -43,10 +43,11 @@ pub struct ResultMember {
     pub ends: [usize; 2],
     /// Tension is positive.
     pub axial_n: f64,
-    /// The largest bending moment at its ends.
+    /// The largest bending moment along it.
     pub moment_n_mm: f64,
     pub torque_n_mm: f64,
-    pub von_mises_mpa: f64,
+    /// None where the shape of its section is not known.
+    pub von_mises_mpa: Option<f64>,
     /// Von Mises stress over yield strength; none where that is not known.
     pub utilisation: Option<f64>,
     /// Compression over Euler's critical load.

@@ -9,8 +9,8 @@ const TITLE: usize = 200;
 /// The format's number of a line cell.
 const LINE: usize = 3;
 
-/// Writes a frame. Points stand where nodes are without load: `displacement_mm` bends the picture (`ParaView`: Warp By Vector). Utilisation is
-/// left out where a yield strength is missing, and `step` where a strut has none.
+/// Writes a frame. Points stand where nodes are without load: `displacement_mm` bends the picture (`ParaView`: Warp By Vector). Stress is
+/// left out where it is not known of a strut, utilisation where a yield strength is missing, and `step` where a strut has none.
 #[must_use]
 pub fn vtk(frame: &FrameResult) -> String {
     let title: String = frame.title.chars().filter(|letter| !letter.is_control()).take(TITLE).collect();
@@ -43,7 +43,7 @@ pub fn vtk(frame: &FrameResult) -> String {
     scalars(&mut text, "axial_n double", members().map(|member| Some(member.axial_n)));
     scalars(&mut text, "moment_n_mm double", members().map(|member| Some(member.moment_n_mm)));
     scalars(&mut text, "torque_n_mm double", members().map(|member| Some(member.torque_n_mm)));
-    scalars(&mut text, "von_mises_mpa double", members().map(|member| Some(member.von_mises_mpa)));
+    scalars(&mut text, "von_mises_mpa double", members().map(|member| member.von_mises_mpa));
     scalars(&mut text, "utilisation double", members().map(|member| member.utilisation));
     scalars(&mut text, "buckling_ratio double", members().map(|member| Some(member.buckling_ratio)));
     scalars(&mut text, "step int", members().map(|member| member.step));

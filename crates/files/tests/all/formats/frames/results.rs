@@ -36,7 +36,7 @@ fn cantilever() -> FrameResult {
             axial_n: -0.5,
             moment_n_mm: 12.0,
             torque_n_mm: 0.0,
-            von_mises_mpa: 1e-7,
+            von_mises_mpa: Some(1e-7),
             utilisation: Some(0.25),
             buckling_ratio: 0.125,
             step: Some(1),
@@ -65,6 +65,8 @@ fn a_vtk_file_has_the_sections_that_its_format_asks_for() {
     unknown.members[0].step = None;
     let text = vtk(&unknown);
     assert!(!text.contains("utilisation") && !text.contains("step"), "{text}");
+    unknown.members[0].von_mises_mpa = None;
+    assert!(!vtk(&unknown).contains("von_mises"), "a stress that is not known is no zero");
     assert!(vtk(&FrameResult::default()).starts_with("# vtk DataFile Version 3.0\nframe\nASCII\n"));
 }
 
@@ -82,6 +84,8 @@ fn tables_have_a_row_for_each_node_and_each_strut() {
     unknown.members[0].utilisation = None;
     unknown.members[0].step = None;
     assert_eq!(members_csv(&unknown), format!("{header}9,4,7,100,-0.5,12,0,0.0000001,,0.125,\n"));
+    unknown.members[0].von_mises_mpa = None;
+    assert_eq!(members_csv(&unknown), format!("{header}9,4,7,100,-0.5,12,0,,,0.125,\n"));
 }
 
 /// The cubic of a beam with a force at its free end: the middle has 5/16 of the end's deflection, whose slope is 1.5 of it over the length.
