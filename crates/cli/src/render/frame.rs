@@ -106,7 +106,7 @@ fn closed(
         None => "expected of all wires".to_owned(),
     };
     row(out, "closed", &format!("{how}; {of}"))?;
-    let sd = found.of_runs.map(|runs| runs.sd);
+    let sd = found.of_runs.and_then(|runs| runs.sd);
     let spread = |of: fn(&ClosingFigures) -> f64, unit: &str| {
         sd.map(|sd| format!(", ± {:.3} {unit} from wire to wire", of(&sd))).unwrap_or_default()
     };

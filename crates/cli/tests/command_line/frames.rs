@@ -130,8 +130,13 @@ fn closed_joints_depend_on_the_seed_alone() {
     );
     // The root of the mean square is above the mean by what the runs spread.
     let (mean, sd) = (&first["of_runs"]["mean"]["axial_rms_n"], &first["of_runs"]["sd"]["axial_rms_n"]);
-    let square = mean.as_f64().unwrap().powi(2) + sd.as_f64().unwrap().powi(2);
+    // Of 12 wires the squares from their own mean are shared out to 11.
+    let square = mean.as_f64().unwrap().powi(2) + sd.as_f64().unwrap().powi(2) * 11.0 / 12.0;
     near(&closing["axial_rms_n"], square.sqrt(), 1e-9);
+    let one = close(&["--runs", "1"]);
+    assert_fits("frame", &one);
+    assert!(one["of_runs"]["sd"].is_null(), "one wire does not say how much others differ");
+    assert!(one["of_runs"]["mean"]["axial_rms_n"].is_number());
     let coupled = close(&["--runs", "12", "--seed", "3", "--closing", "coupled"]);
     assert!(coupled["closing"]["axial_rms_n"].as_f64().unwrap() > 1.2 * of("axial_rms_n"), "bowed struts");
     assert!(coupled["closing"]["largest_pull_n"].is_null());
@@ -139,6 +144,32 @@ fn closed_joints_depend_on_the_seed_alone() {
     let wire_g = first["resources"]["wire_g"].as_f64().unwrap();
     near(&first["resources"]["energy_kj"], 0.33 * wire_g, 1e-9);
     near(&first["resources"]["time_min"], 0.33 * wire_g * 1000.0 / 25.0 / 60.0, 1e-9);
+}
+
+/// Joints are closed with the wire that is bent, whatever the file says that its struts are: round PLA of 3 mm here, and no round at all
+/// in the other.
+#[test]
+fn joints_are_closed_with_the_wire_that_is_planned() {
+    let machine = ["--machine", "pensa-diwire-pro", "--double", "--json"];
+    for (name, length_mm) in [("four-frame", 0.0), ("uniform_load_analytical_model", 13_000.0)] {
+        let model = data(&format!("conmech/{name}.json"));
+        let close = |rest: &[&str]| {
+            let closing = ["--supports", "free", "--close", "--errors", "bend-forming", "--runs", "3"];
+            frame(&model, &[&machine[..], &closing, rest].concat()).ended(0).json()
+        };
+        let (of_file, chosen) = (close(&[]), close(&["--material", "steel-0-9mm"]));
+        assert_eq!((&of_file["closing"], &of_file["resources"]), (&chosen["closing"], &chosen["resources"]));
+        let codes = of_file["notes"].as_array().unwrap().iter().map(|note| note["code"].as_str().unwrap());
+        assert!(codes.collect::<Vec<_>>().contains(&"closed-with-wire"), "{name}: {}", of_file["notes"]);
+        assert!(of_file["material"] != chosen["material"], "loads act on what the file says");
+        if length_mm > 0.0 {
+            // Steel of 7870 kg/m³ and 0.9 mm; every edge once.
+            let grams = 7.87e-3 * std::f64::consts::PI * 0.45 * 0.45 * length_mm;
+            near(&of_file["resources"]["wire_g"], grams, 0.02);
+        }
+        let tolerance = [&["tolerance", model.as_str()], &machine[..], &["--require", "surface=1"]].concat();
+        assert_eq!(run(&tolerance).ended(0).json()["material"], "steel-0-9mm");
+    }
 }
 
 #[test]
@@ -184,9 +215,20 @@ fn half_of_what_is_required_takes_half_the_errors() {
     near(&(2.0 * of(&half)).into(), of(&whole), 1e-9);
     near(&whole["achieved"]["surface_mm"], 0.2, 1e-9);
     assert!(whole["angle_sigma_deg"].is_null());
+    // Two faces are not off by the same shares of both, and their mean is met with a little less than half of the square for each.
     let both = tolerance(&["--require", "surface=0.2", "--vary", "both"]);
+    near(&both["achieved"]["surface_mm"], 0.2, 1e-9);
+    let angles = tolerance(&["--require", "surface=0.2", "--vary", "angle"]);
+    let angle = |found: &Value| found["angle_sigma_deg"].as_f64().unwrap();
+    let share = of(&both) / of(&whole);
+    assert!(share <= 0.5_f64.sqrt() * (1.0 + 1e-9), "{share}");
+    near(&(angle(&both) / angle(&angles)).into(), share, 1e-9);
+    // Of one face squares add.
+    let list = (0..12).map(|id| id.to_string()).collect::<Vec<_>>().join(",");
+    std::fs::write(folder.path().join("faces.json"), format!("[[{list}]]")).unwrap();
+    let [one, both] = ["feed", "both"].map(|vary| tolerance(&["--require", "surface=0.2", "--vary", vary]));
     assert!(both["angle_sigma_deg"].as_f64().unwrap() > 0.0);
-    near(&(of(&both) / of(&whole)).into(), 0.5_f64.sqrt(), 1e-9);
+    near(&(of(&both) / of(&one)).into(), 0.5_f64.sqrt(), 1e-9);
 }
 
 #[test]
@@ -219,13 +261,27 @@ fn what_is_no_frame_is_refused_by_name() {
     assert_eq!(part["message"], "nothing holds the part of 1 edge at vertex 2");
     let arguments = ["frame", "point.obj", "--units", "mm", "--json", "--material", "abs-1-5mm"];
     let empty = run_in(folder.path(), &arguments, b"");
-    assert!([3, 4].contains(&empty.status), "{}", empty.err);
+    assert_eq!(code(empty, 3), "read-empty");
 
     let close = ["--machine", "wirebend-kit", "--supports", "free", "--close", "--errors", "none", "--faces"];
     for file in ["faces.json", "numbers.json", "missing.json"] {
         let refused = ran(&[&close[..], &[file]].concat());
         assert_eq!(refused.status, 3, "{file}: {}", refused.err);
     }
+    // Of two parts neither is off from the other.
+    write("whole.json", "[[0, 1, 2, 3]]");
+    let parts = ran(&[&close[..], &["whole.json", "--double"]].concat()).ended(3).json();
+    assert_eq!(parts["error"]["code"], "closing-joints");
+    assert!(parts["error"]["message"].as_str().unwrap().contains("is in 2 parts"), "{parts}");
+    // A line has no plane.
+    write("line.obj", "v 0 0 0\nv 50 0 0\nv 90 0 0\nv 140 0 0\nv 70 60 0\nl 1 2 3 4 5 1\n");
+    write("plane.json", "[[0, 1, 2, 4], [0, 1, 2, 3]]");
+    let arguments = ["frame", "line.obj", "--units", "mm", "--json"];
+    let refused = run_in(folder.path(), &[&arguments[..], &close, &["plane.json"]].concat(), b"");
+    let refused = refused.ended(3).json();
+    assert_eq!(refused["error"]["code"], "faces");
+    let said = refused["error"]["message"].as_str().unwrap();
+    assert!(said.contains("the vertices of face 2 are all on one line"), "{said}");
 }
 
 /// A strut that is too heavy for its material is named, and one that a column's load would buckle.
@@ -246,6 +302,14 @@ fn struts_that_do_not_hold_are_named() {
     let weight = 1210e-12 * std::f64::consts::PI * radius * radius * 9806.65 * 40.0;
     let modulus = std::f64::consts::PI * radius.powi(3) / 4.0;
     near(&heavy["diagnostics"][0]["value"], weight * length * length / 2.0 / modulus, 1e-6);
+    // At two metres it hangs down by w L⁴/8EI, far more than it is long: soft, and no mechanism.
+    std::fs::write(folder.path().join("soft.obj"), "v 0 0 0\nv 2000 0 0\nl 1 2\n").unwrap();
+    let soft =
+        run_in(folder.path(), &[&["frame", "soft.obj"], &arguments[2..]].concat(), b"").ended(4).json();
+    let finding = &soft["diagnostics"][0];
+    assert_eq!((&finding["code"], &finding["vertex"]), (&"frame_too_soft".into(), &1.into()), "{finding}");
+    near(&finding["value"], 1210e-12 * 9806.65 * 2000.0_f64.powi(4) / (2.0 * 3457.0 * radius * radius), 1e-6);
+    assert!(finding["message"].as_str().unwrap().contains("hardly stands"), "{finding}");
     let column =
         run_in(folder.path(), &[&arguments[..], &["--gravity=-500,0,0"]].concat(), b"").ended(4).json();
     let codes: Vec<&str> =
@@ -279,11 +343,3 @@ fn a_person_reads_what_the_frame_does() {
     assert!(said.err.contains("  displacement       0.4272 mm at vertex "), "{}", said.err);
     assert!(said.err.contains(", 13.8 g; held at "), "{}", said.err);
 }
-    // At two metres it hangs down by w L⁴/8EI, far more than it is long: soft, and no mechanism.
-    std::fs::write(folder.path().join("soft.obj"), "v 0 0 0\nv 2000 0 0\nl 1 2\n").unwrap();
-    let soft =
-        run_in(folder.path(), &[&["frame", "soft.obj"], &arguments[2..]].concat(), b"").ended(4).json();
-    let finding = &soft["diagnostics"][0];
-    assert_eq!((&finding["code"], &finding["vertex"]), (&"frame_too_soft".into(), &1.into()), "{finding}");
-    near(&finding["value"], 1210e-12 * 9806.65 * 2000.0_f64.powi(4) / (2.0 * 3457.0 * radius * radius), 1e-6);
-    assert!(finding["message"].as_str().unwrap().contains("hardly stands"), "{finding}");

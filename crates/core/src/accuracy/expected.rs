@@ -11,10 +11,12 @@ use crate::simulate::ErrorModel;
 const AT_ONCE: usize = 32;
 
 /// Roots of expected squares. They are a few percent above the means of the same over wires.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Expected {
     /// How far the faces are from their planes, mm: the mean over the faces of the root of the expected mean square.
     pub surface_rms: f64,
+    /// Of each face the root of its expected mean square, mm. Squares of these add where errors are independent.
+    pub faces_rms: Vec<f64>,
     /// Force along a strut, over all struts, N.
     pub axial_rms: f64,
     /// Von Mises stress, over all struts, MPa.
@@ -90,8 +92,10 @@ impl Prepared<'_> {
                 squares.add(&closed, surface, 1.0);
             }
         }
+        let faces_rms: Vec<f64> = squares.surface.iter().map(|square| square.sqrt()).collect();
         Ok(Expected {
-            surface_rms: mean(squares.surface.iter().map(|square| square.sqrt())),
+            surface_rms: mean(faces_rms.iter().copied()),
+            faces_rms,
             axial_rms: squares.axial.sqrt(),
             von_mises_rms: squares.von_mises.sqrt(),
             largest_pull: squares.pulls.map(|pulls| pulls.into_iter().fold(0.0, f64::max).sqrt()),

@@ -29,4 +29,4 @@ pub use misfits::FrameWire;
 pub use model::{ClosingError, ClosingModel, Prepared};
 pub use resources::Resources;
 pub use surface::Surface;
-pub use tolerance::{NoLimit, Requirement, Responses, Tolerance, Vary, tolerance};
+pub use tolerance::{Effects, NoLimit, Requirement, Responses, Tolerance, Vary, tolerance};

@@ -3,8 +3,8 @@
 use nalgebra::{Point3, Vector3};
 use petgraph::unionfind::UnionFind;
 use wirebend_frame::{
-    Arc, Assembly, EndStiffness, Factor, Member, Model, ModelError, NodeId, Section, SectionId, SolveError,
-    Support, Unstable,
+    Arc, Assembly, EndStiffness, Factor, Member, Model, ModelError, NodeId, Section, SectionId, Support,
+    Unstable,
 };
 
 use super::draw::{Draw, Terms};
@@ -37,6 +37,12 @@ pub enum ClosingError {
         /// Segments of its program.
         segments: usize,
     },
+    /// Parts that nothing holds to each other have no common place, from which anything could be off.
+    #[error("the frame is in {parts} parts")]
+    SeveralParts {
+        /// How many.
+        parts: usize,
+    },
     /// A strut has no length, or a figure of the wire is none.
     #[error(transparent)]
     Model(#[from] ModelError),
@@ -49,15 +55,6 @@ pub enum ClosingError {
     /// An exact expectation was asked for with bowed struts, whose stiffness is drawn too.
     #[error("struts bowed at random have no exact expectation")]
     Bowed,
-}
-
-impl From<SolveError> for ClosingError {
-    fn from(error: SolveError) -> Self {
-        match error {
-            SolveError::Unstable(unstable) => Self::Unstable(unstable),
-            SolveError::Load(_) => Self::Unstable(Unstable::Mechanism { node: NodeId(0) }),
-        }
-    }
 }
 
 /// A strut of a wire, between two passes that follow each other.
@@ -82,7 +79,7 @@ pub struct ClosingModel {
     pub(super) sources: Vec<MisfitSource>,
     /// The wires with each pass held in its place.
     open: Assembly,
-    /// The frame, held at a vertex of each part.
+    /// The frame, held at a vertex.
     joined: Assembly,
 }
 
@@ -98,7 +95,7 @@ impl ClosingModel {
     /// Wires of a round section on vertices, mm.
     ///
     /// # Errors
-    /// [`ClosingError`] when a wire passes no vertex, its program is that of another, or a strut has no length.
+    /// [`ClosingError`] when a wire passes no vertex, its program is that of another, a strut has no length, or the wires share no vertex.
     pub fn new(
         vertices: &[Point3<f64>],
         wires: &[FrameWire],
@@ -128,11 +125,15 @@ impl ClosingModel {
             sections: sections.clone(),
             supports,
         };
+        let parts = one_of_each_part(vertices.len(), &struts);
+        if parts.len() > 1 {
+            return Err(ClosingError::SeveralParts { parts: parts.len() });
+        }
         let joined = Model {
             nodes: vertices.to_vec(),
             members: struts.iter().map(|strut| member(strut.vertices)).collect(),
             sections,
-            supports: one_of_each_part(vertices.len(), &struts),
+            supports: parts,
         };
         Ok(Self {
             vertices: vertices.to_vec(),

@@ -40,6 +40,12 @@ impl Surface {
         Self { parts: vec![Part::whole(points, those)] }
     }
 
+    /// How many faces have a plane; one of the whole.
+    #[must_use]
+    pub fn face_count(&self) -> usize {
+        self.parts.len()
+    }
+
     /// The mean over the faces of the RMS of what is left, mm; of the whole its RMS. Zero where there is nothing to measure.
     #[must_use]
     pub fn rms(&self, displacements: &[Vector3<f64>]) -> f64 {
@@ -199,6 +205,8 @@ mod tests {
         let faces = Surface::faces(&line, &[vec![0, 1, 2, 3], vec![0, 1]]);
         assert!(faces.rms(&[Vector3::z(); 4]).abs() < 1e-12);
         assert!(faces.distances(&[Vector3::z(); 4]).is_empty());
+        assert_eq!(faces.face_count(), 0);
+        assert_eq!(Surface::faces(&square(), &[vec![0, 1, 2, 3]]).face_count(), 1);
     }
 
     proptest! {

@@ -110,6 +110,10 @@ fn wires_that_are_none_are_refused_by_name() {
     assert_eq!(refused(vec![0, 1], &path), "wire 0 has 1 struts and a program of 2");
     let together = [path[0], path[0], path[2]];
     assert!(refused(vec![0, 1, 2], &together).contains("member 0 has no length"));
+    let apart = [path.clone(), path.iter().map(|at| at + Vector3::z() * 99.0).collect()].concat();
+    let wires = [wire(&apart[..3], vec![0, 1, 2]), wire(&apart[3..], vec![3, 4, 5])];
+    let parts = ClosingModel::new(&apart, &wires, &steel()).map(|_| ());
+    assert_eq!(parts, Err(super::ClosingError::SeveralParts { parts: 2 }));
     let bad = ErrorModel { feed_mm: ErrorTerm { bias: 0.0, sigma: -1.0 }, ..ErrorModel::default() };
     let model = ClosingModel::new(&path, &[wire(&path, vec![0, 1, 2])], &steel()).unwrap();
     assert!(model.draw(&bad, 1, 0).is_err());

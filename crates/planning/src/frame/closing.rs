@@ -5,7 +5,6 @@ use serde::{Deserialize, Serialize};
 use wirebend_core::accuracy::{Closing, Resources};
 
 use super::figures::ClosingFigures;
-use super::material::FrameMaterial;
 use super::runs::{Figures, Runs};
 use crate::choices::PlanChoices;
 use crate::design::{Input, Opened};
@@ -62,8 +61,8 @@ pub struct ClosingReport {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct ClosingRuns {
     pub mean: ClosingFigures,
-    /// Standard deviations.
-    pub sd: ClosingFigures,
+    /// Standard deviations, with one wire less than there are in the denominator; null of a single wire.
+    pub sd: Option<ClosingFigures>,
 }
 
 /// What the wires take. Time is energy at the authors' 25 W, and not the time of the machine.
@@ -83,22 +82,23 @@ pub(super) struct JointsClosed {
     pub runs: Option<u32>,
     pub of_runs: Option<ClosingRuns>,
     pub resources: Option<ResourcesReport>,
+    /// What the wires are of.
+    pub material: String,
     pub notes: Vec<NoteReport>,
 }
 
 impl Installation {
-    /// Closes the joints of the wires that a design is planned as.
+    /// Closes the joints of the wires that a design is planned as, of the wire that they are planned with.
     pub(super) fn close_joints(
         &self,
         opened: Opened,
-        material: &FrameMaterial,
         choices: &PlanChoices,
         choice: &ClosingChoice,
         progress: &dyn Progress,
     ) -> Result<JointsClosed, PlanningError> {
         Runs::check(choice.runs)?;
         let errors = noise_model(self, &choice.errors)?;
-        let wires = self.wires_to_close(opened, material, choices, choice.faces.as_ref(), progress)?;
+        let wires = self.wires_to_close(opened, choices, choice.faces.as_ref(), progress)?;
         progress.stage("closing joints");
         let closing = Closing::from(choice.closing);
         let (figures, of_runs) = if choice.runs == 0 {
@@ -109,10 +109,13 @@ impl Installation {
             let runs =
                 Runs { wires: &wires, errors: &errors, closing, count: choice.runs, seed: choice.seed };
             let figures = runs.all(progress).map_err(|error| wires.failed(error))?;
-            let of_runs =
-                ClosingRuns { mean: Figures::mean(&figures).into(), sd: Figures::deviation(&figures).into() };
+            let of_runs = ClosingRuns {
+                mean: Figures::mean(&figures).into(),
+                sd: Figures::deviation(&figures).map(ClosingFigures::from),
+            };
             (Figures::root_mean_square(&figures).into(), Some(of_runs))
         };
+        let material = &wires.material;
         let used = Resources { wire_g: material.wire.mass_g(wires.length), joints_g: wires.joints_g };
         let energy_kj = material.energy_kj_per_g.map(|energy| used.energy_kj(energy));
         Ok(JointsClosed {
@@ -125,6 +128,7 @@ impl Installation {
                 energy_kj,
                 time_min: energy_kj.map(Resources::time_min),
             }),
+            material: material.id.clone(),
             notes: wires.notes,
         })
     }

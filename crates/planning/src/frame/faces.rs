@@ -29,6 +29,19 @@ pub(super) fn faces(input: &Input, opened: &Opened) -> Result<Vec<Vec<VertexId>>
             let held = format!("face {} has {} different vertices of {}", k + 1, different.len(), face.len());
             return Err(wrong(format!("{held}: it takes 4 or more, each once, to be off a plane")));
         }
+        let loose = |id: &&u32| opened.document.wireframe.incident(VertexId(**id)).is_empty();
+        if let Some(vertex) = face.iter().find(loose) {
+            return Err(wrong(format!(
+                "no strut ends at vertex {vertex} of face {}: it is never off",
+                k + 1
+            )));
+        }
+        let at = |id: &u32| opened.document.wireframe.vertex(VertexId(*id)).map(|vertex| vertex.position);
+        let points: Vec<Point3<f64>> = face.iter().filter_map(at).collect();
+        if Surface::faces(&points, &[(0..points.len()).collect()]).face_count() == 0 {
+            let held = format!("the vertices of face {} are all on one line", k + 1);
+            return Err(wrong(format!("{held}: it has no plane that they could be off")));
+        }
     }
     Ok(faces.into_iter().map(|face| face.into_iter().map(VertexId).collect()).collect())
 }

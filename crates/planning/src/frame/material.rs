@@ -11,6 +11,7 @@ use wirebend_profile::{MaterialFigures, Resolved};
 
 use crate::choices::PlanChoices;
 use crate::design::Opened;
+use crate::machine::Setup;
 use crate::{Installation, PlanningError};
 
 /// The yield strength of a material whose own is not known, MPa.
@@ -74,6 +75,11 @@ impl FrameMaterial {
     /// The section of an edge.
     pub fn section_of(&self, edge: EdgeId) -> SectionId {
         self.sections_of.get(&edge).copied().unwrap_or(SectionId(0))
+    }
+
+    /// The wire in a machine.
+    pub fn planned(setup: &Setup) -> Result<Self, PlanningError> {
+        Self::new(setup.material_id().to_owned(), &setup.material, &setup.material.figures()?)
     }
 
     /// Whether the stresses in a strut of a section are known.

@@ -159,8 +159,9 @@ pub fn frame(
     timings.took("modes");
     let closed = match &request.close {
         Some(choice) if !structure.edges.is_empty() => {
-            let closed = app.close_joints(opened, &material, &request.choices, choice, progress)?;
+            let closed = app.close_joints(opened, &request.choices, choice, progress)?;
             timings.took("closing");
+            notes.extend(material.of_file.then(|| closed_with(&closed.material)));
             Some(closed)
         }
         _ => None,
@@ -193,6 +194,18 @@ fn nothing_to_compute() -> Diagnostic {
         location,
         fact,
         remedies: vec![Remedy::DrawEdges, Remedy::TakeFaceEdges],
+    }
+}
+
+/// The file of a frame says what its struts are, and its wires are bent of another.
+fn closed_with(wire: &str) -> NoteReport {
+    NoteReport {
+        code: "closed-with-wire".into(),
+        count: 1,
+        message: format!(
+            "joints are closed with the wire that is planned, {wire}, and loads act on the struts of the file"
+        ),
+        remedies: Vec::new(),
     }
 }
 

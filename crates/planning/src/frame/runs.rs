@@ -110,12 +110,14 @@ impl Figures {
         Self::over(all, |values| mean(&values.iter().map(|x| x * x).collect::<Vec<_>>()).sqrt())
     }
 
-    /// The standard deviation of one of them.
-    pub fn deviation(all: &[Self]) -> Self {
-        Self::over(all, |values| {
+    /// The standard deviation of all wires as these tell it, from their own mean; `None` of a single one.
+    #[allow(clippy::cast_precision_loss)] // runs are far fewer than 2^52
+    pub fn deviation(all: &[Self]) -> Option<Self> {
+        let free = all.len().checked_sub(1).filter(|&free| free > 0)? as f64;
+        Some(Self::over(all, |values| {
             let middle = mean(values);
-            mean(&values.iter().map(|x| (x - middle).powi(2)).collect::<Vec<_>>()).sqrt()
-        })
+            (values.iter().map(|x| (x - middle).powi(2)).sum::<f64>() / free).sqrt()
+        }))
     }
 
     fn over(all: &[Self], of: impl Fn(&[f64]) -> f64) -> Self {

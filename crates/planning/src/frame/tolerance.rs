@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_core::accuracy::{
-    self, Closing, Continuum, NoLimit, Requirement, Responses, Surface, Tolerance, Vary,
+    self, Closing, Continuum, Effects, NoLimit, Requirement, Surface, Tolerance, Vary,
 };
 use wirebend_core::simulate::{ErrorModel, ErrorTerm};
 use wirebend_core::units::Length;
@@ -143,28 +143,25 @@ pub fn tolerance(
             if request.vary != VaryName::Feed || request.required.stress_mpa.is_some() {
                 return Err(PlanningError::OnlyLengths);
             }
-            let feed = Responses {
-                surface: truss.surface_per_length(),
+            let feed = Effects {
+                faces: vec![truss.surface_per_length()],
                 force: truss.force_per_length(),
                 stress: 0.0,
             };
-            let found =
-                accuracy::tolerance(&feed, &Responses::default(), &required, vary).map_err(no_limit)?;
+            let found = accuracy::tolerance(&feed, &Effects::default(), &required, vary).map_err(no_limit)?;
             Ok(ToleranceResponse::new(material.id, &found, false, Vec::new()))
         }
         ToleranceSubject::Design(design) => {
             let opened = app.designed(design.open(progress)?, &request.choices)?.with_wireframe()?;
-            let material = app.frame_material(&opened, &request.choices)?;
             let mut notes = opened.notes.clone();
-            let wires =
-                app.wires_to_close(opened, &material, &request.choices, request.faces.as_ref(), progress)?;
+            let wires = app.wires_to_close(opened, &request.choices, request.faces.as_ref(), progress)?;
             progress.stage("closing joints");
             let closing = request.closing.into();
-            let feed = wires.responses(closing, &one_mm(), request.vary != VaryName::Angle)?;
-            let angle = wires.responses(closing, &one_degree(), request.vary != VaryName::Feed)?;
+            let feed = wires.effects(closing, &one_mm(), request.vary != VaryName::Angle)?;
+            let angle = wires.effects(closing, &one_degree(), request.vary != VaryName::Feed)?;
             let found = accuracy::tolerance(&feed, &angle, &required, vary).map_err(no_limit)?;
             notes.extend(wires.notes);
-            Ok(ToleranceResponse::new(material.id, &found, true, notes))
+            Ok(ToleranceResponse::new(wires.material.id, &found, true, notes))
         }
     }
 }
@@ -184,23 +181,14 @@ fn wrong(input: InputName, value: f64, expected: &'static str) -> PlanningError 
 
 impl Wires {
     /// What a deviation of one unit does; nothing where it does not vary.
-    fn responses(
-        &self,
-        closing: Closing,
-        errors: &ErrorModel,
-        varies: bool,
-    ) -> Result<Responses, PlanningError> {
+    fn effects(&self, closing: Closing, errors: &ErrorModel, varies: bool) -> Result<Effects, PlanningError> {
         if !varies {
-            return Ok(Responses::default());
+            return Ok(Effects::default());
         }
         let surface: &Surface = &self.surface;
         let expected = self.model.straight().and_then(|prepared| prepared.expected(closing, errors, surface));
         let expected = expected.map_err(|error| self.failed(error))?;
-        Ok(Responses {
-            surface: expected.surface_rms,
-            force: expected.axial_rms,
-            stress: expected.von_mises_rms,
-        })
+        Ok(Effects { faces: expected.faces_rms, force: expected.axial_rms, stress: expected.von_mises_rms })
     }
 }
 

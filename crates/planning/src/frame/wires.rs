@@ -17,6 +17,8 @@ use crate::{Installation, PlanningError, Progress};
 
 /// The wires of a design, ready to be closed.
 pub(super) struct Wires {
+    /// What they are of: the wire in the machine, also where the file of the frame says what its struts are.
+    pub material: FrameMaterial,
     pub model: ClosingModel,
     pub surface: Surface,
     /// Of all wires.
@@ -32,7 +34,6 @@ impl Installation {
     pub(super) fn wires_to_close(
         &self,
         opened: Opened,
-        material: &FrameMaterial,
         choices: &PlanChoices,
         chosen_faces: Option<&Input>,
         progress: &dyn Progress,
@@ -40,6 +41,7 @@ impl Installation {
         let before = opened.notes.len();
         let groups = chosen_faces.map(|input| faces(input, &opened)).transpose()?;
         let planned = self.plan_design(opened, choices, progress)?;
+        let material = FrameMaterial::planned(&planned.setup)?;
         let wireframe = &planned.opened.document.wireframe;
         let vertices: Vec<VertexId> = wireframe.vertices().map(|(id, _)| id).collect();
         let points: Vec<_> = wireframe.vertices().map(|(_, vertex)| vertex.position).collect();
@@ -64,7 +66,7 @@ impl Installation {
             .fold(0.0, |sum, joint| sum + joint.mass_g);
         let notes = planned.opened.notes.into_iter().skip(before).collect();
         let length = wires.iter().map(|wire| wire.program.length()).sum();
-        Ok(Wires { model, surface, length, joints_g, notes, name })
+        Ok(Wires { material, model, surface, length, joints_g, notes, name })
     }
 }
 

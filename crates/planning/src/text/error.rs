@@ -136,6 +136,9 @@ pub fn closing(error: &ClosingError) -> String {
             "wire {} runs along {struts} edges, and its program has {segments} straight parts",
             wire + 1
         ),
+        ClosingError::SeveralParts { parts } => format!(
+            "the design is in {parts} parts: how far each is off from the other is not known before something joins them"
+        ),
         ClosingError::Model(error) => format!("the wires are no frame: {error}"),
         ClosingError::Unstable(error) => format!("the closed frame does not hold together: {error}"),
         ClosingError::Errors(error) => noise(error),

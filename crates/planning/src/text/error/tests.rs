@@ -92,6 +92,10 @@ fn models_of_machine_and_material_say_which_figure_is_wrong() {
         super::closing(&ClosingError::OtherProgram { wire: 1, struts: 4, segments: 3 }),
         "wire 2 runs along 4 edges, and its program has 3 straight parts"
     );
+    assert_eq!(
+        super::closing(&ClosingError::SeveralParts { parts: 2 }),
+        "the design is in 2 parts: how far each is off from the other is not known before something joins them"
+    );
     let noise = BadErrorTerm { of: ErrorSource::Bend, bias: 0.0, sigma: -1.0 };
     assert_eq!(
         super::noise(&noise),
