@@ -129,8 +129,8 @@ impl Head {
         self.faces.iter().map(|face| face.at(rho, z)).fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// For which of the directions asked a head that is carried along the motion meets the piece, its axis in that direction all the
-    /// time. Of no direction that is not given a point of the piece is deeper than `tolerance` below the limit at any time.
+    /// In which of the directions `asked` a head meets the piece while it is carried along the motion, its axis in that direction all the
+    /// time. In the other directions no point of the piece is ever deeper than `tolerance` below the limit.
     ///
     /// The square of the parts of motion and piece is halved until each direction is decided. The bound below the distance is convex,
     /// and so no less than its tangent plane in the middle of a cell.

@@ -66,6 +66,20 @@ fn a_sequence_that_was_written_is_checked_and_a_spoilt_one_refused() {
         assert!(ends.contains(&step["from_vertex"]), "{element} is not built from {}", step["from_vertex"]);
     }
 
+    // What each step is, is found out where the file does not say it.
+    let mut untyped: Value =
+        serde_json::from_slice(&std::fs::read(folder.path().join("order.json")).unwrap()).unwrap();
+    for step in untyped["steps"].as_array_mut().unwrap() {
+        step.as_object_mut().unwrap().remove("type");
+    }
+    std::fs::write(folder.path().join("untyped.json"), untyped.to_string()).unwrap();
+    let types = |found: &Value| -> Vec<Value> {
+        found["steps"].as_array().unwrap().iter().map(|step| step["type"].clone()).collect()
+    };
+    let again = ask(&["--check", "untyped.json", "--json"]).ended(0).json();
+    assert_eq!(types(&again), types(&checked));
+    assert!(types(&again).contains(&json!("create")) && types(&again).contains(&json!("connect")));
+
     let path = folder.path().join("order.json");
     let mut spoilt: Value = serde_json::from_slice(&std::fs::read(&path).unwrap()).unwrap();
     let steps = spoilt["steps"].as_array_mut().unwrap();
@@ -112,12 +126,32 @@ fn what_is_no_frame_and_no_sequence_is_refused() {
     let free = ask(&[&["line.obj", "--units", "mm", "--json"], &machine[..]].concat()).ended(4).json();
     assert_eq!(codes(&free), ["frame_unsupported"]);
     for epsilon in ["0", "-1", "NaN"] {
-        let arguments = [&[frame.as_str()], &machine[..], &["--epsilon", epsilon]].concat();
-        assert!([2, 3].contains(&ask(&arguments).status), "{epsilon}");
+        ask(&[&[frame.as_str()], &machine[..], &["--epsilon", epsilon]].concat()).ended(2);
     }
+    // Beyond what a clock counts.
+    let limits = ["1e19", "1e300", "-1", "NaN"];
+    for limit in limits.map(|limit| format!("--limit={limit}")) {
+        let refused = ask(&[&[frame.as_str(), &limit, "--json"], &machine[..]].concat()).ended(2).json();
+        assert_eq!(refused["error"]["code"], "value", "{limit}");
+    }
+    let layered = ["--group-by", "wire", "--cost", "paper"];
+    let refused = ask(&[&[frame.as_str()], &machine[..], &layered].concat()).ended(2).err;
+    assert!(refused.contains("the cost of FrameFab is that of single struts"), "{refused}");
     write("none.json", "{\"steps\": [{\"edge\": -3}]}");
     let none = ask(&[&[frame.as_str()], &machine[..], &["--check", "none.json"]].concat()).ended(3).err;
     assert!(none.contains("none.json, line 1"), "{none}");
+    // A length that is no number, and none at all; also of a wire's joint.
+    for direction in ["[1e200, 0, 0]", "[0, 0, 0]", "[0.3, 0, 0]"] {
+        let step = |keys: &str| format!("{{\"steps\": [\n{{\"edge\": 0, {keys}}}]}}");
+        write("strut.json", &step(&format!("\"from_vertex\": 0, \"direction\": {direction}")));
+        let joint = format!("{{\"vertex\": 0, \"direction\": {direction}}}");
+        write("wire.json", &step(&format!("\"edges\": [0, 1], \"joints\": [{joint}]")));
+        for file in ["strut.json", "wire.json"] {
+            let refused = ask(&[&[frame.as_str()], &machine[..], &["--check", file]].concat()).ended(3).err;
+            assert!(refused.contains(&format!("{file}, line 2")), "{direction}: {refused}");
+            assert!(refused.contains("expected a direction of length 1"), "{direction}: {refused}");
+        }
+    }
     write("other.json", "[1, 2]");
     ask(&[&[frame.as_str()], &machine[..], &["--check", "other.json"]].concat()).ended(3);
     // The authors' sequence is of the bunny in another place and size.

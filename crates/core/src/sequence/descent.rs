@@ -36,7 +36,7 @@ pub(super) enum Descent {
 
 /// A set on the way down, and what was tried from there.
 struct Level {
-    untried: Vec<usize>,
+    untried: GroupSet,
     taken: Option<usize>,
     blocked: Vec<(usize, Blocked)>,
 }
@@ -100,12 +100,12 @@ pub(super) fn take_apart(
 
 impl Level {
     fn at(standing: &GroupSet) -> Self {
-        Self { untried: standing.iter().collect(), taken: None, blocked: Vec::new() }
+        Self { untried: standing.clone(), taken: None, blocked: Vec::new() }
     }
 
     /// The group to try next: of those with about the highest key one beside the last, else the highest.
     fn next(&mut self, candidates: &Candidates<'_>, keys: &[f64], last: Option<usize>) -> Option<usize> {
-        let highest = self.untried.iter().map(|&group| keys[group]).fold(f64::NEG_INFINITY, f64::max);
+        let highest = self.untried.iter().map(|group| keys[group]).fold(f64::NEG_INFINITY, f64::max);
         let groups = candidates.groups.all();
         let beside = |group: usize| {
             last.is_some_and(|last| {
@@ -113,12 +113,13 @@ impl Level {
                     && groups[last].nodes.iter().any(|node| groups[group].nodes.contains(node))
             })
         };
-        let rank = |&(_, &group): &(usize, &usize)| (beside(group), keys[group]);
-        let best = self.untried.iter().enumerate().rev().max_by(|one, other| {
-            let ((one_beside, one_key), (other_beside, other_key)) = (rank(one), rank(other));
-            one_beside.cmp(&other_beside).then(one_key.total_cmp(&other_key))
+        // The first of equals.
+        let best = self.untried.iter().map(|group| (beside(group), group)).reduce(|best, next| {
+            let higher = next.0.cmp(&best.0).then(keys[next.1].total_cmp(&keys[best.1])).is_gt();
+            if higher { next } else { best }
         });
-        let place = best.map(|(place, _)| place)?;
-        Some(self.untried.remove(place))
+        let (_, group) = best?;
+        self.untried.remove(group);
+        Some(group)
     }
 }

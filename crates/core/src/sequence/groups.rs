@@ -1,7 +1,26 @@
 //! What is placed at once: a strut, or a wire or a rod of several.
 
-use super::structure::{Structure, StructureError};
+use std::collections::HashSet;
+
+use super::structure::Structure;
 use crate::wireframe::EdgeId;
+
+/// Why edges are no group of a structure.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum GroupError {
+    /// A group names an edge that the design has not.
+    #[error("there is no edge {edge}")]
+    NoEdge {
+        /// The edge.
+        edge: EdgeId,
+    },
+    /// A group does not hang together.
+    #[error("the group with edge {edge} does not hang together")]
+    InPieces {
+        /// Its first edge.
+        edge: EdgeId,
+    },
+}
 
 /// Struts that are placed at once.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -32,14 +51,14 @@ impl Groups {
     /// first of them, and one that none names is placed alone.
     ///
     /// # Errors
-    /// [`StructureError::NoEdge`] and [`StructureError::GroupInPieces`].
-    pub fn together(structure: &Structure, groups: &[Vec<EdgeId>]) -> Result<Self, StructureError> {
+    /// [`GroupError`].
+    pub fn together(structure: &Structure, groups: &[Vec<EdgeId>]) -> Result<Self, GroupError> {
         let mut taken = vec![false; structure.struts().len()];
         let mut made = Vec::new();
         for edges in groups {
             let mut struts = Vec::new();
             for &edge in edges {
-                let strut = structure.strut_of(edge).ok_or(StructureError::NoEdge { edge })?;
+                let strut = structure.strut_of(edge).ok_or(GroupError::NoEdge { edge })?;
                 if !std::mem::replace(&mut taken[strut], true) {
                     struts.push(strut);
                 }
@@ -47,7 +66,7 @@ impl Groups {
             struts.sort_unstable();
             if let Some(&first) = struts.first() {
                 if !hangs_together(structure, &struts) {
-                    return Err(StructureError::GroupInPieces { edge: structure.struts()[first].edge });
+                    return Err(GroupError::InPieces { edge: structure.struts()[first].edge });
                 }
                 made.push(struts);
             }
@@ -89,16 +108,12 @@ impl Groups {
 
 /// Whether a walk along the struts leads from the first to each.
 fn hangs_together(structure: &Structure, struts: &[usize]) -> bool {
+    let mut unseen: HashSet<usize> = struts.iter().copied().collect();
     let mut open: Vec<usize> = struts.first().copied().into_iter().collect();
-    let mut seen = open.clone();
     while let Some(strut) = open.pop() {
+        unseen.remove(&strut);
         let near = structure.struts()[strut].ends.into_iter().flat_map(|node| structure.around(node));
-        for &next in near {
-            if struts.contains(&next) && !seen.contains(&next) {
-                seen.push(next);
-                open.push(next);
-            }
-        }
+        open.extend(near.copied().filter(|next| unseen.remove(next)));
     }
-    seen.len() == struts.len()
+    unseen.is_empty()
 }

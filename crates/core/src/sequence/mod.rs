@@ -24,7 +24,7 @@ mod structure;
 pub use builder::{DirectionStepError, HeadDirections, Pace, StrutBuilder};
 pub use check::{Checked, GivenJoint, GivenStep, Violation, check};
 pub use cost::{SequenceCost, cost};
-pub use groups::{Group, Groups};
+pub use groups::{Group, GroupError, Groups};
 pub use layers::{LayerOptions, layers};
 pub use outcome::{Joint, Obstacle, ObstacleRule, Outcome, Progress, Step, StepKind, Strategy};
 pub use paper::search_by_paper;

@@ -44,7 +44,7 @@ pub enum Strategy {
     FromGround,
     /// What keeps the frame stiffest is built first.
     StiffnessPlan,
-    /// What was in the way of earlier searches is built later; the how manieth search.
+    /// What was in the way of earlier searches is built later; which restart, from 1.
     Restart(u32),
     /// Going back from dead ends.
     Backtracking,
@@ -88,6 +88,13 @@ pub enum ObstacleRule {
     },
     /// What stands without the strut sags too far; none where it does not stand.
     Sags {
+        /// The node that sags most.
+        node: usize,
+        /// How far, mm.
+        sag_mm: Option<f64>,
+    },
+    /// What stands with the strut sags too far, where it is built up and not taken apart; none where it does not stand.
+    SagsWith {
         /// The node that sags most.
         node: usize,
         /// How far, mm.

@@ -7,18 +7,30 @@ use std::ops::ControlFlow;
 
 use wirebend_frame::ModelError;
 
-use super::candidates::Candidates;
+use super::candidates::{Blocked, Candidates};
 use super::group_set::GroupSet;
 use super::outcome::{Obstacle, ObstacleRule, Outcome, Progress, Strategy};
-use super::search::{Task, candidates, found, out_of_reach};
-use super::stability::Stability;
+use super::search::{Task, candidates, found, out_of_reach, told, too_soft};
+use super::stability::{Stability, unsteady_node};
 
 /// Weights of stability, adjacency and freedom of the rest.
 const WEIGHTS: [f64; 3] = [1.0, 1.0, 5.0];
 /// How fast the cost of a strut falls with its free share of directions.
 const FREEDOM: f64 = 5.0;
 
-/// Searches as the paper does, each strut alone. `backtracks` bounds how often it goes back from a dead end.
+/// A set on the way up, and what was tried from there.
+#[derive(Default)]
+struct Level {
+    /// Those that can come next, dearest first.
+    open: Vec<usize>,
+    /// Those of the same layer that cannot be placed from anywhere.
+    shut: Vec<usize>,
+    /// Those with which the frame would sag too far.
+    sagging: Vec<(usize, Blocked)>,
+}
+
+/// Searches as the paper does, each strut alone. `backtracks` bounds how often it goes back from a dead end. Where it comes to none, the
+/// obstacle is why nothing could come next where it came farthest; none where it was stopped.
 ///
 /// # Errors
 /// A frame that cannot be computed with.
@@ -36,29 +48,39 @@ pub fn search_by_paper(
     let of = candidates.groups.all().len();
     let mut standing = GroupSet::none(of);
     let mut order: Vec<usize> = Vec::new();
-    let mut levels: Vec<Vec<usize>> = vec![ranked(&candidates, layers, &standing, None)];
+    if let Some(obstacle) = too_soft(&candidates) {
+        return Ok(Outcome::impossible(obstacle));
+    }
+    let mut levels = vec![ranked(&candidates, layers, &standing, None)];
     let mut back = 0;
-    let mut farthest = 0;
+    let mut farthest: Option<(usize, Vec<(usize, Blocked)>)> = None;
     while let Some(level) = levels.last_mut() {
         if order.len() == of {
             return Ok(found(&candidates, &order, Strategy::PaperCost));
         }
         let progress = Progress { strategy: Strategy::PaperCost, taken: order.len(), of };
         if should_continue(&progress).is_break() {
-            break;
+            return Ok(Outcome::not_found(None));
         }
-        if let Some(group) = level.pop() {
+        if let Some(group) = level.open.pop() {
             standing.insert(group);
-            if candidates.sag(&standing).is_ok_and(|sag| sag.mm <= candidates.max_sag_mm) {
-                order.push(group);
-                farthest = farthest.max(order.len());
-                levels.push(ranked(&candidates, layers, &standing, Some(group)));
-            } else {
-                standing.remove(group);
-            }
+            let blocked = match candidates.sag(&standing) {
+                Ok(sag) if sag.mm <= candidates.max_sag_mm => {
+                    order.push(group);
+                    levels.push(ranked(&candidates, layers, &standing, Some(group)));
+                    continue;
+                }
+                Ok(sag) => Blocked::Sags(sag),
+                Err(unstable) => Blocked::Unsteady(unsteady_node(&unstable)),
+            };
+            level.sagging.push((group, blocked));
+            standing.remove(group);
             continue;
         }
-        levels.pop();
+        let tried = levels.pop().unwrap_or_default();
+        if farthest.as_ref().is_none_or(|(built, _)| order.len() > *built) {
+            farthest = Some((order.len(), tried.blocked(&candidates, &standing)));
+        }
         if back == backtracks {
             break;
         }
@@ -67,19 +89,40 @@ pub fn search_by_paper(
             standing.remove(group);
         }
     }
-    let obstacle =
-        Obstacle { step: farthest + 1, rule: ObstacleRule::NoDirection, strut: None, struts: Vec::new() };
-    Ok(Outcome::not_found(Some(obstacle)))
+    let obstacle = farthest.map(|(built, blocked)| {
+        let told = told(&candidates, built + 1, &blocked);
+        match told.rule {
+            ObstacleRule::Sags { node, sag_mm } => {
+                Obstacle { rule: ObstacleRule::SagsWith { node, sag_mm }, ..told }
+            }
+            _ => told,
+        }
+    });
+    Ok(Outcome::not_found(obstacle))
+}
+
+impl Level {
+    /// Why none of its groups could come next.
+    fn blocked(self, candidates: &Candidates<'_>, standing: &GroupSet) -> Vec<(usize, Blocked)> {
+        let built = candidates.built(standing);
+        let stands = |strut: usize| standing.contains(candidates.groups.of_strut(strut));
+        let shut = self.shut.into_iter().map(|group| {
+            let there = &candidates.groups.all()[group];
+            if there.nodes.iter().any(|&node| built[node]) {
+                let by = candidates.free.in_the_way(there, &|node| built[node], &stands);
+                (group, Blocked::NoDirection(by))
+            } else {
+                (group, Blocked::Floating)
+            }
+        });
+        self.sagging.into_iter().chain(shut).collect()
+    }
 }
 
 /// The struts that can come next in the lowest layer that is not done, dearest first.
-fn ranked(
-    candidates: &Candidates<'_>,
-    layers: &[usize],
-    standing: &GroupSet,
-    last: Option<usize>,
-) -> Vec<usize> {
+fn ranked(candidates: &Candidates<'_>, layers: &[usize], standing: &GroupSet, last: Option<usize>) -> Level {
     let groups = candidates.groups.all();
+    let mut shut = Vec::new();
     let strut = |group: usize| groups[group].struts[0];
     let left = || (0..groups.len()).filter(|&group| !standing.contains(group));
     let ground = left().any(|group| groups[group].grounded);
@@ -89,6 +132,7 @@ fn ranked(
         .filter_map(|group| {
             let free = candidates.free_on(standing, group);
             if free.is_empty() || free.iter().any(|free| free.directions.is_empty()) {
+                shut.push(group);
                 return None;
             }
             let cost = if ground {
@@ -100,7 +144,7 @@ fn ranked(
         })
         .collect();
     open.sort_by(|one, other| other.0.total_cmp(&one.0).then(other.1.cmp(&one.1)));
-    open.into_iter().map(|(_, group)| group).collect()
+    Level { open: open.into_iter().map(|(_, group)| group).collect(), shut, sagging: Vec::new() }
 }
 
 fn middle(candidates: &Candidates<'_>, strut: usize) -> nalgebra::Point3<f64> {

@@ -64,15 +64,11 @@ pub fn search(
     let stability = Stability::new(task.structure, task.weight)?;
     let candidates = candidates(task, &stability);
     let of = task.groups.all().len();
-    let all = GroupSet::all(of);
     if let Some(obstacle) = out_of_reach(task) {
         return Ok(Outcome::impossible(obstacle));
     }
-    // Whatever the order, it ends with the whole frame.
-    match candidates.sag(&all) {
-        Ok(sag) if sag.mm <= candidates.max_sag_mm => {}
-        Ok(sag) => return Ok(Outcome::impossible(whole(&candidates, sag.node, Some(sag.mm)))),
-        Err(unstable) => return Ok(Outcome::impossible(whole(&candidates, unsteady_node(&unstable), None))),
+    if let Some(obstacle) = too_soft(&candidates) {
+        return Ok(Outcome::impossible(obstacle));
     }
     let mut dead = HashSet::new();
     let mut rounds = Rounds { of, should_continue, farthest: None };
@@ -231,20 +227,29 @@ pub(super) fn out_of_reach(task: &Task<'_>) -> Option<Obstacle> {
     Some(Obstacle { step: 0, rule: ObstacleRule::OutOfReach { node }, strut: None, struts })
 }
 
-fn whole(candidates: &Candidates<'_>, node: usize, sag_mm: Option<f64>) -> Obstacle {
+/// The whole frame, where it sags too far: whatever the order, it ends with that.
+pub(super) fn too_soft(candidates: &Candidates<'_>) -> Option<Obstacle> {
+    let (node, sag_mm) = match candidates.sag(&GroupSet::all(candidates.groups.all().len())) {
+        Ok(sag) if sag.mm <= candidates.max_sag_mm => return None,
+        Ok(sag) => (sag.node, Some(sag.mm)),
+        Err(unstable) => (unsteady_node(&unstable), None),
+    };
     let struts = candidates.structure.around(node).to_vec();
     let step = candidates.groups.all().len();
-    Obstacle { step, rule: ObstacleRule::WholeFrame { node, sag_mm }, strut: None, struts }
+    Some(Obstacle { step, rule: ObstacleRule::WholeFrame { node, sag_mm }, strut: None, struts })
 }
 
-/// What is to be said about a dead end: the group that fails by the rule which more than order decides, that of directions, else sag.
 fn obstacle(candidates: &Candidates<'_>, stuck: &Stuck) -> Obstacle {
-    let step = stuck.standing.len();
+    told(candidates, stuck.standing.len(), &stuck.blocked)
+}
+
+/// What is to be said about a dead end: the group that fails by the rule which more than order decides, that of sag, else directions.
+pub(super) fn told(candidates: &Candidates<'_>, step: usize, blocked: &[(usize, Blocked)]) -> Obstacle {
     let groups = candidates.groups.all();
-    let of = |rule: fn(&Blocked) -> bool| stuck.blocked.iter().find(|(_, blocked)| rule(blocked));
+    let of = |rule: fn(&Blocked) -> bool| blocked.iter().find(|(_, blocked)| rule(blocked));
     let told = of(|blocked| matches!(blocked, Blocked::Sags(_) | Blocked::Unsteady(_)))
         .or_else(|| of(|blocked| matches!(blocked, Blocked::NoDirection(_))))
-        .or_else(|| stuck.blocked.first());
+        .or_else(|| blocked.first());
     let Some((group, blocked)) = told else {
         return Obstacle { step, rule: ObstacleRule::Floating, strut: None, struts: Vec::new() };
     };

@@ -46,18 +46,6 @@ pub enum StructureError {
         /// All of them, in order of id.
         edges: Vec<EdgeId>,
     },
-    /// A group names an edge that the design has not.
-    #[error("there is no edge {edge}")]
-    NoEdge {
-        /// The edge.
-        edge: EdgeId,
-    },
-    /// A group does not hang together.
-    #[error("the group with edge {edge} does not hang together")]
-    GroupInPieces {
-        /// Its first edge.
-        edge: EdgeId,
-    },
 }
 
 /// Struts that hang together and on the ground.

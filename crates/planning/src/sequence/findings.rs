@@ -30,9 +30,7 @@ pub(super) fn no_structure(opened: &Opened, why: &StructureError) -> Diagnostic 
                 vec![Remedy::SupportVertices, Remedy::ConnectParts],
             )
         }
-        StructureError::ZeroLength { edge }
-        | StructureError::NoEdge { edge }
-        | StructureError::GroupInPieces { edge } => {
+        StructureError::ZeroLength { edge } => {
             let ends = wireframe.edge(*edge).map_or([VertexId(0); 2], |there| [there.a, there.b]);
             let fact = Fact::ZeroLengthEdge { edge: *edge, ends, length: wireframe.edge_length(*edge) };
             error(Location::at_edges(vec![*edge]), fact, vec![Remedy::DeleteEdge])
@@ -101,6 +99,10 @@ fn in_the_way(task: &Task<'_>, structure: &Structure, obstacle: &Obstacle) -> Di
                 _ => Fact::FrameMechanism,
             };
             error(location, fact, vec![Remedy::BraceFrame, Remedy::SupportVertices, Remedy::AllowMoreSag])
+        }
+        ObstacleRule::SagsWith { node, sag_mm } => {
+            let sag = sag_mm.and_then(|mm| Length::from_mm(mm).ok());
+            violation(&Violation::Sags { step: obstacle.step, vertex: vertex(node), sag, max })
         }
         ObstacleRule::NoDirection => {
             let fact = Fact::NoHeadDirection { edge: own, blocking: around.len() };

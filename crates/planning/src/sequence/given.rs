@@ -5,7 +5,7 @@ use serde::Deserialize;
 use wirebend_core::sequence::{GivenJoint, GivenStep, StepKind};
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::{EdgeId, VertexId};
-use wirebend_files::read::frame::{StrutKind, read_sequence};
+use wirebend_files::read::frame::{StrutKind, direction, read_sequence};
 
 use super::report::StepTypeName;
 use crate::PlanningError;
@@ -26,7 +26,7 @@ struct OwnStep {
     from_vertex: Option<u32>,
     #[serde(rename = "type")]
     kind: Option<StepTypeName>,
-    direction: Option<[f64; 3]>,
+    direction: Option<Axis>,
     /// Of a wire or rod.
     #[serde(default)]
     edges: Vec<u32>,
@@ -37,7 +37,21 @@ struct OwnStep {
 #[derive(Deserialize)]
 struct OwnJoint {
     vertex: u32,
-    direction: [f64; 3],
+    direction: Axis,
+}
+
+/// The direction of the head's axis.
+#[derive(Clone, Copy, Deserialize)]
+#[serde(try_from = "[f64; 3]")]
+struct Axis(Vector3<f64>);
+
+impl TryFrom<[f64; 3]> for Axis {
+    type Error = String;
+
+    fn try_from(parts: [f64; 3]) -> Result<Self, String> {
+        let wrong = || format!("the direction {parts:?}: expected a direction of length 1");
+        direction(parts).map(Self).ok_or_else(wrong)
+    }
 }
 
 pub(super) fn read(input: &Input, opened: &Opened) -> Result<Vec<GivenStep>, PlanningError> {
@@ -65,7 +79,7 @@ fn is_own(bytes: &[u8]) -> bool {
 
 fn step(own: OwnStep) -> GivenStep {
     let joints = if own.joints.is_empty() {
-        let of = |(vertex, direction): (u32, [f64; 3])| OwnJoint { vertex, direction };
+        let of = |(vertex, direction): (u32, Axis)| OwnJoint { vertex, direction };
         own.from_vertex.zip(own.direction).map(of).into_iter().collect()
     } else {
         own.joints
@@ -76,10 +90,7 @@ fn step(own: OwnStep) -> GivenStep {
         kind: own.kind.map(StepKind::from),
         joints: joints
             .into_iter()
-            .map(|joint| GivenJoint {
-                vertex: VertexId(joint.vertex),
-                directions: vec![Vector3::from(joint.direction)],
-            })
+            .map(|joint| GivenJoint { vertex: VertexId(joint.vertex), directions: vec![joint.direction.0] })
             .collect(),
     }
 }

@@ -98,6 +98,14 @@ pub fn sequence(
     if let Some(output) = &request.output {
         output.check()?;
     }
+    if request.group_by == GroupBy::Wire && request.cost == CostName::Paper {
+        return Err(PlanningError::Value {
+            input: Some(InputName::GroupBy),
+            name: InputName::GroupBy.words(),
+            value: "wire".to_owned(),
+            expected: "edge: the cost of FrameFab is that of single struts",
+        });
+    }
     let limit = seconds(request.limit_s)?;
     let started = Instant::now();
     let opened = request.design.open(progress)?.with_wireframe()?;
@@ -139,7 +147,8 @@ pub fn sequence(
         return Ok(answer.checked(&task, &given, &checked));
     }
     let since = Instant::now();
-    let mut watch = Watch { progress, until: since + limit, named: false };
+    let until = since.checked_add(limit).ok_or_else(|| no_limit(limit.as_secs_f64()))?;
+    let mut watch = Watch { progress, until, named: false };
     let outcome = if let (CostName::Paper, Some(layers)) = (request.cost, layers) {
         let backtracks = SearchOptions::default().backtracks;
         sequence::search_by_paper(&task, &layers, backtracks, &mut |told| watch.hear(told))
@@ -187,12 +196,18 @@ fn groups(opened: &Opened, structure: &Structure, by: GroupBy) -> Result<Groups,
 
 fn seconds(limit: Option<f64>) -> Result<Duration, PlanningError> {
     let limit = limit.unwrap_or(LIMIT_S);
-    Duration::try_from_secs_f64(limit).map_err(|_| PlanningError::Value {
+    let seconds = Duration::try_from_secs_f64(limit).ok();
+    // So far off a clock may not count.
+    seconds.filter(|seconds| Instant::now().checked_add(*seconds).is_some()).ok_or_else(|| no_limit(limit))
+}
+
+fn no_limit(limit: f64) -> PlanningError {
+    PlanningError::Value {
         input: Some(InputName::TimeLimit),
         name: InputName::TimeLimit.words(),
         value: limit.to_string(),
-        expected: "seconds, 0 or more",
-    })
+        expected: "seconds, 0 or more, and no more than a clock can count",
+    }
 }
 
 /// Tells a front end how far a search is, and ends it when time is up or a person has had enough.

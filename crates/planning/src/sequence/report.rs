@@ -65,7 +65,7 @@ pub struct SequenceStepReport {
     pub kind: StepTypeName,
     /// The direction of the head's axis, from the tip into the head.
     pub direction: Option<[f64; 3]>,
-    /// How many directions are free.
+    /// How many directions are free, at the joint with the fewest; where a sequence is checked, of those that it gives.
     pub free_directions: usize,
     /// The largest displacement of a vertex once it is placed; null where what is built does not stand.
     pub max_displacement_mm: Option<f64>,
@@ -261,8 +261,10 @@ impl Answer {
             let nodes: Vec<usize> = struts.flat_map(|strut| structure.struts()[strut].ends).collect();
             response.sharing += usize::from(nodes.iter().any(|node| before.contains(node)));
             before = nodes;
-            let [_, free] = checked.directions.get(k).copied().unwrap_or_default();
-            response.steps.push(given_report(task, step, free, checked.sags_mm.get(k).copied().flatten()));
+            let free = checked.free.get(k).map(Vec::as_slice).unwrap_or_default();
+            let (is, sag_mm) =
+                (checked.kinds.get(k).copied().flatten(), checked.sags_mm.get(k).copied().flatten());
+            response.steps.push(given_report(step, is, free, sag_mm));
         }
         let sags: Option<Vec<f64>> = checked.sags_mm.iter().copied().collect();
         response.max_displacement_mm =
@@ -296,29 +298,25 @@ fn step_report(task: &Task<'_>, step: &Step) -> SequenceStepReport {
     }
 }
 
-fn given_report(task: &Task<'_>, step: &GivenStep, free: usize, sag_mm: Option<f64>) -> SequenceStepReport {
-    let grounded = step
-        .edges
-        .iter()
-        .filter_map(|&edge| task.structure.strut_of(edge))
-        .any(|strut| task.structure.is_grounded(strut));
-    let otherwise = if grounded { StepTypeName::Ground } else { StepTypeName::Connect };
+fn given_report(
+    step: &GivenStep,
+    is: Option<StepKind>,
+    free: &[usize],
+    sag_mm: Option<f64>,
+) -> SequenceStepReport {
     let several = step.edges.len() > 1;
     let direction =
         |joint: &wirebend_core::sequence::GivenJoint| joint.directions.first().map(|way| (*way).into());
-    let joints = step.joints.iter().filter_map(|joint| {
-        Some(SequenceJoint {
-            vertex: joint.vertex.0,
-            direction: direction(joint)?,
-            free_directions: joint.directions.len(),
-        })
+    let joints = step.joints.iter().zip(free).filter_map(|(joint, &free_directions)| {
+        Some(SequenceJoint { vertex: joint.vertex.0, direction: direction(joint)?, free_directions })
     });
     SequenceStepReport {
         edge: step.edges.first().map_or(0, |edge| edge.0),
         from_vertex: step.joints.first().map(|joint| joint.vertex.0),
-        kind: step.kind.map_or(otherwise, StepTypeName::from),
+        // A step that builds nothing is what it is said to be.
+        kind: is.or(step.kind).map_or(StepTypeName::Connect, StepTypeName::from),
         direction: step.joints.first().and_then(direction),
-        free_directions: free,
+        free_directions: free.iter().copied().min().unwrap_or(0),
         max_displacement_mm: sag_mm,
         edges: if several { step.edges.iter().map(|edge| edge.0).collect() } else { Vec::new() },
         joints: if several { joints.collect() } else { Vec::new() },
@@ -330,7 +328,9 @@ fn obstacle_report(task: &Task<'_>, obstacle: &Obstacle) -> ObstacleReport {
     let edge = |strut: &usize| structure.struts()[*strut].edge.0;
     let (rule, node, displacement_mm) = match obstacle.rule {
         ObstacleRule::WholeFrame { node, sag_mm } => (ObstacleRuleName::WholeFrame, Some(node), sag_mm),
-        ObstacleRule::Sags { node, sag_mm } => (ObstacleRuleName::Sag, Some(node), sag_mm),
+        ObstacleRule::Sags { node, sag_mm } | ObstacleRule::SagsWith { node, sag_mm } => {
+            (ObstacleRuleName::Sag, Some(node), sag_mm)
+        }
         ObstacleRule::NoDirection => (ObstacleRuleName::HeadDirection, None, None),
         ObstacleRule::Floating => (ObstacleRuleName::Floating, None, None),
         ObstacleRule::OutOfReach { node } => (ObstacleRuleName::Workspace, Some(node), None),

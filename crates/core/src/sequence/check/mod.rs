@@ -25,8 +25,10 @@ pub struct Checked {
     pub violations: Vec<Violation>,
     /// The largest sag after each step, mm; none where it does not stand.
     pub sags_mm: Vec<Option<f64>>,
-    /// Of each step, how many directions are given, and how many of them are free.
-    pub directions: Vec<[usize; 2]>,
+    /// What each step is; none where it builds nothing.
+    pub kinds: Vec<Option<StepKind>>,
+    /// Of each step and each joint that is given, how many of its directions are free.
+    pub free: Vec<Vec<usize>>,
 }
 
 /// Checks a sequence, all of it: a step that cannot be made is taken as made for those after it.
@@ -48,7 +50,8 @@ pub fn check(task: &Task<'_>, steps: &[GivenStep]) -> Checked {
     let mut first: BTreeMap<EdgeId, usize> = BTreeMap::new();
     for (k, step) in steps.iter().enumerate() {
         let number = k + 1;
-        run.checked.directions.push([0; 2]);
+        run.checked.kinds.push(None);
+        run.checked.free.push(vec![0; step.joints.len()]);
         let mut struts = Vec::new();
         for &edge in &step.edges {
             match (structure.strut_of(edge), first.get(&edge)) {
@@ -118,19 +121,25 @@ impl Run<'_> {
             (false, true) => StepKind::Connect,
             (false, false) => StepKind::Create,
         };
+        if let Some(kind) = self.checked.kinds.last_mut() {
+            *kind = Some(is);
+        }
         if let Some(said) = step.kind.filter(|said| *said != is) {
             self.found(Violation::WrongKind { step: number, said, is });
         }
         if grounded && self.others && self.task.builder.ground_first {
             self.found(Violation::GroundLate { step: number, edge });
         }
-        for joint in &step.joints {
+        for (place, joint) in step.joints.iter().enumerate() {
             if !vertices.contains(&joint.vertex) {
                 self.found(Violation::NotAnEnd { step: number, vertex: joint.vertex });
             } else if !self.built.contains_key(&joint.vertex) {
                 self.found(Violation::Floating { step: number, edge, vertex: Some(joint.vertex) });
             } else {
-                self.head(number, joint, struts, joined.len() == vertices.len());
+                let free = self.head(number, joint, struts, joined.len() == vertices.len());
+                if let Some(of_joints) = self.checked.free.last_mut() {
+                    of_joints[place] = free;
+                }
             }
         }
         // A strut is drawn from one end; a wire is fastened wherever it meets what is built.
@@ -169,14 +178,16 @@ impl Run<'_> {
         }
     }
 
-    /// The head at one joint: one of the given directions has to be free.
-    fn head(&mut self, step: usize, joint: &GivenJoint, struts: &[usize], connects: bool) {
+    /// The head at one joint: one of the given directions has to be free. How many are.
+    fn head(&mut self, step: usize, joint: &GivenJoint, struts: &[usize], connects: bool) -> usize {
         let (structure, builder) = (self.task.structure, self.task.builder);
         let way = head::way(structure, struts, joint.vertex);
         let [mut steepest, mut contact] = [None::<Violation>, None];
         let mut free = 0;
         for direction in &joint.directions {
-            let Some(axis) = direction.try_normalize(1e-9) else {
+            // Squares of large figures are no numbers, and a vector over its length is then none of length 1.
+            let length = Some(direction.norm()).filter(|length| length.is_finite() && *length > 1e-9);
+            let Some(axis) = length.map(|length| direction / length) else {
                 self.found(Violation::NoDirection { step, vertex: joint.vertex });
                 continue;
             };
@@ -203,10 +214,6 @@ impl Run<'_> {
                 }
             }
         }
-        if let Some([given, are_free]) = self.checked.directions.last_mut() {
-            *given += joint.directions.len();
-            *are_free += free;
-        }
         if free == 0 {
             if let Some(violation) = contact.or(steepest) {
                 self.found(violation);
@@ -214,5 +221,6 @@ impl Run<'_> {
                 self.found(Violation::NoDirection { step, vertex: joint.vertex });
             }
         }
+        free
     }
 }

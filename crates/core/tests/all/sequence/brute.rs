@@ -47,10 +47,12 @@ pub fn faults(task: &Task<'_>, steps: &[GivenStep]) -> Vec<String> {
         }
         for other in &standing {
             let shared = other.iter().any(|end| strut.contains(end));
-            let allowed = if shared { task.builder.touch.mm() } else { -task.weight.section.radius };
+            let apart = task.builder.clearance.mm() + task.weight.section.radius;
+            let allowed = if shared { task.builder.touch.mm() } else { -apart };
             let deepest = deepest([begin, begin + way], other.map(|vertex| at(vertex).at), &axis);
-            // Outside the depth is a bound; a sampled point is only ever less deep than the deepest.
-            if deepest > allowed.max(0.0) + 0.002 {
+            // Outside the head the depth is what the search keeps to: minus a bound below the distance. A sampled point is only ever less
+            // deep than the deepest.
+            if deepest > allowed + 0.002 {
                 faults.push(format!("step {k} has {other:?} {deepest} mm deep in the head"));
             }
         }

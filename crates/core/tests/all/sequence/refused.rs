@@ -87,10 +87,14 @@ fn each_way_to_spoil_a_sequence_is_refused_for_its_own_reason() {
         spoilt(&|steps| steps[create].kind = Some(StepKind::Connect)).0,
         Violation::WrongKind { said: StepKind::Connect, is: StepKind::Create, .. }
     );
-    refused!(
-        spoilt(&|steps| steps[create].joints[0].directions = vec![Vector3::zeros()]).0,
-        Violation::NoDirection { .. }
-    );
+    for none in
+        [Vector3::zeros(), Vector3::x() * 1e200, Vector3::x() * f64::INFINITY, Vector3::x() * f64::NAN]
+    {
+        refused!(
+            spoilt(&|steps| steps[create].joints[0].directions = vec![none]).0,
+            Violation::NoDirection { .. }
+        );
+    }
     refused!(
         spoilt(&|steps| {
             let ground = steps.remove(0);

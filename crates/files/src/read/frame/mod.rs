@@ -15,7 +15,7 @@ use wirebend_core::wireframe::{EdgeId, VertexId};
 pub(super) use conmech::{merged, read as read_conmech, with_unit};
 pub use conmech_loads::read_loads;
 pub use match_struts::{MatchedStep, StrutMatchError};
-pub use sequence::{SequenceFile, SequenceStep, StrutKind, read_sequence};
+pub use sequence::{SequenceFile, SequenceStep, StrutKind, direction, read_sequence};
 pub(super) use unit::Quantity;
 use unit::quantity;
 

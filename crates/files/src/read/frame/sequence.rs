@@ -60,6 +60,15 @@ struct Element {
 /// Shortest direction that is one: the published ones have three decimals.
 const MIN_DIRECTION: f64 = 0.5;
 
+/// A direction as a file states it, of length 1; `None` for what has no length, or one that is no number.
+#[must_use]
+pub fn direction(parts: [f64; 3]) -> Option<Vector3<f64>> {
+    let direction = Vector3::from(parts);
+    let length = direction.norm();
+    // Not only a length of zero: JSON has no NaN, but squares may be too large.
+    (length.is_finite() && length >= MIN_DIRECTION).then(|| direction / length)
+}
+
 /// Reads a sequence.
 ///
 /// # Errors
@@ -109,11 +118,8 @@ fn step(source: Source<'_>, k: usize, element: &Element) -> Result<SequenceStep,
         }
     };
     let direction = |parts: &[f64; 3]| {
-        let direction = Vector3::from(*parts);
-        let length = direction.norm();
-        // Not only a length of zero: JSON has no NaN, but squares may be too large.
-        if length.is_finite() && length >= MIN_DIRECTION {
-            return Ok(direction / length);
+        if let Some(direction) = direction(*parts) {
+            return Ok(direction);
         }
         let found = format!("the direction {parts:?}");
         Err(source.syntax(place.clone(), &found, "a direction of length 1", ErrorRemedy::CorrectFile))
