@@ -26,7 +26,7 @@ pub(crate) struct FrameArgs {
     /// Load case, where the file has several
     #[arg(long, value_name = "NAME", requires = "loads")]
     pub load_case: Option<String>,
-    /// Write displacements and forces as VTK, for `ParaView`
+    /// Write displacements and forces as VTK, for ParaView
     #[arg(long, value_name = "FILE")]
     pub vtk: Option<PathBuf>,
     /// Write displacements and forces as tables, NAME-nodes.csv and NAME-members.csv for NAME.csv
@@ -63,9 +63,9 @@ pub(crate) struct FrameArgs {
 /// How joints are closed, and what is measured.
 #[derive(Debug, Args)]
 pub(crate) struct ClosingArgs {
-    /// How joints are closed: aligned (each pass turns freely until all are locked), or coupled (rigid from the start)
-    #[arg(long, value_name = "MODEL", default_value = "aligned", value_parser = closing_parser())]
-    pub closing: ClosingName,
+    /// How joints are closed: aligned (each pass turns freely until all are locked; unless said otherwise), or coupled (rigid from the start)
+    #[arg(long, value_name = "MODEL", value_parser = closing_parser())]
+    pub closing: Option<ClosingName>,
     /// Faces that are to be flat: a JSON list of lists of vertices; without them all vertices count
     #[arg(long, value_name = "FILE")]
     pub faces: Option<PathBuf>,

@@ -147,7 +147,7 @@ pub(crate) enum Subcommands {
     Tolerance(ToleranceArgs),
     /// Find the order in which a machine builds the struts of a frame, or check one
     #[command(
-        after_help = "Examples:\n  wirebend sequence bunny.pwf --machine framefab-extruder -o bunny-sequence.json\n  wirebend sequence bunny.pwf --machine framefab-extruder --check bunny-sequence.json\n  wirebend sequence bunny.pwf --machine framefab-extruder --layers --cost paper"
+        after_help = "Examples:\n  wirebend sequence bunny-frame.pwf --machine framefab-extruder -o bunny-sequence.json\n  wirebend sequence bunny-frame.pwf --machine framefab-extruder --check bunny-sequence.json\n  wirebend sequence bunny-frame.pwf --machine framefab-extruder --layers --cost paper"
     )]
     Sequence(SequenceArgs),
     /// Bend a job without a machine, with the errors that machines make
@@ -225,7 +225,7 @@ pub(crate) enum Subcommands {
     /// Measure your machine and wire, and make profiles of what was measured
     #[command(subcommand)]
     Calibrate(CalibrateCommand),
-    /// Work on machine, material and noise profiles
+    /// Work on profiles of machines, strut builders, materials and errors
     #[command(subcommand)]
     Profile(ProfileCommand),
     /// Print the completions of a shell

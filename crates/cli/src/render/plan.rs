@@ -44,7 +44,7 @@ fn wire(out: &mut impl Write, report: &WireReport) -> std::io::Result<()> {
             "{}, {}, {}",
             count(wireframe.vertices, "vertex", "vertices"),
             count(wireframe.edges, "edge", "edges"),
-            count(wireframe.odd_vertices, "odd vertex", "odd vertices")
+            count(wireframe.odd_vertices, "odd corner", "odd corners")
         ),
     )?;
     if let Some(route) = &report.route {

@@ -3,7 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use wirebend_api::{
-    ClosingChoice, Command, FrameRequest, LoadsChoice, Output, ToleranceRequest, ToleranceSubject,
+    ClosingChoice, ClosingName, Command, FrameRequest, LoadsChoice, Output, ToleranceRequest,
+    ToleranceSubject,
 };
 
 use super::{choices, design, input};
@@ -16,12 +17,16 @@ pub(super) fn frame(args: FrameArgs) -> anyhow::Result<Command> {
     if [&args.vtk, &args.csv].into_iter().flatten().any(|path| path == Path::new("-")) {
         return Err(WrongUse("results go to files: name one after --vtk or --csv".to_owned()).into());
     }
+    if !args.close && (args.closing.closing.is_some() || args.closing.faces.is_some()) {
+        let words = "--closing and --faces are for joints that are closed: give --close and --errors, too";
+        return Err(WrongUse(words.to_owned()).into());
+    }
     let force = args.force;
     let file = |path: PathBuf| Output { path, force };
     let loads = args.loads.as_deref().map(input).transpose()?;
     let close = args.errors.filter(|_| args.close).map(|errors| ClosingChoice {
         errors,
-        closing: args.closing.closing,
+        closing: args.closing.closing.unwrap_or(ClosingName::Aligned),
         runs: if args.expected { 0 } else { args.runs },
         seed: args.seed,
         faces,
@@ -52,7 +57,7 @@ pub(super) fn tolerance(args: ToleranceArgs) -> anyhow::Result<Command> {
         required: args.required,
         vary: args.vary,
         feed_share: args.feed_share,
-        closing: args.closing.closing,
+        closing: args.closing.closing.unwrap_or(ClosingName::Aligned),
         faces: args.closing.faces.as_deref().map(input).transpose()?,
     }))
 }

@@ -27,7 +27,7 @@ pub(super) fn route(error: &RouteError) -> String {
                 more => format!(" and {more} more"),
             };
             let ends = first.join(", ") + &more;
-            format!("the wire cannot start at vertex {start}: it has to start at an odd vertex ({ends})")
+            format!("the wire cannot start at vertex {start}: it has to start at an odd corner ({ends})")
         }
         RouteError::StartElsewhere(vertex) => {
             format!("vertex {vertex} has no edge of this wire to start along")

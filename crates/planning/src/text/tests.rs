@@ -109,7 +109,7 @@ fn findings_of_the_route_say_why_there_is_none() {
     refused(RouteError::Odd { odd: vec![VertexId(1)], allowed: 0 }, "1 vertex is odd; none may be");
     refused(
         RouteError::Start { start: VertexId(5), ends: vec![VertexId(1), VertexId(2)] },
-        "the wire cannot start at vertex 5: it has to start at an odd vertex (1, 2)",
+        "the wire cannot start at vertex 5: it has to start at an odd corner (1, 2)",
     );
     refused(RouteError::StartElsewhere(VertexId(5)), "vertex 5 has no edge of this wire to start along");
     refused(RouteError::DoubledElsewhere(EdgeId(5)), "edge 5 is to be doubled but is not part of this wire");

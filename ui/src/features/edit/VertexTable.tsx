@@ -111,9 +111,13 @@ export function VertexTable() {
                   />
                 </span>
               ))}
-              <span role="cell" className={wrong.has(id) ? "odd" : "muted"} title={meet % 2 === 1 ? "Odd" : undefined}>
+              <span
+                role="cell"
+                className={wrong.has(id) ? "odd" : "muted"}
+                title={meet % 2 === 1 ? "Odd corner" : undefined}
+              >
                 {meet}
-                {meet % 2 === 1 && <span className="visually-hidden"> (odd)</span>}
+                {meet % 2 === 1 && <span className="visually-hidden"> (odd corner)</span>}
               </span>
             </div>
           );

@@ -43,7 +43,15 @@ export function HoverCard() {
     if (!vertex) return null;
     let degree = 0;
     for (const { a, b } of edges.values()) degree += Number(a === hovered.id) + Number(b === hovered.id);
-    title = `Vertex ${hovered.id} · ${count(degree, "edge")}${degree % 2 === 1 ? " (odd)" : ""}${vertex.support ? " · support" : ""}${vertex.joint ? ` · ${vertex.joint.kind} joint` : ""}`;
+    title = [
+      `Vertex ${hovered.id}`,
+      count(degree, "edge"),
+      degree % 2 === 1 && "odd corner",
+      vertex.support && "support",
+      vertex.joint && `${vertex.joint.kind} joint`,
+    ]
+      .filter(Boolean)
+      .join(" · ");
     sub = at(vertex.at);
     verdict = marks.vertices.get(hovered.id) ?? null;
   } else if (hovered.kind === "edge") {
