@@ -8,9 +8,9 @@ use wirebend_files::document::Job;
 use wirebend_files::read::read_file;
 use wirebend_planning::Installation;
 use wirebend_planning::PlanningError;
-use wirebend_planning::calibrate::{CalibrateEnterResponse, SheetFile};
+use wirebend_planning::calibrate::{Bent, CalibrateEnterResponse, SheetFile};
 
-use crate::runs::RunsFolder;
+use crate::runs::{RunsFolder, StoredRun};
 use crate::{FrontEnd, OperationError};
 
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -43,13 +43,15 @@ pub fn enter(
     for path in &request.bent {
         let bytes = read_file(path).map_err(PlanningError::from)?;
         let job = Job::open(&bytes, &path.display().to_string()).map_err(PlanningError::from)?;
-        let name = path.file_stem().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         let folder = RunsFolder::of(app)?;
-        for wire in 0..job.contents().wires.len() {
-            for run in folder.of_wire(job.hash(), wire)? {
+        for (wire, planned) in job.contents().wires.iter().enumerate() {
+            let corners = |run: StoredRun| {
                 let corners = run.record().map(|record| record.corners_mm).unwrap_or_default();
-                sheet.add_corners(app, &name, wire, &corners)?;
-            }
+                (run.id, corners)
+            };
+            let runs: Vec<_> = folder.of_wire(job.hash(), wire)?.into_iter().map(corners).collect();
+            let job = path.display().to_string();
+            sheet.add_bent(app, &Bent { job: &job, wire, commands: &planned.compensated, runs: &runs })?;
         }
     }
     Ok(sheet.save()?)

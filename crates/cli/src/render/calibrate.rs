@@ -61,7 +61,7 @@ fn one_kind(out: &mut impl Write, kind: &KindReport, found: &CalibrationReport) 
     let of = kind.parameters.len();
     writeln!(
         out,
-        "\n{name}: {}, scatter {:.2}{unit}; {} of {} told",
+        "\n{name}: {}, scatter {:.2}{unit}; {} of {} determined",
         count(kind.readings, "reading", "readings"),
         kind.scatter,
         kind.rank,
@@ -94,7 +94,7 @@ fn parameter(found: &ParameterReport) -> Vec<String> {
         format!("{:.digits$}{unit}", found.value),
         format!("± {:.digits$}{unit}", found.within_95),
         format!("was {:.digits$}{unit}", found.before),
-        if found.identified { "" } else { "not told by these readings" }.to_owned(),
+        if found.identified { "" } else { "not determined by these readings" }.to_owned(),
     ]
 }
 

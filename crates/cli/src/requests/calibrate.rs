@@ -31,7 +31,7 @@ pub(super) fn calibrate(command: CalibrateCommand) -> Result<Command, WrongUse> 
         CalibrateCommand::Apply { sheet, machine_id, material_id, shape, date, output, force } => {
             let folder = match output {
                 Some(folder) => folder,
-                None => own_folder()?,
+                None => own_folder("name a folder with -o")?,
             };
             let shape = shape.map(Into::into);
             Command::CalibrateApply(CalibrateApplyRequest {
@@ -50,8 +50,8 @@ pub(super) fn calibrate(command: CalibrateCommand) -> Result<Command, WrongUse> 
     })
 }
 
-/// The folder with profiles of the person's own.
-pub(super) fn own_folder() -> Result<PathBuf, WrongUse> {
-    let homeless = "there is no home folder with profiles of your own: name a folder with -o";
-    wirebend_api::Places::of_person().own.ok_or_else(|| WrongUse(homeless.to_owned()))
+/// The folder with profiles of the person's own; `instead` is what helps where there is none.
+pub(super) fn own_folder(instead: &str) -> Result<PathBuf, WrongUse> {
+    let homeless = || WrongUse(format!("there is no home folder with profiles of your own: {instead}"));
+    wirebend_api::Places::of_person().own.ok_or_else(homeless)
 }

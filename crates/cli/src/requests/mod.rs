@@ -111,7 +111,7 @@ pub(crate) fn prepare(command: Subcommands) -> anyhow::Result<Prepared> {
         }
         Subcommands::Calibrate(command) => written(calibrate::calibrate(command)?),
         Subcommands::Profile(ProfileCommand::Set { id, values, source, measured, from, kind }) => {
-            let folder = calibrate::own_folder()?;
+            let folder = calibrate::own_folder("set HOME or XDG_CONFIG_HOME")?;
             let kind = kind.kind;
             let request = ProfileSetRequest { id, from, kind, values, source, measured, folder };
             written(Command::ProfileSet(request))

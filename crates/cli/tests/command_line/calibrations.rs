@@ -27,6 +27,18 @@ fn coupons_that_the_simulated_machine_has_bent_make_profiles_that_are_used() {
         let enter = ["calibrate", "enter", "calibration/sheet.csv", "--bent", &job, "--json"];
         assert_fits("calibrate-enter", &run(&enter).ended(0).json());
     }
+    // Nothing is entered twice, whatever its file is called.
+    std::fs::rename(folder.path().join("calibration/turns.wbjob"), folder.path().join("t.wbjob")).unwrap();
+    for job in ["t.wbjob", "calibration/angles.wbjob"] {
+        let again =
+            run(&["calibrate", "enter", "calibration/sheet.csv", "--bent", job, "--json"]).ended(0).json();
+        assert_eq!(again["entered"], 0, "{job}");
+    }
+    let others = ["calibrate", "new", "--machine", "wirebend-kit", "--angles", "35,95", "-o", "others"];
+    run(&others).ended(0);
+    let said =
+        run(&["calibrate", "enter", "calibration/sheet.csv", "--bent", "others/angles.wbjob"]).ended(2).err;
+    assert!(said.contains("wire 1 of others/angles.wbjob"), "{said}");
     // 80 becomes 725 at the keyboard; here a bend of about 90 degrees.
     // Beside the reading that the simulated machine has made.
     let right =
@@ -93,6 +105,7 @@ fn what_cannot_be_read_or_fitted_is_said() {
         ("angle-40=38", "angle-40:2"),
         ("angle-41:1=38", "first column"),
         ("angle-40:1=38,abc", "numbers"),
+        ("angle-40:1=nan", "numbers"),
         ("angle-40:3=38", "counted from 1"),
     ] {
         let said = run(&["calibrate", "enter", "calibration/sheet.csv", typed]).ended(2).err;
@@ -103,6 +116,8 @@ fn what_cannot_be_read_or_fitted_is_said() {
     let said = run(&["calibrate", "fit", "broken.csv"]).ended(3).err;
     assert!(said.contains("broken.csv, line 6: found \"bent\""), "{said}");
     let too_far = ["calibrate", "new", "--machine", "wirebend-kit", "--angles", "90,170", "-o", "other"];
+    let twice = ["calibrate", "new", "--machine", "wirebend-kit", "--angles", "90,40,90", "-o", "other"];
+    assert!(run(&twice).ended(2).err.contains("--repeats"), "two coupons of one name");
     let said = run(&too_far).ended(2).err;
     assert!(said.contains("170.0°") && !folder.path().join("other").exists(), "{said}");
 }

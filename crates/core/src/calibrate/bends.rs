@@ -93,7 +93,7 @@ pub(super) fn fit(
     }
     let axes: Vec<Angle> = screened.samples.iter().map(|&k| samples[k].axis).collect();
     let expected: Vec<f64> = screened.samples.iter().map(|&k| expected[k].deg()).collect();
-    let told = |k: usize| Figure::Angle(axes[k]);
+    let commanded = |k: usize| Figure::Angle(axes[k]);
     let no_solution = |_| CalibrationError::NoSolution { kind: Kind::Bends };
     let side = Side { assumed, before: &before, axes: &axes };
 
@@ -116,7 +116,7 @@ pub(super) fn fit(
             let (fit, solution) = {
                 let predict = side.predict(&knots);
                 let search = side.search(&knots, &predict);
-                search.fit(Kind::Bends, &screened, &told, &expected).map_err(no_solution)?
+                search.fit(Kind::Bends, &screened, &commanded, &expected).map_err(no_solution)?
             };
             fitted.push((shape, knots, fit, solution));
         }
@@ -137,7 +137,7 @@ pub(super) fn fit(
     Ok(Outcome { fit: Some(fit), left_out: screened.left_out, gaps })
 }
 
-/// The bends that were told, and the machine that made them.
+/// The bends that were commanded, and the machine that made them.
 struct Side<'a> {
     assumed: &'a Assumed,
     before: &'a BendModel,

@@ -20,7 +20,7 @@ pub enum Parameter {
     PegRadius,
     /// Depth of the neutral fibre in a bend, in diameters.
     KFactor,
-    /// Wire that comes out for a millimetre told.
+    /// Wire that comes out for a commanded millimetre.
     FeedScale,
     /// What every turn of the head is off by.
     RotationOffset,
@@ -39,15 +39,15 @@ pub struct Estimate {
     pub value: Figure,
     /// With 95 % it is within this of the value.
     pub within_95: Figure,
-    /// How much of what is known of it these readings tell, from 0 (all of it was known before) to 1. Below one half they do not identify it.
-    pub told: f64,
+    /// How much of what is known of it these readings tell, from 0 (all of it was known before) to 1. Below one half they do not determine it.
+    pub determined: f64,
 }
 
 impl Estimate {
     /// Whether the readings tell more of it than was known before.
     #[must_use]
     pub fn is_identified(&self) -> bool {
-        self.told >= 0.5
+        self.determined >= 0.5
     }
 }
 
@@ -75,8 +75,8 @@ impl Misfit {
 pub struct Residual {
     /// Where it stands.
     pub place: ReadingPlace,
-    /// What was told: position of the axis, feed or turn.
-    pub told: Figure,
+    /// What was commanded: position of the axis, feed or turn.
+    pub commanded: Figure,
     /// What was read.
     pub reading: Figure,
     /// What the fitted model says.

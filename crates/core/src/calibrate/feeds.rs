@@ -20,7 +20,7 @@ const SCALE_DEVIATION: f64 = 0.02;
 pub struct FeedFit {
     /// The parameters and how well they fit.
     pub fit: Fit,
-    /// Wire that comes out for a millimetre told.
+    /// Wire that comes out for a commanded millimetre.
     pub scale: f64,
     /// Depth of the neutral fibre, in diameters.
     pub k_factor: f64,
@@ -80,8 +80,9 @@ pub(super) fn fit(
     };
     let no_solution = |_| CalibrationError::NoSolution { kind: Kind::Feeds };
     search.take_out_wild(Kind::Feeds, &mut screened).map_err(no_solution)?;
-    let told = |k: usize| Figure::Length(used[k].feed);
-    let (fit, solution) = search.fit(Kind::Feeds, &screened, &told, &expected).map_err(no_solution)?;
+    let commanded = |k: usize| Figure::Length(used[k].feed);
+    let (mut fit, solution) =
+        search.fit(Kind::Feeds, &screened, &commanded, &expected).map_err(no_solution)?;
     let mut gaps = Vec::new();
     let feed = |datum: &super::least_squares::Datum| used[datum.sample].feed;
     if let Some(first) = screened.data.first().map(feed)
@@ -89,11 +90,21 @@ pub(super) fn fit(
     {
         gaps.push(Gap::OneLength { feed: first });
     }
-    let fit = solution.parameters.first_chunk::<3>().map(|&[scale, k_factor, radius]| FeedFit {
-        fit,
-        scale,
-        k_factor,
-        model: feed_model(assumed, k_factor, radius),
+    let fit = solution.parameters.first_chunk::<3>().map(|&[scale, k, fitted]| {
+        // Sides hardly tell the radius from K: K is stated for the radius that is stated with it. Sides are linear in K.
+        let all = |k: f64, radius: f64| predict(&[scale, k, radius]).iter().sum::<f64>();
+        let before = radius.value.mm();
+        let slope = all(k + 1.0, before) - all(k, before);
+        // Without a bend there is no K.
+        let k_factor = if slope.abs() < 1e-9 { k } else { k + (all(k, fitted) - all(k, before)) / slope };
+        for estimate in &mut fit.estimates {
+            match estimate.parameter {
+                Parameter::KFactor => estimate.value = Figure::Ratio(k_factor),
+                Parameter::BendRadius => estimate.value = Figure::Length(radius.value),
+                _ => {}
+            }
+        }
+        FeedFit { fit, scale, k_factor, model: feed_model(assumed, k_factor, before) }
     });
     Ok(Outcome { fit, left_out: screened.left_out, gaps })
 }

@@ -52,13 +52,13 @@ impl Search<'_> {
         Ok(())
     }
 
-    /// Fits all readings that are left. `told` is what was told for a sample of `screened`, `before` what the figures
+    /// Fits all readings that are left. `commanded` is what was commanded for a sample of `screened`, `before` what the figures
     /// of before make of it.
     pub fn fit(
         &self,
         kind: Kind,
         screened: &Screened,
-        told: &dyn Fn(usize) -> Figure,
+        commanded: &dyn Fn(usize) -> Figure,
         before: &[f64],
     ) -> Result<(Fit, Solution), NoSolution> {
         let problem = self.problem(screened);
@@ -71,14 +71,14 @@ impl Search<'_> {
             before: parameter.figure(belief.value),
             value: parameter.figure(solution.parameters[k]),
             within_95: parameter.figure(half(k, belief.sd)),
-            told: solution.told(k),
+            determined: solution.determined(k),
         };
         let off = |from: &[f64]| -> Vec<f64> {
             screened.data.iter().map(|datum| datum.value - from[datum.sample]).collect()
         };
         let residuals = screened.data.iter().zip(&screened.places).map(|(datum, place)| Residual {
             place: *place,
-            told: told(datum.sample),
+            commanded: commanded(datum.sample),
             reading: figure(kind, datum.value),
             fitted: figure(kind, solution.predicted[datum.sample]),
         });

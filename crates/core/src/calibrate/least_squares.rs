@@ -212,7 +212,7 @@ impl Solution {
     }
 
     /// How much of what is known of a parameter the readings tell, from 0 (nothing) to 1.
-    pub fn told(&self, parameter: usize) -> f64 {
+    pub fn determined(&self, parameter: usize) -> f64 {
         (1.0 - self.covariance[(parameter, parameter)]).clamp(0.0, 1.0)
     }
 

@@ -29,7 +29,7 @@ pub struct LengthSample {
 /// The same turn of the head between two bends.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TurnSample {
-    /// How far the head was told to turn.
+    /// How far the head was commanded to turn.
     pub rotate: Angle,
     /// Whether it had turned the other way before, so that play has to be taken up first.
     pub reverses: bool,
@@ -85,7 +85,7 @@ pub enum LeftOutReason {
         /// How far it goes to either side.
         limit: Angle,
     },
-    /// The wire is bent to the other side than it was told.
+    /// The wire is bent to the other side than was commanded.
     OtherSide,
     /// It seems to be in another unit.
     Unit(OtherUnit),
@@ -123,7 +123,7 @@ pub enum Gap {
         /// The side that is missing: 1 positive, -1 negative.
         missing: f64,
     },
-    /// All bends were told the same: a constant springback fits them, whatever the machine's dimensions.
+    /// All bends were commanded alike: a constant springback fits them, whatever the machine's dimensions.
     OneAngle {
         /// The position of the axis.
         axis: Angle,
@@ -138,6 +138,6 @@ pub enum Gap {
         /// The feed.
         feed: Length,
     },
-    /// No turn goes against the one before: the play of the head is not told.
+    /// No turn goes against the one before: the play of the head is not determined.
     NoReversal,
 }

@@ -66,7 +66,7 @@ pub struct Calibration {
     pub turns: Option<TurnFit>,
     /// Readings that were left out.
     pub left_out: Vec<LeftOut>,
-    /// What is not told.
+    /// What is not determined.
     pub gaps: Vec<Gap>,
 }
 

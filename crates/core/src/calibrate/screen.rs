@@ -62,7 +62,7 @@ pub(super) fn screen<V: Copy>(
     screened
 }
 
-/// A bend, signed as the axis was told; `expected` is its size by the figures of before.
+/// A bend, signed as the axis was commanded; `expected` is its size by the figures of before.
 pub(super) fn bend(
     axis: Angle,
     limit: Option<Angle>,
@@ -86,9 +86,9 @@ pub(super) fn bend(
     Ok(size)
 }
 
-/// A turn, signed as it was told; its own sign may be left out. In degrees.
-pub(super) fn turn(told: Angle, expected: Angle, reading: Angle) -> Result<f64, LeftOutReason> {
-    if told > Angle::ZERO && reading < Angle::ZERO {
+/// A turn, signed as it was commanded; its own sign may be left out. In degrees.
+pub(super) fn turn(commanded: Angle, expected: Angle, reading: Angle) -> Result<f64, LeftOutReason> {
+    if commanded > Angle::ZERO && reading < Angle::ZERO {
         return Err(LeftOutReason::OtherSide);
     }
     let (read, wanted) = (reading.abs().deg(), expected.abs().deg());
@@ -98,7 +98,7 @@ pub(super) fn turn(told: Angle, expected: Angle, reading: Angle) -> Result<f64, 
     if read > 400.0 {
         return Err(LeftOutReason::Impossible);
     }
-    Ok(told.signum() * read)
+    Ok(commanded.signum() * read)
 }
 
 /// A side, in mm.

@@ -52,9 +52,9 @@ pub(super) fn fit(assumed: &Assumed, samples: &[TurnSample]) -> Result<Outcome<T
     };
     let no_solution = |_| CalibrationError::NoSolution { kind: Kind::Turns };
     search.take_out_wild(Kind::Turns, &mut screened).map_err(no_solution)?;
-    let told = |k: usize| Figure::Angle(used[k].rotate);
+    let commanded = |k: usize| Figure::Angle(used[k].rotate);
     let before: Vec<f64> = used.iter().map(|sample| sample.rotate.deg()).collect();
-    let (fit, solution) = search.fit(Kind::Turns, &screened, &told, &before).map_err(no_solution)?;
+    let (fit, solution) = search.fit(Kind::Turns, &screened, &commanded, &before).map_err(no_solution)?;
     let reverses = screened.data.iter().any(|datum| used[datum.sample].reverses);
     let fit = solution.parameters.first_chunk::<2>().map(|&[offset_deg, backlash_deg]| TurnFit {
         fit,

@@ -46,7 +46,7 @@ pub use format::{Format, UnknownName};
 pub use note::{Note, NoteKind};
 pub use options::{DEFAULT_TOLERANCE_MM, Handedness, LengthUnit, ReadOptions};
 pub use program::{ImportedProgram, wireframe_of_path};
-pub(crate) use sheet::COLUMNS as SHEET_COLUMNS;
+pub(crate) use sheet::{COLUMNS as SHEET_COLUMNS, EXPLANATIONS as SHEET_EXPLANATIONS};
 pub use sheet::{MeasuringSheet, PinPair, SheetQuantity, SheetRow, pin_table};
 
 use crate::document::Document;

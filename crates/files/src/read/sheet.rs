@@ -1,4 +1,4 @@
-//! The sheet of a calibration: what was bent, how it was told, and what was read of it; and tables of pin angles.
+//! The sheet of a calibration: what was bent, by which commands, and what was read of it; and tables of pin angles.
 
 use wirebend_error::ErrorRemedy;
 
@@ -41,8 +41,8 @@ pub struct SheetRow {
     pub quantity: SheetQuantity,
     /// What was wanted, mm or degrees; of a side from corner to corner.
     pub wanted: f64,
-    /// What was told: position of the bend axis or turn of the head in degrees, feed in mm.
-    pub told: f64,
+    /// What was commanded: position of the bend axis or turn of the head in degrees, feed in mm.
+    pub commanded: f64,
     /// Of a side the positions of the axis for the bends before and behind it, degrees.
     pub axes_deg: Option<[f64; 2]>,
     /// What was read, in the unit of what was wanted; none where nothing was.
@@ -57,10 +57,22 @@ pub struct MeasuringSheet {
     /// Id of their wire.
     pub material: String,
     pub rows: Vec<SheetRow>,
+    /// Ids of the runs of a simulated machine whose wires are among the readings.
+    pub bent: Vec<String>,
+    /// Lines that somebody has added as comments.
+    pub comments: Vec<String>,
+    /// Columns that somebody has added: their names, and a cell for each row.
+    pub columns: Vec<(String, Vec<String>)>,
 }
 
+/// Lines that every sheet has; what `bent` begins names runs.
+pub(crate) const EXPLANATIONS: [&str; 2] = [
+    "# bend: how far the wire turns, degrees (straight is 0). side: over the outside of the U, mm. turn: between the planes of two bends, degrees.",
+    "# A cell may stay empty. What is commanded belongs to the jobs beside this file: do not change it.",
+];
+
 /// Names of the columns before those of readings.
-pub(crate) const COLUMNS: [&str; 6] = ["coupon", "what", "wanted", "told", "before_deg", "after_deg"];
+pub(crate) const COLUMNS: [&str; 6] = ["coupon", "what", "wanted", "commanded", "before_deg", "after_deg"];
 
 impl MeasuringSheet {
     /// Reads a sheet, as it was written or as a spreadsheet has saved it again.
@@ -76,13 +88,17 @@ impl MeasuringSheet {
                 let value = value.trim().trim_end_matches([',', ';', '"', '\t', ' ']);
                 (name.trim() == key).then(|| value.to_owned())
             });
+            found.last()
+        };
+        let needed = |key: &str| {
             let missing = || {
                 let expected = format!("a line `# {key}: ID` as `wirebend calibrate new` writes it");
                 source.syntax(Location::File, "none", expected, ErrorRemedy::CheckRightFile)
             };
-            found.last().ok_or_else(missing)
+            heading(key).ok_or_else(missing)
         };
-        let (machine, material) = (heading("machine")?, heading("material")?);
+        let (machine, material) = (needed("machine")?, needed("material")?);
+        let bent = heading("bent").map(|ids| ids.split_whitespace().map(str::to_owned).collect());
         let table = Table::parse(&text);
         let column = |name: &'static str| {
             let word = name.split('_').next().unwrap_or(name);
@@ -90,11 +106,21 @@ impl MeasuringSheet {
             let missing = || source.syntax(Location::File, "no such column", name, columns());
             table.column(&[word]).ok_or_else(missing)
         };
-        let [coupon, what, wanted, told, before, after] = COLUMNS.map(column);
-        let (coupon, what, wanted, told, before, after) = (coupon?, what?, wanted?, told?, before?, after?);
+        let [coupon, what, wanted, commanded, before, after] = COLUMNS.map(column);
+        let (coupon, what, wanted, commanded, before, after) =
+            (coupon?, what?, wanted?, commanded?, before?, after?);
         let readings: Vec<usize> = (0..table.header.as_ref().map_or(0, Vec::len))
             .filter(|&k| table.header.as_ref().is_some_and(|header| header[k].name == "reading"))
             .collect();
+        let known = [coupon, what, wanted, commanded, before, after];
+        let added = table.header.iter().flatten().enumerate();
+        let added = added
+            .filter(|(k, column)| !known.contains(k) && !readings.contains(k) && !column.text.is_empty());
+        let columns = added.map(|(k, column)| {
+            let cell = |(_, cells): &(usize, Vec<&str>)| cells.get(k).copied().unwrap_or_default().to_owned();
+            (column.text.clone(), table.rows.iter().map(cell).collect())
+        });
+        let columns = columns.collect();
         let mut rows = Vec::with_capacity(table.rows.len());
         for (row, (line, cells)) in table.rows.iter().enumerate() {
             let word = cells.get(what).copied().unwrap_or_default();
@@ -118,7 +144,7 @@ impl MeasuringSheet {
                 coupon: cells.get(coupon).copied().unwrap_or_default().to_owned(),
                 quantity,
                 wanted: needed(wanted)?,
-                told: needed(told)?,
+                commanded: needed(commanded)?,
                 axes_deg,
                 readings: readings.iter().map(|&column| value(column)).collect::<Result<_, _>>()?,
             });
@@ -126,8 +152,27 @@ impl MeasuringSheet {
         if rows.is_empty() {
             return Err(ReadError::Empty { file: file.to_owned(), expected: "row", but: String::new() });
         }
-        Ok(Self { machine, material, rows })
+        Ok(Self {
+            machine,
+            material,
+            rows,
+            bent: bent.unwrap_or_default(),
+            comments: comments(&text),
+            columns,
+        })
     }
+}
+
+/// The comments of a sheet that are not of its own.
+fn comments(text: &str) -> Vec<String> {
+    let lines =
+        lines(text).map(|(_, line)| line.trim().trim_matches('"').trim_end_matches([',', ';', '\t', ' ']));
+    let is_own = |line: &str| {
+        let key = line.trim_start_matches('#').trim_start();
+        ["machine:", "material:", "bent:"].iter().any(|own| key.starts_with(own))
+            || EXPLANATIONS.contains(&line)
+    };
+    lines.filter(|line| line.starts_with('#') && !is_own(line)).map(str::to_owned).collect()
 }
 
 /// A pair of a table as programs for bending keep it: how far the pin was moved, and how much of that the wire took back.
@@ -170,7 +215,7 @@ pub fn pin_table(file: &str, bytes: &[u8]) -> Result<Vec<PinPair>, ReadError> {
 mod tests {
     use super::*;
 
-    const SHEET: &str = "# machine: kit\n# material: wire\ncoupon,what,wanted,told,before_deg,after_deg,reading_1,reading_2\n\
+    const SHEET: &str = "# machine: kit\n# material: wire\ncoupon,what,wanted,commanded,before_deg,after_deg,reading_1,reading_2\n\
         angle-20,bend,20,12.5,,,20.5,\nside-35,side,35,34.2,102,102,38.1,-\n";
 
     #[test]
@@ -187,11 +232,32 @@ mod tests {
         assert_eq!(unlined(again), unlined(sheet));
     }
 
+    #[test]
+    fn what_somebody_has_added_stays() {
+        let added = SHEET
+            .replace("coupon,", "# the spool of May,,\ncoupon,")
+            .replace("reading_2\n", "reading_2,Who read\n");
+        let added =
+            added.replace("20.5,\n", "20.5,,Ann\n").replace("# machine", "# bent: a-0-1 a-1-1\n# machine");
+        let sheet = MeasuringSheet::read("s.csv", added.as_bytes()).unwrap();
+        assert_eq!(sheet.bent, ["a-0-1", "a-1-1"]);
+        let text = sheet.to_text();
+        for kept in ["# bent: a-0-1 a-1-1\n", "# the spool of May\n", ",Who read\n", "20.5,,Ann\n"] {
+            assert!(text.contains(kept), "{kept}: {text}");
+        }
+        assert_eq!(MeasuringSheet::read("s.csv", text.as_bytes()).unwrap().to_text(), text);
+        let mut comma = sheet;
+        comma.columns[0].1[0] = "Ann, twice".to_owned();
+        let again = MeasuringSheet::read("s.csv", comma.to_text().as_bytes()).unwrap();
+        assert_eq!(again.columns[0].1[0], "Ann, twice");
+        assert_eq!(again.rows[0].readings, comma.rows[0].readings);
+    }
+
     /// A spreadsheet in Europe writes semicolons, commas in numbers, and fills rows up.
     #[test]
     fn a_sheet_that_a_spreadsheet_has_saved_is_the_same() {
         let saved = "# machine: kit;;;;;;;\n# material: wire;;;;;;;\n\
-            coupon;what;wanted;told;before_deg;after_deg;reading_1;reading_2\n\
+            coupon;what;wanted;commanded;before_deg;after_deg;reading_1;reading_2\n\
             angle-20;bend;20;12,5;;;20,5;\nside-35;side;35;34,2;102;102;38,1;-\n";
         assert_eq!(
             MeasuringSheet::read("s.csv", saved.as_bytes()).unwrap().rows,
@@ -207,7 +273,7 @@ mod tests {
                 SHEET.replace("bend", "bent"),
                 "s.csv, line 4: found \"bent\", expected bend, side, turn or turn-back",
             ),
-            (SHEET.replace("told,", "said,"), "s.csv: found \"no such column\", expected told"),
+            (SHEET.replace("commanded,", "said,"), "s.csv: found \"no such column\", expected commanded"),
             (
                 SHEET.replace("# machine: kit\n", ""),
                 "s.csv: found \"none\", expected a line `# machine: ID` as `wirebend calibrate new` writes it",

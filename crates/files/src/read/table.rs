@@ -21,6 +21,8 @@ pub(crate) struct Table<'a> {
 /// A header cell such as `X`, `length_mm` or `Angle [deg]`.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct Column {
+    /// As it stands in the file.
+    pub(crate) text: String,
     /// Its first word in lower case.
     pub(crate) name: String,
     /// The words behind it, in lower case.
@@ -108,7 +110,8 @@ impl Column {
         let mut words = words.map(str::to_lowercase);
         let name = words.next().unwrap_or_default();
         let more: Vec<String> = words.collect();
-        Self { name, unit: more.iter().find_map(|word| LengthUnit::from_word(word)), more }
+        let unit = more.iter().find_map(|word| LengthUnit::from_word(word));
+        Self { text: cell.to_owned(), name, unit, more }
     }
 }
 
@@ -183,7 +186,12 @@ mod tests {
         assert_eq!(table.column(&["y"]), Some(1));
         assert_eq!(
             table.header.as_ref().unwrap()[0],
-            Column { name: "x".into(), more: vec!["mm".into()], unit: Some(LengthUnit::Millimetre) }
+            Column {
+                text: "X [mm]".into(),
+                name: "x".into(),
+                more: vec!["mm".into()],
+                unit: Some(LengthUnit::Millimetre)
+            }
         );
         assert_eq!(table.header.as_ref().unwrap()[1].unit, Some(LengthUnit::Inch));
         assert_eq!((table.comments, table.rows.len()), (1, 1));

@@ -97,7 +97,7 @@ impl Values<'_> {
             format!("Calibrated {}: n = {readings}, ±{within} (95 %)", self.date)
         } else {
             format!(
-                "Calibrated {}: n = {readings}, which does not tell it: kept near the value before, ±{within} (95 %)",
+                "Calibrated {}: n = {readings}, which do not determine it: kept near the value before, ±{within} (95 %)",
                 self.date
             )
         };
@@ -163,7 +163,7 @@ impl Values<'_> {
             .filter(|found| off(found))
         {
             notes.push(format!(
-                "a millimetre told is {:.4} ± {:.4} mm of wire: multiply the controller's steps per millimetre by {:.4}",
+                "a commanded millimetre is {:.4} ± {:.4} mm of wire: multiply the controller's steps per millimetre by {:.4}",
                 scale.value.plain(),
                 scale.within_95.plain(),
                 1.0 / scale.value.plain()

@@ -9,6 +9,8 @@ use crate::machine::{Setup, deg, mm};
 
 /// A dimension that nobody measured may be off by this part of it: benders are built of what there is.
 const UNMEASURED: f64 = 0.15;
+/// The offset of an orbit may be given as none because nobody has looked, mm.
+const OFFSET_UNMEASURED_MM: f64 = 1.0;
 /// One that was measured by a hundredth, or by what a caliper reads, mm.
 const MEASURED: f64 = 0.01;
 const CALIPER_MM: f64 = 0.05;
@@ -36,9 +38,13 @@ impl Setup {
         let model = &self.model.compensation.bend;
         let plain = |stated: &Option<Sourced<f64>>| stated.as_ref().map_or(0.0, |stated| stated.value);
         let peg = model.setback.is_some().then(|| {
+            let mut orbit_offset = known(plain(&bend.orbit_offset_mm), bend.orbit_offset_mm.as_ref())?;
+            if bend.orbit_offset_mm.as_ref().is_none_or(|stated| !stated.measured) {
+                orbit_offset.deviation = orbit_offset.deviation.max(mm(OFFSET_UNMEASURED_MM)?);
+            }
             Ok::<_, PlanningError>(KnownPeg {
                 orbit_radius: known(plain(&bend.orbit_radius_mm), bend.orbit_radius_mm.as_ref())?,
-                orbit_offset: known(plain(&bend.orbit_offset_mm), bend.orbit_offset_mm.as_ref())?,
+                orbit_offset,
                 peg_radius: known(plain(&bend.rod_radius_mm) + half, bend.rod_radius_mm.as_ref())?,
             })
         });

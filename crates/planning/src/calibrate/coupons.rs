@@ -29,6 +29,8 @@ const TURN_DEG: f64 = 90.0;
 const LONG_SIDE: f64 = 4.0;
 /// Lengths are multiples of this, mm.
 const MULTIPLE_MM: f64 = 5.0;
+/// Angles that have one name, degrees.
+const SAME_ANGLE_DEG: f64 = 0.01;
 /// From coupon to coupon in the design, mm.
 const APART_MM: f64 = 100.0;
 
@@ -71,7 +73,7 @@ pub struct CalibrateNewResponse {
 struct Planned {
     name: String,
     coupon: Coupon,
-    told: CompensatedProgram,
+    commanded: CompensatedProgram,
 }
 
 pub fn new(
@@ -89,14 +91,17 @@ pub fn new(
         [("angles", Vec::new()), ("sides", Vec::new()), ("turns", Vec::new())];
     for coupon in plan.coupons() {
         let (kind, name) = named(&coupon);
-        let told = compensate(&coupon.program, &setup.model.compensation)
+        let commanded = compensate(&coupon.program, &setup.model.compensation)
             .map_err(|_| wrong("a coupon", name.clone(), "one that the machine can bend"))?;
-        jobs[kind].1.push(Planned { name, coupon, told });
+        jobs[kind].1.push(Planned { name, coupon, commanded });
     }
     let sheet = MeasuringSheet {
         machine: setup.machine_id().to_owned(),
         material: setup.material_id().to_owned(),
         rows: jobs.iter().flat_map(|(_, wires)| wires).flat_map(|wire| rows(wire, request.repeats)).collect(),
+        bent: Vec::new(),
+        comments: Vec::new(),
+        columns: Vec::new(),
     };
     let output = |name: &str| Output { path: request.folder.join(name), force: request.force };
     let written: Vec<_> = jobs.into_iter().filter(|(_, wires)| !wires.is_empty()).collect();
@@ -116,8 +121,8 @@ pub fn new(
         jobs: outputs.iter().map(|output| output.path.clone()).collect(),
         coupons: all().count(),
         repeats: request.repeats,
-        wire_mm: repeats * all().map(|wire| wire.told.feed_total().mm()).sum::<f64>(),
-        seconds: repeats * all().map(|wire| setup.model.time.seconds(&wire.told)).sum::<f64>(),
+        wire_mm: repeats * all().map(|wire| wire.commanded.feed_total().mm()).sum::<f64>(),
+        seconds: repeats * all().map(|wire| setup.model.time.seconds(&wire.commanded)).sum::<f64>(),
     };
     for ((_, wires), output) in written.iter().zip(&outputs) {
         output.save(&job(&setup, wires)?.to_bytes()?)?;
@@ -142,6 +147,11 @@ fn coupon_plan(setup: &Setup, asked_deg: &[f64]) -> Result<CouponPlan, PlanningE
     if let Some(angle) = asked.iter().find(|&&angle| !can(angle)) {
         let expected = "one that the machine can bend to both sides";
         return Err(wrong("an angle of the ladder", angle.to_string(), expected));
+    }
+    let twice = |k: usize| asked[..k].iter().any(|before| (*before - asked[k]).deg().abs() < SAME_ANGLE_DEG);
+    if let Some(k) = (1..asked.len()).find(|&k| twice(k)) {
+        let expected = "an angle that is not in the list yet: --repeats says how often each is bent";
+        return Err(wrong("an angle of the ladder", asked[k].to_string(), expected));
     }
     let usual =
         || LADDER_DEG.iter().filter_map(|&angle| deg(angle).ok()).filter(|&angle| can(angle)).collect();
@@ -183,23 +193,23 @@ fn named(coupon: &Coupon) -> (usize, String) {
 /// The rows of a coupon.
 fn rows(wire: &Planned, repeats: u32) -> Vec<SheetRow> {
     let steps = &wire.coupon.program.steps;
-    let told = wire.told.steps();
+    let commanded = wire.commanded.steps();
     let row = |&(step, measured): &(usize, Measured)| {
         let (quantity, wanted, value) = match measured {
-            Measured::Bend => (SheetQuantity::Bend, steps[step].bend.deg(), told[step].bend.deg()),
-            Measured::Side => (SheetQuantity::Side, steps[step].feed.mm(), told[step].feed.mm()),
+            Measured::Bend => (SheetQuantity::Bend, steps[step].bend.deg(), commanded[step].bend.deg()),
+            Measured::Side => (SheetQuantity::Side, steps[step].feed.mm(), commanded[step].feed.mm()),
             Measured::Turn { reverses } => {
                 let quantity = if reverses { SheetQuantity::TurnBack } else { SheetQuantity::Turn };
-                (quantity, steps[step].rotate.deg(), told[step].rotate.deg())
+                (quantity, steps[step].rotate.deg(), commanded[step].rotate.deg())
             }
         };
-        let axes = || [told[step - 1].bend.deg(), told[step].bend.deg()];
+        let axes = || [commanded[step - 1].bend.deg(), commanded[step].bend.deg()];
         SheetRow {
             line: 0,
             coupon: wire.name.clone(),
             quantity,
             wanted,
-            told: value,
+            commanded: value,
             axes_deg: (quantity == SheetQuantity::Side).then(axes),
             readings: vec![None; repeats as usize],
         }
@@ -251,9 +261,9 @@ fn job_wire(
         nominal: steps(&nominal.steps),
         spans: nominal.spans.iter().map(|span| [span.start, span.end]).collect(),
         scheduled: steps(&wire.coupon.program.steps),
-        compensated: steps(wire.told.steps()),
-        stock_mm: stock(&wire.told, setup.model.limits.tail.value).mm(),
-        time_s: setup.model.time.seconds(&wire.told),
+        compensated: steps(wire.commanded.steps()),
+        stock_mm: stock(&wire.commanded, setup.model.limits.tail.value).mm(),
+        time_s: setup.model.time.seconds(&wire.commanded),
         avoids_collisions: false,
     })
 }

@@ -6,12 +6,16 @@ use nalgebra::Vector3;
 use schemars::JsonSchema;
 use serde::Serialize;
 use wirebend_error::InputName;
+use wirebend_files::document::JobStep;
 use wirebend_files::read::{MeasuringSheet, SheetQuantity, SheetRow, pin_table, read_file};
 
 use super::coupons::over_outside;
 use crate::machine::mm;
 use crate::output::Output;
 use crate::{Installation, PlanningError};
+
+/// Degrees or mm: commands are written with four decimals.
+const SAME_COMMAND: f64 = 1e-3;
 
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct CalibrateEnterResponse {
@@ -23,6 +27,17 @@ pub struct CalibrateEnterResponse {
     pub readings: usize,
     /// How many cells are empty.
     pub missing: usize,
+}
+
+/// A wire that a simulated machine has bent.
+pub struct Bent<'a> {
+    /// The file of its job.
+    pub job: &'a str,
+    /// Its index in the job.
+    pub wire: usize,
+    pub commands: &'a [JobStep],
+    /// Each time that it was bent: the id of the run, and the corners of the wire; none where it was not finished.
+    pub runs: &'a [(String, Vec<[f64; 3]>)],
 }
 
 /// A sheet that readings are entered into.
@@ -54,9 +69,11 @@ impl SheetFile {
         let read = |value: &str| match value.trim() {
             "" | "-" => Ok(None),
             value => value
-                .parse()
+                .parse::<f64>()
+                .ok()
+                .filter(|reading| reading.is_finite())
                 .map(Some)
-                .map_err(|_| wrong("readings that are numbers, with commas between them")),
+                .ok_or_else(|| wrong("readings that are numbers, with commas between them")),
         };
         let readings: Vec<Option<f64>> = values.split(',').map(read).collect::<Result<_, _>>()?;
         let mut rows: Vec<&mut SheetRow> =
@@ -86,7 +103,7 @@ impl SheetFile {
                 coupon: format!("pin-{}", pair.pin_deg),
                 quantity: SheetQuantity::Bend,
                 wanted: left,
-                told: pair.pin_deg,
+                commanded: pair.pin_deg,
                 axes_deg: None,
                 readings: vec![Some(left)],
             }
@@ -95,29 +112,34 @@ impl SheetFile {
     }
 
     /// The readings of a wire that a simulated machine has bent, by the corners that it reports: the next empty reading of
-    /// each row of the coupon that it is.
-    pub fn add_corners(
-        &mut self,
-        app: &Installation,
-        job: &str,
-        wire: usize,
-        corners_mm: &[[f64; 3]],
-    ) -> Result<(), PlanningError> {
+    /// each row of the coupon that it is. A run that is among the readings already is not entered once more.
+    pub fn add_bent(&mut self, app: &Installation, bent: &Bent) -> Result<(), PlanningError> {
         let setup = app.setup(&self.sheet.machine, Some(&self.sheet.material))?;
         let diameter = setup.model.wire.diameter;
-        for row in bent_rows(&mut self.sheet, job, wire) {
-            let (at, row) = row;
-            let Some(reading) = read_corner(row.quantity, at, corners_mm) else { continue };
-            let reading = match row.quantity {
-                SheetQuantity::Side => over_outside(mm(reading)?, diameter).mm(),
-                _ => reading,
-            };
-            let rounded = (reading * 100.0).round() / 100.0;
-            match row.readings.iter_mut().find(|reading| reading.is_none()) {
-                Some(empty) => *empty = Some(rounded),
-                None => row.readings.push(Some(rounded)),
+        let coupon = coupon_of(&self.sheet, bent.commands).ok_or_else(|| PlanningError::Value {
+            input: None,
+            name: "a bent wire",
+            value: format!("wire {} of {}", bent.wire + 1, bent.job),
+            expected: "a wire of the jobs that were written with this table: their commands are in it",
+        })?;
+        for (id, corners_mm) in bent.runs {
+            if corners_mm.is_empty() || self.sheet.bent.contains(id) {
+                continue;
             }
-            self.entered += 1;
+            self.sheet.bent.push(id.clone());
+            for (at, row) in self.sheet.rows.iter_mut().filter(|row| row.coupon == coupon).enumerate() {
+                let Some(reading) = read_corner(row.quantity, at, corners_mm) else { continue };
+                let reading = match row.quantity {
+                    SheetQuantity::Side => over_outside(mm(reading)?, diameter).mm(),
+                    _ => reading,
+                };
+                let rounded = (reading * 100.0).round() / 100.0;
+                match row.readings.iter_mut().find(|reading| reading.is_none()) {
+                    Some(empty) => *empty = Some(rounded),
+                    None => row.readings.push(Some(rounded)),
+                }
+                self.entered += 1;
+            }
         }
         Ok(())
     }
@@ -136,23 +158,34 @@ impl SheetFile {
     }
 }
 
-/// The rows of the coupon that is a wire of a job, each with its index among them. Jobs are named as `calibrate new` names
-/// them.
-pub fn bent_rows<'s>(
-    sheet: &'s mut MeasuringSheet,
-    job: &str,
-    wire: usize,
-) -> impl Iterator<Item = (usize, &'s mut SheetRow)> {
-    let is_of = |row: &SheetRow| match row.quantity {
-        SheetQuantity::Bend => job == "angles" && !row.coupon.starts_with("pin-"),
-        SheetQuantity::Side => job == "sides",
-        SheetQuantity::Turn | SheetQuantity::TurnBack => job == "turns",
+/// The coupon that is bent with these commands.
+fn coupon_of(sheet: &MeasuringSheet, commands: &[JobStep]) -> Option<String> {
+    let mut coupons = sheet.rows.iter().map(|row| &row.coupon);
+    let is_it = |coupon: &&String| {
+        let rows: Vec<&SheetRow> = sheet.rows.iter().filter(|row| row.coupon == **coupon).collect();
+        is_commanded(&rows, commands)
     };
-    let mut coupons: Vec<String> =
-        sheet.rows.iter().filter(|row| is_of(row)).map(|row| row.coupon.clone()).collect();
-    coupons.dedup();
-    let coupon = coupons.into_iter().nth(wire);
-    sheet.rows.iter_mut().filter(move |row| Some(&row.coupon) == coupon.as_ref()).enumerate()
+    coupons.find(is_it).cloned()
+}
+
+/// Whether these are the rows of a wire with these commands.
+fn is_commanded(rows: &[&SheetRow], commands: &[JobStep]) -> bool {
+    let near = |a: f64, b: f64| (a - b).abs() < SAME_COMMAND;
+    let mut steps = 0..commands.len();
+    let found = rows.iter().all(|row| {
+        steps.any(|k| match row.quantity {
+            SheetQuantity::Bend => near(commands[k].bend_deg, row.commanded),
+            SheetQuantity::Turn | SheetQuantity::TurnBack => near(commands[k].rotate_deg, row.commanded),
+            SheetQuantity::Side => row.axes_deg.is_some_and(|[before, after]| {
+                let is_before = k.checked_sub(1).is_some_and(|k| near(commands[k].bend_deg, before));
+                is_before && near(commands[k].feed_mm, row.commanded) && near(commands[k].bend_deg, after)
+            }),
+        })
+    });
+    // A table of pin angles has bends of a wire that nobody has.
+    let bends = commands.iter().filter(|step| step.bend_deg != 0.0).count();
+    let only_bends = rows.iter().all(|row| row.quantity == SheetQuantity::Bend);
+    found && (!only_bends || rows.len() == bends)
 }
 
 /// What is read of a wire by its corners: the `at`-th bend, the middle side, or the `at`-th turn.

@@ -29,7 +29,10 @@ impl<'a> OfSheet<'a> {
             match row.quantity {
                 SheetQuantity::Bend => {
                     found.bends.push(row);
-                    found.measured.angles.push(AngleSample { axis: deg(row.told)?, readings: angles()? });
+                    found
+                        .measured
+                        .angles
+                        .push(AngleSample { axis: deg(row.commanded)?, readings: angles()? });
                 }
                 SheetQuantity::Side => {
                     let [before, after] = row.axes_deg.unwrap_or_default();
@@ -39,7 +42,7 @@ impl<'a> OfSheet<'a> {
                     };
                     found.sides.push(row);
                     found.measured.lengths.push(LengthSample {
-                        feed: mm(row.told)?,
+                        feed: mm(row.commanded)?,
                         axis_before: deg(before)?,
                         axis_after: deg(after)?,
                         readings: row.readings.iter().map(corners).collect::<Result<_, PlanningError>>()?,
@@ -48,7 +51,7 @@ impl<'a> OfSheet<'a> {
                 SheetQuantity::Turn | SheetQuantity::TurnBack => {
                     found.turns.push(row);
                     found.measured.turns.push(TurnSample {
-                        rotate: deg(row.told)?,
+                        rotate: deg(row.commanded)?,
                         reverses: row.quantity == SheetQuantity::TurnBack,
                         readings: angles()?,
                     });

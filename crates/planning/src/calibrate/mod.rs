@@ -12,7 +12,7 @@ mod report;
 pub use apply::{CalibrateApplyRequest, CalibrateApplyResponse, apply};
 pub use compare::{CalibrateCompareRequest, CalibrateCompareResponse, ComparedValue, VersionMisfit, compare};
 pub use coupons::{CalibrateNewRequest, CalibrateNewResponse, new};
-pub use enter::{CalibrateEnterResponse, SheetFile, bent_rows};
+pub use enter::{Bent, CalibrateEnterResponse, SheetFile};
 pub use fit::{CalibrateFitRequest, ShapeName, fit};
 pub use report::{
     CalibrationReport, KindName, KindReport, LeftOutReport, MisfitReport, ParameterReport, ReadingReport,

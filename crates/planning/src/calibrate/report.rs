@@ -52,10 +52,10 @@ pub struct ParameterReport {
     pub value: f64,
     /// With 95 % it is within this of the value.
     pub within_95: f64,
-    /// Whether the readings tell more of it than was known before. What they do not tell stays near what it was.
+    /// Whether the readings determine it better than it was known before. Otherwise it stays near what it was.
     pub identified: bool,
-    /// How much of what is known of it the readings tell, 0 to 1.
-    pub told: f64,
+    /// How much of what is known of it comes from the readings, 0 to 1.
+    pub determined: f64,
 }
 
 /// A reading beside what the fitted model makes of its command.
@@ -65,7 +65,7 @@ pub struct ReadingReport {
     pub line: usize,
     /// Which reading of the line, from 1.
     pub reading: usize,
-    pub told: f64,
+    pub commanded: f64,
     pub read: f64,
     pub fitted: f64,
 }
@@ -161,7 +161,7 @@ fn kind_report(kind: Kind, fit: &Fit, sheet: &OfSheet<'_>) -> KindReport {
     let value = |residual: &wirebend_core::calibrate::Residual| ReadingReport {
         line: sheet.row(kind, residual.place).map_or(0, |row| row.line),
         reading: residual.place.repeat + 1,
-        told: residual.told.plain(),
+        commanded: residual.commanded.plain(),
         read: residual.reading.plain(),
         fitted: residual.fitted.plain(),
     };
@@ -187,7 +187,7 @@ fn parameter(estimate: &Estimate) -> ParameterReport {
         value: estimate.value.plain(),
         within_95: estimate.within_95.plain(),
         identified: estimate.is_identified(),
-        told: estimate.told,
+        determined: estimate.determined,
     }
 }
 

@@ -1,4 +1,4 @@
-//! Words for calibrations: parameters, readings that are left out, what is not told.
+//! Words for calibrations: parameters, readings that are left out, what is not determined.
 
 use wirebend_core::calibrate::{CalibrationError, Gap, Kind, LeftOut, LeftOutReason, OtherUnit, Parameter};
 
@@ -15,7 +15,7 @@ pub fn parameter(parameter: Parameter) -> String {
         Parameter::BendRadius => "centreline radius of a bend".to_owned(),
         Parameter::PegRadius => "effective radius of the peg".to_owned(),
         Parameter::KFactor => "K-factor".to_owned(),
-        Parameter::FeedScale => "wire for a millimetre told".to_owned(),
+        Parameter::FeedScale => "wire per commanded mm".to_owned(),
         Parameter::RotationOffset => "offset of a turn".to_owned(),
         Parameter::RotationBacklash => "play of a turn back".to_owned(),
     }
@@ -42,7 +42,7 @@ pub fn left_out(left: &LeftOut) -> String {
                 "{read} belongs to a position that the bend axis does not reach: it goes to {limit} either way"
             )
         }
-        LeftOutReason::OtherSide => format!("{read} is to the other side than the wire was told, {expected}"),
+        LeftOutReason::OtherSide => format!("{read} is to the other side than was commanded, {expected}"),
         LeftOutReason::Unit(unit) => {
             let unit = match unit {
                 OtherUnit::Radians => "in radians",
@@ -66,7 +66,7 @@ fn kind(kind: Kind) -> &'static str {
     }
 }
 
-/// What is not told, and what is done for want of it.
+/// What is not determined, and what is done for want of it.
 #[must_use]
 pub fn gap(gap: &Gap) -> String {
     match gap {
@@ -90,7 +90,7 @@ pub fn gap(gap: &Gap) -> String {
             format!("no bend to the {side} side was measured: it is taken to be as the other one")
         }
         Gap::OneAngle { axis } => format!(
-            "all bends were told the same, {axis}: their springback is fitted, and the dimensions of the bend head stay as they are"
+            "all bends were commanded alike, {axis}: their springback is fitted, and the dimensions of the bend head stay as they are"
         ),
         Gap::OneLength { feed } => format!(
             "all sides were fed the same, {feed}: what they lack is shared out between the feed and the K-factor; measure another length"
@@ -98,7 +98,7 @@ pub fn gap(gap: &Gap) -> String {
         Gap::FewAngles { needed } => format!(
             "a curve of the springback needs {needed} angles of each side that was bent: a constant is fitted"
         ),
-        Gap::NoReversal => "no turn goes back: the play of the head is not told".to_owned(),
+        Gap::NoReversal => "no turn goes back: the play of the head is not determined".to_owned(),
     }
 }
 
