@@ -84,11 +84,12 @@ pub enum Order {
         /// Index of the wire, from 0.
         wire: usize,
     },
-    /// Replays recorded moves.
+    /// Replays recorded moves. A person is asked each time.
     Replay {
-        /// The recording.
-        file: PathBuf,
-        /// Whether to replay them although they were recorded on another machine, or before its profile was changed.
+        /// The recording; absent, the moves that are recorded now.
+        #[serde(default)]
+        file: Option<PathBuf>,
+        /// Whether to replay those of a file although they were recorded on another machine, or before its profile was changed.
         #[serde(default)]
         other_machine: bool,
     },

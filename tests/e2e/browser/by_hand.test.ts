@@ -41,8 +41,8 @@ it("moves by keys only while the button for it is on, by the step that is shown"
   const keys = button("Jog with keys");
   await run().getByText("Fine", { exact: true }).click();
   await keys.focus();
-  await press("ArrowRight");
-  expect(await places()).toEqual([0, 0, 0]);
+  // Of no effect while it is off: it would be the first of the moves that are recorded.
+  await press("ArrowUp");
   await press("Space");
   await run().getByText("Keys move the machine. Esc ends it.").waitFor();
   await run().getByText("feed by 0.1 mm", { exact: false }).waitFor();
@@ -71,10 +71,16 @@ it("moves by keys only while the button for it is on, by the step that is shown"
   // The focus elsewhere, and keys are for something else.
   await run().getByLabel("Feed by, mm").focus();
   await run().getByText("Off: keys do not move the machine.").waitFor();
-  expect(await places()).toEqual([11, 0, 5]);
+  await press("ArrowUp");
+  // It has stepped the field, and moved nothing: the next move that is recorded is that of the button.
+  await button("Feed 2.0 mm").click();
+  made.push("Feed 2.0 mm");
+  await until(() => run().locator(".recorded li").allInnerTexts()).toEqual(made);
+  await rests("ready");
+  expect(await places()).toEqual([31, 0, 5]);
 });
 
-it("replays at once what was just recorded, from the reference", async () => {
+it("replays what was just recorded from the reference, once a person has said that it may move", async () => {
   await button("Home").click();
   await rests("ready");
   await button("Clear").first().click();
@@ -91,6 +97,10 @@ it("replays at once what was just recorded, from the reference", async () => {
   }
   expect(await places()).toEqual([from + 100, 0, 900]);
   await button("Replay").click();
+  const asks = editor.page.getByRole("dialog");
+  await asks.getByText("Moves: feed 10 mm, rotate 90°").waitFor();
+  expect(await places()).toEqual([from + 100, 0, 900]);
+  await asks.getByRole("button", { name: "Move", exact: true }).click();
   // The same feed once more; the head at 90° once more, and not at 180°.
   await until(async () => (await places())[0]).toBe(from + 200);
   await rests("ready");

@@ -359,12 +359,12 @@ export type Order =
     }
   | {
       /**
-       * The recording.
+       * The recording; absent, the moves that are recorded now.
        */
-      file: string;
+      file?: string | null;
       order: "replay";
       /**
-       * Whether to replay them although they were recorded on another machine, or before its profile was changed.
+       * Whether to replay those of a file although they were recorded on another machine, or before its profile was changed.
        */
       other_machine?: boolean;
     }

@@ -12,7 +12,7 @@ use super::question::QuestionKind;
 use super::thread::OperatorThread;
 use crate::by_hand::{MoveProgress, QUESTION, check_moves, lines, make_all, moves_of, require};
 use crate::live::Zero;
-use crate::{LiveProblem, Move, OperationError};
+use crate::{LiveProblem, Move, OperationError, OperatorError};
 use wirebend_planning::design::Input;
 
 impl OperatorThread<'_> {
@@ -25,11 +25,19 @@ impl OperatorThread<'_> {
         self.move_by_hand(OrderName::Jog, moves, Vec::new(), record)
     }
 
-    pub fn replay(&mut self, file: &Path, other_machine: bool) -> Result<(), OperationError> {
-        let (moves, more) = moves_of(&Input::File(file.to_owned()), &self.machine, other_machine)?;
+    pub fn replay(&mut self, file: Option<&Path>, other_machine: bool) -> Result<(), OperationError> {
+        let (moves, more) = match file {
+            Some(file) => moves_of(&Input::File(file.to_owned()), &self.machine, other_machine)?,
+            None => (self.recorded()?, Vec::new()),
+        };
         // Many moves at one word: a permit for moves one by one is none for them.
         self.jog_permit = None;
         self.move_by_hand(OrderName::Replay, &moves, more, false)
+    }
+
+    fn recorded(&self) -> Result<Vec<Move>, OperationError> {
+        let moves = self.shared.recorded();
+        if moves.is_empty() { Err(OperatorError::NothingRecorded.into()) } else { Ok(moves) }
     }
 
     fn move_by_hand(

@@ -177,7 +177,7 @@ impl<'a> OperatorThread<'a> {
         match order {
             Order::Home => self.home(),
             Order::Jog { moves, record } => self.jog(moves, *record),
-            Order::Replay { file, other_machine } => self.replay(file, *other_machine),
+            Order::Replay { file, other_machine } => self.replay(file.as_deref(), *other_machine),
             &Order::Arm { wire, accept_settings, .. } => self.arm(of_job()?, wire, accept_settings),
             Order::Disarm => {
                 self.armed = None;

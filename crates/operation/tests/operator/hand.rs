@@ -62,7 +62,7 @@ fn a_machine_is_homed_jogged_recorded_and_replayed_on_one_connection() {
     assert_eq!((&saved["moves"], &saved["machine"]), (&moves, &json!("wirebend-kit")));
 
     seat.until_state(|state| state.recorded == 0);
-    seat.operator.order(Order::Replay { file, other_machine: false }).unwrap();
+    seat.operator.order(Order::Replay { file: Some(file), other_machine: false }).unwrap();
     // Also where nothing moves a person sees first what a file holds.
     let asked = seat.until_question();
     assert_eq!(asked.kind, QuestionKind::Move);
@@ -75,6 +75,33 @@ fn a_machine_is_homed_jogged_recorded_and_replayed_on_one_connection() {
     assert_eq!(seat.refused(Order::Home).0, "not-now");
 }
 
+/// Many moves at one word: the word for moves one by one does not count for them.
+#[test]
+fn what_was_just_recorded_is_replayed_only_after_a_question() {
+    let shop = Shop::new();
+    let seat = shop.simulated("sim:max");
+    seat.home();
+    seat.order(&jog(&json!([{"move": "rotate", "deg": 30.0}]), true));
+    jogged(&seat);
+    seat.operator.order(Order::Replay { file: None, other_machine: false }).unwrap();
+    let asked = seat.until_question();
+    assert_eq!(asked.kind, QuestionKind::Move);
+    assert!(asked.lines.iter().any(|line| line == "moves: rotate 30°"), "{asked:?}");
+    seat.operator.answer(asked.id, Answer::No).unwrap();
+    seat.until_state(|state| state.question.is_none() && !state.busy);
+    seat.operator.order(Order::Replay { file: None, other_machine: false }).unwrap();
+    seat.operator.answer(seat.until_question().id, Answer::Yes).unwrap();
+    seat.until_phase(Phase::Homing);
+    seat.until_phase(Phase::Ready);
+    let at = seat.operator.state().position.unwrap();
+    assert!((at.rotate_deg - 30.0).abs() < 0.1, "turned once, not twice: {at:?}");
+    assert_eq!(seat.operator.state().recorded, 1, "a replay is not recorded");
+    seat.operator.clear_recording();
+    seat.until_state(|state| state.recorded == 0);
+    seat.operator.order(Order::Replay { file: None, other_machine: false }).unwrap();
+    assert_eq!(seat.until_problem().0, "nothing-recorded");
+}
+
 /// A recording counts from the reference: a machine whose head was turned since then homes first.
 #[test]
 fn a_recording_begins_at_the_reference() {
@@ -85,7 +112,7 @@ fn a_recording_begins_at_the_reference() {
     jogged(&seat);
     let file = shop.folder.path().join("a.wbmoves");
     seat.operator.save_recording(&Output { path: file.clone(), force: false }).unwrap();
-    seat.operator.order(Order::Replay { file, other_machine: false }).unwrap();
+    seat.operator.order(Order::Replay { file: Some(file), other_machine: false }).unwrap();
     seat.operator.answer(seat.until_question().id, Answer::Yes).unwrap();
     seat.until_phase(Phase::Homing);
     seat.until_phase(Phase::Moving);

@@ -6,7 +6,6 @@ import { useUnit } from "../../../shared/figures/unit";
 import { Mark } from "../../../shared/lists/Mark";
 import { Scrolls } from "../../../shared/lists/Scrolls";
 import { told } from "../../../state/asking/problems";
-import { jogBy } from "../../../state/machine/by_hand";
 import type { MachineState } from "../../../state/machine/operator";
 import { clearRecording, order, saveRecording, useRun } from "../../../state/machine/run";
 import { buttons } from "../buttons";
@@ -23,7 +22,6 @@ export function Recording({ state, record }: { readonly state: MachineState; rea
   const recorded = useRun((run) => run.recorded);
   const unit = useUnit();
   const [file, setFile] = useState<string | null>(null);
-  const [asking, setAsking] = useState(false);
   const [replayed, setReplayed] = useState<string | null>(null);
   const all = buttons(state, useProspect());
   const none = recorded.length === 0 ? "No moves are recorded." : null;
@@ -31,16 +29,11 @@ export function Recording({ state, record }: { readonly state: MachineState; rea
     const path = await told(platform.pickSave("moves.wbmoves", MOVES));
     if (path !== null) setFile(await saveRecording(path));
   };
-  const replay = async () => {
+  const replayFile = async () => {
     const picked = await told(platform.pickFile([MOVES]));
     if (picked === null) return;
     setReplayed(picked);
     await order({ order: "replay", file: picked });
-  };
-  // They count from the reference. A person has seen them; where something moves they say once more that it may.
-  const again = () => {
-    setAsking(false);
-    void jogBy(recorded[0]?.move === "home" ? recorded : [{ move: "home" }, ...recorded], false);
   };
   const foreign = replayed !== null && state.problem?.code === OF_ANOTHER;
   const asked = foreign && (
@@ -50,7 +43,7 @@ export function Recording({ state, record }: { readonly state: MachineState; rea
         them.
       </p>
       <div className="row end">
-        <Button onClick={() => setReplayed(null)}>Leave it</Button>
+        <Button onClick={() => setReplayed(null)}>Cancel</Button>
         <Button
           kind="primary"
           why={all.replay}
@@ -66,7 +59,7 @@ export function Recording({ state, record }: { readonly state: MachineState; rea
       <>
         {asked}
         <div className="row end">
-          <Button kind="link" why={all.replay} onClick={() => void replay()}>
+          <Button kind="link" why={all.replay} onClick={() => void replayFile()}>
             Replay a file…
           </Button>
         </div>
@@ -87,30 +80,17 @@ export function Recording({ state, record }: { readonly state: MachineState; rea
         </Button>
         <Button
           small
-          why={none ?? all.jog}
-          title={`Homes, then runs the ${count(recorded.length, "recorded move")} again`}
-          onClick={() => (state.simulated ? again() : setAsking(true))}
+          why={none ?? all.replay}
+          title={`Runs the ${count(recorded.length, "recorded move")} again, from the reference`}
+          // A person is asked before anything moves, by the Rust side.
+          onClick={() => void order({ order: "replay", file: null })}
         >
           Replay
         </Button>
-        <Button small why={all.replay} onClick={() => void replay()}>
+        <Button small why={all.replay} onClick={() => void replayFile()}>
           Replay a file…
         </Button>
       </div>
-      {asking && (
-        <fieldset className="unfinished stack" aria-label="Replay the recorded moves">
-          <p>
-            <Mark tone="warning" /> The machine homes, then makes the {count(recorded.length, "move")} below without
-            another question. Watch it, with STOP at hand.
-          </p>
-          <div className="row end">
-            <Button onClick={() => setAsking(false)}>Leave it</Button>
-            <Button kind="danger" why={none ?? all.jog} onClick={again}>
-              Move
-            </Button>
-          </div>
-        </fieldset>
-      )}
       <Scrolls className="recorded" label="Recorded moves">
         {none ? (
           <span className="muted">Your moves are recorded here.</span>
