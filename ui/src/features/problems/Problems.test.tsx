@@ -101,3 +101,35 @@ it("is at the upper edge where it would cover what is selected", () => {
   say("error", "2");
   expect(topped()).toBe(true);
 });
+
+const focus = (name: string) =>
+  act(() =>
+    [...at.host.querySelectorAll("button")]
+      .find((button) => (button.getAttribute("aria-label") ?? button.textContent) === name)
+      ?.focus(),
+  );
+
+it.each([
+  ["Dismiss all", []],
+  ["Dismiss", ["1"]],
+])("does not hold those that come later for the focus that went with the button “%s”", (name, left) => {
+  say("info", "1", "2");
+  focus(name);
+  press(name);
+  expect(texts()).toEqual(left);
+  expect(at.host.querySelectorAll("li.gone")).toHaveLength(0);
+  say("info", "later");
+  expect(texts()).toEqual(["later", ...left]);
+  pass(8000);
+  expect(texts()).toEqual([]);
+});
+
+it("leaves no place empty under the pointer once the last is dismissed: a click there is one on the view", () => {
+  say("info", "1");
+  point(true);
+  press("Dismiss");
+  expect(at.host.querySelectorAll("li")).toHaveLength(0);
+  say("info", "later");
+  pass(8000);
+  expect(texts()).toEqual([]);
+});

@@ -64,6 +64,14 @@ export function Problems() {
     if (some && box.current) setAtTop(coversSelection(box.current));
     else setAtTop(false);
   }, [some]);
+  useLayoutEffect(() => {
+    // What is removed or hidden takes the focus with it, and not every engine says so: nobody reads there any more.
+    const at = document.activeElement;
+    if (!box.current?.contains(at) || at?.closest(".gone")) setFocused(false);
+    if (problems.length > 0) return;
+    setOver(false);
+    setKept([]);
+  }, [problems]);
   const keep = () => {
     if (!used) setKept(latest);
   };
