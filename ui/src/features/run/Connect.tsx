@@ -93,7 +93,7 @@ export function Connect() {
           {again ? "Connect again" : "Connect"}
         </Button>
       </div>
-      {again && <p className="muted small">The connection that failed is let go of. Nothing moves.</p>}
+      {again && <p className="muted small">The failed connection is closed. Nothing moves.</p>}
     </div>
   );
 }

@@ -1,11 +1,15 @@
 // @vitest-environment happy-dom
 import { beforeEach, expect, it, vi } from "vitest";
 
-const platform = vi.hoisted(() => ({ ask: vi.fn(async () => ({ state: null })), stop: vi.fn(), listen: vi.fn() }));
+const platform = vi.hoisted(() => ({
+  ask: vi.fn(async () => ({ state: null })),
+  stop: vi.fn(async () => {}),
+  listen: vi.fn(),
+}));
 vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
 
 import type { ErrorRemedy } from "../../generated/responses";
-import type { Unfinished } from "../../state/machine/operator";
+import type { MachineState, Order, Unfinished } from "../../state/machine/operator";
 import { machineState } from "../../state/testing";
 import { actsOf } from "./acts";
 import { buttons } from "./buttons";
@@ -39,4 +43,57 @@ it("resumes a wire only where there is one", () => {
   expect(labels([RESUME])).toEqual([]);
   const unfinished = { job_hash: "a1", wire: 0, made: 2, of: 5, resumable: true } as Unfinished;
   expect(labels([RESUME], { ...state, unfinished })).toEqual(["Resume…"]);
+});
+
+it("still says what a person has to look at or do themselves, where its button is only half of it", () => {
+  for (const half of [
+    { remedy: "check-power-and-port" },
+    { remedy: "update-driver" },
+    { remedy: "change-driver-setting" },
+    { remedy: "trust-driver", file: "/drivers/a.so", again: true },
+  ] satisfies ErrorRemedy[]) {
+    const { acts: buttons, others } = acts([half]);
+    expect([half.remedy, buttons.length, others]).toEqual([half.remedy, 1, [half]]);
+  }
+  expect(labels([{ remedy: "check-power-and-port" }])).toEqual(["Connect again"]);
+});
+
+it.each<readonly [ErrorRemedy["remedy"], MachineState, readonly (readonly [string, Order | "stop"])[]]>([
+  [
+    "pause-or-stop",
+    machineState("making", "pause"),
+    [
+      ["Pause", { order: "pause" }],
+      ["STOP", "stop"],
+    ],
+  ],
+  [
+    "continue-or-stop",
+    machineState("holding", "resume"),
+    [
+      ["Resume", { order: "resume" }],
+      ["STOP", "stop"],
+    ],
+  ],
+  [
+    "start-or-disarm",
+    machineState("armed", "start", "disarm"),
+    [
+      ["Start", { order: "start" }],
+      ["Disarm", { order: "disarm" }],
+    ],
+  ],
+])("has a button for either choice of %s, and not for one alone", (remedy, of, expected) => {
+  const found = acts([{ remedy } as ErrorRemedy], of);
+  expect(found.others).toEqual([]);
+  expect(found.acts.map(({ label, consequence, why }) => [label, /\.$/.test(consequence), why])).toEqual(
+    expected.map(([label]) => [label, true, null]),
+  );
+  for (const [index, [, does]] of expected.entries()) {
+    platform.ask.mockClear();
+    platform.stop.mockClear();
+    found.acts[index]?.run();
+    expect(platform.stop).toHaveBeenCalledTimes(does === "stop" ? 1 : 0);
+    expect(platform.ask.mock.calls).toEqual(does === "stop" ? [] : [["order", { request: does }]]);
+  }
 });
