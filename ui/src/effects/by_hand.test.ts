@@ -139,6 +139,27 @@ describe("what is heard of a machine", () => {
     expect(asked()).toBe(3);
   });
 
+  it("is drawn on when a second move is refused while the first runs, and not beyond its end", async () => {
+    const at = async (feed_mm: number) => {
+      hearByHand({ event: "news", news: "position", feed_mm, rotate_deg: 0, bend_deg: 0 });
+      await settled();
+    };
+    void jogBy([feed(20)], false);
+    await at(5);
+    refuses = true;
+    await jogBy([feed(20)], false);
+    await at(10);
+    expect(asked()).toBe(2);
+    const second = jogBy([feed(20)], false);
+    // The first is done before the second is refused.
+    hearByHand({ event: "jogged", made: feed(20) });
+    await second;
+    await settled();
+    expect(asked()).toBe(3);
+    await at(20);
+    expect(asked()).toBe(3);
+  });
+
   it("is asked for once at a time, and once more for what was reported meanwhile", async () => {
     const answers: ((wire: ByHandResponse) => void)[] = [];
     platform.ask.mockImplementation((name: string) =>

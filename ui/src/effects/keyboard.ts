@@ -50,8 +50,7 @@ function pressed(event: KeyboardEvent): void {
   const writes = typing(event.target);
   if (!writes && wasTyping() && writesSign(event)) {
     event.preventDefault();
-    if (commandOf(chordOf(event), false))
-      tell("info", "A field was used last: click in the view first, then its keys work.", "keys_of_view");
+    if (commandOf(chordOf(event), false)) tell("info", "Click in the view to use its keys.", "keys_of_view");
     return;
   }
   // While something is moved, X, Y, Z, digits and Enter belong to the move.

@@ -33,6 +33,24 @@ it("never shows the browser's menu, which can load the page anew", () => {
   expect(click("[role=menu] i")).toEqual([true, undefined]);
 });
 
+it.each(["ContextMenu", "F10"])(
+  "answers the key %s after the view was turned, which is no click on the view",
+  (key) => {
+    click("canvas");
+    element("button").dispatchEvent(new KeyboardEvent("keydown", { key, shiftKey: key === "F10", bubbles: true }));
+    const asked = new MouseEvent("contextmenu", { button: 0, bubbles: true, cancelable: true });
+    element("button").dispatchEvent(asked);
+    expect([asked.defaultPrevented, useContextMenu.getState().opened?.place]).toEqual([true, "window"]);
+  },
+);
+
+it("shows no menu where a turn of the view ends elsewhere, also when a key is held with it", () => {
+  element("canvas").dispatchEvent(new PointerEvent("pointerdown", { button: 2, bubbles: true }));
+  element("canvas").dispatchEvent(new KeyboardEvent("keydown", { key: "Shift", bubbles: true }));
+  element("button").dispatchEvent(new MouseEvent("contextmenu", { button: 2, bubbles: true, cancelable: true }));
+  expect(useContextMenu.getState().opened).toBeNull();
+});
+
 it("gives the field that was clicked the focus, and back what was marked in it", () => {
   expect(click("input")).toEqual([true, "field"]);
   closeMenu();

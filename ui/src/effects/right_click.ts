@@ -17,6 +17,11 @@ export function listenToRightClicks(): End {
     signal,
     capture: true,
   });
+  // The keys that ask for a menu: what the pointer has pressed before is over.
+  const byKey = ({ key }: KeyboardEvent) => {
+    if (key === "ContextMenu" || key === "F10") pressed = null;
+  };
+  window.addEventListener("keydown", byKey, { signal, capture: true });
   const asked = (event: MouseEvent) => {
     const { target } = event;
     // The view has answered for itself: it turns with the right button, and a click alone is a question.

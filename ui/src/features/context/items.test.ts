@@ -7,6 +7,7 @@ vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Erro
 import type { Played } from "../../scene/interface";
 import type { MenuItem } from "../../shared/layers/Menu";
 import { useSelection } from "../../state/design/selection";
+import { useByHand } from "../../state/machine/by_hand";
 import { usePlayback } from "../../state/program/program";
 import { openMenu } from "../../state/window/context_menu";
 import { itemsOf } from "./items";
@@ -14,6 +15,7 @@ import { itemsOf } from "./items";
 beforeEach(() => {
   useSelection.setState({ vertices: new Set(), edges: new Set() });
   usePlayback.setState({ played: null, live: false });
+  useByHand.setState({ moves: 0, played: null });
 });
 
 const labels = (items: readonly MenuItem[]) => items.flatMap((item) => (item.kind === "rule" ? [] : [item.label]));
@@ -30,17 +32,28 @@ it("offers in the view what can be done with what is selected, else how to selec
 
 it("offers no change of the design while a program is shown", () => {
   usePlayback.setState({ played: {} as Played, live: true });
-  expect(labels(itemsOf("design"))).toEqual(["Play or pause", "Show the design", "Frame all"]);
-  expect(why(itemsOf("design"), "Show the design")).toBe("A machine is bending the wire.");
+  expect(labels(itemsOf("design"))).toEqual(["Play or pause", "Back to the design", "Frame all"]);
+  expect(why(itemsOf("design"), "Back to the design")).toBe("A machine is bending the wire.");
 });
 
-it("offers in a field what its marks allow, and says why not", () => {
+it("offers no change of the design while the wire of moves by hand is shown, but to hide it", () => {
+  useByHand.setState({ moves: 1, played: {} as Played });
+  const items = itemsOf("design");
+  expect(labels(items)).toEqual(["Back to the design", "Frame all"]);
+  expect(why(items, "Back to the design")).toBeNull();
+  const [back] = items;
+  if (back?.kind === "item") back.run();
+  expect(useByHand.getState()).toEqual({ moves: 1, played: null });
+  expect(labels(itemsOf("design"))).toContain("Draw on a plane");
+});
+
+it("offers in a field what can be done with what is selected in it, and says why not", () => {
   document.body.innerHTML = '<input value="12.5">';
   const field = document.querySelector("input") as HTMLInputElement;
   field.focus();
   field.setSelectionRange(0, 0);
   openMenu("field", { x: 0, y: 0 });
-  expect(why(itemsOf("field"), "Copy")).toBe("Nothing is marked in the field.");
+  expect(why(itemsOf("field"), "Copy")).toBe("Nothing is selected in the field.");
   field.readOnly = true;
   field.select();
   openMenu("field", { x: 0, y: 0 });

@@ -1,6 +1,7 @@
 import type { MenuItem } from "../../shared/layers/Menu";
 import { useDesign } from "../../state/design/design";
 import { isEmpty, useSelection } from "../../state/design/selection";
+import { hideByHand, useByHand } from "../../state/machine/by_hand";
 import { showDesignAgain, usePlayback } from "../../state/program/program";
 import { run, whyNot } from "../../state/window/commands";
 import type { MenuPlace } from "../../state/window/context_menu";
@@ -61,18 +62,23 @@ const beside = (): MenuItem[] => [
   },
 ];
 
+const back = (run: () => void, why: string | null = null): MenuItem => ({
+  kind: "item",
+  label: "Back to the design",
+  why,
+  run,
+});
+
 /** What can be done while a program is shown. */
 const played = (): MenuItem[] => [
   item("Play or pause", "play"),
-  {
-    kind: "item",
-    label: "Show the design",
-    why: usePlayback.getState().live ? "A machine is bending the wire." : null,
-    run: showDesignAgain,
-  },
+  back(showDesignAgain, usePlayback.getState().live ? "A machine is bending the wire." : null),
   RULE,
   item("Frame all", "frame-all"),
 ];
+
+/** What can be done while the wire is shown that moves by hand have bent. */
+const movedByHand = (): MenuItem[] => [back(hideByHand), RULE, item("Frame all", "frame-all")];
 
 function elsewhere(): MenuItem[] {
   const { state } = useDesign.getState();
@@ -91,5 +97,6 @@ export function itemsOf(place: MenuPlace): readonly MenuItem[] {
   if (place === "text") return textItems();
   if (place === "window") return elsewhere();
   if (usePlayback.getState().played) return played();
+  if (useByHand.getState().played) return movedByHand();
   return isEmpty(useSelection.getState()) ? beside() : selected();
 }

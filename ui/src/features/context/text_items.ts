@@ -11,12 +11,12 @@ async function paste(): Promise<void> {
   else tell("info", "The clipboard has no text, or may not be read from here: press Ctrl+V in the field.", "paste");
 }
 
-/** What can be done in a field. The menu gives it the focus back, with what was marked, before it does any of it. */
+/** What can be done in a field. The menu gives it the focus back, with what was selected in it, before it does any of it. */
 export function fieldItems(): readonly MenuItem[] {
   const { opened } = useContextMenu.getState();
   const field = fieldOf(opened?.focus ?? null);
   const [from, to] = opened?.marked ?? [0, 0];
-  const nothing = from === to ? "Nothing is marked in the field." : null;
+  const nothing = from === to ? "Nothing is selected in the field." : null;
   const fixed = field?.readOnly || field?.disabled ? "The field cannot be changed now." : null;
   return [
     { kind: "item", label: "Cut", why: fixed ?? nothing, run: () => void document.execCommand("cut") },
@@ -27,7 +27,7 @@ export function fieldItems(): readonly MenuItem[] {
   ];
 }
 
-/** What can be done with text that is marked. */
+/** What can be done with text that is selected. */
 export function textItems(): readonly MenuItem[] {
   const text = window.getSelection()?.toString() ?? "";
   return [

@@ -46,6 +46,15 @@ describe("a field for a length", () => {
     expect(committed).toEqual([12]);
   });
 
+  it("has the unit of another quantity behind its number, where it is read with or without it", () => {
+    const field = show({ label: "Mass", kind: "number", unit: "g", value: 1 });
+    expect(at.host.querySelector(".number-field")?.lastElementChild?.textContent).toBe("g");
+    expect(field.getAttribute("aria-label")).toBe("Mass, g");
+    type(field, "2.5 g");
+    type(field, "3");
+    expect(committed).toEqual([2.5, 3]);
+  });
+
   it("keeps what makes no sense to itself, and says so", () => {
     const field = show();
     type(field, "twelve");

@@ -14,8 +14,16 @@ interface Kind {
   readonly step: number;
 }
 
-/** How a quantity is shown and read. Lengths in mm, angles in degrees, percent as a share of 1. */
-function quantity(kind: Quantity, unit: DisplayUnit): Kind {
+/** A number of anything, such as a mass, with its own unit or none. */
+const plainNumber = (unit: string): Kind => ({
+  unit,
+  show: (value) => short(value).replace(/\u202f/g, ""),
+  read: (text) => parseNumber(unit && text.trimEnd().endsWith(unit) ? text.trimEnd().slice(0, -unit.length) : text),
+  step: 0.1,
+});
+
+/** How a quantity is shown and read. Lengths in mm, angles in degrees, percent as a share of 1; `own`: see `unit`. */
+function quantity(kind: Quantity, unit: DisplayUnit, own: string): Kind {
   const plain = (text: string) => text.replace(/\u202f/g, "");
   switch (kind) {
     case "length":
@@ -48,14 +56,12 @@ function quantity(kind: Quantity, unit: DisplayUnit): Kind {
         step: 1,
       };
     case "number":
-      return {
-        unit: "",
-        show: (value) => plain(short(value)),
-        read: parseNumber,
-        step: 0.1,
-      };
+      return plainNumber(own);
   }
 }
+
+const isInMenu = (target: EventTarget | null): boolean =>
+  target instanceof Element && target.closest("[role=menu]") !== null;
 
 export interface NumberFieldProps {
   /** Read aloud; the visible label may be a letter in the field. */
@@ -63,6 +69,8 @@ export interface NumberFieldProps {
   /** A letter or word in front, such as "X". */
   readonly prefix?: string;
   readonly kind?: Quantity;
+  /** Of a `number` that has one, such as "g"; the other kinds have their own. */
+  readonly unit?: string;
   /** null: nothing in common, or not known; the field is empty. */
   readonly value: number | null;
   /** Called with Enter, by leaving the field, and by the arrow keys; not while a person types. */
@@ -82,6 +90,7 @@ export function NumberField({
   label,
   prefix,
   kind = "length",
+  unit = "",
   value,
   onCommit,
   min = -Infinity,
@@ -92,9 +101,11 @@ export function NumberField({
   onEnter,
   ...rest
 }: NumberFieldProps) {
-  const how = quantity(kind, useUnit());
+  const how = quantity(kind, useUnit(), unit);
   const shown = value === null ? "" : how.show(value);
   const [typed, setTyped] = useState<string | null>(null);
+  /** A menu has taken the focus from it. */
+  const [inMenu, setInMenu] = useState(false);
   const field = useRef<HTMLInputElement>(null);
   // biome-ignore lint/correctness/useExhaustiveDependencies: another value takes the place of what was typed
   useEffect(() => setTyped(null), [shown]);
@@ -146,13 +157,26 @@ export function NumberField({
       onCommit(next);
     }
   };
-  const leave = ({ relatedTarget }: FocusEvent) => {
-    // The menu of a right click gives the focus back.
-    if (relatedTarget instanceof Element && relatedTarget.closest("[role=menu]")) return;
+  const left = () => {
     if (wrong) setTyped(null);
     else commit();
     stepped.current = [];
   };
+  const leave = ({ relatedTarget }: FocusEvent) => {
+    if (isInMenu(relatedTarget)) setInMenu(true);
+    else left();
+  };
+  // The menu of a right click gives the focus back; where something else has got it, the field is left.
+  useEffect(() => {
+    if (!inMenu) return;
+    const look = ({ target }: Event) => {
+      if (isInMenu(target)) return;
+      setInMenu(false);
+      if (target !== field.current) left();
+    };
+    document.addEventListener("focusin", look);
+    return () => document.removeEventListener("focusin", look);
+  });
   /** A click beside the digits, such as on the unit, is one on the field. */
   const beside = (event: MouseEvent) => {
     if (event.target === field.current) return;

@@ -2,6 +2,12 @@ import * as Radix from "@radix-ui/react-menubar";
 import { type CSSProperties, useRef } from "react";
 import { FROM_EDGE, type MenuItem, Opened, withinMenu } from "./Menu";
 
+/** Whether nothing has taken the focus from the menu. */
+function isFocusFree(): boolean {
+  const at = document.activeElement;
+  return at === null || at === document.body || at.closest("[role=menu]") !== null;
+}
+
 /** A menu at a place of the window, without a head: what a right click opens. `back` gives the focus to where it was. */
 export function MenuAt({
   label,
@@ -17,9 +23,15 @@ export function MenuAt({
   readonly close: () => void;
 }) {
   const list = useRef<HTMLDivElement>(null);
+  const changed = (open: string) => {
+    if (open !== "") return;
+    // A click elsewhere closes it before it moves the focus: where that was is left by it, as without a menu.
+    if (isFocusFree()) back();
+    close();
+  };
   const place: CSSProperties = { position: "fixed", left: at.x, top: at.y, width: 0, height: 0 };
   return (
-    <Radix.Root aria-label={label} value="at" onValueChange={(open) => open === "" && close()} style={place}>
+    <Radix.Root aria-label={label} value="at" onValueChange={changed} style={place}>
       <Radix.Menu value="at">
         {/* It only says where: the menu has no head to go back to. */}
         <Radix.Trigger tabIndex={-1} aria-label={label} className="menu-at" />
