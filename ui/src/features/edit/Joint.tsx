@@ -17,8 +17,8 @@ const CHOICES: readonly { readonly value: Kind | "none" | "several"; readonly la
 /** A joint of a new kind weighs this until somebody says what it weighs, g. */
 const NEW_MASS_G = 1;
 
-/** What holds the struts together at the selected vertices. */
-export function Joint() {
+/** What holds the struts together at the selected vertices; `none`: why there are none. */
+export function Joint({ none }: { readonly none: string | null }) {
   const design = useDesign();
   const selection = useSelection();
   const joints = verticesOf(selection, design).map((id) => design.vertices.get(id)?.joint);
@@ -31,14 +31,21 @@ export function Joint() {
     else if (kind !== "several") void setJoint({ kind, mass_g: first?.mass_g ?? NEW_MASS_G });
   };
   return (
-    <div className="row">
-      <span className="muted grow">Joint</span>
-      <Select aria-label="Joint" choices={choices} value={value} onChoose={choose} />
+    <div className="joint">
+      <span className="muted">Joint</span>
+      <Select
+        aria-label="Joint"
+        disabled={none !== null}
+        title={none ?? undefined}
+        choices={choices}
+        value={value}
+        onChoose={choose}
+      />
       {alike && first && (
         <NumberField
-          label="Mass of the joint, g"
+          label="Mass of the joint"
           kind="number"
-          prefix="g"
+          unit="g"
           min={0}
           value={first.mass_g}
           onCommit={(mass_g) => void setJoint({ kind: first.kind, mass_g })}

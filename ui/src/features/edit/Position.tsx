@@ -54,7 +54,7 @@ function MoveBy({ none }: { readonly none: string | null }) {
   return (
     <>
       <PlaceFields at={by} change={setBy} label="Move by" why={none} />
-      <div className="row">
+      <div className="row move-by">
         <Button
           className="grow"
           why={none ?? (still ? "Type a distance first" : null)}
@@ -97,11 +97,7 @@ export function Position() {
             label={`Vertex ${vertex.id}`}
             change={(at) => void place(vertex.id, at)}
           />
-          <div className="row">
-            <Button className="grow" why="The vertex moves to what is typed into X, Y and Z.">
-              Move
-            </Button>
-          </div>
+          <div className="move-by" />
         </>
       ) : (
         <MoveBy none={none} />
@@ -117,7 +113,7 @@ export function Position() {
       <Checkbox checked={none === null && supports === ids.length} why={none} onChange={(fixed) => void support(fixed)}>
         {ids.length <= 1 ? "Support: this vertex is held fixed" : `Supports: ${supports} of ${ids.length} are fixed`}
       </Checkbox>
-      <Joint />
+      <Joint none={none} />
     </>
   );
 }
