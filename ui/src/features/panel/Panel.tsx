@@ -1,4 +1,4 @@
-import { type KeyboardEvent, type PointerEvent, type ReactNode, useRef } from "react";
+import { type KeyboardEvent, type PointerEvent, type ReactNode, useRef, useSyncExternalStore } from "react";
 import { PANEL, useUi, usualPanel } from "../../state/window/ui";
 import { useSteady } from "./steady";
 import "./panel.css";
@@ -8,9 +8,20 @@ const STEP = 16;
 /** px of the window that are left for the view, however wide the panel was made in a larger one. */
 const VIEW = 480;
 
+function onResize(hear: () => void): () => void {
+  window.addEventListener("resize", hear);
+  return () => window.removeEventListener("resize", hear);
+}
+
 /** The panel on the right; its left edge is dragged, or moved with the arrow keys. */
 export function Panel({ children }: { readonly children: ReactNode }) {
-  const width = useUi((ui) => ui.panelWidth);
+  const room = useSyncExternalStore(onResize, () => window.innerWidth) - VIEW;
+  const most = Math.max(PANEL.least, Math.min(PANEL.most, room));
+  // What it was made in a larger window is kept for that one.
+  const width = Math.min(
+    useUi((ui) => ui.panelWidth),
+    most,
+  );
   const setWidth = useUi((ui) => ui.setPanelWidth);
   const sections = useRef<HTMLDivElement>(null);
   useSteady(sections, ".section");
@@ -20,13 +31,14 @@ export function Panel({ children }: { readonly children: ReactNode }) {
     grip.current = { x: event.clientX, width };
   };
   const move = (event: PointerEvent) => {
-    if (grip.current) setWidth(Math.min(grip.current.width + grip.current.x - event.clientX, window.innerWidth - VIEW));
+    const wanted = grip.current ? Math.min(grip.current.width + grip.current.x - event.clientX, most) : width;
+    if (wanted !== width) setWidth(wanted);
   };
   const key = (event: KeyboardEvent) => {
     const to: Partial<Record<string, number>> = {
-      ArrowLeft: width + STEP,
+      ArrowLeft: Math.min(width + STEP, most),
       ArrowRight: width - STEP,
-      Home: PANEL.most,
+      Home: most,
       End: PANEL.least,
     };
     const wanted = to[event.key];
@@ -35,7 +47,7 @@ export function Panel({ children }: { readonly children: ReactNode }) {
     setWidth(wanted);
   };
   return (
-    <aside className="panel" style={{ width: `min(${width}px, 100vw - ${VIEW}px)` }} aria-label="Panel">
+    <aside className="panel" style={{ width }} aria-label="Panel">
       {/* biome-ignore lint/a11y/useSemanticElements: it is dragged, and has a value; a line has none */}
       <div
         className="panel-edge"
@@ -44,7 +56,7 @@ export function Panel({ children }: { readonly children: ReactNode }) {
         aria-orientation="vertical"
         aria-label="Width of the panel"
         aria-valuemin={PANEL.least}
-        aria-valuemax={PANEL.most}
+        aria-valuemax={most}
         aria-valuenow={width}
         onPointerDown={down}
         onPointerMove={move}

@@ -4,17 +4,23 @@ import { afterEach, beforeEach, expect, it, vi } from "vitest";
 const platform = vi.hoisted(() => ({ ask: vi.fn(), stop: vi.fn(async () => {}), listen: vi.fn() }));
 vi.mock("../../platform", () => ({ platform, Refused: class Refused extends Error {} }));
 
-import type { DrawingPlane, SceneDesign, Vec3 } from "../../scene/interface";
+import type { DrawingPlane, Played, SceneDesign, Vec3 } from "../../scene/interface";
 import type { Viewport } from "../../scene/viewport";
 import { useDesign } from "../../state/design/design";
 import { useFiles } from "../../state/files/files";
+import { usePlayback } from "../../state/program/program";
 import { useView } from "../../state/window/view";
 import { show } from "./showing";
 
 /** A view that does nothing but count how often it turns to everything. */
 const frame = vi.fn();
-const face = vi.fn((_: DrawingPlane) => true);
-const view = vi.fn();
+/** As the scene does, it reports what the view is called now. */
+const named = (viewName: string) => useView.setState({ viewName });
+const face = vi.fn((_: DrawingPlane) => {
+  named("Top");
+  return true;
+});
+const view = vi.fn(() => named("Perspective"));
 const heard: Record<string | symbol, unknown> = { frame, face, view };
 const scene = new Proxy({} as Viewport, { get: (_, name) => heard[name] ?? (() => {}) });
 const empty = (): SceneDesign => ({ vertices: new Map(), edges: new Map() });
@@ -27,7 +33,7 @@ let end = () => {};
 
 beforeEach(() => {
   useDesign.setState({ ...empty(), stencil: null, check: null });
-  useView.setState({ tool: "select" });
+  useView.setState({ tool: "select", viewName: "Perspective" });
   end = show(scene);
   frame.mockClear();
   face.mockClear();
@@ -70,6 +76,31 @@ it("turns to the plane of a flat drawing, which would be seen from its edge, and
   // A person's own view is left alone.
   open(at([0, 0, 0], [40, 10, 0], [40, 30, 20]));
   expect([face.mock.calls.length, view.mock.calls.length, frame.mock.calls.length]).toEqual([1, 1, 3]);
+});
+
+const FLAT = at([0, 0, 5], [40, 0, 5], [40, 30, 5]);
+const SOLID = at([0, 0, 0], [40, 0, 0], [40, 30, 20]);
+
+it.each(["Perspective", "Front", "Parallel"])(
+  "leaves a view alone that a person has turned since a flat drawing was opened: %s",
+  (own) => {
+    open(FLAT);
+    named(own);
+    open(SOLID);
+    expect(view).not.toHaveBeenCalled();
+    expect(frame).toHaveBeenCalledTimes(2);
+  },
+);
+
+it("turns back from a flat drawing although a wire was played meanwhile, which has a view of its own", () => {
+  open(FLAT);
+  usePlayback.setState({ played: {} as Played });
+  named("Perspective");
+  usePlayback.setState({ played: null });
+  // The scene gives back what it showed before.
+  named("Top");
+  open(SOLID);
+  expect(view.mock.calls).toEqual([["perspective"]]);
 });
 
 it("turns to a plane as soon as it is drawn on", () => {

@@ -54,14 +54,15 @@ export function show(scene: Scene): () => void {
     justOpened = false;
     scene.frame();
   };
-  // Whether the view stands as a flat drawing has wanted it, and no person.
-  let turned = false;
+  // What the view is called as a flat drawing has wanted it; null as soon as a person has turned it.
+  let flat: string | null = null;
   const showOpened = () => {
     const plane = planeOfAll(useDesign.getState());
-    if (plane) turned = scene.face(plane) || turned;
-    else if (turned) {
+    if (plane) {
+      if (scene.face(plane)) flat = useView.getState().viewName;
+    } else if (flat !== null) {
+      flat = null;
       scene.view("perspective");
-      turned = false;
     }
     scene.frame();
   };
@@ -192,6 +193,10 @@ export function show(scene: Scene): () => void {
       ({ played, live, step }) => [played, live, live ? step : 0],
       ({ live, step }) => scene.setProgress(live ? Math.floor(step) : null),
     ),
+    useView.subscribe(({ viewName }, before) => {
+      // A wire on its machine has a view of its own, and gives this one back.
+      if (viewName !== before.viewName && viewName !== flat && !isShownOnMachine()) flat = null;
+    }),
     useFiles.subscribe(({ opened }, before) => {
       // What is opened comes after this, in the same turn of the design's store.
       if (opened !== before.opened) justOpened = true;

@@ -33,8 +33,9 @@ function diameter(): number {
 /** Phases that begin with a wire of their own, or without any. */
 const ANEW: ReadonlySet<Phase> = new Set(["connecting", "homing", "making", "closed"]);
 
-/** A move that was ordered here is under way. */
-let following = false;
+/** Which of the moves that were ordered here is under way, by its number; null without one. */
+let following: number | null = null;
+let ordered = 0;
 /** Changes when what was asked for is no longer wanted. */
 let wanted = 0;
 /** One question at a time: what is reported meanwhile asks once more. */
@@ -63,15 +64,18 @@ async function draw(): Promise<void> {
 
 /** Moves as a person has ordered it: drawn while it runs, as far as the machine reports where its axes are. */
 export async function jogBy(moves: readonly Move[], record: boolean): Promise<void> {
-  following = true;
-  // Refused, it goes nowhere.
-  if (!(await order({ order: "jog", moves: [...moves], record }))) following = false;
+  const before = following;
+  ordered += 1;
+  const mine = ordered;
+  following = mine;
+  // Refused, it goes nowhere; one that was under way goes on.
+  if (!(await order({ order: "jog", moves: [...moves], record })) && following === mine) following = before;
 }
 
 /** The view shows the design again; the next move is drawn with those before it. */
 export function hideByHand(): void {
   // What is left of a move that is under way is drawn with the next one.
-  following = false;
+  following = null;
   wanted += 1;
   again = false;
   if (useByHand.getState().played) useByHand.setState({ played: null });
@@ -86,12 +90,12 @@ export function hearByHand(event: OperatorEvent): void {
   if (event.event === "state") {
     if (ANEW.has(event.phase)) forget();
     // A refused or stopped move goes no farther.
-    else if (event.phase !== "moving" && !event.busy) following = false;
+    else if (event.phase !== "moving" && !event.busy) following = null;
     return;
   }
-  if (event.event === "news" && event.news === "position" && following) void draw();
+  if (event.event === "news" && event.news === "position" && following !== null) void draw();
   if (event.event !== "jogged") return;
-  following = false;
+  following = null;
   if (event.made.move === "home") forget();
   else void draw();
 }

@@ -183,6 +183,7 @@ export function useWhyNot(id: CommandId): string | null {
   usePlayback(({ live }) => live);
   useFiles(({ busy }) => busy);
   useView(({ tool }) => tool);
+  useView(({ plane }) => plane);
   useView(({ strand }) => strand);
   return whyNot(id);
 }
