@@ -2,7 +2,7 @@
 
 use nalgebra::Point3;
 
-use crate::checks::{MachineLimits, Source, Sourced};
+use crate::checks::{BendTorque, MachineLimits, Source, Sourced};
 use crate::clearance::Bodies;
 use crate::compensate::{BendModel, Compensation, FeedModel, PegGeometry, Springback};
 use crate::estimate::{TimeModel, WireModel};
@@ -41,6 +41,7 @@ pub(crate) fn published_machine() -> Machine {
             tail: paper(mm(400.0)),
             min_diameter: paper(mm(2.8)),
             max_diameter: paper(mm(3.2)),
+            bend_torque: Some(BendTorque::beside(paper(37.9), mm(3.0), 362.14)),
             min_rotation_source: from("the paper"),
             max_rotation_source: from("the paper"),
             axis_source: from("the paper"),

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value};
 use wirebend_core::bend::Step;
-use wirebend_core::checks::{MachineLimits, Source, Sourced};
+use wirebend_core::checks::{BendTorque, MachineLimits, Source, Sourced};
 use wirebend_core::compensate::{
     BendModel, Compensation, FeedModel, PegGeometry, Springback, SpringbackCurve, SpringbackPoint,
 };
@@ -182,6 +182,11 @@ fn model(
             tail: length("limits.tail_mm", &stated.tail_mm, limits.tail_mm)?,
             min_diameter: length("wire.min_diameter_mm", thin, figures.min_diameter_mm)?,
             max_diameter: length("wire.max_diameter_mm", thick, figures.max_diameter_mm)?,
+            bend_torque: machine.profile.bend.torque_n_m.as_ref().map(|torque| {
+                let source = stated_source("bend.torque_n_m", &machine.profile.bend.torque_n_m);
+                let available = Sourced { value: torque.value, source };
+                BendTorque::beside(available, diameter, wire.ultimate_strength_mpa)
+            }),
             min_rotation_source: stated_source("limits.min_rotation_deg", &stated.min_rotation_deg),
             max_rotation_source: stated_source("limits.max_rotation_deg", &stated.max_rotation_deg),
             axis_source: stated_source("bend.axis_limit_deg", &machine.profile.bend.axis_limit_deg),

@@ -157,6 +157,8 @@ layer! {
         pub orbit_offset_mm: Sourced<f64>,
         /// Largest commanded axis angle either way, degrees.
         pub axis_limit_deg: Sourced<f64>,
+        /// Torque that the axis has for the wire, newton metres; absent: not known.
+        pub torque_n_m: Sourced<f64>,
     }
 }
 

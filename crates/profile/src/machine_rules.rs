@@ -140,6 +140,7 @@ impl MachineProfile {
             ("bend.rod_radius_mm", &self.bend.rod_radius_mm),
             ("bend.orbit_radius_mm", &self.bend.orbit_radius_mm),
             ("bend.axis_limit_deg", &self.bend.axis_limit_deg),
+            ("bend.torque_n_m", &self.bend.torque_n_m),
         ];
         for (key, figure) in above_zero {
             above(faults, key, figure);

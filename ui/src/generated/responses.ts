@@ -625,6 +625,7 @@ export type DiagnosticCode =
   | "rotation_out_of_range"
   | "stock_too_long"
   | "wire_does_not_fit"
+  | "bend_torque_low"
   | "meets_machine"
   | "meets_stock"
   | "no_clear_program"

@@ -75,6 +75,8 @@ codes! {
     StockTooLong = "stock_too_long",
     /// The wire is too thick or too thin for the machine.
     WireDoesNotFit = "wire_does_not_fit",
+    /// The bend axis is hardly strong enough for the wire.
+    BendTorqueLow = "bend_torque_low",
     /// The wire already bent meets a body of the machine.
     MeetsMachine = "meets_machine",
     /// The wire already bent meets the wire that is still to be bent.

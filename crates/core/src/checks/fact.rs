@@ -232,6 +232,15 @@ pub enum Fact {
         /// Where the limit comes from that the wire is beyond.
         source: Source,
     },
+    /// The bend axis is hardly strong enough for the wire.
+    BendTorqueLow {
+        /// Plastic moment of the wire, N·m.
+        needed_n_m: f64,
+        /// What the axis has, N·m.
+        available_n_m: Sourced<f64>,
+        /// So many times the moment it should have.
+        margin: f64,
+    },
     /// The wire already bent meets a body of the machine.
     MeetsMachine {
         /// The edges of the straight part that meets it.

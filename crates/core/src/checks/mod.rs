@@ -5,6 +5,7 @@
 //! whatever stages it has got through, so that a design that cannot be bent is still explained.
 
 mod bend_angle;
+mod bend_torque;
 mod code;
 mod coincident;
 mod contact;
@@ -62,12 +63,31 @@ pub struct MachineLimits {
     pub min_diameter: Sourced<Length>,
     /// The thickest wire.
     pub max_diameter: Sourced<Length>,
+    /// What the bend axis can give for what its wire asks, where both are known.
+    pub bend_torque: Option<BendTorque>,
     /// Where the lower limit of the head's rotation comes from; [`HeadLimits`](crate::schedule::HeadLimits) has its value.
     pub min_rotation_source: Source,
     /// Where the upper limit of the head's rotation comes from.
     pub max_rotation_source: Source,
     /// Where the limit of the bend axis comes from; `BendModel` has its value.
     pub axis_source: Source,
+}
+
+/// The torque of a bend axis beside that which bends its wire.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BendTorque {
+    /// What the axis has for the wire, N·m.
+    pub available_n_m: Sourced<f64>,
+    /// Plastic moment of the wire, N·m.
+    pub needed_n_m: f64,
+}
+
+impl BendTorque {
+    /// Beside a round wire: its plastic moment is σ·d³/6, with the ultimate strength σ for what it hardens.
+    #[must_use]
+    pub fn beside(available_n_m: Sourced<f64>, diameter: Length, ultimate_strength_mpa: f64) -> Self {
+        Self { available_n_m, needed_n_m: ultimate_strength_mpa * diameter.mm().powi(3) / 6.0 / 1000.0 }
+    }
 }
 
 /// A wireframe and how thick its wire is, before any machine is asked.
@@ -185,6 +205,7 @@ pub fn check_wire(wire: &WireStages) -> Vec<Diagnostic> {
         rotation::check,
         stock_length::check,
         wire_diameter::check,
+        bend_torque::check,
         contact::check,
     ];
     let mut found = Vec::new();

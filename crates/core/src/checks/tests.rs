@@ -213,6 +213,33 @@ fn wire_that_does_not_fit_the_machine_is_refused() {
     }
 }
 
+/// The paper states 1.630 N·m for its wire, 23 times less than its axis has, and finds that 6.8 mm leave twice.
+#[test]
+fn an_axis_that_is_hardly_strong_enough_is_told() {
+    let u = chain(&[[0., 0., 0.], [35., 0., 0.], [35., 35., 0.]]);
+    let mut machine = published_machine();
+    let torque = machine.limits.bend_torque.clone().unwrap();
+    assert!((torque.needed_n_m - 1.630).abs() < 5e-4, "{}", torque.needed_n_m);
+    let times = |diameter| {
+        let torque = BendTorque::beside(torque.available_n_m.clone(), mm(diameter), 362.14);
+        torque.available_n_m.value / torque.needed_n_m
+    };
+    assert!(
+        (times(3.0) - 23.0).abs() < 0.5 && (times(6.8) - 2.0).abs() < 0.05,
+        "{} {}",
+        times(3.0),
+        times(6.8)
+    );
+    for (available, warned) in [(2.46, false), (2.43, true), (1.0, true)] {
+        let available_n_m = Sourced { value: available, source: torque.available_n_m.source.clone() };
+        machine.limits.bend_torque = Some(BendTorque { available_n_m, ..torque });
+        let found = on(&machine, &u, &PlanOptions::default());
+        let low: Vec<_> = found.iter().filter(|one| one.code() == Code::BendTorqueLow).collect();
+        assert_eq!(low.len(), usize::from(warned), "{available} N·m");
+        assert!(low.iter().all(|one| one.severity == Severity::Warning));
+    }
+}
+
 #[test]
 fn a_start_that_does_not_fit_is_refused() {
     let u = chain(&[[0., 0., 0.], [35., 0., 0.], [35., 35., 0.]]);

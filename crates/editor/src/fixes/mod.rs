@@ -299,6 +299,7 @@ fn candidates(finding: Finding, all: &[Finding], trials: &mut Trials) -> Vec<Can
         | Code::NoEdges
         | Code::DoubledEdge
         | Code::WireDoesNotFit
+        | Code::BendTorqueLow
         | Code::FrameUnsupported
         | Code::FrameMechanism
         | Code::StrutOverstressed

@@ -16,6 +16,13 @@ pub(super) fn stock_too_long(needed: Length, tail: Length, max: Length) -> Strin
     format!("the wire takes {needed:.1} of stock, {tail:.1} of it unusable tail; the machine takes {max:.1}")
 }
 
+pub(super) fn bend_torque_low(available_n_m: f64, needed_n_m: f64) -> String {
+    let times = available_n_m / needed_n_m;
+    format!(
+        "the bend axis has {available_n_m:.2} N·m, {times:.2} times the {needed_n_m:.2} N·m that bend this wire: it may stall"
+    )
+}
+
 pub(super) fn wire_does_not_fit(diameter: Length, [min, max]: [Length; 2]) -> String {
     let compared = if diameter < min { "thinner" } else { "thicker" };
     format!("a wire of {diameter:.2} is {compared} than the machine takes ({min:.2} to {max:.2})")

@@ -72,6 +72,9 @@ pub fn message(diagnostic: &Diagnostic) -> String {
         Fact::FoldBackNotCompensated { bend } => bend::fold_back_not_compensated(at, *bend),
         Fact::RotationOutOfRange { wanted, range, .. } => machine::rotation_out_of_range(at, *wanted, *range),
         Fact::StockTooLong { needed, tail, limit } => machine::stock_too_long(*needed, *tail, limit.value),
+        Fact::BendTorqueLow { needed_n_m, available_n_m, .. } => {
+            machine::bend_torque_low(available_n_m.value, *needed_n_m)
+        }
         Fact::WireDoesNotFit { diameter, range, .. } => machine::wire_does_not_fit(*diameter, *range),
         Fact::MeetsMachine {
             struck, phase, fed, bent, head, depth, margin, later, body, measured, ..

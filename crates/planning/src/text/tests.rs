@@ -248,6 +248,16 @@ fn findings_of_the_machine_tell_what_it_can_do() {
     }
 }
 
+#[test]
+fn an_axis_that_is_hardly_strong_enough_is_told_with_both_torques() {
+    let available_n_m = Sourced { value: 2.0, source: stated(()).source };
+    says(
+        Location::default(),
+        Fact::BendTorqueLow { needed_n_m: 1.63, available_n_m, margin: 1.5 },
+        "the bend axis has 2.00 N·m, 1.23 times the 1.63 N·m that bend this wire: it may stall",
+    );
+}
+
 /// Read with too few digits, a value beyond a limit is the limit, and the person looks for the fault elsewhere.
 #[test]
 fn what_is_beyond_a_limit_never_reads_like_it() {

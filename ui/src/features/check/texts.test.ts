@@ -128,6 +128,27 @@ describe("the list of checks", () => {
     expect(whatOf(hit(0, 3, { code: "meets_stock", body: null }))).toBe("The wire hits itself in step 1");
   });
 
+  it("says that a strut buckles where its load is reached, as the message does, and else that it is near that", () => {
+    const strut = (edges: number[], value: number): DiagnosticReport => ({
+      code: "strut_near_buckling",
+      severity: value >= 1 ? "error" : "warning",
+      edge: edges[0] ?? null,
+      edges,
+      value,
+      limit: 0.5,
+      message: "",
+      help: "",
+    });
+    expect(whatOf(strut([2], 0.63))).toBe("Edge 2 is near buckling");
+    expect(whatOf(strut([2, 3], 0.63))).toBe("Edges 2, 3 are near buckling");
+    expect(whatOf(strut([2], 1.2))).toBe("Edge 2 buckles");
+    expect(whatOf(strut([2], 1))).toBe("Edge 2 buckles");
+    // How far the others are is not known: the worst comes first.
+    expect(whatOf(strut([2, 3, 5], 1.2))).toBe("Edge 2 buckles; 2 more are near buckling");
+    const title = (value: number) => groupsOf(check([strut([2], value), strut([4], value)])).map(titleOf);
+    expect([title(0.7), title(1.1)]).toEqual([["2 edges are near buckling"], ["2 edges buckle"]]);
+  });
+
   it("says of how many bodies the dimensions are estimates", () => {
     expect(estimatesOf({ bodies: 6, estimates: 0 })).toBeNull();
     expect(estimatesOf({ bodies: 6, estimates: 5 })).toBe("5 of 6 bodies of the machine are estimates.");

@@ -27,7 +27,7 @@ export function measureText({ code, value, unit }: DiagnosticReport, shown: Disp
 type Place = Pick<DiagnosticReport, "vertex" | "vertices" | "edge" | "edges" | "value" | "limit" | "step" | "body">;
 
 /** How one and how several of a kind are named in a line of the list; null: its own message names it. */
-type Title = { one(report: Place): string; many(count: string): string } | null;
+type Title = { one(report: Place): string; many(count: string, first: Place): string } | null;
 
 /** A title for every kind of finding: one that is new does not compile before it is decided how it is named. */
 const TITLES: Readonly<Record<DiagnosticCode, Title>> = {
@@ -80,7 +80,10 @@ const TITLES: Readonly<Record<DiagnosticCode, Title>> = {
   frame_unsupported: { one: () => "Nothing holds the frame", many: (n) => `Nothing holds ${n} parts of the frame` },
   frame_mechanism: { one: (r) => `The frame does not stand${at(r)}`, many: (n) => `${n} parts do not stand` },
   strut_overstressed: { one: (r) => `${edgeName(r)} yields`, many: (n) => `${n} edges yield` },
-  strut_near_buckling: { one: (r) => `${edgeName(r)} is near buckling`, many: (n) => `${n} edges are near buckling` },
+  strut_near_buckling: {
+    one: nearBuckling,
+    many: (n, first) => (buckles(first) ? `${n} edges buckle` : `${n} edges are near buckling`),
+  },
   frame_too_soft: {
     one: (r) => `The frame sags too far${at(r)}`,
     many: (n) => `The frame sags too far at ${n} places`,
@@ -118,6 +121,7 @@ const TITLES: Readonly<Record<DiagnosticCode, Title>> = {
   route_refused: null,
   stock_too_long: null,
   wire_does_not_fit: null,
+  bend_torque_low: null,
 };
 
 /** Two vertices may be odd for each open wire. */
@@ -129,6 +133,17 @@ const tooFew = (allowed: number): string =>
 function edgeName({ edge, edges }: Place): string {
   const all = edges && edges.length > 1 ? edges : null;
   return all ? `Edges ${all.join(", ")}` : `Edge ${edge ?? "?"}`;
+}
+
+/** The value is the share of the load at which it buckles. */
+const buckles = ({ value }: Place): boolean => (value ?? 0) >= 1;
+
+/** Of several edges the value is that of the worst, which is the first. */
+function nearBuckling(report: Place): string {
+  const more = (report.edges?.length ?? 1) - 1;
+  const others = `${more} more ${more === 1 ? "is" : "are"} near buckling`;
+  if (!buckles(report)) return `${edgeName(report)} ${more > 0 ? "are" : "is"} near buckling`;
+  return `Edge ${report.edge ?? "?"} buckles${more > 0 ? `; ${others}` : ""}`;
 }
 
 /** Two edges, an edge and a vertex, or two vertices; one or no vertex comes as `vertex` alone. */
@@ -173,7 +188,7 @@ export function titleOf({ reports }: Group): string {
   if (!first) return "";
   if (reports.length === 1) return whatOf(first);
   return (
-    TITLES[first.code]?.many(number(reports.length, 0)) ??
+    TITLES[first.code]?.many(number(reports.length, 0), first) ??
     `${sentence(first.message)} (${count(reports.length, "place")})`
   );
 }

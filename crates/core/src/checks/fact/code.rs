@@ -35,6 +35,7 @@ impl Fact {
             Self::FoldBack { .. } | Self::FoldBackNotCompensated { .. } => Code::FoldBack,
             Self::RotationOutOfRange { .. } => Code::RotationOutOfRange,
             Self::WireDoesNotFit { .. } => Code::WireDoesNotFit,
+            Self::BendTorqueLow { .. } => Code::BendTorqueLow,
             Self::MeetsMachine { .. } => Code::MeetsMachine,
             Self::MeetsStock { .. } => Code::MeetsStock,
             Self::NoClearProgram { .. } => Code::NoClearProgram,

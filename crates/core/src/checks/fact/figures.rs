@@ -43,6 +43,9 @@ impl Fact {
             Self::FrameHardlyStands { displacement, .. } => Quantity::Length(*displacement),
             Self::StrutOverstressed { stress_mpa, .. } => Quantity::Stress(*stress_mpa),
             Self::StrutNearBuckling { ratio, .. } => Quantity::Ratio(*ratio),
+            Self::BendTorqueLow { needed_n_m, available_n_m, .. } => {
+                Quantity::Ratio(available_n_m.value / needed_n_m)
+            }
             Self::FrameTooSoft { sag, .. } | Self::SequenceStep(Violation::Sags { sag: Some(sag), .. }) => {
                 Quantity::Length(*sag)
             }
@@ -107,6 +110,9 @@ impl Fact {
             Self::WireDoesNotFit { diameter, range: [min, max], source } => {
                 let limit = if diameter < min { min } else { max };
                 Limit { value: Quantity::Length(*limit), source: LimitSource::Stated(source) }
+            }
+            Self::BendTorqueLow { margin, available_n_m, .. } => {
+                Limit { value: Quantity::Ratio(*margin), source: LimitSource::Stated(&available_n_m.source) }
             }
             Self::StrutOverstressed { yield_mpa, source, .. } => {
                 Limit { value: Quantity::Stress(*yield_mpa), source: LimitSource::Stated(source) }

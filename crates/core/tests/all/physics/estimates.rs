@@ -2,6 +2,7 @@
 
 use nalgebra::Point3;
 use wirebend_core::bend::{Frame, Step, program_of_path};
+use wirebend_core::checks::{BendTorque, Source, Sourced};
 use wirebend_core::compensate::{
     BendModel, CompensatedProgram, Compensation, FeedModel, PegGeometry, Springback, compensate,
 };
@@ -16,6 +17,7 @@ use crate::physics::{deg, mm};
 pub fn claims(page: &mut Document) {
     times(page);
     wire(page);
+    torque(page);
     sag(page);
     errors(page);
 }
@@ -71,6 +73,23 @@ fn wire(page: &mut Document) {
     };
     mass.is(wire.mass_g(mm(1000.0)));
     cost.is(wire.cost(mm(1000.0)).unwrap());
+}
+
+fn torque(page: &mut Document) {
+    let [] = page.sentence("at the plastic moment σ·d³ / 6.");
+    let [strength, diameter, moment] = page.sentence("At {} MPa a wire of {} mm takes {} N·m.");
+    let [available, times, thicker_times, thicker] = page.sentence(
+        "The bend axis of the paper has {} N·m, {} times as much [SCF25], and {} times what {} mm of the same alloy take.",
+    );
+    let beside = |diameter: f64| {
+        let source = Source { reason: None, entry: String::new() };
+        BendTorque::beside(Sourced { value: available.value, source }, mm(diameter), strength.value)
+    };
+    moment.is(beside(diameter.value).needed_n_m);
+    times.is(available.value / beside(diameter.value).needed_n_m);
+    thicker_times.is(available.value / beside(thicker.value).needed_n_m);
+    // That it warns there is a test of the check.
+    let [_margin] = page.sentence("There is a warning below {} times:");
 }
 
 fn sag(page: &mut Document) {
