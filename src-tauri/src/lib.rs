@@ -7,6 +7,7 @@ mod environment;
 mod event_channel;
 mod files;
 mod log;
+mod on_screen;
 
 use std::ffi::{OsStr, OsString};
 use std::io::Write;
@@ -14,6 +15,7 @@ use std::process::ExitCode;
 use std::sync::Arc;
 
 use anyhow::Context;
+use tauri::webview::PageLoadEvent;
 use tauri::{Manager, RunEvent, Runtime};
 use tauri_plugin_window_state::StateFlags;
 use wirebend_api::{Places, Workspace};
@@ -80,6 +82,11 @@ fn run(places: Places, mut log: Option<LogGuard>) -> anyhow::Result<()> {
     let folder = std::env::current_dir().unwrap_or_default();
     let files = FilesToOpen::new(files::named(&words, &folder));
     let app = with_adapters(builder, Arc::clone(&event_channel), files)
+        .on_page_load(|webview, page| {
+            if page.event() == PageLoadEvent::Finished {
+                on_screen::bring_back(&webview.window());
+            }
+        })
         // Here, since a second process does not come so far: it leaves no journal of a design behind.
         .setup(move |app| {
             match Workspace::new(places, event_channel) {

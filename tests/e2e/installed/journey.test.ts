@@ -108,4 +108,15 @@ describe("the window of the package", () => {
       await driven.end();
     }
   });
+
+  it("comes onto the screen when it was left on a larger one", async () => {
+    const left = { x: 1300, y: 700, width: 2400, height: 1300 };
+    const driven = await Driven.open(at.unpacked.window, at.screen.display, [], left);
+    try {
+      const whole = "innerWidth === 1440 && innerHeight === 900 && screenX === 0 && screenY === 0";
+      await driven.until(whole, "all of it is on the screen");
+    } finally {
+      await driven.end();
+    }
+  });
 });

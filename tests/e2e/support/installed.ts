@@ -1,5 +1,5 @@
 import { type ChildProcess, execFileSync, spawn } from "node:child_process";
-import { chownSync, mkdtempSync, readdirSync, rmSync, statSync } from "node:fs";
+import { mkdirSync, mkdtempSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { createServer } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -27,6 +27,14 @@ export function deb(): string {
   const found = readdirSync(folder).filter((name) => name.endsWith(".deb"));
   if (found.length !== 1) throw new Error(`${folder} holds ${found.length} packages: run make package`);
   return join(folder, found[0] ?? "");
+}
+
+/** Where a window is on its screen. */
+interface Place {
+  readonly x: number;
+  readonly y: number;
+  readonly width: number;
+  readonly height: number;
 }
 
 /** Another root file system, in which the package was installed, and who is to use it there. */
@@ -88,10 +96,23 @@ export class Driven {
     readonly environment: NodeJS.ProcessEnv,
   ) {}
 
-  /** Opens the window on a screen, for a person with a home of their own. */
-  static async open(window: string, display: string, words: string[] = []): Promise<Driven> {
+  /** Opens the window on a screen, for a person with a home of their own; `left`: where it was when it was closed, px. */
+  static async open(window: string, display: string, words: string[] = [], left?: Place): Promise<Driven> {
     const home = mkdtempSync(join(inRoot ? `${inRoot}/tmp` : tmpdir(), "wirebend-home-"));
-    if (user) chownSync(home, Number(user), Number(user));
+    if (left) {
+      const folder = join(home, "config/org.wirebend.kit");
+      mkdirSync(folder, { recursive: true });
+      const rest = {
+        prev_x: left.x,
+        prev_y: left.y,
+        maximized: false,
+        visible: true,
+        decorated: true,
+        fullscreen: false,
+      };
+      writeFileSync(join(folder, ".window-state.json"), JSON.stringify({ main: { ...left, ...rest } }));
+    }
+    if (user) execFileSync("chown", ["-R", `${user}:${user}`, home]);
     const port = await freePort();
     const driver = ["WebKitWebDriver", `--port=${port}`, "--host=127.0.0.1"];
     const [program = "", ...rest] = [...inside(), ...driver];
