@@ -143,7 +143,8 @@ it("has STOP in sight in every window and theme, with every section, dialog, men
       await editor.page.emulateMedia({ colorScheme });
       await until(() => editor.page.evaluate(() => document.documentElement.dataset.theme)).toBe(colorScheme);
       const where = `at ${size.width} × ${size.height} in ${colorScheme}`;
-      expect(await outside(), where).toEqual([]);
+      // Labels in the view follow in its next frame.
+      await until(async () => [where, ...(await outside())]).toEqual([where]);
       expect(await stopIsThere(), `STOP ${where}`).toBe(true);
       await picture(editor.page, `looks-stop-${size.width}-${colorScheme}`);
     }

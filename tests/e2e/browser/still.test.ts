@@ -219,7 +219,7 @@ it("keeps the focus on a click on a unit, and letters of a field away from the d
   // Beside all fields: the focus is gone, and what was typed there is no order.
   await editor.section("edit").getByRole("heading", { name: "Vertices", exact: true }).click();
   for (const key of ["m", "x", "Delete", "s"]) await press(key);
-  await editor.messages.filter({ hasText: "A field was used last" }).waitFor();
+  await editor.messages.filter({ hasText: "Click in the view to use its keys." }).waitFor();
   expect((await editor.design()).vertices).toHaveLength(6);
   expect((await editor.design()).state.undo).toBeNull();
   // One click in the view, and they are its keys again.
@@ -277,7 +277,16 @@ it("offers in a field what a field can do, and gives it the focus back", async (
   expect(await field.inputValue()).toBe("42");
   expect((await editor.vertex(1))[0]).toBe(35);
   await press("Escape");
-  await editor.section("edit").getByRole("heading", { name: "Vertices", exact: true }).click({ button: "right" });
+  const heading = editor.section("edit").getByRole("heading", { name: "Vertices", exact: true });
+  // A click elsewhere leaves the field, as it does without a menu.
+  await field.fill("42");
+  await field.click({ button: "right" });
+  await menu().getByRole("menuitem", { name: "Select all" }).waitFor();
+  await heading.click();
+  await until(async () => (await editor.vertex(1))[0]).toBe(42);
+  await press("Control+z");
+  await until(async () => (await editor.vertex(1))[0]).toBe(35);
+  await heading.click({ button: "right" });
   await menu().getByRole("menuitem", { name: "Keys" }).waitFor();
   await press("Escape");
 });

@@ -4,7 +4,7 @@ import { expect } from "vitest";
 /** What a person may be about to click on, and the view. */
 const THINGS = "button, input, select, textarea, a, summary, canvas, h1, h2, h3, [role=separator], [role=option]";
 
-/** What was there before an action, kept in the page; `under`: what the pointer is on. */
+/** What was there before an action, kept in the page. */
 interface Kept {
   readonly boxes: Map<Element, DOMRect>;
 }
@@ -46,16 +46,33 @@ function moved(page: Page): Promise<string[]> {
   }, SAME);
 }
 
-/** What was opened comes into sight half a second later; nothing is measured before everything has been where it is for longer. */
+/** What was opened comes into sight half a second later: the layout is at rest once it has been the same for longer, frame by frame. */
 const REST_MS = 700;
 
-/** Waits until nothing moves any more of what came before. */
-async function atRest(page: Page): Promise<void> {
-  for (let still = 0; still < REST_MS; ) {
-    await measure(page, "");
-    await page.waitForTimeout(100);
-    still = (await moved(page)).length === 0 ? still + 100 : 0;
-  }
+/** Waits until nothing moves any more of what came before: until each frame has found the same layout for so long. */
+function atRest(page: Page): Promise<void> {
+  return page.evaluate(
+    ({ things, same, rest }) =>
+      new Promise<void>((done) => {
+        let before = new Map<Element, DOMRect>();
+        let since = 0;
+        const look = (now: number) => {
+          const boxes = new Map(
+            [...document.querySelectorAll(things)].map((one) => [one, one.getBoundingClientRect()]),
+          );
+          const still = [...boxes].every(([one, { left, top, right, bottom }]) => {
+            const was = before.get(one);
+            const by = was ? [left - was.left, top - was.top, right - was.right, bottom - was.bottom] : [Infinity];
+            return by.every((px) => Math.abs(px) <= same);
+          });
+          if (!still || boxes.size !== before.size) [before, since] = [boxes, now];
+          if (now - since >= rest) done();
+          else requestAnimationFrame(look);
+        };
+        requestAnimationFrame(look);
+      }),
+    { things: THINGS, same: SAME, rest: REST_MS },
+  );
 }
 
 /**
