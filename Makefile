@@ -262,8 +262,10 @@ fmt-check: ui/node_modules/.package-lock.json
 lint: ui/dist/index.html ## clippy on everything
 	cargo clippy --workspace --all-targets -- -D warnings
 
+# What was just built goes to the disk first: tests keep journals, and would wait for it.
 .PHONY: unit doc-test
 unit: check-nextest ui/dist/index.html
+	sync
 	cargo nextest run $(ALL)
 doc-test: ui/dist/index.html
 	cargo test --quiet $(ALL) --doc
