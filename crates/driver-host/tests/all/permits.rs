@@ -5,27 +5,32 @@ use wirebend_driver_host::jobs::{JobError, JobRun};
 use wirebend_driver_host::{Armed, Permit, PermitKind, Session, SessionError};
 
 pub fn yes(session: &mut Session, kind: PermitKind) -> Permit {
+    asked(session, kind).unwrap()
+}
+
+/// A stop of another thread can come between the question and its answer.
+fn asked(session: &mut Session, kind: PermitKind) -> Result<Permit, SessionError> {
     let confirmation = session.ask(kind).confirm();
-    session.permit(confirmation).unwrap()
+    session.permit(confirmation)
 }
 
 pub fn home(session: &mut Session) -> Result<(), SessionError> {
-    let permit = yes(session, PermitKind::ByHand);
+    let permit = asked(session, PermitKind::ByHand)?;
     session.home(&permit)
 }
 
 pub fn arm(session: &mut Session, run: Run) -> Result<Armed, SessionError> {
-    let permit = yes(session, PermitKind::Wire);
+    let permit = asked(session, PermitKind::Wire)?;
     session.arm(run, permit)
 }
 
 pub fn arm_by_hand(session: &mut Session) -> Result<Armed, SessionError> {
-    let permit = yes(session, PermitKind::ByHand);
+    let permit = asked(session, PermitKind::ByHand)?;
     session.arm_by_hand(&permit)
 }
 
 pub fn write_settings(session: &mut Session) -> Result<(), SessionError> {
-    let permit = yes(session, PermitKind::Settings);
+    let permit = asked(session, PermitKind::Settings)?;
     session.write_settings(permit)
 }
 
