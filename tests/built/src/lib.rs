@@ -21,6 +21,18 @@ pub fn driver(folder: &str) -> PathBuf {
     built(&format!("{DLL_PREFIX}{library}{DLL_SUFFIX}"))
 }
 
+/// Puts the misbehaving driver where its name says how it misbehaves. A link: copies for each case would keep the disk so busy that
+/// other tests miss their limits.
+///
+/// # Panics
+/// When the folder cannot be written to.
+pub fn place_hostile(at: &Path) {
+    if !at.exists() {
+        let hostile = driver("hostile");
+        std::fs::hard_link(&hostile, at).or_else(|_| std::fs::copy(&hostile, at).map(drop)).unwrap();
+    }
+}
+
 /// The folder of the drivers that ship with the program, all of which are there.
 ///
 /// # Panics

@@ -170,7 +170,7 @@ fn a_token_is_for_one_session() {
 fn settings_that_differ_are_accepted_by_a_person_or_nothing_is_made() {
     let folder = tempfile::tempdir().unwrap();
     let library = folder.path().join("connect-differ.so");
-    std::fs::copy(wirebend_tests_built::driver("hostile"), &library).unwrap();
+    wirebend_tests_built::place_hostile(&library);
     let mut session = session_with(&library);
     session.poll().unwrap();
     permits::home(&mut session).unwrap();
@@ -253,7 +253,7 @@ fn a_driver_that_only_writes_files_has_no_session() {
 fn settings_that_were_not_taken_are_seen_when_they_were_written() {
     let folder = tempfile::tempdir().unwrap();
     let library = folder.path().join("write-settings-differ.so");
-    std::fs::copy(wirebend_tests_built::driver("hostile"), &library).unwrap();
+    wirebend_tests_built::place_hostile(&library);
     let mut session = session_with(&library);
     assert!(refused(permits::write_settings(&mut session)).contains("while the machine is being connected"));
     session.poll().unwrap();
@@ -290,7 +290,7 @@ fn ports_are_listed_before_one_is_opened() {
 fn a_machine_goes_on_with_what_it_was_asked_for_alone() {
     let folder = tempfile::tempdir().unwrap();
     let library = folder.path().join("connect-lie.so");
-    std::fs::copy(wirebend_tests_built::driver("hostile"), &library).unwrap();
+    wirebend_tests_built::place_hostile(&library);
     let mut session = session_with(&library);
     session.poll().unwrap();
     assert_eq!((session.phase(), session.resume_state()), (Phase::Connected, None));
@@ -328,7 +328,7 @@ fn the_rest_of_a_wire_begins_after_what_is_made() {
 fn a_driver_of_1_0_makes_whole_wires_alone() {
     let folder = tempfile::tempdir().unwrap();
     let library = folder.path().join("entry-old.so");
-    std::fs::copy(wirebend_tests_built::driver("hostile"), &library).unwrap();
+    wirebend_tests_built::place_hostile(&library);
     let mut session = session_with(&library);
     session.poll().unwrap();
     permits::home(&mut session).unwrap();

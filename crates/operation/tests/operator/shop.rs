@@ -63,8 +63,7 @@ impl Shop {
         let folder = tempfile::tempdir().unwrap();
         let drivers = folder.path().join("drivers");
         std::fs::create_dir(&drivers).unwrap();
-        std::fs::copy(wirebend_tests_built::driver("hostile"), drivers.join(format!("{conduct}.so")))
-            .unwrap();
+        wirebend_tests_built::place_hostile(&drivers.join(format!("{conduct}.so")));
         let profile = json!({"schema_version": 1, "kind": "machine", "id": "odd", "inherits": "wirebend-kit",
             "driver": {"id": "hostile", "settings": settings(folder.path())},
             "export": {"native": "hostile-text"}});

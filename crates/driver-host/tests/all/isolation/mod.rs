@@ -31,11 +31,7 @@ fn launch() -> Launch {
 /// The misbehaving driver under a name that tells it what to do.
 fn told(folder: &Path, when: &str, how: &str) -> DiscoveredDriver {
     let file = folder.join(format!("{when}-{how}.so"));
-    if !file.exists() {
-        std::fs::hard_link(wirebend_tests_built::driver("hostile"), &file)
-            .or_else(|_| std::fs::copy(wirebend_tests_built::driver("hostile"), &file).map(drop))
-            .unwrap();
-    }
+    wirebend_tests_built::place_hostile(&file);
     DiscoveredDriver::at(&file, Place::App, &TrustStore::open(&folder.join("none.json")).unwrap())
 }
 

@@ -36,7 +36,7 @@ pub struct Kept {
 impl Kept {
     pub fn new(folder: &Path, how: &str) -> Self {
         let library = folder.join(format!("poll-{how}.so"));
-        fs::copy(wirebend_tests_built::driver("hostile"), &library).unwrap();
+        wirebend_tests_built::place_hostile(&library);
         let kept = Self { library };
         fs::write(kept.leash(), "").unwrap();
         kept

@@ -48,7 +48,7 @@ fn kill(session: &Session) {
 
 fn hostile(folder: &Path, name: &str) -> std::path::PathBuf {
     let library = folder.join(name);
-    std::fs::copy(wirebend_tests_built::driver("hostile"), &library).unwrap();
+    wirebend_tests_built::place_hostile(&library);
     library
 }
 
