@@ -75,11 +75,7 @@ impl Case {
         self.check_end(&ran);
         at.until_still();
         self.check_quiet(&at, since);
-        // On a busy computer a driver may miss the time in which it has to pass a stop on: the program ends it then, and stops the machine
-        // itself. That it keeps that time is tested alone, in `stop.rs`.
-        let by_program = self.what == What::Stopped && ran.err.contains("the driver did not pass STOP on");
-        let what = if by_program { What::DriverKilled } else { self.what };
-        Went { by_program, ..Self { what, ..*self }.go_on(job, &at, &runs) }
+        self.go_on(job, &at, &runs)
     }
 
     /// Gives the cycle from which on nothing is heard of the program.

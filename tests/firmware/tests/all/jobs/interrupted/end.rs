@@ -22,8 +22,6 @@ pub struct Went {
     /// The farthest that a corner of the wire is from where it should be, mm.
     pub off_mm: f64,
     pub told: String,
-    /// Whether the program stopped the machine itself, since the driver did not pass the stop on in time.
-    pub by_program: bool,
 }
 /// A step of the head's motor.
 const HEAD_STEP_DEG: f64 = 360.0 / 1646.0;
@@ -86,7 +84,7 @@ impl Case {
             resume("--resume").ended(0);
             check_unbroken(job, at);
             let told = format!("{} steps were done, {known} known; the same wire came out", truth.whole);
-            Went { asked: 0, off_mm: 0.0, told, by_program: false }
+            Went { asked: 0, off_mm: 0.0, told }
         } else {
             self.decide(job, at, &truth, known, resume)
         };
@@ -168,7 +166,7 @@ impl Case {
             truth.whole,
             truth.part.len()
         );
-        Went { asked, off_mm, told, by_program: false }
+        Went { asked, off_mm, told }
     }
 }
 

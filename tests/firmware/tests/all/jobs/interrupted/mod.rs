@@ -103,8 +103,6 @@ fn try_all<B: Board + Send + 'static>(job: &Job, cases: Vec<Case>, at_once: usiz
         went.iter().filter(|one| one.asked > 0).count(),
         went.iter().map(|one| one.off_mm).fold(0.0, f64::max)
     );
-    let by_program = went.iter().filter(|one| one.by_program).count();
-    assert!(by_program * 10 <= count, "of {count} stops the driver did not pass {by_program} on in time");
     assert!(failed.is_empty(), "{}", failed.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "));
 }
 
