@@ -2,7 +2,7 @@ import { execFileSync } from "node:child_process";
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { expect, it } from "vitest";
-import { button, Driven, says, section } from "../support/installed.ts";
+import { button, Driven, says } from "../support/installed.ts";
 import { seat } from "../support/seat.ts";
 
 /** How long the page does nothing else, ms. */
@@ -24,10 +24,7 @@ it("stops the machine by its key while the page is too busy to hear of it", asyn
     await driven.click(button("All examples"));
     await driven.click("//dialog//button[contains(@class,'card')][.//*[normalize-space(.)='House']]");
     await driven.until(says("within the machine's limits"), "the house is within the limits");
-    await driven.click(section("Run"));
-    await driven.choose("#section-run select", "sim:10");
-    await driven.click(button("Connect"));
-    await driven.click(`//section[@id='section-run']${button("Home")}`);
+    await driven.homes("sim:10");
     await driven.click(`//section[@id='section-run']${button("Arm…")}`);
     await driven.click(button("Arm"));
     await driven.click(`//section[@id='section-run']${button("Start")}`);

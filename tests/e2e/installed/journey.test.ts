@@ -72,10 +72,7 @@ describe("the window of the package", () => {
       picture("3-animated");
 
       // The simulated machine.
-      await driven.click(section("Run"));
-      await driven.choose("#section-run select", "sim:max");
-      await driven.click(button("Connect"));
-      await driven.click(`//section[@id='section-run']${button("Home")}`);
+      await driven.homes("sim:max");
       await driven.click(`//section[@id='section-run']${button("Arm…")}`);
       picture("4-armed");
       await driven.click(button("Arm"));

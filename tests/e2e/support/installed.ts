@@ -157,15 +157,25 @@ export class Driven {
     }
   }
 
+  /** Clicks what is there, or will be. */
   async click(xpath: string): Promise<void> {
-    await this.until(
-      `document.evaluate(${JSON.stringify(xpath)}, document, null, 9, null).singleNodeValue`,
-      `there is ${xpath}`,
-    );
-    const found = await this.client.findElement("xpath", xpath);
+    const first = `document.evaluate(${JSON.stringify(xpath)}, document, null, 9, null).singleNodeValue`;
+    await this.until(first, `there is ${xpath}`);
     // A part of the panel that is scrolled away cannot be clicked.
-    await this.run("arguments[0].scrollIntoView({ block: 'center' })", found);
+    await this.run(`${first}?.scrollIntoView({ block: 'center' })`);
+    const found = await this.client.findElement("xpath", xpath);
+    if ("error" in found) throw new Error(`it was there and has gone: ${xpath}`);
     await this.client.elementClick(found["element-6066-11e4-a52e-4f735466cecf"]);
+  }
+
+  /** Connects a simulated machine and homes it. */
+  async homes(port: string): Promise<void> {
+    await this.click(section("Run"));
+    await this.choose("#section-run select", port);
+    await this.click(button("Connect"));
+    await this.click(`//section[@id='section-run']${button("Home")}`);
+    // It can be armed before, and not while it homes.
+    await this.until(says("simulated machine · homed"), "the machine is homed");
   }
 
   /** Chooses of a list, which the system draws where no driver reaches it. */
