@@ -72,7 +72,19 @@ describe("the window of the package", () => {
       picture("3-animated");
 
       // The simulated machine.
+      // What the machine says of itself comes later than the buttons that move it, which stay where they are.
+      await driven.run(
+        `window.tops = new Set();
+         (function look() {
+           const section = document.querySelector("#section-run");
+           for (const button of section.querySelectorAll("button"))
+             if (button.textContent.trim() === "Home")
+               window.tops.add(Math.round(button.getBoundingClientRect().top - section.getBoundingClientRect().top));
+           requestAnimationFrame(look);
+         })();`,
+      );
       await driven.homes("sim:max");
+      expect(await driven.run("return [...window.tops]")).toHaveLength(1);
       await driven.click(`//section[@id='section-run']${button("Arm…")}`);
       picture("4-armed");
       await driven.click(button("Arm"));

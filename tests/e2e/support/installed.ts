@@ -152,7 +152,10 @@ export class Driven {
   async until(script: string, what: string, patience = 30_000): Promise<void> {
     const begun = Date.now();
     while (!(await this.run<boolean>(`return Boolean(${script})`))) {
-      if (Date.now() - begun > patience) throw new Error(`after ${patience / 1000} s still not: ${what}`);
+      if (Date.now() - begun > patience) {
+        const page = await this.run<string>("return document.body.innerText");
+        throw new Error(`after ${patience / 1000} s still not: ${what}; the page says:\n${page}`);
+      }
       await new Promise((resolve) => setTimeout(resolve, 50));
     }
   }
@@ -175,7 +178,7 @@ export class Driven {
     await this.click(button("Connect"));
     await this.click(`//section[@id='section-run']${button("Home")}`);
     // It can be armed before, and not while it homes.
-    await this.until(says("simulated machine · homed"), "the machine is homed");
+    await this.until(says("simulated machine · homed"), "the machine is homed", 100_000);
   }
 
   /** Chooses of a list, which the system draws where no driver reaches it. */

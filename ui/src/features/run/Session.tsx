@@ -22,7 +22,9 @@ export function Session({ state }: { readonly state: MachineState }) {
         <span className="muted">
           {name(state.machine)} · {state.simulated ? "simulated" : (state.port ?? "")}
         </span>
-        {state.identity && <span className="muted small">{state.identity}</span>}
+        <span className="muted small" title={state.identity ?? undefined}>
+          {state.identity}
+        </span>
       </div>
       <Fault state={state} all={all} />
       {other && (
