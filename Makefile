@@ -171,7 +171,7 @@ test: XTASK := target/debug/xtask
 # What `cargo clippy` sets for itself; it would check all that others wrote once more, without using what is built.
 test: export RUSTC_WORKSPACE_WRAPPER := clippy-driver
 test: export CLIPPY_ARGS := -Dwarnings__CLIPPY_HACKERY__
-test: check-tools firmware-tools window-tools browser-tools fmt-check ui-test built unit doc-test doc tidy generate-check fuzz-check deny e2e ## every check: format, lints, tests, documentation, tidiness, licences, the window in a browser and installed
+test: check-tools firmware-tools window-tools browser-tools fmt-check ui-test built unit doc-test tidy generate-check fuzz-check deny e2e ## every check: format, lints, tests, documentation, tidiness, licences, the window in a browser and installed
 
 .PHONY: ui-test
 ui-test: ui/dist/index.html ## types, lints and tests of the editor
@@ -267,8 +267,9 @@ lint: ui/dist/index.html ## clippy on everything
 unit: check-nextest ui/dist/index.html
 	sync
 	cargo nextest run $(ALL)
+# The examples of the documentation, and its pages with what is built already.
 doc-test: ui/dist/index.html
-	cargo test --quiet $(ALL) --doc
+	RUSTDOC=$(CURDIR)/xtask/rustdoc.sh PAGES=$(CURDIR)/target/doc cargo test --quiet $(ALL) --doc
 
 # The daily gate: what needs neither a window nor a simulated board nor a browser.
 .PHONY: check
