@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value};
 use wirebend_core::bend::Step;
-use wirebend_core::checks::{BendTorque, MachineLimits, Source, Sourced};
+use wirebend_core::checks::{BendRadius, BendTorque, MachineLimits, Source, Sourced};
 use wirebend_core::compensate::{
     BendModel, Compensation, FeedModel, PegGeometry, Springback, SpringbackCurve, SpringbackPoint,
 };
@@ -186,6 +186,10 @@ fn model(
                 let source = stated_source("bend.torque_n_m", &machine.profile.bend.torque_n_m);
                 let available = Sourced { value: torque.value, source };
                 BendTorque::beside(available, diameter, wire.ultimate_strength_mpa)
+            }),
+            bend_radius: material.profile.min_bend_radius_diameters.as_ref().map(|least| {
+                let source = source(material, "min_bend_radius_diameters", Some(least.source.as_str()));
+                BendRadius { inner: pin, diameter, least_diameters: Sourced { value: least.value, source } }
             }),
             min_rotation_source: stated_source("limits.min_rotation_deg", &stated.min_rotation_deg),
             max_rotation_source: stated_source("limits.max_rotation_deg", &stated.max_rotation_deg),

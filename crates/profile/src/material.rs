@@ -34,6 +34,8 @@ profile! {
         pub ultimate_strength_mpa: Option<Sourced<f64>>,
         /// Elongation at fracture, as a ratio: 0.2 is 20 percent.
         pub fracture_strain: Option<Sourced<f64>>,
+        /// Smallest inner radius of a bend that the wire takes without cracks, in diameters of the wire.
+        pub min_bend_radius_diameters: Option<Sourced<f64>>,
         /// Energy that the process takes to form a kilogram of this wire, megajoule a kilogram.
         pub process_energy_mj_per_kg: Option<Sourced<f64>>,
         /// Density, kilograms a cubic metre.

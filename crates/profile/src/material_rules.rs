@@ -40,6 +40,7 @@ impl Profile for MaterialProfile {
         above(&mut faults, "ultimate_strength_mpa", &self.ultimate_strength_mpa);
         above(&mut faults, "density_kg_per_m3", &self.density_kg_per_m3);
         above(&mut faults, "fracture_strain", &self.fracture_strain);
+        within(&mut faults, "min_bend_radius_diameters", &self.min_bend_radius_diameters, 0.0, 1000.0);
         above(&mut faults, "process_energy_mj_per_kg", &self.process_energy_mj_per_kg);
         self.shear_faults(&mut faults);
         within(&mut faults, "k_factor", &self.k_factor, 0.0, 1.0);

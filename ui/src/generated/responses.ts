@@ -626,6 +626,7 @@ export type DiagnosticCode =
   | "stock_too_long"
   | "wire_does_not_fit"
   | "bend_torque_low"
+  | "bend_radius_small"
   | "meets_machine"
   | "meets_stock"
   | "no_clear_program"

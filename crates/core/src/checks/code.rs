@@ -77,6 +77,8 @@ codes! {
     WireDoesNotFit = "wire_does_not_fit",
     /// The bend axis is hardly strong enough for the wire.
     BendTorqueLow = "bend_torque_low",
+    /// The wire is bent round a smaller radius than it takes.
+    BendRadiusSmall = "bend_radius_small",
     /// The wire already bent meets a body of the machine.
     MeetsMachine = "meets_machine",
     /// The wire already bent meets the wire that is still to be bent.

@@ -3,6 +3,7 @@
 mod code;
 mod figures;
 
+use super::BendRadius;
 use super::limit::{ReachLimit, Source, Sourced};
 use crate::bend::PathError;
 use crate::clearance::{Obstacle, Phase};
@@ -241,6 +242,8 @@ pub enum Fact {
         /// So many times the moment it should have.
         margin: f64,
     },
+    /// The wire is bent round a smaller radius than it takes.
+    BendRadiusSmall(BendRadius),
     /// The wire already bent meets a body of the machine.
     MeetsMachine {
         /// The edges of the straight part that meets it.

@@ -5,6 +5,7 @@
 //! whatever stages it has got through, so that a design that cannot be bent is still explained.
 
 mod bend_angle;
+mod bend_radius;
 mod bend_torque;
 mod code;
 mod coincident;
@@ -65,6 +66,8 @@ pub struct MachineLimits {
     pub max_diameter: Sourced<Length>,
     /// What the bend axis can give for what its wire asks, where both are known.
     pub bend_torque: Option<BendTorque>,
+    /// What the pin bends the wire to beside what its material takes, where that is stated.
+    pub bend_radius: Option<BendRadius>,
     /// Where the lower limit of the head's rotation comes from; [`HeadLimits`](crate::schedule::HeadLimits) has its value.
     pub min_rotation_source: Source,
     /// Where the upper limit of the head's rotation comes from.
@@ -87,6 +90,25 @@ impl BendTorque {
     #[must_use]
     pub fn beside(available_n_m: Sourced<f64>, diameter: Length, ultimate_strength_mpa: f64) -> Self {
         Self { available_n_m, needed_n_m: ultimate_strength_mpa * diameter.mm().powi(3) / 6.0 / 1000.0 }
+    }
+}
+
+/// The radius that a wire is bent to beside the smallest that it takes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BendRadius {
+    /// Of the inside of every bend: that of the pin.
+    pub inner: Length,
+    /// Of the wire.
+    pub diameter: Length,
+    /// The smallest inner radius that the material takes, in diameters.
+    pub least_diameters: Sourced<f64>,
+}
+
+impl BendRadius {
+    /// The smallest inner radius that the wire takes.
+    #[must_use]
+    pub fn least(&self) -> Length {
+        Length::computed(self.diameter.mm() * self.least_diameters.value)
     }
 }
 
@@ -206,6 +228,7 @@ pub fn check_wire(wire: &WireStages) -> Vec<Diagnostic> {
         stock_length::check,
         wire_diameter::check,
         bend_torque::check,
+        bend_radius::check,
         contact::check,
     ];
     let mut found = Vec::new();

@@ -300,6 +300,7 @@ fn candidates(finding: Finding, all: &[Finding], trials: &mut Trials) -> Vec<Can
         | Code::DoubledEdge
         | Code::WireDoesNotFit
         | Code::BendTorqueLow
+        | Code::BendRadiusSmall
         | Code::FrameUnsupported
         | Code::FrameMechanism
         | Code::StrutOverstressed

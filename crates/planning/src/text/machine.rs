@@ -1,6 +1,6 @@
 //! The machine as a whole: its head, its stock, the wires that it takes.
 
-use wirebend_core::checks::Location;
+use wirebend_core::checks::{BendRadius, Location};
 use wirebend_core::units::{Angle, Length};
 
 use super::number::of_bend;
@@ -20,6 +20,15 @@ pub(super) fn bend_torque_low(available_n_m: f64, needed_n_m: f64) -> String {
     let times = available_n_m / needed_n_m;
     format!(
         "the bend axis has {available_n_m:.2} N·m, {times:.2} times the {needed_n_m:.2} N·m that bend this wire: it may stall"
+    )
+}
+
+pub(super) fn bend_radius_small(bend: &BendRadius) -> String {
+    let BendRadius { inner, least_diameters, .. } = bend;
+    format!(
+        "the inside of every bend has a radius of {inner:.2}, and this wire takes {:.2} or more ({} times its diameter): it may crack",
+        bend.least(),
+        least_diameters.value
     )
 }
 

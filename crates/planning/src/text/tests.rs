@@ -1,6 +1,7 @@
 use wirebend_core::bend::PathError;
 use wirebend_core::checks::{
-    BendOf, Diagnostic, Fact, LimitSource, Location, ReachLimit, Remedy, Severity, Source, Sourced,
+    BendOf, BendRadius, Diagnostic, Fact, LimitSource, Location, ReachLimit, Remedy, Severity, Source,
+    Sourced,
 };
 use wirebend_core::route::RouteError;
 use wirebend_core::units::{Angle, Length};
@@ -246,6 +247,16 @@ fn findings_of_the_machine_tell_what_it_can_do() {
             &format!("a wire of {diameter:.2} mm is {compared} than the machine takes (2.80 mm to 3.20 mm)"),
         );
     }
+}
+
+#[test]
+fn a_bend_that_is_tighter_than_the_wire_takes_is_told_with_both_radii() {
+    let least_diameters = Sourced { value: 1.5, source: stated(()).source };
+    says(
+        Location::default(),
+        Fact::BendRadiusSmall(BendRadius { inner: mm(1.5), diameter: mm(3.0), least_diameters }),
+        "the inside of every bend has a radius of 1.50 mm, and this wire takes 4.50 mm or more (1.5 times its diameter): it may crack",
+    );
 }
 
 #[test]

@@ -122,6 +122,7 @@ const TITLES: Readonly<Record<DiagnosticCode, Title>> = {
   stock_too_long: null,
   wire_does_not_fit: null,
   bend_torque_low: null,
+  bend_radius_small: null,
 };
 
 /** Two vertices may be odd for each open wire. */

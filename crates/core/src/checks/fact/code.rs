@@ -36,6 +36,7 @@ impl Fact {
             Self::RotationOutOfRange { .. } => Code::RotationOutOfRange,
             Self::WireDoesNotFit { .. } => Code::WireDoesNotFit,
             Self::BendTorqueLow { .. } => Code::BendTorqueLow,
+            Self::BendRadiusSmall(_) => Code::BendRadiusSmall,
             Self::MeetsMachine { .. } => Code::MeetsMachine,
             Self::MeetsStock { .. } => Code::MeetsStock,
             Self::NoClearProgram { .. } => Code::NoClearProgram,

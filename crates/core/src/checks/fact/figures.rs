@@ -46,6 +46,7 @@ impl Fact {
             Self::BendTorqueLow { needed_n_m, available_n_m, .. } => {
                 Quantity::Ratio(available_n_m.value / needed_n_m)
             }
+            Self::BendRadiusSmall(bend) => Quantity::Length(bend.inner),
             Self::FrameTooSoft { sag, .. } | Self::SequenceStep(Violation::Sags { sag: Some(sag), .. }) => {
                 Quantity::Length(*sag)
             }
@@ -114,6 +115,10 @@ impl Fact {
             Self::BendTorqueLow { margin, available_n_m, .. } => {
                 Limit { value: Quantity::Ratio(*margin), source: LimitSource::Stated(&available_n_m.source) }
             }
+            Self::BendRadiusSmall(bend) => Limit {
+                value: Quantity::Length(bend.least()),
+                source: LimitSource::Stated(&bend.least_diameters.source),
+            },
             Self::StrutOverstressed { yield_mpa, source, .. } => {
                 Limit { value: Quantity::Stress(*yield_mpa), source: LimitSource::Stated(source) }
             }

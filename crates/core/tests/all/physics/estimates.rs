@@ -18,6 +18,7 @@ pub fn claims(page: &mut Document) {
     times(page);
     wire(page);
     torque(page);
+    bend_radius(page);
     sag(page);
     errors(page);
 }
@@ -90,6 +91,16 @@ fn torque(page: &mut Document) {
     thicker_times.is(available.value / beside(thicker.value).needed_n_m);
     // That it warns there is a test of the check.
     let [_margin] = page.sentence("There is a warning below {} times:");
+}
+
+fn bend_radius(page: &mut Document) {
+    let [] =
+        page.sentence("The outside of a bend is stretched by d / (2·(r + d / 2)) at an inner radius of r.");
+    let [diameter, pin, stretched] =
+        page.sentence("A wire of {} mm round a pin of {} mm is stretched by {} %,");
+    stretched.is(100.0 * diameter.value / (2.0 * (pin.value + diameter.value / 2.0)));
+    // Published, and computed by nobody.
+    let [_breaks] = page.sentence("and a test bar of that alloy breaks at {} % [SCF25];");
 }
 
 fn sag(page: &mut Document) {
