@@ -45,6 +45,7 @@ pub use wirebend_planning::calibrate::{
 };
 pub use wirebend_planning::catalogue::{
     MachineEntry, MachinesRequest, MachinesResponse, MaterialEntry, MaterialsRequest, MaterialsResponse,
+    NoiseEntry, StrutBuilderEntry,
 };
 pub use wirebend_planning::choices::PlanChoices;
 pub use wirebend_planning::collisions::{Collisions, ContactReport};
@@ -61,10 +62,10 @@ pub use wirebend_planning::dump::{DumpRequest, DumpResponse};
 pub use wirebend_planning::error::{DriverProblem, ErrorKind, PlanningError, StencilFileError};
 pub use wirebend_planning::export::{ExportFormat, ExportRequest, ExportResponse};
 pub use wirebend_planning::frame::{
-    AchievedReport, ClosingChoice, ClosingFigures, ClosingName, ClosingReport, ClosingRuns, ContinuumChoice,
-    FrameFigures, FrameRequest, FrameResponse, FrameSupports, LoadsChoice, MemberReport, ModeKindName,
-    ModeReport, ReactionReport, RequirementName, RequirementsChoice, ResourcesReport, StaticReport,
-    ToleranceRequest, ToleranceResponse, ToleranceSubject, VaryName,
+    AchievedReport, ClosedShapes, ClosingChoice, ClosingFigures, ClosingName, ClosingReport, ClosingRuns,
+    ContinuumChoice, FrameFigures, FrameRequest, FrameResponse, FrameShapes, FrameSupports, LoadsChoice,
+    MemberReport, ModeKindName, ModeReport, ReactionReport, RequirementName, RequirementsChoice,
+    ResourcesReport, StaticReport, ToleranceRequest, ToleranceResponse, ToleranceSubject, VaryName,
 };
 pub use wirebend_planning::generate::{GenerateRequest, GenerateResponse, GeneratedShape};
 pub use wirebend_planning::import::{ImportRequest, ImportResponse};
@@ -86,8 +87,9 @@ pub use wirebend_planning::report::{
     WireReport, WireframeReport, shown_deg,
 };
 pub use wirebend_planning::sequence::{
-    CostName, GroupBy, ObstacleReport, ObstacleRuleName, SequenceFormat, SequenceJoint, SequenceRequest,
-    SequenceResponse, SequenceStepReport, StepTypeName, StrategyName,
+    CostName, DrawnSequence, GroupBy, HeadMove, ObstacleReport, ObstacleRuleName, OrderedStep,
+    SequenceFormat, SequenceJoint, SequenceRequest, SequenceResponse, SequenceStepReport, StepTypeName,
+    StrategyName,
 };
 pub use wirebend_planning::simulate::{
     GapReport, SimulateRequest, SimulateResponse, SimulatedCollisions, SimulatedContact, SimulationModel,

@@ -17,10 +17,10 @@ use crate::{
     ApiError, CalibrateApplyRequest, CalibrateApplyResponse, CalibrateCompareRequest,
     CalibrateCompareResponse, CalibrateEnterRequest, CalibrateEnterResponse, CalibrateFitRequest,
     CalibrateNewRequest, CalibrateNewResponse, CalibrationReport, CheckRequest, CheckResponse, Collisions,
-    CompareRequest, CompareResponse, DriverCheckRequest, DriverCheckResponse, DriverTrustRequest,
-    DriverTrustResponse, DriversRequest, DriversResponse, DumpRequest, DumpResponse, ExportRequest,
-    ExportResponse, FrameRequest, FrameResponse, FrontEnd, GenerateRequest, GenerateResponse, ImportRequest,
-    ImportResponse, Installation, JogRequest, JogResponse, LiveCheck, MachineSettingsRequest,
+    CompareRequest, CompareResponse, DrawnSequence, DriverCheckRequest, DriverCheckResponse,
+    DriverTrustRequest, DriverTrustResponse, DriversRequest, DriversResponse, DumpRequest, DumpResponse,
+    ExportRequest, ExportResponse, FrameRequest, FrameResponse, FrontEnd, GenerateRequest, GenerateResponse,
+    ImportRequest, ImportResponse, Installation, JogRequest, JogResponse, LiveCheck, MachineSettingsRequest,
     MachineSettingsResponse, MachinesRequest, MachinesResponse, MaterialsRequest, MaterialsResponse,
     OperatorEvent, PlanRequest, PlanResponse, PortsRequest, PortsResponse, ProfileCheckRequest,
     ProfileCheckResponse, ProfileExplainRequest, ProfileExplainResponse, ProfileNewRequest,
@@ -257,6 +257,16 @@ requests! {
         Program(workspace::ProgramRequest) -> workspace::ProgramResponse = Workspace::program, "program";
         /// The design as the machine bends it.
         Made(workspace::MadeRequest) -> workspace::MadeResponse = Workspace::made, "made";
+        /// What there is to choose from for frames.
+        FrameChoices(workspace::FrameChoicesRequest) -> workspace::FrameChoices = Workspace::frame_choices, "frame-choices";
+        /// Computes the design as a frame.
+        Frame(workspace::FrameDesign) -> workspace::FrameShown = Workspace::frame, "frame";
+        /// Says how good a machine must be for the design.
+        Tolerance(workspace::ToleranceDesign) -> ToleranceResponse = Workspace::tolerance, "tolerance";
+        /// Looks for an order in which the struts of the design are built, or checks one.
+        Sequence(workspace::SequenceDesign) -> DrawnSequence = Workspace::sequence, "sequence";
+        /// Stops looking for that.
+        StopSequence(workspace::StopSequence) -> workspace::SequenceStopped = Workspace::stop_sequence, "stop-sequence";
         /// The design on other machines.
         Compare(workspace::CompareDesign) -> CompareResponse = Workspace::compare, "compare";
         /// What can be written for the machine.

@@ -1,8 +1,8 @@
-//! `machines` and `materials`: what there is to choose from.
+//! What there is to choose from: machines, materials, errors of machines, and machines that build struts.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use wirebend_profile::{Listing, Springback};
+use wirebend_profile::{Kind, Listing, Springback};
 
 use crate::{Installation, PlanningError, Progress};
 
@@ -139,4 +139,36 @@ pub fn materials(
     };
     let concrete = app.library.materials().into_iter().filter(|listing| !listing.is_abstract);
     Ok(MaterialsResponse { materials: concrete.map(entry).collect::<Result<_, PlanningError>>()? })
+}
+
+/// A machine that builds struts, to choose.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct StrutBuilderEntry {
+    pub id: String,
+    pub name: String,
+    /// What it builds with unless another material is named.
+    pub default_material: Option<String>,
+}
+
+/// The errors of a machine, to choose.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct NoiseEntry {
+    pub id: String,
+    pub name: String,
+}
+
+/// The machines that build struts, by id.
+pub fn strut_builders(app: &Installation) -> Result<Vec<StrutBuilderEntry>, PlanningError> {
+    let concrete = app.library.strut_builders().into_iter().filter(|listing| !listing.is_abstract);
+    let entry = |listing: Listing| {
+        let default_material = app.library.strut_builder(&listing.id)?.profile.default_material;
+        Ok(StrutBuilderEntry { id: listing.id, name: listing.name, default_material })
+    };
+    concrete.map(entry).collect()
+}
+
+/// The errors of machines, by id.
+pub fn noises(app: &Installation) -> Vec<NoiseEntry> {
+    let concrete = app.library.list(Kind::Noise).into_iter().filter(|listing| !listing.is_abstract);
+    concrete.map(|listing| NoiseEntry { id: listing.id, name: listing.name }).collect()
 }

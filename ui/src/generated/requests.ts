@@ -271,9 +271,9 @@ export type MergePlace = "last" | "first" | "centre";
  */
 export type LengthUnit = ("mm" | "cm" | "m") | "inch";
 /**
- * Which way a positive rotation of a table turns the axis of the next bend.
+ * How joints are closed.
  */
-export type Handedness = "right" | "left";
+export type ClosingName = "aligned" | "coupled";
 /**
  * Where the bytes come from.
  */
@@ -287,6 +287,19 @@ export type Input =
         name: string;
       };
     };
+/**
+ * Where a frame is held; a vertex that is held can neither move nor turn.
+ */
+export type FrameSupports =
+  | "design"
+  | "free"
+  | {
+      vertices: number[];
+    };
+/**
+ * Which way a positive rotation of a table turns the axis of the next bend.
+ */
+export type Handedness = "right" | "left";
 /**
  * What the steps of a program are.
  */
@@ -420,6 +433,10 @@ export type Kind = "machine" | "material" | "noise" | "strut-builder";
  * What lengths in messages are written in.
  */
 export type ShownUnit = "mm" | "inch";
+/**
+ * Which motions are off.
+ */
+export type VaryName = "feed" | "angle" | "both";
 
 export interface All {
   requests: Requests;
@@ -445,6 +462,8 @@ export interface Requests {
   export: ExportDesign;
   exports: ExportsRequest;
   fixes: FixesRequest;
+  frame: FrameDesign;
+  "frame-choices": FrameChoicesRequest;
   look: LookRequest;
   "machine-state": MachineStateRequest;
   "machine-view": MachineViewRequest;
@@ -468,9 +487,12 @@ export interface Requests {
   "save-job": SaveJob;
   "save-recording": SaveRecording;
   "save-wireframe": SaveWireframe;
+  sequence: SequenceDesign;
   "show-lengths": ShowLengths;
   start: Start;
   "stop-collisions": StopCollisions;
+  "stop-sequence": StopSequence;
+  tolerance: ToleranceDesign;
   undo: Undo;
 }
 /**
@@ -710,6 +732,62 @@ export interface FixesRequest {
   collisions?: boolean;
 }
 /**
+ * Computes the open design as a frame.
+ */
+export interface FrameDesign {
+  /**
+   * How its joints are closed, where that is asked for.
+   */
+  close?: ClosingChoice | null;
+  /**
+   * Whether wires may run along edges twice where there is no route otherwise.
+   */
+  double?: boolean;
+  /**
+   * Gravity along x, y and z, as multiples of standard gravity; absent: 1 against z.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  gravity?: [number, number, number] | null;
+  /**
+   * Absent: that of the design.
+   */
+  material?: string | null;
+  /**
+   * How many modes to look for, the rigid ones aside.
+   */
+  modes?: number;
+  supports?: FrameSupports;
+}
+/**
+ * How joints are closed, and what is off.
+ */
+export interface ClosingChoice {
+  closing?: ClosingName & string;
+  /**
+   * The errors: the id of a noise profile.
+   */
+  errors: string;
+  /**
+   * The faces that are to be flat: a JSON list of lists of vertices. Absent, all vertices count, after the motion of the whole that
+   * fits them best.
+   */
+  faces?: Input | null;
+  /**
+   * How many wires are drawn; 0: none, the exact expectation over all of them, which there is for straight struts alone.
+   */
+  runs: number;
+  /**
+   * Where the random numbers start.
+   */
+  seed: number;
+}
+/**
+ * Asks what there is to choose from for frames.
+ */
+export interface FrameChoicesRequest {}
+/**
  * What to look into.
  */
 export interface LookRequest {
@@ -909,6 +987,48 @@ export interface SaveWireframe {
   output: Output;
 }
 /**
+ * Looks for an order in which a machine builds the struts of the open design, or checks one. A search that is under way is stopped.
+ */
+export interface SequenceDesign {
+  /**
+   * How far a joint may be from where it is drawn, mm; absent, what the head still meets.
+   */
+  epsilon_mm?: number | null;
+  /**
+   * How long is searched, s; absent, 120.
+   */
+  limit_s?: number | null;
+  /**
+   * The machine that builds the struts.
+   */
+  machine: string;
+  /**
+   * Absent: that of the design.
+   */
+  material?: string | null;
+  /**
+   * The order to check; absent, one is looked for.
+   */
+  order?: OrderedStep[] | null;
+}
+/**
+ * A step where a person wants it.
+ */
+export interface OrderedStep {
+  /**
+   * The direction of the head's axis that is tried first; where it is not free, and where it is absent, all of the machine are.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  direction?: [number, number, number] | null;
+  edge: number;
+  /**
+   * The vertex from which the head draws it, where that is built by then; otherwise it is its other end.
+   */
+  from_vertex?: number | null;
+}
+/**
  * Chooses the unit of the lengths in messages. Figures that are numbers stay in millimetres.
  */
 export interface ShowLengths {
@@ -922,6 +1042,47 @@ export interface Start {}
  * Stops the check for collisions that is under way, and the search for what would fix them.
  */
 export interface StopCollisions {}
+/**
+ * Stops the search for a sequence that is under way.
+ */
+export interface StopSequence {}
+/**
+ * Asks how good a machine must be for the open design.
+ */
+export interface ToleranceDesign {
+  closing?: ClosingName & string;
+  /**
+   * Whether wires may run along edges twice where there is no route otherwise.
+   */
+  double?: boolean;
+  /**
+   * Faces that are to be flat, by their vertices; none: all vertices count.
+   */
+  faces?: number[][];
+  /**
+   * Absent: that of the design.
+   */
+  material?: string | null;
+  required: RequirementsChoice;
+  vary?: VaryName;
+}
+/**
+ * What is required of a closed frame.
+ */
+export interface RequirementsChoice {
+  /**
+   * Force along a strut, RMS.
+   */
+  force_n?: number | null;
+  /**
+   * Von Mises stress, RMS.
+   */
+  stress_mpa?: number | null;
+  /**
+   * How far the faces may be off, RMS.
+   */
+  surface_mm?: number | null;
+}
 /**
  * Undoes the last change.
  */

@@ -1129,6 +1129,14 @@ export type EditRequest =
  * Where the vertex goes that others are merged into.
  */
 export type MergePlace = "last" | "first" | "centre";
+/**
+ * How joints are closed.
+ */
+export type ClosingName = "aligned" | "coupled";
+/**
+ * What a mode is.
+ */
+export type ModeKindName = "rigid" | "global" | "local";
 export type Seen = "document" | "wireframe" | "stencil" | "both" | "job";
 /**
  * Where a sample lies among the pairs of its table.
@@ -1143,9 +1151,25 @@ export type Outcome = "finished" | "sent" | "abandoned" | "unfinished";
  */
 export type ToldBy = "person" | "machine";
 /**
+ * A rule of building.
+ */
+export type ObstacleRuleName = "whole-frame" | "sag" | "head-direction" | "floating" | "workspace";
+/**
+ * What a step adds.
+ */
+export type StepTypeName = "ground" | "create" | "connect";
+/**
+ * How an order was found.
+ */
+export type StrategyName = "from-ground" | "stiffness-plan" | "restart" | "backtracking" | "paper-cost";
+/**
  * What lengths in messages are written in.
  */
 export type ShownUnit = "mm" | "inch";
+/**
+ * What can be required.
+ */
+export type RequirementName = "surface" | "force" | "stress";
 /**
  * Something that an operator reports.
  */
@@ -1538,6 +1562,8 @@ export interface Responses {
   export: ExportPreview;
   exports: ExportsResponse;
   fixes: FixesResponse;
+  frame: FrameShown;
+  "frame-choices": FrameChoices;
   look: LookResponse;
   "machine-state": MachineNow;
   "machine-view": MachineViewResponse;
@@ -1561,9 +1587,12 @@ export interface Responses {
   "save-job": SavedJob;
   "save-recording": SavedRecording;
   "save-wireframe": SavedWireframe;
+  sequence: DrawnSequence;
   "show-lengths": LengthsShown;
   start: Started;
   "stop-collisions": CollisionsStopped;
+  "stop-sequence": SequenceStopped;
+  tolerance: ToleranceResponse;
   undo: EditMade;
 }
 /**
@@ -3279,6 +3308,343 @@ export interface Moved {
   at_mm: [number, number, number];
   vertex: number;
 }
+/**
+ * The open design as a frame, and what the view draws of it.
+ */
+export interface FrameShown {
+  result: FrameResponse;
+  shapes: FrameShapes;
+}
+/**
+ * A design as a structure. Linear: small displacements, Hooke's law, rigid joints.
+ */
+export interface FrameResponse {
+  /**
+   * The frame once its joints are closed; null where nobody asked. Roots of mean squares: over the runs, or expected of all wires.
+   */
+  closing: ClosingReport | null;
+  /**
+   * What is wrong, worst first.
+   */
+  diagnostics: DiagnosticReport[];
+  /**
+   * Those that were written.
+   */
+  files: string[];
+  frame: FrameFigures;
+  /**
+   * Whether it holds what acts on it.
+   */
+  holds: boolean;
+  material: string;
+  /**
+   * By rising frequency, rigid ones foremost.
+   */
+  modes: ModeReport[];
+  /**
+   * What was merged, ignored or assumed while reading.
+   */
+  notes: NoteReport[];
+  /**
+   * Over the runs.
+   */
+  of_runs: ClosingRuns | null;
+  /**
+   * What the wires take, as Bend-Forming reckons it; null where joints are not closed.
+   */
+  resources: ResourcesReport | null;
+  /**
+   * How many wires were drawn; null where the figures are the exact expectation, or nobody asked.
+   */
+  runs: number | null;
+  /**
+   * What loads do; null where nothing holds the frame, or it does not stand.
+   */
+  static: StaticReport | null;
+  timings_ms: {
+    [k: string]: number;
+  };
+}
+/**
+ * A closed frame: over drawn wires roots of mean squares, or those that are expected of all.
+ */
+export interface ClosingReport {
+  /**
+   * Force along a strut, RMS over the struts.
+   */
+  axial_rms_n: number;
+  /**
+   * What is stored in the wire.
+   */
+  energy_n_mm: number;
+  /**
+   * How far passes through one vertex are apart at most before they are pulled together; null for an expectation.
+   */
+  gap_mm: number | null;
+  /**
+   * The largest force that pulls a pass of the wire to its vertex; null where joints are rigid from the start.
+   */
+  largest_pull_n: number | null;
+  model: ClosingName;
+  /**
+   * How far the vertices of the faces are from the planes that fit them best, RMS; without faces how far all are from where they
+   * should be.
+   */
+  surface_rms_mm: number;
+  /**
+   * Von Mises stress, RMS over the struts, at four points of the surface all along them.
+   */
+  von_mises_rms_mpa: number;
+}
+/**
+ * The frame that was computed.
+ */
+export interface FrameFigures {
+  /**
+   * Length of all struts.
+   */
+  length_mm: number;
+  /**
+   * Their mass, without joints.
+   */
+  mass_g: number;
+  /**
+   * Struts, each edge once.
+   */
+  members: number;
+  /**
+   * Vertices at which struts end.
+   */
+  nodes: number;
+  /**
+   * Vertices that are held.
+   */
+  supports: number;
+}
+export interface ModeReport {
+  /**
+   * The strut of a local mode.
+   */
+  edge?: number | null;
+  frequency_hz: number;
+  kind: ModeKindName;
+}
+/**
+ * Over all runs.
+ */
+export interface ClosingRuns {
+  mean: ClosingFigures;
+  /**
+   * Standard deviations, with one wire less than there are in the denominator; null of a single wire.
+   */
+  sd: ClosingFigures | null;
+}
+/**
+ * Figures of closed frames.
+ */
+export interface ClosingFigures {
+  /**
+   * Force along a strut, RMS over the struts.
+   */
+  axial_rms_n: number;
+  /**
+   * What is stored in the wire.
+   */
+  energy_n_mm: number;
+  /**
+   * How far passes through one vertex are apart at most before they are pulled together; null for an expectation.
+   */
+  gap_mm: number | null;
+  /**
+   * The largest force that pulls a pass of the wire to its vertex; null where joints are rigid from the start.
+   */
+  largest_pull_n: number | null;
+  /**
+   * How far the vertices of the faces are from the planes that fit them best, RMS; without faces how far all are from where they
+   * should be.
+   */
+  surface_rms_mm: number;
+  /**
+   * Von Mises stress, RMS over the struts, at four points of the surface all along them.
+   */
+  von_mises_rms_mpa: number;
+}
+/**
+ * What the wires take. Time is energy at the authors' 25 W, and not the time of the machine.
+ */
+export interface ResourcesReport {
+  /**
+   * Null where the material's profile does not say what forming takes.
+   */
+  energy_kj: number | null;
+  joints_g: number;
+  time_min: number | null;
+  wire_g: number;
+}
+/**
+ * What loads do to the frame.
+ */
+export interface StaticReport {
+  /**
+   * The vertex that moves farthest.
+   */
+  at_vertex: number;
+  max_displacement_mm: number;
+  /**
+   * By edge.
+   */
+  members: MemberReport[];
+  reactions: ReactionReport[];
+  /**
+   * How far forces are from balance at a vertex, as a share of the largest.
+   */
+  residual: number;
+  /**
+   * What the loads have done on their way.
+   */
+  work_n_mm: number;
+}
+/**
+ * What a strut carries.
+ */
+export interface MemberReport {
+  /**
+   * Tension in its middle; negative is compression.
+   */
+  axial_n: number;
+  /**
+   * Compression as a share of the Euler load of the strut with pinned ends: from 0.5 on, a linear result no longer holds.
+   */
+  buckling_ratio: number;
+  edge: number;
+  /**
+   * The largest bending moment along it.
+   */
+  moment_n_mm: number;
+  torque_n_mm: number;
+  /**
+   * The largest stress as a share of the yield strength; null where either is not known.
+   */
+  utilisation: number | null;
+  /**
+   * The largest along it; null where its section is no solid round, so that the place of the largest is not known.
+   */
+  von_mises_mpa: number | null;
+}
+/**
+ * What a support does to the frame.
+ */
+export interface ReactionReport {
+  /**
+   * @minItems 3
+   * @maxItems 3
+   */
+  force_n: [number, number, number];
+  /**
+   * @minItems 3
+   * @maxItems 3
+   */
+  moment_n_mm: [number, number, number];
+  vertex: number;
+}
+/**
+ * The struts of a frame, and where they go.
+ */
+export interface FrameShapes {
+  /**
+   * The wires with the errors of the first drawn wire; null where joints are not closed, or no wire was drawn.
+   */
+  closed: ClosedShapes | null;
+  /**
+   * Under what acts on the frame; null where it floats or does not stand.
+   */
+  loaded: [number, number, number][][] | null;
+  /**
+   * Of each mode, the largest displacement 1 mm.
+   */
+  modes: [number, number, number][][][];
+  /**
+   * By edge.
+   */
+  struts: StrutLine[];
+}
+/**
+ * Wires with errors, before and after their joints are closed.
+ */
+export interface ClosedShapes {
+  at_vertex: number;
+  /**
+   * Closed, after the motion of the whole that fits the drawing best.
+   */
+  closed: [number, number, number][][];
+  /**
+   * As the machine bends them: each wire lies where it begins, and its passes through a vertex do not meet.
+   */
+  made: MadeLine[];
+  made_at_vertex: number;
+  /**
+   * The largest displacement of a vertex then, and the vertex.
+   */
+  max_closed_mm: number;
+  /**
+   * The largest distance of a pass from its vertex as made, and that vertex.
+   */
+  max_made_mm: number;
+}
+/**
+ * A wire, pass by pass.
+ */
+export interface MadeLine {
+  /**
+   * The vertices that it passes, mm.
+   */
+  at_mm: [number, number, number][];
+  /**
+   * How far each pass is from there, mm.
+   */
+  by_mm: [number, number, number][];
+}
+/**
+ * A strut as it is drawn.
+ */
+export interface StrutLine {
+  /**
+   * Points along it, mm.
+   */
+  at_mm: [number, number, number][];
+  edge: number;
+}
+/**
+ * What there is to choose from for frames.
+ */
+export interface FrameChoices {
+  /**
+   * Errors of machines.
+   */
+  errors: NoiseEntry[];
+  /**
+   * Machines that build struts.
+   */
+  strut_builders: StrutBuilderEntry[];
+}
+/**
+ * The errors of a machine, to choose.
+ */
+export interface NoiseEntry {
+  id: string;
+  name: string;
+}
+/**
+ * A machine that builds struts, to choose.
+ */
+export interface StrutBuilderEntry {
+  /**
+   * What it builds with unless another material is named.
+   */
+  default_material: string | null;
+  id: string;
+  name: string;
+}
 export interface LookResponse {
   /**
    * Whether units and scale are open: the format does not say them.
@@ -3890,6 +4256,189 @@ export interface SavedWireframe {
   file: string;
 }
 /**
+ * A sequence with what a view draws of it.
+ */
+export interface DrawnSequence {
+  /**
+   * All directions of the head that the machine has.
+   */
+  directions: [number, number, number][];
+  /**
+   * Half section of the head from its tip: how far along its axis, and its radius, mm.
+   */
+  head_mm: [number, number][];
+  /**
+   * How the head moves in each step.
+   */
+  moves: HeadMove[];
+  sequence: SequenceResponse;
+  /**
+   * Whether somebody has stopped the search.
+   */
+  stopped: boolean;
+  strut_radius_mm: number;
+}
+/**
+ * The tip of the head while a strut is built.
+ */
+export interface HeadMove {
+  /**
+   * The directions that are free, by their places; of a sequence that is checked only the one that is taken.
+   */
+  free: number[];
+  /**
+   * @minItems 3
+   * @maxItems 3
+   */
+  from_mm: [number, number, number];
+  /**
+   * @minItems 3
+   * @maxItems 3
+   */
+  to_mm: [number, number, number];
+}
+/**
+ * The order in which a frame is built.
+ */
+export interface SequenceResponse {
+  diagnostics: DiagnosticReport[];
+  /**
+   * How far a joint may be from where it is drawn.
+   */
+  epsilon_mm: number;
+  /**
+   * Whether the frame can be built in this order.
+   */
+  feasible: boolean;
+  /**
+   * The edges of each layer, from the ground; null where nobody asked.
+   */
+  layers: number[][] | null;
+  /**
+   * The strut builder.
+   */
+  machine: string;
+  material: string;
+  /**
+   * The largest sag of all steps; null without steps, or where what is built does not stand.
+   */
+  max_displacement_mm: number | null;
+  /**
+   * How many directions of the head are free where fewest are; null where a sequence is checked.
+   */
+  min_free_directions: number | null;
+  /**
+   * What was merged, ignored or assumed while reading.
+   */
+  notes: NoteReport[];
+  /**
+   * What was in the way where a search came farthest.
+   */
+  obstacle: ObstacleReport | null;
+  /**
+   * Whether that is certain; a search that ended early knows nothing of orders that it did not try.
+   */
+  proved: boolean;
+  /**
+   * How many steps share a vertex with the one before.
+   */
+  sharing: number;
+  /**
+   * What is placed, the first step foremost; empty where no order was found.
+   */
+  steps: SequenceStepReport[];
+  /**
+   * How the order was found; null where none was, or one is checked.
+   */
+  strategy: StrategyName | null;
+  /**
+   * How long the machine takes; null where a sequence is checked.
+   */
+  time_s: number | null;
+  timings_ms: {
+    [k: string]: number;
+  };
+  /**
+   * How far the head travels between struts; null where a sequence is checked.
+   */
+  travel_mm: number | null;
+}
+/**
+ * What was in the way where a search came farthest.
+ */
+export interface ObstacleReport {
+  /**
+   * How far it sags.
+   */
+  displacement_mm: number | null;
+  /**
+   * The strut that cannot be placed then; null where it is the frame as a whole.
+   */
+  edge: number | null;
+  /**
+   * The struts in its way, or at the vertex that sags.
+   */
+  edges: number[];
+  rule: ObstacleRuleName;
+  /**
+   * The step, from 1, that none of what stands then can be.
+   */
+  step: number;
+  /**
+   * The vertex that sags or is out of reach.
+   */
+  vertex: number | null;
+}
+/**
+ * What is placed at once.
+ */
+export interface SequenceStepReport {
+  /**
+   * The direction of the head's axis, from the tip into the head.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  direction: [number, number, number] | null;
+  /**
+   * Its edge, or the first of several.
+   */
+  edge: number;
+  /**
+   * All edges of a wire or rod; not there for a strut.
+   */
+  edges?: number[];
+  /**
+   * How many directions are free, at the joint with the fewest; where a sequence is checked, of those that it gives.
+   */
+  free_directions: number;
+  /**
+   * The vertex from which the head draws it, or at which it stands first.
+   */
+  from_vertex: number | null;
+  /**
+   * How the head stands at each joint of a wire or rod; not there for a strut.
+   */
+  joints?: SequenceJoint[];
+  /**
+   * The largest displacement of a vertex once it is placed; null where what is built does not stand.
+   */
+  max_displacement_mm: number | null;
+  type: StepTypeName;
+}
+/**
+ * How the head stands at a joint.
+ */
+export interface SequenceJoint {
+  /**
+   * @minItems 3
+   * @maxItems 3
+   */
+  direction: [number, number, number];
+  free_directions: number;
+  vertex: number;
+}
+/**
  * How lengths are written from here on, in what is asked again.
  */
 export interface LengthsShown {
@@ -3899,6 +4448,38 @@ export interface LengthsShown {
  * Nothing is looked for any more.
  */
 export interface CollisionsStopped {}
+/**
+ * Nothing is searched for any more.
+ */
+export interface SequenceStopped {}
+/**
+ * How good the motions of a machine must be: standard deviations without a systematic part.
+ */
+export interface ToleranceResponse {
+  achieved: AchievedReport;
+  /**
+   * Of bends and rotations; null where they do not vary.
+   */
+  angle_sigma_deg: number | null;
+  /**
+   * Of feeds; null where they do not vary.
+   */
+  feed_sigma_mm: number | null;
+  governed_by: RequirementName;
+  material: string;
+  /**
+   * What was merged, ignored or assumed while reading.
+   */
+  notes: NoteReport[];
+}
+/**
+ * What the frame comes to, expected of all wires; of a truss by closed formulas no stress is known.
+ */
+export interface AchievedReport {
+  force_n: number;
+  stress_mpa: number | null;
+  surface_mm: number;
+}
 export interface Events {
   operator: OperatorEvent;
   refusal: ApiErrorReport;

@@ -1,6 +1,5 @@
 //! The check of the open design for collisions: beside the other checks, and given up as soon as a later one is asked for.
 
-use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 use schemars::JsonSchema;
@@ -31,27 +30,6 @@ pub struct StopCollisions {}
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct CollisionsStopped {}
 
-/// Which check for collisions was asked for last.
-#[derive(Debug, Default)]
-pub(super) struct CollisionChecks {
-    last: AtomicU64,
-}
-
-impl CollisionChecks {
-    /// Begins another one: those of before are stopped.
-    pub(super) fn begin(&self) -> u64 {
-        self.last.fetch_add(1, Ordering::Relaxed) + 1
-    }
-
-    pub(super) fn now(&self) -> u64 {
-        self.last.load(Ordering::Relaxed)
-    }
-
-    pub(super) fn is_last(&self, check: u64) -> bool {
-        self.now() == check
-    }
-}
-
 impl Workspace {
     pub(crate) fn collisions(
         &self,
@@ -77,22 +55,5 @@ impl Workspace {
     ) -> Result<CollisionsStopped, ApiError> {
         self.collision_checks.begin();
         Ok(CollisionsStopped {})
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// A person who goes on dragging would wait for answers of places where nothing is any more.
-    #[test]
-    fn a_later_check_and_a_stop_end_the_one_before() {
-        let checks = CollisionChecks::default();
-        let first = checks.begin();
-        assert!(checks.is_last(first));
-        let search = checks.now();
-        assert!(checks.is_last(search), "a search for fixes does not end the check that it is of");
-        let second = checks.begin();
-        assert!(!checks.is_last(first) && !checks.is_last(search) && checks.is_last(second));
     }
 }

@@ -12,6 +12,8 @@ mod design;
 mod error;
 mod examples;
 mod exports;
+mod frames;
+mod latest;
 mod look;
 mod machines;
 mod mesh;
@@ -19,6 +21,7 @@ mod operating;
 mod program;
 mod recent;
 mod reporter;
+mod sequences;
 mod shown;
 
 use std::path::{Path, PathBuf};
@@ -42,6 +45,8 @@ pub use exports::{
     ExportDesign, ExportPreview, ExportsRequest, ExportsResponse, FormatEntry, SaveJob, SaveWireframe,
     SavedJob, SavedWireframe,
 };
+pub use frames::{FrameChoices, FrameChoicesRequest, FrameDesign, FrameShown, ToleranceDesign};
+use latest::Latest;
 pub use look::{LookRequest, LookResponse, Seen};
 pub use machines::{
     ChangeSettings, CompareDesign, CopyMachine, MachineViewRequest, MachineViewResponse, SettingValue,
@@ -53,6 +58,7 @@ pub use operating::{
 };
 pub use program::{MadeRequest, MadeResponse, MadeWire, ProgramRequest, ProgramResponse};
 pub use recent::RecentEntry;
+pub use sequences::{SequenceDesign, SequenceStopped, StopSequence};
 pub use shown::{LengthsShown, ShowLengths, ShownUnit};
 
 /// The machine where none was chosen.
@@ -93,7 +99,8 @@ pub struct Workspace {
     open: Mutex<Editor>,
     operator: Mutex<Option<Arc<Operator>>>,
     events: Arc<dyn EventSink>,
-    collision_checks: collisions::CollisionChecks,
+    collision_checks: Latest,
+    sequence_searches: Latest,
 }
 
 impl Workspace {
@@ -105,8 +112,15 @@ impl Workspace {
         let app = places.installation()?;
         let open = empty(&app, &places, None)?;
         let (installation, operator) = (RwLock::new(Arc::new(app)), Mutex::new(None));
-        let collision_checks = collisions::CollisionChecks::default();
-        Ok(Self { places, installation, open: Mutex::new(open), operator, events, collision_checks })
+        Ok(Self {
+            places,
+            installation,
+            open: Mutex::new(open),
+            operator,
+            events,
+            collision_checks: Latest::default(),
+            sequence_searches: Latest::default(),
+        })
     }
 
     /// The profiles and drivers as they were when they were last read.
@@ -131,6 +145,7 @@ impl Workspace {
     /// The program ends: what moves is stopped, and the port closed. What no file has is offered at the next start.
     pub fn leave(&self) {
         self.collision_checks.begin();
+        self.sequence_searches.begin();
         self.let_go();
         self.open().leave();
     }

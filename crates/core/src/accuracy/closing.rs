@@ -1,6 +1,6 @@
 //! A drawn wire pulled to the vertices of its frame, locked there and let go.
 
-use nalgebra::Vector3;
+use nalgebra::{Point3, Vector3};
 use wirebend_frame::Arc;
 
 use super::draw::{Draw, gap, made};
@@ -86,6 +86,19 @@ impl Prepared<'_> {
         let gaps =
             wires.map(|(index, wire)| gap(wire, &made(wire, index, &model.vertices, &model.sources, draw)));
         gaps.fold(0.0, f64::max)
+    }
+
+    /// Of each wire the vertices that it passes, as indices, and where its motions leave those passes one after the other, mm, before
+    /// anything pulls.
+    #[must_use]
+    pub fn made(&self, draw: &Draw) -> Vec<Vec<(usize, Point3<f64>)>> {
+        let model = self.model;
+        let wires = model.wires.iter().enumerate();
+        let passes = wires.map(|(index, wire)| {
+            let at = made(wire, index, &model.vertices, &model.sources, draw);
+            wire.vertices.iter().copied().zip(at).collect()
+        });
+        passes.collect()
     }
 
     /// Where the ends of each strut are without stress, seen from the drawing.

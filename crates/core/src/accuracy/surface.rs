@@ -58,6 +58,23 @@ impl Surface {
         self.parts.iter().map(|part| part.mean_square(displacements))
     }
 
+    /// Displacements without what is set right, mm; of points that are not measured nothing. Of faces only what is across them is left.
+    #[must_use]
+    pub fn remainder(&self, displacements: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
+        let mut remainder = vec![Vector3::zeros(); displacements.len()];
+        for part in &self.parts {
+            let left = part.left(displacements);
+            let width = part.normal.map_or(3, |_| 1);
+            for (&point, of) in part.points.iter().zip(left.chunks(width)) {
+                let way = part.normal.map_or_else(|| Vector3::from_column_slice(of), |normal| normal * of[0]);
+                if let Some(at) = remainder.get_mut(point) {
+                    *at += way;
+                }
+            }
+        }
+        remainder
+    }
+
     /// What is left at each point that is measured, in the order of the faces, mm: the distance from where it should be.
     #[must_use]
     pub fn distances(&self, displacements: &[Vector3<f64>]) -> Vec<f64> {

@@ -1,11 +1,16 @@
 //! A frame whose joints are closed: how accurate it is, what its struts carry then, and what it takes.
 
+use nalgebra::{Point3, Vector3};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use wirebend_core::accuracy::{Closing, Resources};
+use wirebend_core::accuracy::{Closing, Resources, Surface};
+use wirebend_core::simulate::ErrorModel;
 
 use super::figures::ClosingFigures;
 use super::runs::{Figures, Runs};
+use super::shapes::{ClosedShapes, made_lines};
+use super::structure::Structure;
+use super::wires::Wires;
 use crate::choices::PlanChoices;
 use crate::design::{Input, Opened};
 use crate::report::NoteReport;
@@ -82,18 +87,22 @@ pub(super) struct JointsClosed {
     pub runs: Option<u32>,
     pub of_runs: Option<ClosingRuns>,
     pub resources: Option<ResourcesReport>,
+    /// Of the first drawn wire, where it is to be drawn.
+    pub shapes: Option<ClosedShapes>,
     /// What the wires are of.
     pub material: String,
     pub notes: Vec<NoteReport>,
 }
 
 impl Installation {
-    /// Closes the joints of the wires that a design is planned as, of the wire that they are planned with.
+    /// Closes the joints of the wires that a design is planned as, of the wire that they are planned with. `drawn`: the structure on
+    /// which the first drawn wire is shown.
     pub(super) fn close_joints(
         &self,
         opened: Opened,
         choices: &PlanChoices,
         choice: &ClosingChoice,
+        drawn: Option<&Structure>,
         progress: &dyn Progress,
     ) -> Result<JointsClosed, PlanningError> {
         Runs::check(choice.runs)?;
@@ -115,6 +124,10 @@ impl Installation {
             };
             (Figures::root_mean_square(&figures).into(), Some(of_runs))
         };
+        let shapes = match drawn.filter(|_| choice.runs > 0) {
+            Some(structure) => Some(closed_shapes(structure, &wires, &errors, closing, choice.seed)?),
+            None => None,
+        };
         let material = &wires.material;
         let used = Resources { wire_g: material.wire.mass_g(wires.length), joints_g: wires.joints_g };
         let energy_kj = material.energy_kj_per_g.map(|energy| used.energy_kj(energy));
@@ -128,8 +141,43 @@ impl Installation {
                 energy_kj,
                 time_min: energy_kj.map(Resources::time_min),
             }),
+            shapes,
             material: material.id.clone(),
             notes: wires.notes,
         })
     }
+}
+
+/// The first drawn wire before and after its joints are closed. The nodes of the structure are the vertices of the closing model.
+fn closed_shapes(
+    structure: &Structure,
+    wires: &Wires,
+    errors: &ErrorModel,
+    closing: Closing,
+    seed: u64,
+) -> Result<ClosedShapes, PlanningError> {
+    let draw = wires.model.draw(errors, seed, 0).map_err(|error| wires.failed(error))?;
+    let prepared = wires.model.bowed(&draw).map_err(|error| wires.failed(error))?;
+    let model = structure.assembly.model();
+    let points: &[Point3<f64>] = &model.nodes;
+    let mut used: Vec<usize> = model.members.iter().flat_map(|member| [member.a.0, member.b.0]).collect();
+    used.sort_unstable();
+    used.dedup();
+    let closed = prepared.close(closing, &draw);
+    let moved = Surface::whole(points, &used).remainder(&closed.displacements);
+    let vertex = |node: usize| structure.vertices.get(node).map_or(0, |id| id.0);
+    let (at, max_closed_mm) = moved
+        .iter()
+        .map(Vector3::norm)
+        .enumerate()
+        .fold((0, 0.0), |most, one| if one.1 > most.1 { one } else { most });
+    let (made, (made_at, max_made_mm)) = made_lines(points, &prepared.made(&draw));
+    Ok(ClosedShapes {
+        made,
+        closed: structure.straight(&moved),
+        max_closed_mm,
+        at_vertex: vertex(at),
+        max_made_mm,
+        made_at_vertex: vertex(made_at),
+    })
 }

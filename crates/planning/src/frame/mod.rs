@@ -11,6 +11,7 @@ mod modes;
 mod report;
 mod results;
 mod runs;
+mod shapes;
 mod statics;
 mod structure;
 mod supports;
@@ -39,6 +40,7 @@ pub(crate) use material::FrameMaterial;
 pub use modes::{ModeKindName, ModeReport};
 pub use report::{MemberReport, ReactionReport, StaticReport};
 use results::Wanted;
+pub use shapes::{ClosedShapes, FrameShapes, MadeLine, StrutLine, StrutShape};
 use structure::Structure;
 pub use supports::FrameSupports;
 pub use tolerance::{
@@ -131,6 +133,24 @@ pub fn frame(
     request: &FrameRequest,
     progress: &dyn Progress,
 ) -> Result<FrameResponse, PlanningError> {
+    Ok(compute(app, request, false, progress)?.0)
+}
+
+/// The same with what a view draws of it.
+pub fn drawn_frame(
+    app: &Installation,
+    request: &FrameRequest,
+    progress: &dyn Progress,
+) -> Result<(FrameResponse, FrameShapes), PlanningError> {
+    compute(app, request, true, progress)
+}
+
+fn compute(
+    app: &Installation,
+    request: &FrameRequest,
+    drawn: bool,
+    progress: &dyn Progress,
+) -> Result<(FrameResponse, FrameShapes), PlanningError> {
     within(InputName::Modes, u64::from(request.modes), 0, u64::from(MAX_MODES), "0 to 1000")?;
     within(InputName::Pieces, u64::from(request.pieces), 1, u64::from(MAX_PIECES), "1 to 100")?;
     let wanted = Wanted::of(request)?;
@@ -155,11 +175,12 @@ pub fn frame(
     timings.took("static");
     let files = wanted.write(&structure, solved.as_ref(), &file_name(Path::new(&opened.name)), &mut notes)?;
     progress.stage("looking for modes");
-    let modes = structure.modes(request.modes, request.pieces)?;
+    let (modes, mode_shapes) = structure.modes(request.modes, request.pieces, drawn)?;
     timings.took("modes");
     let closed = match &request.close {
         Some(choice) if !structure.edges.is_empty() => {
-            let closed = app.close_joints(opened, &request.choices, choice, progress)?;
+            let closed =
+                app.close_joints(opened, &request.choices, choice, drawn.then_some(&structure), progress)?;
             timings.took("closing");
             notes.extend(material.of_file.then(|| closed_with(&closed.material)));
             Some(closed)
@@ -170,7 +191,17 @@ pub fn frame(
     let diagnostics: Vec<DiagnosticReport> = found.iter().map(DiagnosticReport::from).collect();
     let closed = closed.unwrap_or_default();
     notes.extend(closed.notes);
-    Ok(FrameResponse {
+    let shapes = if drawn {
+        FrameShapes {
+            struts: structure.lines(),
+            loaded: solved.as_ref().map(|(_, response)| structure.loaded(&load, response)),
+            modes: mode_shapes,
+            closed: closed.shapes,
+        }
+    } else {
+        FrameShapes::default()
+    };
+    let response = FrameResponse {
         material: material.id.clone(),
         frame: structure.figures(),
         statics: solved.map(|(report, _)| report),
@@ -184,7 +215,8 @@ pub fn frame(
         notes,
         timings_ms: timings.all,
         files,
-    })
+    };
+    Ok((response, shapes))
 }
 
 fn nothing_to_compute() -> Diagnostic {

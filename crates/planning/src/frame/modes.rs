@@ -6,6 +6,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use wirebend_frame::{Assembly, MemberId, ModeKind, ModeSearch, Pieces};
 
+use super::shapes::StrutShape;
 use super::structure::Structure;
 use crate::PlanningError;
 
@@ -34,17 +35,24 @@ pub struct ModeReport {
 }
 
 impl Structure {
-    /// The lowest modes, each strut cut into pieces.
-    pub fn modes(&self, count: u32, pieces: u32) -> Result<Vec<ModeReport>, PlanningError> {
+    /// The lowest modes, each strut cut into pieces; and how they look, where that is `drawn`.
+    pub fn modes(
+        &self,
+        count: u32,
+        pieces: u32,
+        drawn: bool,
+    ) -> Result<(Vec<ModeReport>, Vec<StrutShape>), PlanningError> {
         if count == 0 || self.edges.is_empty() {
-            return Ok(Vec::new());
+            return Ok((Vec::new(), Vec::new()));
         }
         let no_modes = |reason: String| PlanningError::NoModes { reason };
         let cut = Pieces::new(self.assembly.model(), pieces as usize);
         let assembly = Assembly::new(&cut.model).map_err(|error| no_modes(error.to_string()))?;
         let search = ModeSearch { count: count as usize, shift_hz: self.shift_hz(), struts: cut.struts };
         let modes = assembly.modes(&assembly.all(), &search).map_err(|error| no_modes(error.to_string()))?;
-        Ok(modes.iter().map(|mode| self.mode(mode.frequency_hz, mode.kind)).collect())
+        let shapes = modes.iter().filter(|_| drawn);
+        let shapes = shapes.map(|mode| self.vibrating(&cut.model, pieces as usize, &mode.shape)).collect();
+        Ok((modes.iter().map(|mode| self.mode(mode.frequency_hz, mode.kind)).collect(), shapes))
     }
 
     fn mode(&self, frequency_hz: f64, kind: ModeKind) -> ModeReport {

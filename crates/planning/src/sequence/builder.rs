@@ -18,6 +18,8 @@ pub(super) struct BuilderSetup {
     pub material: String,
     pub builder: StrutBuilder,
     pub section: Section,
+    /// Half section of the head from its tip: z and radius, mm.
+    pub outline: Vec<[f64; 2]>,
 }
 
 impl BuilderSetup {
@@ -37,7 +39,8 @@ impl BuilderSetup {
         };
         let builder = builder(&request.machine, &figures, &material, request.epsilon_mm)?;
         let section = *material.section();
-        Ok(Self { machine: request.machine.clone(), material: material.id, builder, section })
+        let outline = figures.head.iter().map(|point| [point.z_mm, point.r_mm]).collect();
+        Ok(Self { machine: request.machine.clone(), material: material.id, builder, section, outline })
     }
 }
 

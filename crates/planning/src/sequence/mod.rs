@@ -1,6 +1,7 @@
 //! `sequence`: the order in which a machine builds the struts of a design, or whether one that is given can be built.
 
 mod builder;
+mod drawn;
 mod findings;
 mod given;
 mod report;
@@ -25,6 +26,8 @@ use crate::choices::PlanChoices;
 use crate::design::{DesignInput, Input, Opened};
 use crate::{Installation, Output, PlanningError, Progress};
 use builder::BuilderSetup;
+use drawn::Drawing;
+pub use drawn::{DrawnSequence, HeadMove, OrderedStep, drawn_sequence};
 pub use report::{
     ObstacleReport, ObstacleRuleName, SequenceJoint, SequenceResponse, SequenceStepReport, StepTypeName,
     StrategyName,
@@ -95,6 +98,16 @@ pub fn sequence(
     request: &SequenceRequest,
     progress: &dyn Progress,
 ) -> Result<SequenceResponse, PlanningError> {
+    Ok(run(app, request, None, progress)?.0)
+}
+
+/// Finds a sequence, or checks one: that of the request, or an order of a person.
+fn run(
+    app: &Installation,
+    request: &SequenceRequest,
+    order: Option<&[OrderedStep]>,
+    progress: &dyn Progress,
+) -> Result<(SequenceResponse, Drawing), PlanningError> {
     if let Some(output) = &request.output {
         output.check()?;
     }
@@ -113,9 +126,10 @@ pub fn sequence(
     let setup = BuilderSetup::new(app, &opened, request)?;
     let mut answer = report::Answer::new(&opened, &setup);
     answer.took("read", started);
+    let mut drawing = Drawing::new(&setup);
     let structure = match Structure::new(&opened.document.wireframe) {
         Ok(structure) => structure,
-        Err(error) => return Ok(answer.refused(&findings::no_structure(&opened, &error))),
+        Err(error) => return Ok((answer.refused(&findings::no_structure(&opened, &error)), drawing)),
     };
     let groups = groups(&opened, &structure, request.group_by)?;
     let weight = Weight { section: setup.section, gravity: Vector3::new(0.0, 0.0, -STANDARD_GRAVITY) };
@@ -138,13 +152,23 @@ pub fn sequence(
     if request.layers {
         answer.layers(&structure, layers.as_deref().unwrap_or_default());
     }
-    if let Some(input) = &request.check {
+    let given = request.check.as_ref().filter(|_| order.is_none());
+    let given = given.map(|input| given::read(input, &opened)).transpose()?;
+    if order.is_some() || given.is_some() {
         progress.stage("checking the sequence");
         let since = Instant::now();
-        let given = given::read(input, &opened)?;
-        let checked = sequence::check(&task, &given);
+        let (given, checked) = match (order, given) {
+            (Some(order), _) => drawn::check_ordered(order, &task),
+            (None, given) => {
+                let given = given.unwrap_or_default();
+                let checked = sequence::check(&task, &given);
+                (given, checked)
+            }
+        };
         answer.took("check", since);
-        return Ok(answer.checked(&task, &given, &checked));
+        let response = answer.checked(&task, &given, &checked);
+        drawing.moves(&structure, &response, None);
+        return Ok((response, drawing));
     }
     let since = Instant::now();
     let until = since.checked_add(limit).ok_or_else(|| no_limit(limit.as_secs_f64()))?;
@@ -166,7 +190,8 @@ pub fn sequence(
         let text = write::text(request.format, &response, &task, &outcome, &opened.document.wireframe)?;
         response.files.push(output.save(text.as_bytes())?);
     }
-    Ok(response)
+    drawing.moves(&structure, &response, Some(&outcome));
+    Ok((response, drawing))
 }
 
 /// What an independent check says of a sequence that was found.

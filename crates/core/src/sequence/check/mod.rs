@@ -29,6 +29,8 @@ pub struct Checked {
     pub kinds: Vec<Option<StepKind>>,
     /// Of each step and each joint that is given, how many of its directions are free.
     pub free: Vec<Vec<usize>>,
+    /// The first of them that is free, by its place among those that are given.
+    pub first_free: Vec<Vec<Option<usize>>>,
 }
 
 /// Checks a sequence, all of it: a step that cannot be made is taken as made for those after it.
@@ -52,6 +54,7 @@ pub fn check(task: &Task<'_>, steps: &[GivenStep]) -> Checked {
         let number = k + 1;
         run.checked.kinds.push(None);
         run.checked.free.push(vec![0; step.joints.len()]);
+        run.checked.first_free.push(vec![None; step.joints.len()]);
         let mut struts = Vec::new();
         for &edge in &step.edges {
             match (structure.strut_of(edge), first.get(&edge)) {
@@ -138,7 +141,10 @@ impl Run<'_> {
             } else {
                 let free = self.head(number, joint, struts, joined.len() == vertices.len());
                 if let Some(of_joints) = self.checked.free.last_mut() {
-                    of_joints[place] = free;
+                    of_joints[place] = free.len();
+                }
+                if let Some(of_joints) = self.checked.first_free.last_mut() {
+                    of_joints[place] = free.first().copied();
                 }
             }
         }
@@ -178,13 +184,13 @@ impl Run<'_> {
         }
     }
 
-    /// The head at one joint: one of the given directions has to be free. How many are.
-    fn head(&mut self, step: usize, joint: &GivenJoint, struts: &[usize], connects: bool) -> usize {
+    /// The head at one joint: one of the given directions has to be free. Which are.
+    fn head(&mut self, step: usize, joint: &GivenJoint, struts: &[usize], connects: bool) -> Vec<usize> {
         let (structure, builder) = (self.task.structure, self.task.builder);
         let way = head::way(structure, struts, joint.vertex);
         let [mut steepest, mut contact] = [None::<Violation>, None];
-        let mut free = 0;
-        for direction in &joint.directions {
+        let mut free = Vec::new();
+        for (place, direction) in joint.directions.iter().enumerate() {
             // Squares of large figures are no numbers, and a vector over its length is then none of length 1.
             let length = Some(direction.norm()).filter(|length| length.is_finite() && *length > 1e-9);
             let Some(axis) = length.map(|length| direction / length) else {
@@ -203,7 +209,7 @@ impl Run<'_> {
                 continue;
             }
             match head::first_met(self.task, &self.standing, struts, &way, &axis) {
-                None => free += 1,
+                None => free.push(place),
                 Some(met) => {
                     contact.get_or_insert(Violation::HeadMeets {
                         step,
@@ -214,7 +220,7 @@ impl Run<'_> {
                 }
             }
         }
-        if free == 0 {
+        if free.is_empty() {
             if let Some(violation) = contact.or(steepest) {
                 self.found(violation);
             } else if joint.directions.is_empty() {

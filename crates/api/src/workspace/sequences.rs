@@ -1,0 +1,103 @@
+//! The order in which a machine builds the struts of the open design: looking for one, and checking one that a person has changed.
+
+use std::cell::Cell;
+use std::time::{Duration, Instant};
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use wirebend_planning::sequence::{
+    CostName, DrawnSequence, GroupBy, OrderedStep, SequenceFormat, drawn_sequence,
+};
+
+use super::Workspace;
+use super::latest::Latest;
+use crate::{ApiError, Progress, SequenceRequest};
+
+/// From one report to the next.
+const BETWEEN: Duration = Duration::from_millis(100);
+
+/// Looks for an order in which a machine builds the struts of the open design, or checks one. A search that is under way is stopped.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct SequenceDesign {
+    /// The machine that builds the struts.
+    pub machine: String,
+    /// Absent: that of the design.
+    pub material: Option<String>,
+    /// How far a joint may be from where it is drawn, mm; absent, what the head still meets.
+    pub epsilon_mm: Option<f64>,
+    /// How long is searched, s; absent, 120.
+    pub limit_s: Option<f64>,
+    /// The order to check; absent, one is looked for.
+    pub order: Option<Vec<OrderedStep>>,
+}
+
+/// Stops the search for a sequence that is under way.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct StopSequence {}
+
+/// Nothing is searched for any more.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct SequenceStopped {}
+
+/// How far a search is, until a person has had enough.
+struct Search<'a> {
+    progress: &'a dyn Progress,
+    searches: &'a Latest,
+    own: u64,
+    next: Cell<Instant>,
+}
+
+impl Progress for Search<'_> {
+    fn stage(&self, name: &str) {
+        self.progress.stage(name);
+    }
+
+    fn advance(&self, done: u64, of: u64) {
+        let now = Instant::now();
+        if now >= self.next.get() {
+            self.next.set(now + BETWEEN);
+            self.progress.advance(done, of);
+        }
+    }
+
+    fn goes_on(&self) -> bool {
+        self.searches.is_last(self.own)
+    }
+}
+
+impl Workspace {
+    pub(crate) fn sequence(
+        &self,
+        asked: &SequenceDesign,
+        progress: &dyn Progress,
+    ) -> Result<DrawnSequence, ApiError> {
+        let own = self.sequence_searches.begin();
+        let search =
+            Search { progress, searches: &self.sequence_searches, own, next: Cell::new(Instant::now()) };
+        let request = SequenceRequest {
+            design: self.as_input()?,
+            machine: asked.machine.clone(),
+            material: asked.material.clone(),
+            epsilon_mm: asked.epsilon_mm,
+            check: None,
+            layers: asked.order.is_none(),
+            group_by: GroupBy::Edge,
+            cost: CostName::Sharing,
+            limit_s: asked.limit_s,
+            seed: None,
+            output: None,
+            format: SequenceFormat::default(),
+        };
+        let drawn = drawn_sequence(&self.installation(), &request, asked.order.as_deref(), &search)?;
+        Ok(DrawnSequence { stopped: !search.goes_on(), ..drawn })
+    }
+
+    pub(crate) fn stop_sequence(
+        &self,
+        _: &StopSequence,
+        _: &dyn Progress,
+    ) -> Result<SequenceStopped, ApiError> {
+        self.sequence_searches.begin();
+        Ok(SequenceStopped {})
+    }
+}
