@@ -237,6 +237,43 @@ export interface Preview {
   readonly removed: ReadonlySet<number>;
 }
 
+/** Red, green, blue as the screen takes them, 0 to 1. */
+export type Colour = readonly [number, number, number];
+
+/** A line from point to point that is drawn instead of an edge of the design, mm. */
+export interface SceneLine {
+  readonly at: readonly Vec3[];
+  /** How far each point has moved, at true scale; null where none has. */
+  readonly by: readonly Vec3[] | null;
+  /** One for the whole line, or one for each point. */
+  readonly colours: readonly Colour[];
+  /** Factor on the usual width. */
+  readonly width?: number;
+  /** 0 to 1: how much of it goes over into the backdrop. */
+  readonly dim?: number;
+}
+
+/** The head of a machine that builds struts. */
+export interface SceneHead {
+  /** Half section from its tip: how far along its axis, and its radius, mm. */
+  readonly outline: readonly (readonly [number, number])[];
+  readonly tip: Vec3;
+  /** From the tip into the head, of length 1. */
+  readonly axis: Vec3;
+  /** Other directions in which it could stand, of length 1. */
+  readonly free: readonly Vec3[];
+}
+
+/** Struts that are drawn instead of the edges of the design. */
+export interface SceneStruts {
+  readonly lines: readonly SceneLine[];
+  /** Whether the edges of the design are seen faintly beside them. */
+  readonly ghost: boolean;
+  /** Where what is coloured is largest. */
+  readonly worst: { readonly at: Vec3; readonly by: Vec3 | null } | null;
+  readonly head: SceneHead | null;
+}
+
 /** A short text at a place of the design, mm. */
 export interface SceneLabel {
   readonly at: Vec3;

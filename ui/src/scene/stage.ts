@@ -13,6 +13,7 @@ import type {
   SceneDesign,
   SceneMarks,
   SceneStencil,
+  SceneStruts,
   Selection,
   SnapSettings,
   Tool,
@@ -27,6 +28,7 @@ import { gridSpacing, type Spacing } from "./layers/grid_spacing";
 import { Labels } from "./layers/labels";
 import { SelectionLayer } from "./layers/selection_layer";
 import { Stencil } from "./layers/stencil";
+import { StrutLayer } from "./layers/strut_layer";
 import { Playback } from "./playback/playback";
 import type { Handle } from "./tools/gizmo_parts";
 import { ballAround, middle } from "./vec";
@@ -77,6 +79,9 @@ export class Stage {
   private readonly symbols = new Symbols(this.uniforms);
   private readonly gizmo = new Gizmo(this.uniforms);
   readonly playback = new Playback(this.uniforms, this.theme);
+  private readonly struts = new StrutLayer(this.uniforms, this.theme);
+  /** Places with a square around them. */
+  private held: readonly Vec3[] = [];
   readonly labels: Labels;
   private marks: SceneMarks = NO_MARKS;
   /** Edges that a fix would take away, by id. */
@@ -94,7 +99,7 @@ export class Stage {
   ) {
     this.labels = new Labels(overlay, this.theme);
     this.designed.add(this.layer.group, this.selected.outlines.mesh, this.preview.mesh, this.stencil.group);
-    this.world.add(this.backdrop.mesh, this.grid.mesh, this.designed, this.playback.group);
+    this.world.add(this.backdrop.mesh, this.grid.mesh, this.designed, this.struts.group, this.playback.group);
     this.above.add(this.guides.mesh, this.gizmo.mesh, this.symbols.mesh);
     this.gizmo.mesh.renderOrder = 1;
     this.symbols.mesh.renderOrder = 2;
@@ -112,7 +117,7 @@ export class Stage {
 
   /** Where the gizmo is: amid what would move; null where it is not shown. */
   get gizmoAt(): Vec3 | null {
-    if (this.tool !== "select" || this.playing) return null;
+    if (this.tool !== "select" || this.playing || this.struts.shown) return null;
     const places = this.placesOf(this.selected.selection);
     return places.length > 0 ? middle(places) : null;
   }
@@ -141,6 +146,23 @@ export class Stage {
     this.preview.count = edges.length;
     edges.forEach(([from, to], row) => this.preview.set(row, from, to, { colour: this.theme.acted }));
     this.layer.mark(this.design, this.marks, this.removed);
+    this.changed();
+  }
+
+  /** Struts instead of the edges of the design; null shows those again. */
+  setStruts(struts: SceneStruts | null): void {
+    this.struts.show(struts);
+    this.showParts();
+  }
+
+  enlarge(scale: number): void {
+    this.struts.enlarge(scale);
+    this.changed();
+  }
+
+  /** Marks places that are held. */
+  hold(places: readonly Vec3[]): void {
+    this.held = places;
     this.changed();
   }
 
@@ -191,6 +213,7 @@ export class Stage {
     this.stencil.paint(theme);
     this.gizmo.paint(theme);
     this.playback.paint(theme);
+    this.struts.paint(theme);
     this.labels.paint(theme);
     this.symbols.halo = theme.halo;
     for (let row = 0; row < this.preview.count; row += 1) this.preview.style(row, { colour: theme.acted });
@@ -214,10 +237,16 @@ export class Stage {
 
   /** After what is played has begun or ended. */
   bound(): void {
-    this.designed.visible = !this.playing;
+    this.showParts();
     const ball = ballAround(this.playback.places ?? this.everything());
     this.camera.ball = ball ?? { centre: [0, 0, 0], radius: 100 };
     this.viewMoved();
+  }
+
+  private showParts(): void {
+    this.designed.visible = !this.playing && !this.struts.shown;
+    this.struts.group.visible = !this.playing && this.struts.shown;
+    this.changed();
   }
 
   draw(renderer: WebGLRenderer): void {
@@ -226,10 +255,10 @@ export class Stage {
     const { width, height } = camera;
     this.uniforms.ratio.value = renderer.getPixelRatio();
     camera.describe(this.uniforms);
-    // A machine is not a thicket: depth has to help less.
-    this.uniforms.fade.value.z = theme.fade * (this.playing ? 0.45 : 1);
+    // A machine is not a thicket: depth has to help less. Colours that mean a figure have to be those of the legend.
+    this.uniforms.fade.value.z = theme.fade * (this.playing ? 0.45 : this.struts.shown ? 0.3 : 1);
     this.layGrid(height);
-    const signs = this.playing ? [] : this.selected.signs(this.design, this.marks.start, theme);
+    const signs = this.playing ? [] : this.ownSigns(theme);
     this.symbols.show([...signs, ...[...this.signs.values()].flat()]);
     const lines = [...this.lines.values()].flat();
     this.guides.count = lines.length;
@@ -255,9 +284,16 @@ export class Stage {
       this.symbols,
       this.gizmo,
       this.playback,
+      this.struts,
     ])
       part.dispose();
     this.labels.show([]);
+  }
+
+  private ownSigns(theme: Theme): Sign[] {
+    const held = this.held.map((at): Sign => ({ at, shape: "square", colour: theme.acted, radius: 8 }));
+    if (this.struts.shown) return [...held, ...this.struts.signs];
+    return [...this.selected.signs(this.design, this.marks.start, theme), ...held];
   }
 
   private placesOf(selection: Selection): Vec3[] {

@@ -13,11 +13,13 @@ import type {
   SceneListener,
   SceneMarks,
   SceneStencil,
+  SceneStruts,
   Selection,
   Shown,
   SnapSettings,
   Tool,
   Touch,
+  Vec3,
 } from "./interface";
 import { normalOf } from "./layers/grid";
 import { spacingText } from "./layers/grid_spacing";
@@ -147,6 +149,21 @@ export class Viewport {
 
   setPreview(preview: Preview | null): void {
     this.stage.setPreview(preview);
+  }
+
+  /** Struts instead of the edges of the design; null shows those again. */
+  setStruts(struts: SceneStruts | null): void {
+    this.stage.setStruts(struts);
+  }
+
+  /** By how much the displacements of struts are enlarged: 1 is true scale. */
+  setStrutScale(scale: number): void {
+    this.stage.enlarge(scale);
+  }
+
+  /** Places that are marked as held, mm. */
+  setHeld(places: readonly Vec3[]): void {
+    this.stage.hold(places);
   }
 
   setStencil(stencil: SceneStencil | null): void {
