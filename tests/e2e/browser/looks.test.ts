@@ -13,10 +13,10 @@ const SIZES = [
   { width: 2560, height: 1440 },
 ] as const;
 const THEMES = ["dark", "light"] as const;
-const SECTIONS: readonly Section[] = ["trace", "edit", "check", "animate", "machine", "export", "run"];
+const SECTIONS: readonly Section[] = ["trace", "edit", "check", "animate", "frame", "machine", "export", "run"];
 
 /** Sections with a timeline under the view, or with most beside each other: these are seen in a large window too. */
-const LARGE: ReadonlySet<Section> = new Set(["edit", "run"]);
+const LARGE: ReadonlySet<Section> = new Set(["edit", "frame", "run"]);
 
 /** What is wider than its place, or sticks out of the window. */
 const outside = () =>
@@ -84,6 +84,12 @@ it("fits every section, opened to its last fold", async () => {
   for (const id of SECTIONS) {
     await editor.section(id).locator(".section-head").click();
     if (id === "animate") await editor.section(id).getByRole("listbox", { name: "Steps" }).waitFor();
+    if (id === "frame") {
+      await editor.section(id).getByText("Free", { exact: true }).click();
+      await editor.section(id).getByRole("button", { name: "Compute", exact: true }).click();
+      await editor.section(id).getByRole("table", { name: "Results" }).waitFor();
+      await editor.section(id).getByText("Bend the wires with errors, and close their joints").click();
+    }
     if (id === "export") await editor.section(id).locator(".preview pre").first().waitFor();
     if (id === "run") {
       await until(() =>

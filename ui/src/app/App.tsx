@@ -6,6 +6,8 @@ import { PreviewFigures } from "../features/check/PreviewFigures";
 import { ContextMenu } from "../features/context/ContextMenu";
 import { EditSection } from "../features/edit/EditSection";
 import { ExportSection } from "../features/export/ExportSection";
+import { FrameSection } from "../features/frame/FrameSection";
+import { Legend } from "../features/frame/Legend";
 import { MachineSection } from "../features/machine/MachineSection";
 import { Panel } from "../features/panel/Panel";
 import { Problems } from "../features/problems/Problems";
@@ -47,6 +49,7 @@ export function App() {
           <PreviewFigures />
           <HoverCard />
           <Hit />
+          <Legend />
           <Hints />
         </Guard>
         <Problems />
@@ -63,6 +66,9 @@ export function App() {
         </Guard>
         <Guard name="Animate">
           <AnimateSection />
+        </Guard>
+        <Guard name="Frame">
+          <FrameSection />
         </Guard>
         <Guard name="Machine">
           <MachineSection />

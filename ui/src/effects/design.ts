@@ -4,6 +4,8 @@ import { hideFix, previewGone } from "../state/design/fixes";
 import { keepSelected } from "../state/design/selection";
 import { forgetExports } from "../state/files/exports";
 import { useFiles } from "../state/files/files";
+import { forgetFrame, keepSupports } from "../state/frame/frame";
+import { showFrame } from "../state/frame/shape";
 import { hideByHand } from "../state/machine/by_hand";
 import { stopComparing, useMachines } from "../state/machine/machines";
 import { forgetEnded, showWire } from "../state/machine/run";
@@ -23,6 +25,7 @@ function followOpening(): End {
       queueMicrotask(showWire);
       forgetEnded();
       forgetExports();
+      forgetFrame();
       designReplaced();
     },
   );
@@ -50,6 +53,14 @@ function followChanges(): End {
     whenChanged(useDesign, ({ vertices, edges }) => [vertices, edges], keepSelected),
     whenChanged(useDesign, ({ state }) => [state?.machine], forgetExports),
     whenChanged(useDesign, ({ vertices, edges }) => [vertices, edges], hideByHand),
+    whenChanged(
+      useDesign,
+      ({ vertices, edges }) => [vertices, edges],
+      () => {
+        showFrame(null);
+        keepSupports();
+      },
+    ),
   ]);
 }
 

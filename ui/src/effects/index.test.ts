@@ -27,6 +27,8 @@ import { showFix, useFixes } from "../state/design/fixes";
 import { useSelection } from "../state/design/selection";
 import { setDespiteErrors, useExports } from "../state/files/exports";
 import { useFiles } from "../state/files/files";
+import { useFrame } from "../state/frame/frame";
+import { useShape } from "../state/frame/shape";
 import { useByHand } from "../state/machine/by_hand";
 import { useMachines } from "../state/machine/machines";
 import type { WireRun } from "../state/machine/operator";
@@ -134,6 +136,36 @@ const EFFECTS: readonly (readonly [string, () => void, () => void, () => boolean
     () => useByHand.getState().played === null,
   ],
   [
+    "what was computed of a frame is forgotten",
+    () => useFrame.setState({ problem: "none" }),
+    opens,
+    () => useFrame.getState().problem === null,
+  ],
+  [
+    "a frame is not shown of another design",
+    () => useShape.setState({ view: { kind: "loaded" } }),
+    changes,
+    () => useShape.getState().view === null,
+  ],
+  [
+    "a frame gives way to a program",
+    () => useShape.setState({ view: { kind: "loaded" } }),
+    () => usePlayback.setState({ played: { ...played } }),
+    () => useShape.getState().view === null,
+  ],
+  [
+    "a click chooses a support while supports are picked",
+    () => useFrame.setState({ picking: true, chosen: new Set() }),
+    () => useSelection.setState({ vertices: new Set([2]) }),
+    () => useFrame.getState().chosen.has(2),
+  ],
+  [
+    "a mode that swings is drawn",
+    () => useShape.setState({ view: { kind: "mode", mode: 0 } }),
+    () => useShape.setState({ swinging: true }),
+    () => vi.mocked(requestAnimationFrame).mock.calls.length > 0,
+  ],
+  [
     "the grid goes with the unit",
     () => useView.setState({ grid: 5 }),
     () => useUnits.setState({ unit: "inch" }),
@@ -196,6 +228,9 @@ function before(): void {
   useByHand.setState({ played: null });
   useMachines.setState({ changes: 0, compared: null });
   useView.setState({ preview: null });
+  useSelection.setState({ vertices: new Set(), edges: new Set() });
+  useFrame.setState({ picking: false, chosen: new Set(), problem: null });
+  useShape.setState({ view: null, swinging: false });
   useDesign.setState({
     state: designState({ machine: "kit" }),
     vertices: new Map([vertex(1), vertex(2)]),

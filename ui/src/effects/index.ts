@@ -7,6 +7,7 @@ import { begin } from "../state/files/beginning";
 import { type End, together } from "./changes";
 import { followDesign } from "./design";
 import { listenToSystem } from "./files";
+import { followFrame } from "./frame";
 import { listenToKeys } from "./keyboard";
 import { followMachine, followPlayback } from "./machine";
 import { listenToRightClicks } from "./right_click";
@@ -19,6 +20,7 @@ export function start(): End {
     followDesign(),
     followPlayback(),
     followMachine(),
+    followFrame(),
     listenToKeys(),
     listenToRightClicks(),
     listenToSystem(),

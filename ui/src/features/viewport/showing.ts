@@ -5,6 +5,9 @@ import { lengthFormat } from "../../shared/figures/format";
 import { useDesign } from "../../state/design/design";
 import { useSelection } from "../../state/design/selection";
 import { useFiles } from "../../state/files/files";
+import { movedOf, usualScale } from "../../state/frame/figures";
+import { useFrame } from "../../state/frame/frame";
+import { useShape } from "../../state/frame/shape";
 import { useByHand } from "../../state/machine/by_hand";
 import { touchesNow } from "../../state/program/contacts";
 import { usePlayback, useProgram } from "../../state/program/program";
@@ -13,6 +16,7 @@ import { useUi } from "../../state/window/ui";
 import { useUnits } from "../../state/window/units";
 import { planeOf, planeOfAll, useView } from "../../state/window/view";
 import { measureText } from "../check/texts";
+import { drawnFrame } from "../frame/struts";
 import { labelsOf, marksOf } from "./marks";
 
 /** Calls `apply` now and whenever what `pick` gives has changed. */
@@ -35,6 +39,9 @@ function follow<S>(
 /** Whether the view shows a wire on its machine instead of the design. */
 const isShownOnMachine = (): boolean => usePlayback.getState().played !== null || useByHand.getState().played !== null;
 
+/** Whether the view shows struts instead of the edges of the design. */
+const isShownAsStruts = (): boolean => useShape.getState().view !== null;
+
 /** Keeps the view showing what the stores have, without drawing React anew; the function that is returned ends it. */
 export function show(scene: Scene): () => void {
   const labels = () => {
@@ -42,7 +49,9 @@ export function show(scene: Scene): () => void {
     const { unit } = useUnits.getState();
     const figure = (report: DiagnosticReport) => measureText(report, unit);
     scene.setLabels(
-      useView.getState().annotations && !isShownOnMachine() ? labelsOf(check, { vertices, edges }, figure) : [],
+      useView.getState().annotations && !isShownOnMachine() && !isShownAsStruts()
+        ? labelsOf(check, { vertices, edges }, figure)
+        : [],
     );
   };
   // Whether a design was opened that has not been framed yet.
@@ -71,6 +80,26 @@ export function show(scene: Scene): () => void {
     const now = touchesNow();
     if (now.length + touched.length > 0) scene.setTouches(now);
     touched = now;
+  };
+  const struts = () => {
+    const { view, coloured } = useShape.getState();
+    const shown = useFrame.getState().answer?.value;
+    strutScale();
+    if (view && shown) scene.setStruts(drawnFrame(shown, view, coloured)?.struts ?? null);
+    else scene.setStruts(null);
+    labels();
+  };
+  const strutScale = () => {
+    const { view, scale, swing } = useShape.getState();
+    const shown = useFrame.getState().answer?.value;
+    const moved = view && shown ? movedOf(shown, view) : null;
+    if (moved) scene.setStrutScale((scale ?? usualScale(moved)) * swing);
+  };
+  const supports = () => {
+    const { hold, chosen } = useFrame.getState();
+    const { vertices } = useDesign.getState();
+    const at = (id: number) => vertices.get(id)?.at ?? [];
+    scene.setHeld(hold === "chosen" ? [...chosen].map(at).filter((place) => place.length === 3) : []);
   };
   const theme = () => scene.setTheme(shownTheme(useUi.getState().theme));
   const system = systemTheme();
@@ -188,6 +217,11 @@ export function show(scene: Scene): () => void {
         labels();
       },
     ),
+    follow(useFrame, ({ answer }) => [answer], struts),
+    follow(useShape, ({ view, coloured }) => [view, coloured], struts),
+    follow(useShape, ({ scale, swing }) => [scale, swing], strutScale),
+    follow(useFrame, ({ hold, chosen }) => [hold, chosen], supports),
+    follow(useDesign, ({ vertices }) => [vertices], supports),
     follow(
       usePlayback,
       ({ played, live, step }) => [played, live, live ? step : 0],

@@ -3,6 +3,8 @@ import * as operations from "../design/operations";
 import { connected, inverted, isEmpty, NOTHING, select, useSelection } from "../design/selection";
 import { quit } from "../files/closing";
 import { newDesign, pickDesign, pickStencil, save, saveAs, saveJob, saveWireframe, useFiles } from "../files/files";
+import { setPicking, useFrame } from "../frame/frame";
+import { showFrame, useShape } from "../frame/shape";
 import { stop } from "../machine/run";
 import { showDesignAgain, togglePlay, usePlayback } from "../program/program";
 import { showHints } from "./hints";
@@ -57,12 +59,14 @@ function move(): void {
   useView.getState().handle?.startGrab();
 }
 
-/** Ends what is under way: a strand or a move, then a preview, then playing, then the selection. */
+/** Ends what is under way: a strand or a move, then a preview, then what is shown instead of the design, then the selection. */
 function end(): void {
   const { handle, preview } = useView.getState();
   if (handle?.cancel()) return;
   if (preview) useView.setState({ preview: null });
   else if (usePlayback.getState().played && !usePlayback.getState().live) showDesignAgain();
+  else if (useFrame.getState().picking) setPicking(false);
+  else if (useShape.getState().view) showFrame(null);
   else if (useView.getState().tool !== "select") chooseTool("select");
   else select([]);
 }

@@ -1,0 +1,72 @@
+// @vitest-environment happy-dom
+import { act } from "react";
+import { beforeEach, expect, it, vi } from "vitest";
+
+const ask = vi.hoisted(() => vi.fn());
+vi.mock("../../platform", () => ({ platform: { ask }, Refused: class Refused extends Error {} }));
+
+import { place } from "../../shared/testing";
+import { useDesign } from "../../state/design/design";
+import { forgetFrame, useFrame } from "../../state/frame/frame";
+import { useShape } from "../../state/frame/shape";
+import { frameShown, smallFrame } from "../../state/frame/testing";
+import { designState } from "../../state/testing";
+import { useUi } from "../../state/window/ui";
+import { FrameSection } from "./FrameSection";
+
+const at = place();
+
+beforeEach(() => {
+  ask.mockReset();
+  ask.mockImplementation(async (name: string) => {
+    if (name === "frame") return frameShown();
+    if (name === "frame-choices") return { errors: [{ id: "bend-forming", name: "Bend-Forming" }], strut_builders: [] };
+    return { machines: [], materials: [] };
+  });
+  forgetFrame();
+  useUi.setState({ open: ["frame"] });
+  useDesign.setState({ ...smallFrame(), state: designState(), version: 1 });
+});
+
+const button = (name: string) =>
+  [...at.host.querySelectorAll("button")].find(({ textContent }) => textContent === name);
+const press = (name: string) => act(async () => button(name)?.click());
+
+it("has nothing to compute without a design", () => {
+  useDesign.setState({ vertices: new Map(), edges: new Map() });
+  at.show(<FrameSection />);
+  expect(at.host.textContent).toContain("Draw or open a design.");
+  expect(button("Compute")).toBeUndefined();
+});
+
+it("computes, lists figures with their places, and shows modes on demand", async () => {
+  at.show(<FrameSection />);
+  await press("Compute");
+  const table = at.host.querySelector('[aria-label="Results"]')?.textContent;
+  expect(table).toContain("Largest displacement0.5 mmvertex 2");
+  expect(table).toContain("Utilisation20 %edge 1");
+  expect(table).toContain("Compression4 Nedge 0");
+  expect(table).toContain("Lowest frequency12.3 Hz");
+  expect(table).toContain("12.5 g");
+  const modes = at.host.querySelectorAll<HTMLButtonElement>('[aria-label="Modes"] button');
+  act(() => modes[1]?.click());
+  expect(useShape.getState().view).toEqual({ kind: "mode", mode: 1 });
+  await press("Swing");
+  expect(useShape.getState().swinging).toBe(true);
+});
+
+it("says that the design has changed since", async () => {
+  at.show(<FrameSection />);
+  await press("Compute");
+  act(() => useDesign.setState({ version: 2 }));
+  expect(at.host.textContent).toContain("changed since");
+  expect(at.host.textContent).toContain("Changed since it was computed.");
+});
+
+it("shows what is refused, with what to do", async () => {
+  at.show(<FrameSection />);
+  ask.mockRejectedValue(new Error("Material x has no shear modulus. Choose another material."));
+  await press("Compute");
+  expect(at.host.textContent).toContain("Material x has no shear modulus. Choose another material.");
+  expect(useFrame.getState().asking).toBe(false);
+});

@@ -1,0 +1,168 @@
+import { Button } from "../../shared/controls/Button";
+import { Field } from "../../shared/controls/Field";
+import { Bar, Segmented } from "../../shared/controls/inputs";
+import { NumberField } from "../../shared/controls/NumberField";
+import { short } from "../../shared/figures/format";
+import { useUnit } from "../../shared/figures/unit";
+import { Line } from "../../shared/lists/Line";
+import { useDesign } from "../../state/design/design";
+import { askTolerance, require, useFrame, useToleranceStale } from "../../state/frame/frame";
+import { Part } from "../panel/Section";
+import { displacement, exactness, force, stress } from "./words";
+
+/** How good a machine must be for what is required. */
+export function Tolerance() {
+  const { required, tolerance, askingTolerance, toleranceProblem } = useFrame();
+  const stale = useToleranceStale();
+  const unit = useUnit();
+  const empty = useDesign((design) => design.edges.size === 0);
+  const none = required.surface === null && required.force === null && required.stress === null;
+  const found = tolerance?.value;
+  const rows = found && [
+    {
+      of: "surface",
+      label: "Shape",
+      limit: required.surface,
+      is: found.achieved.surface_mm,
+      show: (mm: number) => displacement(mm, unit),
+    },
+    { of: "force", label: "Force", limit: required.force, is: found.achieved.force_n, show: force },
+    { of: "stress", label: "Stress", limit: required.stress, is: found.achieved.stress_mpa ?? null, show: stress },
+  ];
+  const clearable = (key: "surface" | "force" | "stress") =>
+    required[key] !== null && (
+      <Button
+        kind="quiet"
+        small
+        icon="close"
+        aria-label="Not required"
+        title="Not required"
+        onClick={() => require({ [key]: null })}
+      />
+    );
+  return (
+    <Part title="Tolerance">
+      <div className="stack">
+        <Field label="Shape">
+          {(ids) => (
+            <div className="row">
+              <NumberField
+                {...ids}
+                label="Shape off the drawing, at most"
+                value={required.surface}
+                min={1e-6}
+                max={1e6}
+                placeholder="not required"
+                onCommit={(value) => require({ surface: value })}
+              />
+              {clearable("surface")}
+            </div>
+          )}
+        </Field>
+        <Field label="Force">
+          {(ids) => (
+            <div className="row">
+              <NumberField
+                {...ids}
+                label="Force along struts, at most"
+                kind="number"
+                unit="N"
+                value={required.force}
+                min={1e-6}
+                max={1e9}
+                placeholder="not required"
+                onCommit={(value) => require({ force: value })}
+              />
+              {clearable("force")}
+            </div>
+          )}
+        </Field>
+        <Field label="Stress">
+          {(ids) => (
+            <div className="row">
+              <NumberField
+                {...ids}
+                label="Stress, at most"
+                kind="number"
+                unit="MPa"
+                value={required.stress}
+                min={1e-6}
+                max={1e9}
+                placeholder="not required"
+                onCommit={(value) => require({ stress: value })}
+              />
+              {clearable("stress")}
+            </div>
+          )}
+        </Field>
+        <Field label="Errors of">
+          {() => (
+            <Segmented
+              label="Errors of"
+              value={required.vary}
+              choices={[
+                { value: "feed", label: "Feeds" },
+                { value: "angle", label: "Angles" },
+                { value: "both", label: "Both" },
+              ]}
+              onChoose={(vary) => require({ vary })}
+            />
+          )}
+        </Field>
+        <div className="row">
+          <span className="grow muted small">{stale ? "Changed since." : "All values are root mean squares."}</span>
+          <Button
+            why={
+              empty
+                ? "Draw or open a design first."
+                : none
+                  ? "Say what is required first."
+                  : askingTolerance
+                    ? "It is being computed."
+                    : null
+            }
+            onClick={() => void askTolerance()}
+          >
+            Find the tolerance
+          </Button>
+        </div>
+        <div className="frame-bar">{askingTolerance && <Bar done={0} of={0} label="Tolerance" />}</div>
+        {toleranceProblem && (
+          <ul>
+            <Line tone="error" what="No tolerance was found" sub={toleranceProblem} />
+          </ul>
+        )}
+        {found && rows && (
+          <table className="figures" aria-label="Tolerance">
+            <tbody>
+              {found.feed_sigma_mm != null && (
+                <tr>
+                  <td>Feeds, standard deviation</td>
+                  <td colSpan={2}>{exactness(found.feed_sigma_mm, unit)}</td>
+                </tr>
+              )}
+              {found.angle_sigma_deg != null && (
+                <tr>
+                  <td>Bends and rotations, standard deviation</td>
+                  <td colSpan={2}>{short(found.angle_sigma_deg, 3)}°</td>
+                </tr>
+              )}
+              {rows.map(({ of, label, limit, is, show }) =>
+                is === null ? null : (
+                  <tr key={of} className={of === found.governed_by ? "governs" : undefined}>
+                    <td>
+                      {label}
+                      {of === found.governed_by && ", which governs"}
+                    </td>
+                    <td>{show(is)}</td>
+                    <td className="muted">{limit === null ? "not required" : `of ${show(limit)}`}</td>
+                  </tr>
+                ),
+              )}
+            </tbody>
+          </table>
+        )}
+      </div>
+    </Part>
+  );
+}

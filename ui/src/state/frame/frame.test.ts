@@ -1,0 +1,144 @@
+import { beforeEach, describe, expect, it, vi } from "vitest";
+
+const ask = vi.hoisted(() => vi.fn());
+vi.mock("../../platform", () => ({ platform: { ask }, Refused: class Refused extends Error {} }));
+
+import { useDesign } from "../design/design";
+import { usePlayback } from "../program/program";
+import { designState } from "../testing";
+import { extent, largest, movedOf, usualScale } from "./figures";
+import {
+  askTolerance,
+  chooseFrame,
+  computeFrame,
+  forgetFrame,
+  keepSupports,
+  require,
+  setPicking,
+  toggleSupports,
+  useFrame,
+} from "./frame";
+import { enlarge, showFrame, swingAt, toggleSwing, useShape } from "./shape";
+import { frameShown, smallFrame } from "./testing";
+
+beforeEach(() => {
+  ask.mockReset();
+  forgetFrame();
+  chooseFrame({ material: null, errors: null, gravity: [0, 0, -1], modes: 6, double: false });
+  require({ surface: null, force: null, stress: null, vary: "feed" });
+  usePlayback.setState({ played: null, live: false });
+  useDesign.setState({ ...smallFrame(), state: designState(), version: 1 });
+});
+
+describe("computing a frame", () => {
+  it("asks for what was chosen, and shows what it carries", async () => {
+    ask.mockResolvedValue(frameShown());
+    toggleSupports([2, 1]);
+    chooseFrame({ hold: "chosen", modes: 3, errors: "bend-forming" });
+    await computeFrame();
+    expect(ask).toHaveBeenCalledWith("frame", {
+      material: null,
+      supports: { vertices: [1, 2] },
+      gravity: [0, 0, -1],
+      modes: 3,
+      close: { errors: "bend-forming", closing: "aligned", runs: 100, seed: 1 },
+      double: false,
+    });
+    expect(useShape.getState().view).toEqual({ kind: "loaded" });
+  });
+
+  it("shows the first mode that bends of a frame that floats", async () => {
+    const shown = frameShown();
+    ask.mockResolvedValue({ ...shown, shapes: { ...shown.shapes, loaded: null } });
+    chooseFrame({ hold: "free" });
+    await computeFrame();
+    expect(useShape.getState().view).toEqual({ kind: "mode", mode: 1 });
+  });
+
+  it("says why there is no answer, and shows the design", async () => {
+    ask.mockRejectedValue(new Error("the material has no shear modulus"));
+    await computeFrame();
+    expect(useFrame.getState()).toMatchObject({
+      answer: null,
+      problem: "the material has no shear modulus",
+      asking: false,
+    });
+    expect(useShape.getState().view).toBeNull();
+  });
+
+  it("leaves an answer aside that is of a design that was closed", async () => {
+    let answer = (_: unknown) => {};
+    ask.mockReturnValue(new Promise((resolve) => (answer = resolve)));
+    const computed = computeFrame();
+    forgetFrame();
+    answer(frameShown());
+    await computed;
+    expect(useFrame.getState().answer).toBeNull();
+  });
+});
+
+describe("supports", () => {
+  it("are taken and let go, and go with their vertices", () => {
+    setPicking(true);
+    expect(useFrame.getState().hold).toBe("chosen");
+    toggleSupports([0, 2]);
+    toggleSupports([0]);
+    expect([...useFrame.getState().chosen]).toEqual([2]);
+    useDesign.setState({ vertices: new Map() });
+    keepSupports();
+    expect(useFrame.getState().chosen.size).toBe(0);
+  });
+});
+
+describe("the tolerance", () => {
+  it("asks for what is required", async () => {
+    ask.mockResolvedValue({ material: "wire", governed_by: "force", achieved: {}, notes: [] });
+    require({ force: 5, vary: "both" });
+    await askTolerance();
+    expect(ask).toHaveBeenCalledWith("tolerance", {
+      material: null,
+      required: { surface_mm: null, force_n: 5, stress_mpa: null },
+      vary: "both",
+      closing: "aligned",
+      double: false,
+    });
+    expect(useFrame.getState().tolerance?.value.governed_by).toBe("force");
+  });
+});
+
+describe("what is shown", () => {
+  it("gives way to a machine that bends a wire", () => {
+    usePlayback.setState({ live: true });
+    showFrame({ kind: "loaded" });
+    expect(useShape.getState().view).toBeNull();
+  });
+
+  it("keeps its scale from mode to mode, and not from a mode to the loaded frame", () => {
+    showFrame({ kind: "mode", mode: 0 });
+    enlarge(30);
+    showFrame({ kind: "mode", mode: 1 });
+    expect(useShape.getState().scale).toBe(30);
+    showFrame({ kind: "loaded" });
+    expect(useShape.getState().scale).toBeNull();
+  });
+
+  it("swings modes alone", () => {
+    showFrame({ kind: "loaded" });
+    toggleSwing();
+    expect(useShape.getState().swinging).toBe(false);
+    showFrame({ kind: "mode", mode: 1 });
+    toggleSwing();
+    expect(useShape.getState().swinging).toBe(true);
+    expect([0, 0.25, 0.5, 0.75, 1].map(swingAt)).toEqual([1, 0, -1, 0, 1]);
+  });
+
+  it("enlarges displacements to a small part of the frame, by a round factor", () => {
+    const moved = movedOf(frameShown(), { kind: "loaded" });
+    if (!moved) throw new Error("nothing is moved");
+    expect(largest(moved.by)).toBe(0.5);
+    expect(extent(moved.at)).toBeCloseTo(Math.hypot(100, 100));
+    // 6 % of 141.4 mm is 8.5 mm, 17 times as much as 0.5 mm.
+    expect(usualScale(moved)).toBe(10);
+    expect(movedOf(frameShown(), { kind: "closed" })).toBeNull();
+  });
+});
