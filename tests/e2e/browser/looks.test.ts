@@ -13,7 +13,17 @@ const SIZES = [
   { width: 2560, height: 1440 },
 ] as const;
 const THEMES = ["dark", "light"] as const;
-const SECTIONS: readonly Section[] = ["trace", "edit", "check", "animate", "frame", "machine", "export", "run"];
+const SECTIONS: readonly Section[] = [
+  "trace",
+  "edit",
+  "check",
+  "animate",
+  "frame",
+  "sequence",
+  "machine",
+  "export",
+  "run",
+];
 
 /** Sections with a timeline under the view, or with most beside each other: these are seen in a large window too. */
 const LARGE: ReadonlySet<Section> = new Set(["edit", "frame", "run"]);

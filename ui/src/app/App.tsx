@@ -12,6 +12,7 @@ import { MachineSection } from "../features/machine/MachineSection";
 import { Panel } from "../features/panel/Panel";
 import { Problems } from "../features/problems/Problems";
 import { RunSection } from "../features/run/RunSection";
+import { SequenceSection } from "../features/sequence/SequenceSection";
 import { Dialogs } from "../features/start/Dialogs";
 import { DropArea } from "../features/start/DropArea";
 import { EmptyState } from "../features/start/EmptyState";
@@ -69,6 +70,9 @@ export function App() {
         </Guard>
         <Guard name="Frame">
           <FrameSection />
+        </Guard>
+        <Guard name="Sequence">
+          <SequenceSection />
         </Guard>
         <Guard name="Machine">
           <MachineSection />

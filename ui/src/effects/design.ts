@@ -10,6 +10,7 @@ import { hideByHand } from "../state/machine/by_hand";
 import { stopComparing, useMachines } from "../state/machine/machines";
 import { forgetEnded, showWire } from "../state/machine/run";
 import { forgetProgram, leaveStaleProgram } from "../state/program/program";
+import { forgetSequence, hideSequence } from "../state/sequence/sequence";
 import { designReplaced } from "../state/window/commands";
 import { useView } from "../state/window/view";
 import { type End, together, whenChanged } from "./changes";
@@ -26,6 +27,7 @@ function followOpening(): End {
       forgetEnded();
       forgetExports();
       forgetFrame();
+      forgetSequence();
       designReplaced();
     },
   );
@@ -58,6 +60,7 @@ function followChanges(): End {
       ({ vertices, edges }) => [vertices, edges],
       () => {
         showFrame(null);
+        hideSequence();
         keepSupports();
       },
     ),

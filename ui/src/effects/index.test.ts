@@ -34,6 +34,7 @@ import { useMachines } from "../state/machine/machines";
 import type { WireRun } from "../state/machine/operator";
 import { useRun } from "../state/machine/run";
 import { usePlayback, useProgram } from "../state/program/program";
+import { useSequence } from "../state/sequence/sequence";
 import { designState, machineState } from "../state/testing";
 import { useUi } from "../state/window/ui";
 import { useUnits } from "../state/window/units";
@@ -166,6 +167,30 @@ const EFFECTS: readonly (readonly [string, () => void, () => void, () => boolean
     () => vi.mocked(requestAnimationFrame).mock.calls.length > 0,
   ],
   [
+    "what was found of a sequence is forgotten",
+    () => useSequence.setState({ problem: "none" }),
+    opens,
+    () => useSequence.getState().problem === null,
+  ],
+  [
+    "a sequence is not shown of another design",
+    () => useSequence.setState({ shown: true }),
+    changes,
+    () => !useSequence.getState().shown,
+  ],
+  [
+    "a sequence gives way to a frame",
+    () => useSequence.setState({ shown: true }),
+    () => useShape.setState({ view: { kind: "loaded" } }),
+    () => !useSequence.getState().shown,
+  ],
+  [
+    "a sequence that plays is drawn",
+    () => useSequence.setState({ shown: true }),
+    () => useSequence.setState({ playing: true }),
+    () => vi.mocked(requestAnimationFrame).mock.calls.length > 0,
+  ],
+  [
     "the grid goes with the unit",
     () => useView.setState({ grid: 5 }),
     () => useUnits.setState({ unit: "inch" }),
@@ -231,6 +256,7 @@ function before(): void {
   useSelection.setState({ vertices: new Set(), edges: new Set() });
   useFrame.setState({ picking: false, chosen: new Set(), problem: null });
   useShape.setState({ view: null, swinging: false });
+  useSequence.setState({ shown: false, playing: false, problem: null });
   useDesign.setState({
     state: designState({ machine: "kit" }),
     vertices: new Map([vertex(1), vertex(2)]),

@@ -11,6 +11,7 @@ import { followFrame } from "./frame";
 import { listenToKeys } from "./keyboard";
 import { followMachine, followPlayback } from "./machine";
 import { listenToRightClicks } from "./right_click";
+import { followSequence } from "./sequence";
 import { followWindow } from "./window";
 
 /** Starts all of them; the function that is returned ends them. */
@@ -21,6 +22,7 @@ export function start(): End {
     followPlayback(),
     followMachine(),
     followFrame(),
+    followSequence(),
     listenToKeys(),
     listenToRightClicks(),
     listenToSystem(),

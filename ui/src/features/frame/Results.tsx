@@ -8,7 +8,7 @@ import { placesOf } from "../viewport/marks";
 import { displacement, force, frequency, mass, stress, utilisation } from "./words";
 
 /** A finding, and where it is. */
-function Finding({ report }: { readonly report: DiagnosticReport }) {
+export function Finding({ report }: { readonly report: DiagnosticReport }) {
   const { vertices, edges } = placesOf(report);
   const go = () => {
     select(vertices, edges);

@@ -30,3 +30,10 @@ const css = (colour: Colour): string => `rgb(${colour.map((part) => Math.round(p
 /** The same for a legend, from its left to its right. */
 export const gradientOf = (kind: "rising" | "diverging"): string =>
   `linear-gradient(to right, ${(kind === "rising" ? RISING : DIVERGING).map(css).join(", ")})`;
+
+/** Layers, one after the other: neighbours are told apart, and none is the blue of what is being built. */
+const LAYERS: readonly Colour[] = [0x35a7a0, 0xff8a4c, 0x8c64d6, 0xb59a2d, 0xd65496, 0x6f9a4c].map(rgb);
+
+export const layerColour = (layer: number): Colour => LAYERS[layer % LAYERS.length] ?? UNKNOWN;
+
+export const cssOf = css;

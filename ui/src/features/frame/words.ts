@@ -6,7 +6,7 @@ import type { Coloured, FrameView } from "../../state/frame/shape";
 const LEAST = 0.0001;
 
 /** A number of the unit, with three digits, and no more than four behind the point. */
-function displacementNumber(mm: number, unit: DisplayUnit): string {
+export function displacementNumber(mm: number, unit: DisplayUnit): string {
   const shown = unit === "inch" ? mm / 25.4 : mm;
   if (shown !== 0 && Math.abs(shown) < LEAST) return `< ${LEAST}`;
   const rounded = Number(shown.toPrecision(3));

@@ -17,8 +17,10 @@ import {
   useProgram,
   useStale,
 } from "../../state/program/program";
+import { useSequence } from "../../state/sequence/sequence";
 import { useWhyNot } from "../../state/window/commands";
 import { namedSteps, spoken } from "../animate/steps";
+import { BuildTimeline } from "./BuildTimeline";
 import { Track } from "./Track";
 import "./timeline.css";
 
@@ -26,8 +28,14 @@ const LIVE = "A machine is bending the wire.";
 
 const NO_PROGRAM = "There is no program yet.";
 
-/** The program under the view. Its place is kept while there is none, so that the view keeps its own. */
+/** What plays in the view: a program, or the steps of building. */
 export function Timeline() {
+  const builds = useSequence(({ shown }) => shown);
+  return builds ? <BuildTimeline /> : <ProgramTimeline />;
+}
+
+/** The program under the view. Its place is kept while there is none, so that the view keeps its own. */
+function ProgramTimeline() {
   const { program, wire, asking } = useProgram();
   const { played, step, playing, live } = usePlayback();
   const stands = useRun(({ question, state }) =>

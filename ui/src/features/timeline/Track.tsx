@@ -6,20 +6,25 @@ import { hitOf } from "../animate/hits";
 
 /** The whole program as a line to slide on. `ticks`: steps, from 0, that something is wrong with; `contacts`: where the wire hits something. */
 export function Track({
+  label = "Position in the program",
   value,
   of,
   text,
   ticks,
+  tickTitle = "see Check",
   contacts,
   off,
   onChange,
   onKeyDown,
 }: {
+  readonly label?: string;
   readonly value: number;
   readonly of: number;
   /** Said instead of the number. */
   readonly text: string;
   readonly ticks: readonly number[];
+  /** Where it is said what is wrong. */
+  readonly tickTitle?: string;
   readonly contacts: readonly PlayedContact[];
   readonly off: boolean;
   readonly onChange: (value: number) => void;
@@ -34,13 +39,13 @@ export function Track({
           key={step}
           className="track-tick"
           style={{ "--at": (step + 0.5) / Math.max(of, 1) } as Record<string, number>}
-          title={`Step ${step + 1}: see Check`}
+          title={`Step ${step + 1}: ${tickTitle}`}
           aria-hidden="true"
         />
       ))}
       <input
         type="range"
-        aria-label="Position in the program"
+        aria-label={label}
         aria-valuetext={text}
         min={0}
         max={of}

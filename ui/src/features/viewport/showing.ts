@@ -11,12 +11,14 @@ import { useShape } from "../../state/frame/shape";
 import { useByHand } from "../../state/machine/by_hand";
 import { touchesNow } from "../../state/program/contacts";
 import { usePlayback, useProgram } from "../../state/program/program";
+import { shownSequence, useSequence } from "../../state/sequence/sequence";
 import { shownTheme, systemTheme } from "../../state/window/theme";
 import { useUi } from "../../state/window/ui";
 import { useUnits } from "../../state/window/units";
 import { planeOf, planeOfAll, useView } from "../../state/window/view";
 import { measureText } from "../check/texts";
 import { drawnFrame } from "../frame/struts";
+import { drawnSequence, layersOf } from "../sequence/struts";
 import { labelsOf, marksOf } from "./marks";
 
 /** Calls `apply` now and whenever what `pick` gives has changed. */
@@ -40,7 +42,7 @@ function follow<S>(
 const isShownOnMachine = (): boolean => usePlayback.getState().played !== null || useByHand.getState().played !== null;
 
 /** Whether the view shows struts instead of the edges of the design. */
-const isShownAsStruts = (): boolean => useShape.getState().view !== null;
+const isShownAsStruts = (): boolean => useShape.getState().view !== null || useSequence.getState().shown;
 
 /** Keeps the view showing what the stores have, without drawing React anew; the function that is returned ends it. */
 export function show(scene: Scene): () => void {
@@ -81,12 +83,20 @@ export function show(scene: Scene): () => void {
     if (now.length + touched.length > 0) scene.setTouches(now);
     touched = now;
   };
+  const building = () => {
+    const sequence = useSequence.getState();
+    const drawn = shownSequence(sequence);
+    if (!sequence.shown || !drawn) return null;
+    // Layers are those of the search: an order that is only checked is not cut anew.
+    const layers = sequence.layers && sequence.found ? layersOf(sequence.found) : null;
+    return drawnSequence(drawn, sequence.at, useDesign.getState(), layers);
+  };
   const struts = () => {
     const { view, coloured } = useShape.getState();
     const shown = useFrame.getState().answer?.value;
     strutScale();
     if (view && shown) scene.setStruts(drawnFrame(shown, view, coloured)?.struts ?? null);
-    else scene.setStruts(null);
+    else scene.setStruts(building());
     labels();
   };
   const strutScale = () => {
@@ -220,6 +230,7 @@ export function show(scene: Scene): () => void {
     follow(useFrame, ({ answer }) => [answer], struts),
     follow(useShape, ({ view, coloured }) => [view, coloured], struts),
     follow(useShape, ({ scale, swing }) => [scale, swing], strutScale),
+    follow(useSequence, ({ shown, at, layers, found, changed }) => [shown, at, layers, found, changed], struts),
     follow(useFrame, ({ hold, chosen }) => [hold, chosen], supports),
     follow(useDesign, ({ vertices }) => [vertices], supports),
     follow(

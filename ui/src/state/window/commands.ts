@@ -7,6 +7,7 @@ import { setPicking, useFrame } from "../frame/frame";
 import { showFrame, useShape } from "../frame/shape";
 import { stop } from "../machine/run";
 import { showDesignAgain, togglePlay, usePlayback } from "../program/program";
+import { hideSequence, togglePlaySequence, useSequence } from "../sequence/sequence";
 import { showHints } from "./hints";
 import type { CommandId } from "./keys";
 import { type DialogName, type OperationName, useUi } from "./ui";
@@ -67,6 +68,7 @@ function end(): void {
   else if (usePlayback.getState().played && !usePlayback.getState().live) showDesignAgain();
   else if (useFrame.getState().picking) setPicking(false);
   else if (useShape.getState().view) showFrame(null);
+  else if (useSequence.getState().shown) hideSequence();
   else if (useView.getState().tool !== "select") chooseTool("select");
   else select([]);
 }
@@ -159,7 +161,10 @@ const COMMANDS: Readonly<Record<CommandId, Command>> = {
   "frame-all": { run: () => useView.getState().handle?.frame() },
   annotations: { run: () => setAnnotations(!useView.getState().annotations) },
   units: { run: toggleUnits },
-  play: { run: togglePlay, why: () => anything() ?? machine() },
+  play: {
+    run: () => (useSequence.getState().shown ? togglePlaySequence() : togglePlay()),
+    why: () => (useSequence.getState().shown ? null : (anything() ?? machine())),
+  },
   stop: { run: stop },
   end: { run: end },
   keys: { run: dialog("keys") },

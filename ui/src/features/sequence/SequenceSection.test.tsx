@@ -1,0 +1,90 @@
+// @vitest-environment happy-dom
+import { act } from "react";
+import { beforeEach, expect, it, vi } from "vitest";
+
+const ask = vi.hoisted(() => vi.fn());
+vi.mock("../../platform", () => ({ platform: { ask }, Refused: class Refused extends Error {} }));
+
+import { place } from "../../shared/testing";
+import { useDesign } from "../../state/design/design";
+import { useFrame } from "../../state/frame/frame";
+import { smallFrame } from "../../state/frame/testing";
+import { forgetSequence, useSequence } from "../../state/sequence/sequence";
+import { sequenceDrawn } from "../../state/sequence/testing";
+import { designState } from "../../state/testing";
+import { useUi } from "../../state/window/ui";
+import { Timeline } from "../timeline/Timeline";
+import { SequenceSection } from "./SequenceSection";
+
+const at = place();
+
+beforeEach(() => {
+  ask.mockReset();
+  ask.mockResolvedValue(sequenceDrawn());
+  forgetSequence();
+  useSequence.setState({ machine: null, layers: false });
+  useFrame.setState({
+    choices: { errors: [], strut_builders: [{ id: "builder", name: "A builder", default_material: "abs" }] },
+  });
+  useUi.setState({ open: ["sequence"] });
+  useDesign.setState({ ...smallFrame(), state: designState(), version: 1 });
+});
+
+const button = (name: string) =>
+  [...at.host.querySelectorAll("button")].find(
+    (one) => one.textContent === name || one.getAttribute("aria-label") === name,
+  );
+const press = (name: string) => act(async () => button(name)?.click());
+
+it("finds a sequence with the material of the machine, and steps through it on the timeline", async () => {
+  at.show(
+    <>
+      <SequenceSection />
+      <Timeline />
+    </>,
+  );
+  await press("Find");
+  expect(ask).toHaveBeenCalledWith("sequence", { machine: "builder", material: "abs", epsilon_mm: null });
+  expect(at.host.textContent).toContain("Largest sag0.2 mm of 0.65 mm");
+  expect(at.host.textContent).toContain("step 2 / 2 · edge 1");
+  await press("Step back");
+  expect(useSequence.getState().at).toBe(1);
+  await press("Back to the design");
+  expect(at.host.textContent).not.toContain("step 2 / 2 · edge 1");
+});
+
+it("says what is wrong with an order of one's own, and takes it back", async () => {
+  at.show(<SequenceSection />);
+  await press("Find");
+  const wrong = sequenceDrawn([1, 0]);
+  ask.mockResolvedValue({
+    ...wrong,
+    sequence: {
+      ...wrong.sequence,
+      feasible: false,
+      diagnostics: [
+        {
+          code: "strut_floating",
+          severity: "error",
+          message: "edge 1 hangs on nothing",
+          help: "build it later",
+          step: 0,
+        },
+      ],
+    },
+  });
+  await press("Earlier");
+  expect(at.host.textContent).toContain("Your order cannot be built");
+  expect(at.host.textContent).toContain("Edge 1 hangs on nothing");
+  await press("Take back");
+  expect(at.host.textContent).not.toContain("Edge 1 hangs on nothing");
+});
+
+it("tells how far a search is, and stops it", async () => {
+  ask.mockReturnValue(new Promise(() => {}));
+  at.show(<SequenceSection />);
+  await press("Find");
+  expect(at.host.textContent).toContain("looking for a sequence…");
+  await press("Stop");
+  expect(ask).toHaveBeenLastCalledWith("stop-sequence", {});
+});

@@ -1,0 +1,286 @@
+import { useEffect } from "react";
+import type { DrawnSequence } from "../../generated/responses";
+import { Button } from "../../shared/controls/Button";
+import { Field } from "../../shared/controls/Field";
+import { Bar, Checkbox, Select } from "../../shared/controls/inputs";
+import { NumberField } from "../../shared/controls/NumberField";
+import { number, sentence, time } from "../../shared/figures/format";
+import { useLengths } from "../../shared/figures/unit";
+import { Line } from "../../shared/lists/Line";
+import { useWork } from "../../state/asking/work";
+import { useDesign } from "../../state/design/design";
+import { needFrameChoices, useFrame } from "../../state/frame/frame";
+import {
+  chooseBuilder,
+  chooseEpsilon,
+  findSequence,
+  showLayers,
+  shownSequence,
+  slideTo,
+  stopSequence,
+  takeBackMoves,
+  useSequence,
+  useSequenceStale,
+} from "../../state/sequence/sequence";
+import { Finding } from "../frame/Results";
+import { cssOf, layerColour } from "../frame/ramp";
+import { displacement } from "../frame/words";
+import { Part, Section } from "../panel/Section";
+import { Curve } from "./Curve";
+import { Steps } from "./Steps";
+import { phraseOf, STRATEGIES } from "./words";
+import "../frame/frame.css";
+import "./sequence.css";
+
+/** The order in which a machine builds the struts. */
+export function SequenceSection() {
+  const { found, changed, asking, problem } = useSequence();
+  const stale = useSequenceStale();
+  const empty = useDesign((design) => design.edges.size === 0);
+  const drawn = shownSequence({ found, changed });
+  const phrase = asking
+    ? "looking for a sequence…"
+    : drawn && stale
+      ? "changed since"
+      : drawn
+        ? phraseOf(drawn)
+        : problem
+          ? "not found"
+          : "not looked for yet";
+  const tone = asking
+    ? null
+    : drawn
+      ? stale
+        ? "warning"
+        : drawn.sequence.feasible
+          ? "fine"
+          : "error"
+      : problem
+        ? "error"
+        : null;
+  return (
+    <Section id="sequence" title="Sequence" phrase={phrase} tone={tone}>
+      {empty ? (
+        <p className="muted">Draw or open a design. Its edges are then struts that a machine builds one by one.</p>
+      ) : (
+        <div className="stack">
+          <Setup />
+          {problem && (
+            <ul>
+              <Line tone="error" what="There is no sequence" sub={problem} />
+            </ul>
+          )}
+          {drawn && <Found drawn={drawn} />}
+        </div>
+      )}
+    </Section>
+  );
+}
+
+function Setup() {
+  const { machine, epsilon, asking, checking } = useSequence();
+  const builders = useFrame(({ choices }) => choices?.strut_builders ?? null);
+  const stale = useSequenceStale();
+  const supports = useDesign(({ vertices }) => [...vertices.values()].some(({ support }) => support));
+  const work = useWork(({ works }) => works.get("sequence"));
+  useEffect(needFrameChoices, []);
+  useEffect(() => {
+    const [first] = builders ?? [];
+    if (machine === null && first) chooseBuilder(first.id);
+  }, [builders, machine]);
+  const builder = builders?.find(({ id }) => id === machine);
+  const why = !builder
+    ? "The machines that build struts are not known yet."
+    : checking
+      ? "The order is being checked."
+      : null;
+  return (
+    <>
+      <Field label="Machine">
+        {(ids) => (
+          <Select
+            {...ids}
+            value={machine ?? ""}
+            choices={(builders ?? []).map(({ id, name }) => ({ value: id, label: name }))}
+            onChoose={chooseBuilder}
+          />
+        )}
+      </Field>
+      <div className="field">
+        <span className="field-name">Struts</span>
+        <span>{builder?.default_material ?? "of the design's material"}</span>
+      </div>
+      <Field label="Sag, at most">
+        {(ids) => (
+          <div className="row">
+            <NumberField
+              {...ids}
+              label="Sag, at most"
+              value={epsilon}
+              min={1e-6}
+              max={1e6}
+              placeholder="automatic"
+              onCommit={chooseEpsilon}
+            />
+            {epsilon !== null && (
+              <Button
+                kind="quiet"
+                small
+                icon="close"
+                aria-label="What the head still meets"
+                title="What the head still meets"
+                onClick={() => chooseEpsilon(null)}
+              />
+            )}
+          </div>
+        )}
+      </Field>
+      <div className="row">
+        <span className="grow muted small" role="status">
+          {asking
+            ? work && work.of > 0
+              ? `${number(work.done, 0)} of ${number(work.of, 0)} struts in order`
+              : `${sentence(work?.stage || "reading")}…`
+            : checking
+              ? "Checking the order…"
+              : stale
+                ? "The design has changed since."
+                : supports
+                  ? ""
+                  : "Mark the vertices on the ground as supports, under Edit."}
+        </span>
+        {asking ? (
+          <Button className="frame-go" onClick={() => void stopSequence()}>
+            Stop
+          </Button>
+        ) : (
+          <Button
+            kind="primary"
+            className="frame-go"
+            why={why}
+            onClick={() => void findSequence(builder?.default_material ?? null)}
+          >
+            Find
+          </Button>
+        )}
+      </div>
+      <div className="frame-bar">
+        {(asking || checking) && (
+          <Bar done={asking ? (work?.done ?? 0) : 0} of={asking ? (work?.of ?? 0) : 0} label="Looking for a sequence" />
+        )}
+      </div>
+    </>
+  );
+}
+
+function Found({ drawn }: { readonly drawn: DrawnSequence }) {
+  const { at, changed, layers } = useSequence();
+  const { length, unit } = useLengths();
+  const { sequence, stopped } = drawn;
+  const steps = sequence.steps.length;
+  const found = useSequence((store) => store.found);
+  const all = found?.sequence.layers ?? [];
+  return (
+    <>
+      {stopped && steps === 0 && (
+        <ul>
+          <Line tone="info" what="The search was stopped" sub="What was tried until then is not an answer." />
+        </ul>
+      )}
+      {sequence.diagnostics.length > 0 && (
+        <ul className="build-findings">
+          {sequence.diagnostics.slice(0, MAX_FINDINGS).map((report) => (
+            <Finding key={`${report.code} ${report.message}`} report={report} />
+          ))}
+        </ul>
+      )}
+      {sequence.diagnostics.length > MAX_FINDINGS && (
+        <p className="muted small">And {number(sequence.diagnostics.length - MAX_FINDINGS, 0)} more.</p>
+      )}
+      {steps > 0 && (
+        <>
+          {changed && (
+            <ul>
+              <Line
+                tone={changed.sequence.feasible ? "fine" : "error"}
+                what={changed.sequence.feasible ? "Your order can be built" : "Your order cannot be built"}
+                action={
+                  <Button kind="link" onClick={takeBackMoves}>
+                    Take back
+                  </Button>
+                }
+              />
+            </ul>
+          )}
+          <table className="figures" aria-label="Sequence">
+            <tbody>
+              <tr>
+                <td>Largest sag</td>
+                <td>
+                  {sequence.max_displacement_mm == null
+                    ? "does not stand"
+                    : `${displacement(sequence.max_displacement_mm, unit)} of ${displacement(sequence.epsilon_mm, unit)}`}
+                </td>
+              </tr>
+              <tr>
+                <td>Share a vertex with the step before</td>
+                <td>
+                  {sequence.sharing} of {steps}
+                </td>
+              </tr>
+              {sequence.min_free_directions != null && (
+                <tr>
+                  <td>Fewest free directions</td>
+                  <td>
+                    {sequence.min_free_directions} of {drawn.directions.length}
+                  </td>
+                </tr>
+              )}
+              {sequence.time_s != null && (
+                <tr>
+                  <td>Time</td>
+                  <td>{time(sequence.time_s)}</td>
+                </tr>
+              )}
+              {sequence.travel_mm != null && (
+                <tr>
+                  <td>Travel between struts</td>
+                  <td>{length(sequence.travel_mm)}</td>
+                </tr>
+              )}
+            </tbody>
+          </table>
+          {sequence.strategy && <p className="muted small">{sentence(STRATEGIES[sequence.strategy])}.</p>}
+          <Curve drawn={drawn} at={at} />
+          <Checkbox
+            checked={layers}
+            why={all.length > 0 ? null : "There are no layers."}
+            onChange={(checked) => {
+              showLayers(checked);
+              slideTo(at);
+            }}
+          >
+            Colours of the layers ({number(all.length, 0)})
+          </Checkbox>
+          {layers && all.length > 0 && (
+            <div className="layer-key small muted">
+              {all.map((edges, layer) => (
+                // biome-ignore lint/suspicious/noArrayIndexKey: a layer is known by its place
+                <span key={layer}>
+                  <i style={{ background: cssOf(layerColour(layer)) }} />
+                  {layer + 1}: {edges.length}
+                </span>
+              ))}
+            </div>
+          )}
+          <Part title="Steps">
+            <Steps drawn={drawn} />
+          </Part>
+        </>
+      )}
+    </>
+  );
+}
+
+/** More findings than these are no help. */
+const MAX_FINDINGS = 6;

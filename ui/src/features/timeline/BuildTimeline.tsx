@@ -1,0 +1,83 @@
+import type { KeyboardEvent } from "react";
+import { Button } from "../../shared/controls/Button";
+import { useUnit } from "../../shared/figures/unit";
+import {
+  hideSequence,
+  shownSequence,
+  slideTo,
+  stepAt,
+  togglePlaySequence,
+  useSequence,
+} from "../../state/sequence/sequence";
+import { displacement } from "../frame/words";
+import { KINDS } from "../sequence/words";
+import { Track } from "./Track";
+
+/** The steps of building under the view, while they are shown there instead of a program. */
+export function BuildTimeline() {
+  const { found, changed, at, playing } = useSequence();
+  const unit = useUnit();
+  const sequence = shownSequence({ found, changed })?.sequence;
+  const steps = sequence?.steps ?? [];
+  const now = stepAt(at, steps.length);
+  const step = steps[now];
+  const text = step ? `step ${now + 1} / ${steps.length} · edge ${step.edge} ${KINDS[step.type]}` : "nothing is built";
+  const ticks = [...new Set(sequence?.diagnostics.flatMap(({ step }) => (step == null ? [] : [step])) ?? [])];
+  const keys = (event: KeyboardEvent) => {
+    const moves: Partial<Record<string, () => void>> = {
+      ArrowRight: () => slideTo(Math.floor(at) + 1),
+      ArrowUp: () => slideTo(Math.floor(at) + 1),
+      ArrowLeft: () => slideTo(Math.ceil(at) - 1),
+      ArrowDown: () => slideTo(Math.ceil(at) - 1),
+      PageUp: () => slideTo(Math.floor(at) + 10),
+      PageDown: () => slideTo(Math.ceil(at) - 10),
+      Home: () => slideTo(0),
+      End: () => slideTo(steps.length),
+      " ": togglePlaySequence,
+    };
+    const move = moves[event.key];
+    if (!move || event.ctrlKey || event.altKey || event.metaKey) return;
+    event.preventDefault();
+    event.stopPropagation();
+    move();
+  };
+  return (
+    <section className="timeline" aria-label="Timeline">
+      <Button icon="previous" aria-label="Step back" title="Step back" onClick={() => slideTo(Math.ceil(at) - 1)} />
+      <Button
+        kind="primary"
+        icon={playing ? "pause" : "play"}
+        aria-label={playing ? "Pause" : "Play"}
+        title={playing ? "Pause (Space)" : "Play (Space)"}
+        onClick={togglePlaySequence}
+      />
+      <Button icon="next" aria-label="Step forward" title="Step forward" onClick={() => slideTo(Math.floor(at) + 1)} />
+      <Track
+        label="Position in the sequence"
+        value={at}
+        of={steps.length}
+        text={text}
+        ticks={ticks}
+        tickTitle="see Sequence"
+        contacts={[]}
+        off={steps.length === 0}
+        onChange={slideTo}
+        onKeyDown={keys}
+      />
+      <span className="timeline-step">{step ? `step ${now + 1} / ${steps.length} · edge ${step.edge}` : text}</span>
+      <span className="timeline-time muted" />
+      <span className="timeline-end muted">
+        {step?.max_displacement_mm != null && `sags ${displacement(step.max_displacement_mm, unit)}`}
+      </span>
+      <span className="timeline-back">
+        <Button
+          kind="quiet"
+          icon="close"
+          aria-label="Back to the design"
+          title="Back to the design"
+          onClick={hideSequence}
+        />
+      </span>
+    </section>
+  );
+}

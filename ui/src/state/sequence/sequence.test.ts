@@ -1,0 +1,110 @@
+import { beforeEach, expect, it, vi } from "vitest";
+
+const ask = vi.hoisted(() => vi.fn());
+vi.mock("../../platform", () => ({ platform: { ask }, Refused: class Refused extends Error {} }));
+
+import { useDesign } from "../design/design";
+import { showFrame, useShape } from "../frame/shape";
+import { smallFrame } from "../frame/testing";
+import { usePlayback } from "../program/program";
+import { designState } from "../testing";
+import { advanced } from "./clock";
+import {
+  chooseBuilder,
+  findSequence,
+  forgetSequence,
+  hideSequence,
+  moveStep,
+  slideTo,
+  stepAt,
+  stopSequence,
+  takeBackMoves,
+  togglePlaySequence,
+  useSequence,
+} from "./sequence";
+import { sequenceDrawn } from "./testing";
+
+beforeEach(() => {
+  ask.mockReset();
+  ask.mockResolvedValue(sequenceDrawn());
+  forgetSequence();
+  chooseBuilder("builder");
+  showFrame(null);
+  usePlayback.setState({ played: null, live: false });
+  useDesign.setState({ ...smallFrame(), state: designState(), version: 1 });
+});
+
+it("finds a sequence, and shows all of it built in place of a frame", async () => {
+  showFrame({ kind: "loaded" });
+  await findSequence("abs");
+  expect(ask).toHaveBeenCalledWith("sequence", { machine: "builder", material: "abs", epsilon_mm: null });
+  expect(useSequence.getState()).toMatchObject({ shown: true, at: 2, problem: null });
+  expect(useShape.getState().view).toBeNull();
+});
+
+it("shows nothing of a search that has found none, or was refused", async () => {
+  const none = sequenceDrawn([]);
+  ask.mockResolvedValue({ ...none, stopped: true });
+  await findSequence("abs");
+  expect(useSequence.getState()).toMatchObject({ shown: false, found: { stopped: true } });
+  ask.mockRejectedValue(new Error("no such machine"));
+  await findSequence("abs");
+  expect(useSequence.getState()).toMatchObject({ shown: false, found: null, problem: "no such machine" });
+});
+
+it("stops a search, and leaves an answer aside that is of a design that was closed", async () => {
+  let answer = (_: unknown) => {};
+  ask.mockReturnValueOnce(new Promise((resolve) => (answer = resolve)));
+  const searched = findSequence("abs");
+  await stopSequence();
+  expect(ask).toHaveBeenLastCalledWith("stop-sequence", {});
+  forgetSequence();
+  answer(sequenceDrawn());
+  await searched;
+  expect(useSequence.getState().found).toBeNull();
+});
+
+it("checks at once where a step is moved to: its head may stand anywhere, that of the others as it stood", async () => {
+  await findSequence("abs");
+  ask.mockResolvedValue({ ...sequenceDrawn([1, 0]) });
+  await moveStep(1, 0);
+  expect(ask).toHaveBeenLastCalledWith("sequence", {
+    machine: "builder",
+    material: "wire",
+    epsilon_mm: null,
+    order: [
+      { edge: 1, from_vertex: 1, direction: null },
+      { edge: 0, from_vertex: 0, direction: [0, 0, 1] },
+    ],
+  });
+  expect(useSequence.getState().changed?.sequence.steps.map(({ edge }) => edge)).toEqual([1, 0]);
+  expect(useSequence.getState().at).toBe(1);
+  takeBackMoves();
+  expect(useSequence.getState().changed).toBeNull();
+});
+
+it("slides within its steps, plays from the start where all is built, and stops where a person slides", async () => {
+  await findSequence("abs");
+  slideTo(7);
+  expect(useSequence.getState().at).toBe(2);
+  togglePlaySequence();
+  expect(useSequence.getState()).toMatchObject({ at: 0, playing: true });
+  slideTo(1);
+  expect(useSequence.getState()).toMatchObject({ at: 1, playing: false });
+  hideSequence();
+  expect(useSequence.getState().shown).toBe(false);
+  expect([stepAt(0, 2), stepAt(1.5, 2), stepAt(2, 2)]).toEqual([0, 1, 1]);
+  expect(stepAt(1, 2)).toBe(0);
+});
+
+it("is left alone where a machine bends a wire", async () => {
+  usePlayback.setState({ live: true });
+  await findSequence("abs");
+  expect(useSequence.getState().shown).toBe(false);
+});
+
+it("plays a step in under a second, and many within a minute", () => {
+  expect(advanced(0, 10, 0.8)).toBeCloseTo(1);
+  expect(advanced(0, 600, 60)).toBeCloseTo(600);
+  expect(advanced(9.9, 10, 5)).toBe(10);
+});

@@ -1,0 +1,187 @@
+/** The order in which a machine builds the struts of the open design: looking for one, changing it, and playing it. */
+
+import { create } from "zustand";
+import type { DrawnSequence } from "../../generated/responses";
+import { platform } from "../../platform";
+import { asking } from "../asking/work";
+import { useDesign } from "../design/design";
+import { showFrame } from "../frame/shape";
+import { hideByHand } from "../machine/by_hand";
+import { showDesignAgain, usePlayback } from "../program/program";
+
+interface SequenceStore {
+  /** The machine that builds; null before the list is known. */
+  readonly machine: string | null;
+  /** How far a joint may be off, mm; null: what the head still meets. */
+  readonly epsilon: number | null;
+  /** What was found; null before, and where a search failed. */
+  readonly found: DrawnSequence | null;
+  /** The same in an order that a person has changed, as it was checked. */
+  readonly changed: DrawnSequence | null;
+  /** What it is of. */
+  readonly basis: string;
+  readonly asking: boolean;
+  readonly checking: boolean;
+  /** Why there is no answer. */
+  readonly problem: string | null;
+  /** Whether the view shows it. */
+  readonly shown: boolean;
+  /** How many steps are built, with the part of the one that is under way. */
+  readonly at: number;
+  readonly playing: boolean;
+  /** Whether struts have the colours of their layers. */
+  readonly layers: boolean;
+}
+
+const NONE = {
+  found: null,
+  changed: null,
+  basis: "",
+  asking: false,
+  checking: false,
+  problem: null,
+  shown: false,
+  at: 0,
+  playing: false,
+} as const;
+
+export const useSequence = create<SequenceStore>()(() => ({ machine: null, epsilon: null, layers: false, ...NONE }));
+
+/** What is shown: what a person has made of the order, else what was found. */
+export const shownSequence = ({ found, changed }: Pick<SequenceStore, "found" | "changed">): DrawnSequence | null =>
+  changed ?? found;
+
+export function chooseBuilder(machine: string): void {
+  useSequence.setState({ machine });
+}
+
+export function chooseEpsilon(epsilon: number | null): void {
+  useSequence.setState({ epsilon });
+}
+
+export function showLayers(layers: boolean): void {
+  useSequence.setState({ layers });
+}
+
+function basisOf({ machine, epsilon }: Pick<SequenceStore, "machine" | "epsilon">): string {
+  return JSON.stringify([useDesign.getState().version, machine, epsilon]);
+}
+
+export function useSequenceStale(): boolean {
+  useDesign();
+  const sequence = useSequence();
+  return sequence.found !== null && sequence.basis !== basisOf(sequence);
+}
+
+const wordsOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));
+
+/** Of several questions only the last one's answer counts. */
+let asked = 0;
+
+/** Looks for a sequence, and shows it. `material`: what the machine builds with. */
+export async function findSequence(material: string | null): Promise<void> {
+  const { machine, epsilon, asking: under } = useSequence.getState();
+  if (machine === null || under) return;
+  const basis = basisOf({ machine, epsilon });
+  asked += 1;
+  const question = asked;
+  useSequence.setState({ asking: true, changed: null });
+  let answer: Pick<SequenceStore, "found" | "problem">;
+  try {
+    const found = await asking("sequence", { machine, material, epsilon_mm: epsilon });
+    answer = { found, problem: null };
+  } catch (error) {
+    answer = { found: null, problem: wordsOf(error) };
+  }
+  if (question !== asked) return;
+  useSequence.setState({ ...answer, basis, asking: false, at: 0, playing: false });
+  const steps = answer.found?.sequence.steps.length ?? 0;
+  if (steps > 0) goToStep(steps);
+  else hideSequence();
+}
+
+/** A person has had enough of a search. */
+export async function stopSequence(): Promise<void> {
+  // What cannot be stopped is answered some time.
+  await platform.ask("stop-sequence", {}).catch(() => {});
+}
+
+/** Shows so many steps as built. What else the view may show gives way. */
+function goToStep(at: number): void {
+  const sequence = shownSequence(useSequence.getState());
+  const steps = sequence?.sequence.steps.length ?? 0;
+  // A machine that bends a wire is seen.
+  if (steps === 0 || usePlayback.getState().live) return;
+  if (!useSequence.getState().shown) {
+    showDesignAgain();
+    hideByHand();
+    showFrame(null);
+  }
+  useSequence.setState({ shown: true, at: Math.min(Math.max(at, 0), steps) });
+}
+
+/** The same by hand: it does not play on. */
+export function slideTo(at: number): void {
+  useSequence.setState({ playing: false });
+  goToStep(at);
+}
+
+/** The view shows the design again. */
+export function hideSequence(): void {
+  if (useSequence.getState().shown) useSequence.setState({ shown: false, playing: false });
+}
+
+/** The step that is under way, from 0, or was built last. */
+export const stepAt = (at: number, steps: number): number => Math.min(Math.max(Math.ceil(at) - 1, 0), steps - 1);
+
+export function togglePlaySequence(): void {
+  const state = useSequence.getState();
+  const steps = shownSequence(state)?.sequence.steps.length ?? 0;
+  if (state.playing) {
+    useSequence.setState({ playing: false });
+    return;
+  }
+  goToStep(state.at >= steps ? 0 : state.at);
+  useSequence.setState({ playing: useSequence.getState().shown });
+}
+
+/** Moves a step to another place, both from 0, and checks at once whether it can be built so. */
+export async function moveStep(from: number, to: number): Promise<void> {
+  const { machine, epsilon, found, checking } = useSequence.getState();
+  const sequence = shownSequence(useSequence.getState());
+  const steps = sequence?.sequence.steps ?? [];
+  const moved = steps[from];
+  if (machine === null || !found || !sequence || !moved || checking || from === to || !steps[to]) return;
+  const others = steps.filter((_, index) => index !== from);
+  const order = [...others.slice(0, to), moved, ...others.slice(to)].map((step) => ({
+    edge: step.edge,
+    from_vertex: step.from_vertex ?? null,
+    // The head of the moved step stands as it can; that of the others as it does, where it still can.
+    direction: step.edge === moved.edge ? null : (step.direction ?? null),
+  }));
+  asked += 1;
+  const question = asked;
+  useSequence.setState({ checking: true });
+  let answer: Partial<SequenceStore>;
+  try {
+    const material = found.sequence.material;
+    answer = { changed: await asking("sequence", { machine, material, epsilon_mm: epsilon, order }), problem: null };
+  } catch (error) {
+    answer = { problem: wordsOf(error) };
+  }
+  if (question !== asked) return;
+  useSequence.setState({ ...answer, checking: false });
+  slideTo(to + 1);
+}
+
+/** The order is again as it was found. */
+export function takeBackMoves(): void {
+  useSequence.setState({ changed: null });
+}
+
+/** Forgets what was of a design that was closed. */
+export function forgetSequence(): void {
+  asked += 1;
+  if (useSequence.getState().asking) void stopSequence();
+  useSequence.setState(NONE);
+}
