@@ -1,6 +1,7 @@
 //! What a window asks and hears: everything that the editor can do goes through here.
 
 mod designs;
+mod frames;
 mod machines;
 mod running;
 mod wrong_files;
