@@ -17,7 +17,7 @@ pub(super) fn change(
     request: &EditRequest,
 ) -> Result<Option<DocumentChange>, EditorError> {
     let weld = Length::from_mm(default_weld_mm()).unwrap_or_default();
-    if let Some(edits) = request.of_wireframe(weld)? {
+    if let Some(edits) = request.of_wireframe(weld, || min_edge(document, app))? {
         let mut scratch = document.wireframe.clone();
         let mut delta = Delta::none(&document.wireframe);
         for edit in &edits {
@@ -65,6 +65,13 @@ pub(super) fn change(
         EditRequest::Several { edits, .. } => Some(several(document, app, edits)?),
         _ => None,
     })
+}
+
+/// The shortest edge that the machine of a design can make; 0 without a machine.
+fn min_edge(document: &Document, app: &Installation) -> Result<Length, EditorError> {
+    let Some(machine) = &document.machine else { return Ok(Length::ZERO) };
+    let material = document.material.as_ref().map(|material| material.id.as_str());
+    Ok(app.setup(&machine.id, material)?.model.limits.min_edge.value)
 }
 
 /// Walks whose vertices and edges are all there.

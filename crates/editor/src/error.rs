@@ -30,6 +30,9 @@ pub enum EditorError {
     /// A step that is no angle.
     #[error("{0}° is no step along an arc: it has to be more than 0° and at most 180°")]
     ArcStep(f64),
+    /// A turn that is no angle.
+    #[error("{0}° is no angle to turn by")]
+    Turn(f64),
     /// A matrix that is no transform.
     #[error("this matrix is no transform: its numbers have to be finite, and its last row 0 0 0 1")]
     Matrix,
@@ -115,6 +118,7 @@ impl EditorError {
             | Self::Tolerance(_)
             | Self::LeastEdge(_)
             | Self::ArcStep(_)
+            | Self::Turn(_)
             | Self::NoWires
             | Self::Matrix => ErrorCode::Edit,
             Self::NoEdge(_) => ErrorCode::NoEdge,
@@ -138,11 +142,12 @@ impl EditorError {
             Self::NoFile | Self::Log(_) => vec![ErrorRemedy::SaveDesign],
             Self::Folder { .. } => vec![ErrorRemedy::CheckDisk, ErrorRemedy::SaveDesign],
             Self::Newer { .. } => vec![ErrorRemedy::UpdateProgram],
-            Self::Edit(_)
-            | Self::Normal
+            Self::Edit(error) => of_edit(error),
+            Self::Normal
             | Self::Tolerance(_)
             | Self::LeastEdge(_)
             | Self::ArcStep(_)
+            | Self::Turn(_)
             | Self::Matrix
             | Self::NoEdge(_)
             | Self::NoVertex(_)
@@ -151,6 +156,26 @@ impl EditorError {
             | Self::Damaged { .. }
             | Self::Unwritten(_) => Vec::new(),
         }
+    }
+}
+
+/// What makes an edit possible.
+fn of_edit(error: &EditError) -> Vec<ErrorRemedy> {
+    match error {
+        EditError::EdgeLength(_) | EditError::FilletRadius(_) | EditError::ShapeSize(_) => {
+            vec![ErrorRemedy::EnterLength]
+        }
+        EditError::CornerAngle(_) => vec![ErrorRemedy::EnterAngle],
+        EditError::NoCorner { .. } => vec![ErrorRemedy::SelectTwoEdges],
+        EditError::NoDirection(_) => vec![ErrorRemedy::MoveEndsApart],
+        EditError::HeldCorner(_) => vec![ErrorRemedy::FreeVertex],
+        EditError::Fillet { nearest: Some(radius), .. } => {
+            vec![ErrorRemedy::UseRadius { radius: text::shown(|| format!("{radius:.1}")) }]
+        }
+        EditError::Fillet { nearest: None, .. } => vec![ErrorRemedy::LengthenEdges],
+        EditError::InLine(_) => vec![ErrorRemedy::MoveOutOfLine],
+        EditError::InLoop(_) => vec![ErrorRemedy::MoveEndAlone],
+        _ => Vec::new(),
     }
 }
 

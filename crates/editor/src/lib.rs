@@ -11,6 +11,7 @@ mod check;
 mod collisions;
 mod edit_journal;
 mod error;
+mod figures;
 mod fixes;
 mod history;
 mod request;
@@ -30,7 +31,9 @@ pub use edit_journal::Unsaved;
 pub use error::EditorError;
 pub use fixes::{Fix, FixChange, FixPreview};
 use history::{Done, History};
-pub use request::{ChosenWalk, EditRequest, MergePlace, PastedVertex, Placed};
+pub use request::{
+    AxisName, ChosenWalk, EditRequest, MergePlace, PastedVertex, Placed, PlaneName, PolygonMeasure, RestPlace,
+};
 pub use view::{DesignState, DesignView, EdgeView, VertexView, ViewChange};
 
 use wirebend_planning::design::{DesignInput, Opened};

@@ -45,6 +45,30 @@ pub enum EditRequest {
         /// Vertices and their positions, mm.
         positions: Vec<Placed>,
     },
+    /// Makes an edge as long as is asked for, along its direction.
+    Length {
+        edge: u32,
+        /// More than 0.
+        length_mm: f64,
+        /// The end that stays where it is.
+        stays: u32,
+        /// What is connected beyond the other end.
+        rest: RestPlace,
+    },
+    /// Makes the angle at a vertex between two edges what is asked for.
+    Angle {
+        vertex: u32,
+        /// The edge that stays and the one that turns about the vertex; none: the only two, of which the first drawn stays.
+        #[serde(default)]
+        between: Option<[u32; 2]>,
+        /// More than 0, up to 180.
+        angle_deg: f64,
+        /// The normal of the plane to turn in, of any length, where the edges are in line.
+        #[serde(default)]
+        normal: Option<[f64; 3]>,
+        /// What is connected beyond the edge that turns.
+        rest: RestPlace,
+    },
     /// Puts a vertex on an edge.
     Split {
         edge: u32,
@@ -62,6 +86,15 @@ pub enum EditRequest {
         vertices: Vec<u32>,
         /// On positions in mm.
         matrix: [[f64; 4]; 4],
+    },
+    /// Turns vertices about an axis.
+    Rotate {
+        vertices: Vec<u32>,
+        axis: AxisName,
+        /// A point of the axis, mm.
+        through_mm: [f64; 3],
+        /// Right-handed about the axis.
+        angle_deg: f64,
     },
     /// Mirrors vertices in a plane.
     Mirror {
@@ -106,6 +139,58 @@ pub enum EditRequest {
     },
     /// Gives edges vertices of their own wherever others stay: what was one wire becomes two that touch.
     Detach { edges: Vec<u32> },
+    /// Draws a circle as straight edges.
+    Circle {
+        /// Its middle.
+        centre_mm: [f64; 3],
+        /// The plane that it lies in, through its middle.
+        plane: PlaneName,
+        /// To its vertices.
+        radius_mm: f64,
+        /// How many edges.
+        #[schemars(range(min = 3))]
+        edges: u32,
+    },
+    /// Draws a regular polygon.
+    Polygon {
+        /// Its middle.
+        centre_mm: [f64; 3],
+        /// The plane that it lies in, through its middle.
+        plane: PlaneName,
+        #[schemars(range(min = 3))]
+        sides: u32,
+        /// What its size is.
+        measure: PolygonMeasure,
+        size_mm: f64,
+        /// How far it is turned; at 0 a corner is on the first axis of the plane.
+        #[serde(default)]
+        turn_deg: f64,
+    },
+    /// Draws a helix as straight edges, from the first axis of a plane on, about its normal: z for xy, -y for xz, x for yz.
+    Helix {
+        /// The middle of its beginning.
+        centre_mm: [f64; 3],
+        plane: PlaneName,
+        /// To its vertices.
+        radius_mm: f64,
+        /// How far a turn rises; less than 0 goes down.
+        pitch_mm: f64,
+        turns: f64,
+        /// Edges of a whole turn.
+        #[schemars(range(min = 3))]
+        edges_per_turn: u32,
+        /// Left-handed.
+        #[serde(default)]
+        left: bool,
+    },
+    /// Rounds corners with a radius, as chords that the machine of the design can make.
+    Fillet {
+        /// Corners: vertices with two edges.
+        vertices: Vec<u32>,
+        radius_mm: f64,
+        /// What the wire is bent at most between two chords, degrees.
+        step_deg: f64,
+    },
     /// Takes those vertices out of a chain of edges that nearly lie on a straight line. Its ends stay; inner vertices
     /// with other edges go onto the line.
     Straighten {
@@ -211,4 +296,44 @@ pub enum MergePlace {
     Last,
     /// The mean of all.
     Centre,
+}
+
+/// What happens to the rest of the wireframe beyond a vertex that goes elsewhere.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum RestPlace {
+    /// It stays where it is.
+    Stays,
+    /// It goes along, as it is.
+    Follows,
+}
+
+/// A plane of two axes. The first is the first of its name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum PlaneName {
+    Xy,
+    Xz,
+    Yz,
+}
+
+/// What the size of a regular polygon is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum PolygonMeasure {
+    /// The radius to its corners.
+    Corners,
+    /// The radius to the middle of its sides.
+    Flats,
+    /// The length of a side.
+    Side,
+}
+
+/// An axis of the frame of the design.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum AxisName {
+    X,
+    Y,
+    Z,
 }

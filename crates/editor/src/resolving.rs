@@ -1,16 +1,25 @@
 //! From what a person asks for to the edits of `core`, and to what a menu calls it.
 
-use nalgebra::{Affine3, Matrix4, Point3, Unit, Vector3};
+use nalgebra::{Affine3, Matrix4, Point3, Vector3};
 use wirebend_core::units::{Angle, Length};
 use wirebend_core::wireframe::{EdgeId, Edit, Joint, MergeAt, MirrorMode, Vertex, VertexId};
 
 use super::EditorError;
+use super::figures::{ids, unit};
 use super::request::{EditRequest, MergePlace};
 
 impl EditRequest {
     /// The edits of the wireframe that it is; none where it changes something else.
-    pub(super) fn of_wireframe(&self, weld: Length) -> Result<Option<Vec<Edit>>, EditorError> {
+    /// `min_edge` is asked for the shortest edge that the machine of the design can make.
+    pub(super) fn of_wireframe(
+        &self,
+        weld: Length,
+        min_edge: impl FnOnce() -> Result<Length, EditorError>,
+    ) -> Result<Option<Vec<Edit>>, EditorError> {
         let one = |edit| Ok(Some(vec![edit]));
+        if let Some(edit) = self.of_figures(min_edge)? {
+            return one(edit);
+        }
         match self {
             Self::Draw { from, through_mm, to } => one(Edit::Draw {
                 from: from.map(VertexId),
@@ -56,7 +65,7 @@ impl EditRequest {
                 one(Edit::Transform { vertices: ids(vertices), transform: affine(matrix)? })
             }
             Self::Mirror { vertices, point_mm, normal, copy } => {
-                let normal = Unit::try_new(Vector3::from(*normal), 1e-12).ok_or(EditorError::Normal)?;
+                let normal = unit(*normal)?;
                 let mode = if *copy { MirrorMode::Copy } else { MirrorMode::InPlace };
                 let point = Point3::from(*point_mm);
                 one(Edit::Mirror { vertices: ids(vertices), point, normal, mode, weld })
@@ -84,7 +93,14 @@ impl EditRequest {
                 let tolerance = tolerance(*tolerance_mm)?;
                 one(Edit::Round { edges: edge_ids(edges), tolerance, step, min_edge })
             }
-            Self::Doublings { .. }
+            Self::Length { .. }
+            | Self::Angle { .. }
+            | Self::Rotate { .. }
+            | Self::Circle { .. }
+            | Self::Polygon { .. }
+            | Self::Helix { .. }
+            | Self::Fillet { .. }
+            | Self::Doublings { .. }
             | Self::Start { .. }
             | Self::Wires { .. }
             | Self::Closed { .. }
@@ -118,9 +134,12 @@ impl EditRequest {
             Self::Delete { .. } => "delete".to_owned(),
             Self::Move { vertices: moved, .. } => format!("move {}", vertices(moved)),
             Self::Place { positions } => format!("place {}", some(positions.len(), "vertex", "vertices")),
+            Self::Length { .. } => "set length".to_owned(),
+            Self::Angle { .. } => "set angle".to_owned(),
             Self::Split { .. } => "split edge".to_owned(),
             Self::Merge { vertices: merged, .. } => format!("merge {}", vertices(merged)),
             Self::Transform { vertices: turned, .. } => format!("transform {}", vertices(turned)),
+            Self::Rotate { vertices: turned, .. } => format!("rotate {}", vertices(turned)),
             Self::Mirror { .. } => "mirror".to_owned(),
             Self::Array { .. } => "array".to_owned(),
             Self::Support { support: true, .. } => "fix support".to_owned(),
@@ -133,6 +152,12 @@ impl EditRequest {
             Self::Ceiling { .. } => "remove ceiling mark".to_owned(),
             Self::Weld { .. } => "weld".to_owned(),
             Self::Detach { edges } => format!("detach {}", some(edges.len(), "edge", "edges")),
+            Self::Circle { .. } => "circle".to_owned(),
+            Self::Polygon { .. } => "polygon".to_owned(),
+            Self::Helix { .. } => "helix".to_owned(),
+            Self::Fillet { vertices: corners, .. } => {
+                format!("round {}", some(corners.len(), "corner", "corners"))
+            }
             Self::Straighten { .. } => "straighten".to_owned(),
             Self::Round { .. } => "round".to_owned(),
             Self::Doublings { .. } => "doubled edges".to_owned(),
@@ -148,10 +173,6 @@ impl EditRequest {
             Self::Several { label, .. } => label.clone(),
         }
     }
-}
-
-fn ids(list: &[u32]) -> Vec<VertexId> {
-    list.iter().copied().map(VertexId).collect()
 }
 
 fn edge_ids(list: &[u32]) -> Vec<EdgeId> {

@@ -95,6 +95,29 @@ pub enum ErrorRemedy {
         known: Vec<String>,
     },
 
+    // Edits
+    /// Give a length that an edge can have.
+    EnterLength,
+    /// Give an angle that two edges can have.
+    EnterAngle,
+    /// Select the two edges that the angle is between.
+    SelectTwoEdges,
+    /// Move the ends of the edge apart.
+    MoveEndsApart,
+    /// Move a vertex out of the line first.
+    MoveOutOfLine,
+    /// Let the end of the edge move without the rest.
+    MoveEndAlone,
+    /// Free the support, or remove the joint, first.
+    FreeVertex,
+    /// Round with another radius.
+    UseRadius {
+        /// The nearest that can be made, with its unit.
+        radius: String,
+    },
+    /// Make the edges at the corner longer.
+    LengthenEdges,
+
     // Profiles
     /// Correct the profile.
     CorrectProfile,

@@ -66,6 +66,42 @@ export type EditRequest =
       positions: Placed[];
     }
   | {
+      edge: number;
+      edit: "length";
+      /**
+       * More than 0.
+       */
+      length_mm: number;
+      rest: RestPlace;
+      /**
+       * The end that stays where it is.
+       */
+      stays: number;
+    }
+  | {
+      /**
+       * More than 0, up to 180.
+       */
+      angle_deg: number;
+      /**
+       * The edge that stays and the one that turns about the vertex; none: the only two, of which the first drawn stays.
+       *
+       * @minItems 2
+       * @maxItems 2
+       */
+      between?: [number, number] | null;
+      edit: "angle";
+      /**
+       * The normal of the plane to turn in, of any length, where the edges are in line.
+       *
+       * @minItems 3
+       * @maxItems 3
+       */
+      normal?: [number, number, number] | null;
+      rest: RestPlace;
+      vertex: number;
+    }
+  | {
       /**
        * Where: more than 0 (its first vertex), less than 1 (its second).
        */
@@ -92,6 +128,22 @@ export type EditRequest =
         [number, number, number, number],
         [number, number, number, number]
       ];
+      vertices: number[];
+    }
+  | {
+      /**
+       * Right-handed about the axis.
+       */
+      angle_deg: number;
+      axis: AxisName;
+      edit: "rotate";
+      /**
+       * A point of the axis, mm.
+       *
+       * @minItems 3
+       * @maxItems 3
+       */
+      through_mm: [number, number, number];
       vertices: number[];
     }
   | {
@@ -170,6 +222,83 @@ export type EditRequest =
   | {
       edges: number[];
       edit: "detach";
+    }
+  | {
+      /**
+       * Its middle.
+       *
+       * @minItems 3
+       * @maxItems 3
+       */
+      centre_mm: [number, number, number];
+      /**
+       * How many edges.
+       */
+      edges: number;
+      edit: "circle";
+      plane: PlaneName;
+      /**
+       * To its vertices.
+       */
+      radius_mm: number;
+    }
+  | {
+      /**
+       * Its middle.
+       *
+       * @minItems 3
+       * @maxItems 3
+       */
+      centre_mm: [number, number, number];
+      edit: "polygon";
+      measure: PolygonMeasure;
+      plane: PlaneName;
+      sides: number;
+      size_mm: number;
+      /**
+       * How far it is turned; at 0 a corner is on the first axis of the plane.
+       */
+      turn_deg?: number;
+    }
+  | {
+      /**
+       * The middle of its beginning.
+       *
+       * @minItems 3
+       * @maxItems 3
+       */
+      centre_mm: [number, number, number];
+      /**
+       * Edges of a whole turn.
+       */
+      edges_per_turn: number;
+      edit: "helix";
+      /**
+       * Left-handed.
+       */
+      left?: boolean;
+      /**
+       * How far a turn rises; less than 0 goes down.
+       */
+      pitch_mm: number;
+      plane: PlaneName;
+      /**
+       * To its vertices.
+       */
+      radius_mm: number;
+      turns: number;
+    }
+  | {
+      edit: "fillet";
+      radius_mm: number;
+      /**
+       * What the wire is bent at most between two chords, degrees.
+       */
+      step_deg: number;
+      /**
+       * Corners: vertices with two edges.
+       */
+      vertices: number[];
     }
   | {
       /**
@@ -263,9 +392,25 @@ export type EditRequest =
  */
 export type JointKind = ("solder" | "zip-tie") | "snap-fit";
 /**
+ * What happens to the rest of the wireframe beyond a vertex that goes elsewhere.
+ */
+export type RestPlace = "stays" | "follows";
+/**
  * Where the vertex goes that others are merged into.
  */
 export type MergePlace = "last" | "first" | "centre";
+/**
+ * An axis of the frame of the design.
+ */
+export type AxisName = "x" | "y" | "z";
+/**
+ * A plane of two axes. The first is the first of its name.
+ */
+export type PlaneName = "xy" | "xz" | "yz";
+/**
+ * What the size of a regular polygon is.
+ */
+export type PolygonMeasure = "corners" | "flats" | "side";
 /**
  * What the numbers of a file measure.
  */

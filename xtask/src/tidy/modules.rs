@@ -41,7 +41,10 @@ const ORDER: &[(&str, &str)] = &[
         "text report stage progress error output installation signs drivers bodies machine contacts job choices program design stencil \
          turning_back plan compare wires catalogue import generate picture export dump profiles calibrate playback collisions simulate frame sequence",
     ),
-    ("crates/editor", "request view error history edit_journal resolving changing check collisions fixes"),
+    (
+        "crates/editor",
+        "request view error history edit_journal figures resolving changing check collisions fixes",
+    ),
     (
         "crates/operation",
         "event phase order error front_end runs calibrate live ports machine_settings simulate run by_hand operator",

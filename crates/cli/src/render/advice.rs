@@ -51,6 +51,15 @@ fn one(remedy: &ErrorRemedy) -> String {
             format!("leave out {}", options.join(", "))
         }
         R::ChooseKnown { near, known } => choice(near, known),
+        R::FreeVertex => "free the support, or remove the joint, first".to_owned(),
+        R::UseRadius { radius } => format!("use a radius of {radius}, the nearest that can be made"),
+        R::LengthenEdges => "make the edges at the corner longer".to_owned(),
+        R::EnterLength => "give a length of more than 0".to_owned(),
+        R::EnterAngle => "give an angle of more than 0° and at most 180°".to_owned(),
+        R::SelectTwoEdges => "name the two edges".to_owned(),
+        R::MoveEndsApart => "move one of its ends".to_owned(),
+        R::MoveOutOfLine => "move a vertex out of the line first".to_owned(),
+        R::MoveEndAlone => "move its end without the rest".to_owned(),
         R::CorrectProfile => "correct the profile".to_owned(),
         R::AddKey { text } => format!("add {text}"),
         R::SeeSchema => "see the JSON Schema in machine-profiles/schema/".to_owned(),

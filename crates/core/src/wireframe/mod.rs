@@ -18,7 +18,7 @@ mod welder;
 
 pub use components::Component;
 pub use delta::{Change, Delta, StaleDelta};
-pub use edits::{Edit, EditError, MergeAt, MirrorMode};
+pub use edits::{Edit, EditError, FilletFault, MergeAt, MirrorMode, PolygonSize, Rest, ShapePlane};
 pub use graph::{Edge, EdgeId, NextIds, Vertex, VertexId, Wireframe, WireframeError};
 pub use joint::{Joint, JointKind};
 pub use truss::{MAX_RINGS, TrussError, regular_depth, tetrahedral_truss};

@@ -4,7 +4,7 @@ use nalgebra::{Affine3, Matrix4, Point3, Unit, Vector3};
 use proptest::prelude::*;
 use wirebend_core::units::{Angle, Length};
 use wirebend_core::wireframe::{
-    Delta, Edge, EdgeId, Edit, EditError, Joint, JointKind, MergeAt, MirrorMode, StaleDelta, Vertex,
+    Delta, Edge, EdgeId, Edit, EditError, Joint, JointKind, MergeAt, MirrorMode, Rest, StaleDelta, Vertex,
     VertexId, Wireframe, WireframeError,
 };
 
@@ -203,6 +203,7 @@ fn any_edit() -> impl Strategy<Value = Edit> {
     let point = || prop::array::uniform3(-50..50_i32).prop_map(|c| Point3::from(c.map(f64::from)));
     let edges = || prop::collection::btree_set((0..12_u32).prop_map(EdgeId), 0..6).prop_map(Vec::from_iter);
     let weld = Just(Length::from_mm(1.5).unwrap());
+    let rest = || prop_oneof![Just(Rest::Stays), Just(Rest::Follows)];
     prop_oneof![
         point().prop_map(|position| Edit::AddVertex { position }),
         (v(), v()).prop_map(|(a, b)| Edit::Connect { a, b }),
@@ -218,6 +219,15 @@ fn any_edit() -> impl Strategy<Value = Edit> {
         (some(), point()).prop_map(|(vertices, by)| Edit::Move { vertices, by: by.coords }),
         (v(), point()).prop_map(|(vertex, position)| Edit::Place { vertex, position }),
         ((0..12_u32).prop_map(EdgeId), 0.0..1.0_f64).prop_map(|(edge, at)| Edit::SplitEdge { edge, at }),
+        ((0..12_u32).prop_map(EdgeId), v(), -1.0..60.0_f64, rest())
+            .prop_map(|(edge, stays, to, rest)| { Edit::SetLength { edge, length: mm(to), stays, rest } }),
+        (v(), -10.0..200.0_f64, rest()).prop_map(|(vertex, to, rest)| Edit::SetAngle {
+            vertex,
+            between: None,
+            angle: Angle::from_deg(to).unwrap(),
+            normal: Some(Vector3::z_axis()),
+            rest
+        }),
         (some(), prop_oneof![Just(MergeAt::First), Just(MergeAt::Last), Just(MergeAt::Centre)])
             .prop_map(|(vertices, at)| Edit::Merge { vertices, at }),
         (some(), point(), any::<bool>(), weld).prop_map(|(vertices, point, copy, weld)| {

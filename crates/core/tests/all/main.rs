@@ -5,9 +5,11 @@
 mod accuracy;
 mod chains;
 mod edits;
+mod exact;
 mod marks;
 mod path_and_program;
 mod physics;
 mod routes;
 mod sequence;
+mod shapes;
 mod trusses;

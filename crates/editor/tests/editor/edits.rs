@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use serde_json::{Value, json};
-use wirebend_editor::{DesignView, EditRequest, Editor, ViewChange};
+use wirebend_editor::{DesignView, EditRequest, Editor, RestPlace, ViewChange};
+use wirebend_error::{ErrorCode, ErrorRemedy};
 
 use crate::{app, edit, open};
 
@@ -50,9 +51,32 @@ pub fn every_edit() -> Vec<(Value, &'static str)> {
             json!({"edit": "place", "positions": [{"vertex": 0, "at_mm": [9, 9, 9]}, {"vertex": 1, "at_mm": [8, 8, 8]}]}),
             "place 2 vertices",
         ),
+        (json!({"edit": "length", "edge": 2, "length_mm": 12.5, "stays": 0, "rest": "stays"}), "set length"),
+        (
+            json!({"edit": "angle", "vertex": 0, "between": [0, 1], "angle_deg": 60, "rest": "stays"}),
+            "set angle",
+        ),
         (json!({"edit": "split", "edge": 2, "at": 0.5}), "split edge"),
         (json!({"edit": "merge", "vertices": [0, 1, 2], "at": "centre"}), "merge 3 vertices"),
         (json!({"edit": "transform", "vertices": [0, 1], "matrix": turn}), "transform 2 vertices"),
+        (
+            json!({"edit": "rotate", "vertices": [0, 1], "axis": "y", "through_mm": [5, 0, 0], "angle_deg": 30}),
+            "rotate 2 vertices",
+        ),
+        (
+            json!({"edit": "circle", "centre_mm": [0, 0, 60], "plane": "xy", "radius_mm": 40, "edges": 12}),
+            "circle",
+        ),
+        (
+            json!({"edit": "polygon", "centre_mm": [0, 0, 60], "plane": "xz", "sides": 6, "measure": "flats",
+            "size_mm": 40, "turn_deg": 30}),
+            "polygon",
+        ),
+        (
+            json!({"edit": "helix", "centre_mm": [0, 0, 60], "plane": "yz", "radius_mm": 40, "pitch_mm": 20,
+            "turns": 2.5, "edges_per_turn": 8, "left": true}),
+            "helix",
+        ),
         (
             json!({"edit": "mirror", "vertices": [0, 1, 2], "point_mm": [0, 0, 50], "normal": [0, 0, 2], "copy": true}),
             "mirror",
@@ -213,6 +237,77 @@ fn what_cannot_be_done_is_said_and_changes_nothing() {
     for unknown in [json!({"edit": "paint"}), json!({"edit": "draw", "colour": 1}), json!({"edit": "move"})] {
         assert!(serde_json::from_value::<EditRequest>(unknown.clone()).is_err(), "{unknown}");
     }
+}
+
+/// Each says what to do instead.
+#[test]
+fn lengths_and_angles_that_cannot_be_have_a_remedy() {
+    let mut editor = open("cube.obj");
+    let before = editor.document().clone();
+    let length = |mm: f64, rest| EditRequest::Length { edge: 2, length_mm: mm, stays: 0, rest };
+    let angle = |deg: f64, between, rest| EditRequest::Angle {
+        vertex: 0,
+        between,
+        angle_deg: deg,
+        normal: None,
+        rest,
+    };
+    let (alone, all) = (RestPlace::Stays, RestPlace::Follows);
+    for (request, remedy, said) in [
+        (length(0.0, alone), ErrorRemedy::EnterLength, "0 mm is no length"),
+        (length(-4.0, alone), ErrorRemedy::EnterLength, "-4 mm is no length"),
+        (length(f64::NAN, alone), ErrorRemedy::EnterLength, "NaN mm is no length"),
+        (length(30.0, all), ErrorRemedy::MoveEndAlone, "closed loop"),
+        (angle(f64::INFINITY, Some([0, 1]), alone), ErrorRemedy::EnterAngle, "inf° is no angle"),
+        (angle(181.0, Some([0, 1]), alone), ErrorRemedy::EnterAngle, "at most 180°"),
+        (angle(90.0, None, alone), ErrorRemedy::SelectTwoEdges, "vertex 0 has 3 edges"),
+    ] {
+        let error = editor.edit(&app(), &request).unwrap_err();
+        assert!(error.to_string().contains(said), "{error}");
+        assert_eq!((error.code(), error.remedies()), (ErrorCode::Edit, vec![remedy]), "{error}");
+        assert_eq!(editor.document(), &before);
+    }
+}
+
+/// The wirebend-kit makes no edge shorter than 20.4 mm: a quarter of 30 mm radius has two chords there, and six without a machine.
+#[test]
+fn a_fillet_keeps_to_the_machine_of_the_design() {
+    let app = app();
+    let hook = json!({"edit": "draw", "through_mm": [[0, 0, 0], [0, 0, 100], [100, 0, 100], [100, 0, 0]]});
+    let fillet =
+        |radius: f64| json!({"edit": "fillet", "vertices": [1, 2], "radius_mm": radius, "step_deg": 15});
+    for (machine, chords) in [(None, 6), (Some("wirebend-kit"), 2)] {
+        let mut editor = Editor::new(&app, machine, None).unwrap();
+        edit(&mut editor, &hook);
+        let change = edit(&mut editor, &fillet(30.0));
+        assert_eq!(change.state.undo.as_deref(), Some("round 2 corners"));
+        assert_eq!(editor.view().edges.len(), 3 + 2 * chords, "{machine:?}");
+    }
+    let mut editor = Editor::new(&app, Some("wirebend-kit"), None).unwrap();
+    edit(&mut editor, &hook);
+    for (radius, nearest) in [(10.0, Some("26.7 mm")), (45.0, Some("39.8 mm"))] {
+        // Both corners take from the 100 mm between them.
+        let request = serde_json::from_value(fillet(radius)).unwrap();
+        let error = editor.edit(&app, &request).unwrap_err();
+        let said = nearest.map(|radius| ErrorRemedy::UseRadius { radius: radius.to_owned() });
+        assert_eq!(error.remedies(), Vec::from_iter(said), "{error}");
+    }
+}
+
+/// A quarter turn leaves whole numbers whole.
+#[test]
+fn a_turn_is_about_the_axis_through_its_point() {
+    let mut editor = open("cube.obj");
+    for (axis, expected) in [("x", [30.0, 30.0, 0.0]), ("y", [0.0, 30.0, 30.0]), ("z", [30.0, 0.0, 30.0])] {
+        let turn = json!({"edit": "rotate", "vertices": [7], "axis": axis, "through_mm": [15, 15, 15], "angle_deg": -90});
+        let turned = edit(&mut editor, &turn).vertices[0].at_mm;
+        assert_eq!(json!(turned), json!(expected), "{axis}");
+        editor.undo().unwrap();
+    }
+    let turn =
+        json!({"edit": "rotate", "vertices": [7], "axis": "z", "through_mm": [0, 0, 0], "angle_deg": 45});
+    let [x, y, z] = edit(&mut editor, &turn).vertices[0].at_mm;
+    assert!(x.abs() < 1e-9 && (y - 30.0 * 2.0_f64.sqrt()).abs() < 1e-9 && (z - 30.0).abs() < 1e-9);
 }
 
 /// A step of a user who tries everything.

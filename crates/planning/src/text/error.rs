@@ -4,7 +4,8 @@ use wirebend_core::accuracy::ClosingError;
 use wirebend_core::compensate::{PegGeometryError, PegRadius, SpringbackError};
 use wirebend_core::route::RouteError;
 use wirebend_core::simulate::{BadErrorTerm, ErrorSource};
-use wirebend_core::wireframe::EditError;
+use wirebend_core::units::{Length, Mm};
+use wirebend_core::wireframe::{EditError, FilletFault};
 use wirebend_files::number::thousands;
 
 use super::number::count;
@@ -66,6 +67,55 @@ pub fn edit(error: &EditError) -> String {
         }
         EditError::SmallArc { radius, min_edge } => {
             format!("an arc of radius {radius:.2} cannot be made of edges of at least {min_edge:.2}")
+        }
+        EditError::EdgeLength(mm) => format!("{} is no length of an edge: it has to be more than 0", Mm(*mm)),
+        EditError::CornerAngle(deg) => {
+            format!("{deg}° is no angle between edges: it has to be more than 0° and at most 180°")
+        }
+        EditError::NotAnEnd { edge, vertex } => format!("vertex {vertex} is not an end of edge {edge}"),
+        EditError::NoDirection(edge) => {
+            format!("the ends of edge {edge} are at the same place, so it has no direction")
+        }
+        EditError::NoCorner { vertex, edges } => {
+            format!("vertex {vertex} has {}, and an angle is between 2", count(*edges, "edge", "edges"))
+        }
+        EditError::SameEnds(one, other) => format!("edges {one} and {other} join the same two vertices"),
+        EditError::InLine(vertex) => {
+            format!(
+                "the two edges at vertex {vertex} are in line, which leaves open in which plane to turn one"
+            )
+        }
+        EditError::InLoop(edge) => {
+            format!(
+                "edge {edge} is part of a closed loop: the rest is connected to both of its ends and cannot follow one"
+            )
+        }
+        EditError::FilletRadius(mm) => {
+            format!("{} is no radius of a fillet: it has to be more than 0", Mm(*mm))
+        }
+        EditError::StraightCorner(vertex) => {
+            format!("the edges at vertex {vertex} are in line or on each other: there is no corner to round")
+        }
+        EditError::HeldCorner(vertex) => {
+            format!("vertex {vertex} is a support or has a joint, which a fillet would move")
+        }
+        EditError::Fillet { vertex, radius, min_edge, fault, nearest: _ } => match fault {
+            FilletFault::Chords => format!(
+                "the chords of a fillet of {radius:.1} at vertex {vertex} would be shorter than the shortest edge, {min_edge:.1}"
+            ),
+            FilletFault::Edges if *min_edge > Length::ZERO => format!(
+                "what a fillet of {radius:.1} leaves of the edges at vertex {vertex} would be shorter than the shortest edge, {min_edge:.1}"
+            ),
+            FilletFault::Edges => {
+                format!("the edges at vertex {vertex} are too short for a fillet of {radius:.1}")
+            }
+        },
+        EditError::Sides { sides, max } => {
+            format!("a polygon has from 3 to {} sides, and not {sides}", thousands(&max.to_string()))
+        }
+        EditError::ShapeSize(mm) => format!("{} is no size: it has to be more than 0", Mm(*mm)),
+        EditError::Turns(turns) => {
+            format!("a helix has more than 0 and at most {} turns, and not {turns}", thousands("10000"))
         }
         EditError::Connected(a, b) => format!("vertices {a} and {b} are connected already"),
         EditError::SplitAt(at) => {

@@ -8,7 +8,7 @@ use super::super::graph::{Edge, VertexId};
 use super::{EditError, topology};
 
 /// The most vertices that are drawn at once.
-const MAX_DRAWN: usize = 1_000_000;
+pub(super) const MAX_DRAWN: usize = 1_000_000;
 
 /// A chain of edges from a vertex that is there, if any, through new ones, to one that is there, if any.
 pub(super) fn strand(

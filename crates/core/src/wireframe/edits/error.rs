@@ -49,6 +49,77 @@ pub enum EditError {
         /// The shortest edge that was asked for.
         min_edge: Length,
     },
+    /// A length in mm that no edge has: 0, less, or no number.
+    #[error("a length of {0} mm; it is more than 0")]
+    EdgeLength(f64),
+    /// An angle in degrees that no two edges have: 0, less, more than 180, or no number.
+    #[error("an angle of {0}° between edges; it is more than 0° and at most 180°")]
+    CornerAngle(f64),
+    /// A vertex is not an end of an edge.
+    #[error("vertex {vertex} is not an end of edge {edge}")]
+    NotAnEnd {
+        /// The edge.
+        edge: EdgeId,
+        /// The vertex.
+        vertex: VertexId,
+    },
+    /// The ends of an edge are at the same place.
+    #[error("edge {0} has no length, so no direction")]
+    NoDirection(EdgeId),
+    /// An angle at a vertex that has not two edges, without saying between which.
+    #[error("{edges} edges at vertex {vertex}; an angle is between 2")]
+    NoCorner {
+        /// The vertex.
+        vertex: VertexId,
+        /// How many edges it has.
+        edges: usize,
+    },
+    /// Two edges join the same two vertices.
+    #[error("edges {0} and {1} have the same ends")]
+    SameEnds(EdgeId, EdgeId),
+    /// The edges at a vertex are in line, and no plane is given to turn one of them in.
+    #[error("the edges at vertex {0} are in line, so they have no plane")]
+    InLine(VertexId),
+    /// What is beyond an edge is to follow, but is connected to what stays.
+    #[error("edge {0} is part of a closed loop")]
+    InLoop(EdgeId),
+    /// A radius in mm that no fillet has: 0, less, or no number.
+    #[error("a fillet with a radius of {0} mm; it is more than 0")]
+    FilletRadius(f64),
+    /// A corner whose edges are in line or on each other.
+    #[error("the edges at vertex {0} are in line or on each other, so there is no corner")]
+    StraightCorner(VertexId),
+    /// A corner that is a support or has a joint, which a fillet would move.
+    #[error("vertex {0} is a support or has a joint")]
+    HeldCorner(VertexId),
+    /// A fillet with chords, or with what is left of its edges, shorter than the shortest edge.
+    #[error("no fillet of radius {radius:.2} at vertex {vertex} with edges of at least {min_edge:.2}")]
+    Fillet {
+        /// The corner.
+        vertex: VertexId,
+        /// The radius that was asked for.
+        radius: Length,
+        /// The shortest edge that can be made.
+        min_edge: Length,
+        /// What is too short.
+        fault: FilletFault,
+        /// The nearest radius that can be made, to a tenth of a millimetre; none where there is none.
+        nearest: Option<Length>,
+    },
+    /// A number of sides that no polygon has.
+    #[error("{sides} sides; a polygon has from 3 to {max}")]
+    Sides {
+        /// How many were asked for.
+        sides: u32,
+        /// How many there may be.
+        max: u32,
+    },
+    /// A size in mm that no shape has: 0, less, or no number.
+    #[error("a size of {0} mm; it is more than 0")]
+    ShapeSize(f64),
+    /// A number of turns that no helix has.
+    #[error("{0} turns; a helix has more than 0 and at most 10,000")]
+    Turns(f64),
     /// Two vertices are already joined by an edge.
     #[error("vertices {0} and {1} are connected already")]
     Connected(VertexId, VertexId),
@@ -88,4 +159,13 @@ pub enum EditError {
         /// How many vertices all copies together may have.
         max: usize,
     },
+}
+
+/// What of a fillet is too short.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FilletFault {
+    /// Two chords of the arc are: the radius is too small.
+    Chords,
+    /// What is left of an edge is: the radius is too large.
+    Edges,
 }

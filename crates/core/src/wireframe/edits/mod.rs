@@ -5,7 +5,10 @@ mod copies;
 mod detach;
 mod drawing;
 mod error;
+mod exact;
+mod fillet;
 mod placement;
+mod shapes;
 mod smoothing;
 mod topology;
 
@@ -15,7 +18,8 @@ use super::delta::{Delta, Draft};
 use super::graph::{EdgeId, VertexId, Wireframe};
 use crate::units::{Angle, Length};
 
-pub use error::EditError;
+pub use error::{EditError, FilletFault};
+pub use shapes::{PolygonSize, ShapePlane};
 
 /// Where the vertex goes that others are merged into.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,6 +30,15 @@ pub enum MergeAt {
     Last,
     /// The mean of all of them.
     Centre,
+}
+
+/// What a vertex that goes elsewhere leaves behind.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Rest {
+    /// The vertex alone goes; the other edges at it change.
+    Stays,
+    /// What is connected beyond the vertex goes along, as it is.
+    Follows,
 }
 
 /// Whether a mirror moves what is there or adds its image.
@@ -89,6 +102,32 @@ pub enum Edit {
         vertex: VertexId,
         /// Where.
         position: Point3<f64>,
+    },
+    /// Makes an edge as long as is asked for: one end goes along the edge, the other stays exactly where it is.
+    SetLength {
+        /// Which.
+        edge: EdgeId,
+        /// More than 0.
+        length: Length,
+        /// The end that stays.
+        stays: VertexId,
+        /// Whether what is connected beyond the other end goes along; not where the edge is part of a closed loop.
+        rest: Rest,
+    },
+    /// Makes the angle at a vertex between two edges what is asked for: one stays exactly where it is, the other turns about the
+    /// vertex, in the plane of both, and keeps its length.
+    SetAngle {
+        /// Which.
+        vertex: VertexId,
+        /// The edge that stays and the one that turns; none: the only two at the vertex, of which the first drawn stays.
+        between: Option<(EdgeId, EdgeId)>,
+        /// More than 0° (on each other), up to 180° (in line).
+        angle: Angle,
+        /// The normal of the plane to turn in where the two edges are in line and have none of their own: right-handed from the edge
+        /// that stays to the other.
+        normal: Option<Unit<Vector3<f64>>>,
+        /// Whether what is connected beyond the edge that turns goes along; not where both edges are part of a closed loop.
+        rest: Rest,
     },
     /// Puts a vertex on an edge. The edge keeps its id up to there; the rest is a new edge.
     SplitEdge {
@@ -168,6 +207,45 @@ pub enum Edit {
         /// Which.
         edges: Vec<EdgeId>,
     },
+    /// Draws a closed polygon of equal sides: with many, a circle.
+    AddPolygon {
+        /// Where; its first corner is on the first axis, before it is turned.
+        plane: ShapePlane,
+        /// How many, 3 or more.
+        sides: u32,
+        /// More than 0.
+        size: PolygonSize,
+        /// By how much it is turned in its plane.
+        turn: Angle,
+    },
+    /// Draws a helix of straight edges about the normal of a plane.
+    AddHelix {
+        /// Where it begins: on the first axis.
+        plane: ShapePlane,
+        /// Of the circle that its vertices are over; more than 0.
+        radius: Length,
+        /// How far a turn rises along the normal, u × v; less than 0 goes down.
+        pitch: Length,
+        /// More than 0; whole turns or not.
+        turns: f64,
+        /// Edges of a whole turn, 3 or more.
+        sides: u32,
+        /// Against the right hand about the normal.
+        left: bool,
+    },
+    /// Rounds corners: each is replaced by chords of the arc of a radius that touches both of its edges, from where it touches the one
+    /// to where it touches the other.
+    Fillet {
+        /// Which: with two edges that are neither in line nor on each other, and neither support nor joint.
+        vertices: Vec<VertexId>,
+        /// Of the arcs; more than 0.
+        radius: Length,
+        /// How far a chord goes round at most, more than 0 and up to 180°: what the wire is bent at the vertices between two. An arc
+        /// has two chords or more.
+        step: Angle,
+        /// No chord, and nothing that is left of an edge, is shorter; there are fewer chords then.
+        min_edge: Length,
+    },
     /// Takes those vertices out of a chain that are within a tolerance of a straight line. Its ends stay; inner
     /// vertices with other edges go onto the line, supports and joints stay where they are.
     Straighten {
@@ -208,6 +286,12 @@ impl Edit {
             Self::Delete { vertices, edges } => topology::delete(&mut draft, vertices, edges)?,
             Self::Move { vertices, by } => placement::shift(&mut draft, vertices, by)?,
             Self::Place { vertex, position } => draft.move_vertex(*vertex, *position)?,
+            Self::SetLength { edge, length, stays, rest } => {
+                exact::set_length(&mut draft, *edge, *length, *stays, *rest)?;
+            }
+            Self::SetAngle { vertex, between, angle, normal, rest } => {
+                exact::set_angle(&mut draft, *vertex, *between, *angle, *normal, *rest)?;
+            }
             Self::SplitEdge { edge, at } => topology::split(&mut draft, *edge, *at)?,
             Self::Merge { vertices, at } => topology::merge(&mut draft, vertices, *at)?,
             Self::Transform { vertices, transform } => placement::transform(&mut draft, vertices, transform)?,
@@ -227,6 +311,15 @@ impl Edit {
             Self::SetJoint { vertices, joint } => placement::set_joint(&mut draft, vertices, *joint)?,
             Self::SetCeiling { edges, ceiling } => placement::set_ceiling(&mut draft, edges, *ceiling)?,
             Self::Detach { edges } => detach::detach(&mut draft, edges)?,
+            Self::AddPolygon { plane, sides, size, turn } => {
+                shapes::polygon(&mut draft, plane, *sides, *size, *turn)?;
+            }
+            Self::AddHelix { plane, radius, pitch, turns, sides, left } => {
+                shapes::helix(&mut draft, plane, *radius, *pitch, *turns, *sides, *left)?;
+            }
+            Self::Fillet { vertices, radius, step, min_edge } => {
+                fillet::fillet(&mut draft, vertices, *radius, *step, *min_edge)?;
+            }
             Self::Straighten { edges, tolerance } => smoothing::straighten(&mut draft, edges, *tolerance)?,
             Self::Round { edges, tolerance, step, min_edge } => {
                 smoothing::round(&mut draft, edges, *tolerance, *step, *min_edge)?;

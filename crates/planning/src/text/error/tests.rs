@@ -2,7 +2,7 @@ use wirebend_core::accuracy::ClosingError;
 use wirebend_core::compensate::{PegGeometryError, PegRadius, SpringbackError};
 use wirebend_core::simulate::{BadErrorTerm, ErrorSource};
 use wirebend_core::units::{Angle, Length};
-use wirebend_core::wireframe::{EdgeId, EditError, VertexId, WireframeError};
+use wirebend_core::wireframe::{EdgeId, EditError, FilletFault, VertexId, WireframeError};
 
 fn mm(value: f64) -> Length {
     Length::from_mm(value).unwrap()
@@ -11,6 +11,13 @@ fn mm(value: f64) -> Length {
 #[test]
 fn an_edit_that_cannot_be_made_says_why_and_what_would_be_right() {
     let (a, b) = (VertexId(1), VertexId(2));
+    let fillet = |fault, min_edge| EditError::Fillet {
+        vertex: a,
+        radius: mm(5.0),
+        min_edge: mm(min_edge),
+        fault,
+        nearest: None,
+    };
     for (error, words) in [
         (EditError::Wireframe(WireframeError::NoVertex(a)), "there is no vertex 1"),
         (EditError::NoEdge(EdgeId(7)), "there is no edge 7"),
@@ -32,6 +39,47 @@ fn an_edit_that_cannot_be_made_says_why_and_what_would_be_right() {
             EditError::SmallArc { radius: mm(5.0), min_edge: mm(12.0) },
             "an arc of radius 5.00 mm cannot be made of edges of at least 12.00 mm",
         ),
+        (EditError::EdgeLength(-3.0), "-3 mm is no length of an edge: it has to be more than 0"),
+        (
+            EditError::CornerAngle(270.0),
+            "270° is no angle between edges: it has to be more than 0° and at most 180°",
+        ),
+        (EditError::NotAnEnd { edge: EdgeId(7), vertex: a }, "vertex 1 is not an end of edge 7"),
+        (
+            EditError::NoDirection(EdgeId(7)),
+            "the ends of edge 7 are at the same place, so it has no direction",
+        ),
+        (EditError::NoCorner { vertex: a, edges: 3 }, "vertex 1 has 3 edges, and an angle is between 2"),
+        (EditError::SameEnds(EdgeId(7), EdgeId(8)), "edges 7 and 8 join the same two vertices"),
+        (
+            EditError::InLine(a),
+            "the two edges at vertex 1 are in line, which leaves open in which plane to turn one",
+        ),
+        (
+            EditError::InLoop(EdgeId(7)),
+            "edge 7 is part of a closed loop: the rest is connected to both of its ends and cannot follow one",
+        ),
+        (EditError::FilletRadius(0.0), "0 mm is no radius of a fillet: it has to be more than 0"),
+        (
+            EditError::StraightCorner(a),
+            "the edges at vertex 1 are in line or on each other: there is no corner to round",
+        ),
+        (EditError::HeldCorner(a), "vertex 1 is a support or has a joint, which a fillet would move"),
+        (
+            fillet(FilletFault::Chords, 20.4),
+            "the chords of a fillet of 5.0 mm at vertex 1 would be shorter than the shortest edge, 20.4 mm",
+        ),
+        (
+            fillet(FilletFault::Edges, 20.4),
+            "what a fillet of 5.0 mm leaves of the edges at vertex 1 would be shorter than the shortest edge, 20.4 mm",
+        ),
+        (fillet(FilletFault::Edges, 0.0), "the edges at vertex 1 are too short for a fillet of 5.0 mm"),
+        (
+            EditError::Sides { sides: 2, max: 10_000 },
+            "a polygon has from 3 to 10\u{202f}000 sides, and not 2",
+        ),
+        (EditError::ShapeSize(-1.0), "-1 mm is no size: it has to be more than 0"),
+        (EditError::Turns(0.0), "a helix has more than 0 and at most 10\u{202f}000 turns, and not 0"),
         (EditError::Connected(a, b), "vertices 1 and 2 are connected already"),
         (
             EditError::SplitAt(1.5),
