@@ -122,7 +122,7 @@ it("draws on a plane, on the grid of it", async () => {
   ] as const) {
     await editor.page.mouse.move(x + dx - 5, y + dy);
     await editor.page.mouse.move(x + dx, y + dy, { steps: 3 });
-    const card = editor.page.locator(".hover-card", { hasText: /Grid|On the plane/ });
+    const card = editor.page.locator(".hover-card", { hasText: /Grid|On the plane|Direction in steps/ });
     await card.waitFor();
     const figures =
       (await card.innerText())
@@ -145,9 +145,9 @@ it("draws on a plane, on the grid of it", async () => {
 it("makes an edge as long as is typed, towards the pointer", async () => {
   const canvas = await editor.page.locator(".viewport canvas").boundingBox();
   await editor.page.mouse.move((canvas?.x ?? 0) + 620, (canvas?.y ?? 0) + 450, { steps: 3 });
-  await editor.page.getByText(/^edge \d+\.\d mm$/).waitFor();
+  await editor.page.getByText(/^edge \d+\.\d mm · \d+\.\d°\s+Tab: angle$/).waitFor();
   await editor.page.keyboard.type("42.5");
-  await editor.page.getByText("edge 42.5▏ mm, Enter places it").waitFor();
+  await editor.page.getByText(/^edge 42\.5▏ mm · .*Enter: place$/).waitFor();
   await editor.page.keyboard.press("Enter");
   await until(async () => (await editor.design()).vertices.length).toBe(4);
   const { vertices, edges } = await editor.design();
@@ -160,4 +160,56 @@ it("makes an edge as long as is typed, towards the pointer", async () => {
   await trace().getByText("3 edges drawn").waitFor();
   await editor.page.keyboard.press("Escape");
   await trace().getByText("Click on the plane to begin a strand").waitFor();
+});
+
+it("draws in steps of 15°, which Shift frees, and shows length and angle beside the edge", async () => {
+  await editor.take(null, "trace");
+  await editor.page.keyboard.press("d");
+  await trace().getByText("XZ", { exact: true }).click();
+  await editor.page.locator(".viewport canvas").focus();
+  await editor.page.keyboard.press("1");
+  const canvas = await editor.page.locator(".viewport canvas").boundingBox();
+  const [x, y] = [(canvas?.x ?? 0) + 300, (canvas?.y ?? 0) + 400];
+  await editor.page.mouse.click(x, y);
+  await editor.page.mouse.move(x + 200, y - 10, { steps: 3 });
+  await editor.page.locator(".hover-card", { hasText: "Direction in steps of 15°" }).waitFor();
+  const band = editor.page.locator(".viewport").getByText(/^\d+\.\d mm · \d+\.\d°$/);
+  await until(() => band.innerText()).toMatch(/mm · 0\.0°$/);
+  await editor.isCleanNow("trace-band");
+  await editor.page.mouse.move(x + 200, y - 110, { steps: 3 });
+  await until(() => band.innerText()).toMatch(/mm · 30\.0°$/);
+  await editor.page.keyboard.down("Shift");
+  await editor.page.mouse.move(x + 200, y - 109, { steps: 2 });
+  await until(() => band.innerText()).not.toMatch(/(0|5)\.0°$/);
+  await editor.page.keyboard.up("Shift");
+});
+
+it("places an edge by a typed length and a typed angle, with Tab between them", async () => {
+  await editor.page.keyboard.type("60");
+  await editor.page.keyboard.press("Tab");
+  await editor.page.keyboard.type("105");
+  await editor.page.locator(".viewport").getByText("60 mm · 105▏°", { exact: true }).waitFor();
+  await editor.isCleanNow("trace-typed");
+  await editor.page.keyboard.press("Enter");
+  await until(async () => (await editor.design()).vertices.length).toBe(2);
+  const [from, to] = (await editor.design()).vertices.map(({ at_mm }) => at_mm);
+  const [x, z] = [(to?.[0] ?? NaN) - (from?.[0] ?? NaN), (to?.[2] ?? NaN) - (from?.[2] ?? NaN)];
+  expect(Math.hypot(x, z)).toBeCloseTo(60, 9);
+  expect((Math.atan2(z, x) * 180) / Math.PI).toBeCloseTo(105, 9);
+  await editor.page.keyboard.press("Escape");
+});
+
+it("writes the dimensions of all edges and angles, and takes them away again", async () => {
+  await editor.take("house", "edit");
+  const view = editor.page.locator(".viewport");
+  await editor.page.locator(".viewport canvas").focus();
+  await editor.page.keyboard.press("1");
+  await editor.page.keyboard.press("Home");
+  expect(await view.getByText("60.0 mm", { exact: true }).count()).toBe(0);
+  await editor.page.keyboard.press("n");
+  await until(() => view.getByText("60.0 mm", { exact: true }).count()).toBe(2);
+  await until(() => view.getByText("90.0°", { exact: true }).count()).toBe(2);
+  await editor.isClean("dimensions");
+  await editor.page.keyboard.press("n");
+  await until(() => view.getByText("60.0 mm", { exact: true }).count()).toBe(0);
 });

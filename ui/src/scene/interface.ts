@@ -13,6 +13,8 @@ export interface LengthFormat {
   number(mm: number): string;
   /** The same with no more digits than it needs: "5", "0.25". */
   short(mm: number): string;
+  /** Degrees: "151.3°". */
+  angle(deg: number): string;
 }
 
 /** What holds struts together at a vertex. */
@@ -80,11 +82,13 @@ export type Tool =
   /** The same on a plane, for flat parts. */
   | "draw";
 
-export type SnapKind = "vertex" | "stencil-vertex" | "stencil-edge" | "surface" | "edge" | "grid" | "plane";
+/** `angle`: an edge that is drawn on a plane goes in steps of 15°. */
+export type SnapKind = "vertex" | "stencil-vertex" | "stencil-edge" | "surface" | "edge" | "angle" | "grid" | "plane";
 
 export interface SnapSettings {
   /**
-   * Which targets count. Within reach the first of these is taken: vertex, stencil-vertex, stencil-edge, edge, surface, grid, plane.
+   * Which targets count. Within reach the first of these is taken: vertex, stencil-vertex, stencil-edge, edge, surface, angle, grid,
+   * plane; with `angle` and `grid` the length of an edge is in steps of the grid.
    * With `plane` a point of the grid has to be within reach; without it the nearest one is always taken.
    */
   readonly kinds: ReadonlySet<SnapKind>;
@@ -279,4 +283,22 @@ export interface SceneLabel {
   readonly at: Vec3;
   readonly text: string;
   readonly verdict: Verdict | null;
+  /** A line through `at` that it lies beside, and shorter than which it has to be unless it is `first`. */
+  readonly beside?: readonly [Vec3, Vec3];
+  /** A place towards which it lies a little away from `at`. */
+  readonly towards?: Vec3;
+  /** Before all others, where there is not room for all. */
+  readonly first?: boolean;
+}
+
+/** Which dimensions are written beside the design. */
+export interface SceneDimensions {
+  /** Those of every edge and every vertex with two edges. */
+  readonly all: boolean;
+  /** Edges by id. */
+  readonly edges: readonly number[];
+  /** Angles, by the ids of their vertex and of the vertices on both sides. */
+  readonly corners: readonly { readonly vertex: number; readonly ends: readonly [number, number] }[];
+  /** A vertex that stays where it is when a length or an angle is typed. */
+  readonly stays: number | null;
 }

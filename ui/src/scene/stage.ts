@@ -11,6 +11,8 @@ import type {
   Moved,
   Preview,
   SceneDesign,
+  SceneDimensions,
+  SceneLabel,
   SceneMarks,
   SceneStencil,
   SceneStruts,
@@ -21,6 +23,7 @@ import type {
 } from "./interface";
 import { Backdrop } from "./layers/backdrop";
 import { DesignLayer, EDGE_STYLE, NO_MARKS } from "./layers/design_layer";
+import { dimensionLabels, NO_DIMENSIONS } from "./layers/dimensions";
 import { type Change, DrawnDesign } from "./layers/drawn_design";
 import { Gizmo } from "./layers/gizmo";
 import { facing, Grid } from "./layers/grid";
@@ -44,7 +47,7 @@ export interface Guide {
 }
 
 const DEFAULT_SNAP: SnapSettings = {
-  kinds: new Set(["vertex", "stencil-vertex", "stencil-edge", "edge", "surface", "grid", "plane"]),
+  kinds: new Set(["vertex", "stencil-vertex", "stencil-edge", "edge", "surface", "angle", "grid", "plane"]),
   grid: 10,
   reach: 10,
 };
@@ -82,7 +85,11 @@ export class Stage {
   private readonly struts = new StrutLayer(this.uniforms, this.theme);
   /** Places with a square around them. */
   private held: readonly Vec3[] = [];
-  readonly labels: Labels;
+  private readonly labels: Labels;
+  private findings: readonly SceneLabel[] = [];
+  private dimensions = NO_DIMENSIONS;
+  /** Of the edge that is being drawn. */
+  private band: SceneLabel | null = null;
   private marks: SceneMarks = NO_MARKS;
   /** Edges that a fix would take away, by id. */
   private removed: ReadonlySet<number> = new Set();
@@ -94,7 +101,7 @@ export class Stage {
   /** `overlay`: for texts over the picture; `changed`: it has to be drawn again. */
   constructor(
     overlay: HTMLElement,
-    public lengths: LengthFormat,
+    private lengths_: LengthFormat,
     private readonly changed: () => void,
   ) {
     this.labels = new Labels(overlay, this.theme);
@@ -104,6 +111,15 @@ export class Stage {
     this.gizmo.mesh.renderOrder = 1;
     this.symbols.mesh.renderOrder = 2;
     this.paint(this.theme);
+  }
+
+  get lengths(): LengthFormat {
+    return this.lengths_;
+  }
+
+  set lengths(lengths: LengthFormat) {
+    this.lengths_ = lengths;
+    this.label();
   }
 
   get projection(): Projection {
@@ -138,6 +154,24 @@ export class Stage {
     this.marks = marks;
     this.layer.mark(this.design, marks, this.removed);
     this.reselect();
+  }
+
+  /** What the checks say of places, in figures. */
+  setLabels(findings: readonly SceneLabel[]): void {
+    this.findings = findings;
+    this.label();
+  }
+
+  /** What is written beside the edge that is being drawn. */
+  setBand(band: SceneLabel | null): void {
+    if (band === null && this.band === null) return;
+    this.band = band;
+    this.label();
+  }
+
+  setDimensions(dimensions: SceneDimensions): void {
+    this.dimensions = dimensions;
+    this.label();
   }
 
   setPreview(preview: Preview | null): void {
@@ -303,6 +337,13 @@ export class Stage {
   private redraw(change: Change): void {
     this.layer.sync(this.design, change);
     this.reselect();
+    this.label();
+  }
+
+  private label(): void {
+    const dimensions = dimensionLabels(this.design, this.dimensions, this.lengths);
+    this.labels.show([...(this.band ? [this.band] : []), ...this.findings, ...dimensions]);
+    this.changed();
   }
 
   private reselect(): void {

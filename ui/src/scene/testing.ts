@@ -28,6 +28,7 @@ const written = (mm: number, name: string, digits: number): LengthFormat => ({
   name,
   number: (length) => (length / mm).toFixed(digits).replace("-", "\u2212"),
   short: (length) => String(length / mm),
+  angle: (deg) => `${deg.toFixed(1)}°`,
 });
 export const MM = written(1, "mm", 1);
 export const INCH = written(25.4, "in", 3);

@@ -1,6 +1,6 @@
 /** Arithmetic of places and directions. Lengths in mm unless a function says otherwise. */
 
-import type { Axis, Vec3 } from "./interface";
+import type { Axis, DrawingPlane, Vec3 } from "./interface";
 
 export const ORIGIN: Vec3 = [0, 0, 0];
 
@@ -27,6 +27,23 @@ export const along = (a: Vec3, b: Vec3, by: number): Vec3 => [a[0] + b[0] * by, 
 export function direction(a: Vec3): Vec3 | null {
   const size = length(a);
   return size > 1e-12 ? scale(a, 1 / size) : null;
+}
+
+/** The direction of length 1 in a plane, so many degrees from its first axis towards its second; quarter turns come out whole. */
+export function inPlane({ u, v }: DrawingPlane, deg: number): Vec3 {
+  const [cos, sin] = [90 - deg, deg].map((turned) => {
+    const quarters = turned / 90;
+    if (Number.isInteger(quarters)) return [0, 1, 0, -1][((quarters % 4) + 4) % 4] ?? 0;
+    return Math.sin((turned * Math.PI) / 180);
+  }) as [number, number];
+  return add(scale(u, cos), scale(v, sin));
+}
+
+/** Degrees from the first axis of a plane towards its second, from 0 to less than 360. */
+export function planeAngle({ u, v }: DrawingPlane, way: Vec3): number {
+  const deg = (Math.atan2(dot(way, v), dot(way, u)) * 180) / Math.PI;
+  // What is written as 360.0 is 0.
+  return deg < -0.05 ? deg + 360 : Math.max(deg, 0);
 }
 
 export interface Ray {

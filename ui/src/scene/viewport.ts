@@ -9,6 +9,7 @@ import type {
   Played,
   Preview,
   SceneDesign,
+  SceneDimensions,
   SceneLabel,
   SceneListener,
   SceneMarks,
@@ -203,8 +204,11 @@ export class Viewport {
 
   /** None switches them off. */
   setLabels(labels: readonly SceneLabel[]): void {
-    this.stage.labels.show(labels);
-    this.frames.request();
+    this.stage.setLabels(labels);
+  }
+
+  setDimensions(dimensions: SceneDimensions): void {
+    this.stage.setDimensions(dimensions);
   }
 
   setTheme(theme: ThemeName): void {
@@ -215,7 +219,6 @@ export class Viewport {
 
   setLengths(lengths: LengthFormat): void {
     this.stage.lengths = lengths;
-    this.frames.request();
   }
 
   /** Locks what is being moved to an axis; the same again, or null, frees it. */

@@ -6,6 +6,7 @@ import { lengthOf } from "../../state/design/geometry";
 import { edgesOf, isEmpty, useSelection, verticesOf } from "../../state/design/selection";
 import { Part, Section } from "../panel/Section";
 import { AddVertex } from "./AddVertex";
+import { Exact } from "./Exact";
 import { Operations } from "./Operations";
 import { Position } from "./Position";
 import { Route } from "./Route";
@@ -43,6 +44,7 @@ export function EditSection() {
     <Section id="edit" title="Edit" phrase={phrase}>
       <Part title="Selection">
         <Selected />
+        <Exact />
         <Position />
       </Part>
       <Part title="Operations">

@@ -14,7 +14,8 @@ const POINTER: readonly (readonly [string, string])[] = [
   ["Box select", "Drag over empty space"],
   ["Add to the selection", "Shift"],
   ["Select connected", "Double click"],
-  ["Without snapping", "Ctrl while moving"],
+  ["Without snapping", "Ctrl while moving or drawing"],
+  ["Without steps of 15°", "Shift while drawing"],
 ];
 
 /** All keys, from the same table that they work by. */

@@ -100,6 +100,13 @@ function viewing(): MenuItem[] {
     RULE,
     { kind: "item", label: "Annotations", checked: useView.getState().annotations, run: () => run("annotations") },
     {
+      kind: "item",
+      label: "Dimensions",
+      keys: keyOf("dimensions"),
+      checked: useView.getState().dimensions,
+      run: () => run("dimensions"),
+    },
+    {
       kind: "menu",
       label: "Theme",
       items: [themed("system", "As the system"), themed("dark", "Dark"), themed("light", "Light")],

@@ -22,7 +22,7 @@ function State() {
     return (
       <p className="muted" role="status">
         {tool === "draw"
-          ? "Click on the plane to begin a strand; Shift keeps it to steps of 15°."
+          ? "Click on the plane to begin a strand. Its edges go in steps of 15°; Shift frees them."
           : stencil
             ? "Click on the stencil to begin a strand."
             : "Click to begin a strand. Without a stencil it lies on the ground plane."}
@@ -31,9 +31,7 @@ function State() {
   }
   return (
     <div className="row wrap" role="status">
-      <span className="muted small">
-        Type a length and press Enter to place an edge of that length towards the pointer.
-      </span>
+      <span className="muted small">Type a length, after Tab an angle, and press Enter to place the edge.</span>
       <span className="grow">{count(strand, "edge")} drawn</span>
       <Button
         onClick={() => {

@@ -17,6 +17,7 @@ const SNAPS: Readonly<Record<SnapKind, string>> = {
   "stencil-edge": "Edges of the stencil",
   edge: "Edges (splits them)",
   surface: "Surface of the stencil",
+  angle: "Directions in steps of 15° (Shift frees them)",
   grid: "Grid",
   plane: "Anywhere on the plane",
 };

@@ -19,6 +19,7 @@ const SNAP_NAMES: Readonly<Record<SnapKind, string>> = {
   "stencil-edge": "Edge of the stencil",
   edge: "On an edge: splits it",
   surface: "On the stencil",
+  angle: "Direction in steps of 15°",
   grid: "Grid",
   plane: "On the plane",
 };

@@ -3,6 +3,7 @@ import type { Touch } from "../../scene/interface";
 import type { Viewport as Scene } from "../../scene/viewport";
 import { lengthFormat } from "../../shared/figures/format";
 import { useDesign } from "../../state/design/design";
+import { useExact } from "../../state/design/exact";
 import { useSelection } from "../../state/design/selection";
 import { useFiles } from "../../state/files/files";
 import { movedOf, usualScale } from "../../state/frame/figures";
@@ -19,6 +20,7 @@ import { planeOf, planeOfAll, useView } from "../../state/window/view";
 import { measureText } from "../check/texts";
 import { drawnFrame } from "../frame/struts";
 import { drawnSequence, layersOf } from "../sequence/struts";
+import { dimensionsOf, NO_DIMENSIONS } from "./dimensions";
 import { labelsOf, marksOf } from "./marks";
 
 /** Calls `apply` now and whenever what `pick` gives has changed. */
@@ -54,6 +56,14 @@ export function show(scene: Scene): () => void {
       useView.getState().annotations && !isShownOnMachine() && !isShownAsStruts()
         ? labelsOf(check, { vertices, edges }, figure)
         : [],
+    );
+  };
+  const dimensions = () => {
+    const { dimensions: all } = useView.getState();
+    scene.setDimensions(
+      isShownOnMachine() || isShownAsStruts()
+        ? NO_DIMENSIONS
+        : dimensionsOf(useSelection.getState(), useDesign.getState(), all),
     );
   };
   // Whether a design was opened that has not been framed yet.
@@ -98,6 +108,7 @@ export function show(scene: Scene): () => void {
     if (view && shown) scene.setStruts(drawnFrame(shown, view, coloured)?.struts ?? null);
     else scene.setStruts(building());
     labels();
+    dimensions();
   };
   const strutScale = () => {
     const { view, scale, swing } = useShape.getState();
@@ -127,6 +138,10 @@ export function show(scene: Scene): () => void {
       ({ check }) => scene.setMarks(marksOf(check)),
     ),
     follow(useDesign, ({ check, vertices }) => [check, vertices], labels),
+    follow(useDesign, ({ vertices, edges }) => [vertices, edges], dimensions),
+    follow(useSelection, ({ vertices, edges }) => [vertices, edges], dimensions),
+    follow(useView, (view) => [view.dimensions], dimensions),
+    follow(useExact, (exact) => [exact.end, exact.side], dimensions),
     follow(
       useDesign,
       ({ stencil }) => [stencil],
@@ -193,6 +208,7 @@ export function show(scene: Scene): () => void {
       ({ played }) => {
         scene.play(played ?? useByHand.getState().played);
         labels();
+        dimensions();
       },
     ),
     follow(
@@ -225,6 +241,7 @@ export function show(scene: Scene): () => void {
         scene.play(played);
         if (played) scene.setTime(played.steps.length, "designed");
         labels();
+        dimensions();
       },
     ),
     follow(useFrame, ({ answer }) => [answer], struts),

@@ -18,6 +18,7 @@ export const SNAP_SHAPES: Readonly<Record<SnapKind, Shape>> = {
   "stencil-edge": "cross",
   edge: "diamond",
   surface: "target",
+  angle: "dot",
   grid: "plus",
   plane: "dot",
 };

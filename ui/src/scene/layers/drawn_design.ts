@@ -1,12 +1,15 @@
 /** The design as it is drawn: rows for quick drawing and picking, with places that a drag has not yet handed over. */
 
 import type { Moved, SceneDesign, SceneEdge, SceneVertex, Selection, Vec3 } from "../interface";
-import { ORIGIN } from "../vec";
+import { distance, ORIGIN } from "../vec";
 
 /** What has to be drawn again. */
 export type Change = { readonly rows: "all" } | { readonly rows: readonly number[] };
 
 export const NOTHING_SELECTED: Selection = { vertices: new Set(), edges: new Set() };
+
+/** mm between vertices that are at the same place. */
+const SAME = 1e-6;
 
 export class DrawnDesign {
   /** By row, in the order of the design. */
@@ -69,6 +72,12 @@ export class DrawnDesign {
   place(id: number): Vec3 | null {
     const row = this.vertexRows.get(id);
     return row === undefined ? null : (this.at[row] ?? null);
+  }
+
+  /** The first vertex at a place; null where there is none. */
+  vertexAt(place: Vec3): number | null {
+    const row = this.at.findIndex((at) => distance(at, place) < SAME);
+    return this.vertices[row]?.id ?? null;
   }
 
   /** Both ends of an edge by row. */

@@ -101,4 +101,7 @@ it("keeps lines to steps of 15°", () => {
   const slope = inDirections(plane, [0, 0, 0], [100, 97, 0]);
   expect(slope[0]).toBeCloseTo(98.5);
   expect(slope[1]).toBeCloseTo(98.5);
+  // As long as the grid is apart, and along an axis without rounding.
+  expect(inDirections(plane, [1, 2, 0], [0, 39, 0], 10)).toEqual([1, 42, 0]);
+  expect(inDirections(plane, [1, 2, 0], [-33, 1, 0], 10)).toEqual([-29, 2, 0]);
 });

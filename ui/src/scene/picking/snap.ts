@@ -3,9 +3,12 @@
 import type { DrawingPlane, SnapKind, SnapSettings, Vec3 } from "../interface";
 import type { DrawnDesign } from "../layers/drawn_design";
 import { GROUND, normalOf } from "../layers/grid";
-import { add, along, dot, onPlane, scale, subtract } from "../vec";
+import { add, along, dot, inPlane, onPlane, planeAngle, scale, subtract } from "../vec";
 import type { Projection } from "../view/projection";
 import { pickEdge, pickVertex } from "./picking";
+
+/** Between the directions that an edge is kept to, degrees. */
+const STEP = 15;
 
 export interface SnapTarget {
   readonly kind: SnapKind;
@@ -91,14 +94,15 @@ function roundedOn(plane: DrawingPlane, at: Vec3, grid: number): Vec3 {
   return add(plane.origin, add(scale(plane.u, a), scale(plane.v, b)));
 }
 
-/** The place on a plane as far from `from` as `at` is along the nearest direction that is a multiple of 15°. */
-export function inDirections(plane: DrawingPlane, from: Vec3, at: Vec3): Vec3 {
+/**
+ * The place on a plane along the nearest direction from `from` that is a multiple of 15°, as far as `at` is; how far is in steps of
+ * `grid`, where it is given.
+ */
+export function inDirections(plane: DrawingPlane, from: Vec3, at: Vec3, grid: number | null = null): Vec3 {
   const off = subtract(at, from);
-  const [a, b] = [dot(off, plane.u), dot(off, plane.v)];
-  const step = Math.PI / 12;
-  const angle = Math.round(Math.atan2(b, a) / step) * step;
-  const size = a * Math.cos(angle) + b * Math.sin(angle);
-  return along(along(from, plane.u, size * Math.cos(angle)), plane.v, size * Math.sin(angle));
+  const way = inPlane(plane, Math.round(planeAngle(plane, off) / STEP) * STEP);
+  const size = dot(off, way);
+  return along(from, way, grid ? Math.round(size / grid) * grid : size);
 }
 
 function excluded(design: DrawnDesign, row: number, without: SnapPlace["without"]): boolean {

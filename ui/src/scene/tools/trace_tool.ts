@@ -1,11 +1,12 @@
 /** Tracing on a surface and drawing on a plane: where the next click would go is shown before it, and strands grow click by click. */
 
 import { type Sign, SNAP_SHAPES } from "../drawing/symbols";
-import type { SceneListener, SnapKind } from "../interface";
+import type { DrawingPlane, SceneListener, SnapKind } from "../interface";
 import { GROUND } from "../layers/grid";
 import type { Overlay } from "../layers/overlay";
 import { inDirections, type SnapTarget, snap } from "../picking/snap";
 import type { Guide, Stage } from "../stage";
+import { middle } from "../vec";
 import type { Place, ToolHandler } from "./pointer";
 import { type Asked, Strand } from "./strand";
 import { TypedEdge } from "./typed_edge";
@@ -14,7 +15,7 @@ import { TypedEdge } from "./typed_edge";
 const ONE_PLACE = 4;
 
 /** What a flat part can begin and end at, and the plane itself. */
-const ON_PLANE: ReadonlySet<SnapKind> = new Set(["vertex", "edge", "grid", "plane"]);
+const ON_PLANE: ReadonlySet<SnapKind> = new Set(["vertex", "edge", "angle", "grid", "plane"]);
 
 export class TraceTool implements ToolHandler {
   private readonly strand: Strand;
@@ -86,6 +87,11 @@ export class TraceTool implements ToolHandler {
   key(event: KeyboardEvent): boolean {
     if (event.ctrlKey || event.metaKey || event.altKey) return false;
     const { key } = event;
+    if (this.strand.end && key === "Tab") {
+      this.typed.other();
+      this.show();
+      return true;
+    }
     if (this.strand.end && this.typed.type(key)) {
       this.show();
       return true;
@@ -125,10 +131,22 @@ export class TraceTool implements ToolHandler {
     this.show();
   }
 
-  /** The edge of the typed length, towards what the pointer is on. */
+  /** The edge of the typed length and angle, towards what the pointer is on; at a vertex that is there it ends the strand. */
   private edge(): Asked | null {
     const way = this.pointed();
-    return way && this.typed.towards(way.at, this.stage.lengths);
+    const asked = way && this.typed.towards(way.at, this.plane, this.stage.lengths);
+    return (
+      asked &&
+      ((from) => {
+        const target = asked(from);
+        const there = target && this.stage.design.vertexAt(target.at);
+        return there === null || target === null ? target : { ...target, kind: "vertex", vertex: there };
+      })
+    );
+  }
+
+  private get plane(): DrawingPlane {
+    return (this.stage.tool === "draw" ? this.stage.plane : null) ?? GROUND;
   }
 
   /** Where it ends. */
@@ -165,9 +183,15 @@ export class TraceTool implements ToolHandler {
       plane: stage.plane,
       without,
     };
-    if (!last.shift || !end) return snap(place, { ...stage.snap, kinds }, last.x, last.y);
-    const free = snap(place, { ...stage.snap, kinds: new Set(["plane"]) }, last.x, last.y);
-    return free && { kind: "plane", at: inDirections(stage.plane ?? GROUND, end.at, free.at) };
+    // On a surface, and with Ctrl, directions are free until Shift is held; else Shift frees them.
+    const kept = kinds.has("angle") && (drawing || place.stencil === null);
+    if (!end || kept === last.shift) return snap(place, { ...stage.snap, kinds }, last.x, last.y);
+    const joining = new Set([...kinds].filter((kind) => kept && (kind === "vertex" || kind === "edge")));
+    const there = snap(place, { ...stage.snap, kinds: joining }, last.x, last.y);
+    const free = there ?? snap(place, { ...stage.snap, kinds: new Set(["plane"]) }, last.x, last.y);
+    if (there || !free) return there;
+    const grid = kept && kinds.has("grid") ? stage.snap.grid : null;
+    return { kind: "angle", at: inDirections(stage.plane ?? GROUND, end.at, free.at, grid) };
   }
 
   private show(): void {
@@ -181,7 +205,11 @@ export class TraceTool implements ToolHandler {
     if (target) signs.push({ at: target.at, shape: SNAP_SHAPES[target.kind], colour: acted, radius: 8.5 });
     if (end && target) lines.push({ from: end.at, to: target.at, look: { colour: acted } });
     stage.mark("trace", signs, lines);
-    this.read(end && target ? this.typed.readout(end.at, target.at, stage.lengths) : null);
+    const text = end && target && this.typed.dimensions(end.at, target.at, this.plane, stage.lengths);
+    stage.setBand(
+      text ? { at: middle([end.at, target.at]), text, verdict: null, beside: [end.at, target.at], first: true } : null,
+    );
+    this.read(text && this.typed.readout(text));
     const place = this.typed.begun ? null : target;
     const key = place ? `${place.kind} ${place.at.join()}` : "";
     if (key === this.hovered) return;

@@ -45,6 +45,7 @@ export const lengthFormat = (unit: DisplayUnit) => ({
   name: unitName(unit),
   number: (mm: number) => lengthNumber(mm, unit),
   short: (mm: number) => short(mm / unitSize(unit), 3),
+  angle,
 });
 
 export function unitName(unit: DisplayUnit): string {

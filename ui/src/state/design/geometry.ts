@@ -92,6 +92,20 @@ export function distance(a: Vec3, b: Vec3): number {
   return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
+/** The angle at a place between the ways to two others, from 0° to 180°; null where one of them is that place. */
+export function angleAt(at: Vec3, from: Vec3, to: Vec3): number | null {
+  const way = (end: Vec3): Vec3 | null => {
+    const size = distance(at, end);
+    return size > 1e-9 ? [(end[0] - at[0]) / size, (end[1] - at[1]) / size, (end[2] - at[2]) / size] : null;
+  };
+  const [a, b] = [way(from), way(to)];
+  if (!a || !b) return null;
+  // Of the half angle, which is exact for small and for large ones.
+  const apart = Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  const together = Math.hypot(a[0] + b[0], a[1] + b[1], a[2] + b[2]);
+  return (2 * Math.atan2(apart, together) * 180) / Math.PI;
+}
+
 /** The length of edges, mm, each counted once. */
 export function lengthOf(edges: Iterable<number>, design: SceneDesign): number {
   let sum = 0;

@@ -12,7 +12,7 @@ import { showHints } from "./hints";
 import type { CommandId } from "./keys";
 import { type DialogName, type OperationName, useUi } from "./ui";
 import { useUnits } from "./units";
-import { chooseTool, FACING, type Side, setAnnotations, useView } from "./view";
+import { chooseTool, FACING, type Side, setAnnotations, setDimensions, useView } from "./view";
 
 /** What is done when a key is pressed or a menu or button chosen, and why it cannot be done just now: a sentence. */
 interface Command {
@@ -160,6 +160,7 @@ const COMMANDS: Readonly<Record<CommandId, Command>> = {
   },
   "frame-all": { run: () => useView.getState().handle?.frame() },
   annotations: { run: () => setAnnotations(!useView.getState().annotations) },
+  dimensions: { run: () => setDimensions(!useView.getState().dimensions) },
   units: { run: toggleUnits },
   play: {
     run: () => (useSequence.getState().shown ? togglePlaySequence() : togglePlay()),

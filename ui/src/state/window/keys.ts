@@ -43,6 +43,7 @@ export type CommandId =
   | "frame"
   | "frame-all"
   | "annotations"
+  | "dimensions"
   | "units"
   | "play"
   | "stop"
@@ -82,7 +83,7 @@ export const KEYS: readonly KeyEntry[] = [
   { command: "tool-select", label: "Select", keys: ["Q"], group: "Tools" },
   {
     command: "tool-trace",
-    label: "Trace; while a strand is drawn digits set the length of its edge",
+    label: "Trace; while a strand is drawn digits set the length of its edge, after Tab its angle",
     keys: ["T"],
     group: "Tools",
   },
@@ -107,6 +108,7 @@ export const KEYS: readonly KeyEntry[] = [
   { command: "view-perspective", label: "Perspective or parallel", keys: ["5"], group: "View" },
   { command: "frame", label: "Frame the selection", keys: ["F"], group: "View" },
   { command: "frame-all", label: "Frame all", keys: ["Home"], group: "View" },
+  { command: "dimensions", label: "Dimensions of all edges and angles", keys: ["N"], group: "View" },
   { command: "play", label: "Play or pause", keys: ["Space"], group: "Machine" },
   { command: "stop", label: "STOP the machine", keys: ["Ctrl+Space"], group: "Machine", typing: "always" },
   { command: "keys", label: "Keys", keys: ["?"], group: "Help" },

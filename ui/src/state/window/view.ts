@@ -51,6 +51,8 @@ interface ViewStore {
   readonly stencilOpacity: number;
   /** Whether places that the checks name are written on in the view. */
   readonly annotations: boolean;
+  /** Whether the lengths of all edges and the angles between them are written in the view. */
+  readonly dimensions: boolean;
   /** What the view is called: "Perspective", "Top". */
   readonly viewName: string;
   readonly hovered: Hovered | null;
@@ -66,6 +68,7 @@ export const SNAP_KINDS: readonly SnapKind[] = [
   "stencil-edge",
   "edge",
   "surface",
+  "angle",
   "grid",
   "plane",
 ];
@@ -84,6 +87,7 @@ export const useView = create<ViewStore>()(() => ({
   stencilShown: true,
   stencilOpacity: 0.45,
   annotations: stored("wirebend.annotations") !== "off",
+  dimensions: stored("wirebend.dimensions") === "on",
   viewName: "Perspective",
   hovered: null,
   strand: null,
@@ -110,6 +114,11 @@ export function toggleSnap(kind: SnapKind): void {
 export function setAnnotations(annotations: boolean): void {
   useView.setState({ annotations });
   store("wirebend.annotations", annotations ? "on" : "off");
+}
+
+export function setDimensions(dimensions: boolean): void {
+  useView.setState({ dimensions });
+  store("wirebend.dimensions", dimensions ? "on" : "off");
 }
 
 /** The plane by its name, at a distance from the origin. u × v points away from the origin for a positive one; xz faces the front. */

@@ -1,0 +1,88 @@
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { Editor, until } from "../support/editor.ts";
+import { type Place, Sight } from "../support/sight.ts";
+
+let editor: Editor;
+beforeAll(async () => {
+  editor = await Editor.open();
+});
+afterAll(() => editor?.end());
+
+const press = (keys: string) => editor.page.keyboard.press(keys);
+const edit = () => editor.section("edit");
+
+/** A strand in the plane y = 0, as a person would have drawn it; as high as the view frames by its height. */
+const STRAND: readonly Place[] = [
+  [0, 0, 0],
+  [60, 0, 0],
+  [60, 0, 80],
+  [90, 0, 80],
+];
+let sight: Sight;
+
+async function click(place: Place, shift = false): Promise<void> {
+  const { x, y } = sight.at(place);
+  if (shift) await editor.page.keyboard.down("Shift");
+  await editor.page.mouse.click(x, y);
+  if (shift) await editor.page.keyboard.up("Shift");
+}
+
+async function type(label: string, text: string): Promise<void> {
+  const field = edit().getByLabel(label);
+  await field.fill(text);
+  await field.press("Enter");
+}
+
+const apart = async (a: number, b: number) => {
+  const [from, to] = [await editor.vertex(a), await editor.vertex(b)];
+  return Math.hypot(...from.map((value, k) => value - (to[k] ?? NaN)));
+};
+/** What is written in the view. */
+const written = (text: string) => editor.page.locator(".viewport").getByText(text, { exact: true });
+
+it("takes a length and an angle that are typed, in one step each", async () => {
+  await editor.loopback.ask("new", {});
+  await editor.loopback.ask("edit", { request: { edit: "draw", through_mm: STRAND.map((at) => [...at]) } });
+  await editor.reload("edit");
+  await edit().locator(".section-phrase", { hasText: "4 vert" }).waitFor();
+  sight = await Sight.from(editor.page, "front", STRAND);
+  await click([60, 0, 20]);
+  await written("80.0 mm").waitFor();
+  await written("stays").waitFor();
+  expect(await edit().getByLabel("Length of the edge, mm").inputValue()).toBe("80.0");
+  await editor.isClean("exact-length");
+  await type("Length of the edge, mm", "50");
+  await until(() => apart(1, 2)).toBeCloseTo(50, 9);
+  // The first vertex stays, and the rest goes along.
+  expect([await editor.vertex(1), await editor.vertex(3)]).toEqual([
+    [60, 0, 0],
+    [90, 0, 50],
+  ]);
+  await editor.page.locator(".viewport canvas").focus();
+  await press("Control+z");
+  await until(() => editor.vertex(3)).toEqual(STRAND[3]);
+
+  await click([60, 0, 80]);
+  await written("90.0°").waitFor();
+  await editor.isCleanNow("exact-angle");
+  await type("Angle between the edges, °", "135");
+  await until(async () => (await editor.vertex(3)).map((value) => Math.round(value * 1e6) / 1e6)).toEqual([
+    60 + Math.round(30e6 * Math.SQRT1_2) / 1e6,
+    0,
+    80 + Math.round(30e6 * Math.SQRT1_2) / 1e6,
+  ]);
+  expect((await editor.design()).state.undo).toBe("set angle");
+  await editor.page.locator(".viewport canvas").focus();
+  await press("Control+z");
+  await until(() => editor.vertex(3)).toEqual(STRAND[3]);
+});
+
+it("says what is not possible, and what is", async () => {
+  await click([60, 0, 20]);
+  await type("Length of the edge, mm", "0");
+  await editor.messages
+    .filter({ hasText: "0 mm is no length of an edge: it has to be more than 0" })
+    .filter({ hasText: "Type a length of more than 0." })
+    .waitFor();
+  expect((await editor.design()).state.undo).toBe("draw");
+});
