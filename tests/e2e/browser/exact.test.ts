@@ -86,3 +86,37 @@ it("says what is not possible, and what is", async () => {
     .waitFor();
   expect((await editor.design()).state.undo).toBe("draw");
 });
+
+it("turns the selection by a typed angle", async () => {
+  await editor.page.locator(".viewport canvas").focus();
+  await press("a");
+  await press("r");
+  const form = edit().locator("#operation-rotate");
+  await form.getByText("Y", { exact: true }).click();
+  await form.getByText("Origin", { exact: true }).click();
+  await form.getByLabel("Angle").fill("90");
+  await form.getByLabel("Angle").press("Enter");
+  // Right-handed about y: x goes to -z, z to x.
+  await until(() => editor.vertex(3)).toEqual([80, 0, -90]);
+  expect((await editor.design()).state.undo).toBe("rotate 4 vertices");
+});
+
+it("adds a circle, a polygon and a helix from figures", async () => {
+  const shapes = edit().getByRole("group", { name: "Shapes" });
+  const size = async () => {
+    const { vertices, edges } = await editor.design();
+    return [vertices.length, edges.length];
+  };
+  await shapes.getByRole("button", { name: "Add circle" }).click();
+  await until(size).toEqual([16, 15]);
+  await shapes.getByText("Polygon", { exact: true }).click();
+  await shapes.getByLabel("Sides").fill("6");
+  await shapes.getByRole("button", { name: "Add polygon" }).click();
+  await until(size).toEqual([22, 21]);
+  await shapes.getByText("Helix", { exact: true }).click();
+  await editor.isCleanNow("shapes");
+  await shapes.getByRole("button", { name: "Add helix" }).click();
+  // Three turns of six edges.
+  await until(size).toEqual([41, 39]);
+  expect((await editor.design()).state.undo).toBe("helix");
+});

@@ -10,6 +10,7 @@ import { Exact } from "./Exact";
 import { Operations } from "./Operations";
 import { Position } from "./Position";
 import { Route } from "./Route";
+import { Shapes } from "./Shapes";
 import { VertexTable } from "./VertexTable";
 import "./edit.css";
 
@@ -52,6 +53,9 @@ export function EditSection() {
       </Part>
       <Part title="Wire">
         <Route />
+      </Part>
+      <Part title="Shapes">
+        <Shapes />
       </Part>
       <Part title="Vertices">
         {vertices > 0 && <VertexTable />}

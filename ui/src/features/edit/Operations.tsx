@@ -5,18 +5,21 @@ import { detach, selectedEdges } from "../../state/design/operations";
 import { run, useWhyNot, whyNot } from "../../state/window/commands";
 import { type CommandId, keyOf } from "../../state/window/keys";
 import { type OperationName, useUi } from "../../state/window/ui";
-import { ArrayForm, ScaleForm } from "./copies";
+import { ArrayForm, RotateForm, ScaleForm } from "./copies";
+import { FilletForm } from "./Fillet";
 import { ExtrudeForm, MergeForm, MirrorForm, RoundForm, SplitForm, StraightenForm } from "./forms";
 
 const FORMS: readonly { readonly name: OperationName; readonly label: string; readonly form: () => ReactNode }[] = [
   { name: "split", label: "Split", form: () => <SplitForm /> },
   { name: "merge", label: "Merge", form: () => <MergeForm /> },
   { name: "extrude", label: "Extrude", form: () => <ExtrudeForm /> },
+  { name: "rotate", label: "Rotate", form: () => <RotateForm /> },
   { name: "mirror", label: "Mirror", form: () => <MirrorForm /> },
   { name: "array", label: "Array", form: () => <ArrayForm /> },
   { name: "scale", label: "Scale", form: () => <ScaleForm /> },
   { name: "straighten", label: "Straighten", form: () => <StraightenForm /> },
   { name: "round", label: "Round", form: () => <RoundForm /> },
+  { name: "fillet", label: "Fillet", form: () => <FilletForm /> },
 ];
 
 /** An operation at once, without parameters. */

@@ -63,6 +63,8 @@ function editing(): MenuItem[] {
     RULE,
     item("Straighten…", "straighten"),
     item("Round…", "round"),
+    item("Fillet…", "fillet"),
+    item("Rotate…", "rotate"),
     item("Mirror…", "mirror"),
     item("Array…", "array"),
     item("Scale…", "scale"),

@@ -4,7 +4,7 @@ import type { Axis, SceneJoint, Vec3 } from "../../scene/interface";
 import { tell } from "../asking/problems";
 import { chooseTool, useView } from "../window/view";
 import { edit, useDesign } from "./design";
-import { AXES, axisIndex, axisUnit, boundsOf, type Matrix } from "./geometry";
+import { AXES, axisIndex, axisUnit, boundsOf, degrees, lengthOf, type Matrix } from "./geometry";
 import { fromText, moved, pieceOf, toText } from "./piece";
 import { edgesOf, select, useSelection, verticesOf } from "./selection";
 
@@ -110,6 +110,36 @@ export async function array(step: Matrix, count: number): Promise<void> {
 
 export async function transform(matrix: Matrix): Promise<void> {
   await edit({ edit: "transform", vertices: selectedVertices(), matrix });
+}
+
+/** Turns the selection, right-handed by degrees about an axis through a point. */
+export async function rotate(axis: Axis, through: Vec3, angle_deg: number): Promise<void> {
+  await edit({ edit: "rotate", vertices: selectedVertices(), axis, through_mm: [...through], angle_deg });
+}
+
+/** Selected vertices with two edges. */
+export function selectedCorners(): number[] {
+  const meeting = degrees(useDesign.getState().edges);
+  return selectedVertices().filter((id) => meeting.get(id) === 2);
+}
+
+/** Rounds the selected corners; which chords that has made, null where it could not be. */
+export async function fillet(
+  radius_mm: number,
+  step_deg: number,
+): Promise<{ readonly corners: number; readonly chords: number; readonly mm: number } | null> {
+  const { edges } = useDesign.getState();
+  const vertices = selectedCorners();
+  const change = await edit({ edit: "fillet", vertices, radius_mm, step_deg });
+  if (!change) return null;
+  const chords = change.edges.filter(({ id }) => !edges.has(id)).map(({ id }) => id);
+  const mm = lengthOf(chords, useDesign.getState()) / Math.max(chords.length, 1);
+  return { corners: vertices.length, chords: chords.length, mm };
+}
+
+/** Adds a shape, and selects it. */
+export async function addShape(shape: Extract<EditRequest, { edit: "circle" | "polygon" | "helix" }>): Promise<void> {
+  await andSelect(shape);
 }
 
 export async function moveBy(by: Vec3): Promise<void> {

@@ -35,6 +35,13 @@ const anything = () => (useDesign.getState().vertices.size > 0 ? null : "The des
 const machine = () => (useDesign.getState().state?.machine ? null : "Choose a machine first.");
 const dialog = (name: DialogName) => () => useUi.getState().showDialog(name);
 const operation = (name: OperationName) => () => useUi.getState().showOperation(name);
+/** The same with the focus in its first figure, which is typed next. */
+const figure = (name: OperationName) => () => {
+  operation(name)();
+  requestAnimationFrame(() =>
+    document.querySelector<HTMLInputElement>(`#operation-${name} .number-field input`)?.focus(),
+  );
+};
 /** Looks from a side. The plane that is drawn on goes with the view, which never shows it from its edge. */
 function view(side: Side): Command {
   const drawing = () => useView.getState().tool === "draw" && useView.getState().plane !== FACING[side];
@@ -127,6 +134,11 @@ const COMMANDS: Readonly<Record<CommandId, Command>> = {
   },
   straighten: change(operation("straighten"), edges("straighten")),
   round: change(operation("round"), edges("round")),
+  fillet: change(
+    figure("fillet"),
+    () => selected() ?? (operations.selectedCorners().length > 0 ? null : "Select corners: vertices with two edges."),
+  ),
+  rotate: change(figure("rotate"), vertices(1, "rotate")),
   mirror: change(operation("mirror"), selected),
   array: change(operation("array"), selected),
   scale: change(

@@ -22,6 +22,8 @@ export type CommandId =
   | "invert"
   | "straighten"
   | "round"
+  | "fillet"
+  | "rotate"
   | "mirror"
   | "array"
   | "scale"
@@ -98,6 +100,8 @@ export const KEYS: readonly KeyEntry[] = [
   { command: "split", label: "Split the selected edges in the middle", keys: ["S"], group: "Tools" },
   { command: "merge", label: "Merge at the centre", keys: ["M"], group: "Tools" },
   { command: "connect", label: "Connect", keys: ["C"], group: "Tools" },
+  { command: "fillet", label: "Fillet: round the selected corners by a radius", keys: ["B"], group: "Tools" },
+  { command: "rotate", label: "Rotate the selection by an angle", keys: ["R"], group: "Tools" },
   { command: "end", label: "End a strand, give up a move, select nothing", keys: ["Escape"], group: "Tools" },
   { command: "view-front", label: "Front", keys: ["1"], group: "View" },
   { command: "view-back", label: "Back", keys: ["Ctrl+1"], group: "View" },

@@ -11,7 +11,17 @@ export type Theme = "system" | "dark" | "light";
 export type DialogName = "examples" | "keys" | "about";
 
 /** Operations with parameters, of which the section Edit shows one at a time. */
-export type OperationName = "split" | "merge" | "extrude" | "mirror" | "array" | "scale" | "straighten" | "round";
+export type OperationName =
+  | "split"
+  | "merge"
+  | "extrude"
+  | "rotate"
+  | "mirror"
+  | "array"
+  | "scale"
+  | "straighten"
+  | "round"
+  | "fillet";
 
 export interface Ui {
   readonly theme: Theme;

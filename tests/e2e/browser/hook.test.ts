@@ -1,0 +1,96 @@
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { Editor, until } from "../support/editor.ts";
+
+let editor: Editor;
+beforeAll(async () => {
+  editor = await Editor.open();
+});
+afterAll(() => editor?.end());
+
+/** Clicks and keys since the plane was chosen. */
+let count = 0;
+
+async function keys(...pressed: readonly string[]): Promise<void> {
+  for (const key of pressed) {
+    count += 1;
+    await editor.page.keyboard.press(key);
+  }
+}
+
+it("draws a wall hook with two fillets to a tenth of a millimetre, in at most 25 clicks and keys", async () => {
+  await editor.take(null, "trace", "edit");
+  await editor.page.keyboard.press("d");
+  await editor.section("trace").getByText("XZ", { exact: true }).click();
+  await editor.page.locator(".viewport canvas").focus();
+  const canvas = await editor.page.locator(".viewport canvas").boundingBox();
+  const [x, y] = [(canvas?.x ?? 0) + 300, (canvas?.y ?? 0) + 420];
+  const { mouse } = editor.page;
+  /** The pointer shows the way of the next edge, in steps of 15°. */
+  const towards = async (right: number, up: number) => {
+    await mouse.move(x + right - 3, y - up);
+    await mouse.move(x + right, y - up, { steps: 2 });
+    await editor.page.locator(".hover-card").waitFor();
+  };
+
+  await towards(0, 0);
+  count += 1;
+  await mouse.click(x, y);
+  await towards(0, 300);
+  await keys("1", "2", "0", "Enter");
+  await until(async () => (await editor.design()).vertices.length).toBe(2);
+  await towards(320, 315);
+  await keys("1", "1", "0", "Enter");
+  await until(async () => (await editor.design()).vertices.length).toBe(3);
+  await towards(289, 100);
+  await keys("7", "0", "Enter");
+  await until(async () => (await editor.design()).vertices.length).toBe(4);
+  await keys("Escape", "a", "b");
+  const radius = editor.section("edit").locator("#operation-fillet").getByLabel("Radius");
+  await until(() => radius.evaluate((field) => field === document.activeElement)).toBe(true);
+  await keys("3", "6", "Enter");
+  await editor.messages
+    .filter({ hasText: "2 corners rounded to a radius of 36.0 mm with 4 chords of 27.6 mm" })
+    .waitFor();
+  await until(async () => (await editor.design()).edges.length).toBe(7);
+
+  // The hook as a drawing has it: 120 up, 110 across, 70 down; each quarter of radius 36 in two chords of 45°, since three would be
+  // shorter than the machine's shortest edge.
+  const slant = 36 * Math.SQRT1_2;
+  const drawing = [
+    [0, 0],
+    [0, 84],
+    [36 - slant, 84 + slant],
+    [36, 120],
+    [74, 120],
+    [74 + slant, 84 + slant],
+    [110, 84],
+    [110, 50],
+  ];
+  const { vertices } = await editor.design();
+  const [start] = vertices;
+  const found = vertices.map(({ at_mm }) => [at_mm[0] - (start?.at_mm[0] ?? NaN), at_mm[2] - (start?.at_mm[2] ?? NaN)]);
+  for (const [right = NaN, up = NaN] of drawing) {
+    const off = found.map(([a = NaN, b = NaN]) => Math.hypot(a - right, b - up));
+    expect(Math.min(...off), `${right}, ${up}`).toBeLessThan(0.1);
+  }
+  expect([vertices.length, vertices.every(({ at_mm }) => Math.abs(at_mm[1]) < 0.1)]).toEqual([drawing.length, true]);
+  const check = await editor.loopback.ask("check", { moved: [] });
+  expect([check.feasible, check.diagnostics.filter(({ severity }) => severity !== "info")]).toEqual([true, []]);
+  await editor.isClean("hook");
+  expect(count).toBeLessThanOrEqual(25);
+});
+
+it("answers a radius that the machine cannot make with the nearest one", async () => {
+  await editor.page.locator(".viewport canvas").focus();
+  await editor.page.keyboard.press("Control+z");
+  await until(async () => (await editor.design()).edges.length).toBe(3);
+  await editor.page.keyboard.press("a");
+  const form = editor.section("edit").locator("#operation-fillet");
+  await form.getByLabel("Radius").fill("10");
+  await form.getByLabel("Radius").press("Enter");
+  await editor.messages
+    .filter({ hasText: "shorter than the shortest edge, 20.4 mm" })
+    .filter({ hasText: "Use a radius of 26.7 mm, the nearest that can be made." })
+    .waitFor();
+  expect((await editor.design()).edges).toHaveLength(3);
+});
