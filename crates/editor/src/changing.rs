@@ -1,7 +1,7 @@
 //! From a request to the exact difference that it makes to a document.
 
 use wirebend_core::units::Length;
-use wirebend_core::wireframe::{Delta, EdgeId, VertexId};
+use wirebend_core::wireframe::{ChordLimits, Delta, EdgeId, VertexId};
 use wirebend_files::document::{Document, DocumentChange, ProfileSnapshot, Walk, WireCount};
 
 use super::{ChosenWalk, EditRequest};
@@ -17,7 +17,7 @@ pub(super) fn change(
     request: &EditRequest,
 ) -> Result<Option<DocumentChange>, EditorError> {
     let weld = Length::from_mm(default_weld_mm()).unwrap_or_default();
-    if let Some(edits) = request.of_wireframe(weld, || min_edge(document, app))? {
+    if let Some(edits) = request.of_wireframe(weld, || chord_limits(document, app))? {
         let mut scratch = document.wireframe.clone();
         let mut delta = Delta::none(&document.wireframe);
         for edit in &edits {
@@ -67,11 +67,18 @@ pub(super) fn change(
     })
 }
 
-/// The shortest edge that the machine of a design can make; 0 without a machine.
-fn min_edge(document: &Document, app: &Installation) -> Result<Length, EditorError> {
-    let Some(machine) = &document.machine else { return Ok(Length::ZERO) };
+/// What the machine of a design can make of a fillet; everything without a machine.
+fn chord_limits(document: &Document, app: &Installation) -> Result<ChordLimits, EditorError> {
+    let Some(machine) = &document.machine else { return Ok(ChordLimits::default()) };
     let material = document.material.as_ref().map(|material| material.id.as_str());
-    Ok(app.setup(&machine.id, material)?.model.limits.min_edge.value)
+    let model = app.setup(&machine.id, material)?.model;
+    let feed = model.compensation.feed;
+    Ok(ChordLimits {
+        min_edge: model.limits.min_edge.value,
+        min_feed: model.limits.min_feed.value,
+        bend_radius: feed.map_or(Length::ZERO, |feed| feed.bend_radius),
+        neutral_radius: feed.map_or(Length::ZERO, |feed| feed.neutral_radius),
+    })
 }
 
 /// Walks whose vertices and edges are all there.

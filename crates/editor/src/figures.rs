@@ -2,16 +2,18 @@
 
 use nalgebra::{Affine3, Matrix3, Point3, Unit, Vector3};
 use wirebend_core::units::{Angle, Length};
-use wirebend_core::wireframe::{EdgeId, Edit, EditError, PolygonSize, Rest, ShapePlane, VertexId};
+use wirebend_core::wireframe::{
+    ChordLimits, EdgeId, Edit, EditError, PolygonSize, Rest, ShapePlane, VertexId,
+};
 
 use super::EditorError;
 use super::request::{AxisName, EditRequest, PlaneName, PolygonMeasure, RestPlace};
 
 impl EditRequest {
-    /// The edit that it is; none where it is not given in figures. `min_edge`: see `of_wireframe`.
+    /// The edit that it is; none where it is not given in figures. `chord_limits`: see `of_wireframe`.
     pub(super) fn of_figures(
         &self,
-        min_edge: impl FnOnce() -> Result<Length, EditorError>,
+        chord_limits: impl FnOnce() -> Result<ChordLimits, EditorError>,
     ) -> Result<Option<Edit>, EditorError> {
         Ok(Some(match self {
             Self::Length { edge, length_mm, stays, rest } => Edit::SetLength {
@@ -57,7 +59,7 @@ impl EditRequest {
                 vertices: ids(vertices),
                 radius: Length::from_mm(*radius_mm).map_err(|_| EditError::FilletRadius(*radius_mm))?,
                 step: Angle::from_deg(*step_deg).map_err(|_| EditorError::ArcStep(*step_deg))?,
-                min_edge: min_edge()?,
+                limits: chord_limits()?,
             },
             _ => return Ok(None),
         }))

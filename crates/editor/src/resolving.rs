@@ -2,7 +2,7 @@
 
 use nalgebra::{Affine3, Matrix4, Point3, Vector3};
 use wirebend_core::units::{Angle, Length};
-use wirebend_core::wireframe::{EdgeId, Edit, Joint, MergeAt, MirrorMode, Vertex, VertexId};
+use wirebend_core::wireframe::{ChordLimits, EdgeId, Edit, Joint, MergeAt, MirrorMode, Vertex, VertexId};
 
 use super::EditorError;
 use super::figures::{ids, unit};
@@ -10,14 +10,14 @@ use super::request::{EditRequest, MergePlace};
 
 impl EditRequest {
     /// The edits of the wireframe that it is; none where it changes something else.
-    /// `min_edge` is asked for the shortest edge that the machine of the design can make.
+    /// `chord_limits` is asked for what the machine of the design can make of a fillet.
     pub(super) fn of_wireframe(
         &self,
         weld: Length,
-        min_edge: impl FnOnce() -> Result<Length, EditorError>,
+        chord_limits: impl FnOnce() -> Result<ChordLimits, EditorError>,
     ) -> Result<Option<Vec<Edit>>, EditorError> {
         let one = |edit| Ok(Some(vec![edit]));
-        if let Some(edit) = self.of_figures(min_edge)? {
+        if let Some(edit) = self.of_figures(chord_limits)? {
             return one(edit);
         }
         match self {

@@ -18,7 +18,9 @@ mod welder;
 
 pub use components::Component;
 pub use delta::{Change, Delta, StaleDelta};
-pub use edits::{Edit, EditError, FilletFault, MergeAt, MirrorMode, PolygonSize, Rest, ShapePlane};
+pub use edits::{
+    ChordLimits, Edit, EditError, FilletFault, MergeAt, MirrorMode, PolygonSize, Rest, ShapePlane,
+};
 pub use graph::{Edge, EdgeId, NextIds, Vertex, VertexId, Wireframe, WireframeError};
 pub use joint::{Joint, JointKind};
 pub use truss::{MAX_RINGS, TrussError, regular_depth, tetrahedral_truss};

@@ -4,7 +4,7 @@ use nalgebra::{Point3, Vector3};
 use proptest::prelude::*;
 use wirebend_core::units::{Angle, Length};
 use wirebend_core::wireframe::{
-    EdgeId, Edit, EditError, FilletFault, PolygonSize, ShapePlane, VertexId, Wireframe,
+    ChordLimits, EdgeId, Edit, EditError, FilletFault, PolygonSize, ShapePlane, VertexId, Wireframe,
 };
 
 fn mm(value: f64) -> Length {
@@ -108,8 +108,18 @@ fn corner(between: f64, a: f64, b: f64) -> Wireframe {
     w
 }
 
+/// A machine that feeds edges as they are designed.
+fn designed(min_edge: f64) -> ChordLimits {
+    ChordLimits { min_edge: mm(min_edge), ..ChordLimits::default() }
+}
+
 fn fillet(radius: f64, step: f64, min_edge: f64) -> Edit {
-    Edit::Fillet { vertices: vec![VertexId(1)], radius: mm(radius), step: deg(step), min_edge: mm(min_edge) }
+    Edit::Fillet {
+        vertices: vec![VertexId(1)],
+        radius: mm(radius),
+        step: deg(step),
+        limits: designed(min_edge),
+    }
 }
 
 /// The vertices from one end of a chain to the other.
@@ -200,7 +210,7 @@ fn an_edge_between_two_corners_is_shortened_at_both_ends() {
         vertices: vec![VertexId(1), VertexId(2)],
         radius: mm(radius),
         step: deg(15.0),
-        min_edge: mm(20.4),
+        limits: designed(20.4),
     };
     let Err(EditError::Fillet { nearest, .. }) = w.apply(&both(45.0)) else { panic!("too large") };
     assert_eq!(nearest, Some(mm(39.8)));

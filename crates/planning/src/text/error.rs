@@ -101,10 +101,10 @@ pub fn edit(error: &EditError) -> String {
         }
         EditError::Fillet { vertex, radius, min_edge, fault, nearest: _ } => match fault {
             FilletFault::Chords => format!(
-                "the chords of a fillet of {radius:.1} at vertex {vertex} would be shorter than the shortest edge, {min_edge:.1}"
+                "the chords of a fillet of {radius:.1} at vertex {vertex} would be shorter than {min_edge:.1}, the shortest that can be made there"
             ),
             FilletFault::Edges if *min_edge > Length::ZERO => format!(
-                "what a fillet of {radius:.1} leaves of the edges at vertex {vertex} would be shorter than the shortest edge, {min_edge:.1}"
+                "what a fillet of {radius:.1} leaves of the edges at vertex {vertex} would be shorter than {min_edge:.1}, the shortest that can be made there"
             ),
             FilletFault::Edges => {
                 format!("the edges at vertex {vertex} are too short for a fillet of {radius:.1}")

@@ -33,10 +33,7 @@ export function FilletForm() {
           />
         )}
       </Field>
-      <Field
-        label="Step"
-        hint="Largest bend angle between two chords. No chord is shorter than the machine's shortest edge."
-      >
+      <Field label="Step" hint="Largest bend angle between two chords. No chord is shorter than the machine can make.">
         {({ id }) => <NumberField id={id} kind="angle" label="Step" value={step} min={1} max={90} onCommit={setStep} />}
       </Field>
       <Do command="fillet" onDo={() => void make(radius)}>

@@ -99,7 +99,7 @@ pub enum EditError {
         vertex: VertexId,
         /// The radius that was asked for.
         radius: Length,
-        /// The shortest edge that can be made.
+        /// The shortest edge that can be made there.
         min_edge: Length,
         /// What is too short.
         fault: FilletFault,

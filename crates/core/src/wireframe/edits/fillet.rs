@@ -18,6 +18,35 @@ const STRAIGHT: f64 = 1e-6;
 /// The most chords of a corner.
 const MAX_CHORDS: f64 = 100_000.0;
 
+/// What of a fillet a machine can make.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ChordLimits {
+    /// The shortest edge as designed.
+    pub min_edge: Length,
+    /// The shortest feed, which has to be left of an edge once its arcs are taken off.
+    pub min_feed: Length,
+    /// Centreline radius of a bend; 0 where feeds are as designed.
+    pub bend_radius: Length,
+    /// Radius of the neutral fibre of a bend; 0 likewise.
+    pub neutral_radius: Length,
+}
+
+impl ChordLimits {
+    /// The shortest chord, mm, where the wire is bent by `bend` between two chords and by half of it at the ends of the arc, in
+    /// whichever direction it runs: a feed is shorter than its edge by the tangents at both ends, and longer by the arc of one.
+    fn chord(&self, bend: f64) -> f64 {
+        let (radius, neutral) = (self.bend_radius.mm(), self.neutral_radius.mm());
+        let (inner, end) = ((bend / 2.0).tan(), (bend / 4.0).tan());
+        let lost = (2.0 * radius * inner - neutral * bend).max(radius * (inner + end) - neutral * bend / 2.0);
+        self.min_edge.mm().max(self.min_feed.mm() + lost.max(0.0))
+    }
+
+    /// The shortest that may be left of an edge, mm, beside an arc with such bends.
+    fn left(&self, bend: f64) -> f64 {
+        self.min_edge.mm().max(self.min_feed.mm() + self.bend_radius.mm() * (bend / 4.0).tan())
+    }
+}
+
 /// One of the two edges at a corner.
 struct Leg {
     id: EdgeId,
@@ -34,7 +63,6 @@ struct Corner {
     legs: [Leg; 2],
     /// How far the wire is bent at the corner, and so how far round the arc goes.
     sweep: f64,
-    min_edge: f64,
 }
 
 /// Rounds corners. See `Edit::Fillet`.
@@ -43,7 +71,7 @@ pub(super) fn fillet(
     vertices: &[VertexId],
     radius: Length,
     step: Angle,
-    min_edge: Length,
+    limits: &ChordLimits,
 ) -> Result<(), EditError> {
     check_listed(draft, vertices)?;
     if radius <= Length::ZERO {
@@ -52,20 +80,19 @@ pub(super) fn fillet(
     if step <= Angle::ZERO || step > Angle::HALF_TURN {
         return Err(EditError::ArcStep(step));
     }
-    let corner = |draft: &Draft, vertex: VertexId| Corner::of(draft, vertex, min_edge.mm());
-    let corners = vertices.iter().map(|&vertex| corner(draft, vertex)).collect::<Result<Vec<_>, _>>()?;
+    let corners = vertices.iter().map(|&vertex| Corner::of(draft, vertex)).collect::<Result<Vec<_>, _>>()?;
     let reaches = corners.iter().map(|corner| (corner.vertex, corner.reach())).collect();
-    let chords = corners.iter().map(|corner| corner.chords(radius.mm(), step.rad(), &reaches));
+    let chords = corners.iter().map(|corner| corner.chords(radius.mm(), step.rad(), limits, &reaches));
     let chords = chords.collect::<Result<Vec<_>, _>>()?;
     for (&vertex, chords) in vertices.iter().zip(chords) {
         // As those before it have left its edges.
-        corner(draft, vertex)?.round(draft, radius.mm(), chords)?;
+        Corner::of(draft, vertex)?.round(draft, radius.mm(), chords)?;
     }
     Ok(())
 }
 
 impl Corner {
-    fn of(draft: &Draft, vertex: VertexId, min_edge: f64) -> Result<Self, EditError> {
+    fn of(draft: &Draft, vertex: VertexId) -> Result<Self, EditError> {
         let (one, other) = only_two(draft, vertex)?;
         let marked = draft.vertex(vertex).ok_or(WireframeError::NoVertex(vertex))?;
         if marked.support || marked.joint.is_some() {
@@ -83,7 +110,7 @@ impl Corner {
         if !(STRAIGHT..=std::f64::consts::PI - STRAIGHT).contains(&sweep) {
             return Err(EditError::StraightCorner(vertex));
         }
-        Ok(Self { vertex, at, legs, sweep, min_edge })
+        Ok(Self { vertex, at, legs, sweep })
     }
 
     /// How far from the corner an arc of radius 1 touches its edges.
@@ -91,40 +118,51 @@ impl Corner {
         (self.sweep / 2.0).tan()
     }
 
-    /// Into how many chords an arc is divided: at most `step` is bent at each vertex, and none is shorter than the shortest edge.
+    /// Into how many chords an arc is divided: at most `step` is bent at each vertex, and none is shorter than the machine can make.
     /// `reaches`: of all corners that are rounded, since an edge between two of them is shortened at both of its ends.
-    fn chords(&self, radius: f64, step: f64, reaches: &BTreeMap<VertexId, f64>) -> Result<u32, EditError> {
+    fn chords(
+        &self,
+        radius: f64,
+        step: f64,
+        limits: &ChordLimits,
+        reaches: &BTreeMap<VertexId, f64>,
+    ) -> Result<u32, EditError> {
         let taken = |leg: &Leg| self.reach() + reaches.get(&leg.end).copied().unwrap_or(0.0);
         let left = |leg: &Leg| leg.length - radius * taken(leg);
+        // Of two chords, which have the largest bends.
+        let (min_chord, min_left) = (limits.chord(self.sweep / 2.0), limits.left(self.sweep / 2.0));
         // What nothing is left of is no edge that could be too short.
-        let room = |leg: &Leg| left(leg).abs() < NOTHING || left(leg) >= self.min_edge - NOTHING;
-        let min = self.min_edge / (2.0 * (self.sweep / 4.0).sin());
-        let fits = self.legs.iter().map(|leg| (leg.length - self.min_edge) / taken(leg));
+        let room = |leg: &Leg| left(leg).abs() < NOTHING || left(leg) >= min_left - NOTHING;
+        let min = min_chord / (2.0 * (self.sweep / 4.0).sin());
+        let fits = self.legs.iter().map(|leg| (leg.length - min_left) / taken(leg));
         let max = fits.fold(f64::INFINITY, f64::min);
         let short = radius < min - NOTHING;
         if short || !self.legs.iter().all(room) {
             // A figure that is written with a digit behind the point is one that can be made.
             let (up, down) = ((min * 10.0 - NOTHING).ceil() / 10.0, (max * 10.0 + NOTHING).floor() / 10.0);
             let nearest = (up <= down && down > 0.0).then(|| Length::computed(if short { up } else { down }));
+            let (min_edge, fault) =
+                if short { (min_chord, FilletFault::Chords) } else { (min_left, FilletFault::Edges) };
             return Err(EditError::Fillet {
                 vertex: self.vertex,
                 radius: Length::computed(radius),
-                min_edge: Length::computed(self.min_edge),
-                fault: if short { FilletFault::Chords } else { FilletFault::Edges },
+                min_edge: Length::computed(min_edge),
+                fault,
                 nearest,
             });
         }
         // A step that divides the arc evenly does so in spite of rounding.
         let wanted = (self.sweep / step - 1e-9).ceil().max(2.0);
-        let half = ((self.min_edge - NOTHING) / (2.0 * radius)).clamp(0.0, 1.0);
-        let fitting = if half > 0.0 { (self.sweep / (2.0 * half.asin())).floor().max(2.0) } else { wanted };
-        let count = wanted.min(fitting);
-        if count > MAX_CHORDS {
+        if wanted > MAX_CHORDS {
             return Err(EditError::ArcStep(Angle::computed(step)));
         }
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // from 2 to the most
-        let count = count as u32;
-        Ok(count)
+        let wanted = wanted as u32;
+        let fits = |count: u32| {
+            let bend = self.sweep / f64::from(count);
+            2.0 * radius * (bend / 2.0).sin() >= limits.chord(bend) - NOTHING
+        };
+        Ok((2..=wanted).rev().find(|&count| fits(count)).unwrap_or(2))
     }
 
     fn round(&self, draft: &mut Draft, radius: f64, chords: u32) -> Result<(), EditError> {

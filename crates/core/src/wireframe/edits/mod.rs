@@ -19,6 +19,7 @@ use super::graph::{EdgeId, VertexId, Wireframe};
 use crate::units::{Angle, Length};
 
 pub use error::{EditError, FilletFault};
+pub use fillet::ChordLimits;
 pub use shapes::{PolygonSize, ShapePlane};
 
 /// Where the vertex goes that others are merged into.
@@ -243,8 +244,8 @@ pub enum Edit {
         /// How far a chord goes round at most, more than 0 and up to 180°: what the wire is bent at the vertices between two. An arc
         /// has two chords or more.
         step: Angle,
-        /// No chord, and nothing that is left of an edge, is shorter; there are fewer chords then.
-        min_edge: Length,
+        /// No chord, and nothing that is left of an edge, is shorter than can be made; there are fewer chords then.
+        limits: ChordLimits,
     },
     /// Takes those vertices out of a chain that are within a tolerance of a straight line. Its ends stay; inner
     /// vertices with other edges go onto the line, supports and joints stay where they are.
@@ -317,8 +318,8 @@ impl Edit {
             Self::AddHelix { plane, radius, pitch, turns, sides, left } => {
                 shapes::helix(&mut draft, plane, *radius, *pitch, *turns, *sides, *left)?;
             }
-            Self::Fillet { vertices, radius, step, min_edge } => {
-                fillet::fillet(&mut draft, vertices, *radius, *step, *min_edge)?;
+            Self::Fillet { vertices, radius, step, limits } => {
+                fillet::fillet(&mut draft, vertices, *radius, *step, limits)?;
             }
             Self::Straighten { edges, tolerance } => smoothing::straighten(&mut draft, edges, *tolerance)?,
             Self::Round { edges, tolerance, step, min_edge } => {

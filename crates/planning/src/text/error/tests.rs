@@ -67,11 +67,11 @@ fn an_edit_that_cannot_be_made_says_why_and_what_would_be_right() {
         (EditError::HeldCorner(a), "vertex 1 is a support or has a joint, which a fillet would move"),
         (
             fillet(FilletFault::Chords, 20.4),
-            "the chords of a fillet of 5.0 mm at vertex 1 would be shorter than the shortest edge, 20.4 mm",
+            "the chords of a fillet of 5.0 mm at vertex 1 would be shorter than 20.4 mm, the shortest that can be made there",
         ),
         (
             fillet(FilletFault::Edges, 20.4),
-            "what a fillet of 5.0 mm leaves of the edges at vertex 1 would be shorter than the shortest edge, 20.4 mm",
+            "what a fillet of 5.0 mm leaves of the edges at vertex 1 would be shorter than 20.4 mm, the shortest that can be made there",
         ),
         (fillet(FilletFault::Edges, 0.0), "the edges at vertex 1 are too short for a fillet of 5.0 mm"),
         (
