@@ -87,6 +87,17 @@ it("says what is not possible, and what is", async () => {
   expect((await editor.design()).state.undo).toBe("draw");
 });
 
+it("measures between two things that are selected", async () => {
+  await click([0, 0, 0]);
+  await click([60, 0, 80], true);
+  await edit().getByText("Distance 100.0 mm · x 60.0  y 0.0  z 80.0 mm").waitFor();
+  await written("100.0 mm").waitFor();
+  await editor.isClean("measure");
+  await click([90, 0, 80]);
+  await click([30, 0, 0], true);
+  await edit().getByText("Distance 85.4 mm").waitFor();
+});
+
 it("turns the selection by a typed angle", async () => {
   await editor.page.locator(".viewport canvas").focus();
   await press("a");

@@ -299,6 +299,8 @@ export interface SceneDimensions {
   readonly edges: readonly number[];
   /** Angles, by the ids of their vertex and of the vertices on both sides. */
   readonly corners: readonly { readonly vertex: number; readonly ends: readonly [number, number] }[];
+  /** A distance that is measured, from place to place, mm. */
+  readonly between: readonly [Vec3, Vec3] | null;
   /** A vertex that stays where it is when a length or an angle is typed. */
   readonly stays: number | null;
 }

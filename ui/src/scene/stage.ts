@@ -171,6 +171,9 @@ export class Stage {
 
   setDimensions(dimensions: SceneDimensions): void {
     this.dimensions = dimensions;
+    const { between } = dimensions;
+    const look = { colour: this.theme.acted };
+    this.mark("measured", [], between ? [{ from: between[0], to: between[1], look }] : []);
     this.label();
   }
 

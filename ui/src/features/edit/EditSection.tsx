@@ -1,8 +1,9 @@
 import { useMemo } from "react";
-import { count } from "../../shared/figures/format";
+import { angle, count } from "../../shared/figures/format";
 import { useLengths } from "../../shared/figures/unit";
 import { useDesign } from "../../state/design/design";
 import { lengthOf } from "../../state/design/geometry";
+import { measured } from "../../state/design/measure";
 import { edgesOf, isEmpty, useSelection, verticesOf } from "../../state/design/selection";
 import { Part, Section } from "../panel/Section";
 import { AddVertex } from "./AddVertex";
@@ -36,6 +37,23 @@ function Selected() {
   );
 }
 
+/** How far two selected things are apart, in as much room without them. */
+function Distance() {
+  const design = useDesign();
+  const selection = useSelection();
+  const { length, bare, name } = useLengths();
+  const text = useMemo(() => {
+    const found = measured(selection, design);
+    if (!found) return null;
+    const [x, y, z] = [0, 1, 2].map((axis) => bare((found.to[axis] ?? 0) - (found.from[axis] ?? 0)));
+    const apart = `Distance ${length(found.mm)} · x ${x}  y ${y}  z ${z} ${name}`;
+    return found.deg === null ? apart : `${apart} · ${angle(found.deg)}`;
+  }, [selection, design, length, bare, name]);
+  return (
+    <p className="measured">{text ?? <span className="muted">Select two things to measure between them.</span>}</p>
+  );
+}
+
 /** What is selected, in figures that can be typed over, and what can be done with it. */
 export function EditSection() {
   const vertices = useDesign((design) => design.vertices.size);
@@ -45,6 +63,7 @@ export function EditSection() {
     <Section id="edit" title="Edit" phrase={phrase}>
       <Part title="Selection">
         <Selected />
+        <Distance />
         <Exact />
         <Position />
       </Part>

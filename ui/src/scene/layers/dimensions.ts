@@ -4,7 +4,7 @@ import type { LengthFormat, SceneDimensions, SceneLabel, Vec3 } from "../interfa
 import { add, direction, distance, length, scale, subtract } from "../vec";
 import type { DrawnDesign } from "./drawn_design";
 
-export const NO_DIMENSIONS: SceneDimensions = { all: false, edges: [], corners: [], stays: null };
+export const NO_DIMENSIONS: SceneDimensions = { all: false, edges: [], corners: [], between: null, stays: null };
 
 /** More labels than these are no help. */
 const MAX_LABELS = 120;
@@ -27,6 +27,11 @@ export function dimensionLabels(design: DrawnDesign, asked: SceneDimensions, len
     if (row !== undefined) edge(row, true);
   }
   for (const { vertex, ends } of asked.corners) corner(vertex, ends, true);
+  if (asked.between) {
+    const [from, to] = asked.between;
+    const text = `${lengths.number(distance(from, to))} ${lengths.name}`;
+    labels.push({ at: scale(add(from, to), 0.5), text, verdict: null, beside: [from, to], first: true });
+  }
   const stays = asked.stays === null ? null : design.place(asked.stays);
   if (stays) labels.push({ at: stays, text: "stays", verdict: null, first: true });
   if (!asked.all) return labels;

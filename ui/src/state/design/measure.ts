@@ -1,0 +1,56 @@
+/** What is between two things that are selected: vertices or edges. */
+
+import type { SceneDesign, Selection, Vec3 } from "../../scene/interface";
+import { angleAt, distance } from "./geometry";
+
+export interface Measured {
+  /** Where the two are nearest to each other, mm. */
+  readonly from: Vec3;
+  readonly to: Vec3;
+  readonly mm: number;
+  /** Between two edges, as lines: from 0° to 90°. */
+  readonly deg: number | null;
+}
+
+/** Nearest places, angle and distance; null where not just two things are selected. */
+export function measured({ vertices, edges }: Selection, design: SceneDesign): Measured | null {
+  if (vertices.size + edges.size !== 2) return null;
+  const things = [
+    ...[...vertices].map((id) => [design.vertices.get(id)?.at, design.vertices.get(id)?.at] as const),
+    ...[...edges].map((id) => {
+      const edge = design.edges.get(id);
+      return [edge && design.vertices.get(edge.a)?.at, edge && design.vertices.get(edge.b)?.at] as const;
+    }),
+  ];
+  const [[a, b], [c, d]] = [things[0] ?? [], things[1] ?? []];
+  if (!a || !b || !c || !d) return null;
+  const [from, to] = nearest([a, b], [c, d]);
+  const turned = edges.size === 2 ? angleAt([0, 0, 0], subtract(b, a), subtract(d, c)) : null;
+  return { from, to, mm: distance(from, to), deg: turned === null ? null : Math.min(turned, 180 - turned) };
+}
+
+type Segment = readonly [Vec3, Vec3];
+
+const subtract = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+const dot = (a: Vec3, b: Vec3): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const along = ([a, b]: Segment, share: number): Vec3 => [
+  a[0] + (b[0] - a[0]) * share,
+  a[1] + (b[1] - a[1]) * share,
+  a[2] + (b[2] - a[2]) * share,
+];
+const within = (share: number): number => Math.min(1, Math.max(0, share));
+
+/** The places of two straight pieces that are nearest to each other; a piece may be a point (Ericson, Real-Time Collision Detection, 5.1.9). */
+function nearest(one: Segment, other: Segment): readonly [Vec3, Vec3] {
+  const [u, v, w] = [subtract(one[1], one[0]), subtract(other[1], other[0]), subtract(one[0], other[0])];
+  const [a, b, c, d, e] = [dot(u, u), dot(u, v), dot(v, v), dot(u, w), dot(v, w)];
+  const apart = a * c - b * b;
+  // In parallel any place of the one serves; the other is then the nearest to it.
+  let s = apart > 1e-12 * a * c ? within((b * e - c * d) / apart) : 0;
+  let t = c > 0 ? (b * s + e) / c : 0;
+  if (t !== within(t) || c === 0) {
+    t = within(t);
+    s = a > 0 ? within((b * t - d) / a) : 0;
+  }
+  return [along(one, s), along(other, t)];
+}
