@@ -5,8 +5,6 @@
 //! whatever stages it has got through, so that a design that cannot be bent is still explained.
 
 mod bend_angle;
-mod bend_radius;
-mod bend_torque;
 mod code;
 mod coincident;
 mod contact;
@@ -25,6 +23,7 @@ mod sharp_vertex;
 mod slight_bend;
 mod small_corner;
 mod stock_length;
+mod strength;
 mod wire_diameter;
 mod wires;
 mod zero_length;
@@ -227,8 +226,8 @@ pub fn check_wire(wire: &WireStages) -> Vec<Diagnostic> {
         rotation::check,
         stock_length::check,
         wire_diameter::check,
-        bend_torque::check,
-        bend_radius::check,
+        strength::torque,
+        strength::radius,
         contact::check,
     ];
     let mut found = Vec::new();
