@@ -4,7 +4,7 @@ import { Editor, type Section, until } from "../support/editor.ts";
 import { root } from "../support/places.ts";
 import { type Place, Sight } from "../support/sight.ts";
 
-// The pictures of the README, in the order of its tutorial: one design from the stencil to the machine.
+// The pictures of the README, in the order of its tutorial: one design from the stencil to the machine; then those of frames.
 
 const folder = `${root}docs/pictures`;
 
@@ -166,4 +166,28 @@ it("makes the pictures", async () => {
     .getByText(/stopped/i)
     .first()
     .waitFor();
+});
+
+it("makes the pictures of frames", async () => {
+  const { page } = editor;
+  const input = { file: `${root}examples/bunny-frame.pwf` };
+  await editor.loopback.ask("open", { design: { input, units: "mm" } });
+  await editor.reload("frame");
+  const frame = editor.section("frame");
+  await frame.getByLabel("Material").selectOption("abs-1-5mm");
+  await frame.getByRole("button", { name: "Compute", exact: true }).click();
+  await frame.getByRole("table", { name: "Results" }).waitFor();
+  await picture("frame");
+
+  await editor.reload("sequence");
+  const sequence = editor.section("sequence");
+  await sequence.getByRole("button", { name: "Find", exact: true }).click();
+  const slider = page.getByLabel("Position in the sequence");
+  await until(async () => Number(await slider.getAttribute("max"))).toBeGreaterThan(100);
+  await slider.fill("90");
+  await page
+    .getByRole("region", { name: "Timeline" })
+    .getByText(/^step 9[01] /)
+    .waitFor();
+  await picture("sequence");
 });
