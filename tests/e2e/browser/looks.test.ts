@@ -208,9 +208,12 @@ it("stays where a person has scrolled the panel to", async () => {
   const panel = editor.page.locator(".panel-sections");
   const scroll = () => panel.evaluate((box) => [Math.round(box.scrollTop), box.scrollHeight - box.clientHeight]);
   await editor.section("check").locator(".section-head").hover();
-  await editor.page.mouse.wheel(0, 5000);
   const [at, end] = [async () => (await scroll())[0], async () => (await scroll())[1]];
-  await until(async () => (await at()) === (await end())).toBe(true);
+  // What the sections say may still come, and make the panel longer.
+  await until(async () => {
+    await editor.page.mouse.wheel(0, 5000);
+    return (await at()) === (await end());
+  }).toBe(true);
   const down = await at();
   for (const y of [300, 320, 400]) await editor.page.mouse.move(1150, y);
   // What is drawn anew is reported in the next frames.

@@ -45,7 +45,7 @@ export function StatusBar() {
         <button
           type="button"
           className={`status-part status-checks ${checks.tone}`}
-          title="Show the checks"
+          title={checks.tone === "fine" ? "Within the machine's limits. Show the checks" : "Show the checks"}
           onClick={() => showSection("check")}
         >
           <Mark tone={checks.tone} />

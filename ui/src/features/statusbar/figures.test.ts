@@ -100,8 +100,7 @@ describe("checksPhrase", () => {
     ["checked", "no collision found"],
     ["checking", "checking collisions"],
     ["unchecked", "collisions not checked"],
-  ] as const)("says of a design that is fine whether collisions are %s", (known, said) => {
-    const text = `within the machine's limits; ${said}`;
+  ] as const)("says of a design that is fine whether collisions are %s", (known, text) => {
     expect(checksPhrase(check([], [found("info")]), known)).toEqual({ text, tone: "fine" });
   });
 

@@ -2,16 +2,7 @@
 
 import type { LiveCheck, WireFigures } from "../../generated/responses";
 import { errorText } from "../../platform/error_text";
-import {
-  count,
-  type DisplayUnit,
-  LIMITS_ONLY,
-  length,
-  longLength,
-  money,
-  number,
-  time,
-} from "../../shared/figures/format";
+import { count, type DisplayUnit, length, longLength, money, number, time } from "../../shared/figures/format";
 import type { Known } from "../../state/design/collisions";
 import type { DesignState } from "../../state/design/design";
 
@@ -93,13 +84,14 @@ export function savedPhrase(state: DesignState | null): { readonly text: string;
   return { text, warning: state.unkept ? errorText(state.unkept) : null };
 }
 
+/** Of a design that is within the machine's limits. As short as a warning is: the place of it is as wide for all. */
 const FINE: Readonly<Record<Known, string>> = {
-  checked: "within the machine's limits; no collision found",
-  checking: "within the machine's limits; checking collisions",
-  unchecked: LIMITS_ONLY,
+  checked: "no collision found",
+  checking: "checking collisions",
+  unchecked: "collisions not checked",
 };
 
-/** "3 to fix", "2 warnings", "within the machine's limits; no collision found"; null before the first answer. */
+/** "3 to fix", "2 warnings", "no collision found"; null before the first answer. */
 export function checksPhrase(
   check: LiveCheck | null,
   collisions: Known,
