@@ -1,4 +1,3 @@
-import type { KeyboardEvent } from "react";
 import { Button } from "../../shared/controls/Button";
 import { useUnit } from "../../shared/figures/unit";
 import {
@@ -11,7 +10,7 @@ import {
 } from "../../state/sequence/sequence";
 import { displacement } from "../frame/words";
 import { KINDS } from "../sequence/words";
-import { Track } from "./Track";
+import { type Moves, Track } from "./Track";
 
 /** The steps of building under the view, while they are shown there instead of a program. */
 export function BuildTimeline() {
@@ -23,27 +22,22 @@ export function BuildTimeline() {
   const step = steps[now];
   const text = step ? `step ${now + 1} / ${steps.length} · edge ${step.edge} ${KINDS[step.type]}` : "nothing is built";
   const ticks = [...new Set(sequence?.diagnostics.flatMap(({ step }) => (step == null ? [] : [step])) ?? [])];
-  const keys = (event: KeyboardEvent) => {
-    const moves: Partial<Record<string, () => void>> = {
-      ArrowRight: () => slideTo(Math.floor(at) + 1),
-      ArrowUp: () => slideTo(Math.floor(at) + 1),
-      ArrowLeft: () => slideTo(Math.ceil(at) - 1),
-      ArrowDown: () => slideTo(Math.ceil(at) - 1),
-      PageUp: () => slideTo(Math.floor(at) + 10),
-      PageDown: () => slideTo(Math.ceil(at) - 10),
-      Home: () => slideTo(0),
-      End: () => slideTo(steps.length),
-      " ": togglePlaySequence,
-    };
-    const move = moves[event.key];
-    if (!move || event.ctrlKey || event.altKey || event.metaKey) return;
-    event.preventDefault();
-    event.stopPropagation();
-    move();
+  const forward = () => slideTo(Math.floor(at) + 1);
+  const back = () => slideTo(Math.ceil(at) - 1);
+  const moves: Moves = {
+    ArrowRight: forward,
+    ArrowUp: forward,
+    ArrowLeft: back,
+    ArrowDown: back,
+    PageUp: () => slideTo(Math.floor(at) + 10),
+    PageDown: () => slideTo(Math.ceil(at) - 10),
+    Home: () => slideTo(0),
+    End: () => slideTo(steps.length),
+    " ": togglePlaySequence,
   };
   return (
     <section className="timeline" aria-label="Timeline">
-      <Button icon="previous" aria-label="Step back" title="Step back" onClick={() => slideTo(Math.ceil(at) - 1)} />
+      <Button icon="previous" aria-label="Step back" title="Step back" onClick={back} />
       <Button
         kind="primary"
         icon={playing ? "pause" : "play"}
@@ -51,7 +45,7 @@ export function BuildTimeline() {
         title={playing ? "Pause (Space)" : "Play (Space)"}
         onClick={togglePlaySequence}
       />
-      <Button icon="next" aria-label="Step forward" title="Step forward" onClick={() => slideTo(Math.floor(at) + 1)} />
+      <Button icon="next" aria-label="Step forward" title="Step forward" onClick={forward} />
       <Track
         label="Position in the sequence"
         value={at}
@@ -62,7 +56,7 @@ export function BuildTimeline() {
         contacts={[]}
         off={steps.length === 0}
         onChange={slideTo}
-        onKeyDown={keys}
+        moves={moves}
       />
       <span className="timeline-step">{step ? `step ${now + 1} / ${steps.length} · edge ${step.edge}` : text}</span>
       <span className="timeline-time muted" />

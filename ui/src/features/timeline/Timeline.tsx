@@ -1,4 +1,3 @@
-import type { KeyboardEvent } from "react";
 import { Button } from "../../shared/controls/Button";
 import { count, number, percent, time } from "../../shared/figures/format";
 import { useLengths } from "../../shared/figures/unit";
@@ -21,7 +20,7 @@ import { useSequence } from "../../state/sequence/sequence";
 import { useWhyNot } from "../../state/window/commands";
 import { namedSteps, spoken } from "../animate/steps";
 import { BuildTimeline } from "./BuildTimeline";
-import { Track } from "./Track";
+import { type Moves, Track } from "./Track";
 import "./timeline.css";
 
 const LIVE = "A machine is bending the wire.";
@@ -53,34 +52,16 @@ function ProgramTimeline() {
   const why = live ? LIVE : null;
   const whyStep = why ?? (one ? null : NO_PROGRAM);
   const at = Math.max(stepOf(total, step), 0);
-  const moveOf = (key: string): (() => void) | null => {
-    switch (key) {
-      case "ArrowRight":
-      case "ArrowUp":
-        return forward;
-      case "ArrowLeft":
-      case "ArrowDown":
-        return back;
-      case "PageUp":
-        return () => void goTo(Math.min(Math.floor(step) + 10, total));
-      case "PageDown":
-        return () => void goTo(Math.max(Math.ceil(step) - 10, 0));
-      case "Home":
-        return reset;
-      case "End":
-        return () => void goTo(total);
-      case " ":
-        return togglePlay;
-      default:
-        return null;
-    }
-  };
-  const keys = (event: KeyboardEvent) => {
-    const move = moveOf(event.key);
-    if (!move || event.ctrlKey || event.altKey || event.metaKey) return;
-    event.preventDefault();
-    event.stopPropagation();
-    move();
+  const moves: Moves = {
+    ArrowRight: forward,
+    ArrowUp: forward,
+    ArrowLeft: back,
+    ArrowDown: back,
+    PageUp: () => void goTo(Math.min(Math.floor(step) + 10, total)),
+    PageDown: () => void goTo(Math.max(Math.ceil(step) - 10, 0)),
+    Home: reset,
+    End: () => void goTo(total),
+    " ": togglePlay,
   };
   return (
     <section className="timeline" aria-label="Timeline">
@@ -102,7 +83,7 @@ function ProgramTimeline() {
         contacts={one ? contacts : []}
         off={live || !one}
         onChange={scrub}
-        onKeyDown={keys}
+        moves={moves}
       />
       <span className={byHand === null && one ? "timeline-step" : "timeline-step muted"}>
         {byHand !== null

@@ -4,6 +4,9 @@ import type { PlayedContact } from "../../state/program/contacts";
 import { jump } from "../../state/program/player";
 import { hitOf } from "../animate/hits";
 
+/** What a key on the line does; of the others the window decides. */
+export type Moves = Readonly<Partial<Record<string, () => void>>>;
+
 /** The whole program as a line to slide on. `ticks`: steps, from 0, that something is wrong with; `contacts`: where the wire hits something. */
 export function Track({
   label = "Position in the program",
@@ -15,7 +18,7 @@ export function Track({
   contacts,
   off,
   onChange,
-  onKeyDown,
+  moves,
 }: {
   readonly label?: string;
   readonly value: number;
@@ -28,8 +31,15 @@ export function Track({
   readonly contacts: readonly PlayedContact[];
   readonly off: boolean;
   readonly onChange: (value: number) => void;
-  readonly onKeyDown: (event: KeyboardEvent) => void;
+  readonly moves: Moves;
 }) {
+  const keys = (event: KeyboardEvent) => {
+    const move = moves[event.key];
+    if (!move || event.ctrlKey || event.altKey || event.metaKey) return;
+    event.preventDefault();
+    event.stopPropagation();
+    move();
+  };
   const share = of > 0 ? value / of : 0;
   return (
     <span className="track" style={{ "--share": share } as Record<string, number>}>
@@ -53,7 +63,7 @@ export function Track({
         value={value}
         disabled={off}
         onChange={(event) => onChange(Number(event.currentTarget.value))}
-        onKeyDown={onKeyDown}
+        onKeyDown={keys}
       />
       {/* Above the line, where they leave it free to slide on. The list under Animate has them for the keyboard. */}
       {contacts.map((contact) => (
