@@ -42,6 +42,19 @@ pub fn pivot_mm(figures: &MachineFigures) -> f64 {
     }
 }
 
+/// How long the peg is that touches the wire; nothing where no shape says so.
+#[must_use]
+pub fn peg_length(shapes: &[Shape]) -> Option<Length> {
+    let lengths = shapes
+        .iter()
+        .filter(|shape| shape.part == Part::Peg && shape.contact_zone_mm > 0.0)
+        .filter_map(|shape| match shape.solid {
+            wirebend_profile::Solid::Cylinder { length_mm, .. } => Some(length_mm),
+            wirebend_profile::Solid::Box { .. } => None,
+        });
+    lengths.max_by(f64::total_cmp).map(length)
+}
+
 fn body(machine: &str, shape: &Shape) -> Body {
     let solid = match shape.solid {
         wirebend_profile::Solid::Box { size_mm } => {

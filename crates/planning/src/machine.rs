@@ -16,7 +16,7 @@ use wirebend_profile::{
 };
 
 use crate::PlanningError;
-use crate::bodies::bodies;
+use crate::bodies::{bodies, peg_length};
 use crate::drivers::Told;
 use crate::installation::Board;
 use crate::report::NoteReport;
@@ -245,7 +245,9 @@ fn bend_model(
                 mm(rod_radius_mm + half)?,
             );
             let wrong = |error| PlanningError::Geometry { machine: machine.profile.id().to_owned(), error };
-            (Some(axis_limit_deg), Some(peg.map_err(wrong)?))
+            let peg = peg.map_err(wrong)?;
+            let length = peg_length(machine.profile.shapes.as_deref().unwrap_or_default());
+            (Some(axis_limit_deg), Some(length.map_or(peg, |length| peg.with_peg_length(length))))
         }
     };
     let springback = figures

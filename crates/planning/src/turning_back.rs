@@ -1,7 +1,9 @@
 //! The design of a program that is what a machine was told.
 
 use wirebend_core::bend::{Frame, Step, replay};
+use wirebend_core::compensate::CompensatedProgram;
 use wirebend_core::route::Route;
+use wirebend_core::simulate::formed_steps;
 use wirebend_core::units::{Angle, Length};
 use wirebend_driver_host::api;
 use wirebend_error::{ErrorRemedy, InputName};
@@ -100,23 +102,24 @@ impl Opened {
 /// The steps from corner to corner that commands leave: the inverse of compensating. The step that cannot be where a
 /// feed is too short for its bends.
 fn left(told: &[Step], setup: &Setup) -> Result<Vec<Step>, usize> {
-    let compensation = &setup.model.compensation;
-    let mut before = Angle::ZERO;
-    let mut steps = Vec::with_capacity(told.len());
+    let mut canonical = Vec::with_capacity(told.len());
     for (index, &step) in told.iter().enumerate() {
         let Step { feed, rotate, bend } = step;
         let told = api::Step { feed_mm: feed.mm(), rotate_deg: rotate.deg(), bend_deg: bend.deg() };
-        let canonical = setup.signs.canonical(told);
+        let told = setup.signs.canonical(told);
         let angle = |deg: f64| Angle::from_deg(deg).map_err(|_| index);
-        let bend = compensation.bend.result(angle(canonical.bend_deg)?);
-        let feed = compensation.feed.as_ref().map_or(feed, |model| model.segment_of(feed, before, bend));
+        canonical.push(Step { feed, rotate: angle(told.rotate_deg)?, bend: angle(told.bend_deg)? });
+    }
+    let program = CompensatedProgram::from_job_steps(canonical);
+    let mut steps = formed_steps(&program, &setup.model.compensation);
+    for (index, step) in steps.iter_mut().enumerate() {
         // What is a little less than nothing was rounded.
-        if feed.mm() < -ROUNDED_MM {
+        if step.feed.mm() < -ROUNDED_MM {
             return Err(index);
         }
-        let feed = if feed < Length::ZERO { Length::ZERO } else { feed };
-        steps.push(Step { feed, rotate: angle(canonical.rotate_deg)?, bend });
-        before = bend;
+        if step.feed < Length::ZERO {
+            step.feed = Length::ZERO;
+        }
     }
     Ok(steps)
 }

@@ -1,7 +1,7 @@
 //! Bends that the machine cannot make, for every pair of edges that the route makes neighbours.
 
 use super::{BendOf, Diagnostic, Fact, ROUNDING, ReachLimit, Remedy, Severity, Sourced, WireStages, is_near};
-use crate::compensate::{BendError, BendModel};
+use crate::compensate::{BendError, BendModel, with_bend_before};
 use crate::units::Angle;
 use crate::wireframe::VertexId;
 
@@ -56,6 +56,22 @@ fn unreachable(wire: &WireStages, found: &mut Vec<Diagnostic>) {
             BendError::TooSmall { bend } => {
                 (bend, Fact::BendTooSmall { bend }, vec![Remedy::EnlargeBend, Remedy::Straighten])
             }
+            // What is too short is told more clearly by the check of feeds.
+            BendError::CornerTooNear { .. } | BendError::LeadTooShort { .. }
+                if feeds_too_little(wire, failed.step) =>
+            {
+                continue;
+            }
+            BendError::CornerTooNear { bend } => (
+                bend,
+                Fact::CornerTooNear { bend },
+                vec![Remedy::LengthenEdge { by: None }, Remedy::StartAtVertex],
+            ),
+            BendError::LeadTooShort { bend, lead, needed } => {
+                let by = (needed > lead).then(|| needed - lead);
+                let fact = Fact::LeadTooShort { bend, lead, needed };
+                (bend, fact, vec![Remedy::LengthenEdge { by }, Remedy::StartAtVertex])
+            }
             BendError::FoldBack { bend } => {
                 (bend, Fact::FoldBackNotCompensated { bend }, vec![Remedy::OpenAngle])
             }
@@ -69,6 +85,16 @@ fn unreachable(wire: &WireStages, found: &mut Vec<Diagnostic>) {
         let location = wire.location_of_step(failed.step);
         found.push(Diagnostic { severity: Severity::Error, location, fact, remedies });
     }
+}
+
+/// Whether the feed before a bend is shorter than the machine's shortest.
+fn feeds_too_little(wire: &WireStages, step: usize) -> bool {
+    let Some(scheduled) = wire.scheduled else { return false };
+    let told = with_bend_before(&scheduled.steps).nth(step).map(|(before, step)| {
+        let feed = wire.compensation.feed.as_ref();
+        feed.map_or(step.feed, |model| model.feed_for(step.feed, before, step.bend))
+    });
+    told.is_some_and(|feed| feed < wire.limits.min_feed.value)
 }
 
 /// Whether another route could avoid a bend at the vertex of a step.

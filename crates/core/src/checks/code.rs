@@ -53,6 +53,12 @@ codes! {
     BendOutOfReach = "bend_out_of_reach",
     /// A bend is so small that the peg would stop before it crosses the wire's axis.
     BendTooSmall = "bend_too_small",
+    /// The wire ends so near before its first bend that the peg passes it.
+    LeadTooShort = "lead_too_short",
+    /// A corner is so near before a bend that the peg cannot press it.
+    CornerTooNear = "corner_too_near",
+    /// The peg meets wire that was bent before, and the bend is compensated for it.
+    CornerWithinReach = "corner_within_reach",
     /// A bend is smaller than the scatter of the machine's bends.
     BendInScatter = "bend_in_scatter",
     /// A corner is smaller than the bend axis resolves, so that the wire goes straight on.

@@ -7,6 +7,7 @@ use super::BendRadius;
 use super::limit::{ReachLimit, Source, Sourced};
 use crate::bend::PathError;
 use crate::clearance::{Obstacle, Phase};
+use crate::compensate::NearCorner;
 use crate::route::RouteError;
 use crate::search::Helps;
 use crate::sequence::Violation;
@@ -189,6 +190,22 @@ pub enum Fact {
         /// The bend.
         bend: Angle,
     },
+    /// The wire before its first bend ends before the peg touches it.
+    LeadTooShort {
+        /// The bend.
+        bend: Angle,
+        /// How long the wire is where the bend begins.
+        lead: Length,
+        /// How long it has to be.
+        needed: Length,
+    },
+    /// A corner before a bend is so near that the peg cannot press it.
+    CornerTooNear {
+        /// The bend.
+        bend: Angle,
+    },
+    /// The peg of a bend meets wire that was bent before.
+    CornerWithinReach(NearCorner),
     /// A bend is smaller than the scatter of the machine's bends, so that it may come out to either side.
     BendInScatter {
         /// The bend, as a magnitude.

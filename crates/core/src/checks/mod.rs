@@ -8,6 +8,7 @@ mod bend_angle;
 mod code;
 mod coincident;
 mod contact;
+mod corner_within_reach;
 mod diagnostic;
 mod edge_length;
 mod edges_meet;
@@ -221,6 +222,7 @@ pub fn check_wire(wire: &WireStages) -> Vec<Diagnostic> {
         sharp_vertex::check,
         slight_bend::check,
         fold_back::check,
+        corner_within_reach::check,
         small_corner::check,
         feed_length::check,
         rotation::check,

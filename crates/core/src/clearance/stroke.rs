@@ -198,12 +198,17 @@ impl AxisPath {
         );
         let begin = if touching.is_some() { touch - side * bodies.approach.rad() } else { touch };
         let end = if touching.is_some() { moves.told.rad() } else { touch + moves.told.rad() };
+        // A corner within the peg's reach makes it go elsewhere in the end; on the way there it does so little by little.
+        let elsewhere =
+            peg.and_then(|peg| peg.axis_for(moves.pressed)).map_or(0.0, |axis| end - side * axis.rad());
         let mut part = 0.0;
         while part < parts {
             part += 1.0;
             bent = if part < parts { pressed * part / parts } else { pressed.max(bent) };
             let follows = peg.filter(|_| part < parts).and_then(|peg| peg.axis_for(Angle::computed(bent)));
-            let axis = follows.map_or(touch + (end - touch) * part / parts, |axis| side * axis.rad());
+            let axis = follows.map_or(touch + (end - touch) * part / parts, |axis| {
+                side * axis.rad() + elsewhere * part / parts
+            });
             bending.push((bent, axis));
         }
         Self { begin, touch, bending }

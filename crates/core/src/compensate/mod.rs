@@ -4,6 +4,7 @@
 //! (setback) and because the wire springs back. Every model has its inverse, which tells what a
 //! command leaves; the simulation uses it.
 
+mod contact;
 mod feed;
 mod setback;
 mod springback;
@@ -12,6 +13,7 @@ use crate::bend::Step;
 use crate::schedule::ScheduledProgram;
 use crate::units::{Angle, Length};
 
+use contact::{Beyond, FormedWire, Touch};
 pub use feed::FeedModel;
 pub(crate) use feed::{corner, with_bend_before};
 pub use setback::{PegGeometry, PegGeometryError, PegRadius};
@@ -45,6 +47,22 @@ pub enum BendError {
         /// The bend.
         bend: Angle,
     },
+    /// A corner before it is so near that the peg meets the wire too late, too early or not at all.
+    #[error("a bend of {bend:.2} cannot be pressed: a corner before it is within the peg's reach")]
+    CornerTooNear {
+        /// The bend.
+        bend: Angle,
+    },
+    /// The wire before it, which is straight, ends before the peg touches it.
+    #[error("a bend of {bend:.2} cannot be pressed: the wire before it ends within the peg's reach")]
+    LeadTooShort {
+        /// The bend.
+        bend: Angle,
+        /// How long the wire is where the bend begins.
+        lead: Length,
+        /// How long it has to be so that the peg touches it.
+        needed: Length,
+    },
     /// The wire folds back: its straight parts have no corner from which a feed could be reckoned.
     #[error("a bend of {bend:.2} folds the wire back: it has no corner to compensate feeds for")]
     FoldBack {
@@ -70,9 +88,47 @@ impl BendModel {
         Ok(Angle::computed(bend.signum() * axis.rad()))
     }
 
+    /// The same with wire beyond the leg that is not straight. `leg`: how long the leg is, mm, where so much of a bend is left.
+    fn command_on(
+        &self,
+        bend: Angle,
+        leg: impl Fn(Angle) -> f64,
+        beyond: &Beyond,
+    ) -> Result<(Angle, Touch), BendError> {
+        let Some(peg) = &self.setback else {
+            return self.command(bend).map(|axis| (axis, Touch::default()));
+        };
+        let side = bend.signum();
+        let leg = |pressed: f64| leg(self.left(side, pressed));
+        let touch = peg.pressing(self.pressed(bend).rad(), leg, beyond);
+        let touch = touch.filter(|touch| self.axis_limit.is_none_or(|limit| touch.axis <= limit.rad()));
+        match touch.filter(|touch| touch.axis > 0.0) {
+            Some(touch) => Ok((Angle::computed(side * touch.axis), touch)),
+            // Where straight wire could not be bent so either, that is the reason.
+            None => Err(self.command(bend).err().unwrap_or(BendError::CornerTooNear { bend })),
+        }
+    }
+
+    /// How much straight wire a bend takes, mm.
+    fn arc_of(&self, bend: Angle, feed: Option<&FeedModel>) -> f64 {
+        let pin = self.setback.as_ref().map_or(0.0, |peg| peg.pin * bend.abs().rad());
+        feed.map_or(pin, |model| model.arc(bend).mm())
+    }
+
+    /// How far the wire has to be bent so that a bend is left, as a magnitude.
+    fn pressed(&self, bend: Angle) -> Angle {
+        self.springback.as_ref().map_or(bend, |model| model.bend_to(bend)).abs()
+    }
+
+    /// What is left of a wire that is pressed so far, radians, to one side.
+    fn left(&self, side: f64, pressed: f64) -> Angle {
+        let pressed = Angle::computed(side * pressed);
+        self.springback.as_ref().map_or(pressed, |model| model.formed(pressed))
+    }
+
     /// Magnitude of the axis position; `None` out of reach.
     fn axis(&self, bend: Angle) -> Option<Angle> {
-        let pressed = self.springback.as_ref().map_or(bend, |model| model.bend_to(bend)).abs();
+        let pressed = self.pressed(bend);
         let axis = match &self.setback {
             Some(peg) => peg.axis_for(pressed)?,
             None => pressed,
@@ -90,6 +146,20 @@ impl BendModel {
         };
         let pressed = Angle::computed(command.signum() * pressed.rad());
         self.springback.as_ref().map_or(pressed, |model| model.formed(pressed))
+    }
+
+    /// The same with wire beyond the leg that is not straight. `leg`: how long the leg is, mm, where so much of a bend is left.
+    fn result_on(&self, command: Angle, leg: impl Fn(Angle) -> f64, beyond: &Beyond) -> Angle {
+        let Some(peg) = self.setback.as_ref().filter(|_| !beyond.is_empty()) else {
+            return self.result(command);
+        };
+        let left = |pressed: f64| self.left(command.signum(), pressed);
+        let gap = |pressed: f64| {
+            peg.touch(pressed, leg(left(pressed)), beyond)
+                .map_or(1.0, |touch| touch.axis - command.abs().rad())
+        };
+        let pressed = if gap(0.0) >= 0.0 { 0.0 } else { increasing_root(0.0, std::f64::consts::PI, gap) };
+        left(pressed)
     }
 
     /// The largest bend that can be made to the side of `side`, as a magnitude up to 180°.
@@ -118,13 +188,40 @@ pub struct Compensation {
 #[derive(Debug, Clone, PartialEq)]
 pub struct CompensatedProgram {
     steps: Vec<Step>,
+    near: Vec<NearCorner>,
+    unpressed: Vec<StepError>,
+}
+
+/// A bend whose peg meets wire that was bent before.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NearCorner {
+    /// Index of the step, from 0.
+    pub step: usize,
+    /// How much further the axis goes than for wire that is straight as far as the peg reaches; nothing where it could not
+    /// make the bend on such wire.
+    pub further: Option<Angle>,
+    /// Whether the peg touches beyond a corner of another plane or to the other side: that corner may give as well.
+    pub past_other: bool,
 }
 
 impl CompensatedProgram {
     /// A program that was compensated before and has been kept in a job whose hash still fits.
     #[must_use]
     pub fn from_job_steps(steps: Vec<Step>) -> Self {
-        Self { steps }
+        Self { steps, near: Vec::new(), unpressed: Vec::new() }
+    }
+
+    /// The bends whose peg meets wire that was bent before, where it was compensated just now.
+    #[must_use]
+    pub fn near_corners(&self) -> &[NearCorner] {
+        &self.near
+    }
+
+    /// The bends that the peg cannot press on wire as it is formed so far, where it was compensated just now: they are commanded
+    /// as on a straight leg, and come out otherwise.
+    #[must_use]
+    pub fn unpressed(&self) -> &[StepError] {
+        &self.unpressed
     }
 
     /// The steps, in the frame and signs of the canonical program.
@@ -156,29 +253,138 @@ const FOLD_DEG: f64 = 179.9;
 /// Compensates a scheduled program. Whether the feeds are long enough is a check of its own.
 ///
 /// # Errors
-/// Every step whose bend the machine cannot make.
+/// Every step whose bend the machine cannot make, whatever the wire before it.
 pub fn compensate(
     program: &ScheduledProgram,
     compensation: &Compensation,
 ) -> Result<CompensatedProgram, Vec<StepError>> {
     let mut errors = Vec::new();
+    let (mut near, mut unpressed) = (Vec::new(), Vec::new());
     let mut steps = Vec::with_capacity(program.steps.len());
+    let mut forming = Forming::new(compensation);
     for (index, (before, step)) in with_bend_before(&program.steps).enumerate() {
         let feed = match &compensation.feed {
             Some(model) => model.feed_for(step.feed, before, step.bend),
             None => step.feed,
         };
-        let command = if compensation.feed.is_some() && step.bend.abs().deg() > FOLD_DEG {
-            Err(BendError::FoldBack { bend: step.bend })
-        } else {
-            compensation.bend.command(step.bend)
-        };
-        match command {
-            Ok(bend) => steps.push(Step { feed, rotate: step.rotate, bend }),
-            Err(error) => errors.push(StepError { step: index, error }),
+        match forming.command(before, step) {
+            Ok((bend, elsewhere)) => {
+                steps.push(Step { feed, rotate: step.rotate, bend });
+                near.extend(elsewhere.map(|(further, past_other)| NearCorner {
+                    step: index,
+                    further,
+                    past_other,
+                }));
+            }
+            Err(error) => {
+                let on_straight = match error {
+                    BendError::CornerTooNear { bend } | BendError::LeadTooShort { bend, .. } => {
+                        compensation.bend.command(bend).ok()
+                    }
+                    _ => None,
+                };
+                let error = StepError { step: index, error };
+                if let Some(bend) = on_straight {
+                    steps.push(Step { feed, rotate: step.rotate, bend });
+                    unpressed.push(error);
+                } else {
+                    errors.push(error);
+                }
+            }
         }
     }
-    if errors.is_empty() { Ok(CompensatedProgram { steps }) } else { Err(errors) }
+    if errors.is_empty() {
+        return Ok(CompensatedProgram { steps, near, unpressed });
+    }
+    errors.extend(unpressed);
+    errors.sort_by_key(|error| error.step);
+    Err(errors)
+}
+
+/// A wire whose bends are commanded one after the other.
+struct Forming<'a> {
+    compensation: &'a Compensation,
+    /// As the peg meets it; none where the axis is the bend.
+    wire: Option<FormedWire>,
+    /// Straight wire before the first bend, mm; none once there is one.
+    lead: Option<f64>,
+}
+
+/// How much further the axis goes than on a straight leg, and whether the peg touches past another corner.
+type Elsewhere = (Option<Angle>, bool);
+
+impl<'a> Forming<'a> {
+    fn new(compensation: &'a Compensation) -> Self {
+        Self { compensation, wire: compensation.bend.setback.as_ref().map(FormedWire::new), lead: Some(0.0) }
+    }
+
+    /// The command of the next bend.
+    fn command(&mut self, before: Angle, step: &Step) -> Result<(Angle, Option<Elsewhere>), BendError> {
+        let Step { feed, rotate, bend } = *step;
+        let Compensation { feed: feeds, bend: model } = self.compensation;
+        let (mut straight, mut beyond) = (0.0, Beyond::default());
+        if let Some(wire) = &mut self.wire {
+            straight = wire.straight(feed, before, bend);
+            beyond = wire.beyond(rotate, bend.signum(), straight);
+            wire.push(straight, rotate, bend);
+        }
+        let lead = self.lead.map(|lead| lead + straight);
+        self.lead = lead.filter(|_| bend == Angle::ZERO);
+        if feeds.is_some() && bend.abs().deg() > FOLD_DEG {
+            return Err(BendError::FoldBack { bend });
+        }
+        if beyond.is_empty() || bend == Angle::ZERO {
+            return Ok((model.command(bend)?, None));
+        }
+        // What is not bent yet is straight still.
+        let arc = |bend: Angle| model.arc_of(bend, feeds.as_ref());
+        let leg = |left: Angle| straight + (arc(bend) - arc(left)).max(0.0);
+        match (model.command_on(bend, leg, &beyond), lead, &model.setback) {
+            (Err(BendError::CornerTooNear { bend }), Some(lead), Some(peg)) => {
+                let lead = Length::computed(lead + arc(bend));
+                Err(BendError::LeadTooShort { bend, lead, needed: peg.least_lead(lead) })
+            }
+            (told, lead, _) => told.map(|(axis, touch)| {
+                let on_straight = model.axis(bend);
+                let further = on_straight.map(|straight| Angle::computed(touch.axis - straight.rad()));
+                let is_elsewhere = lead.is_none() && further.is_none_or(|by| by.deg().abs() > NEAR_DEG);
+                (axis, is_elsewhere.then_some((further, touch.past_other)))
+            }),
+        }
+    }
+}
+
+/// Less than this no axis can be told.
+const NEAR_DEG: f64 = 1e-3;
+
+/// The bends that commands leave, one after the other: what the peg touches is what those before have left.
+pub(crate) fn results(steps: &[Step], compensation: &Compensation) -> Vec<Angle> {
+    let model = &compensation.bend;
+    let Some(peg) = &model.setback else {
+        return steps.iter().map(|step| model.result(step.bend)).collect();
+    };
+    let mut formed = FormedWire::new(peg);
+    let mut before = Angle::ZERO;
+    let mut results = Vec::with_capacity(steps.len());
+    for step in steps {
+        let leg = |bend: Angle| {
+            let segment = compensation
+                .feed
+                .as_ref()
+                .map_or(step.feed, |model| model.segment_of(step.feed, before, bend));
+            formed.straight(segment, before, bend)
+        };
+        let bend = if step.bend == Angle::ZERO {
+            Angle::ZERO
+        } else {
+            let beyond = formed.beyond(step.rotate, step.bend.signum(), leg(Angle::HALF_TURN));
+            model.result_on(step.bend, leg, &beyond)
+        };
+        formed.push(leg(bend), step.rotate, bend);
+        before = bend;
+        results.push(bend);
+    }
+    results
 }
 
 /// Where an increasing function crosses zero between two arguments; the nearer end where it does

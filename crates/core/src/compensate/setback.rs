@@ -11,11 +11,12 @@ use crate::units::{Angle, Length};
 /// WireBend-kit's Eq. 2 (doi 10.1145/3745778.3766662) has the fraction upside down.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PegGeometry {
-    orbit_radius: f64,
-    offset: f64,
-    pin: f64,
-    peg: f64,
+    pub(super) orbit_radius: f64,
+    pub(super) offset: f64,
+    pub(super) pin: f64,
+    pub(super) peg: f64,
     reach: f64,
+    pub(super) peg_length: Length,
 }
 
 /// A radius of [`PegGeometry`].
@@ -87,6 +88,7 @@ impl PegGeometry {
             pin: pin.mm(),
             peg: peg.mm(),
             reach: 0.0,
+            peg_length: orbit_radius,
         };
         // Where it touches straight wire: s + √(R² - r_e²) ahead of the pin.
         if geometry.offset + (geometry.orbit_radius.powi(2) - geometry.peg.powi(2)).sqrt() <= 0.0 {
@@ -96,6 +98,14 @@ impl PegGeometry {
         Ok(geometry)
     }
 
+    /// The same with a peg that is so long, half of it on either side of the wire: wire that is farther from the plane of a bend
+    /// passes it. Where nobody says, it is as long as the radius of its orbit.
+    #[must_use]
+    pub fn with_peg_length(mut self, length: Length) -> Self {
+        self.peg_length = length;
+        self
+    }
+
     /// The sine of the angle that the setback adds.
     fn sine(&self, bend: f64) -> f64 {
         (self.offset * bend.sin() - self.peg - self.pin * (1.0 - bend.cos())) / self.orbit_radius
@@ -103,7 +113,7 @@ impl PegGeometry {
 
     /// Where the axis has to go for a bend of this size (radians, not negative), or `None` beyond
     /// the reach of the peg.
-    fn axis(&self, bend: f64) -> Option<f64> {
+    pub(super) fn axis(&self, bend: f64) -> Option<f64> {
         (bend <= self.reach).then(|| bend + self.sine(bend).asin())
     }
 

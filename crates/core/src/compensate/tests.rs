@@ -230,3 +230,5 @@ proptest! {
         prop_assert!((model.segment_of(fed, before, after).mm() - segment).abs() < 1e-9);
     }
 }
+
+mod contact;

@@ -118,6 +118,7 @@ fn run_stages(
         Ok(scheduled) => {
             match compensate(&scheduled, &machine.compensation) {
                 Ok(program) => {
+                    failures.unbendable = program.unpressed().to_vec();
                     plan.seconds = Some(machine.time.seconds(&program));
                     plan.stock = Some(stock(&program, limits.tail.value));
                     plan.compensated = Some(program);

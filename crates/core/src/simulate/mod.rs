@@ -15,7 +15,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, Normal};
 
 use crate::bend::{Frame, Step};
-use crate::compensate::{CompensatedProgram, Compensation, with_bend_before};
+use crate::compensate::{CompensatedProgram, Compensation, results, with_bend_before};
 use crate::units::{Angle, Length};
 pub use made::steps_of_corners;
 
@@ -71,11 +71,9 @@ pub struct BadErrorTerm {
 /// compensation.
 #[must_use]
 pub fn formed_steps(program: &CompensatedProgram, compensation: &Compensation) -> Vec<Step> {
-    let bent: Vec<Step> = program
-        .steps()
-        .iter()
-        .map(|step| Step { bend: compensation.bend.result(step.bend), ..*step })
-        .collect();
+    let bends = results(program.steps(), compensation);
+    let bent: Vec<Step> =
+        program.steps().iter().zip(bends).map(|(step, bend)| Step { bend, ..*step }).collect();
     corner_to_corner(&bent, compensation)
 }
 
@@ -101,22 +99,20 @@ pub struct ImperfectWire {
     pub told: Vec<Step>,
 }
 
-/// One wire, by a program whose motions are off.
+/// One wire, by a program whose motions are off. `bends`: what its commands leave where nothing is off.
 ///
 /// Vertices on a straight feed divide it as `fractions` says: for each step the parts of its feed at
 /// which a vertex of the route lies, ending with 1. The first vertex is that of `start`.
 fn imperfect(
-    start: Frame,
-    program: &CompensatedProgram,
-    compensation: &Compensation,
-    fractions: &[Vec<f64>],
+    input: &SimulationInput,
+    bends: &[Angle],
     draw: &mut impl FnMut(ErrorSource) -> f64,
 ) -> ImperfectWire {
-    let mut told = program.steps().to_vec();
+    let mut told = input.program.steps().to_vec();
     let disturbed: Vec<Step> = told
         .iter_mut()
-        .map(|step| {
-            let bent = compensation.bend.result(step.bend);
+        .zip(bends)
+        .map(|(step, &bent)| {
             let is_bend = bent != Angle::ZERO;
             let feed = step.feed + Length::computed(draw(ErrorSource::Feed));
             let mut off = |of| if is_bend { Angle::computed(draw(of).to_radians()) } else { Angle::ZERO };
@@ -126,10 +122,10 @@ fn imperfect(
             Step { feed, rotate, bend: bent + wrong }
         })
         .collect();
-    let mut frame = start;
+    let mut frame = input.start;
     let mut points = vec![frame.position];
-    let mut steps = corner_to_corner(&disturbed, compensation);
-    for (step, fractions) in steps.iter_mut().zip(fractions) {
+    let mut steps = corner_to_corner(&disturbed, input.compensation);
+    for (step, fractions) in steps.iter_mut().zip(input.fractions) {
         let from = frame.position;
         step.feed = Length::computed(step.feed.mm() * chord_over_arc(draw(ErrorSource::Curvature)));
         let along = frame.t() * step.feed.mm();
@@ -222,7 +218,8 @@ pub fn scheduled_start(start: Frame, scheduled: &[Step]) -> Frame {
 /// The wire that a machine without errors bends: its vertices in mm, in the order of the route.
 #[must_use]
 pub fn perfect_wire(input: &SimulationInput) -> Vec<Point3<f64>> {
-    imperfect(input.start, input.program, input.compensation, input.fractions, &mut |_| 0.0).points
+    let bends = results(input.program.steps(), input.compensation);
+    imperfect(input, &bends, &mut |_| 0.0).points
 }
 
 /// Bends the wire `runs` times with errors drawn from `seed`; the same seed gives the same report.
@@ -250,6 +247,7 @@ pub fn simulate(
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let mut deviations = vec![Vec::with_capacity(runs as usize); input.design.len()];
     let mut gaps = vec![Vec::with_capacity(runs as usize); input.passes.len()];
+    let bends = results(input.program.steps(), input.compensation);
     for _ in 0..runs {
         let mut draw = |term| match term {
             ErrorSource::Feed => feed.sample(&mut random),
@@ -257,7 +255,7 @@ pub fn simulate(
             ErrorSource::Bend => bend.sample(&mut random),
             ErrorSource::Curvature => curvature.sample(&mut random),
         };
-        let wire = imperfect(input.start, input.program, input.compensation, input.fractions, &mut draw);
+        let wire = imperfect(input, &bends, &mut draw);
         let made = &wire.points;
         for ((design, made), distances) in input.design.iter().zip(made).zip(&mut deviations) {
             distances.push((design - made).norm());

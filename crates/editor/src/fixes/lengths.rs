@@ -46,7 +46,9 @@ pub(super) fn candidates(finding: Finding, trials: &mut Trials) -> Vec<Candidate
 /// What a straight part lacks, the margin included; none where nothing is missing. Whatever else is too short about it
 /// is made up for at once.
 fn missing<'a>(of: &Diagnostic, said: impl Iterator<Item = &'a Diagnostic>) -> Option<f64> {
-    let too_short = |code| matches!(code, Code::EdgeTooShort | Code::FeedTooShort | Code::ArcsOverlap);
+    let too_short = |code| {
+        matches!(code, Code::EdgeTooShort | Code::FeedTooShort | Code::ArcsOverlap | Code::LeadTooShort)
+    };
     let near = |code| matches!(code, Code::EdgeNearLimit | Code::FeedNearLimit) && !of.is_error();
     let here = said.filter(|d| share_edge(d, of) && (too_short(d.code()) || near(d.code())));
     let lacks = here.filter_map(|d| {

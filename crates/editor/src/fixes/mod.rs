@@ -260,6 +260,7 @@ fn candidates(finding: Finding, all: &[Finding], trials: &mut Trials) -> Vec<Can
         | Code::EdgeNearLimit
         | Code::FeedTooShort
         | Code::FeedNearLimit
+        | Code::LeadTooShort
         | Code::ArcsOverlap => found.extend(lengths::candidates(finding, trials)),
         Code::BendNearLimit | Code::BendInScatter | Code::CornerNotMade => {
             found.extend(bends::moves(finding, trials));
@@ -276,7 +277,7 @@ fn candidates(finding: Finding, all: &[Finding], trials: &mut Trials) -> Vec<Can
             found.extend(bends::moves(finding, trials));
             found.extend(wires::none_doubled(trials));
         }
-        Code::RotationOutOfRange | Code::NoClearProgram => {
+        Code::RotationOutOfRange | Code::NoClearProgram | Code::CornerTooNear => {
             found.extend(starts::elsewhere(finding, trials));
             found.extend(cuts::at_step(finding, trials.document()));
         }
@@ -301,6 +302,7 @@ fn candidates(finding: Finding, all: &[Finding], trials: &mut Trials) -> Vec<Can
         | Code::WireDoesNotFit
         | Code::BendTorqueLow
         | Code::BendRadiusSmall
+        | Code::CornerWithinReach
         | Code::FrameUnsupported
         | Code::FrameMechanism
         | Code::StrutOverstressed

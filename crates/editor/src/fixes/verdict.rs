@@ -73,7 +73,12 @@ fn no_more_errors(before: &Trial, after: &Trial) -> bool {
         |code| {
             !matches!(
                 code,
-                Code::BendTooSharp | Code::BendOutOfReach | Code::BendTooSmall | Code::StockTooLong
+                Code::BendTooSharp
+                    | Code::BendOutOfReach
+                    | Code::BendTooSmall
+                    | Code::CornerTooNear
+                    | Code::LeadTooShort
+                    | Code::StockTooLong
             )
         }
     } else if further(|wire| wire.compensated.is_some()) {

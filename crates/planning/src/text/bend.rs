@@ -1,7 +1,8 @@
 //! Bends and corners.
 
 use wirebend_core::checks::{BendOf, Location};
-use wirebend_core::units::Angle;
+use wirebend_core::compensate::NearCorner;
+use wirebend_core::units::{Angle, Length};
 use wirebend_core::wireframe::VertexId;
 
 use super::number::{digits_apart, digits_beside, of_bend};
@@ -43,6 +44,39 @@ pub(super) fn out_of_reach(at: &Location, of: BendOf, bend: Angle, max: Angle) -
 pub(super) fn too_small(at: &Location, bend: Angle) -> String {
     format!(
         "{} is {bend:.2}, too small: the peg would stop on the far side of the wire's axis",
+        name(at, BendOf::Step)
+    )
+}
+
+pub(super) fn lead_too_short(at: &Location, lead: Length, needed: Length) -> String {
+    let digits = digits_apart(lead.mm(), needed.mm(), 1);
+    format!(
+        "{} cannot be pressed: the wire before it ends {lead:.digits$} from where the bend begins, and the peg needs {needed:.digits$}",
+        name(at, BendOf::Step)
+    )
+}
+
+pub(super) fn corner_too_near(at: &Location, bend: Angle) -> String {
+    format!(
+        "{} is {bend:.2} and cannot be pressed: the corner before it is within the peg's reach, which meets the wire too early, \
+         too late or not at all",
+        name(at, BendOf::Step)
+    )
+}
+
+pub(super) fn corner_within_reach(at: &Location, near: &NearCorner) -> String {
+    let goes = match near.further {
+        Some(further) if further < Angle::ZERO => format!("the axis goes {:.1} less far", further.abs()),
+        Some(further) => format!("the axis goes {further:.1} further"),
+        None => "the axis goes elsewhere".to_owned(),
+    };
+    let gives = if near.past_other {
+        ". It touches beyond a corner of another plane or to the other side, which may bend as well"
+    } else {
+        ""
+    };
+    format!(
+        "{}: the peg touches wire that was bent before, so {goes} than for a straight leg{gives}",
         name(at, BendOf::Step)
     )
 }

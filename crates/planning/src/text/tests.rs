@@ -3,6 +3,7 @@ use wirebend_core::checks::{
     BendOf, BendRadius, Diagnostic, Fact, LimitSource, Location, ReachLimit, Remedy, Severity, Source,
     Sourced,
 };
+use wirebend_core::compensate::NearCorner;
 use wirebend_core::route::RouteError;
 use wirebend_core::units::{Angle, Length};
 use wirebend_core::wireframe::{EdgeId, VertexId};
@@ -197,6 +198,29 @@ fn findings_of_bends_name_the_vertex_or_else_the_step() {
         at(&[]),
         Fact::BendTooSmall { bend: deg(0.7) },
         "the bend at vertex 4 is 0.70°, too small: the peg would stop on the far side of the wire's axis",
+    );
+    says(
+        at(&[]),
+        Fact::LeadTooShort { bend: deg(90.0), lead: mm(26.2), needed: mm(27.725) },
+        "the bend at vertex 4 cannot be pressed: the wire before it ends 26.2 mm from where the bend begins, and the peg needs 27.7 mm",
+    );
+    says(
+        at(&[]),
+        Fact::CornerTooNear { bend: deg(-42.53) },
+        "the bend at vertex 4 is -42.53° and cannot be pressed: the corner before it is within the peg's reach, which meets the wire too early, too late or not at all",
+    );
+    let near = |further, past_other| {
+        Fact::CornerWithinReach(NearCorner { step: 2, further: Some(deg(further)), past_other })
+    };
+    says(
+        at(&[]),
+        near(9.84, false),
+        "the bend at vertex 4: the peg touches wire that was bent before, so the axis goes 9.8° further than for a straight leg",
+    );
+    says(
+        at(&[]),
+        near(-7.6, true),
+        "the bend at vertex 4: the peg touches wire that was bent before, so the axis goes 7.6° less far than for a straight leg. It touches beyond a corner of another plane or to the other side, which may bend as well",
     );
     says(
         at(&[]),

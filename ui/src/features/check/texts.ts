@@ -59,6 +59,18 @@ const TITLES: Readonly<Record<DiagnosticCode, Title>> = {
     one: (r) => `Bend${at(r)} out of reach of the axis`,
     many: (n) => `${n} bends out of reach of the axis`,
   },
+  lead_too_short: {
+    one: (r) => `Wire too short before its first bend${at(r)}`,
+    many: (n) => `${n} wires too short before their first bend`,
+  },
+  corner_too_near: {
+    one: (r) => `Corner too near before the bend${at(r)}`,
+    many: (n) => `${n} corners too near before a bend`,
+  },
+  corner_within_reach: {
+    one: (r) => `The peg touches bent wire${at(r)}`,
+    many: (n) => `The peg touches bent wire at ${n} bends`,
+  },
   bend_too_small: { one: (r) => `Bend${at(r)} too small`, many: (n) => `${n} bends too small` },
   fold_back: { one: (r) => `The wire folds back${at(r)}`, many: (n) => `The wire folds back at ${n} places` },
   bend_in_scatter: {
@@ -306,7 +318,17 @@ export function fineOf(check: LiveCheck): string[] {
   if (free("edges_meet")) fine.push("No wire through another");
   if (free("edge_too_short", "edge_near_limit", "arcs_overlap", "zero_length_edge")) fine.push("Edges long enough");
   if (free("feed_too_short", "feed_near_limit", "feed_too_long")) fine.push("Feeds within the machine's limits");
-  if (free("bend_too_sharp", "bend_near_limit", "bend_out_of_reach", "bend_too_small", "fold_back"))
+  if (
+    free(
+      "bend_too_sharp",
+      "bend_near_limit",
+      "bend_out_of_reach",
+      "bend_too_small",
+      "corner_too_near",
+      "lead_too_short",
+      "fold_back",
+    )
+  )
     fine.push(`${count(bends, "bend")} within reach`);
   if (free("rotation_out_of_range")) fine.push("Rotation within the head's limits");
   if (free("stock_too_long")) fine.push("Stock fits the machine");

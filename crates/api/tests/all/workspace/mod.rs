@@ -101,7 +101,7 @@ fn answers_keep_their_schema() {
         ("examples", json!({})),
         ("open-example", json!({"id": "house"})),
         ("look", file(&example("bunny.obj"))),
-        ("edit", json!({"request": {"edit": "move", "vertices": [0], "by_mm": [0, 0, 1]}})),
+        ("edit", json!({"request": {"edit": "move", "vertices": [0], "by_mm": [0, 0, 10]}})),
         ("undo", json!({})),
         ("redo", json!({})),
         ("redo", json!({})),

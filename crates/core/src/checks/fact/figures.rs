@@ -20,6 +20,7 @@ impl Fact {
             | Self::FeedTooLong { feed: length, .. }
             | Self::FeedLongerThanStock { feed: length, .. }
             | Self::ArcsOverlap { designed: length, .. }
+            | Self::LeadTooShort { lead: length, .. }
             | Self::StockTooLong { needed: length, .. }
             | Self::WireDoesNotFit { diameter: length, .. } => Quantity::Length(*length),
             // Less than zero where they only come near each other.
@@ -30,6 +31,7 @@ impl Fact {
             | Self::BendNearLimit { bend, .. }
             | Self::BendOutOfReach { bend, .. }
             | Self::BendTooSmall { bend }
+            | Self::CornerTooNear { bend }
             | Self::BendInScatter { bend, .. }
             | Self::CornerNotMade { corner: bend, .. }
             | Self::FoldBackNotCompensated { bend }
@@ -38,6 +40,7 @@ impl Fact {
             Self::SeveralWires { wires: count }
             | Self::NoEulerPath { odd: count, .. }
             | Self::DoubledEdge { passes: count, .. } => Quantity::Count(*count),
+            Self::CornerWithinReach(near) => return near.further.map(Quantity::Angle),
             Self::NoEdges => Quantity::Count(0),
             Self::FrameUnsupported { edges, .. } => Quantity::Count(*edges),
             Self::FrameHardlyStands { displacement, .. } => Quantity::Length(*displacement),
@@ -92,6 +95,10 @@ impl Fact {
             Self::ArcsOverlap { needed, bend_radius, .. } => {
                 Limit { value: Quantity::Length(*needed), source: LimitSource::BendRadius(*bend_radius) }
             }
+            Self::LeadTooShort { needed, .. } => Limit {
+                value: Quantity::Length(*needed),
+                source: LimitSource::Reach(&super::ReachLimit::Peg),
+            },
             Self::BendTooSharp { limit, .. }
             | Self::BendNearLimit { limit, .. }
             | Self::BendInScatter { scatter: limit, .. }
@@ -153,6 +160,8 @@ impl Fact {
             | Self::MeetsStock { .. }
             | Self::DoubledEdge { .. }
             | Self::BendTooSmall { .. }
+            | Self::CornerTooNear { .. }
+            | Self::CornerWithinReach(_)
             | Self::FoldBackNotCompensated { .. } => return None,
         })
     }

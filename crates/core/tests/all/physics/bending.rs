@@ -1,8 +1,11 @@
 //! Feeds, setback, springback, and the command that comes of them.
 
+use wirebend_core::bend::Step;
 use wirebend_core::compensate::{
-    BendModel, FeedModel, PegGeometry, Springback, SpringbackCurve, SpringbackPoint,
+    BendModel, Compensation, FeedModel, PegGeometry, Springback, SpringbackCurve, SpringbackPoint, compensate,
 };
+use wirebend_core::schedule::ScheduledProgram;
+use wirebend_core::units::Angle;
 
 use crate::physics::document::{Document, Number};
 use crate::physics::{deg, mm};
@@ -13,6 +16,7 @@ pub fn claims(page: &mut Document) {
     springback(page);
     estimate(page);
     commands(page, peg);
+    near_corners(page, peg);
 }
 
 fn feeds(page: &mut Document) {
@@ -117,6 +121,56 @@ fn estimate(page: &mut Document) {
     arc.is(64.0 / (6.0 * std::f64::consts::PI));
     leg.is(32.0 / (6.0 * std::f64::consts::PI));
     page.pass_over("M = Y · d³ / 6");
+}
+
+/// Published nowhere: worked out by moving the peg past points of the wire, apart from this program.
+fn near_corners(page: &mut Document, peg: PegGeometry) {
+    let [loss, bend, before, edge, axis] = page.sentence(
+        "With the published bend head and S = {}°, a bend of {}° after one of {}° to the same side and an edge of {} mm is commanded as {}°.",
+    );
+    let [other, far, other_axis] =
+        page.sentence("After one of {}° to the other side and an edge of {} mm it is commanded as {}°.");
+    let [straight] = page.sentence("On a straight leg it is {}°.");
+    let [small, radius, side, axes @ ..] = page.sentence::<8>(
+        "Bends of {}° that make a circle of {} mm, {} mm from corner to corner, are commanded as {}°, {}°, {}°, {}°, and {}° from there on.",
+    );
+    let compensation = Compensation {
+        feed: Some(FeedModel::new(mm(1.5), mm(3.0), 0.3)),
+        bend: BendModel {
+            springback: Some(Springback::Constant(deg(loss.value))),
+            setback: Some(peg),
+            axis_limit: None,
+        },
+    };
+    let told = |edges: &[(f64, f64)]| -> Vec<f64> {
+        let step = |&(feed, bend): &(f64, f64)| Step { feed: mm(feed), rotate: Angle::ZERO, bend: deg(bend) };
+        let steps: Vec<Step> = edges.iter().map(step).collect();
+        let program = ScheduledProgram { head: vec![Angle::ZERO; steps.len()], steps };
+        compensate(&program, &compensation).unwrap().steps().iter().map(|step| step.bend.deg()).collect()
+    };
+    axis.is(told(&[(100.0, before.value), (edge.value, bend.value)])[1]);
+    other_axis.is(told(&[(100.0, -other.value), (far.value, bend.value)])[1]);
+    straight.is(told(&[(100.0, before.value), (100.0, bend.value)])[1]);
+    let [lead] =
+        page.sentence("with the published bend head its first bend needs {} mm of wire where it begins.");
+    let first = |fed: f64| {
+        // What is fed is straight until it is wrapped.
+        let model = compensation.feed.unwrap();
+        let steps = vec![Step {
+            feed: model.segment_of(mm(fed), Angle::ZERO, deg(90.0)),
+            rotate: Angle::ZERO,
+            bend: deg(90.0),
+        }];
+        let told = compensate(&ScheduledProgram { steps, head: vec![Angle::ZERO] }, &compensation).unwrap();
+        told.unpressed().is_empty()
+    };
+    assert!(first(lead.value + 0.05) && !first(lead.value - 0.05));
+    side.is(2.0 * radius.value * (small.value.to_radians() / 2.0).tan());
+    let mut edges = vec![(2.0 * radius.value * (small.value.to_radians() / 2.0).tan(), small.value); 9];
+    edges[0].0 = 60.0;
+    for (k, at) in told(&edges).into_iter().enumerate() {
+        axes[k.min(axes.len() - 1)].is(at);
+    }
 }
 
 fn commands(page: &mut Document, peg: PegGeometry) {

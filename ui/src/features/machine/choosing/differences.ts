@@ -19,6 +19,8 @@ const NOUNS: Readonly<Record<string, readonly [string, string]>> = {
   bend_too_sharp: ["sharp bend", "sharp bends"],
   bend_out_of_reach: ["bend out of reach", "bends out of reach"],
   bend_too_small: ["small bend", "small bends"],
+  lead_too_short: ["wire that ends too near its first bend", "wires that end too near their first bend"],
+  corner_too_near: ["corner that is too near", "corners that are too near"],
   bend_in_scatter: ["slight bend", "slight bends"],
   corner_not_made: ["gentle corner", "gentle corners"],
   fold_back: ["fold back", "fold backs"],

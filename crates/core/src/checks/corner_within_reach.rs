@@ -1,0 +1,21 @@
+//! Bends whose peg meets wire that was bent before.
+
+use super::{Diagnostic, Fact, Remedy, Severity, WireStages};
+
+/// Less than this lies within what bends scatter by on any machine, degrees.
+const FURTHER: f64 = 0.1;
+
+pub(super) fn check(wire: &WireStages, found: &mut Vec<Diagnostic>) {
+    for near in wire.compensated.iter().flat_map(|program| program.near_corners()) {
+        if !near.past_other && near.further.is_some_and(|further| further.deg().abs() < FURTHER) {
+            continue;
+        }
+        let (severity, remedies) = if near.past_other {
+            (Severity::Warning, vec![Remedy::LengthenEdge { by: None }])
+        } else {
+            (Severity::Info, vec![Remedy::Leave])
+        };
+        let location = wire.location_of_step(near.step);
+        found.push(Diagnostic { severity, location, fact: Fact::CornerWithinReach(*near), remedies });
+    }
+}
