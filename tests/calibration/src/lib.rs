@@ -5,5 +5,6 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // a test may stop at what cannot be
 #![allow(clippy::print_stdout)] // figures, for --nocapture
 
+mod near_corners;
 mod recovery;
 mod shop;

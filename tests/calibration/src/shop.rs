@@ -34,6 +34,13 @@ impl Shop {
         Self { bench, noise, read: ChaCha8Rng::seed_from_u64(seed) }
     }
 
+    /// The published machine without errors.
+    pub fn exact() -> Self {
+        let mut shop = Self::new(1.0, 0);
+        shop.noise.bend_deg.sigma = 0.0;
+        shop
+    }
+
     /// The wire that commands bend: feeds in mm, positions of the axis, turns of the head. No two wires have the same
     /// errors.
     pub fn bend(&mut self, steps: &[Step]) -> Made {

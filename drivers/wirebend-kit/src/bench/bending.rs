@@ -1,6 +1,7 @@
 //! Letting the wire go: what the peg has pushed since it came out becomes an arc.
 
 use super::chain::Arc;
+use super::formed::{Formed, Held, Met};
 use super::incident::ModelWarning;
 use super::machine::Bench;
 
@@ -15,35 +16,67 @@ impl Bench {
     /// Bends the wire as far as the peg has pushed it, and lets it spring back.
     pub(super) fn let_go(&mut self) {
         let Some(mut stroke) = self.stroke else { return };
-        let placed = self.press.contact.leg_angle(self.axis(stroke.furthest));
         let sign = stroke.sign();
+        let axis = self.axis(stroke.furthest);
+        let met = self.met(sign, axis);
         stroke.furthest = i64::from(stroke.side) * self.bend_steps();
         self.stroke = Some(stroke);
         let leg = self.leg();
+        let bend = self.presses;
+        let Met::Held(Held { leg: placed, arm: contact_mm }) = met else {
+            // On straight wire it would be a bend.
+            let is_meant = self.press.contact.leg_angle(axis) > sign * leg.unwrap_or(0.0);
+            if is_meant && matches!(met, Met::Past) {
+                self.presses += 1;
+                self.doubts.push(self.past(bend, leg.is_none()));
+                self.mark();
+            }
+            return;
+        };
         if placed <= sign * leg.unwrap_or(0.0) {
             return;
         }
-        let bend = self.presses;
         self.presses += 1;
-        if leg.is_none() {
-            let (out_mm, needed_mm) = (self.chain.length(), self.press.contact.clear_of_orbit());
-            self.doubts.push(ModelWarning::PegPastTip { bend, out_mm, needed_mm });
-            self.mark();
-            return;
-        }
         if placed >= std::f64::consts::PI {
             self.doubts.push(ModelWarning::PastFoldBack { bend });
         }
-        self.press(bend, sign, placed);
-        let contact_mm = self.press.leg(placed);
+        self.press(bend, sign, placed, contact_mm);
         let straight_mm = self.chain.straight_behind_arc();
         if contact_mm > straight_mm + 1e-9 {
             self.doubts.push(ModelWarning::ShortLeg { bend, contact_mm, straight_mm });
         }
     }
 
-    fn press(&mut self, bend: usize, sign: f64, placed: f64) {
-        let wrapped = self.press.wrapped(placed);
+    /// Why the peg bends nothing: it goes past the wire, which ends or is bent out of its way.
+    fn past(&self, bend: usize, ends: bool) -> ModelWarning {
+        if ends {
+            let (out_mm, needed_mm) = (self.chain.length(), self.press.contact.clear_of_orbit());
+            ModelWarning::PegPastTip { bend, out_mm, needed_mm }
+        } else {
+            ModelWarning::PegPastBend { bend, straight_mm: self.chain.straight_behind_arc() }
+        }
+    }
+
+    /// What the peg does to the wire with the axis at a place towards the side that it bends to, radians.
+    pub(super) fn met(&self, sign: f64, axis: f64) -> Met {
+        let leg = sign * self.leg().unwrap_or(0.0);
+        let contact = &self.press.contact;
+        let formed = Formed::beyond(&self.chain, contact, self.head(), sign, self.press.off_centre());
+        let wrapped = |leg: f64| self.press.fibre(self.press.wrapped(leg));
+        formed.map_or_else(
+            || {
+                let placed = contact.leg_angle(axis);
+                Met::Held(Held { leg: placed, arm: self.press.leg(placed) })
+            },
+            |formed| {
+                let given = |placed: f64| self.press.held(placed);
+                formed.held(contact, leg, axis, wrapped, given)
+            },
+        )
+    }
+
+    fn press(&mut self, bend: usize, sign: f64, placed: f64, arm: f64) {
+        let wrapped = self.press.wrapped_by(placed, arm);
         let at_pin = self.chain.at_pin(self.head()).filter(|arc| arc.fibre > 0.0);
         let at_pin = at_pin.map(|arc| Arc { turn: sign * arc.turn, ..arc });
         let (wanted, same_bend) = match at_pin {

@@ -77,6 +77,16 @@ impl Contact {
         (self.peg(self.axis_angle(leg)) - self.end_of_arc(leg)).dot(&along(leg)).max(0.0)
     }
 
+    /// Farther from the pin than this the peg touches nothing.
+    pub fn farthest(&self) -> f64 {
+        self.offset.abs() + self.orbit + self.reach + 2.0 * self.wrap
+    }
+
+    /// From the peg's centre to the middle of a wire that it touches.
+    pub fn reach(&self) -> f64 {
+        self.reach
+    }
+
     /// Distance from the nozzle within which a wire that is straight meets no peg.
     pub fn clear_of_orbit(&self) -> f64 {
         self.offset + self.orbit - self.reach
@@ -88,11 +98,11 @@ impl Contact {
         (self.peg(axis) - self.end_of_arc(leg)).dot(&to_the_right) - self.reach
     }
 
-    fn peg(&self, axis: f64) -> Vector2<f64> {
+    pub fn peg(&self, axis: f64) -> Vector2<f64> {
         Vector2::new(self.offset, 0.0) + along(axis) * self.orbit
     }
 
-    fn end_of_arc(&self, leg: f64) -> Vector2<f64> {
+    pub fn end_of_arc(&self, leg: f64) -> Vector2<f64> {
         Vector2::new(leg.abs().sin(), leg.signum() * (1.0 - leg.cos())) * self.wrap
     }
 }

@@ -82,7 +82,19 @@ pub enum ModelWarning {
         /// Wire that the peg would have met.
         needed_mm: f64,
     },
-    /// The peg touches the wire beyond its straight part. The bend was computed as if that continued.
+    /// The wire is bent out of the peg's way, so that it ran past and bent nothing.
+    #[error(
+        "bend {}: the peg runs past the wire, which is bent {straight_mm:.1} mm behind the bend; \
+         lengthen the edge",
+        .bend + 1
+    )]
+    PegPastBend {
+        /// Which bend, from 0, in the order in which they were pressed.
+        bend: usize,
+        /// Straight wire that was there.
+        straight_mm: f64,
+    },
+    /// The peg touches the wire beyond its straight part. What is bent there was taken to stay as it is.
     #[error(
         "bend {}: the peg meets the wire {contact_mm:.1} mm behind the bend, where only \
          {straight_mm:.1} mm are straight",

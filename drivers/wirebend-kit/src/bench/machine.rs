@@ -3,6 +3,7 @@
 use wirebend_driver_api::Axis;
 
 use super::chain::Chain;
+use super::formed::Met;
 use super::incident::{Incident, ModelWarning, Violation};
 use super::made::Made;
 use super::noise::{Draws, Noise};
@@ -308,7 +309,7 @@ impl Bench {
     fn touches(&self) -> bool {
         let (Some(stroke), Some(leg)) = (self.stroke, self.leg()) else { return false };
         let at = self.axis(i64::from(stroke.side) * self.bend_steps);
-        self.press.contact.leg_angle(at) > stroke.sign() * leg + TOUCH
+        matches!(self.met(stroke.sign(), at), Met::Held(held) if held.leg > stroke.sign() * leg + TOUCH)
     }
 
     fn record(&mut self, what: Violation) {

@@ -55,6 +55,7 @@ mod bending;
 mod chain;
 mod contact;
 mod deviation;
+mod formed;
 mod incident;
 mod machine;
 mod made;

@@ -106,7 +106,12 @@ impl Press {
     ///
     /// The leg bows towards the peg's push, so that its tangent at the pin is behind its chord by M·l/(3·E·I).
     pub fn wrapped(&self, placed: f64) -> f64 {
-        self.held(placed) - self.moment * self.leg(placed) / (3.0 * self.rigidity)
+        self.wrapped_by(placed, self.leg(placed))
+    }
+
+    /// The same where the peg holds the wire at `arm` from the pin.
+    pub fn wrapped_by(&self, placed: f64, arm: f64) -> f64 {
+        self.held(placed) - self.moment * arm / (3.0 * self.rigidity)
     }
 
     /// Distance from the pin to where the peg holds the leg, with the peg at that place.
@@ -115,7 +120,7 @@ impl Press {
     }
 
     /// Where the machine really has the peg.
-    fn held(&self, placed: f64) -> f64 {
+    pub fn held(&self, placed: f64) -> f64 {
         placed - self.give * self.moment
     }
 

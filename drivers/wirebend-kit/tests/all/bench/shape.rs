@@ -44,7 +44,8 @@ fn turtle_of(made: &Made) -> Vec<[f64; 3]> {
 
 fn programs() -> impl Strategy<Value = Vec<Step>> {
     let bend = prop_oneof![20.0..130.0, -130.0..-20.0];
-    let step = (30.0..80.0, -180.0..180.0, bend);
+    // With legs that are straight as far as the peg reaches, as these commands take them to be.
+    let step = (60.0..110.0, -180.0..180.0, bend);
     let step = step.prop_map(|(feed_mm, rotate_deg, bend_deg)| Step { feed_mm, rotate_deg, bend_deg });
     proptest::collection::vec(step, 1..6)
 }
