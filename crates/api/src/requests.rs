@@ -227,6 +227,12 @@ requests! {
         Open(workspace::OpenDesign) -> workspace::DesignOpened = Workspace::open_design, "open";
         /// Opens an example.
         OpenExample(workspace::OpenExample) -> workspace::DesignOpened = Workspace::open_example, "open-example";
+        /// Opens a job, a program or a recording to be run; the design stays behind it.
+        OpenRunFile(workspace::OpenRunFile) -> workspace::RunFileNow = Workspace::open_run_file, "open-run-file";
+        /// Closes it: the design is shown and run again.
+        CloseRunFile(workspace::CloseRunFile) -> workspace::RunFileNow = Workspace::close_run_file, "close-run-file";
+        /// Which file is open to be run.
+        RunFile(workspace::RunFileRequest) -> workspace::RunFileNow = Workspace::ask_run_file, "run-file";
         /// Restores a design that was open when the program stopped.
         Restore(workspace::RestoreUnsaved) -> workspace::DesignOpened = Workspace::restore, "restore";
         /// Throws away a design that was open when the program stopped.

@@ -33,8 +33,11 @@ fn command(run: &RunTarget, said: &[String], option: &str) -> String {
     let job = run.job.as_ref().map_or_else(|| "JOB".to_owned(), |job| quoted(&job.display().to_string()));
     let wire = run.wire.map(|wire| format!("--wire {}", wire + 1));
     let port = run.port.as_ref().map(|port| format!("--port {}", quoted(port)));
+    let machine = run.machine.as_ref().map(|id| format!("--machine {}", quoted(id)));
+    let material = run.material.as_ref().map(|id| format!("--material {}", quoted(id)));
     let said = said.iter().map(|word| quoted(word));
-    let words = ["wirebend run".to_owned(), job].into_iter().chain(port).chain(wire).chain(said);
+    let words = ["wirebend run".to_owned(), job].into_iter().chain(machine).chain(material);
+    let words = words.chain(port).chain(wire).chain(said);
     words.chain([option.to_owned()]).collect::<Vec<_>>().join(" ")
 }
 
@@ -58,11 +61,16 @@ mod tests {
             job: Some("my job.wbjob".into()),
             wire: Some(1),
             port: Some("/dev/ttyUSB0".to_owned()),
+            machine: None,
+            material: None,
         };
         let said = ["--runs-folder".to_owned(), "kept".to_owned()];
         let expected = "wirebend run 'my job.wbjob' --port /dev/ttyUSB0 --wire 2 --runs-folder kept --resume";
         assert_eq!(command(&run, &said, "--resume"), expected);
-        let nowhere = RunTarget { job: None, wire: None, port: None };
+        let nowhere = RunTarget { job: None, wire: None, port: None, machine: None, material: None };
+        let program =
+            RunTarget { job: Some("u.txt".into()), machine: Some("kit".to_owned()), ..nowhere.clone() };
+        assert_eq!(command(&program, &[], "--resume"), "wirebend run u.txt --machine kit --resume");
         assert_eq!(command(&nowhere, &[], "--abandon"), "wirebend run JOB --abandon");
     }
 }

@@ -116,7 +116,12 @@ impl Editor {
     ) -> Result<(Self, Vec<NoteReport>), EditorError> {
         let mut opened = input.open(progress)?.with_stencil(input);
         if let Some((machine, material)) = machine.filter(|_| opened.document.machine.is_none()) {
-            let setup = app.setup(machine, material)?;
+            // Recorded moves are of the machine that made them.
+            let recorded = opened.recorded_on().filter(|recorded| *recorded != machine).map(str::to_owned);
+            let setup = match recorded {
+                Some(recorded) => app.setup(&recorded, None)?,
+                None => app.setup(machine, material)?,
+            };
             opened = opened.turned_back(&setup)?;
             (opened.document.machine, opened.document.material) = changing::snapshots(&setup)?;
         }

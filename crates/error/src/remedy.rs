@@ -380,4 +380,8 @@ pub struct RunTarget {
     pub wire: Option<usize>,
     /// The port that was named.
     pub port: Option<String>,
+    /// The machine that was named for a program.
+    pub machine: Option<String>,
+    /// The wire that was named for a program.
+    pub material: Option<String>,
 }

@@ -5,6 +5,7 @@
 
 #![allow(clippy::missing_errors_doc, clippy::must_use_candidate, reason = "not published")]
 
+pub mod as_given;
 pub mod bodies;
 pub mod calibrate;
 pub mod catalogue;

@@ -8,10 +8,14 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_core::bend::Step;
 use wirebend_core::wireframe::VertexId;
+use wirebend_driver_host::api;
 use wirebend_error::ErrorRemedy;
 use wirebend_files::read::{Format, ImportedProgram};
 
+use crate::PlanningError;
+use crate::machine::kept_steps;
 use crate::report::NoteReport;
+use crate::signs::Signs;
 
 /// What the steps of a program are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -55,6 +59,8 @@ pub struct ReadProgram {
     pub order: Vec<VertexId>,
     pub weld_mm: f64,
     pub known: Known,
+    /// Id of the machine on which it was recorded: such a program is in canonical signs.
+    pub machine: Option<String>,
 }
 
 impl ReadProgram {
@@ -68,8 +74,21 @@ impl ReadProgram {
             None if format == Format::Lra => Known::Design,
             None => Known::Assumed,
         };
-        let ImportedProgram { program, traversal, .. } = program;
-        Self { steps: program.steps, order: traversal, weld_mm, known }
+        let ImportedProgram { program, traversal, machine, .. } = program;
+        Self { steps: program.steps, order: traversal, weld_mm, known, machine }
+    }
+
+    /// The steps as commands in canonical signs, for a machine with these signs.
+    pub fn commanded(&self, signs: Signs) -> Result<Vec<Step>, PlanningError> {
+        if self.machine.is_some() {
+            return Ok(self.steps.clone());
+        }
+        let canonical = |step: &Step| {
+            let Step { feed, rotate, bend } = step;
+            let (rotate_deg, bend_deg) = (rotate.deg(), bend.deg());
+            signs.canonical(api::Step { feed_mm: feed.mm(), rotate_deg, bend_deg })
+        };
+        kept_steps(&self.steps.iter().map(canonical).collect::<Vec<_>>())
     }
 
     pub fn assumed(&self) -> Option<NoteReport> {

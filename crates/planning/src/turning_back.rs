@@ -5,7 +5,6 @@ use wirebend_core::compensate::CompensatedProgram;
 use wirebend_core::route::Route;
 use wirebend_core::simulate::formed_steps;
 use wirebend_core::units::{Angle, Length};
-use wirebend_driver_host::api;
 use wirebend_error::{ErrorRemedy, InputName};
 use wirebend_files::read::wireframe_of_path;
 
@@ -24,16 +23,23 @@ impl Installation {
         if !opened.is_told() {
             return Ok(opened);
         }
-        let Some(machine) = &choices.machine else {
+        let recorded = opened.recorded_on().map(str::to_owned);
+        let Some(machine) = choices.machine.clone().or(recorded) else {
             return Err(PlanningError::Compensated { name: opened.name });
         };
-        opened.turned_back(&self.setup(machine, choices.material.as_deref())?)
+        opened.turned_back(&self.setup(&machine, choices.material.as_deref())?)
     }
 }
 
 impl Opened {
     fn is_told(&self) -> bool {
         self.program.as_ref().is_some_and(|program| program.known == Known::Told)
+    }
+
+    /// The machine that a recording of moves is of.
+    #[must_use]
+    pub fn recorded_on(&self) -> Option<&str> {
+        self.program.as_ref()?.machine.as_deref()
     }
 
     /// Refuses what would be compensated twice.
@@ -46,7 +52,8 @@ impl Opened {
         let Some(program) = self.program.take_if(|program| program.known == Known::Told) else {
             return Ok(self);
         };
-        let steps = left(&program.steps, setup).map_err(|step| PlanningError::OtherCompensation {
+        let told: Vec<Step> = program.commanded(setup.signs)?;
+        let steps = left(&told, setup).map_err(|step| PlanningError::OtherCompensation {
             name: self.name.clone(),
             step: step + 1,
             machine: setup.machine_id().to_owned(),
@@ -99,19 +106,10 @@ impl Opened {
     }
 }
 
-/// The steps from corner to corner that commands leave: the inverse of compensating. The step that cannot be where a
-/// feed is too short for its bends.
+/// The steps from corner to corner that commands in canonical signs leave: the inverse of compensating. The step that cannot be
+/// where a feed is too short for its bends.
 fn left(told: &[Step], setup: &Setup) -> Result<Vec<Step>, usize> {
-    let mut canonical = Vec::with_capacity(told.len());
-    for (index, &step) in told.iter().enumerate() {
-        let Step { feed, rotate, bend } = step;
-        let told = api::Step { feed_mm: feed.mm(), rotate_deg: rotate.deg(), bend_deg: bend.deg() };
-        let told = setup.signs.canonical(told);
-        let angle = |deg: f64| Angle::from_deg(deg).map_err(|_| index);
-        canonical.push(Step { feed, rotate: angle(told.rotate_deg)?, bend: angle(told.bend_deg)? });
-    }
-    let program = CompensatedProgram::from_job_steps(canonical);
-    let mut steps = formed_steps(&program, &setup.model.compensation);
+    let mut steps = corner_to_corner(told, setup);
     for (index, step) in steps.iter_mut().enumerate() {
         // What is a little less than nothing was rounded.
         if step.feed.mm() < -ROUNDED_MM {
@@ -122,6 +120,11 @@ fn left(told: &[Step], setup: &Setup) -> Result<Vec<Step>, usize> {
         }
     }
     Ok(steps)
+}
+
+/// The same, with feeds below 0 where one is too short for its bends.
+pub(crate) fn corner_to_corner(told: &[Step], setup: &Setup) -> Vec<Step> {
+    formed_steps(&CompensatedProgram::from_job_steps(told.to_vec()), &setup.model.compensation)
 }
 
 /// So much may a feed of a program with two decimals be off.

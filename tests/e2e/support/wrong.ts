@@ -93,6 +93,10 @@ export function wrongFiles(document: string, job: string): readonly Wrong[] {
       reason: /version 999 is newer/,
     },
     { name: "byte.wbjob", contents: changed(job, /(\d)(\d\.\d)/, "9$2"), reason: /hash/ },
-    { name: "good.wbjob", contents: job, reason: /is a job. A job can be run but not edited/ },
+    {
+      name: "moves.wbmoves",
+      contents: '{"format": "wbmoves", "version": 9, "machine": "kit", "moves": []}',
+      reason: /version 9/,
+    },
   ];
 }

@@ -9,7 +9,8 @@ import { showFrame } from "../state/frame/shape";
 import { hideByHand } from "../state/machine/by_hand";
 import { stopComparing, useMachines } from "../state/machine/machines";
 import { forgetEnded, showWire } from "../state/machine/run";
-import { forgetProgram, leaveStaleProgram } from "../state/program/program";
+import { forgetProgram, goTo, leaveStaleProgram } from "../state/program/program";
+import { forgetRunFile, useRunFile } from "../state/program/run_file";
 import { forgetSequence, hideSequence } from "../state/sequence/sequence";
 import { designReplaced } from "../state/window/commands";
 import { useView } from "../state/window/view";
@@ -21,6 +22,7 @@ function followOpening(): End {
     useFiles,
     ({ opened }) => [opened],
     () => {
+      forgetRunFile();
       forgetProgram();
       // It has to be asked again then which design's wire a machine bends. The design is there after this turn.
       queueMicrotask(showWire);
@@ -29,6 +31,20 @@ function followOpening(): End {
       forgetFrame();
       forgetSequence();
       designReplaced();
+    },
+  );
+}
+
+/** Another file is run, or the design again: what was shown of the one before is of the past. */
+function followRunFile(): End {
+  return whenChanged(
+    useRunFile,
+    ({ file }) => [file],
+    ({ file }) => {
+      forgetProgram();
+      forgetEnded();
+      if (file) void goTo(0);
+      queueMicrotask(showWire);
     },
   );
 }
@@ -71,6 +87,7 @@ function followChanges(): End {
 export function followDesign(): End {
   return together([
     followOpening(),
+    followRunFile(),
     followChanges(),
     whenChanged(
       useView,

@@ -595,6 +595,7 @@ export interface Requests {
   "clear-recent": ClearRecent;
   "clear-recording": ClearRecording;
   close: CloseDesign;
+  "close-run-file": CloseRunFile;
   collisions: CheckCollisions;
   compare: CompareDesign;
   connect: ConnectMachine;
@@ -618,6 +619,7 @@ export interface Requests {
   new: NewDesign;
   open: OpenDesign;
   "open-example": OpenExample;
+  "open-run-file": OpenRunFile;
   order: OrderMachine;
   ports: PortsRequest;
   "profile-explain": ProfileExplainRequest;
@@ -626,6 +628,7 @@ export interface Requests {
   recorded: RecordedRequest;
   redo: Redo;
   restore: RestoreUnsaved;
+  "run-file": RunFileRequest;
   runs: RunsRequest;
   "runs-show": RunsShowRequest;
   save: SaveDesign;
@@ -713,6 +716,10 @@ export interface ClearRecording {}
  */
 export interface CloseDesign {}
 /**
+ * Closes it: the design is shown and run again.
+ */
+export interface CloseRunFile {}
+/**
  * Checks the design for collisions, with some vertices elsewhere than they are. One that is under way is stopped.
  */
 export interface CheckCollisions {
@@ -731,7 +738,7 @@ export interface CompareDesign {
   against: string[];
 }
 /**
- * Connects the machine of the open design. One that was connected before is let go.
+ * Connects the machine of the open design, or of what is open to be run. One that was connected before is let go.
  */
 export interface ConnectMachine {
   /**
@@ -1002,7 +1009,7 @@ export interface MachineViewRequest {
  */
 export interface MachinesRequest {}
 /**
- * Asks how the machine bends the open design.
+ * Asks how the machine bends the open design, or what is open to be run.
  */
 export interface MadeRequest {}
 /**
@@ -1026,6 +1033,12 @@ export interface OpenDesign {
 }
 export interface OpenExample {
   id: string;
+}
+/**
+ * Opens a job, a program in the format of the design's machine, or a recording, to be shown and run.
+ */
+export interface OpenRunFile {
+  file: Input;
 }
 /**
  * Says what the connected machine is to do.
@@ -1064,7 +1077,7 @@ export interface ProfileExplainRequest {
   kind?: Kind | null;
 }
 /**
- * Asks for the program of the open design.
+ * Asks for the program of the open design, or of what is open to be run.
  */
 export interface ProgramRequest {}
 /**
@@ -1087,6 +1100,10 @@ export interface Redo {}
 export interface RestoreUnsaved {
   journal: string;
 }
+/**
+ * Asks which is open.
+ */
+export interface RunFileRequest {}
 /**
  * Asks for the records of what was bent.
  */

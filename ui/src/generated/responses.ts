@@ -897,6 +897,10 @@ export type Move =
       move: "bend";
     };
 /**
+ * What a file to be run is.
+ */
+export type RunFileKind = "job" | "program" | "moves";
+/**
  * What a profile describes.
  */
 export type Kind = "machine" | "material" | "noise" | "strut-builder";
@@ -1316,7 +1320,7 @@ export type ClosingName = "aligned" | "coupled";
  * What a mode is.
  */
 export type ModeKindName = "rigid" | "global" | "local";
-export type Seen = "document" | "wireframe" | "stencil" | "both" | "job";
+export type Seen = "document" | "wireframe" | "stencil" | "both" | "job" | "moves";
 /**
  * Where a sample lies among the pairs of its table.
  */
@@ -1729,6 +1733,7 @@ export interface Responses {
   "clear-recent": Started;
   "clear-recording": Recorded;
   close: DesignOpened;
+  "close-run-file": RunFileNow;
   collisions: Collisions;
   compare: CompareResponse;
   connect: MachineNow;
@@ -1752,6 +1757,7 @@ export interface Responses {
   new: DesignOpened;
   open: DesignOpened;
   "open-example": DesignOpened;
+  "open-run-file": RunFileNow;
   order: MachineNow;
   ports: PortsResponse;
   "profile-explain": ProfileExplainResponse;
@@ -1760,6 +1766,7 @@ export interface Responses {
   recorded: Recorded;
   redo: EditMade;
   restore: DesignOpened;
+  "run-file": RunFileNow;
   runs: RunsResponse;
   "runs-show": RunsShowResponse;
   save: DesignOpened;
@@ -1923,6 +1930,14 @@ export interface RunTarget {
    * The job's file; null where it is in no file.
    */
   job: string | null;
+  /**
+   * The machine that was named for a program.
+   */
+  machine: string | null;
+  /**
+   * The wire that was named for a program.
+   */
+  material: string | null;
   /**
    * The port that was named.
    */
@@ -2780,6 +2795,67 @@ export interface NoteReport {
    * What can be done about it.
    */
   remedies?: ErrorRemedy[];
+}
+export interface RunFileNow {
+  /**
+   * Null where none is open: the design is run.
+   */
+  file: RunFileReport | null;
+}
+/**
+ * What is open to be run.
+ */
+export interface RunFileReport {
+  /**
+   * Whether the machine can make it, as its profile was when a job was planned.
+   */
+  feasible: boolean;
+  /**
+   * What the checks say of its wires, errors first.
+   */
+  findings: DiagnosticReport[];
+  /**
+   * Hash of the job that it is run as; another one where the same name holds other contents.
+   */
+  job_hash: string;
+  kind: RunFileKind;
+  /**
+   * Machine and wire that it is for.
+   */
+  machine: string;
+  material: string;
+  /**
+   * How many moves a recording has.
+   */
+  moves: number;
+  /**
+   * Name of the file, without its folder.
+   */
+  name: string;
+  /**
+   * Errors despite which a job was planned.
+   */
+  notes: NoteReport[];
+  /**
+   * Where it is; null for bytes.
+   */
+  path: string | null;
+  wires: RunFileWire[];
+}
+/**
+ * A wire of it.
+ */
+export interface RunFileWire {
+  /**
+   * Wire that is fed, mm.
+   */
+  length_mm: number;
+  steps: number;
+  /**
+   * Stock to load, mm.
+   */
+  stock_mm: number;
+  time_s: number;
 }
 /**
  * Where the wires of a design meet the machine or themselves while they are bent.
@@ -3847,6 +3923,10 @@ export interface LookResponse {
    * What would be merged, ignored or assumed.
    */
   notes: NoteReport[];
+  /**
+   * Whether the machine of the open design runs it as it stands: a program of its own format.
+   */
+  runs: boolean;
   seen: Seen;
   /**
    * Its size in x, y and z as it would be read, mm; null where there is nothing.

@@ -271,6 +271,7 @@ impl Workspace {
         let design = editor.view();
         let before = std::mem::replace(&mut *self.open(), editor);
         before.close();
+        self.put_run_file(None);
         Ok(DesignOpened { design, notes, recent: self.recent() })
     }
 }

@@ -242,8 +242,11 @@ impl Workspace {
         Ok(SavedWireframe { file: asked.output.save(&text)? })
     }
 
-    /// The job of the open design, as a run takes it.
+    /// The job of the open design, or of what is open to be run, as a run takes it.
     pub(crate) fn job(&self, despite_errors: bool, progress: &dyn Progress) -> Result<Input, ApiError> {
+        if let Some(file) = self.run_file() {
+            return file.job(despite_errors);
+        }
         let (_, planned) = self.planned(progress)?;
         let report = || Box::new(planned.report());
         if !planned.feasible() && !despite_errors {

@@ -29,6 +29,8 @@ pub enum Seen {
     Both,
     /// A job, which is run and not edited.
     Job,
+    /// Recorded moves, which are replayed, or become a design.
+    Moves,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -36,6 +38,8 @@ pub struct LookResponse {
     pub name: String,
     pub format: String,
     pub seen: Seen,
+    /// Whether the machine of the open design runs it as it stands: a program of its own format.
+    pub runs: bool,
     /// Whether units and scale are open: the format does not say them.
     pub asks_units: bool,
     /// Its size in x, y and z as it would be read, mm; null where there is nothing.
@@ -66,6 +70,7 @@ impl Workspace {
                 name,
                 format: "wbjob".to_owned(),
                 seen: Seen::Job,
+                runs: true,
                 asks_units: false,
                 size_mm: None,
                 vertices: 0,
@@ -91,7 +96,9 @@ impl Workspace {
         });
         Ok(LookResponse {
             format: opened.format.to_string(),
+            runs: self.runs(opened.format),
             seen: match (opened.format, lines, surface) {
+                (Format::Moves, ..) => Seen::Moves,
                 (Format::Wirebend, ..) => Seen::Document,
                 (_, true, true) => Seen::Both,
                 (_, false, true) => Seen::Stencil,
@@ -106,6 +113,16 @@ impl Workspace {
             notes: opened.notes,
             name: opened.name,
         })
+    }
+}
+
+impl Workspace {
+    /// Whether a format is that of programs of the open design's machine.
+    fn runs(&self, format: Format) -> bool {
+        let machine = self.open().state().machine;
+        let profile = machine.and_then(|machine| self.installation().library.machine(&machine).ok());
+        let own = profile.and_then(|machine| machine.profile.export.native);
+        format.written_as().is_some_and(|id| own.as_deref() == Some(id))
     }
 }
 

@@ -21,6 +21,7 @@ mod operating;
 mod program;
 mod recent;
 mod reporter;
+mod run_file;
 mod sequences;
 mod shown;
 
@@ -58,6 +59,9 @@ pub use operating::{
 };
 pub use program::{MadeRequest, MadeResponse, MadeWire, ProgramRequest, ProgramResponse};
 pub use recent::RecentEntry;
+pub use run_file::{
+    CloseRunFile, OpenRunFile, RunFileKind, RunFileNow, RunFileReport, RunFileRequest, RunFileWire,
+};
 pub use sequences::{SequenceDesign, SequenceStopped, StopSequence};
 pub use shown::{LengthsShown, ShowLengths, ShownUnit};
 
@@ -97,6 +101,7 @@ pub struct Workspace {
     places: Places,
     installation: RwLock<Arc<Installation>>,
     open: Mutex<Editor>,
+    run_file: Mutex<Option<Arc<run_file::RunFile>>>,
     operator: Mutex<Option<Arc<Operator>>>,
     events: Arc<dyn EventSink>,
     collision_checks: Latest,
@@ -116,6 +121,7 @@ impl Workspace {
             places,
             installation,
             open: Mutex::new(open),
+            run_file: Mutex::new(None),
             operator,
             events,
             collision_checks: Latest::default(),
@@ -185,6 +191,11 @@ fn first_machine(app: &Installation, places: &Places) -> Option<String> {
     let known = |id: String| ids.contains(&id).then_some(id);
     let last = recent::last_machine(places).and_then(known);
     last.or_else(|| known(FIRST_MACHINE.to_owned())).or_else(|| ids.first().cloned())
+}
+
+/// The name of a file without its folder.
+fn name_of(file: &Path) -> String {
+    file.file_name().map_or_else(|| file.display().to_string(), |name| name.to_string_lossy().into_owned())
 }
 
 /// Creates the folder of a file where it is missing.

@@ -16,7 +16,7 @@ use crate::{
 use wirebend_planning::output::Output;
 use wirebend_planning::playback::PlayedWire;
 
-/// Connects the machine of the open design. One that was connected before is let go.
+/// Connects the machine of the open design, or of what is open to be run. One that was connected before is let go.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 pub struct ConnectMachine {
     /// Where it is; absent, the machine that its driver simulates is taken, if it has one.
@@ -91,7 +91,8 @@ pub struct SavedRecording {
 impl Workspace {
     pub(crate) fn connect(&self, asked: &ConnectMachine, _: &dyn Progress) -> Result<MachineNow, ApiError> {
         let app = self.installation();
-        let machine = self.open().state().machine;
+        let of_file = self.run_file().map(|file| file.report.machine.clone());
+        let machine = of_file.or_else(|| self.open().state().machine);
         let machine = machine.ok_or_else(|| PlanningError::NoMachine { known: app.machine_ids() })?;
         // The port of the one before has to be free again.
         self.let_go();

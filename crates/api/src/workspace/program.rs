@@ -4,18 +4,20 @@ use nalgebra::Point3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_core::simulate::perfect_wire;
+use wirebend_files::document::Job;
 use wirebend_planning::PlanningError;
 
 use super::Workspace;
 use crate::{ApiError, Installation, PlanChoices, Progress};
 use wirebend_operation::simulate::OfDriver;
 use wirebend_planning::design::Opened;
+use wirebend_planning::machine::Setup;
 use wirebend_planning::plan::Planned;
 use wirebend_planning::playback::{PlayedWire, PoseReport, played};
 use wirebend_planning::report::NoteReport;
 use wirebend_planning::simulate::{KeptWire, SimulatedMachine};
 
-/// Asks for the program of the open design.
+/// Asks for the program of the open design, or of what is open to be run.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 pub struct ProgramRequest {}
 
@@ -37,7 +39,7 @@ pub struct ProgramResponse {
     pub without: usize,
 }
 
-/// Asks how the machine bends the open design.
+/// Asks how the machine bends the open design, or what is open to be run.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 pub struct MadeRequest {}
 
@@ -89,6 +91,9 @@ impl Workspace {
         _: &ProgramRequest,
         progress: &dyn Progress,
     ) -> Result<ProgramResponse, ApiError> {
+        if let Some(file) = self.run_file() {
+            return Ok(file.program());
+        }
         let (_, planned) = self.planned(progress)?;
         let time = &planned.setup.model.time;
         let wires: Vec<PlayedWire> = planned.wires.iter().filter_map(|plan| played(plan, time)).collect();
@@ -104,41 +109,55 @@ impl Workspace {
     }
 
     pub(crate) fn made(&self, _: &MadeRequest, progress: &dyn Progress) -> Result<MadeResponse, ApiError> {
+        if let Some(file) = self.run_file() {
+            return self.made_of_file(&file, progress);
+        }
         let (app, planned) = self.planned(progress)?;
         let unreached = || PlanningError::StageNotReached {
             stage: crate::StageName::Compensated,
             report: Box::new(planned.report()),
         };
         let job = planned.job()?.ok_or_else(unreached)?;
-        progress.stage("bending on the simulated machine");
-        let mut notes = Vec::new();
-        let made = OfDriver(&app).bend(&planned.setup, &job, &mut notes);
-        let mut wires = Vec::new();
-        let mut by_machine = made.is_some();
-        for (index, wire) in job.contents().wires.iter().enumerate() {
-            let kept = KeptWire::new(&planned.opened.name, wire, &planned.setup)?;
-            let made = made.as_ref().and_then(|made| made.get(index));
-            let placed = made.and_then(|made| Some((made, kept.vertices(&made.corners_mm)?)));
-            by_machine &= placed.is_some();
-            let (vertices, wire_mm) = placed.map_or_else(
-                || (perfect_wire(&kept.input(&planned.setup)), Vec::new()),
-                |(made, vertices)| (vertices, kept.wire(&made.wire_mm)),
-            );
-            let deviations_mm: Vec<f64> =
-                kept.design.iter().zip(&vertices).map(|(design, made)| (design - made).norm()).collect();
-            let ends = wire.spans.iter().map(|&[_, end]| end);
-            let corners: Vec<Point3<f64>> =
-                std::iter::once(0).chain(ends).filter_map(|k| vertices.get(k)).copied().collect();
-            wires.push(MadeWire {
-                poses: kept.poses(&corners),
-                corners_mm: corners.into_iter().map(array).collect(),
-                wire_mm: wire_mm.into_iter().map(array).collect(),
-                worst_mm: deviations_mm.iter().copied().fold(0.0, f64::max),
-                deviations_mm,
-            });
-        }
-        Ok(MadeResponse { by_machine, wires, notes })
+        made_of(&app, &planned.opened.name, &planned.setup, &job, progress)
     }
+}
+
+/// How the machine bends the wires of a job.
+pub(super) fn made_of(
+    app: &Installation,
+    name: &str,
+    setup: &Setup,
+    job: &Job,
+    progress: &dyn Progress,
+) -> Result<MadeResponse, ApiError> {
+    progress.stage("bending on the simulated machine");
+    let mut notes = Vec::new();
+    let made = OfDriver(app).bend(setup, job, &mut notes);
+    let mut wires = Vec::new();
+    let mut by_machine = made.is_some();
+    for (index, wire) in job.contents().wires.iter().enumerate() {
+        let kept = KeptWire::new(name, wire, setup)?;
+        let made = made.as_ref().and_then(|made| made.get(index));
+        let placed = made.and_then(|made| Some((made, kept.vertices(&made.corners_mm)?)));
+        by_machine &= placed.is_some();
+        let (vertices, wire_mm) = placed.map_or_else(
+            || (perfect_wire(&kept.input(setup)), Vec::new()),
+            |(made, vertices)| (vertices, kept.wire(&made.wire_mm)),
+        );
+        let deviations_mm: Vec<f64> =
+            kept.design.iter().zip(&vertices).map(|(design, made)| (design - made).norm()).collect();
+        let ends = wire.spans.iter().map(|&[_, end]| end);
+        let corners: Vec<Point3<f64>> =
+            std::iter::once(0).chain(ends).filter_map(|k| vertices.get(k)).copied().collect();
+        wires.push(MadeWire {
+            poses: kept.poses(&corners),
+            corners_mm: corners.into_iter().map(array).collect(),
+            wire_mm: wire_mm.into_iter().map(array).collect(),
+            worst_mm: deviations_mm.iter().copied().fold(0.0, f64::max),
+            deviations_mm,
+        });
+    }
+    Ok(MadeResponse { by_machine, wires, notes })
 }
 
 fn array(point: Point3<f64>) -> [f64; 3] {

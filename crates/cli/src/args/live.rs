@@ -32,9 +32,18 @@ pub(crate) struct ZeroArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct RunArgs {
-    /// Job to run, or - for standard input
+    /// Job to run, or program in the machine's own format, or - for standard input
     #[arg(value_name = "JOB")]
     pub job: PathBuf,
+    /// Machine that a program is for, by id; a job says it itself
+    #[arg(long, short, value_name = "ID")]
+    pub machine: Option<String>,
+    /// Wire that a program is for, by id; without it the one that the machine's profile names
+    #[arg(long, value_name = "ID")]
+    pub material: Option<String>,
+    /// Run a program although the machine cannot make it as it stands
+    #[arg(long)]
+    pub despite_errors: bool,
     #[command(flatten)]
     pub at: PortArgs,
     #[command(flatten)]

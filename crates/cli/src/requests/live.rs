@@ -14,7 +14,20 @@ use crate::contents::Contents;
 use crate::usage::WrongUse;
 
 pub(super) fn run(args: RunArgs) -> anyhow::Result<Command> {
-    let RunArgs { job, at, zero, wire, resume, abandon, accept_settings, record, force } = args;
+    let RunArgs {
+        job,
+        machine,
+        material,
+        despite_errors,
+        at,
+        zero,
+        wire,
+        resume,
+        abandon,
+        accept_settings,
+        record,
+        force,
+    } = args;
     let answers = answers(&at, &zero);
     let wire = wire.map(|wire| wire.get() - 1);
     let how = match resume {
@@ -24,6 +37,9 @@ pub(super) fn run(args: RunArgs) -> anyhow::Result<Command> {
     };
     Ok(Command::Run(RunRequest {
         job: input(&job)?,
+        machine,
+        material,
+        despite_errors,
         port: at.port,
         wire,
         how,

@@ -26,6 +26,7 @@ use crate::wireframe::{Component, EdgeId, VertexId, Wireframe};
 pub use contacts::{ScheduledWire, clearance, keep_contacts};
 use routing::Routed;
 use searching::Searching;
+pub use seen::check_given;
 use stages::Stages;
 pub use stages::fastest_schedule;
 

@@ -1,7 +1,7 @@
 //! What the checks see of a wire.
 
 use super::{Machine, WirePlan};
-use crate::checks::WireStages;
+use crate::checks::{Diagnostic, WireStages, check_wire};
 use crate::units::Length;
 use crate::wireframe::Wireframe;
 
@@ -36,4 +36,14 @@ pub(super) fn stages_of<'a>(
         scatter: machine.scatter.as_ref(),
         limits: &machine.limits,
     }
+}
+
+/// Everything worth saying about a wire whose stages are given: its walk stays as it is, and no other one is proposed. Most severe
+/// first.
+#[must_use]
+pub fn check_given(wireframe: &Wireframe, machine: &Machine, plan: &WirePlan) -> Vec<Diagnostic> {
+    let mut found =
+        check_wire(&WireStages { odd_allowed: usize::MAX, ..stages_of(wireframe, machine, plan) });
+    found.sort_by_key(|diagnostic| diagnostic.severity);
+    found
 }

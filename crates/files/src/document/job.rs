@@ -8,6 +8,7 @@ use wirebend_core::units::{Angle, Length, NotFinite};
 use super::error::DocumentError;
 use super::hash::canonical_sha256;
 use super::layout;
+use super::project::SourceFile;
 use super::snapshot::ProfileSnapshot;
 use super::version::History;
 
@@ -33,6 +34,8 @@ pub struct JobContents {
     pub wires: Vec<JobWire>,
     /// What the checks objected to when a person had the job written anyway.
     pub objections: Vec<String>,
+    /// The program that it runs as it stands, without compensation; none of a design that was planned.
+    pub program: Option<SourceFile>,
 }
 
 /// One wire, in every stage of its planning.
@@ -117,6 +120,9 @@ pub(crate) struct JobFile {
     /// What the checks objected to when a person had the job written anyway.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     objections: Vec<String>,
+    /// The program that the job runs as it stands, without compensation; absent of a design that was planned.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    program: Option<SourceFile>,
 }
 
 impl Job {
@@ -141,8 +147,8 @@ impl Job {
         if canonical_sha256(&content)? != hash {
             return Err(DocumentError::Changed { file: file.to_owned() });
         }
-        let JobFile { design_hash, machine, material, wires, objections, .. } = content;
-        let contents = JobContents { design_hash, machine, material, wires, objections };
+        let JobFile { design_hash, machine, material, wires, objections, program, .. } = content;
+        let contents = JobContents { design_hash, machine, material, wires, objections, program };
         contents.check()?;
         Ok(Self { contents, hash })
     }
@@ -169,9 +175,9 @@ impl Job {
 
 impl JobFile {
     fn of(contents: &JobContents, hash: Option<String>) -> Self {
-        let JobContents { design_hash, machine, material, wires, objections } = contents.clone();
+        let JobContents { design_hash, machine, material, wires, objections, program } = contents.clone();
         let (format, version) = (HISTORY.format.to_owned(), HISTORY.current());
-        Self { format, version, hash, design_hash, machine, material, wires, objections }
+        Self { format, version, hash, design_hash, machine, material, wires, objections, program }
     }
 }
 

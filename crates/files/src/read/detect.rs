@@ -24,7 +24,9 @@ pub fn detect(name: &str, bytes: &[u8]) -> Result<Format, ReadError> {
     let by_content = sniff(bytes);
     match (by_name.as_slice(), by_content) {
         // JSON says itself which it is; what does not gets the error of a reader, with a line.
-        ([Format::Assembly, ..], Some(found @ (Format::Wirebend | Format::Conmech))) => Ok(found),
+        ([Format::Assembly, ..], Some(found @ (Format::Wirebend | Format::Conmech | Format::Moves))) => {
+            Ok(found)
+        }
         ([Format::Assembly, ..], _) => Ok(Format::Assembly),
         (&[only], _) => Ok(only),
         (_, Some(format)) => Ok(format),
@@ -109,6 +111,9 @@ fn sniff(bytes: &[u8]) -> Option<Format> {
         // A job is no wireframe, which the reader of documents says best.
         if text.contains("\"wirebend\"") || text.contains("\"wbjob\"") {
             return Some(Format::Wirebend);
+        }
+        if text.contains("\"wbmoves\"") {
+            return Some(Format::Moves);
         }
         if text.contains("\"node_list\"") {
             return Some(Format::Assembly);

@@ -34,12 +34,14 @@ pub enum Format {
     Pensa,
     /// LRA/YBC table, or one of distances from the start: a program.
     Lra,
+    /// Recorded moves (`.wbmoves`): a program.
+    Moves,
     /// The project document `.wirebend`.
     Wirebend,
 }
 
 impl Format {
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::Obj,
         Self::Stl,
         Self::Ply,
@@ -54,6 +56,7 @@ impl Format {
         Self::Kit,
         Self::Pensa,
         Self::Lra,
+        Self::Moves,
         Self::Wirebend,
     ];
 
@@ -75,6 +78,7 @@ impl Format {
             Self::Kit => "wirebend-kit",
             Self::Pensa => "pensa",
             Self::Lra => "lra",
+            Self::Moves => "moves",
             Self::Wirebend => "wirebend",
         }
     }
@@ -97,6 +101,7 @@ impl Format {
             Self::Kit => "WireBend-kit program",
             Self::Pensa => "Pensa D.I.Wire script",
             Self::Lra => "LRA/YBC table",
+            Self::Moves => "recorded moves",
             Self::Wirebend => "WireBend project",
         }
     }
@@ -118,7 +123,20 @@ impl Format {
             Self::Kit => &["txt"],
             Self::Pensa => &["txt", "dsw", "diw"],
             Self::Lra => &["lra", "ybc", "csv", "tsv", "txt"],
+            Self::Moves => &["wbmoves"],
             Self::Wirebend => &["wirebend"],
+        }
+    }
+}
+
+impl Format {
+    /// The id of the format of drivers that writes the same, where that is the program of a machine.
+    #[must_use]
+    pub const fn written_as(self) -> Option<&'static str> {
+        match self {
+            Self::Kit => Some("wirebend-kit-text"),
+            Self::Pensa => Some("pensa-script"),
+            _ => None,
         }
     }
 }

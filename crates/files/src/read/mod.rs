@@ -17,6 +17,7 @@ mod gltf;
 mod json;
 mod kit;
 mod lra;
+mod moves;
 mod note;
 mod obj;
 mod options;
@@ -141,6 +142,7 @@ fn read_as(
         Format::Kit => kit::read(bytes, source, options),
         Format::Pensa => pensa::read(bytes, source, options),
         Format::Lra => lra::read(bytes, source, options),
+        Format::Moves => moves::read(bytes, source, options),
         Format::Wirebend => {
             let document = Document::open(bytes, name)?;
             let stencil = document.embedded_stencil().cloned();

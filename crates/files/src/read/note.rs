@@ -57,6 +57,10 @@ pub enum NoteKind {
     NegativeAngles,
     /// Rotations that no bend follows.
     RotationsUnused,
+    /// Recorded moves before the machine was homed, where a wire begins anew.
+    MovesBeforeHoming,
+    /// Wire that was drawn back behind the bend before.
+    DrawnBack,
     /// Faces with a corner twice.
     FacesCollapsed,
     /// The size of the page gives the scale of a drawing.
@@ -135,6 +139,8 @@ impl NoteKind {
             Self::EndsOnBend => "ends-on-bend",
             Self::NegativeAngles => "negative-angles",
             Self::RotationsUnused => "rotations-unused",
+            Self::MovesBeforeHoming => "moves-before-homing",
+            Self::DrawnBack => "drawn-back",
             Self::FacesCollapsed => "faces-collapsed",
             Self::PageScale => "page-scale",
             Self::PixelScale => "pixel-scale",
@@ -214,6 +220,14 @@ impl NoteKind {
             Self::RotationsUnused => {
                 ("rotation at the end without effect ignored", "rotations at the end without effect ignored")
             }
+            Self::MovesBeforeHoming => (
+                "move before the machine was homed left out: a wire begins anew there",
+                "moves before the machine was homed left out: a wire begins anew there",
+            ),
+            Self::DrawnBack => (
+                "feed back behind a bend left out: no wire follows it",
+                "feeds back behind a bend left out: no wire follows them",
+            ),
             Self::FacesCollapsed => ("face without area dropped", "faces without area dropped"),
             Self::PageScale => ("the size of the page, in mm or the like, gives the scale", ""),
             Self::PixelScale => ("no size in mm or the like: 96 px are taken as an inch", ""),

@@ -29,6 +29,8 @@ pub struct ImportedProgram {
     /// Whether a comment says that a driver of this program wrote it: then it is what a machine was told, compensated
     /// and in the machine's signs.
     pub told: bool,
+    /// Id of the machine that it is of, where its file says so: then it is in canonical signs.
+    pub machine: Option<String>,
 }
 
 /// Whether a comment is the first line of what drivers write for a machine: the hash of the design.
@@ -190,7 +192,8 @@ pub(crate) fn finish(
     notes.add(NoteKind::VerticesMerged, path.len().saturating_sub(wireframe.vertex_count()));
     let merged = (traversal.len().saturating_sub(1)).saturating_sub(wireframe.edge_count());
     notes.add(NoteKind::EdgesMerged, merged);
-    let program = ImportedProgram { program: NominalProgram::from_steps(steps), path, traversal, told };
+    let program =
+        ImportedProgram { program: NominalProgram::from_steps(steps), path, traversal, told, machine: None };
     Ok(Imported {
         format,
         wireframe,

@@ -148,6 +148,10 @@ impl<'a> OperatorThread<'a> {
         let port = self.named.clone();
         let request = RunRequest {
             job,
+            machine: None,
+            material: None,
+            // What it cannot make was refused, or accepted, with the order.
+            despite_errors: true,
             port,
             wire: Some(wire),
             how,

@@ -27,6 +27,9 @@ pub fn about(
     let said = if identity.is_empty() { String::new() } else { format!(" ({identity})") };
     let mut lines = vec![format!("{} at {}{said}", setup.machine_name(), connection.port)];
     lines.extend(connection.why_here());
+    if let Some(program) = &task.job.contents().program {
+        lines.push(format!("the program {} runs as it stands: nothing of it is compensated", program.file));
+    }
     let steps = kept.compensated.len();
     let bends = kept.compensated.iter().filter(|step| step.bend_deg != 0.0).count();
     let fed: f64 = kept.compensated.iter().map(|step| step.feed_mm).sum();

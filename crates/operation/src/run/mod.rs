@@ -27,7 +27,17 @@ use wirebend_planning::output::Output;
 /// What to run. Nothing moves unless the user confirms it: here, or when they are asked.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 pub struct RunRequest {
+    /// A job, or a program in the format of its machine, which is run as it stands.
     pub job: Input,
+    /// The machine that a program is for; a job says it itself.
+    #[serde(default)]
+    pub machine: Option<String>,
+    /// The wire that a program is for; absent, the one that the machine's profile names.
+    #[serde(default)]
+    pub material: Option<String>,
+    /// Whether to run a program although a check says that the machine cannot make it.
+    #[serde(default)]
+    pub despite_errors: bool,
     /// Where the machine is; absent, the machine that its driver simulates is taken, if it has one. A wire resumes
     /// there only where it was begun on it.
     pub port: Option<String>,

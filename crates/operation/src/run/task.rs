@@ -9,21 +9,21 @@ use wirebend_driver_host::jobs::{
 use wirebend_error::{InputName, RunTarget};
 use wirebend_files::document::{Job, JobStep, JobWire};
 
-use super::RunRequest;
 use super::interrupted::Interrupted;
 use super::report::{RunOutcome, RunResponse, WireRun};
+use super::{RunHow, RunRequest};
 use crate::FrontEnd;
 use crate::live::Reattached;
 use crate::live::{At, Connection, Unnamed};
 use crate::runs::{RunsFolder, StoredRun, record_bytes};
 use crate::{LiveProblem, OperationError};
-use wirebend_planning::Installation;
+use wirebend_planning::as_given::{GivenWires, ProgramMachine, job_of_file};
 use wirebend_planning::design::Input;
-use wirebend_planning::job::open_job;
 use wirebend_planning::job::work;
 use wirebend_planning::machine::{Setup, accepted_errors, restored};
 use wirebend_planning::output::Output;
 use wirebend_planning::report::NoteReport;
+use wirebend_planning::{Installation, PlanningError};
 
 /// A job, its machine, and the journals of its wires.
 pub struct Task<'a> {
@@ -45,8 +45,11 @@ impl<'a> Task<'a> {
     ) -> Result<Self, OperationError> {
         progress.stage("reading");
         let (file, bytes) = request.job.load()?;
-        let job = open_job(&file, &bytes)?;
+        let of =
+            ProgramMachine { machine: request.machine.as_deref(), material: request.material.as_deref() };
+        let job = job_of_file(app, &file, &bytes, of)?;
         let setup = restored(&file, job.contents())?;
+        require_feasible(&file, &job, &setup, &request)?;
         let count = job.contents().wires.len();
         if let Some(wire) = request.wire.filter(|&wire| wire >= count) {
             return Err(LiveProblem::NoWire { wire, count }.into());
@@ -110,7 +113,8 @@ impl<'a> Task<'a> {
             Input::Bytes { .. } => None,
         };
         let several = self.job.contents().wires.len() > 1;
-        RunTarget { job, wire: several.then_some(wire), port: self.request.port.clone() }
+        let RunRequest { port, machine, material, .. } = self.request.clone();
+        RunTarget { job, wire: several.then_some(wire), port, machine, material }
     }
 
     /// An answer without a wire yet.
@@ -283,6 +287,22 @@ impl<'a> Task<'a> {
             error.into()
         }
     }
+}
+
+/// Refuses a program that the machine cannot make, unless a person wants it run all the same. Who planned a job despite an error knew
+/// it.
+fn require_feasible(
+    file: &str,
+    job: &Job,
+    setup: &Setup,
+    request: &RunRequest,
+) -> Result<(), OperationError> {
+    let errors = job.contents().program.is_some() && !job.contents().objections.is_empty();
+    if !errors || request.despite_errors || request.how != RunHow::Begin {
+        return Ok(());
+    }
+    let report = Box::new(GivenWires::of(file, job, setup)?.report(setup));
+    Err(PlanningError::NotFeasible { machine: setup.machine_id().to_owned(), report }.into())
 }
 
 /// Whether nobody can read it any more. One that the system does not give, or a later program has written, can be read another time.

@@ -106,6 +106,9 @@ impl Shop {
     pub fn run(&self, job: &Input, port: &str, how: RunHow) -> Result<RunResponse, OperationError> {
         let request = RunRequest {
             job: job.clone(),
+            machine: None,
+            material: None,
+            despite_errors: false,
             port: Some(port.to_owned()),
             wire: None,
             how,

@@ -235,6 +235,7 @@ fn job(setup: &Setup, wires: &[Planned]) -> Result<Job, PlanningError> {
         material: snapshot(setup.material_id(), serde_json::to_value(&setup.material)?),
         wires: bent,
         objections: Vec::new(),
+        program: None,
     })?)
 }
 

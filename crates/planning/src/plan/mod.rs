@@ -276,6 +276,7 @@ impl Planned {
             material: snapshot(self.setup.material_id(), serde_json::to_value(&self.setup.material)?),
             wires,
             objections: self.accepted_errors().map(text::message).collect(),
+            program: None,
         })?))
     }
 }

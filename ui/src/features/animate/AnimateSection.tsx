@@ -1,6 +1,7 @@
 import { useEffect } from "react";
 import { useDesign } from "../../state/design/design";
 import { makeProgram, useProgram, useStale } from "../../state/program/program";
+import { useRunFile } from "../../state/program/run_file";
 import { useUi } from "../../state/window/ui";
 import { Section } from "../panel/Section";
 import { Contacts } from "./Contacts";
@@ -50,12 +51,13 @@ function Updates() {
   const open = useUi((ui) => ui.open.includes("animate"));
   const { vertices, edges, state } = useDesign();
   const stale = useStale();
+  const file = useRunFile((run) => run.file);
   const made = useProgram((program) => program.basis !== null);
   // biome-ignore lint/correctness/useExhaustiveDependencies: each change of the design begins the rest anew
   useEffect(() => {
-    if (!open || (made && !stale) || edges.size === 0) return;
+    if (!open || (made && !stale) || (edges.size === 0 && !file)) return;
     const timer = window.setTimeout(() => void makeProgram(), REST_MS);
     return () => window.clearTimeout(timer);
-  }, [open, made, stale, vertices, edges, state]);
+  }, [open, made, stale, vertices, edges, state, file]);
   return null;
 }

@@ -5,6 +5,7 @@ import { useDesign } from "../../state/design/design";
 import { stepOf } from "../../state/program/clock";
 import { type PlayedContact, useContacts } from "../../state/program/contacts";
 import { goTo, usePlayback, useProgram } from "../../state/program/program";
+import { useRunFindings } from "../../state/program/run_file";
 import { hitOf } from "./hits";
 import { namedSteps, spoken, stepRow } from "./steps";
 
@@ -18,6 +19,7 @@ export function StepTable() {
   const { unit, name, length } = useLengths();
   const check = useDesign((design) => design.check);
   const { contacts } = useContacts();
+  const file = useRunFindings();
   const rows = useRef<RowsHandle>(null);
   const id = useId();
   const one = program?.wires[wire];
@@ -29,7 +31,7 @@ export function StepTable() {
   }, [current]);
   if (!program || !one) return null;
   const hitsOf = (index: number) => contacts.filter(({ step }) => step === index);
-  const named = new Set(namedSteps(check?.diagnostics ?? [], program.wires.length));
+  const named = new Set(namedSteps((file ?? check)?.diagnostics ?? [], program.wires.length));
   const keys = (event: KeyboardEvent) => {
     const moves: Partial<Record<string, number>> = {
       ArrowDown: current + 1,

@@ -5,15 +5,15 @@ import { Field } from "../../shared/controls/Field";
 import { Select } from "../../shared/controls/inputs";
 import { useUnit } from "../../shared/figures/unit";
 import { Line } from "../../shared/lists/Line";
-import { useDesign } from "../../state/design/design";
 import { connect, isOpen, loadPorts, useRun } from "../../state/machine/run";
+import { useRunMachine } from "../../state/program/run_file";
 import { guess, portPhrase } from "./phrases";
 import { Ended } from "./records/Ended";
 import { interruptedPhrase } from "./records/records";
 
 /** Choosing a port, and connecting: the first time, or again after the machine has failed. */
 export function Connect() {
-  const machine = useDesign((design) => design.state?.machine ?? null);
+  const machine = useRunMachine();
   const { ports, portProblem, ordering, state, runs } = useRun();
   const unit = useUnit();
   const interrupted = interruptedPhrase(runs, unit);

@@ -6,6 +6,7 @@ import { phrase } from "./buttons";
 import { Manual } from "./by_hand/Manual";
 import { Connect } from "./Connect";
 import { Console } from "./Console";
+import { ToRun } from "./file/ToRun";
 import { QuestionDialog } from "./questions/QuestionDialog";
 import { Runs } from "./records/Runs";
 import { interruptedPhrase, unfinishedOf } from "./records/records";
@@ -43,6 +44,7 @@ export function RunSection() {
   return (
     <>
       <Section id="run" title="Run" phrase={phrase(state)} tone={tone}>
+        <ToRun state={state} />
         {connected && state ? (
           <>
             <Session state={state} />

@@ -1,16 +1,17 @@
 import { Button } from "../../shared/controls/Button";
 import { Line } from "../../shared/lists/Line";
-import { useDesign } from "../../state/design/design";
 import { useMachines } from "../../state/machine/machines";
 import type { MachineState } from "../../state/machine/operator";
 import { order } from "../../state/machine/run";
+import { useRunFile, useRunMachine } from "../../state/program/run_file";
 import { buttons, doingPhrase } from "./buttons";
 import { Fault } from "./Fault";
 import { useProspect } from "./prospect";
 
 /** Which machine is connected, how it stands, homing, and disconnecting. */
 export function Session({ state }: { readonly state: MachineState }) {
-  const designed = useDesign((design) => design.state?.machine ?? null);
+  const designed = useRunMachine();
+  const file = useRunFile((run) => run.file);
   const machines = useMachines((store) => store.machines);
   const all = buttons(state, useProspect());
   const name = (id: string | null) => machines?.find((machine) => machine.id === id)?.name ?? id ?? "none";
@@ -31,7 +32,7 @@ export function Session({ state }: { readonly state: MachineState }) {
         <ul>
           <Line
             tone="warning"
-            what={`The design is for ${name(designed)}`}
+            what={`${file ? file.name : "The design"} is for ${name(designed)}`}
             sub={`${name(state.machine)} is connected. Disconnect it to connect the other one.`}
           />
         </ul>

@@ -1,11 +1,12 @@
 import { useState } from "react";
 import { Button } from "../../shared/controls/Button";
-import { Bar, Select } from "../../shared/controls/inputs";
+import { Bar, Checkbox, Select } from "../../shared/controls/inputs";
 import { useLengths } from "../../shared/figures/unit";
 import { useDesign } from "../../state/design/design";
 import { isInWire, type MachineState } from "../../state/machine/operator";
 import { order } from "../../state/machine/run";
 import { useOtherWire } from "../../state/program/program";
+import { useRunFile } from "../../state/program/run_file";
 import { Part } from "../panel/Section";
 import { buttons } from "./buttons";
 import { Differing } from "./Differing";
@@ -20,15 +21,19 @@ export function Wire({ state }: { readonly state: MachineState }) {
   const { length, long } = useLengths();
   const [chosen, setChosen] = useState(0);
   const [accept, setAccept] = useState(false);
+  const [anyway, setAnyway] = useState(false);
   const otherWire = useOtherWire();
   const all = buttons(state, useProspect());
-  const wires = check?.wires ?? [];
+  const file = useRunFile((run) => run.file);
+  const wires = file ? file.wires : (check?.wires ?? []);
   const wire = Math.min(chosen, Math.max(wires.length - 1, 0));
   const needsAccept =
     state.settings.some(({ matters }) => matters) && !accept
       ? "The machine is set otherwise than its profile says: see below."
       : null;
-  const whyNot = all.arm ?? needsAccept;
+  // A program that the machine cannot make is armed where a person wants it all the same.
+  const despite = file?.kind === "program" && !file.feasible && all.arm === all.noWire && anyway;
+  const whyNot = (despite ? null : all.arm) ?? needsAccept;
   const under = isInWire(state.phase);
   const stock = wires[wire]?.stock_mm;
   return (
@@ -55,6 +60,11 @@ export function Wire({ state }: { readonly state: MachineState }) {
       {state.settings.length > 0 && (
         <Differing settings={state.settings} why={all.writeSettings} accept={accept} onAccept={setAccept} />
       )}
+      {file?.kind === "program" && !file.feasible && !under && (
+        <Checkbox checked={anyway} onChange={setAnyway}>
+          Run it although the machine cannot make it
+        </Checkbox>
+      )}
       {state.wire && under && (
         <div className="stack">
           <Bar done={state.wire.made} of={state.wire.of} label="Wire" />
@@ -72,7 +82,7 @@ export function Wire({ state }: { readonly state: MachineState }) {
             className="grow"
             kind={all.next === "arm" ? "primary" : "plain"}
             why={whyNot}
-            onClick={() => void order({ order: "arm", wire, accept_settings: accept })}
+            onClick={() => void order({ order: "arm", wire, accept_settings: accept, despite_errors: despite })}
           >
             Arm…
           </Button>

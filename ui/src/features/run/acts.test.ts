@@ -16,8 +16,11 @@ import { buttons } from "./buttons";
 
 beforeEach(() => platform.ask.mockClear());
 
-const RESUME: ErrorRemedy = { remedy: "resume-run", run: { job: null, port: null, wire: 0 } };
-const PROSPECT = { program: true, feasible: true };
+const RESUME: ErrorRemedy = {
+  remedy: "resume-run",
+  run: { job: null, port: null, wire: 0, machine: null, material: null },
+};
+const PROSPECT = { program: true, feasible: true, file: null };
 const state = machineState("stopped", "home", "resume-run");
 const acts = (remedies: readonly ErrorRemedy[], of = state) => actsOf(remedies, of, buttons(of, PROSPECT));
 const labels = (remedies: readonly ErrorRemedy[], of = state) => acts(remedies, of).acts.map(({ label }) => label);

@@ -9,7 +9,7 @@ const because = (phase: Phase, order: OrderName, why: Because, ...can: OrderName
   cannot: refused("busy", ...can).map((each) => (each.order === order ? { order, because: why } : each)),
 });
 
-const READY = { program: true, feasible: true };
+const READY = { program: true, feasible: true, file: null };
 
 describe("buttons", () => {
   it("lets nothing but connecting be done without a machine, and says why", () => {
@@ -67,11 +67,11 @@ describe("buttons", () => {
 
   it("arms nothing that cannot be made", () => {
     const ready = state("ready", "arm", "home");
-    expect(buttons(ready, { program: false, feasible: false })).toMatchObject({
+    expect(buttons(ready, { program: false, feasible: false, file: null })).toMatchObject({
       arm: "There is no program to run: see Check.",
       next: null,
     });
-    expect(buttons(ready, { program: true, feasible: false }).arm).toBe(
+    expect(buttons(ready, { program: true, feasible: false, file: null }).arm).toBe(
       "The machine cannot make the design: see Check.",
     );
   });

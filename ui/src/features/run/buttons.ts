@@ -1,6 +1,9 @@
 /** Which of the machine's buttons can be used, and why the others cannot, as the machine's state says. */
 
+import type { RunFileReport } from "../../generated/responses";
 import { type Because, isInWire, type MachineState, type OrderName, type Phase } from "../../state/machine/operator";
+
+type RunFileKind = RunFileReport["kind"];
 
 /** Why it cannot be used; null where it can. */
 type Why = string | null;
@@ -10,6 +13,8 @@ export interface Prospect {
   /** Whether there is a design with a program, and whether the machine can make it. */
   readonly program: boolean;
   readonly feasible: boolean;
+  /** What is run instead of the design. */
+  readonly file: RunFileKind | null;
 }
 
 export interface RunButtons {
@@ -63,13 +68,19 @@ function whyNot(state: MachineState | null, order: OrderName): Why {
   return (because === "unable" && UNABLE[order]) || BECAUSE[because];
 }
 
+/** Why there is no wire to arm. */
+function whyNoWire({ program, feasible, file }: Prospect): Why {
+  if (file === "moves") return "Recorded moves are replayed, not armed.";
+  if (!program) return "There is no program to run: see Check.";
+  if (feasible) return null;
+  return file
+    ? "The machine cannot make the program as it stands: see above."
+    : "The machine cannot make the design: see Check.";
+}
+
 export function buttons(state: MachineState | null, prospect: Prospect): RunButtons {
   const why = (order: OrderName): Why => whyNot(state, order);
-  const noWire = !prospect.program
-    ? "There is no program to run: see Check."
-    : prospect.feasible
-      ? null
-      : "The machine cannot make the design: see Check.";
+  const noWire = whyNoWire(prospect);
   const pause = state?.phase === "holding" ? "resume" : "pause";
   return {
     home: why("home"),

@@ -22,7 +22,7 @@ it("lets a person arm what collides, which the summary before it names, and not 
   const limits = { feasible: true, diagnostics: [], wires: [{ time_s: 60 }] } as unknown as LiveCheck;
   useDesign.setState({ edges: new Map([[0, { id: 0, a: 0, b: 1 }]]), limits, check: { ...limits, feasible: false } });
   at.show(<Shown />);
-  expect(JSON.parse(at.host.textContent ?? "")).toEqual({ program: true, feasible: true });
+  expect(JSON.parse(at.host.textContent ?? "")).toEqual({ program: true, feasible: true, file: null });
   act(() => useDesign.setState({ limits: { ...limits, feasible: false } }));
-  expect(JSON.parse(at.host.textContent ?? "")).toEqual({ program: true, feasible: false });
+  expect(JSON.parse(at.host.textContent ?? "")).toEqual({ program: true, feasible: false, file: null });
 });

@@ -1,4 +1,5 @@
 import { useDesign } from "../../state/design/design";
+import { useRunFile } from "../../state/program/run_file";
 import type { Prospect } from "./buttons";
 
 /**
@@ -7,8 +8,11 @@ import type { Prospect } from "./buttons";
  */
 export function useProspect(): Prospect {
   const { limits, edges } = useDesign();
+  const file = useRunFile((run) => run.file);
+  if (file) return { program: file.kind !== "moves", feasible: file.feasible || file.kind === "job", file: file.kind };
   return {
     program: edges.size > 0 && (limits?.wires.some(({ time_s }) => time_s !== null) ?? false),
     feasible: limits?.feasible ?? false,
+    file: null,
   };
 }

@@ -2,6 +2,7 @@ import { Button } from "../../shared/controls/Button";
 import { useDesign } from "../../state/design/design";
 import { openExample, useFiles } from "../../state/files/files";
 import { useByHand } from "../../state/machine/by_hand";
+import { useRunFile } from "../../state/program/run_file";
 import { run } from "../../state/window/commands";
 import { useView } from "../../state/window/view";
 import { useNeededExamples } from "./examples";
@@ -38,7 +39,8 @@ export function EmptyState() {
   const drawing = useView(({ tool }) => tool !== "select");
   const busy = useFiles((files) => files.busy);
   const byHand = useByHand(({ played }) => played !== null);
-  if (!empty || drawing || byHand) return null;
+  const file = useRunFile((run) => run.file !== null);
+  if (!empty || drawing || byHand || file) return null;
   return (
     <div className="start" aria-busy={busy !== null}>
       <h2>Drop a model or a drawing here</h2>

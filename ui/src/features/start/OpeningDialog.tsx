@@ -14,6 +14,7 @@ import { told } from "../../state/asking/problems";
 import { useDesign } from "../../state/design/design";
 import { baseName, isDrawing, type Opening, openAs, type Use, useFiles } from "../../state/files/files";
 import { likeness } from "./likeness";
+import { RunOrDesign } from "./RunOrDesign";
 
 const UNITS: readonly { value: LengthUnit; label: string }[] = [
   { value: "mm", label: "Millimetres" },
@@ -31,7 +32,9 @@ const USES: readonly { use: Use; title: string; text: string }[] = [
 /** How a file is to be read, asked once: its unit, with the size that comes out, and what becomes of it. */
 export function OpeningDialog() {
   const opening = useFiles((files) => files.opening);
-  return opening ? <Asking key={opening.path} opening={opening} /> : null;
+  if (!opening) return null;
+  const runs = opening.purpose === "design" && (opening.look.runs || opening.look.seen === "moves");
+  return runs ? <RunOrDesign key={opening.path} opening={opening} /> : <Asking key={opening.path} opening={opening} />;
 }
 
 function Asking({ opening }: { readonly opening: Opening }) {

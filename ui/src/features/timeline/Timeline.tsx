@@ -16,6 +16,7 @@ import {
   useProgram,
   useStale,
 } from "../../state/program/program";
+import { useRunFindings } from "../../state/program/run_file";
 import { useSequence } from "../../state/sequence/sequence";
 import { useWhyNot } from "../../state/window/commands";
 import { namedSteps, spoken } from "../animate/steps";
@@ -46,6 +47,7 @@ function ProgramTimeline() {
   const check = useDesign((design) => design.check);
   const byHand = useByHand(({ played, moves }) => (played ? moves : null));
   const { contacts } = useContacts();
+  const file = useRunFindings();
   const none = useWhyNot("play");
   const one = program?.wires[wire];
   const total = one?.steps.length ?? 0;
@@ -79,7 +81,7 @@ function ProgramTimeline() {
         value={step}
         of={total}
         text={one ? spoken(one, at, length) : NO_PROGRAM}
-        ticks={program ? namedSteps(check?.diagnostics ?? [], program.wires.length) : []}
+        ticks={program ? namedSteps((file ?? check)?.diagnostics ?? [], program.wires.length) : []}
         contacts={one ? contacts : []}
         off={live || !one}
         onChange={scrub}

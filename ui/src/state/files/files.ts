@@ -7,6 +7,8 @@ import { tell, told } from "../asking/problems";
 import { asking } from "../asking/work";
 import { applyChange, checkDesign, edit, showDesign, useDesign, whyNoChange } from "../design/design";
 import { inTurn, replacingDesign, settled } from "../design/turns";
+import { loadRunFile, openRunFile } from "../program/run_file";
+import { useUi } from "../window/ui";
 import { useView } from "../window/view";
 
 /** What a file is opened for: as the design, or as the surface that is traced on. */
@@ -53,9 +55,10 @@ const TABLES: FileKind = {
   name: "Tables and programs",
   extensions: ["xyz", "csv", "tsv", "txt", "lra", "ybc", "pwf", "dsw", "diw", "json"],
 };
+const RUNS: FileKind = { name: "Jobs and recorded moves", extensions: ["wbjob", "wbmoves"] };
 const ALL: FileKind = {
   name: "Everything that can be opened",
-  extensions: [DESIGNS, MODELS, DRAWINGS, TABLES].flatMap(({ extensions }) => extensions),
+  extensions: [DESIGNS, MODELS, DRAWINGS, TABLES, RUNS].flatMap(({ extensions }) => extensions),
 };
 
 /** What a file of the design is called, without the folder and the extension of what it was read from. */
@@ -76,6 +79,7 @@ export async function start(): Promise<void> {
     useFiles.setState({ version, recent, unsaved });
     for (const warning of warnings) tell("warning", errorText(warning), "start");
     await showDesign(design, []);
+    await loadRunFile();
   });
   checkDesign();
 }
@@ -134,11 +138,8 @@ export async function openPath(path: string, purpose: Purpose = "design"): Promi
   const look = await reading(baseName(path), () => told(asking("look", { design: { input: { file: path } } })));
   if (!look) return;
   if (look.seen === "job") {
-    tell(
-      "error",
-      `${baseName(path)} is a job. A job can be run but not edited. Open the design it was made from.`,
-      "is-a-job",
-    );
+    if (purpose === "design") await runFile(path);
+    else tell("error", `${baseName(path)} is a job, which has no surface to trace on.`, "is-a-job");
   } else if (needsAnswers(look, purpose)) {
     useFiles.setState({ opening: { path, purpose, look } });
   } else if (await mayLeave()) {
@@ -146,12 +147,29 @@ export async function openPath(path: string, purpose: Purpose = "design"): Promi
   }
 }
 
+/** Opens a file to be run: a job, a program of the machine's own format, or recorded moves. */
+export async function runFile(path: string): Promise<boolean> {
+  const opened = await reading(baseName(path), () => openRunFile(path));
+  if (!opened) return false;
+  useFiles.setState({ opening: null });
+  useUi.getState().showSection("run");
+  return true;
+}
+
+/** Picks a file to be run. */
+export async function pickRunFile(): Promise<void> {
+  const kinds = [{ name: "Jobs, programs and recorded moves", extensions: [...RUNS.extensions, "txt"] }, RUNS];
+  const path = await told(platform.pickFile(kinds));
+  if (path) await runFile(path);
+}
+
 /** Whether a person has to say how a file is read: its unit, or what becomes of its surface. */
 function needsAnswers(
-  { seen, asks_units, format }: Pick<LookResponse, "seen" | "asks_units" | "format">,
+  { seen, runs, asks_units, format }: Pick<LookResponse, "seen" | "runs" | "asks_units" | "format">,
   purpose: Purpose,
 ): boolean {
   if (seen === "document") return purpose === "stencil";
+  if (runs || seen === "moves") return true;
   return purpose === "stencil" || seen === "stencil" || seen === "both" || asks_units || isDrawing(format);
 }
 
@@ -197,7 +215,7 @@ function putStencil(design: DesignInput): Promise<boolean> {
 }
 
 export async function pickDesign(): Promise<void> {
-  const path = await told(platform.pickFile([ALL, DESIGNS, MODELS, DRAWINGS, TABLES]));
+  const path = await told(platform.pickFile([ALL, DESIGNS, MODELS, DRAWINGS, TABLES, RUNS]));
   if (path) await openPath(path);
 }
 

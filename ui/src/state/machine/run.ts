@@ -6,6 +6,7 @@ import { tell, told } from "../asking/problems";
 import { asking } from "../asking/work";
 import { useDesign } from "../design/design";
 import { endLive, showDoubt, showLive } from "../program/program";
+import { useRunFile } from "../program/run_file";
 import { useUi } from "../window/ui";
 import { type ConsoleLine, withLines } from "./console";
 import {
@@ -179,7 +180,7 @@ let portsAsked = 0;
 
 /** Asks for the ports that the machine of the design can be at. Of several questions only the last one's answer counts. */
 export async function loadPorts(): Promise<void> {
-  const machine = useDesign.getState().state?.machine ?? null;
+  const machine = useRunFile.getState().file?.machine ?? useDesign.getState().state?.machine ?? null;
   portsAsked += 1;
   const question = portsAsked;
   let found: Pick<RunStore, "ports" | "portProblem">;

@@ -6,6 +6,7 @@ import type { Touch } from "../../scene/interface";
 import { useDesign } from "../design/design";
 import { store, stored } from "../window/ui";
 import { isUpToDate, usePlayback, useProgram, useStale } from "./program";
+import { useRunFile } from "./run_file";
 
 /** A collision, and where in the program it is: its step with the part of it that has passed. */
 export interface PlayedContact extends ContactReport {
@@ -33,6 +34,8 @@ function played(contacts: readonly ContactReport[]): readonly PlayedContact[] {
 /** Those of all wires of the program; none where they are of another design than it is. */
 function ofProgram(upToDate: boolean): readonly PlayedContact[] {
   const { collisions, version } = useDesign.getState();
+  // They are those of the design.
+  if (useRunFile.getState().file) return NONE;
   if (!collisions || collisions.dragged || collisions.version !== version || !upToDate) return NONE;
   return played(collisions.found.contacts);
 }
@@ -47,6 +50,7 @@ const contactsNow = (): readonly PlayedContact[] => {
 export function useContacts(): { readonly contacts: readonly PlayedContact[]; readonly elsewhere: number } {
   useDesign(({ collisions }) => collisions);
   useDesign(({ version }) => version);
+  useRunFile();
   const wire = useProgram((program) => program.wire);
   const all = ofProgram(!useStale());
   const contacts = all.filter((contact) => contact.wire === wire);

@@ -1,5 +1,5 @@
 import { create } from "zustand";
-import type { MachineViewResponse, MadeResponse, ProgramResponse } from "../../generated/responses";
+import type { MachineViewResponse, MadeResponse, ProgramResponse, RunFileReport } from "../../generated/responses";
 import type { Played, Shown } from "../../scene/interface";
 import { told } from "../asking/problems";
 import { asking } from "../asking/work";
@@ -7,6 +7,7 @@ import { type DesignStore, useDesign } from "../design/design";
 import { useMachines, viewOf } from "../machine/machines";
 import type { Doubt, WireState } from "../machine/operator";
 import { playedWire } from "./played";
+import { useRunFile } from "./run_file";
 
 /** What a program is of: another one has to be made when any of this is another. */
 interface Basis {
@@ -16,6 +17,8 @@ interface Basis {
   readonly choices: string;
   /** How often profiles were changed. */
   readonly profiles: number;
+  /** The file that is run instead of the design. */
+  readonly file: RunFileReport | null;
 }
 
 interface ProgramStore {
@@ -74,8 +77,10 @@ export const usePlayback = create<PlaybackStore>()(() => ({
 export function useOtherWire(): string | null {
   const name = usePlayback(({ otherWire }) => otherWire);
   const own = useDesign(({ state }) => state?.name ?? "");
+  const file = useRunFile((run) => run.file);
   if (name === null) return null;
   const whose = name || "a design without a name";
+  if (file) return `This is the wire of ${whose}, which is not the file that is open. It is not shown.`;
   return name === own
     ? `This is the wire of ${whose}, armed before these changes. It is not shown.`
     : `This is the wire of ${whose}, which is not the open design. It is not shown.`;
@@ -85,12 +90,16 @@ function basisNow(): Basis {
   const { vertices, edges, state } = useDesign.getState();
   const { machine, material, doublings, start, wires, closed, reversed, walks } = state ?? {};
   const choices = JSON.stringify([machine, material, doublings, start, wires, closed, reversed, walks]);
-  return { vertices, edges, choices, profiles: useMachines.getState().changes };
+  const { file } = useRunFile.getState();
+  return { vertices, edges, choices, profiles: useMachines.getState().changes, file };
 }
 
 function same(a: Basis | null, b: Basis): boolean {
+  // A file is run as it is, whatever becomes of the design behind it.
+  if (a?.file && a.file === b.file) return true;
   return (
     a !== null &&
+    a.file === b.file &&
     a.vertices === b.vertices &&
     a.edges === b.edges &&
     a.choices === b.choices &&
@@ -102,6 +111,7 @@ function same(a: Basis | null, b: Basis): boolean {
 export function useStale(): boolean {
   useDesign();
   useMachines((machines) => machines.changes);
+  useRunFile();
   const basis = useProgram((program) => program.basis);
   return basis !== null && !same(basis, basisNow());
 }
@@ -118,7 +128,7 @@ export async function makeProgram(): Promise<boolean> {
   const { state } = useDesign.getState();
   // The design itself may not be here yet, such as when a machine is at work while the window is loaded.
   if (!state) return false;
-  const { machine } = state;
+  const machine = basis.file?.machine ?? state.machine;
   if (same(useProgram.getState().basis, basis)) return useProgram.getState().program !== null;
   if (useProgram.getState().asking) return false;
   asked += 1;

@@ -7,6 +7,7 @@ import { setPicking, useFrame } from "../frame/frame";
 import { showFrame, useShape } from "../frame/shape";
 import { stop } from "../machine/run";
 import { showDesignAgain, togglePlay, usePlayback } from "../program/program";
+import { useRunFile } from "../program/run_file";
 import { hideSequence, togglePlaySequence, useSequence } from "../sequence/sequence";
 import { showHints } from "./hints";
 import type { CommandId } from "./keys";
@@ -32,6 +33,9 @@ const vertices = (least: number, what: string) => () =>
 const edges = (what: string) => () =>
   operations.selectedEdges().length > 0 ? null : `Select the edges to ${what} first.`;
 const anything = () => (useDesign.getState().vertices.size > 0 ? null : "The design is empty.");
+
+/** Whether there is something to play: a design with a machine, or a file that is run. */
+const playable = () => (useRunFile.getState().file ? null : (anything() ?? machine()));
 const machine = () => (useDesign.getState().state?.machine ? null : "Choose a machine first.");
 const dialog = (name: DialogName) => () => useUi.getState().showDialog(name);
 const operation = (name: OperationName) => () => useUi.getState().showOperation(name);
@@ -176,7 +180,7 @@ const COMMANDS: Readonly<Record<CommandId, Command>> = {
   units: { run: toggleUnits },
   play: {
     run: () => (useSequence.getState().shown ? togglePlaySequence() : togglePlay()),
-    why: () => (useSequence.getState().shown ? null : (anything() ?? machine())),
+    why: () => (useSequence.getState().shown ? null : playable()),
   },
   stop: { run: stop },
   end: { run: end },

@@ -137,3 +137,80 @@ fn a_machine_that_was_connected_before_its_profile_changed_is_connected_again() 
     window.yes();
     window.until_phase("armed");
 }
+
+/// What a file holds would be compensated, or the design run in its place, without a word.
+#[test]
+fn a_job_a_program_and_a_recording_are_shown_and_run_as_they_are() {
+    let window = Window::new();
+    window.ask("open-example", json!({"id": "house"}));
+    let designed = window.ask("program", json!({}))["job_hash"].clone();
+    let job = window.home.path().join("house.wbjob");
+    window.ask("save-job", json!({"output": {"path": job, "force": false}}));
+    window.ask("new", json!({"machine": "wirebend-kit"}));
+    let open = |path: &Path| window.ask("open-run-file", json!({"file": {"file": path}}))["file"].clone();
+    let figures = |told: &Value| {
+        let steps = told["steps"].as_array().unwrap().iter();
+        steps.map(|step| step["told"].clone()).collect::<Vec<_>>()
+    };
+
+    let file = open(&job);
+    assert_eq!(
+        (&file["kind"], &file["job_hash"], &file["feasible"]),
+        (&json!("job"), &designed, &json!(true))
+    );
+    assert_eq!(window.ask("program", json!({}))["job_hash"], designed);
+    assert_eq!(window.ask("made", json!({}))["by_machine"], json!(true));
+
+    let text = window.file("two.txt", b"F 40\nB 60.5\nF 35\n");
+    assert_eq!(window.ask("look", super::file(&text))["runs"], json!(true));
+    let file = open(&text);
+    assert_eq!((&file["kind"], &file["feasible"]), (&json!("program"), &json!(true)));
+    let program = window.ask("program", json!({}));
+    let told = figures(&program["wires"][0]);
+    assert_eq!(told[0], json!({"feed_mm": 40.0, "rotate_deg": 0.0, "bend_deg": 60.5}), "not compensated");
+    window.connect();
+    window.order(&json!({"order": "arm", "wire": 0}));
+    let asked = window.until(|state| state["question"].is_object())["question"].clone();
+    assert!(asked["lines"].to_string().contains("two.txt runs as it stands"), "{asked}");
+    window.yes();
+    window.until_phase("armed");
+    window.order(&json!({"order": "start"}));
+    let over = window.until(|state| state["busy"] == false && state["wire"]["made"] == 2);
+    assert_eq!(
+        over["wire"]["job_hash"], program["job_hash"],
+        "the steps light up in the program that is shown"
+    );
+
+    // What the machine cannot make is refused unless a person wants it.
+    let bad = open(&window.file("bad.txt", b"F 10\nB 45\nF 30\n"));
+    assert_eq!(bad["feasible"], json!(false));
+    assert_eq!(bad["findings"][0]["severity"], json!("error"));
+    let refused = window.try_ask("order", json!({"request": {"order": "arm", "wire": 0}})).unwrap_err();
+    assert_eq!(serde_json::to_value(&refused).unwrap()["code"], json!("not-feasible"));
+
+    let moves = json!({"format": "wbmoves", "version": 1, "machine": "wirebend-kit", "profile_hash": "0".repeat(64),
+        "moves": [{"move": "home"}, {"move": "feed", "mm": 40.0}, {"move": "bend", "deg": 45.0}, {"move": "feed", "mm": 30.0}]});
+    let moves = window.file("corner.wbmoves", moves.to_string().as_bytes());
+    assert_eq!(window.ask("look", super::file(&moves))["seen"], json!("moves"));
+    let file = open(&moves);
+    assert_eq!((&file["kind"], &file["moves"]), (&json!("moves"), &json!(4)));
+    let program = window.ask("program", json!({}));
+    assert_eq!(program["job_hash"], json!(null), "no wire of a job is one of it");
+    assert_eq!(figures(&program["wires"][0]).len(), 2);
+    assert!(window.try_ask("order", json!({"request": {"order": "arm", "wire": 0}})).is_err());
+    // It becomes a design, and then it is the design that is run.
+    let opened = window.ask("open", super::file(&moves));
+    assert_eq!(opened["design"]["edges"].as_array().unwrap().len(), 2);
+    assert_eq!(window.ask("run-file", json!({}))["file"], json!(null));
+}
+
+/// The numbers of another machine's program mean something else.
+#[test]
+fn a_program_of_another_machine_is_not_run() {
+    let window = Window::new();
+    window.ask("new", json!({"machine": "grbl-bender"}));
+    let text = window.file("two.txt", b"F 40\nB 60.5\nF 35\n");
+    assert_eq!(window.ask("look", super::file(&text))["runs"], json!(false));
+    let refused = window.try_ask("open-run-file", json!({"file": {"file": text}})).unwrap_err();
+    assert_eq!(serde_json::to_value(&refused).unwrap()["code"], json!("format-of-another"));
+}

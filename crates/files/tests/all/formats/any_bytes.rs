@@ -56,6 +56,7 @@ pub fn valid_files() -> Vec<(Format, Vec<u8>)> {
         text(Format::Pensa, "FEED 10 (x)\nROTATE -90\nBEND 45\nPINZ -5\nFEED 20\n"),
         text(Format::Lra, "L,R,A,CLR\n10,0,90,5\n20,-,45,5\n30\n"),
         text(Format::Lra, "D_mm,Rabs_deg,A_deg,CLR_mm\n10,350,90,5\n37.85,10,45,5\n71.78\n"),
+        (Format::Moves, include_bytes!("../../../../../fuzz/seeds/moves/corner.wbmoves").to_vec()),
         (Format::Wirebend, document.to_bytes().unwrap()),
     ];
     files.extend(drawings);

@@ -305,9 +305,9 @@ fn formats_are_told_by_name_and_by_content() {
     assert_eq!(told("-", "solid x\nendsolid\n"), Some(Format::Stl));
     assert_eq!(import("notes.txt", "Dear diary").unwrap_err().code(), "read-unknown-format");
     let error = import("notes.doc", "Dear diary").unwrap_err();
-    expect!["read-unknown-format: notes.doc: this is none of the known formats (obj, stl, ply, 3mf, gltf, dxf, svg, xyz, assembly, conmech, pwf, wirebend-kit, pensa, lra, wirebend) [ChooseFileFormat]"].assert_eq(&format!("{}: {error} {:?}", error.code(), error.remedies()));
+    expect!["read-unknown-format: notes.doc: this is none of the known formats (obj, stl, ply, 3mf, gltf, dxf, svg, xyz, assembly, conmech, pwf, wirebend-kit, pensa, lra, moves, wirebend) [ChooseFileFormat]"].assert_eq(&format!("{}: {error} {:?}", error.code(), error.remedies()));
     assert_eq!(told("a.txt", "L,R,A\n1,2,3\n"), Some(Format::Lra));
-    expect![[r#""step" is no format that can be read; they are obj, stl, ply, 3mf, gltf, dxf, svg, xyz, assembly, conmech, pwf, wirebend-kit, pensa, lra, wirebend"#]].assert_eq(&"step".parse::<Format>().unwrap_err().to_string());
+    expect![[r#""step" is no format that can be read; they are obj, stl, ply, 3mf, gltf, dxf, svg, xyz, assembly, conmech, pwf, wirebend-kit, pensa, lra, moves, wirebend"#]].assert_eq(&"step".parse::<Format>().unwrap_err().to_string());
     assert_eq!("Pensa".parse(), Ok(Format::Pensa));
 }
 

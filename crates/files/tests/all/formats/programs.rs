@@ -111,3 +111,27 @@ fn a_program_that_a_driver_wrote_is_known() {
     // A table is of the finished part, whoever wrote it.
     assert!(!told("a.csv", format!("# design {hash}\nL,R,A\n10,0,0\n")));
 }
+
+#[test]
+fn a_recording_is_a_program_whose_feeds_and_turns_between_two_bends_add_up() {
+    let moves = r#"{"format": "wbmoves", "version": 1, "machine": "kit", "profile_hash": "", "moves": [
+        {"move": "feed", "mm": 99}, {"move": "home"},
+        {"move": "feed", "mm": 30}, {"move": "rotate", "deg": 40}, {"move": "feed", "mm": -5}, {"move": "rotate", "deg": 50},
+        {"move": "bend", "deg": 45}, {"move": "feed", "mm": -2}, {"move": "bend", "deg": 10}, {"move": "feed", "mm": 20}]}"#;
+    let imported = import("corner.wbmoves", moves).unwrap();
+    let program = imported.program.as_ref().unwrap();
+    assert_eq!(
+        (imported.format, program.told, program.machine.as_deref()),
+        (Format::Moves, true, Some("kit"))
+    );
+    assert_eq!(program.program.steps, [step(25., 90., 45.), step(0., 0., 10.), step(20., 0., 0.)]);
+    let said = notes(&imported.notes);
+    assert!(
+        said.contains(&"1 move before the machine was homed left out: a wire begins anew there".to_owned())
+    );
+    assert!(said.contains(&"1 feed back behind a bend left out: no wire follows it".to_owned()), "{said:?}");
+    // By its contents, too; and what is newer is not guessed.
+    assert_eq!(wirebend_files::read::detect("corner.json", moves.as_bytes()).unwrap(), Format::Moves);
+    let newer = moves.replace("\"version\": 1", "\"version\": 2");
+    assert!(import("corner.wbmoves", &newer).unwrap_err().to_string().contains("version 2"));
+}

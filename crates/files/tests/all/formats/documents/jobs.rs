@@ -26,6 +26,7 @@ pub(super) fn example_job() -> JobContents {
             avoids_collisions: false,
         }],
         objections: vec!["edge 1 is too short".into()],
+        program: None,
     }
 }
 

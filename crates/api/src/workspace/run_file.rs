@@ -1,0 +1,219 @@
+//! A job, a program or a recording that is open to be shown and run. The design stays as it is behind it.
+
+use std::path::PathBuf;
+use std::sync::{Arc, PoisonError};
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use wirebend_files::document::Job;
+use wirebend_files::read::Format;
+use wirebend_planning::PlanningError;
+use wirebend_planning::as_given::{GivenWires, ProgramMachine, job_of_file, job_of_moves};
+use wirebend_planning::job::is_job;
+use wirebend_planning::machine::{Setup, accepted_errors, restored};
+use wirebend_planning::report::{DiagnosticReport, NoteReport};
+
+use super::{MadeResponse, ProgramResponse, Workspace};
+use crate::{ApiError, Input, MovesFile, Progress};
+
+/// Opens a job, a program in the format of the design's machine, or a recording, to be shown and run.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct OpenRunFile {
+    pub file: Input,
+}
+
+/// Closes it: the design is shown and run again.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct CloseRunFile {}
+
+/// Asks which is open.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct RunFileRequest {}
+
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct RunFileNow {
+    /// Null where none is open: the design is run.
+    pub file: Option<RunFileReport>,
+}
+
+/// What is open to be run.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct RunFileReport {
+    /// Name of the file, without its folder.
+    pub name: String,
+    /// Where it is; null for bytes.
+    pub path: Option<PathBuf>,
+    pub kind: RunFileKind,
+    /// Machine and wire that it is for.
+    pub machine: String,
+    pub material: String,
+    /// Hash of the job that it is run as; another one where the same name holds other contents.
+    pub job_hash: String,
+    pub wires: Vec<RunFileWire>,
+    /// How many moves a recording has.
+    pub moves: usize,
+    /// Whether the machine can make it, as its profile was when a job was planned.
+    pub feasible: bool,
+    /// What the checks say of its wires, errors first.
+    pub findings: Vec<DiagnosticReport>,
+    /// Errors despite which a job was planned.
+    pub notes: Vec<NoteReport>,
+}
+
+/// What a file to be run is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum RunFileKind {
+    /// A sealed job, run as it was planned.
+    Job,
+    /// A program in the machine's own format, run as it stands: nothing of it is compensated.
+    Program,
+    /// Recorded moves, which are replayed.
+    Moves,
+}
+
+/// A wire of it.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct RunFileWire {
+    pub steps: usize,
+    /// Wire that is fed, mm.
+    pub length_mm: f64,
+    /// Stock to load, mm.
+    pub stock_mm: f64,
+    pub time_s: f64,
+}
+
+/// What is open to be run, with all that is shown of it.
+pub(super) struct RunFile {
+    pub report: RunFileReport,
+    job: Job,
+    setup: Setup,
+    wires: GivenWires,
+}
+
+impl RunFile {
+    /// Its job, as an order takes it; a program that the machine cannot make only where a person wants it.
+    pub fn job(&self, despite_errors: bool) -> Result<Input, ApiError> {
+        let RunFileReport { name, kind, feasible, .. } = &self.report;
+        if *kind == RunFileKind::Moves {
+            return Err(PlanningError::NotAJob { name: name.clone() }.into());
+        }
+        // Who planned a job despite an error knew it.
+        if *kind == RunFileKind::Program && !feasible && !despite_errors {
+            let (machine, report) = (self.setup.machine_id().to_owned(), self.wires.report(&self.setup));
+            return Err(PlanningError::NotFeasible { machine, report: Box::new(report) }.into());
+        }
+        let stem = name.rsplit_once('.').map_or(name.as_str(), |(stem, _)| stem);
+        Ok(Input::Bytes {
+            name: format!("{stem}.wbjob"),
+            bytes: self.job.to_bytes().map_err(PlanningError::from)?,
+        })
+    }
+
+    pub fn program(&self) -> ProgramResponse {
+        let RunFileReport { machine, material, kind, feasible, job_hash, .. } = self.report.clone();
+        ProgramResponse {
+            machine,
+            material,
+            diameter_mm: self.setup.model.wire.diameter.mm(),
+            feasible,
+            // What is replayed is no wire of a job.
+            job_hash: (kind != RunFileKind::Moves).then_some(job_hash),
+            wires: self.wires.played(&self.setup),
+            without: 0,
+        }
+    }
+}
+
+impl Workspace {
+    pub(crate) fn open_run_file(
+        &self,
+        asked: &OpenRunFile,
+        progress: &dyn Progress,
+    ) -> Result<RunFileNow, ApiError> {
+        progress.stage("reading");
+        let (name, bytes) = asked.file.load()?;
+        let app = self.installation();
+        let design = self.open().state();
+        let of = ProgramMachine { machine: design.machine.as_deref(), material: design.material.as_deref() };
+        let moves = is_recording(&name, &bytes);
+        let (kind, job, moves) = if moves {
+            let count = MovesFile::open(&name, &bytes)?.moves.len();
+            (RunFileKind::Moves, job_of_moves(&app, &name, &bytes, of)?, count)
+        } else {
+            let kind = if is_job(&name, &bytes) { RunFileKind::Job } else { RunFileKind::Program };
+            (kind, job_of_file(&app, &name, &bytes, of)?, 0)
+        };
+        let setup = restored(&name, job.contents())?;
+        let wires = GivenWires::of(&name, &job, &setup)?;
+        let (path, own) = match &asked.file {
+            Input::File(path) => (Some(path.clone()), crate::workspace::name_of(path)),
+            Input::Bytes { name, .. } => (None, name.clone()),
+        };
+        let report = RunFileReport {
+            name: own,
+            path: path.clone(),
+            kind,
+            machine: setup.machine_id().to_owned(),
+            material: setup.material_id().to_owned(),
+            job_hash: job.hash().to_owned(),
+            wires: job.contents().wires.iter().map(RunFileWire::of).collect(),
+            moves,
+            feasible: wires.feasible(),
+            findings: wires.findings().map(DiagnosticReport::from).collect(),
+            notes: if kind == RunFileKind::Job { accepted_errors(job.contents()) } else { Vec::new() },
+        };
+        if let Some(path) = path {
+            self.remember(&path);
+        }
+        self.put_run_file(Some(RunFile { report, job, setup, wires }));
+        Ok(self.run_file_now())
+    }
+
+    pub(crate) fn close_run_file(&self, _: &CloseRunFile, _: &dyn Progress) -> Result<RunFileNow, ApiError> {
+        self.put_run_file(None);
+        Ok(self.run_file_now())
+    }
+
+    pub(crate) fn ask_run_file(&self, _: &RunFileRequest, _: &dyn Progress) -> Result<RunFileNow, ApiError> {
+        Ok(self.run_file_now())
+    }
+
+    fn run_file_now(&self) -> RunFileNow {
+        RunFileNow { file: self.run_file().map(|file| file.report.clone()) }
+    }
+
+    /// What is open to be run instead of the design.
+    pub(super) fn run_file(&self) -> Option<Arc<RunFile>> {
+        self.run_file.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
+    pub(super) fn put_run_file(&self, file: Option<RunFile>) {
+        *self.run_file.lock().unwrap_or_else(PoisonError::into_inner) = file.map(Arc::new);
+    }
+
+    /// How the machine bends what is open to be run.
+    pub(super) fn made_of_file(
+        &self,
+        file: &RunFile,
+        progress: &dyn Progress,
+    ) -> Result<MadeResponse, ApiError> {
+        super::program::made_of(&self.installation(), &file.report.name, &file.setup, &file.job, progress)
+    }
+}
+
+impl RunFileWire {
+    fn of(wire: &wirebend_files::document::JobWire) -> Self {
+        Self {
+            steps: wire.compensated.len(),
+            length_mm: wire.compensated.iter().map(|step| step.feed_mm).sum(),
+            stock_mm: wire.stock_mm,
+            time_s: wire.time_s,
+        }
+    }
+}
+
+/// Whether a file is a recording of moves.
+pub(super) fn is_recording(name: &str, bytes: &[u8]) -> bool {
+    matches!(wirebend_files::read::detect(name, bytes), Ok(Format::Moves))
+}

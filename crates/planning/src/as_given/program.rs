@@ -1,0 +1,140 @@
+//! A program of a machine's own format as a job: it is run as it stands, and nothing of it is compensated.
+
+use std::path::PathBuf;
+
+use nalgebra::Point3;
+use wirebend_core::bend::{Frame, Step, replay};
+use wirebend_core::compensate::CompensatedProgram;
+use wirebend_core::estimate::stock;
+use wirebend_core::units::Length;
+use wirebend_files::document::{Job, JobContents, JobStep, JobWire, ProfileSnapshot, SourceFile, sha256_hex};
+use wirebend_files::read::{Format, ReadError, decode, wireframe_of_path};
+
+use super::GivenWires;
+use crate::design::{DesignInput, Opened, default_weld_mm};
+use crate::job::{is_job, open_job};
+use crate::machine::Setup;
+use crate::output::file_name;
+use crate::program::ProgramKind;
+use crate::turning_back::corner_to_corner;
+use crate::{Installation, PlanningError, text};
+
+/// A feed that stands for none at all, mm: two bends at one place have their directions by it. More than vertices are welded at,
+/// and too small to see.
+const HAIR_MM: f64 = 0.002;
+
+/// For which machine and wire a program is, which it does not say itself.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct ProgramMachine<'a> {
+    pub machine: Option<&'a str>,
+    /// Absent, the one that the machine's profile names.
+    pub material: Option<&'a str>,
+}
+
+/// The job of a file: a sealed one as it is, and of a program in the format of its machine one that runs it as it stands.
+pub fn job_of_file(
+    app: &Installation,
+    name: &str,
+    bytes: &[u8],
+    of: ProgramMachine,
+) -> Result<Job, PlanningError> {
+    if is_job(name, bytes) || decode(bytes).trim().is_empty() {
+        return open_job(name, bytes);
+    }
+    let not_a_job = || PlanningError::NotAJob { name: name.to_owned() };
+    let opened = read(name, bytes).map_err(|error| match error {
+        // What is nothing else is no job either.
+        PlanningError::Read(ReadError::UnknownFormat { .. }) => not_a_job(),
+        error => error,
+    })?;
+    if opened.program.is_none() || opened.format == Format::Moves {
+        return Err(not_a_job());
+    }
+    let machine = of.machine.ok_or_else(|| PlanningError::NoMachine { known: app.machine_ids() })?;
+    let setup = app.setup(machine, of.material)?;
+    require_own(&opened, &setup)?;
+    of_program(name, bytes, &opened, &setup)
+}
+
+/// Recorded moves as a job of the machine that they were recorded on, so that they can be shown. They are run by replaying them.
+pub fn job_of_moves(
+    app: &Installation,
+    name: &str,
+    bytes: &[u8],
+    of: ProgramMachine,
+) -> Result<Job, PlanningError> {
+    let opened = read(name, bytes)?;
+    let recorded = opened.recorded_on().ok_or_else(|| PlanningError::NotAJob { name: name.to_owned() })?;
+    let material = of.material.filter(|_| of.machine == Some(recorded));
+    let setup = app.setup(recorded, material)?;
+    of_program(name, bytes, &opened, &setup)
+}
+
+fn read(name: &str, bytes: &[u8]) -> Result<Opened, PlanningError> {
+    let input = DesignInput { program: Some(ProgramKind::Compensated), ..DesignInput::file(PathBuf::new()) };
+    input.open_bytes(name.to_owned(), bytes)
+}
+
+/// Refuses a program of another machine's format: its numbers mean something else there.
+fn require_own(opened: &Opened, setup: &Setup) -> Result<(), PlanningError> {
+    let own = setup.machine.profile.export.native.clone();
+    let format = opened.format.written_as();
+    if format.is_some() && format == own.as_deref() {
+        return Ok(());
+    }
+    Err(PlanningError::FormatOfAnother {
+        format: format.unwrap_or(opened.format.name()).to_owned(),
+        machine: setup.machine_id().to_owned(),
+        known: own.into_iter().collect(),
+    })
+}
+
+fn of_program(name: &str, bytes: &[u8], opened: &Opened, setup: &Setup) -> Result<Job, PlanningError> {
+    let program = opened.program.as_ref().ok_or_else(|| PlanningError::NotAJob { name: name.to_owned() })?;
+    let told = program.commanded(setup.signs)?;
+    let hair = Length::from_mm(HAIR_MM).unwrap_or_default();
+    let mut shape: Vec<Step> = corner_to_corner(&told, setup);
+    for step in &mut shape {
+        step.feed = if step.feed < hair { hair } else { step.feed };
+    }
+    let path = replay(Frame::default(), &shape);
+    let commanded = CompensatedProgram::from_job_steps(told);
+    let steps: Vec<JobStep> = shape.iter().copied().map(JobStep::from).collect();
+    let wire = JobWire {
+        vertices: vertices(name, &path)?,
+        path_mm: path.iter().map(|point| [point.x, point.y, point.z]).collect(),
+        nominal: steps.clone(),
+        spans: (0..steps.len()).map(|k| [k, k + 1]).collect(),
+        scheduled: steps,
+        stock_mm: stock(&commanded, setup.model.limits.tail.value).mm(),
+        time_s: setup.model.time.seconds(&commanded),
+        compensated: commanded.steps().iter().copied().map(JobStep::from).collect(),
+        avoids_collisions: false,
+    };
+    let snapshot = |id: &str, value| ProfileSnapshot { id: id.to_owned(), snapshot: value };
+    let sha256 = sha256_hex(bytes);
+    let contents = JobContents {
+        // It has no design: what it was made from is the program itself.
+        design_hash: sha256.clone(),
+        machine: snapshot(setup.machine_id(), serde_json::to_value(&setup.machine)?),
+        material: snapshot(setup.material_id(), serde_json::to_value(&setup.material)?),
+        wires: vec![wire],
+        objections: Vec::new(),
+        program: Some(SourceFile { file: file_name(std::path::Path::new(name)), sha256 }),
+    };
+    let checked = GivenWires::of(name, &Job::seal(contents.clone())?, setup)?;
+    let errors = checked.findings().filter(|finding| finding.is_error());
+    let objections = text::kept(|| errors.map(text::message).collect());
+    Ok(Job::seal(JobContents { objections, ..contents })?)
+}
+
+/// An id for each point of a path; points that lie on each other have the same one.
+fn vertices(name: &str, path: &[Point3<f64>]) -> Result<Vec<u32>, PlanningError> {
+    let weld = Length::from_mm(default_weld_mm()).unwrap_or_default();
+    let damaged = |reason: String| PlanningError::DamagedJob { name: name.to_owned(), reason };
+    let (_, order) = wireframe_of_path(path, weld).map_err(|(_, error)| damaged(error.to_string()))?;
+    if order.len() != path.len() {
+        return Err(damaged("its wire stays at a vertex".to_owned()));
+    }
+    Ok(order.iter().map(|id| id.0).collect())
+}

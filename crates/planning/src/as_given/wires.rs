@@ -1,0 +1,131 @@
+//! The wires of a job as they are: played, and held against the limits of its machine. Nothing is planned anew.
+
+use nalgebra::Point3;
+use wirebend_core::bend::{NominalProgram, program_of_path};
+use wirebend_core::checks::Diagnostic;
+use wirebend_core::compensate::CompensatedProgram;
+use wirebend_core::plan::{WirePlan, check_given};
+use wirebend_core::route::{Doubling, Route};
+use wirebend_core::schedule::ScheduledProgram;
+use wirebend_core::units::{Angle, Length};
+use wirebend_core::wireframe::{Component, Vertex, VertexId, Wireframe};
+use wirebend_files::document::{Job, JobWire};
+
+use crate::PlanningError;
+use crate::machine::{Setup, kept_steps};
+use crate::playback::{PlayedWire, played};
+use crate::report::{DiagnosticReport, PlanReport, WireReport};
+
+/// The wires of a job, each with the stages that the job has kept.
+pub struct GivenWires {
+    wires: Vec<(Wireframe, WirePlan)>,
+}
+
+impl GivenWires {
+    /// `name`: of the job, for errors; `setup`: its machine and material.
+    pub fn of(name: &str, job: &Job, setup: &Setup) -> Result<Self, PlanningError> {
+        let wires = job.contents().wires.iter().map(|wire| given(name, wire, setup));
+        Ok(Self { wires: wires.collect::<Result<_, _>>()? })
+    }
+
+    /// The wires as they are played. Their vertices and edges are those of no open design.
+    #[must_use]
+    pub fn played(&self, setup: &Setup) -> Vec<PlayedWire> {
+        let mut wires: Vec<PlayedWire> =
+            self.wires.iter().filter_map(|(_, plan)| played(plan, &setup.model.time)).collect();
+        for step in wires.iter_mut().flat_map(|wire| &mut wire.steps) {
+            (step.vertex, step.edges) = (None, Vec::new());
+        }
+        wires
+    }
+
+    /// What the checks say of all wires, errors first.
+    pub fn findings(&self) -> impl Iterator<Item = &Diagnostic> {
+        self.wires.iter().flat_map(|(_, plan)| &plan.diagnostics)
+    }
+
+    /// Whether the machine can make all of them.
+    #[must_use]
+    pub fn feasible(&self) -> bool {
+        self.wires.iter().all(|(_, plan)| plan.is_feasible())
+    }
+
+    /// The same as a report.
+    #[must_use]
+    pub fn report(&self, setup: &Setup) -> PlanReport {
+        let report = |(wireframe, plan): &(Wireframe, WirePlan)| {
+            WireReport::new(wireframe, self.wires.len(), plan, setup, std::collections::BTreeMap::new())
+        };
+        let mut wires: Vec<WireReport> = self.wires.iter().map(report).collect();
+        if wires.len() == 1 {
+            return PlanReport::One(Box::new(wires.remove(0)));
+        }
+        let diagnostics: Vec<DiagnosticReport> = Vec::new();
+        PlanReport::Several { wires, diagnostics, feasible: self.feasible() }
+    }
+}
+
+fn given(name: &str, wire: &JobWire, setup: &Setup) -> Result<(Wireframe, WirePlan), PlanningError> {
+    let damaged = |reason: String| PlanningError::DamagedJob { name: name.to_owned(), reason };
+    let path: Vec<Point3<f64>> = wire.path_mm.iter().copied().map(Point3::from).collect();
+    let order: Vec<VertexId> = wire.vertices.iter().copied().map(VertexId).collect();
+    let wireframe = wireframe(&path, &order).map_err(|error| damaged(error.to_string()))?;
+    let route =
+        Route::through(&wireframe, &order).ok_or_else(|| damaged("its wire stays at a vertex".to_owned()))?;
+    let (start, _) =
+        program_of_path(&path, setup.model.straight).map_err(|error| damaged(error.to_string()))?;
+    let steps = kept_steps(&wire.scheduled)?;
+    let mut head = Angle::ZERO;
+    let turned = steps.iter().map(|step| {
+        head += step.rotate;
+        head
+    });
+    let head = turned.collect();
+    let mut plan = WirePlan {
+        component: Component {
+            vertices: wireframe.vertices().map(|(id, _)| id).collect(),
+            edges: wireframe.edges().map(|(id, _)| id).collect(),
+        },
+        doubled: route.traversals.iter().filter(|along| along.again).map(|along| along.edge).collect(),
+        proposal: Doubling::default(),
+        route: Some(route),
+        path,
+        start,
+        nominal: Some(NominalProgram {
+            steps: kept_steps(&wire.nominal)?,
+            spans: wire.spans.iter().map(|&[from, to]| from..to).collect(),
+        }),
+        scheduled: Some(ScheduledProgram { steps, head }),
+        compensated: Some(CompensatedProgram::from_job_steps(kept_steps(&wire.compensated)?)),
+        searched: None,
+        contacts: None,
+        diagnostics: Vec::new(),
+        seconds: Some(wire.time_s),
+        stock: Some(Length::from_mm(wire.stock_mm).unwrap_or_default()),
+    };
+    plan.diagnostics = check_given(&wireframe, &setup.model, &plan);
+    Ok((wireframe, plan))
+}
+
+/// The struts of a wire: a vertex for each id, an edge for each two that follow one another.
+fn wireframe(
+    path: &[Point3<f64>],
+    order: &[VertexId],
+) -> Result<Wireframe, wirebend_core::wireframe::WireframeError> {
+    let mut wireframe = Wireframe::new();
+    for (&point, &id) in path.iter().zip(order) {
+        if wireframe.vertex(id).is_none() {
+            wireframe.insert_vertex(id, Vertex::at(point))?;
+        }
+    }
+    for pair in order.windows(2) {
+        let joined = wireframe
+            .incident(pair[0])
+            .iter()
+            .any(|&edge| wireframe.edge(edge).is_some_and(|ends| ends.other(pair[0]) == pair[1]));
+        if pair[0] != pair[1] && !joined {
+            wireframe.add_edge(pair[0], pair[1])?;
+        }
+    }
+    Ok(wireframe)
+}
