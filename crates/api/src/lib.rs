@@ -34,8 +34,8 @@ pub use wirebend_operation::{
     Answer, Answers, Cancellation, ConnectRequest, Decided, Decision, Doubt, FrontEnd, HeadAsked,
     HeadProblem, LeftBecause, LiveProblem, MachineEvent, MachineState, Move, MovesFile, Observer,
     OperationError, Operator, OperatorError, OperatorEvent, OperatorListener, Order, OrderName, Outcome,
-    PartInWire, Phase, Prompt, Question, QuestionKind, Record, RunHow, RunOutcome, RunRequest, RunResponse,
-    StoppedIn, ToldBy, Unfinished, Wait, WireRun, WireState, Wish,
+    PartInWire, Phase, Piece, PiecesReport, Prompt, Question, QuestionKind, Record, Repeat, RunHow,
+    RunOutcome, RunRequest, RunResponse, StoppedIn, ToldBy, Unfinished, Wait, WireRun, WireState, Wish,
 };
 pub use wirebend_planning::calibrate::{
     CalibrateApplyRequest, CalibrateApplyResponse, CalibrateCompareRequest, CalibrateCompareResponse,

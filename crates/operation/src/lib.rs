@@ -14,6 +14,7 @@ pub mod live;
 pub mod machine_settings;
 pub mod operator;
 mod order;
+mod pieces;
 pub mod ports;
 pub mod run;
 pub mod runs;
@@ -29,6 +30,8 @@ pub use operator::{
     QuestionKind, Unfinished, WireState,
 };
 pub use order::{Answer, Move, Order};
+pub use pieces::{PiecesReport, Repeat};
 pub use run::{LeftBecause, RunHow, RunOutcome, RunRequest, RunResponse, StoppedIn, WireRun};
 pub use runs::{Outcome, PartInWire, Record, ToldBy};
+pub use wirebend_driver_host::jobs::Piece;
 pub use wirebend_driver_host::{Because, OrderName, Phase, RefusedOrder};

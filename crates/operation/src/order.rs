@@ -11,6 +11,7 @@ use wirebend_error::InputName;
 use wirebend_planning::{PartOfStep, PlanningError};
 
 use crate::event::Decided;
+use crate::pieces::Repeat;
 
 /// One axis by an amount, in canonical signs, or homing.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -51,6 +52,9 @@ pub enum Order {
     Arm {
         /// Index of the wire, from 0.
         wire: usize,
+        /// How many pieces of it are bent in a row; before each a person is asked.
+        #[serde(default)]
+        repeat: Repeat,
         /// Whether to bend it although the machine's settings are not those of its profile.
         #[serde(default)]
         accept_settings: bool,

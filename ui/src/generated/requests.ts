@@ -474,6 +474,7 @@ export type Order =
        */
       despite_errors?: boolean;
       order: "arm";
+      repeat?: Repeat;
       /**
        * Index of the wire, from 0.
        */
@@ -1045,6 +1046,16 @@ export interface OpenRunFile {
  */
 export interface OrderMachine {
   request: Order;
+}
+/**
+ * How many pieces are bent in a row, and from how much wire.
+ */
+export interface Repeat {
+  pieces: number;
+  /**
+   * Length of the wire that is loaded, mm: as long as it suffices, no new wire is asked for. Absent, it is not known.
+   */
+  stock_mm?: number | null;
 }
 /**
  * What a person says of one step. It counts for that step alone, however often it is said.

@@ -590,7 +590,7 @@ export type InputName =
 /**
  * What a question is about.
  */
-export type QuestionKind = "head" | "move" | "arm" | "go-on" | "doubt" | "said" | "settings";
+export type QuestionKind = "head" | "move" | "arm" | "piece" | "go-on" | "doubt" | "said" | "settings";
 /**
  * What reports that a step is done.
  */
@@ -2081,6 +2081,10 @@ export interface Unfinished {
    */
   of: number;
   /**
+   * Which piece it is, where several were to be bent in a row.
+   */
+  piece: Piece | null;
+  /**
    * Where it was begun.
    */
   port: string;
@@ -2094,6 +2098,19 @@ export interface Unfinished {
    * Index of the wire, from 0.
    */
   wire: number;
+}
+/**
+ * One of several pieces of the same, which are bent in a row.
+ */
+export interface Piece {
+  /**
+   * Counted from 1.
+   */
+  number: number;
+  /**
+   * How many there were to be.
+   */
+  of: number;
 }
 /**
  * How far a wire is.
@@ -2126,6 +2143,10 @@ export interface WireState {
    */
   of: number;
   /**
+   * Which piece it is, where several are bent in a row.
+   */
+  piece: Piece | null;
+  /**
    * What is estimated to be left, s.
    */
   remaining_s: number;
@@ -2133,6 +2154,10 @@ export interface WireState {
    * The last that the machine has taken.
    */
   sent: number;
+  /**
+   * Wire that is left before it, mm; null where that is not known.
+   */
+  stock_left_mm: number | null;
   /**
    * Index of the wire in its job, from 0.
    */
@@ -4337,6 +4362,10 @@ export interface RunEntry {
    */
   outcome: Outcome | null;
   /**
+   * Which piece it is, where several were to be bent in a row.
+   */
+  piece: Piece | null;
+  /**
    * Why nothing is known of it, where its journal cannot be read; then the rest is absent.
    */
   problem: string | null;
@@ -4474,6 +4503,10 @@ export interface Heading {
    * Name of the design.
    */
   name: string;
+  /**
+   * Which piece it is, where several of the same were to be bent in a row; absent otherwise.
+   */
+  piece?: Piece | null;
   /**
    * The port that the machine is at.
    */
@@ -4771,6 +4804,7 @@ export interface RunResponse {
    * What a person should know.
    */
   notes: NoteReport[];
+  pieces: PiecesReport;
   /**
    * Where the machine was; null where none was connected.
    */
@@ -4779,6 +4813,23 @@ export interface RunResponse {
    * The wires, in the order in which they were run.
    */
   wires: WireRun[];
+}
+/**
+ * How far they are.
+ */
+export interface PiecesReport {
+  /**
+   * How many came to their end.
+   */
+  made: number;
+  /**
+   * How many there were to be.
+   */
+  of: number;
+  /**
+   * Wire that is left, mm; null where it is not known.
+   */
+  stock_left_mm: number | null;
 }
 /**
  * What became of one wire.
@@ -4809,6 +4860,10 @@ export interface WireRun {
    */
   made: number;
   outcome: RunOutcome;
+  /**
+   * Which piece it is of, where there were to be several.
+   */
+  piece: Piece | null;
   /**
    * What failed, or why it was stopped without a request.
    */

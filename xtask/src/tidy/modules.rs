@@ -47,7 +47,7 @@ const ORDER: &[(&str, &str)] = &[
     ),
     (
         "crates/operation",
-        "event phase order error front_end runs calibrate live ports machine_settings simulate run by_hand operator",
+        "event phase pieces order error front_end runs calibrate live ports machine_settings simulate run by_hand operator",
     ),
     ("crates/api", "error places workspace requests asking"),
     (

@@ -51,6 +51,12 @@ pub(crate) struct RunArgs {
     /// Bend this wire alone, counted from 1
     #[arg(long, value_name = "N")]
     pub wire: Option<NonZeroUsize>,
+    /// Bend so many pieces of the same, one after the other; before each you are asked
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=10_000), conflicts_with_all = ["resume", "abandon"])]
+    pub repeat: u32,
+    /// Length of the wire that is loaded, in mm: new wire is asked for only when what is left does not suffice
+    #[arg(long, value_name = "MM", value_parser = length)]
+    pub stock: Option<f64>,
     /// Resume what was interrupted; with an answer, state what became of step N, which is in doubt: made:N, not-made:N, as-counted:N (the rest of it is bent from where the machine has counted), part:N:MM:DEGREES (from what was fed and turned as you measure it)
     #[arg(long, value_name = "ANSWER", num_args = 0..=1, require_equals = true, default_missing_value = "ask", conflicts_with = "abandon", value_parser = answer)]
     pub resume: Option<Answer>,
@@ -71,6 +77,12 @@ pub(crate) struct RunArgs {
 /// What a person says of a step in doubt; nothing where they are to be asked.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Answer(pub Option<Decided>);
+
+fn length(text: &str) -> Result<f64, String> {
+    number(text)
+        .filter(|mm| *mm > 0.0)
+        .ok_or_else(|| "expected a length in mm above 0, such as 2000".to_owned())
+}
 
 fn degrees(text: &str) -> Result<f64, String> {
     number(text).ok_or_else(|| "expected a number such as 12.5".to_owned())

@@ -3,8 +3,8 @@
 use std::io::Write;
 
 use wirebend_api::{
-    DoneBy, JogResponse, LeftBecause, MachineSettingsResponse, PortsResponse, RunOutcome, RunResponse,
-    SeverityName, Standstill, StoppedBy, StoppedIn, Usb, WireRun, shown_deg,
+    DoneBy, JogResponse, LeftBecause, MachineSettingsResponse, PiecesReport, PortsResponse, RunOutcome,
+    RunResponse, SeverityName, Standstill, StoppedBy, StoppedIn, Usb, WireRun, shown_deg,
 };
 
 use super::number::{count, duration};
@@ -27,9 +27,31 @@ pub(super) fn run(out: &mut impl Write, err: &mut impl Write, found: &RunRespons
             }
             None => "because the wire before them was not done",
         };
-        writeln!(err, "not begun: wire {}, {why}", left.join(", "))?;
+        if found.pieces.of > 1 {
+            let pieces = count((found.pieces.of - found.pieces.made) as usize, "piece", "pieces");
+            let why = match found.left_because {
+                Some(LeftBecause::NobodyAsked) => {
+                    "because nobody could be asked whether the piece before is cut off: run them at a terminal"
+                }
+                _ => why,
+            };
+            writeln!(err, "not begun: {pieces}, {why}")?;
+        } else {
+            writeln!(err, "not begun: wire {}, {why}", left.join(", "))?;
+        }
     }
+    pieces(err, found.pieces)?;
     written(err, found.files.iter())
+}
+
+/// How many pieces are done, and what is left of the wire.
+fn pieces(err: &mut impl Write, pieces: PiecesReport) -> std::io::Result<()> {
+    let PiecesReport { made, of, stock_left_mm } = pieces;
+    if of == 1 {
+        return Ok(());
+    }
+    let left = stock_left_mm.map_or_else(String::new, |mm| format!("; {mm:.0} mm of wire are left"));
+    writeln!(err, "{made} of {of} pieces finished{left}")
 }
 
 fn one_wire(out: &mut impl Write, err: &mut impl Write, wire: &WireRun) -> std::io::Result<()> {
@@ -54,7 +76,9 @@ fn one_wire(out: &mut impl Write, err: &mut impl Write, wire: &WireRun) -> std::
         RunOutcome::Failed => format!("failed with {made}"),
         RunOutcome::Abandoned => format!("given up with {made}"),
     };
-    writeln!(out, "wire {}: {outcome} (record {id})", index + 1)?;
+    let piece =
+        wire.piece.map_or_else(String::new, |piece| format!("piece {} of {}, ", piece.number, piece.of));
+    writeln!(out, "{piece}wire {}: {outcome} (record {id})", index + 1)?;
     if let Some(worst) = wire.worst_deviation_mm() {
         writeln!(out, "  the worst vertex of the simulated wire is {worst:.2} mm off")?;
     }

@@ -31,7 +31,10 @@ fn row(run: &RunEntry) -> [String; 7] {
     [
         run.id.clone(),
         text(&run.started),
-        text(&run.name),
+        run.piece.map_or_else(
+            || text(&run.name),
+            |piece| format!("{}, {} of {}", text(&run.name), piece.number, piece.of),
+        ),
         text(&run.machine),
         format!("{} of {}", run.made.unwrap_or_default(), run.steps.unwrap_or_default()),
         format!("{}{interruptions}", run.outcome.map_or("", outcome)),

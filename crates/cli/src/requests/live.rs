@@ -1,8 +1,8 @@
 //! The requests of what moves a machine, or asks it.
 
 use wirebend_api::{
-    Answers, Command, JogRequest, MachineSettingsRequest, Output, PortsRequest, ReplayRequest, RunHow,
-    RunRequest, RunsExportRequest, RunsRequest, RunsShowRequest,
+    Answers, Command, JogRequest, MachineSettingsRequest, Output, PortsRequest, Repeat, ReplayRequest,
+    RunHow, RunRequest, RunsExportRequest, RunsRequest, RunsShowRequest,
 };
 
 use super::{Prepared, input, place};
@@ -22,6 +22,8 @@ pub(super) fn run(args: RunArgs) -> anyhow::Result<Command> {
         at,
         zero,
         wire,
+        repeat,
+        stock,
         resume,
         abandon,
         accept_settings,
@@ -42,6 +44,7 @@ pub(super) fn run(args: RunArgs) -> anyhow::Result<Command> {
         despite_errors,
         port: at.port,
         wire,
+        repeat: Repeat { pieces: repeat, stock_mm: stock },
         how,
         answers,
         accept_settings,

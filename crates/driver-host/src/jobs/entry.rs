@@ -142,6 +142,16 @@ pub enum ToldBy {
     Person,
 }
 
+/// One of several pieces of the same, which are bent in a row.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Piece {
+    /// Counted from 1.
+    pub number: u32,
+    /// How many there were to be.
+    pub of: u32,
+}
+
 /// What is to be bent, of what, on which machine.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Heading {
@@ -154,6 +164,9 @@ pub struct Heading {
     pub name: String,
     /// Index of the wire, from 0.
     pub wire: usize,
+    /// Which piece it is, where several of the same were to be bent in a row; absent otherwise.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub piece: Option<Piece>,
     /// How many steps it has.
     pub steps: u32,
     /// Id of the machine's profile.

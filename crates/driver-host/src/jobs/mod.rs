@@ -24,7 +24,7 @@ mod time_estimator;
 mod wire_job;
 
 pub use clock::{Clock, SystemClock, stamped};
-pub use entry::{Entry, EntryKind, Heading, ToldBy};
+pub use entry::{Entry, EntryKind, Heading, Piece, ToldBy};
 pub use error::JobError;
 pub use journal::{Journal, JournalError, Written};
 pub use journal_state::{JobState, JournalState};

@@ -38,6 +38,8 @@ pub enum QuestionKind {
     Move,
     /// Whether a wire may be bent once it is started.
     Arm,
+    /// Whether the next of several pieces may be bent: the one before has to be cut off.
+    Piece,
     /// Whether a machine that holds, or a wire that was interrupted, may resume.
     #[serde(rename = "go-on")]
     Resume,

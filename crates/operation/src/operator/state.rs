@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 use wirebend_driver_host::api::{DoneBy, SettingCheck};
+use wirebend_driver_host::jobs::Piece;
 use wirebend_driver_host::{OrderName, Phase, RefusedOrder, WireProgress};
 use wirebend_error::ProblemReport;
 
@@ -59,6 +60,10 @@ pub struct WireState {
     pub name: String,
     /// Index of the wire in its job, from 0.
     pub wire: usize,
+    /// Which piece it is, where several are bent in a row.
+    pub piece: Option<Piece>,
+    /// Wire that is left before it, mm; null where that is not known.
+    pub stock_left_mm: Option<f64>,
     /// The last step that is done, or whose time is over where the machine does not report that.
     pub made: u32,
     /// Whether the machine or the clock says so.
@@ -86,6 +91,8 @@ impl WireState {
             job_hash: task.job.hash().to_owned(),
             name,
             wire,
+            piece: task.pieces.get().piece(),
+            stock_left_mm: task.pieces.get().left_mm(),
             made,
             done_by,
             sent: made,

@@ -178,7 +178,9 @@ impl<'a> OperatorThread<'a> {
             Order::Home => self.home(),
             Order::Jog { moves, record } => self.jog(moves, *record),
             Order::Replay { file, other_machine } => self.replay(file.as_deref(), *other_machine),
-            &Order::Arm { wire, accept_settings, .. } => self.arm(of_job()?, wire, accept_settings),
+            &Order::Arm { wire, repeat, accept_settings, .. } => {
+                self.arm(of_job()?, wire, repeat, accept_settings)
+            }
             Order::Disarm => {
                 self.armed = None;
                 Ok(())

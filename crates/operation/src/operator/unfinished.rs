@@ -2,7 +2,7 @@
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use wirebend_driver_host::jobs::JournalError;
+use wirebend_driver_host::jobs::{JournalError, Piece};
 
 use crate::run::Task;
 use crate::runs::{RunsFolder, StoredRun};
@@ -18,6 +18,8 @@ pub struct Unfinished {
     pub name: String,
     /// Index of the wire, from 0.
     pub wire: usize,
+    /// Which piece it is, where several were to be bent in a row.
+    pub piece: Option<Piece>,
     /// Where it was begun.
     pub port: String,
     pub started: String,
@@ -46,6 +48,7 @@ impl Unfinished {
             job_hash: heading.job_hash.clone(),
             name: heading.name.clone(),
             wire: heading.wire,
+            piece: heading.piece,
             port: heading.port.clone(),
             started: written.entries.first().map(|entry| entry.at.clone()).unwrap_or_default(),
             made: state.done,
@@ -83,6 +86,7 @@ impl Unfinished {
                     job_hash: task.job.hash().to_owned(),
                     name: task.request.job.stem(),
                     wire,
+                    piece: None,
                     port: String::new(),
                     started: String::new(),
                     made: 0,

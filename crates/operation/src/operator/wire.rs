@@ -1,6 +1,7 @@
 //! A wire: armed, started, resumed, given up.
 
-use wirebend_driver_host::{OrderName, PermitKind, Phase, Standstill};
+use wirebend_driver_host::api::DoneBy;
+use wirebend_driver_host::{OrderName, Permit, PermitKind, Phase, Standstill};
 use wirebend_planning::PlanningError;
 
 use super::armed::ArmedWire;
@@ -12,14 +13,20 @@ use super::unfinished::Unfinished;
 use crate::error::OperatorError;
 use crate::live::{Answers, Connection, Unnamed, Zero, connect};
 use crate::run::{Task, about};
-use crate::{Decided, LiveProblem, OperationError, RunHow, RunRequest, RunResponse};
+use crate::{Decided, LiveProblem, OperationError, Repeat, RunHow, RunRequest, RunResponse};
 use wirebend_planning::design::Input;
 
 impl<'a> OperatorThread<'a> {
     /// Checks a wire and asks; nothing moves.
-    pub fn arm(&mut self, job: Input, wire: usize, accept_settings: bool) -> Result<(), OperationError> {
+    pub fn arm(
+        &mut self,
+        job: Input,
+        wire: usize,
+        repeat: Repeat,
+        accept_settings: bool,
+    ) -> Result<(), OperationError> {
         self.armed = None;
-        let task = self.task(job, wire, RunHow::Begin, accept_settings)?;
+        let task = self.task(job, wire, RunHow::Begin, repeat, accept_settings)?;
         task.require_clear(wire).inspect_err(|_| self.look_for_unfinished(&task, wire))?;
         let homes = self.homes_first();
         let connection = self.connected(OrderName::Arm)?;
@@ -27,11 +34,12 @@ impl<'a> OperatorThread<'a> {
         task.require_within(connection, wire, 1)?;
         self.settle_head(OrderName::Arm, homes)?;
         let connection = self.connected(OrderName::Arm)?;
-        let lines = about(&task, connection, wire, true, homes)?;
+        let lines = about(&task, connection, wire, Some(task.wire_lines(wire)?), homes)?;
         let question = "Is the wire in, and may the machine move once it is started?";
         let permit = self.ask(QuestionKind::Arm, PermitKind::Wire, lines, question)?;
         let connection = self.connected(OrderName::Arm)?;
         connection.wire_used = false;
+        task.wire_confirmed(wire)?;
         let done_by = connection.session.done_by();
         // A user who has asked for a wire has their hands at the machine.
         self.jog_permit = None;
@@ -40,25 +48,51 @@ impl<'a> OperatorThread<'a> {
     }
 
     pub fn start(&mut self) -> Result<(), OperationError> {
-        let homes = self.homes_first();
         let phase = self.shared.state().phase;
-        let not_now = OperatorError::NotNow { order: OrderName::Start, phase };
-        let ArmedWire { task, wire, permit, .. } = self.armed.take().ok_or_else(|| not_now.clone())?;
-        // Another program may have begun it meanwhile.
-        task.require_clear(wire)?;
-        if homes {
-            // Before anything of the wire is written down.
-            self.ask_zero(OrderName::Start, Zero::Wire)?;
+        let not_now = || OperatorError::NotNow { order: OrderName::Start, phase };
+        let ArmedWire { task, wire, mut permit, done_by } = self.armed.take().ok_or_else(not_now)?;
+        loop {
+            let homes = self.homes_first();
+            // Another program may have begun it meanwhile.
+            task.require_clear(wire)?;
+            if homes {
+                // Before anything of the wire is written down.
+                self.ask_zero(OrderName::Start, Zero::Wire)?;
+            }
+            let connection = self.connection.take().ok_or_else(not_now)?;
+            let mut response = task.response();
+            response.port = Some(connection.port.clone());
+            response.identity = Some(connection.session.identity().to_owned());
+            self.at_reference = false;
+            let (connection, made) = task.make(connection, wire, homes, permit, &mut response);
+            self.connection = connection;
+            let whole = response.wires.last().is_some_and(|made| made.outcome.is_whole());
+            if whole {
+                task.wire_made(wire, true)?;
+                response.pieces = task.pieces.get().report();
+            }
+            self.tell_run(&task, wire, response);
+            made?;
+            if !whole || task.pieces.get().are_done() {
+                return Ok(());
+            }
+            permit = self.ask_for_next(&task, wire, done_by)?;
         }
-        let connection = self.connection.take().ok_or(not_now)?;
-        let mut response = task.response();
-        response.port = Some(connection.port.clone());
-        response.identity = Some(connection.session.identity().to_owned());
-        self.at_reference = false;
-        let (connection, made) = task.make(connection, wire, homes, permit, &mut response);
-        self.connection = connection;
-        self.tell_run(&task, wire, response);
-        made
+    }
+
+    /// Asks for the next of several pieces. Nothing moves before a person has cut off the one before.
+    fn ask_for_next(&mut self, task: &Task, wire: usize, done_by: DoneBy) -> Result<Permit, OperationError> {
+        let next = WireState::of(task, wire, task.request.job.stem(), 0, done_by);
+        self.shared.change(|state| state.wire = Some(next));
+        let homes = self.homes_first();
+        let connection = self.connected(OrderName::Start)?;
+        let lines = about(task, connection, wire, Some(task.wire_lines(wire)?), homes)?;
+        let question = task.pieces.get().question(task.wire(wire)?);
+        let permit = self.ask(QuestionKind::Piece, PermitKind::Wire, lines, question)?;
+        task.wire_confirmed(wire)?;
+        let told = WireState::of(task, wire, task.request.job.stem(), 0, done_by);
+        self.shared.change(|state| state.wire = Some(told));
+        Ok(permit)
     }
 
     /// Resumes through the connection that there is, or through a new one where that has failed: there the machine
@@ -71,7 +105,7 @@ impl<'a> OperatorThread<'a> {
         accept_settings: bool,
     ) -> Result<(), OperationError> {
         self.armed = None;
-        let task = self.task(job, wire, RunHow::Resume { decided }, accept_settings)?;
+        let task = self.task(job, wire, RunHow::Resume { decided }, Repeat::default(), accept_settings)?;
         let mut response = task.response();
         let Some(interrupted) = task.interrupted(&mut response)? else {
             self.tell_run(&task, wire, response);
@@ -131,7 +165,7 @@ impl<'a> OperatorThread<'a> {
     }
 
     pub fn abandon(&mut self, job: Input, wire: usize) -> Result<(), OperationError> {
-        let task = self.task(job, wire, RunHow::Abandon, false)?;
+        let task = self.task(job, wire, RunHow::Abandon, Repeat::default(), false)?;
         let response = task.abandon()?;
         self.tell_run(&task, wire, response);
         Ok(())
@@ -143,6 +177,7 @@ impl<'a> OperatorThread<'a> {
         job: Input,
         wire: usize,
         how: RunHow,
+        repeat: Repeat,
         accept_settings: bool,
     ) -> Result<Task<'a>, OperationError> {
         let port = self.named.clone();
@@ -154,6 +189,7 @@ impl<'a> OperatorThread<'a> {
             despite_errors: true,
             port,
             wire: Some(wire),
+            repeat,
             how,
             answers: Answers::default(),
             accept_settings,

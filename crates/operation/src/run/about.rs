@@ -13,12 +13,13 @@ use wirebend_planning::machine::planned_despite;
 use wirebend_planning::report::shown_deg;
 use wirebend_planning::text::shown;
 
-/// What will happen to a wire. `anew`: it is begun, with new wire. `homes`: the reference is found first.
+/// What will happen to a wire. `begins`: what to see to where it is begun; none where it resumes. `homes`: the reference is found
+/// first.
 pub fn about(
     task: &Task,
     connection: &Connection,
     wire: usize,
-    anew: bool,
+    begins: Option<Vec<String>>,
     homes: bool,
 ) -> Result<Vec<String>, OperationError> {
     let kept = task.wire(wire)?;
@@ -36,18 +37,11 @@ pub fn about(
     let which = if count > 1 { format!("wire {} of {count}", wire + 1) } else { "the wire".to_owned() };
     let (steps, bends) = (counted(steps, "step"), counted(bends, "bend"));
     let seconds = task.work(wire, connection)?.estimates.iter().map(Duration::as_secs_f64).sum();
+    let anew = begins.is_some();
     // How long the rest of a wire that was begun takes is not estimated.
     let time = if anew { format!("; {} on the machine", minutes(seconds)) } else { String::new() };
     lines.push(format!("{which}: {steps}, {bends}, {:.1} fed{time}", Mm(fed)));
-    if anew {
-        let tail = kept.stock_mm - fed;
-        lines.push(format!(
-            "load at least {:.0} of {} (includes {:.0} unusable tail)",
-            Mm(kept.stock_mm.ceil()),
-            setup.material_name(),
-            Mm(tail)
-        ));
-    }
+    lines.extend(begins.into_iter().flatten());
     if connection.wire_used {
         let what = if anew {
             "wire was fed or bent by hand before: put in new wire, or cut off what sticks out of the nozzle"

@@ -24,29 +24,38 @@ impl Task<'_> {
         let mut response = self.response();
         response.port = Some(connection.port.clone());
         response.identity = Some(connection.session.identity().to_owned());
-        for (place, &wire) in wanted.iter().enumerate() {
-            let permit = match self.ask(&mut connection, wire, place == 0) {
-                Ok(permit) => permit,
-                // Wires that are done stay done: the answer lists the rest.
-                Err(OperationError::Live(problem)) if place > 0 => {
-                    response.left_because = Some(match problem {
-                        LiveProblem::NotConfirmed | LiveProblem::ZeroNotConfirmed => LeftBecause::NobodyAsked,
-                        _ => LeftBecause::Declined,
-                    });
-                    response.left = wanted[place..].to_vec();
-                    break;
+        while !self.pieces.get().are_done() {
+            for (place, &wire) in wanted.iter().enumerate() {
+                let first = place == 0 && self.pieces.get().report().made == 0;
+                let permit = match self.ask(&mut connection, wire, first) {
+                    Ok(permit) => permit,
+                    // Wires that are done stay done: the answer lists the rest.
+                    Err(OperationError::Live(problem)) if !first => {
+                        response.left_because = Some(match problem {
+                            LiveProblem::NotConfirmed | LiveProblem::ZeroNotConfirmed => {
+                                LeftBecause::NobodyAsked
+                            }
+                            _ => LeftBecause::Declined,
+                        });
+                        response.left = wanted[place..].to_vec();
+                        response.notes.append(&mut connection.observer.warnings);
+                        return Ok(response);
+                    }
+                    Err(error) => return Err(error),
+                };
+                let homes = connection.can_home();
+                let (back, made) = self.make(connection, wire, homes, permit, &mut response);
+                made?;
+                // It is given back where the wire was finished or interrupted.
+                let Some(back) = back else { return Ok(response) };
+                connection = back;
+                if !response.wires.last().is_some_and(|made| made.outcome.is_whole()) {
+                    response.left = wanted[place + 1..].to_vec();
+                    response.notes.append(&mut connection.observer.warnings);
+                    return Ok(response);
                 }
-                Err(error) => return Err(error),
-            };
-            let homes = connection.can_home();
-            let (back, made) = self.make(connection, wire, homes, permit, &mut response);
-            made?;
-            // It is given back where the wire was finished or interrupted.
-            let Some(back) = back else { return Ok(response) };
-            connection = back;
-            if !response.wires.last().is_some_and(|made| made.outcome.is_whole()) {
-                response.left = wanted[place + 1..].to_vec();
-                break;
+                self.wire_made(wire, place + 1 == wanted.len())?;
+                response.pieces = self.pieces.get().report();
             }
         }
         response.notes.append(&mut connection.observer.warnings);
@@ -54,20 +63,45 @@ impl Task<'_> {
     }
 
     fn ask(&self, connection: &mut Connection, wire: usize, first: bool) -> Result<Permit, OperationError> {
-        let lines = about(self, connection, wire, true, connection.can_home())?;
+        let lines = about(self, connection, wire, Some(self.wire_lines(wire)?), connection.can_home())?;
         let question = if first {
             "Is the wire in, and may the machine move?"
         } else {
-            "Is the wire before taken out and new wire in, and may the machine move?"
+            self.pieces.get().question(self.wire(wire)?)
         };
         // The person who said yes with the request could not know when the wire before would be done.
         let (session, confirmed) = (&mut connection.session, first && self.request.answers.confirmed);
         let permit = ask_permit(session, self.progress, PermitKind::Wire, lines, question, confirmed)?;
+        self.wire_confirmed(wire)?;
         if connection.can_home() {
             // Before anything of the wire is written down.
             connection.ask_zero(Zero::Wire)?;
         }
         Ok(permit)
+    }
+
+    /// What to see to before a wire is bent from its beginning.
+    pub fn wire_lines(&self, wire: usize) -> Result<Vec<String>, OperationError> {
+        Ok(self.pieces.get().lines(self.setup.material_name(), self.wire(wire)?))
+    }
+
+    /// A person has said that there is wire for this one.
+    pub fn wire_confirmed(&self, wire: usize) -> Result<(), OperationError> {
+        let mut pieces = self.pieces.get();
+        pieces.confirmed(self.wire(wire)?);
+        self.pieces.set(pieces);
+        Ok(())
+    }
+
+    /// A wire came to its end; `last`: it is the last of its piece.
+    pub fn wire_made(&self, wire: usize, last: bool) -> Result<(), OperationError> {
+        let mut pieces = self.pieces.get();
+        pieces.wire_made(self.wire(wire)?);
+        if last {
+            pieces.piece_made();
+        }
+        self.pieces.set(pieces);
+        Ok(())
     }
 
     /// Bends a wire from its beginning. `homes`: the machine homes first. The connection is given
@@ -114,6 +148,7 @@ impl Task<'_> {
             design_hash: work.run.design_hash.clone(),
             name: work.run.name.clone(),
             wire,
+            piece: self.pieces.get().piece(),
             steps: work.run.steps,
             machine: work.run.machine.clone(),
             driver: connection.driver_id.clone(),

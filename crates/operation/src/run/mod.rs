@@ -16,7 +16,7 @@ use serde::Deserialize;
 
 use crate::FrontEnd;
 use crate::live::Answers;
-use crate::{Decided, OperationError};
+use crate::{Decided, OperationError, Repeat};
 pub use about::about;
 pub use report::{LeftBecause, RunOutcome, RunResponse, StoppedIn, WireRun};
 pub use task::Task;
@@ -43,6 +43,9 @@ pub struct RunRequest {
     pub port: Option<String>,
     /// Index of the one wire to bend, from 0; absent, all of them.
     pub wire: Option<usize>,
+    /// How many pieces of the same are bent in a row.
+    #[serde(default)]
+    pub repeat: Repeat,
     /// Whether to begin, to resume, or to give up.
     #[serde(default)]
     pub how: RunHow,

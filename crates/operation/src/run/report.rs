@@ -5,9 +5,11 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::Serialize;
 use wirebend_driver_host::api::DoneBy;
+use wirebend_driver_host::jobs::Piece;
 use wirebend_driver_host::{Standstill, StoppedBy};
 use wirebend_error::{ProblemReport, RunTarget};
 
+use crate::PiecesReport;
 use wirebend_planning::PartOfStep;
 use wirebend_planning::report::{JobStep, NoteReport};
 
@@ -27,6 +29,8 @@ pub struct RunResponse {
     pub left: Vec<usize>,
     /// Why not; null where nothing is left, or a wire before them was not finished.
     pub left_because: Option<LeftBecause>,
+    /// How many pieces of the same came to their end.
+    pub pieces: PiecesReport,
     /// What a person should know.
     pub notes: Vec<NoteReport>,
     /// The records that were written where they were asked for.
@@ -62,6 +66,8 @@ pub struct StoppedIn {
 pub struct WireRun {
     /// Its index, from 0.
     pub wire: usize,
+    /// Which piece it is of, where there were to be several.
+    pub piece: Option<Piece>,
     /// The id of its record: see `wirebend runs`.
     pub id: String,
     /// What became of it.
@@ -130,7 +136,7 @@ impl RunOutcome {
     }
 
     /// Whether it came to its end just now.
-    pub(super) const fn is_whole(self) -> bool {
+    pub const fn is_whole(self) -> bool {
         matches!(self, Self::Made | Self::Sent)
     }
 }

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use wirebend_driver_host::jobs::{JobRun, Journal, Resume, Settled};
+use wirebend_driver_host::jobs::{JobRun, Journal, Piece, Resume, Settled};
 use wirebend_driver_host::{Permit, PermitKind, Standstill};
 use wirebend_error::InputName;
 
@@ -63,13 +63,14 @@ impl Task<'_> {
             .require_settings(self.setup.machine_id(), self.request.accept_settings)
             .map_err(OperationError::from)
             .and_then(|()| self.require_within(&connection, wire, journal.state().done + 1))
-            .and_then(|()| {
-                Ok((about(self, &connection, wire, false, false)?, self.work(wire, &connection)?))
-            });
+            .and_then(|()| Ok((about(self, &connection, wire, None, false)?, self.work(wire, &connection)?)));
         let (mut lines, work) = match ready {
             Ok(ready) => ready,
             Err(error) => return (Some(connection), Err(error)),
         };
+        if let Some(Piece { number, of }) = journal.state().heading.piece {
+            lines.push(format!("it is piece {number} of {of}; those after it are ordered anew"));
+        }
         let begun_at = &journal.state().heading.port;
         if *begun_at != connection.port {
             lines.push(format!("it was begun at {begun_at}"));

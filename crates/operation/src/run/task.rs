@@ -1,5 +1,6 @@
 //! What is to be bent, and where its journals are.
 
+use std::cell::Cell;
 use std::path::Path;
 
 use wirebend_driver_host::api::DoneBy;
@@ -15,6 +16,7 @@ use super::{RunHow, RunRequest};
 use crate::FrontEnd;
 use crate::live::Reattached;
 use crate::live::{At, Connection, Unnamed};
+use crate::pieces::Pieces;
 use crate::runs::{RunsFolder, StoredRun, record_bytes};
 use crate::{LiveProblem, OperationError};
 use wirebend_planning::as_given::{GivenWires, ProgramMachine, job_of_file};
@@ -35,6 +37,7 @@ pub struct Task<'a> {
     pub setup: Setup,
     pub folder: RunsFolder,
     pub clock: SystemClock,
+    pub pieces: Cell<Pieces>,
 }
 
 impl<'a> Task<'a> {
@@ -55,9 +58,14 @@ impl<'a> Task<'a> {
             return Err(LiveProblem::NoWire { wire, count }.into());
         }
         let folder = RunsFolder::of(app)?;
-        let task = Self { app, request, progress, file, job, setup, folder, clock: SystemClock::default() };
+        let pieces = Cell::new(Pieces::new(request.repeat)?);
+        let clock = SystemClock::default();
+        let task = Self { app, request, progress, file, job, setup, folder, clock, pieces };
         for wire in task.wanted() {
-            task.record_output(wire).map_or(Ok(()), |output| output.check())?;
+            task.pieces.get().require_enough(task.wire(wire)?)?;
+            for piece in 1..=task.request.repeat.pieces {
+                task.record_output(wire, piece).map_or(Ok(()), |output| output.check())?;
+            }
         }
         Ok(task)
     }
@@ -128,6 +136,7 @@ impl<'a> Task<'a> {
             wires: Vec::new(),
             left: Vec::new(),
             left_because: None,
+            pieces: self.pieces.get().report(),
             notes: accepted_errors(self.job.contents()),
             files: Vec::new(),
         }
@@ -145,6 +154,7 @@ impl<'a> Task<'a> {
         let kept = self.wire(wire)?;
         Ok(WireRun {
             wire,
+            piece: self.pieces.get().piece(),
             id: id.to_owned(),
             outcome,
             made,
@@ -171,14 +181,18 @@ impl<'a> Task<'a> {
         Ok((at(&kept.scheduled), at(&kept.compensated)))
     }
 
-    fn record_output(&self, wire: usize) -> Option<Output> {
+    /// `piece`: from 1. Of several wires or pieces each has a file of its own.
+    fn record_output(&self, wire: usize, piece: u32) -> Option<Output> {
         let Output { path, force } = self.request.record.clone()?;
-        if self.wanted().len() < 2 {
+        let pieces = (self.request.repeat.pieces > 1).then(|| format!("-{piece}"));
+        let wires = (self.wanted().len() > 1).then(|| format!("-{}", wire + 1));
+        if pieces.is_none() && wires.is_none() {
             return Some(Output { path, force });
         }
+        let which = pieces.unwrap_or_default() + &wires.unwrap_or_default();
         let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let extension = path.extension().map(|e| format!(".{}", e.to_string_lossy())).unwrap_or_default();
-        Some(Output { path: path.with_file_name(format!("{stem}-{}{extension}", wire + 1)), force })
+        Some(Output { path: path.with_file_name(format!("{stem}{which}{extension}")), force })
     }
 
     /// Writes a record beside its journal, and to where it was asked for.
@@ -201,7 +215,8 @@ impl<'a> Task<'a> {
                 remedies: Vec::new(),
             });
         }
-        if let Some(output) = self.record_output(wire) {
+        let piece = self.pieces.get().piece().map_or(1, |piece| piece.number);
+        if let Some(output) = self.record_output(wire, piece) {
             response.files.push(output.save(&record_bytes(record)?)?);
         }
         Ok(())

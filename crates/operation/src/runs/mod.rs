@@ -11,6 +11,7 @@ pub use wirebend_driver_host::jobs::{Outcome, PartInWire, Record, ToldBy};
 use crate::FrontEnd;
 use crate::OperationError;
 pub use folder::{RunsFolder, StoredRun, record_bytes};
+use wirebend_driver_host::jobs::Piece;
 use wirebend_planning::Installation;
 use wirebend_planning::output::Output;
 
@@ -29,6 +30,8 @@ pub struct RunEntry {
     pub job_hash: Option<String>,
     /// Index of the wire in the job, from 0.
     pub wire: Option<usize>,
+    /// Which piece it is, where several were to be bent in a row.
+    pub piece: Option<Piece>,
     pub machine: Option<String>,
     pub material: Option<String>,
     /// When it was begun.
@@ -155,6 +158,7 @@ impl RunEntry {
             name: job.map(|job| job.name.clone()),
             job_hash: job.map(|job| job.job_hash.clone()),
             wire: job.map(|job| job.wire),
+            piece: job.and_then(|job| job.piece),
             machine: job.map(|job| job.machine.clone()),
             material: job.map(|job| job.material.clone()),
             started: record.map(|record| record.started.clone()),

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use wirebend_error::ProblemReport;
 use wirebend_operation::{
     Answer, Answers, ConnectRequest, Decided, MachineState, OperationError, Operator, OperatorEvent, Order,
-    Phase, Question, Record, RunHow, RunRequest, RunResponse,
+    Phase, Question, Record, Repeat, RunHow, RunRequest, RunResponse,
 };
 use wirebend_planning::plan::PlanRequest;
 use wirebend_planning::{DesignInput, DriverFolders, Input, Installation, NoProgress, PlanChoices};
@@ -111,6 +111,7 @@ impl Shop {
             despite_errors: false,
             port: Some(port.to_owned()),
             wire: None,
+            repeat: Repeat::default(),
             how,
             answers: Answers { confirmed: true, ..Answers::default() },
             accept_settings: false,
@@ -151,7 +152,7 @@ impl Shop {
 
 /// The order to arm a wire.
 pub fn arm(wire: usize, accept_settings: bool) -> Order {
-    Order::Arm { wire, accept_settings, despite_errors: false }
+    Order::Arm { wire, repeat: Repeat::default(), accept_settings, despite_errors: false }
 }
 
 /// The order to resume a wire; which job is meant is said with it.

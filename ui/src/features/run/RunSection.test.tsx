@@ -60,6 +60,7 @@ it("reports a wire that was interrupted before anything is connected, and none t
     name: "House",
     machine: "wirebend-kit",
     wire: 0,
+    piece: null,
     steps: 10,
     made: 3,
     interruptions: 1,

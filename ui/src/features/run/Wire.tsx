@@ -10,6 +10,7 @@ import { useRunFile } from "../../state/program/run_file";
 import { Part } from "../panel/Section";
 import { buttons } from "./buttons";
 import { Differing } from "./Differing";
+import { Pieces } from "./Pieces";
 import { progressPhrase } from "./phrases";
 import { useProspect } from "./prospect";
 import { Ended } from "./records/Ended";
@@ -22,6 +23,8 @@ export function Wire({ state }: { readonly state: MachineState }) {
   const [chosen, setChosen] = useState(0);
   const [accept, setAccept] = useState(false);
   const [anyway, setAnyway] = useState(false);
+  const [pieces, setPieces] = useState(1);
+  const [stockMm, setStock] = useState<number | null>(null);
   const otherWire = useOtherWire();
   const all = buttons(state, useProspect());
   const file = useRunFile((run) => run.file);
@@ -65,10 +68,14 @@ export function Wire({ state }: { readonly state: MachineState }) {
           Run it although the machine cannot make it
         </Checkbox>
       )}
+      {!under && <Pieces pieces={pieces} stock={stockMm} onPieces={setPieces} onStock={setStock} />}
       {state.wire && under && (
         <div className="stack">
           <Bar done={state.wire.made} of={state.wire.of} label="Wire" />
           <span>{progressPhrase(state.wire)}</span>
+          {state.wire.stock_left_mm !== null && (
+            <span className="muted small">{long(state.wire.stock_left_mm)} of wire before this piece</span>
+          )}
           {otherWire && <p className="muted small">{otherWire}</p>}
         </div>
       )}
@@ -82,7 +89,15 @@ export function Wire({ state }: { readonly state: MachineState }) {
             className="grow"
             kind={all.next === "arm" ? "primary" : "plain"}
             why={whyNot}
-            onClick={() => void order({ order: "arm", wire, accept_settings: accept, despite_errors: despite })}
+            onClick={() =>
+              void order({
+                order: "arm",
+                wire,
+                accept_settings: accept,
+                despite_errors: despite,
+                repeat: { pieces, stock_mm: stockMm },
+              })
+            }
           >
             Arm…
           </Button>

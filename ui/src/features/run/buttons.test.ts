@@ -95,6 +95,8 @@ describe("phrase", () => {
     expect(phrase(state("connected"))).toBe("/dev/ttyACM0 · not homed");
     const wire = {
       wire: 0,
+      piece: null,
+      stock_left_mm: null,
       made: 14,
       done_by: "machine" as const,
       sent: 16,

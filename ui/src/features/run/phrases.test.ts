@@ -35,6 +35,7 @@ describe("wires", () => {
     job_hash: "",
     name: "House",
     wire: 0,
+    piece: null,
     port: "sim",
     started: "",
     made,
@@ -46,6 +47,8 @@ describe("wires", () => {
   it("says how far one is", () => {
     const wire: WireState = {
       wire: 0,
+      piece: null,
+      stock_left_mm: null,
       made: 14,
       done_by: "machine",
       sent: 16,
@@ -57,6 +60,7 @@ describe("wires", () => {
       name: "House",
     };
     expect(progressPhrase(wire)).toBe("14 of 31 steps done · 2:10, 1:05 left");
+    expect(progressPhrase({ ...wire, piece: { number: 2, of: 5 } })).toMatch(/^Piece 2 of 5 · 14 of 31/);
     // It is not known whether they are done.
     expect(progressPhrase({ ...wire, done_by: "clock" })).toBe("14 of 31 steps by the clock · 2:10, 1:05 left");
     expect(unfinishedPhrase(unfinished(14))).toBe("Step 14 of 31 is done.");
@@ -76,6 +80,7 @@ describe("wires", () => {
     stopped_by: null,
     standstill: null,
     wire: 0,
+    piece: null,
     outcome: "made",
     made: 31,
     done_by: "machine",

@@ -19,9 +19,14 @@ export function guess(ports: readonly PortEntry[]): string | null {
   return (likely ?? ports.find(({ simulated }) => simulated))?.name ?? null;
 }
 
+/** "Piece 2 of 5 · "; nothing where there is only one. */
+function ofPiece(piece: WireState["piece"]): string {
+  return piece ? `Piece ${piece.number} of ${piece.of} · ` : "";
+}
+
 /** "14 of 31 steps done · 2:10, 1:05 left"; by the clock where the machine does not report what it has done. */
-export function progressPhrase({ made, done_by, of, elapsed_s, remaining_s }: WireState): string {
-  return `${made} of ${of} steps ${done_by === "machine" ? "done" : "by the clock"} · ${time(elapsed_s)}, ${time(remaining_s)} left`;
+export function progressPhrase({ made, done_by, of, elapsed_s, remaining_s, piece }: WireState): string {
+  return `${ofPiece(piece)}${made} of ${of} steps ${done_by === "machine" ? "done" : "by the clock"} · ${time(elapsed_s)}, ${time(remaining_s)} left`;
 }
 
 function doubtful(steps: readonly [number, number] | null | undefined): string {
@@ -32,9 +37,9 @@ function doubtful(steps: readonly [number, number] | null | undefined): string {
 }
 
 /** "Step 14 of 31 is done. Step 15 was sent: before the wire resumes, the machine or you say what became of it." */
-export function unfinishedPhrase({ made, of, in_doubt, resumable }: Unfinished): string {
+export function unfinishedPhrase({ made, of, in_doubt, resumable, piece }: Unfinished): string {
   if (!resumable) return "Its record is damaged, so that it is not known how far it came: it cannot be resumed.";
-  return `${made === 0 ? "No step" : `Step ${made}`} of ${of} is done.${doubtful(in_doubt)}`;
+  return `${piece ? `It is piece ${piece.number} of ${piece.of}. ` : ""}${made === 0 ? "No step" : `Step ${made}`} of ${of} is done.${doubtful(in_doubt)}`;
 }
 
 /** What became of a wire. */
@@ -42,7 +47,8 @@ export function endedPhrase(
   run: WireRun,
   unit: DisplayUnit,
 ): { readonly tone: Tone; readonly what: string; readonly sub: string | null } {
-  const { outcome, made, steps, elapsed_s, problem, deviations_mm, standstill } = run;
+  const { outcome, made, steps, elapsed_s, problem, deviations_mm, standstill, piece } = run;
+  const wire = piece ? `Piece ${piece.number} of ${piece.of}` : "The wire";
   const sub = problem ? errorText(problem) : null;
   if (standstill && standstill !== "confirmed") {
     const what = `Not confirmed that the machine stands, after step ${made} of ${steps}`;
@@ -52,7 +58,7 @@ export function endedPhrase(
     case "made": {
       const worst = deviations_mm ? Math.max(0, ...deviations_mm) : null;
       const off = worst === null ? null : `Worst vertex ${deviation(worst, unit)} from the design.`;
-      return { tone: "fine", what: `The wire is finished, in ${time(elapsed_s)}`, sub: sub ?? off };
+      return { tone: "fine", what: `${wire} is finished, in ${time(elapsed_s)}`, sub: sub ?? off };
     }
     case "made-before":
       return { tone: "fine", what: "The wire was finished before", sub };

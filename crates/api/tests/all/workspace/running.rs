@@ -214,3 +214,45 @@ fn a_program_of_another_machine_is_not_run() {
     let refused = window.try_ask("open-run-file", json!({"file": {"file": text}})).unwrap_err();
     assert_eq!(serde_json::to_value(&refused).unwrap()["code"], json!("format-of-another"));
 }
+
+/// A machine would bend into the piece before, or run out of wire in the middle of one.
+#[test]
+fn between_two_pieces_a_person_is_asked_and_new_wire_when_what_is_left_does_not_suffice() {
+    let window = Window::new();
+    window.ask("open-example", json!({"id": "house"}));
+    window.connect();
+    // 286 mm are fed for a piece, and 686 mm have to be there: twice that does not suffice for the second.
+    window.order(&json!({"order": "arm", "wire": 0, "repeat": {"pieces": 3, "stock_mm": 800.0}}));
+    window.yes();
+    let armed = window.until_phase("armed")["wire"].clone();
+    assert_eq!((&armed["piece"], &armed["stock_left_mm"]), (&json!({"number": 1, "of": 3}), &json!(800.0)));
+    window.order(&json!({"order": "start"}));
+    for number in [2, 3] {
+        let state = window.until(|state| state["question"]["kind"] == "piece");
+        assert_eq!(state["wire"]["piece"], json!({"number": number, "of": 3}));
+        let said = state["question"]["lines"].to_string();
+        assert!(said.contains("cut off what was bent before"), "{said}");
+        assert!(said.contains("load new wire, 800 mm"), "{said}");
+        window.yes();
+        window.until(|state| state["question"].is_null());
+        if number == 2 {
+            continue;
+        }
+        window.until(|state| state["busy"] == false);
+    }
+    let runs = window.ask("runs", json!({}))["runs"].clone();
+    let pieces: Vec<&Value> = runs.as_array().unwrap().iter().map(|run| &run["piece"]["number"]).collect();
+    assert_eq!(pieces, [&json!(1), &json!(2), &json!(3)]);
+    assert!(runs.as_array().unwrap().iter().all(|run| run["outcome"] == "finished"));
+
+    // Who says no ends it: what was bent stays counted, and nothing is left to resume.
+    window.order(&json!({"order": "arm", "wire": 0, "repeat": {"pieces": 2}}));
+    window.yes();
+    window.until_phase("armed");
+    window.order(&json!({"order": "start"}));
+    let asked = window.until(|state| state["question"]["kind"] == "piece")["question"]["id"].clone();
+    window.ask("answer", json!({"question": asked, "answer": "no"}));
+    let state = window.until(|state| state["busy"] == false);
+    assert_eq!((&state["unfinished"], &state["problem"]), (&json!(null), &json!(null)));
+    assert_eq!(window.ask("runs", json!({}))["runs"].as_array().unwrap().len(), 4);
+}

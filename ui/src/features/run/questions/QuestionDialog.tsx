@@ -12,6 +12,7 @@ import { DoubtDialog } from "./DoubtDialog";
 const WORDS: Readonly<Record<Exclude<Question["kind"], "doubt">, readonly [string, string, string]>> = {
   move: ["The machine is about to move", "Do not move", "Move"],
   arm: ["Arm the machine", "Do not arm", "Arm"],
+  piece: ["The next piece", "End here", "Bend it"],
   "go-on": ["The wire is about to resume", "Do not resume", "Resume"],
   said: ["Confirm your earlier answer", "It is different", "It is right"],
   settings: ["The machine's settings are about to be written", "Do not write", "Write"],

@@ -8,6 +8,7 @@ const RUN: RunEntry = {
   name: "House",
   job_hash: null,
   wire: 0,
+  piece: null,
   machine: "wirebend-kit",
   material: null,
   started: null,

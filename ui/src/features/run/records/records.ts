@@ -26,8 +26,9 @@ export function madePhrase(
   run: RunEntry,
   unit: DisplayUnit,
 ): { readonly tone: Tone; readonly what: string; readonly sub: string } {
-  const { name, wire, started, machine, interruptions, worst_deviation_mm: worst, problem } = run;
-  const what = `${name ?? "Unknown design"}${wire ? `, wire ${wire + 1}` : ""}`;
+  const { name, wire, piece, started, machine, interruptions, worst_deviation_mm: worst, problem } = run;
+  const which = `${wire ? `, wire ${wire + 1}` : ""}${piece ? `, piece ${piece.number} of ${piece.of}` : ""}`;
+  const what = `${name ?? "Unknown design"}${which}`;
   if (problem || !run.outcome) return { tone: "error", what, sub: problem ?? "Its journal cannot be read." };
   const parts = [
     outcome(run),
