@@ -28,12 +28,6 @@ pub enum ApiError {
         id: String,
         known: Vec<String>,
     },
-    /// A profile that comes with the program is to be changed.
-    #[error("'{id}' comes with the program and stays as it is")]
-    ShippedProfile {
-        /// The profile.
-        id: String,
-    },
     /// There is no folder for a person's own profiles.
     #[error("there is no home folder for profiles of your own")]
     NoOwnFolder,
@@ -78,7 +72,7 @@ impl ApiError {
             Self::Planning(error) => error.kind(),
             Self::Editor(error) => error.kind(),
             Self::Operation(error) => error.kind(),
-            Self::NoExample { .. } | Self::ShippedProfile { .. } | Self::NoOwnFolder => ErrorKind::Usage,
+            Self::NoExample { .. } | Self::NoOwnFolder => ErrorKind::Usage,
         }
     }
 
@@ -89,7 +83,6 @@ impl ApiError {
             Self::Editor(error) => error.code(),
             Self::Operation(error) => error.code(),
             Self::NoExample { .. } => ErrorCode::NoExample,
-            Self::ShippedProfile { .. } => ErrorCode::ShippedProfile,
             Self::NoOwnFolder => ErrorCode::NoOwnFolder,
         }
     }
@@ -103,7 +96,6 @@ impl ApiError {
             Self::NoExample { known, .. } => {
                 vec![ErrorRemedy::ChooseKnown { near: Vec::new(), known: known.clone() }]
             }
-            Self::ShippedProfile { .. } => vec![ErrorRemedy::CopyProfile],
             Self::NoOwnFolder => vec![ErrorRemedy::SetHome],
         }
     }

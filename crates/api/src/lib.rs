@@ -77,6 +77,7 @@ pub use wirebend_planning::profiles::explain::{
     AncestorReport, OverriddenReport, ProfileExplainRequest, ProfileExplainResponse, ValueReport,
 };
 pub use wirebend_planning::profiles::new::{ProfileNewRequest, ProfileNewResponse, ProfilePlace};
+pub use wirebend_planning::profiles::revert::{ProfileRevertRequest, ProfileRevertResponse};
 pub use wirebend_planning::profiles::set::{ProfileSetRequest, ProfileSetResponse, SetValue};
 pub use wirebend_planning::profiles::springback::{SamplePlace, SpringbackReport, SpringbackSample};
 pub use wirebend_planning::program::ProgramKind;

@@ -24,10 +24,10 @@ use crate::{
     MachineSettingsResponse, MachinesRequest, MachinesResponse, MaterialsRequest, MaterialsResponse,
     OperatorEvent, PlanRequest, PlanResponse, PortsRequest, PortsResponse, ProfileCheckRequest,
     ProfileCheckResponse, ProfileExplainRequest, ProfileExplainResponse, ProfileNewRequest,
-    ProfileNewResponse, ProfileSetRequest, ProfileSetResponse, ReplayRequest, RunRequest, RunResponse,
-    RunsExportRequest, RunsExportResponse, RunsRequest, RunsResponse, RunsShowRequest, RunsShowResponse,
-    SequenceRequest, SequenceResponse, SimulateRequest, SimulateResponse, ToleranceRequest,
-    ToleranceResponse, WiresRequest, WiresResponse,
+    ProfileNewResponse, ProfileRevertRequest, ProfileRevertResponse, ProfileSetRequest, ProfileSetResponse,
+    ReplayRequest, RunRequest, RunResponse, RunsExportRequest, RunsExportResponse, RunsRequest, RunsResponse,
+    RunsShowRequest, RunsShowResponse, SequenceRequest, SequenceResponse, SimulateRequest, SimulateResponse,
+    ToleranceRequest, ToleranceResponse, WiresRequest, WiresResponse,
 };
 
 macro_rules! requests {
@@ -181,6 +181,8 @@ requests! {
         ProfileNew(ProfileNewRequest) -> ProfileNewResponse = profiles::new::new, "profile-new";
         /// Sets values of a profile of the person's own.
         ProfileSet(ProfileSetRequest) -> ProfileSetResponse = profiles::set::set, "profile-set";
+        /// Takes back values of a profile of the person's own, or its last change.
+        ProfileRevert(ProfileRevertRequest) -> ProfileRevertResponse = profiles::revert::revert, "profile-revert";
         /// Writes coupons as jobs and a sheet for what is measured of them.
         CalibrateNew(CalibrateNewRequest) -> CalibrateNewResponse = calibrate::new, "calibrate-new";
         /// Enters readings into a sheet.
@@ -285,8 +287,18 @@ requests! {
         SaveJob(workspace::SaveJob) -> workspace::SavedJob = Workspace::save_job, "save-job";
         /// One machine.
         MachineView(workspace::MachineViewRequest) -> workspace::MachineViewResponse = Workspace::machine_view, "machine-view";
-        /// Writes a profile of the person's own that inherits from a machine.
-        CopyMachine(workspace::CopyMachine) -> ProfileNewResponse = Workspace::copy_machine, "copy-machine";
+        /// Writes a profile of the person's own that inherits from another.
+        CopyProfile(workspace::CopyProfile) -> ProfileNewResponse = Workspace::copy_profile, "copy-profile";
+        /// A profile with what its editor needs.
+        ProfileView(workspace::ProfileViewRequest) -> workspace::ProfileView = Workspace::profile_view, "profile-view";
+        /// Sets values of a profile of the person's own.
+        SetProfile(workspace::SetProfile) -> workspace::ProfileView = Workspace::set_profile, "set-profile";
+        /// Takes back values of a profile of the person's own, or its last change.
+        RevertProfile(workspace::RevertProfile) -> workspace::ProfileView = Workspace::revert_profile, "revert-profile";
+        /// Writes a profile to a file that others can use.
+        ExportProfile(workspace::ExportProfile) -> workspace::ExportedProfile = Workspace::export_profile, "export-profile";
+        /// Takes in a profile from a file.
+        ImportProfile(workspace::ImportProfile) -> workspace::ImportedProfile = Workspace::import_profile, "import-profile";
         /// Changes the driver's settings in a profile of the person's own.
         ChangeSettings(workspace::ChangeSettings) -> workspace::SettingsChanged = Workspace::change_settings, "change-settings";
         /// Connects the machine.

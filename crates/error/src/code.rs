@@ -143,6 +143,7 @@ codes! {
     Nothing = "nothing",
     NothingBegun = "nothing-begun",
     NothingRecorded = "nothing-recorded",
+    NothingToRevert = "nothing-to-revert",
     NowhereToRecord = "nowhere-to-record",
     NowhereToTrust = "nowhere-to-trust",
     OffZero = "off-zero",

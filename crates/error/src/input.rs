@@ -91,6 +91,8 @@ pub enum InputName {
     Readings,
     /// The values of a profile.
     ProfileValues,
+    /// The keys of a profile.
+    ProfileKeys,
 }
 
 impl InputName {
@@ -140,6 +142,7 @@ impl InputName {
             Self::Abandon => "giving up",
             Self::Readings => "readings",
             Self::ProfileValues => "values",
+            Self::ProfileKeys => "keys",
         }
     }
 }

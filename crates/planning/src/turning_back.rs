@@ -4,7 +4,7 @@ use wirebend_core::bend::{Frame, Step, replay};
 use wirebend_core::compensate::CompensatedProgram;
 use wirebend_core::route::Route;
 use wirebend_core::simulate::formed_steps;
-use wirebend_core::units::{Angle, Length};
+use wirebend_core::units::Length;
 use wirebend_error::{ErrorRemedy, InputName};
 use wirebend_files::read::wireframe_of_path;
 

@@ -65,10 +65,53 @@ impl Library {
     }
 }
 
-/// The text of a profile as this program writes one: keys in the order of the documentation, a figure on a line. `None`
-/// where it is no profile of the kind; [`Library::check`] says why.
+impl Library {
+    /// The text of a profile that needs no other profile of its kind but one that comes with the program: what it inherits
+    /// from profiles of a person's own is written into it.
+    ///
+    /// # Errors
+    /// [`ProfileError::Unknown`] with the nearest ids when there is no such profile.
+    pub fn portable_text(&self, kind: Kind, id: &str) -> Result<String, ProfileError> {
+        match kind {
+            Kind::Machine => self.portable_text_as::<MachineProfile>(id),
+            Kind::Material => self.portable_text_as::<MaterialProfile>(id),
+            Kind::Noise => self.portable_text_as::<NoiseProfile>(id),
+            Kind::StrutBuilder => self.portable_text_as::<StrutBuilderProfile>(id),
+        }
+    }
+
+    fn portable_text_as<T: Profile>(&self, id: &str) -> Result<String, ProfileError> {
+        let layer = self.find(T::KIND, id)?;
+        let chain = self.chain(layer)?;
+        let own: Vec<_> = chain.iter().take_while(|layer| !layer.shipped).copied().collect();
+        let name = chain.iter().find_map(|layer| layer.values.get("name"));
+        let merged = merge(if own.is_empty() { &chain[..1] } else { &own }, T::WHOLE).values;
+        let inherits = chain.get(own.len().max(1)).map(|parent| Value::from(parent.id.as_str()));
+        let mut values = Map::new();
+        for key in ["schema_version", "kind", "id"] {
+            values.extend(merged.get(key).map(|value| (key.to_owned(), value.clone())));
+        }
+        values.extend(inherits.map(|id| ("inherits".to_owned(), id)));
+        values.extend(name.map(|name| ("name".to_owned(), name.clone())));
+        for (key, value) in merged {
+            if key != "$schema" && key != "inherits" {
+                values.entry(key).or_insert(value);
+            }
+        }
+        let text = serde_json::to_string_pretty(&values);
+        let text = text.map_err(|error| crate::resolve::unfit(&layer.file, &error))? + "\n";
+        Ok(written(T::KIND, &text).unwrap_or(text))
+    }
+}
+
+/// The text of a profile as this program writes one: keys in the order of the documentation, a figure on a line. One that
+/// takes inherited values away keeps its order, since the types of profiles know no value that is taken away. `None` where it
+/// is no profile of the kind; [`Library::check`] says why.
 #[must_use]
 pub fn written(kind: Kind, text: &str) -> Option<String> {
+    if serde_json::from_str(text).is_ok_and(|value| takes_away(&value)) {
+        return Some(figures_on_a_line(text));
+    }
     fn of<T: Profile>(text: &str) -> Option<String> {
         to_text(&serde_json::from_str::<T>(text).ok()?).ok()
     }
@@ -79,6 +122,15 @@ pub fn written(kind: Kind, text: &str) -> Option<String> {
         Kind::StrutBuilder => of::<StrutBuilderProfile>(text),
     };
     text.map(|text| figures_on_a_line(&text))
+}
+
+/// Whether a group of values has one that takes an inherited value away.
+fn takes_away(value: &Value) -> bool {
+    match value {
+        Value::Null => true,
+        Value::Object(group) => group.values().any(takes_away),
+        _ => false,
+    }
 }
 
 /// Puts each figure with its source on one line, as in the shipped files: a person who goes through

@@ -16,6 +16,10 @@ export type Answer =
       head: number;
     };
 /**
+ * What a profile describes.
+ */
+export type Kind = "machine" | "material" | "noise" | "strut-builder";
+/**
  * A change that a person asks for. Lengths in mm, vertices and edges by their ids.
  */
 export type EditRequest =
@@ -572,10 +576,6 @@ export type Decision =
       part: PartOfStep;
     };
 /**
- * What a profile describes.
- */
-export type Kind = "machine" | "material" | "noise" | "strut-builder";
-/**
  * What lengths in messages are written in.
  */
 export type ShownUnit = "mm" | "inch";
@@ -600,17 +600,19 @@ export interface Requests {
   collisions: CheckCollisions;
   compare: CompareDesign;
   connect: ConnectMachine;
-  "copy-machine": CopyMachine;
+  "copy-profile": CopyProfile;
   discard: DiscardUnsaved;
   "driver-trust": DriverTrustRequest;
   drivers: DriversRequest;
   edit: EditDesign;
   examples: ExamplesRequest;
   export: ExportDesign;
+  "export-profile": ExportProfile;
   exports: ExportsRequest;
   fixes: FixesRequest;
   frame: FrameDesign;
   "frame-choices": FrameChoicesRequest;
+  "import-profile": ImportProfile;
   look: LookRequest;
   "machine-state": MachineStateRequest;
   "machine-view": MachineViewRequest;
@@ -624,11 +626,13 @@ export interface Requests {
   order: OrderMachine;
   ports: PortsRequest;
   "profile-explain": ProfileExplainRequest;
+  "profile-view": ProfileViewRequest;
   program: ProgramRequest;
   "put-stencil": PutStencil;
   recorded: RecordedRequest;
   redo: Redo;
   restore: RestoreUnsaved;
+  "revert-profile": RevertProfile;
   "run-file": RunFileRequest;
   runs: RunsRequest;
   "runs-show": RunsShowRequest;
@@ -637,6 +641,7 @@ export interface Requests {
   "save-recording": SaveRecording;
   "save-wireframe": SaveWireframe;
   sequence: SequenceDesign;
+  "set-profile": SetProfile;
   "show-lengths": ShowLengths;
   start: Start;
   "stop-collisions": StopCollisions;
@@ -748,14 +753,18 @@ export interface ConnectMachine {
   port?: string | null;
 }
 /**
- * Writes a profile of the person's own that inherits from a machine.
+ * Writes a profile of the person's own that inherits from another.
  */
-export interface CopyMachine {
+export interface CopyProfile {
+  /**
+   * The one to inherit from.
+   */
+  from: string;
   /**
    * The id of the new one.
    */
   id: string;
-  machine: string;
+  kind: Kind;
   name: string;
 }
 /**
@@ -872,6 +881,14 @@ export interface Output {
   path: string;
 }
 /**
+ * Writes a profile to a file that others can use.
+ */
+export interface ExportProfile {
+  id: string;
+  kind: Kind;
+  output: Output;
+}
+/**
  * Asks what can be written for the machine of the open design.
  */
 export interface ExportsRequest {}
@@ -940,6 +957,16 @@ export interface ClosingChoice {
  * Asks what there is to choose from for frames.
  */
 export interface FrameChoicesRequest {}
+/**
+ * Takes in a profile from a file.
+ */
+export interface ImportProfile {
+  file: string;
+  /**
+   * Another id than that of the file.
+   */
+  id?: string | null;
+}
 /**
  * What to look into.
  */
@@ -1088,6 +1115,17 @@ export interface ProfileExplainRequest {
   kind?: Kind | null;
 }
 /**
+ * Asks for a profile with what its editor needs.
+ */
+export interface ProfileViewRequest {
+  id: string;
+  kind: Kind;
+  /**
+   * The wire that the head of a machine is drawn with; absent: its own.
+   */
+  material?: string | null;
+}
+/**
  * Asks for the program of the open design, or of what is open to be run.
  */
 export interface ProgramRequest {}
@@ -1110,6 +1148,21 @@ export interface Redo {}
  */
 export interface RestoreUnsaved {
   journal: string;
+}
+/**
+ * Takes back values of a profile of the person's own.
+ */
+export interface RevertProfile {
+  id: string;
+  /**
+   * Dotted keys; none: the last change as a whole.
+   */
+  keys: string[];
+  kind: Kind;
+  /**
+   * As in [`ProfileViewRequest`].
+   */
+  material?: string | null;
 }
 /**
  * Asks which is open.
@@ -1200,6 +1253,41 @@ export interface OrderedStep {
    * The vertex from which the head draws it, where that is built by then; otherwise it is its other end.
    */
   from_vertex?: number | null;
+}
+/**
+ * Sets values of a profile of the person's own.
+ */
+export interface SetProfile {
+  id: string;
+  kind: Kind;
+  /**
+   * As in [`ProfileViewRequest`].
+   */
+  material?: string | null;
+  /**
+   * Whether they were measured on the machine or the wire.
+   */
+  measured: boolean;
+  /**
+   * Where the values come from.
+   */
+  source: string;
+  values: NewValue[];
+}
+/**
+ * A value to set.
+ */
+export interface NewValue {
+  /**
+   * Dotted key.
+   */
+  key: string;
+  /**
+   * The plain value; of a figure without its source.
+   */
+  value: {
+    [k: string]: unknown;
+  };
 }
 /**
  * Chooses the unit of the lengths in messages. Figures that are numbers stay in millimetres.

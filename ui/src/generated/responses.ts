@@ -586,7 +586,8 @@ export type InputName =
   | "resume"
   | "abandon"
   | "readings"
-  | "profile-values";
+  | "profile-values"
+  | "profile-keys";
 /**
  * What a question is about.
  */
@@ -900,10 +901,6 @@ export type Move =
  * What a file to be run is.
  */
 export type RunFileKind = "job" | "program" | "moves";
-/**
- * What a profile describes.
- */
-export type Kind = "machine" | "material" | "noise" | "strut-builder";
 /**
  * Something that a driver can do.
  */
@@ -1624,6 +1621,7 @@ export type ErrorCode =
   | "nothing"
   | "nothing-begun"
   | "nothing-recorded"
+  | "nothing-to-revert"
   | "nowhere-to-record"
   | "nowhere-to-trust"
   | "off-zero"
@@ -1737,17 +1735,19 @@ export interface Responses {
   collisions: Collisions;
   compare: CompareResponse;
   connect: MachineNow;
-  "copy-machine": ProfileNewResponse;
+  "copy-profile": ProfileNewResponse;
   discard: Started;
   "driver-trust": DriverTrustResponse;
   drivers: DriversResponse;
   edit: EditMade;
   examples: ExamplesResponse;
   export: ExportPreview;
+  "export-profile": ExportedProfile;
   exports: ExportsResponse;
   fixes: FixesResponse;
   frame: FrameShown;
   "frame-choices": FrameChoices;
+  "import-profile": ImportedProfile;
   look: LookResponse;
   "machine-state": MachineNow;
   "machine-view": MachineViewResponse;
@@ -1761,11 +1761,13 @@ export interface Responses {
   order: MachineNow;
   ports: PortsResponse;
   "profile-explain": ProfileExplainResponse;
+  "profile-view": ProfileView;
   program: ProgramResponse;
   "put-stencil": EditMade;
   recorded: Recorded;
   redo: EditMade;
   restore: DesignOpened;
+  "revert-profile": ProfileView;
   "run-file": RunFileNow;
   runs: RunsResponse;
   "runs-show": RunsShowResponse;
@@ -1774,6 +1776,7 @@ export interface Responses {
   "save-recording": SavedRecording;
   "save-wireframe": SavedWireframe;
   sequence: DrawnSequence;
+  "set-profile": ProfileView;
   "show-lengths": LengthsShown;
   start: Started;
   "stop-collisions": CollisionsStopped;
@@ -3381,6 +3384,9 @@ export interface ExportPreview {
    */
   notes: NoteReport[];
 }
+export interface ExportedProfile {
+  file: string;
+}
 /**
  * What can be written.
  */
@@ -3925,6 +3931,11 @@ export interface StrutBuilderEntry {
   id: string;
   name: string;
 }
+export interface ImportedProfile {
+  id: string;
+  kind: Kind;
+  name: string;
+}
 export interface LookResponse {
   /**
    * Whether units and scale are open: the format does not say them.
@@ -4291,6 +4302,72 @@ export interface OverriddenReport {
    */
   set_by: string;
   value: unknown;
+}
+/**
+ * A profile with what its editor needs.
+ */
+export interface ProfileView {
+  file: string;
+  /**
+   * Whether its last change can be taken back.
+   */
+  has_last_change: boolean;
+  /**
+   * Of a machine its bend head; absent where its figures make none.
+   */
+  head?: HeadReport | null;
+  profile: ProfileExplainResponse;
+  /**
+   * Of a machine its bodies.
+   */
+  shapes: Shape[];
+  /**
+   * Whether it comes with the program: then it cannot be changed, but copied.
+   */
+  shipped: boolean;
+}
+/**
+ * A bend head from above. Frame: the origin is where a bend begins, x along the wire that comes, y to the side of a positive
+ * bend.
+ */
+export interface HeadReport {
+  /**
+   * Its peg; absent where the bend axis itself is the bend.
+   */
+  peg?: PegReport | null;
+  /**
+   * Radius of the pin that the wire wraps, mm.
+   */
+  pin_radius_mm: number;
+  /**
+   * Diameter of the wire, mm.
+   */
+  wire_mm: number;
+}
+/**
+ * The peg of a bend head.
+ */
+export interface PegReport {
+  /**
+   * Where it is while the wire is bent to a right angle, mm; null where it does not get there.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  at_mm: [number, number] | null;
+  /**
+   * Where its axis is then, degrees; null likewise.
+   */
+  axis_deg: number | null;
+  /**
+   * Offset s of the orbit's centre along the wire, mm.
+   */
+  orbit_offset_mm: number;
+  /**
+   * Radius R of its orbit, mm.
+   */
+  orbit_radius_mm: number;
+  radius_mm: number;
 }
 /**
  * The program of the open design.

@@ -48,6 +48,7 @@ const INPUTS: Readonly<Record<InputName, string>> = {
   abandon: "giving up",
   readings: "the readings",
   "profile-values": "the values",
+  "profile-keys": "the keys",
 };
 
 /** "Choose one of a, b and c." */

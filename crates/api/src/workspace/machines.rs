@@ -1,20 +1,16 @@
 //! Machines to choose from: what they look like and can do, what changes with another one, and a person's own.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
-use wirebend_files::document::save_atomically;
-use wirebend_files::read::read_file;
 use wirebend_planning::bodies::{peg_top_mm, pivot_mm};
+use wirebend_planning::profiles::set::replace;
 use wirebend_profile::{Kind, Shape};
 
 use super::Workspace;
-use crate::{
-    ApiError, CompareRequest, CompareResponse, PlanChoices, ProblemReport, ProfileNewRequest,
-    ProfileNewResponse, ProfilePlace, Progress,
-};
+use crate::{ApiError, CompareRequest, CompareResponse, PlanChoices, ProblemReport, Progress};
 
 /// Asks for one machine.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -81,15 +77,6 @@ pub struct MachineViewResponse {
 pub struct CompareDesign {
     /// The other machines.
     pub against: Vec<String>,
-}
-
-/// Writes a profile of the person's own that inherits from a machine.
-#[derive(Debug, Clone, Deserialize, JsonSchema)]
-pub struct CopyMachine {
-    pub machine: String,
-    /// The id of the new one.
-    pub id: String,
-    pub name: String,
 }
 
 /// Changes the driver's settings in a profile of the person's own.
@@ -185,53 +172,17 @@ impl Workspace {
         Ok(wirebend_planning::compare::compare(&self.installation(), &request, progress)?)
     }
 
-    pub(crate) fn copy_machine(
-        &self,
-        asked: &CopyMachine,
-        progress: &dyn Progress,
-    ) -> Result<ProfileNewResponse, ApiError> {
-        let own = self.places().own.clone().ok_or(ApiError::NoOwnFolder)?;
-        let request = ProfileNewRequest {
-            id: asked.id.clone(),
-            inherits: asked.machine.clone(),
-            kind: Some(Kind::Machine),
-            name: Some(asked.name.clone()),
-            all: false,
-            place: ProfilePlace::Folder(own),
-            force: false,
-        };
-        let made = wirebend_planning::profiles::new::new(&self.installation(), &request, progress)?;
-        self.reload()?;
-        Ok(made)
-    }
-
     pub(crate) fn change_settings(
         &self,
         asked: &ChangeSettings,
         progress: &dyn Progress,
     ) -> Result<SettingsChanged, ApiError> {
-        let app = self.installation();
-        let chain = app.library.explain(Kind::Machine, &asked.machine)?.chain;
-        let own = chain.into_iter().next().filter(|own| !own.shipped);
-        let file = own.ok_or_else(|| ApiError::ShippedProfile { id: asked.machine.clone() })?.file;
-        let mut profile: Value = serde_json::from_slice(&read_file(Path::new(&file))?)?;
-        // A file that holds something else than objects by now stays as it is: `require_profile` refuses it.
-        if let Some(whole) = profile.as_object_mut()
-            && let Some(driver) =
-                whole.entry("driver").or_insert_with(|| Value::Object(serde_json::Map::new())).as_object_mut()
-        {
-            if asked.settings.is_empty() {
-                driver.remove("settings");
-            } else {
-                driver.insert("settings".to_owned(), Value::Object(asked.settings.clone()));
-            }
-        }
-        let mut text = serde_json::to_string_pretty(&profile)?;
-        text.push('\n');
-        app.require_profile(&file, &text)?;
-        save_atomically(Path::new(&file), text.as_bytes())?;
+        let settings = Some(&asked.settings).filter(|settings| !settings.is_empty());
+        let settings = settings.map(|settings| Value::Object(settings.clone()));
+        let of = (Kind::Machine, asked.machine.as_str());
+        let file = replace(&self.installation(), of, "driver.settings", settings)?;
         self.reload()?;
         let machine = self.machine_view(&MachineViewRequest { machine: asked.machine.clone() }, progress)?;
-        Ok(SettingsChanged { file: PathBuf::from(file), machine })
+        Ok(SettingsChanged { file, machine })
     }
 }

@@ -18,6 +18,7 @@ mod look;
 mod machines;
 mod mesh;
 mod operating;
+mod profiles;
 mod program;
 mod recent;
 mod reporter;
@@ -50,12 +51,15 @@ pub use frames::{FrameChoices, FrameChoicesRequest, FrameDesign, FrameShown, Tol
 use latest::Latest;
 pub use look::{LookRequest, LookResponse, Seen};
 pub use machines::{
-    ChangeSettings, CompareDesign, CopyMachine, MachineViewRequest, MachineViewResponse, SettingValue,
-    SettingsChanged,
+    ChangeSettings, CompareDesign, MachineViewRequest, MachineViewResponse, SettingValue, SettingsChanged,
 };
 pub use operating::{
     AnswerMachine, ByHandRequest, ByHandResponse, ClearRecording, ConnectMachine, MachineNow,
     MachineStateRequest, OrderMachine, Recorded, RecordedRequest, SaveRecording, SavedRecording,
+};
+pub use profiles::{
+    CopyProfile, ExportProfile, ExportedProfile, ImportProfile, ImportedProfile, NewValue, ProfileView,
+    ProfileViewRequest, RevertProfile, SetProfile,
 };
 pub use program::{MadeRequest, MadeResponse, MadeWire, ProgramRequest, ProgramResponse};
 pub use recent::RecentEntry;

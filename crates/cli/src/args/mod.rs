@@ -339,6 +339,19 @@ pub(crate) enum ProfileCommand {
         #[command(flatten)]
         kind: KindArgs,
     },
+    /// Take back values of a profile of your own, or its last change
+    #[command(after_help = "Example:\n  wirebend profile revert my-bender bend.orbit_offset_mm")]
+    Revert {
+        /// Profile to change, by id
+        #[arg(value_name = "ID")]
+        id: String,
+        /// Values that are to be as in the profile that it inherits from, by their dotted keys; without any the last change of
+        /// the profile is taken back, and made again by another revert
+        #[arg(value_name = "KEY")]
+        keys: Vec<String>,
+        #[command(flatten)]
+        kind: KindArgs,
+    },
     /// Say which file and line set each value of a profile
     #[command(after_help = "Example:\n  wirebend profile explain steel-0-9mm")]
     Explain {

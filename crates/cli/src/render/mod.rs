@@ -73,6 +73,7 @@ pub(crate) fn show(response: &Response, json: bool, contents: Contents) -> anyho
             Response::ProfileCheck(found) => profile::check(&mut err, found)?,
             Response::ProfileNew(found) => profile::new(&mut err, found)?,
             Response::ProfileSet(found) => profile::set(&mut err, found)?,
+            Response::ProfileRevert(found) => profile::revert(&mut err, found)?,
             Response::CalibrateNew(found) => calibrate::new(&mut err, found)?,
             Response::CalibrateEnter(found) => calibrate::enter(&mut err, found)?,
             Response::CalibrateFit(found) => calibrate::fit(&mut anstream::stdout().lock(), found)?,
@@ -127,6 +128,7 @@ fn status(response: &Response) -> u8 {
         | Response::ProfileNew(_)
         | Response::ProfileExplain(_)
         | Response::ProfileSet(_)
+        | Response::ProfileRevert(_)
         | Response::CalibrateNew(_)
         | Response::CalibrateEnter(_)
         | Response::CalibrateFit(_)

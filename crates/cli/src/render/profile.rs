@@ -5,8 +5,8 @@ use std::io::Write;
 use anstyle::Style;
 use serde_json::Value;
 use wirebend_api::{
-    ProfileCheckResponse, ProfileExplainResponse, ProfileNewResponse, ProfileSetResponse, SamplePlace,
-    SetValue, SeverityName, SpringbackReport, SpringbackSample, ValueReport,
+    ProfileCheckResponse, ProfileExplainResponse, ProfileNewResponse, ProfileRevertResponse,
+    ProfileSetResponse, SamplePlace, SetValue, SeverityName, SpringbackReport, SpringbackSample, ValueReport,
 };
 
 use super::tables::padded;
@@ -71,13 +71,20 @@ pub(super) fn new(out: &mut impl Write, found: &ProfileNewResponse) -> std::io::
 }
 
 pub(super) fn set(out: &mut impl Write, found: &ProfileSetResponse) -> std::io::Result<()> {
-    for SetValue { key, before, value } in &found.values {
-        match before {
-            Value::Null => writeln!(out, "{key}: {value}")?,
-            before => writeln!(out, "{key}: {value} instead of {before}")?,
-        }
-    }
+    changed(out, &found.values)?;
     writeln!(out, "wrote {} ({} '{}')", found.file.display(), found.kind, found.id)
+}
+
+pub(super) fn revert(out: &mut impl Write, found: &ProfileRevertResponse) -> std::io::Result<()> {
+    changed(out, &found.values)?;
+    writeln!(out, "wrote {} ({} '{}')", found.file.display(), found.kind, found.id)
+}
+
+fn changed(out: &mut impl Write, values: &[SetValue]) -> std::io::Result<()> {
+    values.iter().try_for_each(|SetValue { key, before, value }| match before {
+        Value::Null => writeln!(out, "{key}: {value}"),
+        before => writeln!(out, "{key}: {value} instead of {before}"),
+    })
 }
 
 pub(super) fn explain(out: &mut impl Write, found: &ProfileExplainResponse) -> std::io::Result<()> {

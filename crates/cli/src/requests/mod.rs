@@ -13,7 +13,8 @@ use wirebend_api::{
     CheckRequest, Command, CompareRequest, DesignInput, DriverCheckRequest, DriverTrustRequest,
     DriversRequest, DumpRequest, ExportRequest, GenerateRequest, GeneratedShape, ImportRequest, Input,
     MachinesRequest, MaterialsRequest, Output, PlanChoices, PlanRequest, ProfileCheckRequest,
-    ProfileExplainRequest, ProfileNewRequest, ProfilePlace, ProfileSetRequest, SimulateRequest, WiresRequest,
+    ProfileExplainRequest, ProfileNewRequest, ProfilePlace, ProfileRevertRequest, ProfileSetRequest,
+    SimulateRequest, WiresRequest,
 };
 
 use crate::args::live::RunsCommand;
@@ -115,6 +116,9 @@ pub(crate) fn prepare(command: Subcommands) -> anyhow::Result<Prepared> {
             let kind = kind.kind;
             let request = ProfileSetRequest { id, from, kind, values, source, measured, folder };
             written(Command::ProfileSet(request))
+        }
+        Subcommands::Profile(ProfileCommand::Revert { id, keys, kind }) => {
+            written(Command::ProfileRevert(ProfileRevertRequest { id, kind: kind.kind, keys }))
         }
         Subcommands::Profile(ProfileCommand::Check { files }) => {
             written(Command::ProfileCheck(ProfileCheckRequest { files }))

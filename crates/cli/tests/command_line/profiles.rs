@@ -130,3 +130,46 @@ fn every_shipped_profile_can_be_explained() {
     let said = run_in(folder.path(), &["profile", "explain", "steel-2mm"], b"").ended(2).err;
     assert!(said.contains("did you mean `steel-1mm`"), "{said}");
 }
+
+/// Who has typed a wrong dimension gets the one of before back, also where they no longer know what it was.
+#[test]
+fn a_value_or_the_last_change_is_taken_back() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |arguments: &[&str]| run_in(folder.path(), arguments, b"");
+    let set = |values: &[&str]| {
+        let source = ["--kind", "machine", "--source", "caliper", "--measured"];
+        run(&[&["profile", "set", "mine", "--from", "wirebend-kit"], values, &source].concat()).ended(0)
+    };
+    set(&["bend.orbit_radius_mm=20.45"]);
+    let file = "wirebend/machines/mine.json";
+    let first = read(folder.path(), file);
+    let refused = run(&["profile", "revert", "mine"]).ended(2).err;
+    assert!(refused.contains("has not changed 'mine' since it was made"), "{refused}");
+    set(&["bend.orbit_radius_mm=24.5", "bend.pin_radius_mm=1.6"]);
+    let second = read(folder.path(), file);
+
+    let said = run(&["profile", "revert", "mine"]).ended(0).err;
+    assert!(said.contains("bend.orbit_radius_mm: 20.45 instead of 24.5"), "{said}");
+    assert!(said.contains("bend.pin_radius_mm: 1.5 instead of 1.6"), "{said}");
+    assert_eq!(read(folder.path(), file), first);
+    run(&["profile", "revert", "mine"]).ended(0);
+    assert_eq!(read(folder.path(), file), second, "a second revert makes the change again");
+
+    let reverted = run(&["profile", "revert", "mine", "bend.orbit_radius_mm", "--json"]).ended(0).json();
+    assert_fits("profile-revert", &reverted);
+    let expected = serde_json::json!([{"key": "bend.orbit_radius_mm", "before": 24.5, "value": 20.4}]);
+    assert_eq!(reverted["values"], expected);
+    assert!(!read(folder.path(), file).contains("orbit_radius_mm"), "it is the parent's again");
+    let refused = run(&["profile", "revert", "mine", "bend.orbit_radius_mm"]).ended(2).err;
+    assert!(refused.contains("a key that the profile itself sets"), "{refused}");
+    let shipped = run(&["profile", "revert", "wirebend-kit", "--kind", "machine"]).ended(2).err;
+    assert!(shipped.contains("comes with the program"), "{shipped}");
+
+    // What somebody has written by hand is not thrown away.
+    let described = "\"mine\",\n  \"description\": \"by hand\",\n";
+    let by_hand = read(folder.path(), file).replacen("\"mine\",\n", described, 1);
+    std::fs::write(folder.path().join(file), &by_hand).unwrap();
+    let refused = run(&["profile", "revert", "mine"]).ended(2).err;
+    assert!(refused.contains("changed by something else"), "{refused}");
+    assert_eq!(read(folder.path(), file), by_hand);
+}

@@ -12,7 +12,8 @@ use wirebend_profile::Kind;
 
 use super::fit::{Fitted, ShapeName};
 use super::report::{CalibrationReport, estimate};
-use crate::profiles::set::{OwnProfile, sourced};
+use crate::profiles::OwnProfile;
+use crate::profiles::set::sourced;
 use crate::{Installation, PlanningError, Progress};
 
 #[derive(Debug, Clone, Deserialize, JsonSchema)]

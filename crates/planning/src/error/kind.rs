@@ -47,6 +47,7 @@ impl PlanningError {
             | Self::OnlyLengths
             | Self::IdTaken { .. }
             | Self::ShippedProfile { .. }
+            | Self::NothingToRevert { .. }
             | Self::SeveralKinds { .. }
             | Self::OtherKind { .. }
             | Self::OpenParent { .. }
@@ -114,6 +115,7 @@ impl PlanningError {
             Self::Noise { .. } => ErrorCode::NoiseProfile,
             Self::Calibration(_) => ErrorCode::Calibration,
             Self::ShippedProfile { .. } => ErrorCode::ShippedProfile,
+            Self::NothingToRevert { .. } => ErrorCode::NothingToRevert,
             Self::Value { .. } => ErrorCode::Value,
             Self::IdTaken { .. } => ErrorCode::IdTaken,
             Self::SeveralKinds { .. } => ErrorCode::SeveralKinds,

@@ -129,6 +129,13 @@ pub enum PlanningError {
     /// A profile that comes with the program is to be changed.
     #[error("'{id}' comes with the program and stays as it is")]
     ShippedProfile { id: String },
+    /// There is no last change of a profile.
+    #[error("{}", text::profile::nothing_to_revert(.id, *.changed_elsewhere))]
+    NothingToRevert {
+        id: String,
+        /// There was one, and the file has been changed by something else since.
+        changed_elsewhere: bool,
+    },
     /// A number is outside what makes sense.
     #[error("{name} is {value}, expected {expected}")]
     Value {

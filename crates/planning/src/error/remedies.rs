@@ -33,6 +33,7 @@ impl PlanningError {
             | Self::Faces { .. }
             | Self::SequenceFile { .. } => vec![R::CorrectFile],
             Self::ShippedProfile { .. } => vec![R::CopyProfile],
+            Self::NothingToRevert { .. } => vec![R::CorrectInput { input: InputName::ProfileKeys }],
             Self::NoMaterial { known } | Self::LoadCase { known, .. } => {
                 vec![R::ChooseKnown { near: Vec::new(), known: known.clone() }]
             }

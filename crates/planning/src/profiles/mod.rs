@@ -1,7 +1,14 @@
-//! What is done with profiles themselves: checked, explained, written.
+//! What is done with profiles themselves: checked, explained, written, changed and passed on.
 
 pub mod check;
 pub mod explain;
+pub mod head;
+pub mod history;
 pub mod new;
+mod own;
+pub mod revert;
 pub mod set;
+pub mod share;
 pub mod springback;
+
+pub(crate) use own::OwnProfile;

@@ -1,16 +1,14 @@
 //! `profile set`: values of a profile of the person's own, each with its source.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 use wirebend_error::InputName;
-use wirebend_files::read::read_file;
-use wirebend_profile::{Child, Kind, schema, written};
+use wirebend_profile::{Kind, schema};
 
-use super::new::{check_id, make_folder, schema_beside};
-use crate::output::Output;
+use super::own::OwnProfile;
 use crate::{Installation, PlanningError, Progress};
 
 /// Which values to set.
@@ -108,6 +106,23 @@ pub fn set(
     Ok(ProfileSetResponse { id: request.id.clone(), kind, file: profile.save()?, created, values })
 }
 
+/// Sets one value of a profile of the person's own as it is, without a source, or takes it out.
+pub fn replace(
+    app: &Installation,
+    (kind, id): (Kind, &str),
+    key: &str,
+    value: Option<Value>,
+) -> Result<PathBuf, PlanningError> {
+    let mut profile = OwnProfile::open(app, kind, id)?;
+    match value {
+        Some(value) => profile.set(key, value)?,
+        // What is not there need not be taken out.
+        None => profile.remove(key).unwrap_or_default(),
+    }
+    profile.check(app)?;
+    profile.save()
+}
+
 /// A figure with its source.
 pub(crate) fn sourced(value: &Value, source: &str, measured: bool) -> Value {
     json!({ "value": value, "source": source, "measured": measured })
@@ -137,87 +152,5 @@ fn resolved<'a>(schema: &'a Value, part: &'a Value) -> &'a Value {
             Some(named) => at = named,
             None => return one,
         }
-    }
-}
-
-/// A profile of the person's own that is being written.
-pub(crate) struct OwnProfile {
-    pub kind: Kind,
-    file: PathBuf,
-    values: Map<String, Value>,
-    force: bool,
-}
-
-impl OwnProfile {
-    /// A new one in a folder of profiles, that inherits from a known one and changes nothing yet. `force` lets it replace
-    /// one that is there.
-    pub fn new(
-        app: &Installation,
-        kind: Kind,
-        id: &str,
-        inherits: &str,
-        (folder, force): (&Path, bool),
-    ) -> Result<Self, PlanningError> {
-        check_id(id)?;
-        let file = folder.join(kind.folder()).join(format!("{id}.json"));
-        app.check_free(kind, id, Some(&file))?;
-        Output { path: file.clone(), force }.check()?;
-        let beside = schema_beside(&file, kind);
-        let child = Child { kind, id, inherits, name: id, schema: beside.as_deref(), all: false };
-        let text = app.library.child_text(&child)?;
-        Ok(Self { kind, file, values: serde_json::from_str(&text)?, force })
-    }
-
-    /// One that is there.
-    pub fn open(app: &Installation, kind: Kind, id: &str) -> Result<Self, PlanningError> {
-        let chain = app.library.explain(kind, id)?.chain;
-        let own = chain.into_iter().next().filter(|own| !own.shipped);
-        let file = own.ok_or_else(|| PlanningError::ShippedProfile { id: id.to_owned() })?.file;
-        let file = PathBuf::from(file);
-        let values = serde_json::from_slice(&read_file(&file)?)?;
-        Ok(Self { kind, file, values, force: true })
-    }
-
-    /// Sets a value under a dotted key; groups that are missing are made.
-    pub fn set(&mut self, key: &str, value: Value) -> Result<(), PlanningError> {
-        let mut parts: Vec<&str> = key.split('.').collect();
-        let last = parts.pop().unwrap_or_default();
-        let mut at = &mut self.values;
-        for part in parts {
-            let group = at.entry(part).or_insert_with(|| Value::Object(Map::new()));
-            at = group.as_object_mut().ok_or_else(|| PlanningError::Value {
-                input: Some(InputName::ProfileValues),
-                name: "a key",
-                value: format!("'{key}'"),
-                expected: "a key of the profile, whose groups are apart by points",
-            })?;
-        }
-        at.insert(last.to_owned(), value);
-        Ok(())
-    }
-
-    fn text(&self) -> Result<String, PlanningError> {
-        let text = serde_json::to_string_pretty(&self.values)? + "\n";
-        Ok(written(self.kind, &text).unwrap_or(text))
-    }
-
-    /// Refuses what is no profile, by the rules and by the machine's driver.
-    pub fn check(&self, app: &Installation) -> Result<(), PlanningError> {
-        app.require_profile(&self.file.display().to_string(), &self.text()?)
-    }
-
-    /// Writes it.
-    pub fn save(self) -> Result<PathBuf, PlanningError> {
-        let text = self.text()?;
-        make_folder(&self.file)?;
-        Output { path: self.file, force: self.force }.save(text.as_bytes())
-    }
-}
-
-impl Installation {
-    /// This installation as it will be with one profile more.
-    pub(crate) fn with_profile(&self, profile: &OwnProfile) -> Result<Self, PlanningError> {
-        let library = self.library.with(&profile.file.display().to_string(), &profile.text()?)?;
-        Ok(self.with_library(library))
     }
 }

@@ -14,6 +14,7 @@ mod frame;
 mod limit;
 mod machine;
 mod number;
+pub mod profile;
 mod remedy;
 mod route;
 mod sequence;

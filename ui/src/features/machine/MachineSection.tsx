@@ -1,14 +1,18 @@
 import { useEffect } from "react";
+import { Button } from "../../shared/controls/Button";
 import { count } from "../../shared/figures/format";
 import { useUnit } from "../../shared/figures/unit";
 import { useDesign } from "../../state/design/design";
 import { needMachines, useMachines } from "../../state/machine/machines";
+import { openProfile } from "../../state/machine/profile";
 import { Section } from "../panel/Section";
 import { misfit } from "./choosing/fit";
 import { MachineList } from "./choosing/MachineList";
 import { Materials } from "./choosing/Materials";
 import { Drivers, waits } from "./drivers/Drivers";
+import { ProfileEditor } from "./editor/ProfileEditor";
 import { Fold } from "./Fold";
+import { ImportProfile } from "./profile/ImportProfile";
 import { ThisMachine } from "./profile/ThisMachine";
 import "./machine.css";
 
@@ -33,6 +37,7 @@ export function MachineSection() {
     >
       <Fold title="Machines" phrase={machines ? `${machines.length} to choose from` : ""} start>
         <MachineList place="panel" />
+        <ImportProfile />
       </Fold>
       {machine && (
         <Fold title="This machine" phrase={name}>
@@ -41,6 +46,13 @@ export function MachineSection() {
       )}
       <Fold title="Wire" phrase={wire?.name ?? material ?? "none chosen"}>
         <Materials />
+        {material && (
+          <div className="row wrap">
+            <Button onClick={() => void openProfile("material", material)}>
+              {wire?.shipped === false ? "Edit this wire…" : "Values of this wire…"}
+            </Button>
+          </div>
+        )}
       </Fold>
       <Fold
         title="Drivers"
@@ -48,6 +60,7 @@ export function MachineSection() {
       >
         <Drivers />
       </Fold>
+      <ProfileEditor />
     </Section>
   );
 }

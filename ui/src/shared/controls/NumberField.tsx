@@ -4,7 +4,7 @@ import { type DisplayUnit, lengthNumber, number, short, unitName } from "../figu
 import { parseAngle, parseLength, parseNumber } from "../figures/parse";
 import { useUnit } from "../figures/unit";
 
-type Quantity = "length" | "angle" | "number" | "percent" | "whole";
+type Quantity = "length" | "fine" | "angle" | "number" | "percent" | "whole";
 
 interface Kind {
   readonly unit: string;
@@ -22,6 +22,18 @@ const plainNumber = (unit: string): Kind => ({
   step: 0.1,
 });
 
+/** A length of a machine, which has as many digits as were measured; `per`: "/s" of a speed. */
+const fineLength = (unit: DisplayUnit, per: string): Kind => {
+  const mm = unit === "inch" ? 25.4 : 1;
+  return {
+    unit: unitName(unit) + per,
+    show: (value) => short(value / mm).replace(/\u202f/g, ""),
+    read: (text) =>
+      parseLength(per && text.trimEnd().endsWith(per) ? text.trimEnd().slice(0, -per.length) : text, unit),
+    step: 0.1 * (unit === "inch" ? 2.54 : 1),
+  };
+};
+
 /** How a quantity is shown and read. Lengths in mm, angles in degrees, percent as a share of 1; `own`: see `unit`. */
 function quantity(kind: Quantity, unit: DisplayUnit, own: string): Kind {
   const plain = (text: string) => text.replace(/\u202f/g, "");
@@ -33,6 +45,8 @@ function quantity(kind: Quantity, unit: DisplayUnit, own: string): Kind {
         read: (text) => parseLength(text, unit),
         step: unit === "inch" ? 2.54 : 1,
       };
+    case "fine":
+      return fineLength(unit, own);
     case "angle":
       return { unit: "°", show: (deg) => plain(number(deg)), read: parseAngle, step: 1 };
     case "percent":
@@ -69,7 +83,7 @@ export interface NumberFieldProps {
   /** A letter or word in front, such as "X". */
   readonly prefix?: string;
   readonly kind?: Quantity;
-  /** Of a `number` that has one, such as "g"; the other kinds have their own. */
+  /** Of a `number` that has one, such as "g"; of a `fine` length what it is per, such as "/s"; the other kinds have their own. */
   readonly unit?: string;
   /** null: nothing in common, or not known; the field is empty. */
   readonly value: number | null;

@@ -17,6 +17,7 @@ export function Dialog({
   children,
   actions,
   wide,
+  large,
 }: {
   readonly title: string;
   readonly onClose?: (() => void) | undefined;
@@ -24,6 +25,8 @@ export function Dialog({
   /** Buttons at the foot, the one that leads on last. */
   readonly actions?: ReactNode;
   readonly wide?: boolean;
+  /** As large as the window lets it, as high whatever is in it; what is in it scrolls itself. */
+  readonly large?: boolean;
 }) {
   const dialog = useRef<HTMLDialogElement>(null);
   const id = useId();
@@ -45,7 +48,7 @@ export function Dialog({
   return (
     <dialog
       ref={dialog}
-      className={wide ? "dialog wide" : "dialog"}
+      className={large ? "dialog large" : wide ? "dialog wide" : "dialog"}
       aria-labelledby={id}
       onCancel={(event) => {
         event.preventDefault();

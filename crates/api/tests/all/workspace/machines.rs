@@ -158,7 +158,10 @@ fn a_machine_is_copied_and_then_set() {
     let set = json!({"machine": "wirebend-kit", "settings": {key.clone(): value}});
     assert_eq!(window.try_ask("change-settings", set).unwrap_err().code, "shipped-profile");
 
-    window.ask("copy-machine", json!({"machine": "wirebend-kit", "id": "mine", "name": "Mine"}));
+    window.ask(
+        "copy-profile",
+        json!({"kind": "machine", "from": "wirebend-kit", "id": "mine", "name": "Mine"}),
+    );
     let mine = window.ask("machine-view", json!({"machine": "mine"}));
     assert_eq!((&mine["shipped"], &mine["inherits"]), (&json!(false), &json!("wirebend-kit")));
     let changed = window.ask("change-settings", json!({"machine": "mine", "settings": {key.clone(): value}}));

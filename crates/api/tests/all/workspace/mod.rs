@@ -3,6 +3,7 @@
 mod designs;
 mod frames;
 mod machines;
+mod profiles;
 mod running;
 mod wrong_files;
 

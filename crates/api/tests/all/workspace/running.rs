@@ -110,13 +110,16 @@ fn moves_by_hand_make_a_wire_until_the_machine_is_homed_again() {
 fn a_machine_that_was_connected_before_its_profile_changed_is_connected_again() {
     let window = Window::new();
     window.ask("open-example", json!({"id": "house"}));
-    window.ask("copy-machine", json!({"machine": "wirebend-kit", "id": "mine", "name": "Mine"}));
+    window.ask(
+        "copy-profile",
+        json!({"kind": "machine", "from": "wirebend-kit", "id": "mine", "name": "Mine"}),
+    );
     window.ask("edit", json!({"request": {"edit": "machine", "machine": "mine", "material": null}}));
     window.connect();
     window.order(&json!({"order": "home"}));
     window.until_phase("ready");
     // Profiles are read again, and this one says the same.
-    window.ask("copy-machine", json!({"machine": "mine", "id": "other", "name": "Other"}));
+    window.ask("copy-profile", json!({"kind": "machine", "from": "mine", "id": "other", "name": "Other"}));
     window.order(&json!({"order": "home"}));
     window.until_phase("ready");
     let set = json!({"machine": "mine", "settings": {"feed_steps_per_mm": 20.0}});

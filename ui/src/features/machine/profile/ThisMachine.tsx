@@ -6,10 +6,11 @@ import { number } from "../../../shared/figures/format";
 import { useLengths } from "../../../shared/figures/unit";
 import { Line } from "../../../shared/lists/Line";
 import { useMachines, viewOf } from "../../../state/machine/machines";
+import { openProfile } from "../../../state/machine/profile";
 import { range } from "../choosing/MachineList";
 import { Fold } from "../Fold";
 import { MachineSettings } from "../settings/MachineSettings";
-import { CopyMachine } from "./CopyMachine";
+import { CopyProfile } from "./CopyProfile";
 import { ExplainDialog } from "./ExplainDialog";
 
 /** What is known of the machine of the design, and its settings. */
@@ -41,6 +42,9 @@ export function ThisMachine({ id }: { readonly id: string }) {
       <p>{view.description}</p>
       <Figures view={view} />
       <div className="row wrap">
+        <Button onClick={() => void openProfile("machine", view.id)}>
+          {view.shipped ? "Values…" : "Edit values…"}
+        </Button>
         <Button onClick={() => setDialog("explain")}>Explain…</Button>
         <Button
           icon="copy"
@@ -50,7 +54,9 @@ export function ThisMachine({ id }: { readonly id: string }) {
           Copy to my profiles…
         </Button>
       </div>
-      {dialog === "copy" && <CopyMachine view={view} onDone={() => setDialog(null)} />}
+      {dialog === "copy" && (
+        <CopyProfile kind="machine" from={view.id} fromName={view.name} onDone={() => setDialog(null)} />
+      )}
       {dialog === "explain" && <ExplainDialog id={view.id} name={view.name} onClose={() => setDialog(null)} />}
       <Fold title="Settings" phrase={view.shipped ? "as shipped" : "yours"}>
         <MachineSettings key={view.id} view={view} />

@@ -1,35 +1,47 @@
 import { useState } from "react";
-import type { MachineViewResponse } from "../../../generated/responses";
 import { platform } from "../../../platform";
 import { Button } from "../../../shared/controls/Button";
 import { Field } from "../../../shared/controls/Field";
 import { TextInput } from "../../../shared/controls/inputs";
 import { told } from "../../../state/asking/problems";
 import { useDesign } from "../../../state/design/design";
-import { profilesChanged, switchTo, useMachines } from "../../../state/machine/machines";
+import { chooseMaterial, profilesChanged, switchTo, useMachines } from "../../../state/machine/machines";
+import type { ProfileKind } from "../../../state/machine/profile";
 import { slugOf, slugProblem } from "./slug";
 
-/** A profile of one's own that inherits from a machine; the design takes it. */
-export function CopyMachine({ view, onDone }: { readonly view: MachineViewResponse; readonly onDone: () => void }) {
-  const [name, setName] = useState(`My ${view.name}`);
+/** A profile of one's own that inherits from another; the design takes it. */
+export function CopyProfile({
+  kind,
+  from,
+  fromName,
+  onDone,
+}: {
+  readonly kind: ProfileKind;
+  readonly from: string;
+  readonly fromName: string;
+  /** With the id of the new one; null where the person has changed their mind. */
+  readonly onDone: (made: string | null) => void;
+}) {
+  const [name, setName] = useState(`My ${fromName}`);
   const [typed, setTyped] = useState<string | null>(null);
   const [busy, setBusy] = useState(false);
-  const machines = useMachines((store) => store.machines);
-  const material = useDesign((design) => design.state?.material ?? null);
+  const known = useMachines((store) => (kind === "machine" ? store.machines : store.materials));
+  const state = useDesign((design) => design.state);
   const id = typed ?? slugOf(name);
   const wrong = slugProblem(
     id,
-    (machines ?? []).map((machine) => machine.id),
+    (known ?? []).map((entry) => entry.id),
   );
   const make = async () => {
     setBusy(true);
-    const made = await told(platform.ask("copy-machine", { machine: view.id, id, name: name.trim() }));
+    const made = await told(platform.ask("copy-profile", { kind, from, id, name: name.trim() }));
     setBusy(false);
     if (!made) return;
     profilesChanged(null);
     // It has the same figures, so that there is nothing to compare.
-    await switchTo(made.id, material);
-    onDone();
+    if (kind === "machine") await switchTo(made.id, state?.material ?? null);
+    else await chooseMaterial(made.id);
+    onDone(made.id);
   };
   const why = name.trim() === "" ? "Enter a name." : (wrong ?? (busy ? "The file is being written." : null));
   return (
@@ -55,10 +67,11 @@ export function CopyMachine({ view, onDone }: { readonly view: MachineViewRespon
         {(ids) => <TextInput {...ids} value={id} onChange={(event) => setTyped(event.currentTarget.value)} />}
       </Field>
       <p className="muted small">
-        It has all figures of {view.name}, and those that you change. The design takes it as its machine.
+        It has all figures of {fromName}, and those that you change. The design takes it as its{" "}
+        {kind === "machine" ? "machine" : "wire"}.
       </p>
       <div className="row end">
-        <Button onClick={onDone}>Cancel</Button>
+        <Button onClick={() => onDone(null)}>Cancel</Button>
         <Button kind="primary" type="submit" why={why}>
           Copy
         </Button>

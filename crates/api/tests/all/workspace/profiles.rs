@@ -1,0 +1,117 @@
+//! Profiles that are edited in the window.
+
+use super::*;
+
+fn value<'a>(view: &'a Value, key: &str) -> &'a Value {
+    let values = view["profile"]["values"].as_array().unwrap();
+    values.iter().find(|value| value["key"] == key).unwrap_or(&Value::Null)
+}
+
+/// Who measures their head and types it in gets another program for the open design at once, and can go back value by value.
+#[test]
+fn a_dimension_of_a_copy_is_set_with_its_source_and_taken_back() {
+    let window = Window::new();
+    window.ask("open-example", json!({"id": "house"}));
+    let copy = json!({"kind": "machine", "from": "wirebend-kit", "id": "mine", "name": "Mine"});
+    window.ask("copy-profile", copy);
+    window.ask("edit", json!({"request": {"edit": "machine", "machine": "mine", "material": null}}));
+    let first = window.ask("profile-view", json!({"kind": "machine", "id": "mine"}));
+    assert_eq!((&first["shipped"], &first["has_last_change"]), (&json!(false), &json!(false)));
+    assert_eq!(first["head"]["peg"]["orbit_radius_mm"], 20.4);
+    let before = window.ask("program", json!({}));
+
+    let set = |values: Value| json!({"kind": "machine", "id": "mine", "values": values, "source": "measured by me on 2026-11-26", "measured": true});
+    let radius = [json!({"key": "bend.orbit_radius_mm", "value": 21.0})];
+    let view = window.ask("set-profile", set(json!(radius)));
+    let set_value = value(&view, "bend.orbit_radius_mm");
+    assert_eq!(set_value["value"], 21.0);
+    assert_eq!(set_value["source"], "measured by me on 2026-11-26");
+    assert_eq!((&set_value["measured"], &set_value["set_by"]), (&json!(true), &json!("mine")));
+    assert_eq!(set_value["instead_of"], json!({"value": 20.4, "set_by": "wirebend-kit"}));
+    // The drawing is of the head as it is now, and so is the program of the open design.
+    assert_eq!(view["head"]["peg"]["orbit_radius_mm"], 21.0);
+    let told = |program: &Value| program["wires"][0]["steps"][1]["told"]["bend_deg"].as_f64().unwrap();
+    let after = window.ask("program", json!({}));
+    assert!((told(&before) - told(&after)).abs() > 0.01, "{} {}", told(&before), told(&after));
+
+    // What cannot be is refused, and nothing is written.
+    let file = std::fs::read(view["file"].as_str().unwrap()).unwrap();
+    let wrong = [json!({"key": "bend.orbit_radius_mm", "value": -3})];
+    assert_eq!(window.try_ask("set-profile", set(json!(wrong))).unwrap_err().code, "profile-rule");
+    assert_eq!(std::fs::read(view["file"].as_str().unwrap()).unwrap(), file);
+
+    let window_revert =
+        |keys: Value| window.ask("revert-profile", json!({"kind": "machine", "id": "mine", "keys": keys}));
+    let two = json!([{"key": "signs.bend", "value": -1}, {"key": "time.fixed_per_bend_s", "value": 2}]);
+    window.ask("set-profile", set(two));
+    let back = window_revert(json!(["bend.orbit_radius_mm"]));
+    assert_eq!(value(&back, "bend.orbit_radius_mm")["set_by"], "wirebend-kit");
+    assert_eq!(value(&back, "signs.bend")["set_by"], "mine");
+    let again = window_revert(json!([]));
+    assert_eq!(value(&again, "bend.orbit_radius_mm")["value"], 21.0, "the last change was the revert");
+    assert_eq!(again["has_last_change"], true);
+}
+
+/// A springback that was measured takes the place of a table as a whole, and a list of bodies that of the parent's.
+#[test]
+fn values_that_are_replaced_as_a_whole_are_set_as_a_whole() {
+    let window = Window::new();
+    let copy = json!({"kind": "material", "from": "aluminium-3-175mm", "id": "spool", "name": "My spool"});
+    window.ask("copy-profile", copy);
+    let loss =
+        json!({"model": "constant", "angle_deg": {"value": 6.5, "source": "three bends", "measured": true}});
+    let values = json!([{"key": "springback", "value": loss}]);
+    let set = json!({"kind": "material", "id": "spool", "values": values, "source": "three bends", "measured": true});
+    let view = window.ask("set-profile", set);
+    assert_eq!(value(&view, "springback.angle_deg")["value"], 6.5);
+    assert_eq!(value(&view, "springback.positive"), &Value::Null);
+    let back =
+        window.ask("revert-profile", json!({"kind": "material", "id": "spool", "keys": ["springback"]}));
+    assert!(value(&back, "springback.positive").is_object());
+}
+
+/// A machine is passed on as one file, also where it inherits from another one of the person's own.
+#[test]
+fn a_profile_goes_to_another_computer_as_one_file() {
+    let window = Window::new();
+    let copy = |from: &str, id: &str| json!({"kind": "machine", "from": from, "id": id, "name": id});
+    window.ask("copy-profile", copy("wirebend-kit", "base"));
+    window.ask("copy-profile", copy("base", "mine"));
+    let set = |id: &str, key: &str, value: Value| {
+        let values = json!([{"key": key, "value": value}]);
+        window.ask(
+            "set-profile",
+            json!({"kind": "machine", "id": id, "values": values, "source": "caliper", "measured": true}),
+        )
+    };
+    set("base", "bend.pin_radius_mm", json!(1.6));
+    // A value that the base takes away stays away.
+    set("base", "bend.torque_n_m", Value::Null);
+    let mine = set("mine", "bend.orbit_radius_mm", json!(20.5));
+    let file = window.home.path().join("mine.json");
+    let export = json!({"kind": "machine", "id": "mine", "output": {"path": file}});
+    window.ask("export-profile", export.clone());
+    assert_eq!(window.try_ask("export-profile", export).unwrap_err().code, "exists");
+
+    let other = Window::new();
+    let import = json!({"file": file});
+    assert!(std::fs::read_to_string(&file).unwrap().contains("\"torque_n_m\": null"));
+    let taken = other.ask("import-profile", import.clone());
+    assert_eq!(taken, json!({"kind": "machine", "id": "mine", "name": "mine"}));
+    let view = other.ask("profile-view", json!({"kind": "machine", "id": "mine"}));
+    let plain = |view: &Value| -> Vec<[Value; 2]> {
+        let values = view["profile"]["values"].as_array().unwrap().iter();
+        values
+            .filter(|value| !value["value"].is_null())
+            .map(|value| [value["key"].clone(), value["value"].clone()])
+            .collect()
+    };
+    assert_eq!(plain(&view), plain(&mine));
+    assert_eq!(view["profile"]["chain"][1]["id"], "wirebend-kit");
+    assert_eq!(other.try_ask("import-profile", import).unwrap_err().code, "id-taken");
+    let taken = other.ask("import-profile", json!({"file": file, "id": "second"}));
+    assert_eq!(taken["id"], "second");
+    // A file that is no profile is none, whatever it is called.
+    std::fs::write(&file, "{\"kind\": \"cat\"}").unwrap();
+    assert_eq!(other.try_ask("import-profile", json!({"file": file})).unwrap_err().code, "value");
+}

@@ -1,0 +1,238 @@
+import { useId, useState } from "react";
+import type { ValueReport } from "../../../generated/responses";
+import { Button } from "../../../shared/controls/Button";
+import { Checkbox, Select, TextInput } from "../../../shared/controls/inputs";
+import { NumberField } from "../../../shared/controls/NumberField";
+import { useUnit } from "../../../shared/figures/unit";
+import { useMachines } from "../../../state/machine/machines";
+import { isOwn, type PlainValue, reportOf, setValue, takeBack, useProfile } from "../../../state/machine/profile";
+import type { FieldSpec } from "./fields";
+import { Springback } from "./Springback";
+import { beforeOf, sourceOf } from "./words";
+
+/** A value with its source; what is changed is marked, says what it was, and can be taken back. */
+export function ValueRow({ spec, why }: { readonly spec: FieldSpec; readonly why: string | null }) {
+  const view = useProfile((store) => store.view);
+  const refused = useProfile((store) => (store.refused?.key === spec.key ? store.refused.message : null));
+  const [editing, setEditing] = useState(false);
+  const id = useId();
+  const unit = useUnit();
+  const value = reportOf(view, spec.kind === "springback" ? "springback.model" : spec.key);
+  const own = isOwn(view, spec.key);
+  const stated = spec.kind === "springback" ? statedOf(view?.profile.values ?? []) : value;
+  const missing = value === null || value.value === null;
+  return (
+    <fieldset
+      className={own ? "value-row own" : "value-row"}
+      aria-labelledby={id}
+      data-key={spec.key}
+      data-wide={spec.kind === "springback" || undefined}
+    >
+      <span id={id} className="value-label" title={spec.hint}>
+        {spec.label}
+        {own && <span className="value-changed">changed</span>}
+      </span>
+      <div className="value-control">
+        <Control spec={spec} value={value} why={why} labelledBy={id} />
+      </div>
+      <div className="value-below small">
+        {refused ? (
+          <span className="value-refused" role="alert" title={refused}>
+            {refused}
+          </span>
+        ) : (
+          <span className="value-source ellipsis" title={sourceOf(stated)}>
+            {own && beforeOf(spec, stated, unit)}
+            {sourceOf(stated)}
+          </span>
+        )}
+        {!why && own && stated?.source && spec.kind !== "springback" && (
+          <Button kind="link" aria-label={`Change the source of ${spec.label}`} onClick={() => setEditing(!editing)}>
+            Source…
+          </Button>
+        )}
+        {!why && own && (
+          <Button kind="link" aria-label={`Take back ${spec.label}`} onClick={() => void takeBack(spec.key)}>
+            Take back
+          </Button>
+        )}
+        {!why && !own && !missing && spec.absent && spec.kind !== "text" && (
+          <Button kind="link" title={`Set to “${spec.absent}”`} onClick={() => void setValue(spec.key, null)}>
+            Remove
+          </Button>
+        )}
+      </div>
+      {editing && value && <SourceOf spec={spec} value={value} onDone={() => setEditing(false)} />}
+    </fieldset>
+  );
+}
+
+/** Of a springback what states a source: the pairs of a table, or the one angle. */
+const statedOf = (values: readonly ValueReport[]): ValueReport | null =>
+  values.find(({ key }) => key === "springback.positive" || key === "springback.angle_deg") ?? null;
+
+function Control({
+  spec,
+  value,
+  why,
+  labelledBy,
+}: {
+  readonly spec: FieldSpec;
+  readonly value: ValueReport | null;
+  readonly why: string | null;
+  readonly labelledBy: string;
+}) {
+  const materials = useMachines((store) => store.materials);
+  const set = (plain: PlainValue) => void setValue(spec.key, plain);
+  const plain = (value?.value ?? null) as PlainValue;
+  const placeholder = spec.absent ?? "";
+  switch (spec.kind) {
+    case "length":
+    case "number":
+      return (
+        <NumberField
+          label={spec.label}
+          kind={spec.kind === "length" ? "fine" : "number"}
+          unit={spec.kind === "length" ? (spec.per ?? "") : (spec.unit ?? "")}
+          value={typeof plain === "number" ? plain : null}
+          placeholder={placeholder}
+          why={why}
+          onCommit={set}
+        />
+      );
+    case "yes-no":
+      return (
+        <Checkbox checked={plain === true} onChange={set} why={why}>
+          by this program
+        </Checkbox>
+      );
+    case "sign":
+      return (
+        <Select
+          aria-labelledby={labelledBy}
+          value={plain === -1 ? "-1" : "1"}
+          disabled={Boolean(why)}
+          choices={[
+            { value: "1", label: "As designed (+1)" },
+            { value: "-1", label: "Reversed (−1)" },
+          ]}
+          onChoose={(chosen) => set(Number(chosen))}
+        />
+      );
+    case "choice":
+      return (
+        <Select
+          aria-labelledby={labelledBy}
+          value={String(plain)}
+          disabled={Boolean(why)}
+          choices={spec.choices}
+          onChoose={set}
+        />
+      );
+    case "material":
+      return (
+        <Select
+          aria-labelledby={labelledBy}
+          value={String(plain ?? "")}
+          disabled={Boolean(why)}
+          choices={(materials ?? []).map(({ id, name }) => ({ value: id, label: name }))}
+          onChoose={set}
+        />
+      );
+    case "text":
+      return (
+        <CommitText
+          label={spec.label}
+          value={typeof plain === "string" ? plain : ""}
+          placeholder={placeholder}
+          why={why}
+          onCommit={(text) => set(text === "" ? null : text)}
+        />
+      );
+    case "springback":
+      return <Springback why={why} />;
+  }
+}
+
+/** A line of text that is taken with Enter or by leaving it. */
+export function CommitText({
+  label,
+  value,
+  placeholder,
+  why,
+  onCommit,
+}: {
+  readonly label: string;
+  readonly value: string;
+  readonly placeholder?: string;
+  readonly why?: string | null;
+  readonly onCommit: (text: string) => void;
+}) {
+  const [typed, setTyped] = useState<string | null>(null);
+  const commit = () => {
+    if (typed !== null && typed.trim() !== value) onCommit(typed.trim());
+    setTyped(null);
+  };
+  return (
+    <TextInput
+      aria-label={label}
+      value={typed ?? value}
+      placeholder={placeholder}
+      readOnly={Boolean(why)}
+      aria-disabled={why ? true : undefined}
+      title={why ?? undefined}
+      onChange={(event) => setTyped(event.currentTarget.value)}
+      onBlur={commit}
+      onKeyDown={(event) => {
+        if (event.key === "Enter") commit();
+        else if (event.key === "Escape" && typed !== null) {
+          event.preventDefault();
+          event.stopPropagation();
+          setTyped(null);
+        }
+      }}
+    />
+  );
+}
+
+/** Another source for a value that stays as it is. */
+function SourceOf({
+  spec,
+  value,
+  onDone,
+}: {
+  readonly spec: FieldSpec;
+  readonly value: ValueReport;
+  readonly onDone: () => void;
+}) {
+  const [text, setText] = useState(value.source ?? "");
+  const [measured, setMeasured] = useState(value.measured ?? false);
+  return (
+    <form
+      className="value-source-form inset stack"
+      onSubmit={(event) => {
+        event.preventDefault();
+        void setValue(spec.key, value.value as PlainValue, { text: text.trim(), measured }).then(onDone);
+      }}
+    >
+      <TextInput
+        aria-label={`Source of ${spec.label}`}
+        value={text}
+        autoFocus
+        onChange={(event) => setText(event.currentTarget.value)}
+      />
+      <div className="row">
+        <Checkbox checked={measured} onChange={setMeasured}>
+          Measured
+        </Checkbox>
+        <span className="grow" />
+        <Button small onClick={onDone}>
+          Cancel
+        </Button>
+        <Button small kind="primary" type="submit" why={text.trim() === "" ? "Say where the value comes from." : null}>
+          Set source
+        </Button>
+      </div>
+    </form>
+  );
+}

@@ -1,0 +1,30 @@
+/** How values of profiles and where they come from are said. */
+
+import type { ValueReport } from "../../../generated/responses";
+import { type DisplayUnit, short, unitName } from "../../../shared/figures/format";
+import type { FieldSpec } from "./fields";
+
+/** Where a value comes from: "Measured: caliper", or the profile that sets it. */
+export function sourceOf(value: ValueReport | null): string {
+  if (!value) return "not set";
+  if (value.source)
+    return value.measured && !/measured/i.test(value.source) ? `Measured: ${value.source}` : value.source;
+  return `set in ${value.set_by}`;
+}
+
+/** A plain value with its unit. */
+function shown(spec: FieldSpec, value: unknown, unit: DisplayUnit): string {
+  if (value === null || value === undefined) return spec.absent ?? "none";
+  if (typeof value === "boolean") return value ? "yes" : "no";
+  if (typeof value !== "number") return typeof value === "string" ? value : "other pairs";
+  if (spec.kind === "length")
+    return `${short(value / (unit === "inch" ? 25.4 : 1))} ${unitName(unit)}${spec.per ?? ""}`;
+  const own = spec.kind === "number" ? (spec.unit ?? "") : spec.kind === "springback" ? "°" : "";
+  return own === "" ? short(value) : `${short(value)}${own.startsWith("°") ? "" : " "}${own}`;
+}
+
+/** "was 20.4 mm · ", of a value that takes the place of another. */
+export function beforeOf(spec: FieldSpec, value: ValueReport | null, unit: DisplayUnit): string {
+  if (!value?.instead_of) return "";
+  return `was ${shown(spec, value.instead_of.value, unit)} · `;
+}
