@@ -40,8 +40,8 @@ pub use wirebend_operation::{
 pub use wirebend_planning::calibrate::{
     CalibrateApplyRequest, CalibrateApplyResponse, CalibrateCompareRequest, CalibrateCompareResponse,
     CalibrateEnterResponse, CalibrateFitRequest, CalibrateNewRequest, CalibrateNewResponse,
-    CalibrationReport, ComparedValue, KindName, KindReport, LeftOutReport, MisfitReport, ParameterReport,
-    ReadingReport, ShapeName, VersionMisfit,
+    CalibrationReport, CalibrationRow, CalibrationSheet, CalibrationSheetRequest, ComparedValue, KindName,
+    KindReport, LeftOutReport, MisfitReport, ParameterReport, ReadingReport, ShapeName, VersionMisfit,
 };
 pub use wirebend_planning::catalogue::{
     MachineEntry, MachinesRequest, MachinesResponse, MaterialEntry, MaterialsRequest, MaterialsResponse,

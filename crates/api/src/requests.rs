@@ -16,18 +16,19 @@ use crate::workspace::{self, ApiErrorReport, Work, Workspace};
 use crate::{
     ApiError, CalibrateApplyRequest, CalibrateApplyResponse, CalibrateCompareRequest,
     CalibrateCompareResponse, CalibrateEnterRequest, CalibrateEnterResponse, CalibrateFitRequest,
-    CalibrateNewRequest, CalibrateNewResponse, CalibrationReport, CheckRequest, CheckResponse, Collisions,
-    CompareRequest, CompareResponse, DrawnSequence, DriverCheckRequest, DriverCheckResponse,
-    DriverTrustRequest, DriverTrustResponse, DriversRequest, DriversResponse, DumpRequest, DumpResponse,
-    ExportRequest, ExportResponse, FrameRequest, FrameResponse, FrontEnd, GenerateRequest, GenerateResponse,
-    ImportRequest, ImportResponse, Installation, JogRequest, JogResponse, LiveCheck, MachineSettingsRequest,
-    MachineSettingsResponse, MachinesRequest, MachinesResponse, MaterialsRequest, MaterialsResponse,
-    OperatorEvent, PlanRequest, PlanResponse, PortsRequest, PortsResponse, ProfileCheckRequest,
-    ProfileCheckResponse, ProfileExplainRequest, ProfileExplainResponse, ProfileNewRequest,
-    ProfileNewResponse, ProfileRevertRequest, ProfileRevertResponse, ProfileSetRequest, ProfileSetResponse,
-    ReplayRequest, RunRequest, RunResponse, RunsExportRequest, RunsExportResponse, RunsRequest, RunsResponse,
-    RunsShowRequest, RunsShowResponse, SequenceRequest, SequenceResponse, SimulateRequest, SimulateResponse,
-    ToleranceRequest, ToleranceResponse, WiresRequest, WiresResponse,
+    CalibrateNewRequest, CalibrateNewResponse, CalibrationReport, CalibrationSheet, CalibrationSheetRequest,
+    CheckRequest, CheckResponse, Collisions, CompareRequest, CompareResponse, DrawnSequence,
+    DriverCheckRequest, DriverCheckResponse, DriverTrustRequest, DriverTrustResponse, DriversRequest,
+    DriversResponse, DumpRequest, DumpResponse, ExportRequest, ExportResponse, FrameRequest, FrameResponse,
+    FrontEnd, GenerateRequest, GenerateResponse, ImportRequest, ImportResponse, Installation, JogRequest,
+    JogResponse, LiveCheck, MachineSettingsRequest, MachineSettingsResponse, MachinesRequest,
+    MachinesResponse, MaterialsRequest, MaterialsResponse, OperatorEvent, PlanRequest, PlanResponse,
+    PortsRequest, PortsResponse, ProfileCheckRequest, ProfileCheckResponse, ProfileExplainRequest,
+    ProfileExplainResponse, ProfileNewRequest, ProfileNewResponse, ProfileRevertRequest,
+    ProfileRevertResponse, ProfileSetRequest, ProfileSetResponse, ReplayRequest, RunRequest, RunResponse,
+    RunsExportRequest, RunsExportResponse, RunsRequest, RunsResponse, RunsShowRequest, RunsShowResponse,
+    SequenceRequest, SequenceResponse, SimulateRequest, SimulateResponse, ToleranceRequest,
+    ToleranceResponse, WiresRequest, WiresResponse,
 };
 
 macro_rules! requests {
@@ -183,16 +184,8 @@ requests! {
         ProfileSet(ProfileSetRequest) -> ProfileSetResponse = profiles::set::set, "profile-set";
         /// Takes back values of a profile of the person's own, or its last change.
         ProfileRevert(ProfileRevertRequest) -> ProfileRevertResponse = profiles::revert::revert, "profile-revert";
-        /// Writes coupons as jobs and a sheet for what is measured of them.
-        CalibrateNew(CalibrateNewRequest) -> CalibrateNewResponse = calibrate::new, "calibrate-new";
-        /// Enters readings into a sheet.
-        CalibrateEnter(CalibrateEnterRequest) -> CalibrateEnterResponse = calibrate_enter, "calibrate-enter";
-        /// Says what a sheet tells of the machine and the wire.
-        CalibrateFit(CalibrateFitRequest) -> CalibrationReport = calibrate::fit, "calibrate-fit";
         /// Writes a version of the machine and of the wire with what a sheet tells.
         CalibrateApply(CalibrateApplyRequest) -> CalibrateApplyResponse = calibrate::apply, "calibrate-apply";
-        /// Compares two versions of a machine and its wire.
-        CalibrateCompare(CalibrateCompareRequest) -> CalibrateCompareResponse = calibrate::compare, "calibrate-compare";
     }
     both {
         /// Lists the machines.
@@ -211,6 +204,14 @@ requests! {
         RunsShow(RunsShowRequest) -> RunsShowResponse = runs::show, "runs-show";
         /// Says which file and line set each value of a profile.
         ProfileExplain(ProfileExplainRequest) -> ProfileExplainResponse = profiles::explain::explain, "profile-explain";
+        /// Writes coupons as jobs and a sheet for what is measured of them.
+        CalibrateNew(CalibrateNewRequest) -> CalibrateNewResponse = calibrate::new, "calibrate-new";
+        /// Enters readings into a sheet.
+        CalibrateEnter(CalibrateEnterRequest) -> CalibrateEnterResponse = calibrate_enter, "calibrate-enter";
+        /// Says what a sheet tells of the machine and the wire.
+        CalibrateFit(CalibrateFitRequest) -> CalibrationReport = calibrate::fit, "calibrate-fit";
+        /// Compares two versions of a machine and its wire.
+        CalibrateCompare(CalibrateCompareRequest) -> CalibrateCompareResponse = calibrate::compare, "calibrate-compare";
     }
     window {
         /// What a window needs when it opens.
@@ -301,6 +302,10 @@ requests! {
         ImportProfile(workspace::ImportProfile) -> workspace::ImportedProfile = Workspace::import_profile, "import-profile";
         /// Changes the driver's settings in a profile of the person's own.
         ChangeSettings(workspace::ChangeSettings) -> workspace::SettingsChanged = Workspace::change_settings, "change-settings";
+        /// A sheet of a calibration with what has been read so far.
+        CalibrateSheet(CalibrationSheetRequest) -> CalibrationSheet = Workspace::calibration_sheet, "calibrate-sheet";
+        /// Writes profiles of what a sheet tells, and uses them.
+        ApplyCalibration(workspace::ApplyCalibration) -> CalibrateApplyResponse = Workspace::apply_calibration, "apply-calibration";
         /// Connects the machine.
         Connect(workspace::ConnectMachine) -> workspace::MachineNow = Workspace::connect, "connect";
         /// Says what the machine is to do.

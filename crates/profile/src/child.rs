@@ -109,11 +109,11 @@ impl Library {
 /// is no profile of the kind; [`Library::check`] says why.
 #[must_use]
 pub fn written(kind: Kind, text: &str) -> Option<String> {
-    if serde_json::from_str(text).is_ok_and(|value| takes_away(&value)) {
-        return Some(figures_on_a_line(text));
-    }
     fn of<T: Profile>(text: &str) -> Option<String> {
         to_text(&serde_json::from_str::<T>(text).ok()?).ok()
+    }
+    if serde_json::from_str(text).is_ok_and(|value| takes_away(&value)) {
+        return Some(figures_on_a_line(text));
     }
     let text = match kind {
         Kind::Machine => of::<MachineProfile>(text),

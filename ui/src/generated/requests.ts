@@ -16,6 +16,10 @@ export type Answer =
       head: number;
     };
 /**
+ * What the springback may depend on.
+ */
+export type ShapeName = "constant" | "curve";
+/**
  * What a profile describes.
  */
 export type Kind = "machine" | "material" | "noise" | "strut-builder";
@@ -590,7 +594,13 @@ export interface All {
 export interface Requests {
   about: AboutRequest;
   answer: AnswerMachine;
+  "apply-calibration": ApplyCalibration;
   "by-hand": ByHandRequest;
+  "calibrate-compare": CalibrateCompareRequest;
+  "calibrate-enter": CalibrateEnterRequest;
+  "calibrate-fit": CalibrateFitRequest;
+  "calibrate-new": CalibrateNewRequest;
+  "calibrate-sheet": CalibrationSheetRequest;
   "change-settings": ChangeSettings;
   check: CheckDesign;
   "clear-recent": ClearRecent;
@@ -674,9 +684,107 @@ export interface PartOfStep {
   rotate_deg: number;
 }
 /**
+ * Writes a version of the machine and of the wire with what a sheet tells, to the person's own profiles.
+ */
+export interface ApplyCalibration {
+  /**
+   * Whether profiles of these ids may be replaced.
+   */
+  force?: boolean;
+  /**
+   * Id of the new version of the machine.
+   */
+  machine_id: string;
+  /**
+   * Id of the new version of the wire.
+   */
+  material_id: string;
+  /**
+   * What the springback depends on; what predicts best if absent.
+   */
+  shape?: ShapeName | null;
+  /**
+   * The sheet.
+   */
+  sheet: string;
+}
+/**
  * Asks for the wire that moves by hand have bent since the machine was homed or connected.
  */
 export interface ByHandRequest {}
+export interface CalibrateCompareRequest {
+  /**
+   * The two machines; each with the wire that it names.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  machines: [string, string];
+  /**
+   * A sheet whose readings both are held against.
+   */
+  sheet?: string | null;
+}
+export interface CalibrateEnterRequest {
+  /**
+   * Jobs of coupons that a simulated machine has bent: the readings are those of its wires.
+   */
+  bent?: string[];
+  /**
+   * Tables of pin angle and springback angle.
+   */
+  pin_tables?: string[];
+  /**
+   * Readings as they are typed, such as `angle-40:1=38.5,39`.
+   */
+  readings?: string[];
+  /**
+   * The sheet.
+   */
+  sheet: string;
+}
+export interface CalibrateFitRequest {
+  /**
+   * What the springback depends on; what predicts best if absent.
+   */
+  shape?: ShapeName | null;
+  /**
+   * The sheet.
+   */
+  sheet: string;
+}
+export interface CalibrateNewRequest {
+  /**
+   * Angles of the ladder, degrees; a usual set if empty.
+   */
+  angles_deg?: number[];
+  /**
+   * Where jobs and sheet go. It is created where it is missing.
+   */
+  folder: string;
+  /**
+   * Whether files that are there may be replaced.
+   */
+  force?: boolean;
+  /**
+   * The machine, by id.
+   */
+  machine: string;
+  /**
+   * The wire, by id; the one that the machine names if absent.
+   */
+  material?: string | null;
+  /**
+   * How often each coupon is bent.
+   */
+  repeats: number;
+}
+export interface CalibrationSheetRequest {
+  /**
+   * The sheet.
+   */
+  sheet: string;
+}
 /**
  * Changes the driver's settings in a profile of the person's own.
  */

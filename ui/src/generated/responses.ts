@@ -597,6 +597,14 @@ export type QuestionKind = "head" | "move" | "arm" | "piece" | "go-on" | "doubt"
  */
 export type DoneBy = "machine" | "clock";
 /**
+ * What is calibrated apart from the others.
+ */
+export type KindName = "bends" | "feeds" | "turns";
+/**
+ * What a profile describes.
+ */
+export type Kind = "machine" | "material" | "noise" | "strut-builder";
+/**
  * What a body moves with.
  */
 export type Part = "frame" | "head" | "peg";
@@ -1725,7 +1733,13 @@ export interface All {
 export interface Responses {
   about: AboutResponse;
   answer: MachineNow;
+  "apply-calibration": CalibrateApplyResponse;
   "by-hand": ByHandResponse;
+  "calibrate-compare": CalibrateCompareResponse;
+  "calibrate-enter": CalibrateEnterResponse;
+  "calibrate-fit": CalibrationReport;
+  "calibrate-new": CalibrateNewResponse;
+  "calibrate-sheet": CalibrationSheet;
   "change-settings": SettingsChanged;
   check: LiveCheck;
   "clear-recent": Started;
@@ -2166,6 +2180,141 @@ export interface WireState {
    */
   wire: number;
 }
+export interface CalibrateApplyResponse {
+  /**
+   * The files of both.
+   */
+  files: string[];
+  /**
+   * The new machine.
+   */
+  machine: string;
+  /**
+   * The new wire.
+   */
+  material: string;
+  /**
+   * What was found and has no place in a profile, with what to do about it.
+   */
+  notes: string[];
+  report: CalibrationReport;
+}
+/**
+ * What measurements tell of a machine and a wire.
+ */
+export interface CalibrationReport {
+  /**
+   * What the measurements do not tell, and what is done for want of it.
+   */
+  gaps: string[];
+  kinds: KindReport[];
+  left_out: LeftOutReport[];
+  machine: string;
+  material: string;
+  /**
+   * The error by leave-one-out of the other shape, degrees, where it can be fitted.
+   */
+  other_shape: MisfitReport | null;
+  /**
+   * What the springback depends on: `constant` or `curve`; absent where no bend was measured.
+   */
+  shape: string | null;
+}
+/**
+ * How readings of a kind were fitted.
+ */
+export interface KindReport {
+  after: MisfitReport;
+  before: MisfitReport;
+  kind: KindName;
+  leave_one_out: MisfitReport;
+  parameters: ParameterReport[];
+  /**
+   * How many independent combinations of the parameters the readings tell.
+   */
+  rank: number;
+  readings: number;
+  /**
+   * Standard deviation of a reading.
+   */
+  scatter: number;
+  /**
+   * Unit of the readings: `deg` or `mm`.
+   */
+  unit: string;
+  values: ReadingReport[];
+}
+/**
+ * How far readings are from a model, in mm or degrees.
+ */
+export interface MisfitReport {
+  mean_abs: number;
+  rms: number;
+}
+/**
+ * A parameter as it was found.
+ */
+export interface ParameterReport {
+  before: number;
+  /**
+   * How much of what is known of it comes from the readings, 0 to 1.
+   */
+  determined: number;
+  /**
+   * Whether the readings determine it better than it was known before. Otherwise it stays near what it was.
+   */
+  identified: boolean;
+  /**
+   * What it is, for people.
+   */
+  name: string;
+  /**
+   * `mm`, `deg` or empty for a ratio.
+   */
+  unit: string;
+  value: number;
+  /**
+   * With 95 % it is within this of the value.
+   */
+  within_95: number;
+}
+/**
+ * A reading beside what the fitted model makes of its command.
+ */
+export interface ReadingReport {
+  commanded: number;
+  fitted: number;
+  /**
+   * Line of the sheet, from 1.
+   */
+  line: number;
+  read: number;
+  /**
+   * Which reading of the line, from 1.
+   */
+  reading: number;
+}
+/**
+ * A reading that was left out.
+ */
+export interface LeftOutReport {
+  coupon: string;
+  expected: number;
+  kind: KindName;
+  /**
+   * Line of the sheet, from 1.
+   */
+  line: number;
+  /**
+   * Why, for people.
+   */
+  message: string;
+  read: number;
+  /**
+   * Which reading of the line, from 1.
+   */
+  reading: number;
+}
 /**
  * The wire that moves by hand have bent.
  */
@@ -2285,6 +2434,160 @@ export interface PoseReport {
    * @maxItems 4
    */
   turn: [number, number, number, number];
+}
+export interface CalibrateCompareResponse {
+  /**
+   * @minItems 2
+   * @maxItems 2
+   */
+  machines: [string, string];
+  /**
+   * @minItems 2
+   * @maxItems 2
+   */
+  materials: [string, string];
+  /**
+   * Where a sheet was given: how well each fits its readings.
+   */
+  misfits: VersionMisfit[];
+  /**
+   * What differs of machine and wire.
+   */
+  values: ComparedValue[];
+}
+/**
+ * How far readings are from what a version predicts.
+ */
+export interface VersionMisfit {
+  kind: KindName;
+  /**
+   * Of both.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  misfits: [MisfitReport, MisfitReport];
+  /**
+   * `deg` or `mm`.
+   */
+  unit: string;
+}
+/**
+ * A value that differs.
+ */
+export interface ComparedValue {
+  /**
+   * Dotted key.
+   */
+  key: string;
+  kind: Kind;
+  /**
+   * Where both come from.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  sources: [string | null, string | null];
+  /**
+   * The values of both; null where one has none.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  values: [unknown, unknown];
+}
+export interface CalibrateEnterResponse {
+  /**
+   * How many readings were entered.
+   */
+  entered: number;
+  /**
+   * How many cells are empty.
+   */
+  missing: number;
+  /**
+   * How many readings it has now.
+   */
+  readings: number;
+  /**
+   * The sheet.
+   */
+  sheet: string;
+}
+export interface CalibrateNewResponse {
+  /**
+   * How many coupons there are, without their repeats.
+   */
+  coupons: number;
+  /**
+   * The jobs; each of their wires is a coupon.
+   */
+  jobs: string[];
+  machine: string;
+  material: string;
+  repeats: number;
+  /**
+   * How long the machine bends, estimated, s.
+   */
+  seconds: number;
+  /**
+   * The table for what is measured.
+   */
+  sheet: string;
+  /**
+   * Wire that is fed for all of them, mm.
+   */
+  wire_mm: number;
+}
+/**
+ * A sheet with what has been read so far.
+ */
+export interface CalibrationSheet {
+  /**
+   * The jobs of coupons that lie beside it.
+   */
+  jobs: string[];
+  /**
+   * The machine that the coupons were planned for.
+   */
+  machine: string;
+  /**
+   * Their wire.
+   */
+  material: string;
+  rows: CalibrationRow[];
+  sheet: string;
+}
+/**
+ * One thing to be read of equal coupons.
+ */
+export interface CalibrationRow {
+  commanded: number;
+  coupon: string;
+  /**
+   * Line of the sheet, from 1.
+   */
+  line: number;
+  /**
+   * What was read; null where nothing was.
+   */
+  readings: (number | null)[];
+  /**
+   * Which row of the coupon, from 1.
+   */
+  row: number;
+  /**
+   * `deg` or `mm`.
+   */
+  unit: string;
+  /**
+   * What was wanted; of a side from corner to corner.
+   */
+  wanted: number;
+  /**
+   * `bend`, `side`, `turn` or `turn-back`.
+   */
+  what: string;
 }
 /**
  * The machine with other settings.

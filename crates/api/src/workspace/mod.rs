@@ -7,6 +7,7 @@
 #![allow(clippy::unnecessary_wraps, clippy::unused_self, reason = "every request has a schema")]
 
 mod about;
+mod calibrations;
 mod collisions;
 mod design;
 mod error;
@@ -35,6 +36,7 @@ use wirebend_files::document::DocumentError;
 
 use crate::{ApiError, Editor, Installation, Operator, OperatorEvent, Places};
 pub use about::{AboutRequest, AboutResponse};
+pub use calibrations::ApplyCalibration;
 pub use collisions::{CheckCollisions, CollisionsStopped, StopCollisions};
 pub use design::{
     CheckDesign, ClearRecent, CloseDesign, DesignOpened, DiscardUnsaved, EditDesign, EditMade, FixesRequest,

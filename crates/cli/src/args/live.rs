@@ -30,6 +30,7 @@ pub(crate) struct ZeroArgs {
     pub head_at: Option<f64>,
 }
 
+#[allow(clippy::struct_excessive_bools)] // each is an option of its own
 #[derive(Debug, Args)]
 pub(crate) struct RunArgs {
     /// Job to run, or program in the machine's own format, or - for standard input

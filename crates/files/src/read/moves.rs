@@ -59,10 +59,9 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
     for (index, one) in read.moves.iter().enumerate().skip(begins) {
         source.room(Location::Item("move", index + 1), index, "moves")?;
         match *one {
-            Move::Home => {}
+            Move::Home | Move::Bend { deg: 0.0 } => {}
             Move::Feed { mm } => fed_mm += mm * factor,
             Move::Rotate { deg } => rotated_deg += deg,
-            Move::Bend { deg } if deg == 0.0 => {}
             Move::Bend { deg } => {
                 steps.push(step(fed_mm, rotated_deg, deg, &mut notes));
                 (fed_mm, rotated_deg) = (0.0, 0.0);

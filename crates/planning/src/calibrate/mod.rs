@@ -8,6 +8,7 @@ mod enter;
 mod fit;
 mod measured;
 mod report;
+mod sheet;
 
 pub use apply::{CalibrateApplyRequest, CalibrateApplyResponse, apply};
 pub use compare::{CalibrateCompareRequest, CalibrateCompareResponse, ComparedValue, VersionMisfit, compare};
@@ -17,3 +18,4 @@ pub use fit::{CalibrateFitRequest, ShapeName, fit};
 pub use report::{
     CalibrationReport, KindName, KindReport, LeftOutReport, MisfitReport, ParameterReport, ReadingReport,
 };
+pub use sheet::{CalibrationRow, CalibrationSheet, CalibrationSheetRequest, sheet};

@@ -72,7 +72,7 @@ fn report(figures: &MachineFigures, wire_mm: f64) -> Result<HeadReport, Planning
                 orbit_radius_mm,
                 orbit_offset_mm,
                 at_mm: axis.map(at),
-                axis_deg: axis.map(|axis| axis.deg()),
+                axis_deg: axis.map(wirebend_core::units::Angle::deg),
             })
         }
     };

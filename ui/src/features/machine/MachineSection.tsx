@@ -6,6 +6,7 @@ import { useDesign } from "../../state/design/design";
 import { needMachines, useMachines } from "../../state/machine/machines";
 import { openProfile } from "../../state/machine/profile";
 import { Section } from "../panel/Section";
+import { CalibrationDialog } from "./calibrate/CalibrationDialog";
 import { misfit } from "./choosing/fit";
 import { MachineList } from "./choosing/MachineList";
 import { Materials } from "./choosing/Materials";
@@ -61,6 +62,7 @@ export function MachineSection() {
         <Drivers />
       </Fold>
       <ProfileEditor />
+      <CalibrationDialog />
     </Section>
   );
 }

@@ -1,5 +1,6 @@
 //! What a window asks and hears: everything that the editor can do goes through here.
 
+mod calibrations;
 mod designs;
 mod frames;
 mod machines;

@@ -182,3 +182,13 @@ export const MATERIAL_GROUPS: readonly FieldGroup[] = [
     ],
   },
 ];
+
+/** What a value is called, with the group that it stands in; its key where the editor does not show it. */
+export function labelOf(key: string): string {
+  for (const { title, fields } of [...MACHINE_GROUPS, ...MATERIAL_GROUPS]) {
+    const field = fields.find((one) => one.key === key || (one.kind === "springback" && key.startsWith(`${one.key}.`)));
+    if (field)
+      return field.key === key ? `${title}: ${field.label}` : `${field.label}: ${key.slice(field.key.length + 1)}`;
+  }
+  return key;
+}

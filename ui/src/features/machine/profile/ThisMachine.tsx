@@ -5,6 +5,7 @@ import { Button } from "../../../shared/controls/Button";
 import { number } from "../../../shared/figures/format";
 import { useLengths } from "../../../shared/figures/unit";
 import { Line } from "../../../shared/lists/Line";
+import { openCalibration } from "../../../state/calibration/calibration";
 import { useMachines, viewOf } from "../../../state/machine/machines";
 import { openProfile } from "../../../state/machine/profile";
 import { range } from "../choosing/MachineList";
@@ -45,6 +46,7 @@ export function ThisMachine({ id }: { readonly id: string }) {
         <Button onClick={() => void openProfile("machine", view.id)}>
           {view.shipped ? "Values…" : "Edit values…"}
         </Button>
+        <Button onClick={openCalibration}>Calibrate…</Button>
         <Button onClick={() => setDialog("explain")}>Explain…</Button>
         <Button
           icon="copy"

@@ -1,0 +1,155 @@
+import { useState } from "react";
+import { Button } from "../../../shared/controls/Button";
+import { Field } from "../../../shared/controls/Field";
+import { Checkbox, TextInput } from "../../../shared/controls/inputs";
+import { short } from "../../../shared/figures/format";
+import { useUnit } from "../../../shared/figures/unit";
+import { Line } from "../../../shared/lists/Line";
+import { Scrolls } from "../../../shared/lists/Scrolls";
+import {
+  type Applied,
+  applyCalibration,
+  revertCalibration,
+  useCalibration,
+} from "../../../state/calibration/calibration";
+import { useMachines } from "../../../state/machine/machines";
+import { labelOf } from "../editor/fields";
+import { isSlug } from "../profile/slug";
+import { KINDS, off } from "./words";
+
+/** "my-wirebend-kit", and what is one's own stays as it is. */
+const ownId = (id: string): string => (id.startsWith("my-") ? `${id}-2` : `my-${id}`);
+
+/** Profiles of what was found, which the design takes; what changes by it, and the way back. */
+export function Apply() {
+  const { sheet, applied, reverted, busy } = useCalibration();
+  const { machines, materials } = useMachines();
+  const [machine, setMachine] = useState(ownId(sheet?.machine ?? "machine"));
+  const [material, setMaterial] = useState(ownId(sheet?.material ?? "wire"));
+  const [force, setForce] = useState(false);
+  if (!sheet) return null;
+  const taken = (id: string, all: readonly { readonly id: string; readonly shipped: boolean }[] | null) =>
+    all?.find((entry) => entry.id === id) ?? null;
+  const wrong = (id: string, all: Parameters<typeof taken>[1], parent: string): string | null => {
+    if (!isSlug(id)) return "Use lower-case letters, digits and single hyphens between them.";
+    if (id === parent) return "Choose another id: it inherits from this one.";
+    return taken(id, all)?.shipped ? "This profile comes with the program. Choose another id." : null;
+  };
+  const wrongMachine = wrong(machine, machines, sheet.machine);
+  const wrongMaterial = wrong(material, materials, sheet.material);
+  const replaces = taken(machine, machines) !== null || taken(material, materials) !== null;
+  const why =
+    wrongMachine ??
+    wrongMaterial ??
+    (busy ? "Wait until this is done." : replaces && !force ? "Allow that the profiles are replaced." : null);
+  return (
+    <div className="calibrate-columns">
+      <div className="stack">
+        <p>
+          Both profiles inherit from those that the coupons were planned with. Each value says when it was calibrated
+          and from how many readings. The design takes them.
+        </p>
+        <Field label="Machine" error={wrongMachine}>
+          {(ids) => <TextInput {...ids} value={machine} onChange={(event) => setMachine(event.currentTarget.value)} />}
+        </Field>
+        <Field label="Wire" error={wrongMaterial}>
+          {(ids) => (
+            <TextInput {...ids} value={material} onChange={(event) => setMaterial(event.currentTarget.value)} />
+          )}
+        </Field>
+        <Checkbox checked={force} onChange={setForce} why={replaces ? null : "There are no profiles of these ids yet."}>
+          Replace the profiles that have these ids
+        </Checkbox>
+        <div className="row wrap">
+          <Button kind="primary" why={why} onClick={() => void applyCalibration(machine, material, replaces)}>
+            Apply
+          </Button>
+          <Button
+            icon="undo"
+            why={applied && !reverted ? null : "Nothing is applied."}
+            onClick={() => void revertCalibration()}
+          >
+            Take back
+          </Button>
+        </div>
+        {applied && (
+          <ul aria-live="polite">
+            {reverted ? (
+              <Line
+                tone="info"
+                what={`The design has ${applied.before.machine} again`}
+                sub={
+                  applied.replaced
+                    ? "The profiles that were replaced are as before."
+                    : "The new profiles stay in your list of machines and wires."
+                }
+              />
+            ) : (
+              <Line
+                tone="fine"
+                what={`The design has ${applied.result.machine} with ${applied.result.material}`}
+                sub={applied.result.files.join(", ")}
+              />
+            )}
+            {applied.result.notes.map((note) => (
+              <Line key={note} tone="info" what={note} />
+            ))}
+          </ul>
+        )}
+      </div>
+      {applied?.compared ? <Compared applied={applied} /> : <p className="muted">What changes is listed here.</p>}
+    </div>
+  );
+}
+
+const plain = (value: unknown): string => {
+  if (value === null || value === undefined) return "–";
+  if (typeof value === "number") return short(value);
+  return Array.isArray(value) ? `${value.length} pairs` : String(value);
+};
+
+function Compared({ applied: { compared } }: { readonly applied: Applied }) {
+  const unit = useUnit();
+  if (!compared) return null;
+  const [before, after] = compared.machines;
+  return (
+    <Scrolls className="calibrate-compared" label="What changes">
+      <table className="calibrate-parameters">
+        <thead>
+          <tr>
+            <th scope="col">Off on average</th>
+            <th scope="col">{before}</th>
+            <th scope="col">{after}</th>
+          </tr>
+        </thead>
+        <tbody>
+          {compared.misfits.map(({ kind, unit: of, misfits }) => (
+            <tr key={kind}>
+              <th scope="row">{KINDS[kind]}</th>
+              <td>{off(misfits[0].mean_abs, of, unit)}</td>
+              <td>{off(misfits[1].mean_abs, of, unit)}</td>
+            </tr>
+          ))}
+        </tbody>
+        <thead>
+          <tr>
+            <th scope="col">Value</th>
+            <th scope="col" />
+            <th scope="col" />
+          </tr>
+        </thead>
+        <tbody>
+          {compared.values.map(({ kind, key, values }) => (
+            <tr key={`${kind} ${key}`}>
+              <th scope="row" title={key}>
+                {labelOf(key)}
+              </th>
+              <td>{plain(values[0])}</td>
+              <td>{plain(values[1])}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </Scrolls>
+  );
+}

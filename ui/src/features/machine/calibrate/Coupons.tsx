@@ -1,0 +1,135 @@
+import { useState } from "react";
+import { platform } from "../../../platform";
+import { Button } from "../../../shared/controls/Button";
+import { Field } from "../../../shared/controls/Field";
+import { Select, TextInput } from "../../../shared/controls/inputs";
+import { NumberField } from "../../../shared/controls/NumberField";
+import { count, time } from "../../../shared/figures/format";
+import { useLengths } from "../../../shared/figures/unit";
+import { told } from "../../../state/asking/problems";
+import { makeCoupons, openSheet, useCalibration } from "../../../state/calibration/calibration";
+import { useDesign } from "../../../state/design/design";
+import { useMachines } from "../../../state/machine/machines";
+import { parseAngles } from "./words";
+
+const SHEETS = { name: "Sheets", extensions: ["csv"] } as const;
+/** It is a folder that is named: there is no ending. */
+const FOLDER = { name: "Folders", extensions: [] } as const;
+
+/** What is bent to be measured: jobs, and a sheet for the readings. */
+export function Coupons() {
+  const { made, sheet, busy } = useCalibration();
+  const { machines, materials } = useMachines();
+  const state = useDesign((design) => design.state);
+  const [machine, setMachine] = useState(state?.machine ?? "");
+  const [material, setMaterial] = useState(state?.material ?? "");
+  const [angles, setAngles] = useState("");
+  const [repeats, setRepeats] = useState(2);
+  const { long } = useLengths();
+  const ladder = parseAngles(angles);
+  const why = busy
+    ? "Wait until this is done."
+    : machine === "" || material === ""
+      ? "Choose a machine and a wire."
+      : ladder === null
+        ? "Correct the angles."
+        : null;
+  const make = async () => {
+    const folder = await told(platform.pickSave("calibration", FOLDER));
+    if (folder && ladder) await makeCoupons({ machine, material, angles_deg: ladder, repeats, folder });
+  };
+  const open = async () => {
+    const picked = await told(platform.pickFile([SHEETS]));
+    if (picked) await openSheet(picked, "measure");
+  };
+  return (
+    <div className="calibrate-columns">
+      <div className="stack">
+        <p>
+          Short wires with one or two bends each are bent and measured. The readings tell how much your wire springs
+          back, where the peg goes, how much wire a bend takes, and how well each of these is known.
+        </p>
+        <Field label="Machine">
+          {(ids) => (
+            <Select
+              {...ids}
+              value={machine}
+              choices={(machines ?? []).map(({ id, name }) => ({ value: id, label: name }))}
+              onChoose={setMachine}
+            />
+          )}
+        </Field>
+        <Field label="Wire">
+          {(ids) => (
+            <Select
+              {...ids}
+              value={material}
+              choices={(materials ?? []).map(({ id, name }) => ({ value: id, label: name }))}
+              onChoose={setMaterial}
+            />
+          )}
+        </Field>
+        <Field
+          label="Angles"
+          hint="Degrees, each to both sides. Empty: seven from 20° to 135°."
+          error={ladder === null ? "Write angles up to 180°, such as 20, 45, 90." : null}
+        >
+          {(ids) => (
+            <TextInput
+              {...ids}
+              value={angles}
+              placeholder="20, 40, 60, 80, 100, 120, 135"
+              onChange={(event) => setAngles(event.currentTarget.value)}
+            />
+          )}
+        </Field>
+        <Field label="Repeats" hint="How often each coupon is bent: two show how far bends scatter.">
+          {(ids) => (
+            <NumberField {...ids} label="Repeats" kind="whole" min={1} max={20} value={repeats} onCommit={setRepeats} />
+          )}
+        </Field>
+        <div className="row wrap">
+          <Button kind="primary" icon="folder" why={why} onClick={() => void make()}>
+            Make coupons in a folder…
+          </Button>
+          <Button icon="file" onClick={() => void open()}>
+            Open a sheet…
+          </Button>
+        </div>
+      </div>
+      <div className="stack calibrate-made" aria-live="polite">
+        {made ? (
+          <>
+            <h3>Bend these</h3>
+            <p>
+              {count(made.coupons, "coupon")}, each {count(made.repeats, "time")}: {long(made.wire_mm)} of wire, about{" "}
+              {time(made.seconds)} on the machine.
+            </p>
+            <ul className="stack">
+              {made.jobs.map((job) => (
+                <li key={job} className="selectable calibrate-file">
+                  {job}
+                </li>
+              ))}
+            </ul>
+            <p className="muted small">
+              Open each job with File, Open, and bend its wires in Run, as often as there are columns for readings. Cut
+              the wire behind each coupon and write its name on it. Then come back to this sheet:
+            </p>
+            <p className="selectable calibrate-file">{made.sheet}</p>
+          </>
+        ) : sheet ? (
+          <>
+            <h3>Open sheet</h3>
+            <p className="selectable calibrate-file">{sheet.sheet}</p>
+            <p className="muted small">
+              {sheet.machine} with {sheet.material}
+            </p>
+          </>
+        ) : (
+          <p className="muted">The files that are made are listed here.</p>
+        )}
+      </div>
+    </div>
+  );
+}

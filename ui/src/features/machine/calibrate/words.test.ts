@@ -1,0 +1,64 @@
+import { describe, expect, it } from "vitest";
+import type { KindReport } from "../../../generated/responses";
+import { residualsOf } from "./residuals";
+import { parseAngles, parseReading } from "./words";
+
+describe("parseReading", () => {
+  it.each([
+    ["90.5", "deg", 90.5],
+    ["90,5°", "deg", 90.5],
+    ["−89", "deg", -89],
+    ["35.2 mm", "mm", 35.2],
+    ["", "deg", null],
+    ["-", "deg", null],
+    ["9o", "deg", undefined],
+  ])("reads %j in %s as a person means it", (text, unit, expected) => {
+    expect(parseReading(text, unit)).toBe(expected);
+  });
+});
+
+describe("parseAngles", () => {
+  it.each([
+    ["", []],
+    ["20, 45; 90", [20, 45, 90]],
+    ["20 x", null],
+    ["0", null],
+    ["-20", null],
+  ])("reads %j", (text, expected) => {
+    expect(parseAngles(text)).toEqual(expected);
+  });
+});
+
+describe("residualsOf", () => {
+  const kind = (values: readonly (readonly [number, number])[]): KindReport =>
+    ({
+      scatter: 0.1,
+      values: values.map(([commanded, off], at) => ({
+        line: at + 1,
+        reading: 1,
+        commanded,
+        read: 10 + off,
+        fitted: 10,
+      })),
+    }) as unknown as KindReport;
+
+  it("puts what is read above the model above the middle, in one scale", () => {
+    const { points, zero, most } = residualsOf(
+      kind([
+        [-90, 0.4],
+        [0, -0.2],
+        [90, 0],
+      ]),
+      320,
+      132,
+    );
+    expect(most).toBeCloseTo(0.4);
+    expect(points.map(({ x }) => x)).toEqual([10, 160, 310]);
+    expect(zero - (points[0]?.y ?? 0)).toBeCloseTo(2 * ((points[1]?.y ?? 0) - zero));
+    expect(points[2]?.y).toBeCloseTo(zero);
+  });
+
+  it("draws one reading in the middle", () => {
+    expect(residualsOf(kind([[40, 0]]), 320, 132).points[0]?.x).toBe(160);
+  });
+});

@@ -1,0 +1,71 @@
+/** What a calibration says in the window. */
+
+import type { CalibrationReport, CalibrationRow, CalibrationSheet, KindReport } from "../../../generated/responses";
+import { angle, count, type DisplayUnit, deviation, number, short } from "../../../shared/figures/format";
+import { parseAngle, parseNumber } from "../../../shared/figures/parse";
+
+/** "12 of 56 readings entered, 1 left out"; nothing without a sheet. */
+export function progressOf(sheet: CalibrationSheet | null, report: CalibrationReport | null): string {
+  if (!sheet) return "";
+  const cells = sheet.rows.flatMap(({ readings }) => readings);
+  const entered = cells.filter((reading) => reading !== null).length;
+  const left = report?.left_out.length ?? 0;
+  return `${entered} of ${count(cells.length, "reading")} entered${left > 0 ? `, ${left} left out` : ""}`;
+}
+
+/** What is to be measured of a row. */
+export const WHAT: Readonly<Record<string, { readonly name: string; readonly how: string }>> = {
+  bend: { name: "bend", how: "how far the wire turns; straight is 0°, a right angle 90°." },
+  side: { name: "side", how: "the middle side of the U over its outside, with a caliper." },
+  turn: { name: "turn", how: "the angle between the planes of two bends that follow each other." },
+  "turn-back": { name: "turn back", how: "the same, where the head has turned back." },
+};
+
+/** A reading as the sheet has it, in degrees or mm; an empty cell is missing; undefined where it is no number. */
+export function parseReading(text: string, unit: string): number | null | undefined {
+  const plain = text.trim();
+  if (plain === "" || plain === "-" || plain === "–") return null;
+  const read = unit === "deg" ? parseAngle(plain) : parseNumber(plain.replace(/\s*mm$/i, ""));
+  return read ?? undefined;
+}
+
+/** A reading as it stands in its cell. */
+export const shownReading = (reading: number | null): string =>
+  reading === null ? "" : short(reading).replace(/\u202f/g, "");
+
+/** Why a reading is left out; null where it is not. */
+export function leftOut(report: CalibrationReport | null, row: CalibrationRow, at: number): string | null {
+  return report?.left_out.find(({ line, reading }) => line === row.line && reading === at + 1)?.message ?? null;
+}
+
+export const KINDS: Readonly<Record<KindReport["kind"], string>> = {
+  bends: "Bends",
+  feeds: "Sides",
+  turns: "Turns of the head",
+};
+
+/** How far something is off, in the unit of its kind. */
+export const off = (value: number, unit: string, lengths: DisplayUnit): string =>
+  unit === "mm" ? deviation(value, lengths) : unit === "deg" ? `${number(value, 2)}°` : short(value, 4);
+
+/** A parameter with its unit. */
+export function figure(value: number, unit: string, lengths: DisplayUnit): string {
+  if (unit === "mm") return deviation(value, lengths);
+  return unit === "deg" ? `${number(value, 2)}°` : number(value, 4);
+}
+
+/** "14 readings, scatter 0.14°; 8 of 10 parameters determined". */
+export function summary(kind: KindReport, lengths: DisplayUnit): string {
+  const scatter = off(kind.scatter, kind.unit, lengths);
+  return `${count(kind.readings, "reading")}, scatter ${scatter}; ${kind.rank} of ${count(kind.parameters.length, "parameter")} determined`;
+}
+
+/** Angles as they are typed: "20, 45, 90"; null where one is none. */
+export function parseAngles(text: string): readonly number[] | null {
+  const parts = text.split(/[;,\s]+/).filter((part) => part !== "");
+  const angles = parts.map((part) => parseAngle(part));
+  return angles.some((one) => one === null || one <= 0 || one > 180) ? null : (angles as number[]);
+}
+
+export const wanted = (row: CalibrationRow): string =>
+  row.unit === "deg" ? angle(row.wanted) : `${number(row.wanted)} mm`;

@@ -1,0 +1,81 @@
+// @vitest-environment happy-dom
+import { beforeEach, expect, it, vi } from "vitest";
+
+const ask = vi.hoisted(() => vi.fn());
+const edit = vi.hoisted(() => vi.fn(async (_: object) => ({})));
+vi.mock("../../platform", () => ({ platform: { ask }, Refused: class Refused extends Error {} }));
+vi.mock("../design/design", async (original) => ({
+  ...(await original<object>()),
+  edit,
+  checkDesign: () => {},
+}));
+
+import { useDesign } from "../design/design";
+import { designState } from "../testing";
+import {
+  applyCalibration,
+  enterReading,
+  openCalibration,
+  openSheet,
+  revertCalibration,
+  useCalibration,
+} from "./calibration";
+
+const rows = [
+  { line: 5, coupon: "side-35", row: 1, what: "side", unit: "mm", wanted: 35, commanded: 33, readings: [38.1, null] },
+];
+let views: Record<string, boolean>;
+
+beforeEach(async () => {
+  localStorage.clear();
+  views = { machine: true, material: false };
+  ask.mockReset();
+  edit.mockClear();
+  ask.mockImplementation(async (name: string, request: { kind?: string }) => {
+    if (name === "calibrate-sheet") return { sheet: "/c/sheet.csv", machine: "kit", material: "wire", rows, jobs: [] };
+    if (name === "calibrate-fit") return { kinds: [], left_out: [], gaps: [] };
+    if (name === "apply-calibration") return { machine: "my-kit", material: "my-wire", files: [], notes: [] };
+    if (name === "profile-view") return { has_last_change: views[request.kind ?? ""] };
+    return { machines: [], materials: [], values: [], misfits: [] };
+  });
+  useDesign.setState({ state: designState({ machine: "kit", material: "steel" }) });
+  openCalibration();
+  await openSheet("/c/sheet.csv", "measure");
+});
+
+const asked = (name: string) => ask.mock.calls.filter(([one]) => one === name).map(([, request]) => request);
+
+it("takes a reading out without losing the others of its row", async () => {
+  const [row] = useCalibration.getState().sheet?.rows ?? [];
+  if (row) await enterReading(row, 0, null);
+  expect(asked("calibrate-enter")).toEqual([{ sheet: "/c/sheet.csv", readings: ["side-35:1=-,-"] }]);
+});
+
+it("says why a reading was not entered, and goes on", async () => {
+  const [row] = useCalibration.getState().sheet?.rows ?? [];
+  ask.mockRejectedValueOnce(new Error("the disk is full"));
+  expect(row && (await enterReading(row, 1, 38))).toBe(false);
+  expect(useCalibration.getState()).toMatchObject({ problem: "the disk is full", busy: false });
+  expect(row && (await enterReading(row, 1, 38))).toBe(true);
+  expect(useCalibration.getState().problem).toBeNull();
+});
+
+it("gives the design its machine and wire of before, and a profile that was replaced its values", async () => {
+  await applyCalibration("my-kit", "my-wire", true);
+  expect(edit).toHaveBeenLastCalledWith({ edit: "machine", machine: "my-kit", material: "my-wire" });
+  expect(asked("calibrate-compare")).toEqual([{ machines: ["kit", "my-kit"], sheet: "/c/sheet.csv" }]);
+  await revertCalibration();
+  expect(edit).toHaveBeenLastCalledWith({ edit: "machine", machine: "kit", material: "steel" });
+  // The wire was new: there is nothing of before.
+  expect(asked("revert-profile")).toEqual([{ kind: "machine", id: "my-kit", keys: [] }]);
+  expect(useCalibration.getState().reverted).toBe(true);
+});
+
+it("opens the last sheet again, and says nothing where it is gone", async () => {
+  openCalibration();
+  await vi.waitFor(() => expect(useCalibration.getState()).toMatchObject({ step: "measure", busy: false }));
+  ask.mockRejectedValueOnce(new Error("no such file"));
+  openCalibration();
+  await vi.waitFor(() => expect(useCalibration.getState().busy).toBe(false));
+  expect(useCalibration.getState()).toMatchObject({ step: "coupons", sheet: null });
+});

@@ -1,0 +1,245 @@
+import { create } from "zustand";
+import type {
+  CalibrateApplyResponse,
+  CalibrateCompareResponse,
+  CalibrateNewResponse,
+  CalibrationReport,
+  CalibrationRow,
+  CalibrationSheet,
+} from "../../generated/responses";
+import { platform } from "../../platform";
+import { edit, useDesign } from "../design/design";
+import { profilesChanged } from "../machine/machines";
+import { store, stored } from "../window/ui";
+
+/** The steps, in the order of the work. */
+export type CalibrationStep = "coupons" | "measure" | "fit" | "apply";
+
+/** What the springback may depend on; `better`: what predicts best. */
+export type SpringbackShape = "better" | "constant" | "curve";
+
+/** What was applied, and the way back. */
+export interface Applied {
+  readonly result: CalibrateApplyResponse;
+  /** The machine and the wire of the design before. */
+  readonly before: { readonly machine: string; readonly material: string };
+  /** Whether profiles were replaced, which are as before once it is taken back. */
+  readonly replaced: boolean;
+  readonly compared: CalibrateCompareResponse | null;
+}
+
+interface CalibrationStore {
+  readonly open: boolean;
+  readonly step: CalibrationStep;
+  readonly sheet: CalibrationSheet | null;
+  readonly made: CalibrateNewResponse | null;
+  readonly shape: SpringbackShape;
+  /** What the sheet tells; null where it tells nothing yet: see `gap`. */
+  readonly report: CalibrationReport | null;
+  /** Why it tells nothing. */
+  readonly gap: string | null;
+  readonly applied: Applied | null;
+  /** Whether what was applied was taken back. */
+  readonly reverted: boolean;
+  /** Why the last thing came to nothing. */
+  readonly problem: string | null;
+  readonly busy: boolean;
+}
+
+const EMPTY: CalibrationStore = {
+  open: false,
+  step: "coupons",
+  sheet: null,
+  made: null,
+  shape: "better",
+  report: null,
+  gap: null,
+  applied: null,
+  reverted: false,
+  problem: null,
+  busy: false,
+};
+
+export const useCalibration = create<CalibrationStore>()(() => EMPTY);
+
+/** The sheet that was open last: measuring takes longer than a window is open. */
+const KEY = "wirebend.calibration";
+
+const messageOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));
+
+/** Does one thing after another; what comes to nothing is said. Gives whether it was done. */
+let last: Promise<unknown> = Promise.resolve();
+function working(work: () => Promise<void>): Promise<boolean> {
+  const done = last.then(async () => {
+    useCalibration.setState({ busy: true, problem: null });
+    try {
+      await work();
+      return true;
+    } catch (error) {
+      useCalibration.setState({ problem: messageOf(error) });
+      return false;
+    } finally {
+      useCalibration.setState({ busy: false });
+    }
+  });
+  last = done;
+  return done;
+}
+
+export function openCalibration(): void {
+  useCalibration.setState({ ...EMPTY, open: true });
+  const sheet = stored(KEY);
+  // A sheet that is not there any more is no problem of today.
+  if (sheet) void openSheet(sheet, "measure").then((done) => !done && useCalibration.setState({ problem: null }));
+}
+
+export function closeCalibration(): void {
+  useCalibration.setState({ open: false });
+}
+
+export function showStep(step: CalibrationStep): void {
+  useCalibration.setState({ step, problem: null });
+}
+
+async function read(sheet: string): Promise<void> {
+  useCalibration.setState({ sheet: await platform.ask("calibrate-sheet", { sheet }) });
+  await fitAnew();
+}
+
+/** Fits what there is. Readings that no machine fits are no error of the window: it says so in their place. */
+async function fitAnew(): Promise<void> {
+  const { sheet, shape } = useCalibration.getState();
+  if (!sheet) return;
+  if (sheet.rows.every(({ readings }) => readings.every((reading) => reading === null))) {
+    useCalibration.setState({ report: null, gap: null });
+    return;
+  }
+  try {
+    const report = await platform.ask("calibrate-fit", {
+      sheet: sheet.sheet,
+      ...(shape === "better" ? {} : { shape }),
+    });
+    useCalibration.setState({ report, gap: null });
+  } catch (error) {
+    useCalibration.setState({ report: null, gap: messageOf(error) });
+  }
+}
+
+/** Writes coupons as jobs and a sheet into a folder. */
+export function makeCoupons(request: {
+  readonly machine: string;
+  readonly material: string;
+  readonly angles_deg: readonly number[];
+  readonly repeats: number;
+  readonly folder: string;
+}): Promise<boolean> {
+  return working(async () => {
+    const made = await platform.ask("calibrate-new", { ...request, angles_deg: [...request.angles_deg] });
+    useCalibration.setState({ made, applied: null, reverted: false });
+    store(KEY, made.sheet);
+    await read(made.sheet);
+  });
+}
+
+/** Opens a sheet that is there. */
+export function openSheet(sheet: string, step: CalibrationStep): Promise<boolean> {
+  return working(async () => {
+    await read(sheet);
+    store(KEY, sheet);
+    useCalibration.setState({ made: null, step, applied: null, reverted: false });
+  });
+}
+
+/** Enters a reading, or takes it out, and fits anew. */
+export function enterReading(row: CalibrationRow, at: number, value: number | null): Promise<boolean> {
+  return working(async () => {
+    const { sheet } = useCalibration.getState();
+    // What was entered into the row just before counts.
+    const now = sheet?.rows.find(({ line }) => line === row.line);
+    if (!sheet || !now) return;
+    const readings = Array.from({ length: Math.max(at + 1, now.readings.length) }, (_, index) =>
+      index === at ? value : (now.readings[index] ?? null),
+    );
+    const cells = readings.map((reading) => (reading === null ? "-" : String(reading))).join(",");
+    await platform.ask("calibrate-enter", {
+      sheet: sheet.sheet,
+      readings: [`${row.coupon}:${row.row}=${cells}`],
+    });
+    await read(sheet.sheet);
+  });
+}
+
+/** Enters what a simulated machine has bent of the coupons. */
+export function enterBent(): Promise<boolean> {
+  return working(async () => {
+    const { sheet } = useCalibration.getState();
+    if (!sheet) return;
+    await platform.ask("calibrate-enter", { sheet: sheet.sheet, bent: [...sheet.jobs] });
+    await read(sheet.sheet);
+  });
+}
+
+/** Adds rows of a table of pin angle and springback angle. */
+export function addPinTable(file: string): Promise<boolean> {
+  return working(async () => {
+    const { sheet } = useCalibration.getState();
+    if (!sheet) return;
+    await platform.ask("calibrate-enter", { sheet: sheet.sheet, pin_tables: [file] });
+    await read(sheet.sheet);
+  });
+}
+
+export function chooseShape(shape: SpringbackShape): Promise<boolean> {
+  return working(async () => {
+    useCalibration.setState({ shape });
+    await fitAnew();
+  });
+}
+
+/** Writes profiles of what was found, and gives them to the design. `force`: profiles of these ids are replaced. */
+export function applyCalibration(machine_id: string, material_id: string, force: boolean): Promise<boolean> {
+  return working(async () => {
+    const { sheet, shape } = useCalibration.getState();
+    const { state } = useDesign.getState();
+    if (!sheet) return;
+    const before = {
+      machine: state?.machine ?? sheet.machine,
+      material: state?.material ?? sheet.material,
+    };
+    const result = await platform.ask("apply-calibration", {
+      sheet: sheet.sheet,
+      machine_id,
+      material_id,
+      force,
+      ...(shape === "better" ? {} : { shape }),
+    });
+    profilesChanged(null);
+    useCalibration.setState({ applied: { result, before, replaced: force, compared: null }, reverted: false });
+    await edit({ edit: "machine", machine: result.machine, material: result.material });
+    const machines: [string, string] = [sheet.machine, result.machine];
+    const compared = await platform.ask("calibrate-compare", { machines, sheet: sheet.sheet });
+    useCalibration.setState({ applied: { result, before, replaced: force, compared } });
+  });
+}
+
+/** The design has its machine and its wire of before; profiles that were replaced are as before. */
+export function revertCalibration(): Promise<boolean> {
+  return working(async () => {
+    const { applied } = useCalibration.getState();
+    if (!applied) return;
+    const { result, before, replaced } = applied;
+    await edit({ edit: "machine", machine: before.machine, material: before.material });
+    if (replaced) {
+      // The machine first: it names the wire. One of both may be new.
+      for (const [kind, id] of [
+        ["machine", result.machine],
+        ["material", result.material],
+      ] as const) {
+        const { has_last_change } = await platform.ask("profile-view", { kind, id });
+        if (has_last_change) await platform.ask("revert-profile", { kind, id, keys: [] });
+      }
+    }
+    profilesChanged(null);
+    useCalibration.setState({ reverted: true });
+  });
+}
