@@ -83,12 +83,21 @@ export type Tool =
   | "draw";
 
 /** `angle`: an edge that is drawn on a plane goes in steps of 15°. */
-export type SnapKind = "vertex" | "stencil-vertex" | "stencil-edge" | "surface" | "edge" | "angle" | "grid" | "plane";
+export type SnapKind =
+  | "vertex"
+  | "stencil-vertex"
+  | "stencil-edge"
+  | "surface"
+  | "edge-middle"
+  | "edge"
+  | "angle"
+  | "grid"
+  | "plane";
 
 export interface SnapSettings {
   /**
-   * Which targets count. Within reach the first of these is taken: vertex, stencil-vertex, stencil-edge, edge, surface, angle, grid,
-   * plane; with `angle` and `grid` the length of an edge is in steps of the grid.
+   * Which targets count. Within reach the first of these is taken: vertex, stencil-vertex, stencil-edge, edge-middle, edge, surface,
+   * angle, grid, plane; with `angle` and `grid` the length of an edge is in steps of the grid.
    * With `plane` a point of the grid has to be within reach; without it the nearest one is always taken.
    */
   readonly kinds: ReadonlySet<SnapKind>;

@@ -47,7 +47,17 @@ export interface Guide {
 }
 
 const DEFAULT_SNAP: SnapSettings = {
-  kinds: new Set(["vertex", "stencil-vertex", "stencil-edge", "edge", "surface", "angle", "grid", "plane"]),
+  kinds: new Set([
+    "vertex",
+    "stencil-vertex",
+    "stencil-edge",
+    "edge-middle",
+    "edge",
+    "surface",
+    "angle",
+    "grid",
+    "plane",
+  ]),
   grid: 10,
   reach: 10,
 };

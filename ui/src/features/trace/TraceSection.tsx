@@ -15,6 +15,7 @@ const SNAPS: Readonly<Record<SnapKind, string>> = {
   vertex: "Vertices",
   "stencil-vertex": "Corners of the stencil",
   "stencil-edge": "Edges of the stencil",
+  "edge-middle": "Middles of edges (splits them)",
   edge: "Edges (splits them)",
   surface: "Surface of the stencil",
   angle: "Directions in steps of 15° (Shift frees them)",

@@ -60,6 +60,14 @@ describe("what comes first", () => {
   });
 });
 
+it("takes the very middle of an edge that it is near to, and any place of it beside that", () => {
+  const kinds: SnapKind[] = ["edge-middle", "edge"];
+  const half = snap(place(), settings(kinds), 400 + 33, 300 - 53);
+  expect([half?.kind, half?.at, half?.along]).toEqual(["edge-middle", [30, -5, 50], 0.5]);
+  expect(kindAt(45, 53, kinds)).toBe("edge");
+  expect(kindAt(45, 53, ["edge-middle"])).toBeUndefined();
+});
+
 it("does not take the diagonal of a flat face for an edge", () => {
   expect(kindAt(0, 0, ["stencil-edge", "surface"])).toBe("surface");
 });

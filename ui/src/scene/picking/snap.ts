@@ -3,7 +3,7 @@
 import type { DrawingPlane, SnapKind, SnapSettings, Vec3 } from "../interface";
 import type { DrawnDesign } from "../layers/drawn_design";
 import { GROUND, normalOf } from "../layers/grid";
-import { add, along, dot, inPlane, onPlane, planeAngle, scale, subtract } from "../vec";
+import { add, along, dot, inPlane, middle, onPlane, planeAngle, scale, subtract } from "../vec";
 import type { Projection } from "../view/projection";
 import { pickEdge, pickVertex } from "./picking";
 
@@ -57,15 +57,30 @@ export function snap(place: SnapPlace, settings: SnapSettings, x: number, y: num
   const near = wanted ? stencil?.near(projection, x, y, reach) : undefined;
   if (kinds.has("stencil-vertex") && near?.vertex) return { kind: "stencil-vertex", at: near.vertex };
   if (kinds.has("stencil-edge") && near?.edge) return { kind: "stencil-edge", at: near.edge };
-  if (kinds.has("edge")) {
+  if (kinds.has("edge") || kinds.has("edge-middle")) {
     const found = pickEdge(design, projection, x, y, reach, (row) => excluded(design, row, without));
+    const half = kinds.has("edge-middle") && found ? middleOf(design, found.id) : null;
+    if (found && half && within(projection, half, x, y, reach) && !covered(half))
+      return { kind: "edge-middle", at: half, edge: found.id, along: 0.5 };
     // The very end of an edge is its vertex, which had its turn.
-    if (found && found.along > 1e-6 && found.along < 1 - 1e-6 && !covered(found.at)) {
+    if (kinds.has("edge") && found && found.along > 1e-6 && found.along < 1 - 1e-6 && !covered(found.at)) {
       return { kind: "edge", at: found.at, edge: found.id, along: found.along };
     }
   }
   if (kinds.has("surface") && near?.surface) return { kind: "surface", at: near.surface };
   return onDrawingPlane(place, settings, x, y);
+}
+
+/** Whether the pointer is so near to a place, in CSS pixels. */
+function within(projection: Projection, at: Vec3, x: number, y: number, reach: number): boolean {
+  const seen = projection.seen(at);
+  return Math.hypot(seen.x - x, seen.y - y) <= reach;
+}
+
+/** Half way along an edge. */
+function middleOf(design: DrawnDesign, id: number): Vec3 | null {
+  const row = design.edgeRow(id);
+  return row === undefined ? null : middle(design.segment(row));
 }
 
 /** A point of the grid, or of the plane. */
@@ -81,8 +96,7 @@ function onDrawingPlane(
   if (!at || (projection.perspective && dot(subtract(at, ray.origin), ray.direction) < 0)) return null;
   if (kinds.has("grid") && grid > 0) {
     const rounded = roundedOn(drawn, at, grid);
-    const seen = projection.seen(rounded);
-    if (!kinds.has("plane") || Math.hypot(seen.x - x, seen.y - y) <= reach) return { kind: "grid", at: rounded };
+    if (!kinds.has("plane") || within(projection, rounded, x, y, reach)) return { kind: "grid", at: rounded };
   }
   return kinds.has("plane") ? { kind: "plane", at } : null;
 }

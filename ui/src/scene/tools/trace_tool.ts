@@ -15,7 +15,10 @@ import { TypedEdge } from "./typed_edge";
 const ONE_PLACE = 4;
 
 /** What a flat part can begin and end at, and the plane itself. */
-const ON_PLANE: ReadonlySet<SnapKind> = new Set(["vertex", "edge", "angle", "grid", "plane"]);
+const ON_PLANE: ReadonlySet<SnapKind> = new Set(["vertex", "edge-middle", "edge", "angle", "grid", "plane"]);
+
+/** What of the design a strand can join. */
+const JOINS: ReadonlySet<SnapKind> = new Set(["vertex", "edge-middle", "edge"]);
 
 export class TraceTool implements ToolHandler {
   private readonly strand: Strand;
@@ -186,7 +189,7 @@ export class TraceTool implements ToolHandler {
     // On a surface, and with Ctrl, directions are free until Shift is held; else Shift frees them.
     const kept = kinds.has("angle") && (drawing || place.stencil === null);
     if (!end || kept === last.shift) return snap(place, { ...stage.snap, kinds }, last.x, last.y);
-    const joining = new Set([...kinds].filter((kind) => kept && (kind === "vertex" || kind === "edge")));
+    const joining = new Set([...kinds].filter((kind) => kept && JOINS.has(kind)));
     const there = snap(place, { ...stage.snap, kinds: joining }, last.x, last.y);
     const free = there ?? snap(place, { ...stage.snap, kinds: new Set(["plane"]) }, last.x, last.y);
     if (there || !free) return there;

@@ -66,6 +66,7 @@ export const SNAP_KINDS: readonly SnapKind[] = [
   "vertex",
   "stencil-vertex",
   "stencil-edge",
+  "edge-middle",
   "edge",
   "surface",
   "angle",
