@@ -18,9 +18,9 @@ pub use requests::{COMMANDS, Command, REQUESTS, Request, Response, request_schem
 pub use workspace::*;
 
 pub use wirebend_editor::{
-    ChosenWalk, DesignState, DesignView, EdgeView, EditRequest, Editor, EditorError, Fix, FixChange,
-    FixPreview, LiveCheck, MergePlace, Moved, PastedVertex, Placed, Unsaved, VertexView, ViewChange,
-    WireFigures,
+    ChosenWalk, DesignState, DesignView, EdgeView, EditOutcome, EditRequest, Editor, EditorError, FilletPart,
+    Fix, FixChange, FixPreview, LiveCheck, MergePlace, Moved, PastedVertex, Placed, Unsaved, VertexView,
+    ViewChange, WireFigures,
 };
 pub use wirebend_operation::by_hand::{JogRequest, JogResponse, ReplayRequest};
 pub use wirebend_operation::calibrate::CalibrateEnterRequest;

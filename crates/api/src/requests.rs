@@ -250,6 +250,8 @@ requests! {
         PutStencil(workspace::PutStencil) -> workspace::EditMade = Workspace::put_stencil, "put-stencil";
         /// Makes a change.
         Edit(workspace::EditDesign) -> workspace::EditMade = Workspace::edit, "edit";
+        /// What a fillet or a shape would make, without making it.
+        Outcome(workspace::OutcomeRequest) -> workspace::OutcomeResponse = Workspace::outcome, "outcome";
         /// Undoes the last change.
         Undo(workspace::Undo) -> workspace::EditMade = Workspace::undo, "undo";
         /// Does again what was undone last.

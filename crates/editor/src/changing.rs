@@ -16,8 +16,7 @@ pub(super) fn change(
     app: &Installation,
     request: &EditRequest,
 ) -> Result<Option<DocumentChange>, EditorError> {
-    let weld = Length::from_mm(default_weld_mm()).unwrap_or_default();
-    if let Some(edits) = request.of_wireframe(weld, || chord_limits(document, app))? {
+    if let Some(edits) = request.of_wireframe(weld(), || chord_limits(document, app))? {
         let mut scratch = document.wireframe.clone();
         let mut delta = Delta::none(&document.wireframe);
         for edit in &edits {
@@ -67,8 +66,13 @@ pub(super) fn change(
     })
 }
 
-/// What the machine of a design can make of a fillet; everything without a machine.
-fn chord_limits(document: &Document, app: &Installation) -> Result<ChordLimits, EditorError> {
+/// How close vertices are that an edit makes one of.
+fn weld() -> Length {
+    Length::from_mm(default_weld_mm()).unwrap_or_default()
+}
+
+/// What the machine of a design can make of chords and of the edges of shapes; everything without a machine.
+pub(super) fn chord_limits(document: &Document, app: &Installation) -> Result<ChordLimits, EditorError> {
     let Some(machine) = &document.machine else { return Ok(ChordLimits::default()) };
     let material = document.material.as_ref().map(|material| material.id.as_str());
     let model = app.setup(&machine.id, material)?.model;

@@ -14,6 +14,7 @@ mod error;
 mod figures;
 mod fixes;
 mod history;
+mod outcome;
 mod request;
 mod resolving;
 mod view;
@@ -31,6 +32,7 @@ pub use edit_journal::Unsaved;
 pub use error::EditorError;
 pub use fixes::{Fix, FixChange, FixPreview};
 use history::{Done, History};
+pub use outcome::{EditOutcome, FilletPart};
 pub use request::{
     AxisName, ChosenWalk, EditRequest, MergePlace, PastedVertex, Placed, PlaneName, PolygonMeasure, RestPlace,
 };

@@ -49,7 +49,7 @@ it("draws a wall hook with two fillets to a tenth of a millimetre, in at most 25
   await until(() => radius.evaluate((field) => field === document.activeElement)).toBe(true);
   await keys("3", "6", "Enter");
   await editor.messages
-    .filter({ hasText: "2 corners rounded to a radius of 36.0 mm with 4 chords of 27.6 mm" })
+    .filter({ hasText: "2 corners rounded to a radius of 36.0 mm with 4 chords, the shortest 27.6 mm" })
     .waitFor();
   await until(async () => (await editor.design()).edges.length).toBe(7);
 

@@ -634,6 +634,7 @@ export interface Requests {
   "open-example": OpenExample;
   "open-run-file": OpenRunFile;
   order: OrderMachine;
+  outcome: OutcomeRequest;
   ports: PortsRequest;
   "profile-explain": ProfileExplainRequest;
   "profile-view": ProfileViewRequest;
@@ -1201,6 +1202,12 @@ export interface Decided {
    */
   step: number;
   what: Decision;
+}
+/**
+ * Asks what a fillet or a shape would make, without making it.
+ */
+export interface OutcomeRequest {
+  request: EditRequest;
 }
 /**
  * Asks for the ports.

@@ -1327,6 +1327,72 @@ export type ClosingName = "aligned" | "coupled";
 export type ModeKindName = "rigid" | "global" | "local";
 export type Seen = "document" | "wireframe" | "stencil" | "both" | "job" | "moves";
 /**
+ * What an edit would make, and what the machine of the design needs of it; 0 where everything can be made. Lengths in mm.
+ */
+export type EditOutcome =
+  | {
+      /**
+       * How many chords, of each corner in the order in which they are listed.
+       */
+      chords: number[];
+      /**
+       * What it has to be at least.
+       */
+      needed_mm: number;
+      outcome: "fillet";
+      /**
+       * The shortest chord.
+       */
+      shortest_mm: number;
+    }
+  | {
+      /**
+       * How long that would be.
+       */
+      length_mm: number;
+      /**
+       * The nearest radius that can be made at all corners; null where there is none.
+       */
+      nearest_mm: number | null;
+      /**
+       * What it has to be at least.
+       */
+      needed_mm: number;
+      outcome: "no-fillet";
+      part: FilletPart;
+      /**
+       * The first corner at which it cannot.
+       */
+      vertex: number;
+    }
+  | {
+      /**
+       * How many edges, all alike.
+       */
+      edges: number;
+      /**
+       * Whether they can be made.
+       */
+      fits: boolean;
+      /**
+       * The most edges of a turn, up to as many as are asked for, that can be made; null where no number of them can.
+       */
+      fitting: number | null;
+      /**
+       * How long each is.
+       */
+      length_mm: number;
+      /**
+       * What it has to be at least.
+       */
+      needed_mm: number;
+      outcome: "shape";
+    };
+/**
+ * What of a fillet is too short.
+ */
+export type FilletPart = "chords" | "edges";
+/**
  * Where a sample lies among the pairs of its table.
  */
 export type SamplePlace = "pair" | "between" | "beyond";
@@ -1773,6 +1839,7 @@ export interface Responses {
   "open-example": DesignOpened;
   "open-run-file": RunFileNow;
   order: MachineNow;
+  outcome: OutcomeResponse;
   ports: PortsResponse;
   "profile-explain": ProfileExplainResponse;
   "profile-view": ProfileView;
@@ -4428,6 +4495,12 @@ export interface MaterialEntry {
    * Yield strength, `MPa`.
    */
   yield_strength_mpa: number;
+}
+export interface OutcomeResponse {
+  /**
+   * Null of an edit that is neither a shape nor a fillet of corners.
+   */
+  outcome: EditOutcome | null;
 }
 export interface PortsResponse {
   /**

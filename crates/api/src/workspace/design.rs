@@ -10,8 +10,8 @@ use wirebend_files::document::DocumentError;
 
 use super::{RecentEntry, Workspace, empty};
 use crate::{
-    ApiError, DesignInput, DesignView, EditRequest, Editor, Fix, Input, LiveCheck, Moved, Progress, Unsaved,
-    ViewChange,
+    ApiError, DesignInput, DesignView, EditOutcome, EditRequest, Editor, Fix, Input, LiveCheck, Moved,
+    Progress, Unsaved, ViewChange,
 };
 use wirebend_planning::report::NoteReport;
 
@@ -82,6 +82,18 @@ pub struct EditMade {
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 pub struct EditDesign {
     pub request: EditRequest,
+}
+
+/// Asks what a fillet or a shape would make, without making it.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct OutcomeRequest {
+    pub request: EditRequest,
+}
+
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct OutcomeResponse {
+    /// Null of an edit that is neither a shape nor a fillet of corners.
+    pub outcome: Option<EditOutcome>,
 }
 
 /// Undoes the last change.
@@ -201,6 +213,14 @@ impl Workspace {
             self.remember_machine(machine);
         }
         Ok(EditMade { change: Some(change), notes: Vec::new() })
+    }
+
+    pub(crate) fn outcome(
+        &self,
+        asked: &OutcomeRequest,
+        _: &dyn Progress,
+    ) -> Result<OutcomeResponse, ApiError> {
+        Ok(OutcomeResponse { outcome: self.open().outcome(&self.installation(), &asked.request)? })
     }
 
     pub(crate) fn undo(&self, _: &Undo, _: &dyn Progress) -> Result<EditMade, ApiError> {

@@ -7,6 +7,7 @@ mod chains;
 mod edits;
 mod exact;
 mod marks;
+mod outcomes;
 mod path_and_program;
 mod physics;
 mod routes;

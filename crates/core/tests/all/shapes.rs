@@ -185,20 +185,28 @@ fn a_quarter_has_as_many_chords_as_the_shortest_edge_allows() {
     }
 }
 
-/// 20.4 / (2 sin 22.5°) = 26.65 mm; and of an edge of 50 mm there are 29.6 mm left where 20.4 mm have to be.
+/// 20.4 / (2 sin 22.5°) = 26.65 mm, and one of 10 mm has chords of 7.65 mm; an edge of 50 mm has 29.6 mm to give where 20.4 mm have to be
+/// left.
 #[test]
 fn a_radius_that_cannot_be_made_is_answered_with_the_nearest() {
     let refused = |radius, edge| corner(90.0, 100.0, edge).apply(&fillet(radius, 15.0, 20.4)).unwrap_err();
-    let error = |radius, fault, nearest: Option<f64>| EditError::Fillet {
-        vertex: VertexId(1),
-        radius: mm(radius),
-        min_edge: mm(20.4),
-        fault,
-        nearest: nearest.map(mm),
-    };
-    assert_eq!(refused(10.0, 50.0), error(10.0, FilletFault::Chords, Some(26.7)));
-    assert_eq!(refused(40.0, 50.0), error(40.0, FilletFault::Edges, Some(29.6)));
-    assert_eq!(refused(27.0, 40.0), error(27.0, FilletFault::Edges, None));
+    for (radius, edge, fault, length, nearest) in [
+        (10.0, 50.0, FilletFault::Chords, 20.0 * 22.5_f64.to_radians().sin(), Some(26.7)),
+        (40.0, 50.0, FilletFault::Edges, 10.0, Some(29.6)),
+        (27.0, 40.0, FilletFault::Edges, 13.0, None),
+    ] {
+        let EditError::Fillet { length: told, .. } = refused(radius, edge) else { panic!("{radius}") };
+        assert!((told.mm() - length).abs() < 1e-9, "{radius}: {told}");
+        let expected = EditError::Fillet {
+            vertex: VertexId(1),
+            radius: mm(radius),
+            length: told,
+            min_edge: mm(20.4),
+            fault,
+            nearest: nearest.map(mm),
+        };
+        assert_eq!(refused(radius, edge), expected);
+    }
 }
 
 /// Two corners take from the edge between them together: of 100 mm twice 39.8 mm, so that 20.4 mm are left.

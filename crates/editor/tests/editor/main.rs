@@ -8,6 +8,7 @@ mod collisions;
 mod edits;
 mod fixes;
 mod kept;
+mod outcomes;
 mod stencils;
 
 use std::path::{Path, PathBuf};

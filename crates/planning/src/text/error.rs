@@ -99,7 +99,7 @@ pub fn edit(error: &EditError) -> String {
         EditError::HeldCorner(vertex) => {
             format!("vertex {vertex} is a support or has a joint, which a fillet would move")
         }
-        EditError::Fillet { vertex, radius, min_edge, fault, nearest: _ } => match fault {
+        EditError::Fillet { vertex, radius, min_edge, fault, length: _, nearest: _ } => match fault {
             FilletFault::Chords => format!(
                 "the chords of a fillet of {radius:.1} at vertex {vertex} would be shorter than {min_edge:.1}, the shortest that can be made there"
             ),

@@ -1,42 +1,72 @@
-import { useState } from "react";
 import { Field } from "../../shared/controls/Field";
 import { NumberField } from "../../shared/controls/NumberField";
 import { count } from "../../shared/figures/format";
 import { useLengths } from "../../shared/figures/unit";
 import { tell } from "../../state/asking/problems";
-import { fillet } from "../../state/design/operations";
+import { useDesign } from "../../state/design/design";
+import { fillet, selectedCorners } from "../../state/design/operations";
+import { useSelection } from "../../state/design/selection";
 import { whyNot } from "../../state/window/commands";
+import { useFigure } from "./figure";
 import { Do } from "./forms";
+import { needs, Outcome, useOutcome } from "./Outcome";
+
+/** What the figures would make of the selected corners, while they are typed. */
+function Chords({
+  radius,
+  step,
+  take,
+}: {
+  readonly radius: number;
+  readonly step: number;
+  readonly take: (radius: number) => void;
+}) {
+  useDesign();
+  useSelection();
+  const vertices = selectedCorners();
+  const asked = { edit: "fillet", vertices, radius_mm: radius, step_deg: step } as const;
+  const answer = useOutcome("fillet", vertices.length > 0 ? asked : null);
+  const { length } = useLengths();
+  if (vertices.length === 0) return <Outcome fits={null} text="Select corners to see the chords." use={null} />;
+  if (answer?.problem) return <Outcome fits={false} text={answer.problem} use={null} />;
+  const found = answer?.outcome;
+  if (found?.outcome === "fillet") {
+    const chords = found.chords.reduce((sum, of) => sum + of, 0);
+    const on = `${count(chords, "chord")} on ${count(found.chords.length, "corner")}`;
+    const text = `${on}, the shortest ${length(found.shortest_mm)}${needs(found.needed_mm, length)}.`;
+    return <Outcome fits text={text} use={null} />;
+  }
+  if (found?.outcome !== "no-fillet") return <Outcome fits={null} text="" use={null} />;
+  const { part, vertex, nearest_mm: nearest } = found;
+  const what = part === "chords" ? `Two chords at vertex ${vertex} would be` : `An edge at vertex ${vertex} would keep`;
+  const none = nearest === null ? " No radius fits." : "";
+  const use = nearest === null ? null : { label: `Use ${length(nearest)}`, take: () => take(nearest) };
+  const text = `${what} ${length(found.length_mm)}${needs(found.needed_mm, length)}.${none}`;
+  return <Outcome fits={false} text={text} use={use} />;
+}
 
 /** Corners rounded by a radius. What comes out is told: the machine's shortest edge decides how many chords there are. */
 export function FilletForm() {
-  const [radius, setRadius] = useState(30);
-  const [step, setStep] = useState(15);
+  const radius = useFigure(30);
+  const step = useFigure(15);
   const { length } = useLengths();
   const make = async (by: number) => {
     if (whyNot("fillet")) return;
-    const made = await fillet(by, step);
+    const made = await fillet(by, step.value);
     if (!made) return;
-    const chords = `${count(made.chords, "chord")} of ${length(made.mm)}`;
+    const chords = `${count(made.chords, "chord")}, the shortest ${length(made.shortest)}`;
     tell("info", `${count(made.corners, "corner")} rounded to a radius of ${length(by)} with ${chords}.`, "fillet");
   };
   return (
     <>
       <Field label="Radius" hint="Of the arc that the chords follow.">
-        {({ id }) => (
-          <NumberField
-            id={id}
-            label="Radius"
-            value={radius}
-            onCommit={setRadius}
-            onEnter={(entered) => void make(entered)}
-          />
-        )}
+        {({ id }) => <NumberField id={id} label="Radius" {...radius.field} onEnter={(entered) => void make(entered)} />}
       </Field>
       <Field label="Step" hint="Largest bend angle between two chords. No chord is shorter than the machine can make.">
-        {({ id }) => <NumberField id={id} kind="angle" label="Step" value={step} min={1} max={90} onCommit={setStep} />}
+        {({ id }) => <NumberField id={id} kind="angle" label="Step" min={1} max={90} {...step.field} />}
       </Field>
-      <Do command="fillet" onDo={() => void make(radius)}>
+      <Chords radius={radius.now} step={step.now} take={radius.set} />
+      <Do command="fillet" onDo={() => void make(radius.value)}>
         Fillet
       </Do>
     </>

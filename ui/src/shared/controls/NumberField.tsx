@@ -89,6 +89,8 @@ export interface NumberFieldProps {
   readonly value: number | null;
   /** Called with Enter, by leaving the field, and by the arrow keys; not while a person types. */
   readonly onCommit: (value: number) => void;
+  /** Called while a person types: with what is read, and with null where it is none, or is taken or given up. */
+  readonly onType?: (value: number | null) => void;
   readonly min?: number;
   readonly max?: number;
   readonly placeholder?: string;
@@ -107,6 +109,7 @@ export function NumberField({
   unit = "",
   value,
   onCommit,
+  onType,
   min = -Infinity,
   max = Infinity,
   placeholder,
@@ -117,7 +120,12 @@ export function NumberField({
 }: NumberFieldProps) {
   const how = quantity(kind, useUnit(), unit);
   const shown = value === null ? "" : how.show(value);
-  const [typed, setTyped] = useState<string | null>(null);
+  const [typed, keepTyped] = useState<string | null>(null);
+  const inRange = (number: number | null) => (number !== null && number >= min && number <= max ? number : null);
+  const setTyped = (text: string | null) => {
+    keepTyped(text);
+    onType?.(text === null ? null : inRange(how.read(text)));
+  };
   /** A menu has taken the focus from it. */
   const [inMenu, setInMenu] = useState(false);
   const field = useRef<HTMLInputElement>(null);
@@ -131,7 +139,7 @@ export function NumberField({
   }, [value]);
 
   const read = typed === null ? value : how.read(typed);
-  const outside = read !== null && (read < min || read > max);
+  const outside = read !== null && inRange(read) === null;
   const wrong = typed !== null && typed.trim() !== "" && (read === null || outside);
   const limits = outside
     ? `from ${Number.isFinite(min) ? how.show(min) : "any"} to ${Number.isFinite(max) ? how.show(max) : "any"}`

@@ -106,9 +106,6 @@ export function angleAt(at: Vec3, from: Vec3, to: Vec3): number | null {
   return (2 * Math.atan2(apart, together) * 180) / Math.PI;
 }
 
-/** How long the sides of a regular polygon are, by the radius to its corners. */
-export const sideOf = (radius: number, sides: number): number => 2 * radius * Math.sin(Math.PI / sides);
-
 /** The length of edges, mm, each counted once. */
 export function lengthOf(edges: Iterable<number>, design: SceneDesign): number {
   let sum = 0;

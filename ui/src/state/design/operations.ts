@@ -127,18 +127,21 @@ export function selectedCorners(): number[] {
 export async function fillet(
   radius_mm: number,
   step_deg: number,
-): Promise<{ readonly corners: number; readonly chords: number; readonly mm: number } | null> {
+): Promise<{ readonly corners: number; readonly chords: number; readonly shortest: number } | null> {
   const { edges } = useDesign.getState();
   const vertices = selectedCorners();
   const change = await edit({ edit: "fillet", vertices, radius_mm, step_deg });
   if (!change) return null;
-  const chords = change.edges.filter(({ id }) => !edges.has(id)).map(({ id }) => id);
-  const mm = lengthOf(chords, useDesign.getState()) / Math.max(chords.length, 1);
-  return { corners: vertices.length, chords: chords.length, mm };
+  const design = useDesign.getState();
+  const chords = change.edges.filter(({ id }) => !edges.has(id)).map(({ id }) => lengthOf([id], design));
+  const shortest = chords.reduce((least, mm) => Math.min(least, mm), Infinity);
+  return { corners: vertices.length, chords: chords.length, shortest };
 }
 
+export type ShapeRequest = Extract<EditRequest, { edit: "circle" | "polygon" | "helix" }>;
+
 /** Adds a shape, and selects it. */
-export async function addShape(shape: Extract<EditRequest, { edit: "circle" | "polygon" | "helix" }>): Promise<void> {
+export async function addShape(shape: ShapeRequest): Promise<void> {
   await andSelect(shape);
 }
 

@@ -99,11 +99,13 @@ pub enum EditError {
         vertex: VertexId,
         /// The radius that was asked for.
         radius: Length,
+        /// How long what is too short would be; 0 where nothing would be left.
+        length: Length,
         /// The shortest edge that can be made there.
         min_edge: Length,
         /// What is too short.
         fault: FilletFault,
-        /// The nearest radius that can be made, to a tenth of a millimetre; none where there is none.
+        /// The nearest radius that can be made at all corners, to a tenth of a millimetre; none where there is none.
         nearest: Option<Length>,
     },
     /// A number of sides that no polygon has.

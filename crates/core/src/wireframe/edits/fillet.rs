@@ -7,44 +7,25 @@ use nalgebra::{Point3, Rotation3, Unit, Vector3};
 use super::super::Vertex;
 use super::super::delta::Draft;
 use super::super::graph::{Edge, EdgeId, VertexId, WireframeError};
+use super::chord_limits::{ChordLimits, NOTHING};
 use super::exact::{angle_between, direction, only_two, other_end};
 use super::{EditError, FilletFault, check_listed};
 use crate::units::{Angle, Length};
 
-/// What is shorter than a millionth of a millimetre is no edge.
-const NOTHING: f64 = 1e-6;
 /// Corners that are straighter, or nearer to folded back, have no arc: radians.
 const STRAIGHT: f64 = 1e-6;
 /// The most chords of a corner.
 const MAX_CHORDS: f64 = 100_000.0;
 
-/// What of a fillet a machine can make.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct ChordLimits {
-    /// The shortest edge as designed.
-    pub min_edge: Length,
-    /// The shortest feed, which has to be left of an edge once its arcs are taken off.
-    pub min_feed: Length,
-    /// Centreline radius of a bend; 0 where feeds are as designed.
-    pub bend_radius: Length,
-    /// Radius of the neutral fibre of a bend; 0 likewise.
-    pub neutral_radius: Length,
-}
-
-impl ChordLimits {
-    /// The shortest chord, mm, where the wire is bent by `bend` between two chords and by half of it at the ends of the arc, in
-    /// whichever direction it runs: a feed is shorter than its edge by the tangents at both ends, and longer by the arc of one.
-    fn chord(&self, bend: f64) -> f64 {
-        let (radius, neutral) = (self.bend_radius.mm(), self.neutral_radius.mm());
-        let (inner, end) = ((bend / 2.0).tan(), (bend / 4.0).tan());
-        let lost = (2.0 * radius * inner - neutral * bend).max(radius * (inner + end) - neutral * bend / 2.0);
-        self.min_edge.mm().max(self.min_feed.mm() + lost.max(0.0))
-    }
-
-    /// The shortest that may be left of an edge, mm, beside an arc with such bends.
-    fn left(&self, bend: f64) -> f64 {
-        self.min_edge.mm().max(self.min_feed.mm() + self.bend_radius.mm() * (bend / 4.0).tan())
-    }
+/// Which chords a fillet would make. One that cannot be made is an [`EditError::Fillet`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct FilletOutcome {
+    /// How many, of each corner in the order in which they are listed.
+    pub chords: Vec<u32>,
+    /// The shortest of all.
+    pub shortest: Length,
+    /// What can be made there at least; 0 where everything can be made.
+    pub needed: Length,
 }
 
 /// One of the two edges at a corner.
@@ -65,6 +46,19 @@ struct Corner {
     sweep: f64,
 }
 
+/// What bounds the radius of a corner.
+struct Bounds {
+    /// The shortest of two chords, which have the largest bends, and the shortest that may be left of an edge, mm.
+    chord: f64,
+    left: f64,
+    /// The least and the largest radius, mm.
+    min: f64,
+    max: f64,
+    /// What the radius that is asked for leaves of the shorter edge, mm, unless that is nothing: of it there is no edge that could
+    /// be too short. Less than 0 where an edge is not long enough.
+    rest: f64,
+}
+
 /// Rounds corners. See `Edit::Fillet`.
 pub(super) fn fillet(
     draft: &mut Draft,
@@ -73,6 +67,43 @@ pub(super) fn fillet(
     step: Angle,
     limits: &ChordLimits,
 ) -> Result<(), EditError> {
+    let planned = plan(draft, vertices, radius, step, limits)?;
+    for (&vertex, (_, chords)) in vertices.iter().zip(planned) {
+        // As those before it have left its edges.
+        Corner::of(draft, vertex)?.round(draft, radius.mm(), chords)?;
+    }
+    Ok(())
+}
+
+/// What a fillet would make; none without corners.
+pub(super) fn outcome(
+    draft: &Draft,
+    vertices: &[VertexId],
+    radius: Length,
+    step: Angle,
+    limits: &ChordLimits,
+) -> Result<Option<FilletOutcome>, EditError> {
+    let planned = plan(draft, vertices, radius, step, limits)?;
+    let told = |(corner, count): &(Corner, u32)| {
+        let bend = corner.sweep / f64::from(*count);
+        (corner.chord(radius.mm(), *count), limits.chord(bend))
+    };
+    let shortest = planned.iter().map(told).min_by(|(one, _), (other, _)| one.total_cmp(other));
+    Ok(shortest.map(|(shortest, needed)| FilletOutcome {
+        chords: planned.iter().map(|(_, count)| *count).collect(),
+        shortest: Length::computed(shortest),
+        needed: Length::computed(needed),
+    }))
+}
+
+/// The corners of a fillet, and into how many chords the arc of each is divided.
+fn plan(
+    draft: &Draft,
+    vertices: &[VertexId],
+    radius: Length,
+    step: Angle,
+    limits: &ChordLimits,
+) -> Result<Vec<(Corner, u32)>, EditError> {
     check_listed(draft, vertices)?;
     if radius <= Length::ZERO {
         return Err(EditError::FilletRadius(radius.mm()));
@@ -82,13 +113,35 @@ pub(super) fn fillet(
     }
     let corners = vertices.iter().map(|&vertex| Corner::of(draft, vertex)).collect::<Result<Vec<_>, _>>()?;
     let reaches = corners.iter().map(|corner| (corner.vertex, corner.reach())).collect();
-    let chords = corners.iter().map(|corner| corner.chords(radius.mm(), step.rad(), limits, &reaches));
-    let chords = chords.collect::<Result<Vec<_>, _>>()?;
-    for (&vertex, chords) in vertices.iter().zip(chords) {
-        // As those before it have left its edges.
-        Corner::of(draft, vertex)?.round(draft, radius.mm(), chords)?;
+    let bounds: Vec<_> = corners.iter().map(|corner| corner.bounds(radius.mm(), limits, &reaches)).collect();
+    for (corner, own) in corners.iter().zip(&bounds) {
+        let (fault, length, min_edge) = if radius.mm() < own.min - NOTHING {
+            (FilletFault::Chords, corner.chord(radius.mm(), 2), own.chord)
+        } else if own.rest < own.left - NOTHING {
+            (FilletFault::Edges, own.rest.max(0.0), own.left)
+        } else {
+            continue;
+        };
+        return Err(EditError::Fillet {
+            vertex: corner.vertex,
+            radius,
+            length: Length::computed(length),
+            min_edge: Length::computed(min_edge),
+            fault,
+            nearest: nearest(radius, &bounds),
+        });
     }
-    Ok(())
+    let chords = corners.iter().map(|corner| corner.chords(radius.mm(), step.rad(), limits));
+    let chords = chords.collect::<Result<Vec<_>, _>>()?;
+    Ok(corners.into_iter().zip(chords).collect())
+}
+
+/// The nearest radius that can be made at all corners. With one digit behind the point, as it is written.
+fn nearest(radius: Length, bounds: &[Bounds]) -> Option<Length> {
+    let min = bounds.iter().map(|bounds| bounds.min).fold(0.0, f64::max);
+    let max = bounds.iter().map(|bounds| bounds.max).fold(f64::INFINITY, f64::min);
+    let (up, down) = ((min * 10.0 - NOTHING).ceil() / 10.0, (max * 10.0 + NOTHING).floor() / 10.0);
+    (up <= down && down > 0.0).then(|| Length::computed(radius.mm().clamp(up, down)))
 }
 
 impl Corner {
@@ -118,39 +171,28 @@ impl Corner {
         (self.sweep / 2.0).tan()
     }
 
-    /// Into how many chords an arc is divided: at most `step` is bent at each vertex, and none is shorter than the machine can make.
+    /// How long a chord of its arc is, mm, of which there are so many.
+    fn chord(&self, radius: f64, count: u32) -> f64 {
+        2.0 * radius * (self.sweep / f64::from(count) / 2.0).sin()
+    }
+
     /// `reaches`: of all corners that are rounded, since an edge between two of them is shortened at both of its ends.
-    fn chords(
-        &self,
-        radius: f64,
-        step: f64,
-        limits: &ChordLimits,
-        reaches: &BTreeMap<VertexId, f64>,
-    ) -> Result<u32, EditError> {
+    fn bounds(&self, radius: f64, limits: &ChordLimits, reaches: &BTreeMap<VertexId, f64>) -> Bounds {
+        let (chord, left) = (limits.chord(self.sweep / 2.0), limits.left(self.sweep / 2.0));
         let taken = |leg: &Leg| self.reach() + reaches.get(&leg.end).copied().unwrap_or(0.0);
-        let left = |leg: &Leg| leg.length - radius * taken(leg);
-        // Of two chords, which have the largest bends.
-        let (min_chord, min_left) = (limits.chord(self.sweep / 2.0), limits.left(self.sweep / 2.0));
-        // What nothing is left of is no edge that could be too short.
-        let room = |leg: &Leg| left(leg).abs() < NOTHING || left(leg) >= min_left - NOTHING;
-        let min = min_chord / (2.0 * (self.sweep / 4.0).sin());
-        let fits = self.legs.iter().map(|leg| (leg.length - min_left) / taken(leg));
-        let max = fits.fold(f64::INFINITY, f64::min);
-        let short = radius < min - NOTHING;
-        if short || !self.legs.iter().all(room) {
-            // A figure that is written with a digit behind the point is one that can be made.
-            let (up, down) = ((min * 10.0 - NOTHING).ceil() / 10.0, (max * 10.0 + NOTHING).floor() / 10.0);
-            let nearest = (up <= down && down > 0.0).then(|| Length::computed(if short { up } else { down }));
-            let (min_edge, fault) =
-                if short { (min_chord, FilletFault::Chords) } else { (min_left, FilletFault::Edges) };
-            return Err(EditError::Fillet {
-                vertex: self.vertex,
-                radius: Length::computed(radius),
-                min_edge: Length::computed(min_edge),
-                fault,
-                nearest,
-            });
+        let rests = self.legs.iter().map(|leg| leg.length - radius * taken(leg));
+        let largest = self.legs.iter().map(|leg| (leg.length - left) / taken(leg));
+        Bounds {
+            chord,
+            left,
+            min: chord / self.chord(1.0, 2),
+            max: largest.fold(f64::INFINITY, f64::min),
+            rest: rests.filter(|rest| rest.abs() >= NOTHING).fold(f64::INFINITY, f64::min),
         }
+    }
+
+    /// Into how many chords an arc is divided: at most `step` is bent at each vertex, and none is shorter than the machine can make.
+    fn chords(&self, radius: f64, step: f64, limits: &ChordLimits) -> Result<u32, EditError> {
         // A step that divides the arc evenly does so in spite of rounding.
         let wanted = (self.sweep / step - 1e-9).ceil().max(2.0);
         if wanted > MAX_CHORDS {
@@ -158,10 +200,8 @@ impl Corner {
         }
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // from 2 to the most
         let wanted = wanted as u32;
-        let fits = |count: u32| {
-            let bend = self.sweep / f64::from(count);
-            2.0 * radius * (bend / 2.0).sin() >= limits.chord(bend) - NOTHING
-        };
+        let fits =
+            |count: u32| self.chord(radius, count) >= limits.chord(self.sweep / f64::from(count)) - NOTHING;
         Ok((2..=wanted).rev().find(|&count| fits(count)).unwrap_or(2))
     }
 

@@ -1,12 +1,14 @@
 //! Edits as values: what a person asks for, resolved against a wireframe into a [`Delta`].
 
 mod chain;
+mod chord_limits;
 mod copies;
 mod detach;
 mod drawing;
 mod error;
 mod exact;
 mod fillet;
+mod outcome;
 mod placement;
 mod shapes;
 mod smoothing;
@@ -18,9 +20,12 @@ use super::delta::{Delta, Draft};
 use super::graph::{EdgeId, VertexId, Wireframe};
 use crate::units::{Angle, Length};
 
+pub use chord_limits::ChordLimits;
 pub use error::{EditError, FilletFault};
-pub use fillet::ChordLimits;
-pub use shapes::{PolygonSize, ShapePlane};
+pub use fillet::FilletOutcome;
+pub use outcome::Outcome;
+use shapes::Shape;
+pub use shapes::{PolygonSize, ShapeOutcome, ShapePlane};
 
 /// Where the vertex goes that others are merged into.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -313,10 +318,10 @@ impl Edit {
             Self::SetCeiling { edges, ceiling } => placement::set_ceiling(&mut draft, edges, *ceiling)?,
             Self::Detach { edges } => detach::detach(&mut draft, edges)?,
             Self::AddPolygon { plane, sides, size, turn } => {
-                shapes::polygon(&mut draft, plane, *sides, *size, *turn)?;
+                Shape::polygon(plane, *sides, *size, *turn)?.draw(&mut draft)?;
             }
             Self::AddHelix { plane, radius, pitch, turns, sides, left } => {
-                shapes::helix(&mut draft, plane, *radius, *pitch, *turns, *sides, *left)?;
+                Shape::helix(plane, *radius, *pitch, *turns, *sides, *left)?.draw(&mut draft)?;
             }
             Self::Fillet { vertices, radius, step, limits } => {
                 fillet::fillet(&mut draft, vertices, *radius, *step, limits)?;

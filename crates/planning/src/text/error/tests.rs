@@ -14,6 +14,7 @@ fn an_edit_that_cannot_be_made_says_why_and_what_would_be_right() {
     let fillet = |fault, min_edge| EditError::Fillet {
         vertex: a,
         radius: mm(5.0),
+        length: mm(3.8),
         min_edge: mm(min_edge),
         fault,
         nearest: None,

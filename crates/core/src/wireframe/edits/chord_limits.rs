@@ -1,0 +1,50 @@
+//! What of chords and of the edges of shapes a machine can make.
+
+use crate::units::Length;
+
+/// What is shorter than a millionth of a millimetre is no edge.
+pub(super) const NOTHING: f64 = 1e-6;
+
+/// What of chords, and of the edges of shapes, a machine can make.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ChordLimits {
+    /// The shortest edge as designed.
+    pub min_edge: Length,
+    /// The shortest feed, which has to be left of an edge once its arcs are taken off.
+    pub min_feed: Length,
+    /// Centreline radius of a bend; 0 where feeds are as designed.
+    pub bend_radius: Length,
+    /// Radius of the neutral fibre of a bend; 0 likewise.
+    pub neutral_radius: Length,
+}
+
+impl ChordLimits {
+    /// The shortest chord, mm, where the wire is bent by `bend` between two chords and by half of it at the ends of the arc, in
+    /// whichever direction it runs: a feed is shorter than its edge by the tangents at both ends, and longer by the arc of one.
+    pub(super) fn chord(&self, bend: f64) -> f64 {
+        let (radius, neutral) = (self.bend_radius.mm(), self.neutral_radius.mm());
+        let at_end = radius * ((bend / 2.0).tan() + (bend / 4.0).tan()) - neutral * bend / 2.0;
+        self.with_feed(self.lost_between(bend).max(at_end))
+    }
+
+    /// The shortest edge of a shape, mm, where the wire is bent by `bend` between two of them; one may be the last of the wire, which
+    /// is shorter by the tangent at its beginning.
+    pub(super) fn side(&self, bend: f64) -> f64 {
+        self.with_feed(self.lost_between(bend).max(self.bend_radius.mm() * (bend / 2.0).tan()))
+    }
+
+    /// How much shorter than its edge a feed is between two equal bends, mm.
+    fn lost_between(&self, bend: f64) -> f64 {
+        2.0 * self.bend_radius.mm() * (bend / 2.0).tan() - self.neutral_radius.mm() * bend
+    }
+
+    /// The shortest edge of which a feed is left that is so much shorter, mm.
+    fn with_feed(&self, lost: f64) -> f64 {
+        self.min_edge.mm().max(self.min_feed.mm() + lost.max(0.0))
+    }
+
+    /// The shortest that may be left of an edge, mm, beside an arc with such bends.
+    pub(super) fn left(&self, bend: f64) -> f64 {
+        self.min_edge.mm().max(self.min_feed.mm() + self.bend_radius.mm() * (bend / 4.0).tan())
+    }
+}
