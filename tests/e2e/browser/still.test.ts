@@ -222,6 +222,18 @@ it("keeps the focus on a click on a unit, and letters of a field away from the d
   await editor.messages.filter({ hasText: "Click in the view to use its keys." }).waitFor();
   expect((await editor.design()).vertices).toHaveLength(6);
   expect((await editor.design()).state.undo).toBeNull();
+  // The same where a click that takes no focus has closed the menu of a field; what only looks works.
+  await field.click({ button: "right" });
+  await menu().waitFor();
+  await editor.section("edit").getByRole("heading", { name: "Vertices", exact: true }).click({ force: true });
+  await menu().waitFor({ state: "detached" });
+  await until(() => editor.page.evaluate(() => document.activeElement?.tagName)).not.toBe("INPUT");
+  for (const key of ["m", "x", "Delete", "g", "e"]) await press(key);
+  await press("n");
+  await editor.page.locator(".viewport").getByText("60.0 mm", { exact: true }).first().waitFor();
+  await press("n");
+  expect((await editor.design()).vertices).toHaveLength(6);
+  expect((await editor.design()).state.undo).toBeNull();
   // One click in the view, and they are its keys again.
   const sight = await front();
   const { x, y } = sight.at([35, 0, 30]);

@@ -10,6 +10,7 @@ const { useDesign } = await import("../state/design/design");
 const { useProblems } = await import("../state/asking/problems");
 const { useSelection } = await import("../state/design/selection");
 const { listenToKeys } = await import("./keyboard");
+const { KEYS } = await import("../state/window/keys");
 const { useView } = await import("../state/window/view");
 
 let end = () => {};
@@ -72,6 +73,18 @@ describe("keys of the window", () => {
     document.querySelector("canvas")?.dispatchEvent(new PointerEvent("pointerdown", { bubbles: true }));
     press("m");
     expect(ran.at(-1)).toBe("merge");
+    useProblems.setState({ problems: [] });
+  });
+
+  it("that only look work after a field too, but none that changes what there is or what the next letters do", () => {
+    const field = add('<div><input type="text" data-target><p>mm</p></div>');
+    (field as HTMLElement).focus();
+    (field as HTMLElement).blur();
+    // Every sign that a key of the window has.
+    const signs = KEYS.filter(({ native }) => !native).flatMap(({ keys }) => keys.filter((key) => key.length === 1));
+    for (const key of [...signs, "Delete", "Backspace", " "])
+      press(key.toLowerCase() === "delete" ? key : key.toLowerCase());
+    expect(ran).toEqual(["frame", "dimensions", "keys"]);
     useProblems.setState({ problems: [] });
   });
 

@@ -50,7 +50,9 @@ function pressed(event: KeyboardEvent): void {
   const writes = typing(event.target);
   if (!writes && wasTyping() && writesSign(event)) {
     event.preventDefault();
-    if (commandOf(chordOf(event), false)) tell("info", "Click in the view to use its keys.", "keys_of_view");
+    const meant = commandOf(chordOf(event), false);
+    if (meant?.onlyLooks) run(meant.command);
+    else if (meant) tell("info", "Click in the view to use its keys.", "keys_of_view");
     return;
   }
   // While something is moved, X, Y, Z, digits and Enter belong to the move.

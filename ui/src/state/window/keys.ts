@@ -62,6 +62,11 @@ export interface KeyEntry {
   readonly group: "File" | "Edit" | "Tools" | "View" | "Machine" | "Help";
   /** Whether it works while a person types: `always`, or where typing gives the key no meaning. */
   readonly typing?: "always" | "also";
+  /**
+   * It only looks, and its key is no part of a figure: it works although a field that was used last has lost the focus. What changes the
+   * design, the selection or the tool does not, and neither does what takes the letters that follow.
+   */
+  readonly onlyLooks?: true;
   /** The browser's own event does it, which may use the clipboard. */
   readonly native?: boolean;
 }
@@ -110,12 +115,12 @@ export const KEYS: readonly KeyEntry[] = [
   { command: "view-top", label: "Top", keys: ["7"], group: "View" },
   { command: "view-bottom", label: "Bottom", keys: ["Ctrl+7"], group: "View" },
   { command: "view-perspective", label: "Perspective or parallel", keys: ["5"], group: "View" },
-  { command: "frame", label: "Frame the selection", keys: ["F"], group: "View" },
+  { command: "frame", label: "Frame the selection", keys: ["F"], group: "View", onlyLooks: true },
   { command: "frame-all", label: "Frame all", keys: ["Home"], group: "View" },
-  { command: "dimensions", label: "Dimensions of all edges and angles", keys: ["N"], group: "View" },
+  { command: "dimensions", label: "Dimensions of all edges and angles", keys: ["N"], group: "View", onlyLooks: true },
   { command: "play", label: "Play or pause", keys: ["Space"], group: "Machine" },
   { command: "stop", label: "STOP the machine", keys: ["Ctrl+Space"], group: "Machine", typing: "always" },
-  { command: "keys", label: "Keys", keys: ["?"], group: "Help" },
+  { command: "keys", label: "Keys", keys: ["?"], group: "Help", onlyLooks: true },
 ];
 
 const NAMES: Readonly<Record<string, string>> = { " ": "Space" };
