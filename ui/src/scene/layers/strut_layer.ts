@@ -10,22 +10,24 @@ import { along } from "../vec";
 
 const VERTEX = /* glsl */ `
 varying vec3 vNormal;
-varying float vDepth;
+varying vec3 vSeen;
 void main() {
   vec4 seen = modelViewMatrix * vec4(position, 1.0);
   vNormal = normalMatrix * normal;
-  vDepth = -seen.z;
+  vSeen = seen.xyz;
   gl_Position = projectionMatrix * seen;
 }`;
 
+// Glass: it is seen by its outline, and what it covers is seen through its middle.
 const FRAGMENT = /* glsl */ `
 uniform vec3 colour;
 varying vec3 vNormal;
-varying float vDepth;
+varying vec3 vSeen;
 ${GLSL}
 void main() {
   vec3 normal = normalize(gl_FrontFacing ? vNormal : -vNormal);
-  gl_FragColor = vec4(faded(lit(colour, normal), vDepth, gl_FragCoord.xy), 0.55);
+  float edge = 1.0 - abs(dot(normal, towardsEye(vSeen)));
+  gl_FragColor = vec4(faded(lit(colour, normal), -vSeen.z, gl_FragCoord.xy), mix(0.14, 0.75, edge * edge));
 }`;
 
 /** Around the axis of the head. */
