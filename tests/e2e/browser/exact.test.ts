@@ -112,6 +112,30 @@ it("turns the selection by a typed angle", async () => {
   expect((await editor.design()).state.undo).toBe("rotate 4 vertices");
 });
 
+it("turns the selection about an edge that was selected before", async () => {
+  await editor.page.locator(".viewport canvas").focus();
+  await press("Control+z");
+  await until(() => editor.vertex(3)).toEqual(STRAND[3]);
+  await press("Escape");
+  const form = edit().locator("#operation-rotate");
+  const edge = form.getByText("Edge", { exact: true });
+  expect(await form.getByTitle("Select the edge to turn about first.").count()).toBe(1);
+  await click([60, 0, 20]);
+  await edge.click();
+  await form.getByRole("button", { name: "From vertex 1 to 2" }).waitFor();
+  await editor.isClean("rotate-edge");
+  await click([90, 0, 80]);
+  await form.getByLabel("Angle").fill("90");
+  await form.getByLabel("Angle").press("Enter");
+  // About the upright edge at x = 60, right-handed upwards: x goes to y.
+  await until(() => editor.vertex(3)).toEqual([60, 30, 80]);
+  await editor.page.locator(".viewport canvas").focus();
+  await press("Control+z");
+  await until(() => editor.vertex(3)).toEqual(STRAND[3]);
+  // As it was before.
+  await form.getByText("Y", { exact: true }).click();
+});
+
 it("adds a circle, a polygon and a helix from figures", async () => {
   const shapes = edit().getByRole("group", { name: "Shapes" });
   const size = async () => {

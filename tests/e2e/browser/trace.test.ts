@@ -199,6 +199,45 @@ it("places an edge by a typed length and a typed angle, with Tab between them", 
   await editor.page.keyboard.press("Escape");
 });
 
+it("draws on a plane through three vertices", async () => {
+  await editor.take(null, "trace", "edit");
+  const corners: Place[] = [
+    [0, 0, 0],
+    [80, 0, 0],
+    [0, 60, 80],
+  ];
+  await editor.loopback.ask("edit", { request: { edit: "draw", through_mm: corners.map((at) => [...at]) } });
+  await editor.reload("trace", "edit");
+  await editor.section("edit").locator(".section-phrase", { hasText: "3 vert" }).waitFor();
+  expect(await trace().getByTitle("Select three vertices first.").count()).toBe(1);
+  await editor.page.locator(".viewport canvas").focus();
+  await editor.page.keyboard.press("a");
+  await trace().getByText("Points", { exact: true }).click();
+  await trace().getByText("Through vertices 0, 1 and 2.").waitFor();
+  await editor.page.locator(".viewport canvas").focus();
+  await editor.page.keyboard.press("d");
+  const canvas = await editor.page.locator(".viewport canvas").boundingBox();
+  const [x, y] = [(canvas?.x ?? 0) + 300, (canvas?.y ?? 0) + 300];
+  for (const [dx, dy] of [
+    [0, 0],
+    [60, 40],
+  ] as const) {
+    await editor.page.mouse.move(x + dx - 5, y + dy);
+    await editor.page.mouse.move(x + dx, y + dy, { steps: 3 });
+    await editor.page.locator(".hover-card", { hasText: /Grid|On the plane|Direction in steps/ }).waitFor();
+    await editor.page.mouse.click(x + dx, y + dy);
+  }
+  await until(async () => (await editor.design()).vertices.length).toBe(5);
+  // The plane through them is 4·y = 3·z.
+  for (const { at_mm } of (await editor.design()).vertices.slice(3)) {
+    expect(4 * at_mm[1]).toBeCloseTo(3 * at_mm[2], 6);
+    expect(Math.abs(at_mm[2])).toBeGreaterThan(1);
+  }
+  await editor.isClean("trace-own-plane");
+  await editor.page.keyboard.press("Escape");
+  await editor.page.keyboard.press("q");
+});
+
 it("writes the dimensions of all edges and angles, and takes them away again", async () => {
   await editor.take("house", "edit");
   const view = editor.page.locator(".viewport");

@@ -5,9 +5,10 @@ import { detach, selectedEdges } from "../../state/design/operations";
 import { run, useWhyNot, whyNot } from "../../state/window/commands";
 import { type CommandId, keyOf } from "../../state/window/keys";
 import { type OperationName, useUi } from "../../state/window/ui";
-import { ArrayForm, RotateForm, ScaleForm } from "./copies";
+import { ArrayForm, ScaleForm } from "./copies";
 import { FilletForm } from "./Fillet";
 import { ExtrudeForm, MergeForm, MirrorForm, RoundForm, SplitForm, StraightenForm } from "./forms";
+import { RotateForm } from "./Rotate";
 
 const FORMS: readonly { readonly name: OperationName; readonly label: string; readonly form: () => ReactNode }[] = [
   { name: "split", label: "Split", form: () => <SplitForm /> },

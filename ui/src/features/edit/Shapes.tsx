@@ -7,7 +7,7 @@ import { NumberField } from "../../shared/controls/NumberField";
 import { useLengths } from "../../shared/figures/unit";
 import { addShape, type ShapeRequest } from "../../state/design/operations";
 import { useWhyNot } from "../../state/window/commands";
-import { type PlaneName, useView } from "../../state/window/view";
+import { choosePlane, type PlaneName, useView } from "../../state/window/view";
 import { useFigure } from "./figure";
 import { needs, Outcome, useOutcome } from "./Outcome";
 import { PlaceFields } from "./Position";
@@ -76,12 +76,7 @@ export function Shapes() {
       <PlaceFields at={centre} change={setCentre} label="Centre" />
       <Field label="Plane">
         {() => (
-          <Segmented<PlaneName>
-            label="Plane of the shape"
-            choices={PLANES}
-            value={plane}
-            onChoose={(value) => useView.setState({ plane: value })}
-          />
+          <Segmented<PlaneName> label="Plane of the shape" choices={PLANES} value={plane} onChoose={choosePlane} />
         )}
       </Field>
       {shape === "polygon" && (

@@ -5,15 +5,15 @@ import { Segmented } from "../../shared/controls/inputs";
 import { NumberField } from "../../shared/controls/NumberField";
 import { useDesign } from "../../state/design/design";
 import { AXES, axisIndex, boundsOf, rotation, scaling, translation } from "../../state/design/geometry";
-import { array, largest, rotate, selectedVertices, transform } from "../../state/design/operations";
+import { array, largest, selectedVertices, transform } from "../../state/design/operations";
 import { useSelection } from "../../state/design/selection";
 import { useWhyNot } from "../../state/window/commands";
 import { AxisField, Do } from "./forms";
 
 type Kind = "step" | "turn";
-type About = "origin" | "middle";
+export type About = "origin" | "middle";
 
-const ABOUT = [
+export const ABOUT = [
   { value: "origin", label: "Origin" },
   { value: "middle", label: "Selection" },
 ] as const;
@@ -86,31 +86,6 @@ export function ArrayForm() {
       )}
       <Do command="array" onDo={make}>
         Make {count === 1 ? "1 copy" : `${count} copies`}
-      </Do>
-    </>
-  );
-}
-
-/** By an angle about an axis. */
-export function RotateForm() {
-  const [deg, setDeg] = useState(90);
-  const [axis, setAxis] = useState<Axis>("z");
-  const [about, setAbout] = useState<About>("middle");
-  const make = (by: number) => {
-    const middle = boundsOf(selectedVertices(), useDesign.getState())?.centre;
-    if (middle && by !== 0) void rotate(axis, about === "origin" ? [0, 0, 0] : middle, by);
-  };
-  return (
-    <>
-      <Field label="Angle">
-        {({ id }) => <NumberField id={id} kind="angle" label="Angle" value={deg} onCommit={setDeg} onEnter={make} />}
-      </Field>
-      <AxisField label="About" value={axis} onChoose={setAxis} />
-      <Field label="Through">
-        {() => <Segmented<About> label="The axis goes through" choices={ABOUT} value={about} onChoose={setAbout} />}
-      </Field>
-      <Do command="rotate" onDo={() => make(deg)} why={deg === 0 ? "Type an angle first." : null}>
-        Rotate
       </Do>
     </>
   );

@@ -5,9 +5,19 @@ import { Checkbox, Segmented, Slider } from "../../shared/controls/inputs";
 import { NumberField } from "../../shared/controls/NumberField";
 import { count, percent, roughly } from "../../shared/figures/format";
 import { edit, useDesign } from "../../state/design/design";
+import { useSelection } from "../../state/design/selection";
 import { run } from "../../state/window/commands";
 import { keyOf } from "../../state/window/keys";
-import { chooseTool, type PlaneName, SNAP_KINDS, toggleSnap, useView } from "../../state/window/view";
+import {
+  choosePlane,
+  chooseTool,
+  type PlaneName,
+  putPlane,
+  SNAP_KINDS,
+  selectedPlane,
+  toggleSnap,
+  useView,
+} from "../../state/window/view";
 import { Part, Section } from "../panel/Section";
 import { Strand } from "./Strand";
 
@@ -71,10 +81,43 @@ function Stencil() {
   );
 }
 
+/** Which plane is drawn on: of the axes, or on three vertices. As high whichever it is. */
+function Plane() {
+  const { plane, ownPlane } = useView();
+  useDesign();
+  useSelection();
+  const found = selectedPlane();
+  const [a, b, c] = ownPlane?.through ?? [];
+  return (
+    <Field
+      label="Plane"
+      hint={
+        <span className="plane-hint">
+          {ownPlane ? `Through vertices ${a}, ${b} and ${c}.` : "Points: through three selected vertices."}
+        </span>
+      }
+    >
+      {() => (
+        <Segmented<PlaneName | "points">
+          label="Plane"
+          choices={[
+            { value: "xy", label: "XY" },
+            { value: "xz", label: "XZ" },
+            { value: "yz", label: "YZ" },
+            { value: "points", label: "Points", why: ownPlane || typeof found !== "string" ? null : found },
+          ]}
+          value={ownPlane ? "points" : plane}
+          onChoose={(value) => (value === "points" ? putPlane() : choosePlane(value))}
+        />
+      )}
+    </Field>
+  );
+}
+
 /** The surface that is traced on, what clicks snap to, and the strand that is being drawn. */
 export function TraceSection() {
   const stencil = useDesign((design) => design.stencil);
-  const { tool, snapKinds, grid, reach, plane, planeOffset } = useView();
+  const { tool, snapKinds, grid, reach, planeOffset } = useView();
   const name = useDesign((design) => design.state?.stencil ?? null);
   const triangles = stencil ? stencil.triangles.length / 3 : 0;
   const phrase = stencil
@@ -105,20 +148,7 @@ export function TraceSection() {
           </Button>
         </div>
         <Strand />
-        <Field label="Plane">
-          {() => (
-            <Segmented<PlaneName>
-              label="Plane"
-              choices={[
-                { value: "xy", label: "XY" },
-                { value: "xz", label: "XZ" },
-                { value: "yz", label: "YZ" },
-              ]}
-              value={plane}
-              onChoose={(value) => useView.setState({ plane: value })}
-            />
-          )}
-        </Field>
+        <Plane />
         <Field label="Offset">
           {({ id }) => (
             <NumberField

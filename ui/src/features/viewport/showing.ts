@@ -16,7 +16,7 @@ import { shownSequence, useSequence } from "../../state/sequence/sequence";
 import { shownTheme, systemTheme } from "../../state/window/theme";
 import { useUi } from "../../state/window/ui";
 import { useUnits } from "../../state/window/units";
-import { planeOf, planeOfAll, useView } from "../../state/window/view";
+import { drawnPlane, planeOfAll, useView } from "../../state/window/view";
 import { measureText } from "../check/texts";
 import { drawnFrame } from "../frame/struts";
 import { drawnSequence, layersOf } from "../sequence/struts";
@@ -172,14 +172,14 @@ export function show(scene: Scene): () => void {
     ),
     follow(
       useView,
-      ({ tool, plane, planeOffset }) => [tool, plane, planeOffset],
-      ({ plane, planeOffset }) => scene.setPlane(planeOf(plane, planeOffset)),
+      ({ tool, plane, ownPlane, planeOffset }) => [tool, plane, ownPlane, planeOffset],
+      (view) => scene.setPlane(drawnPlane(view)),
     ),
     follow(
       useView,
-      ({ tool, plane }) => [tool, plane],
-      ({ tool, plane, planeOffset }) => {
-        if (tool === "draw") scene.face(planeOf(plane, planeOffset));
+      ({ tool, plane, ownPlane }) => [tool, plane, ownPlane],
+      (view) => {
+        if (view.tool === "draw") scene.face(drawnPlane(view));
       },
     ),
     follow(

@@ -2,7 +2,7 @@
 
 import { create } from "zustand";
 import type { SceneDesign, Selection } from "../../scene/interface";
-import { planeOf, useView } from "../window/view";
+import { drawnPlane, normalOf, useView } from "../window/view";
 import { edit, useDesign } from "./design";
 import { angleAt, distance } from "./geometry";
 import { edgesOf, useSelection, verticesOf } from "./selection";
@@ -119,13 +119,7 @@ export async function setAngle(deg: number): Promise<void> {
   const at = cornerOf(...current());
   if (typeof at === "string") return;
   const { side } = useExact.getState();
-  const { plane } = useView.getState();
-  const { u, v } = planeOf(plane, 0);
-  const normal: [number, number, number] = [
-    u[1] * v[2] - u[2] * v[1],
-    u[2] * v[0] - u[0] * v[2],
-    u[0] * v[1] - u[1] * v[0],
-  ];
+  const normal = [...normalOf(drawnPlane(useView.getState()))] as [number, number, number];
   const between: [number, number] = side === 0 ? [...at.edges] : [at.edges[1], at.edges[0]];
   await edit({ edit: "angle", vertex: at.vertex, between, angle_deg: deg, normal, rest: rest(at) });
 }

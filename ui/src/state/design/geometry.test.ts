@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { SceneDesign, Vec3 } from "../../scene/interface";
-import { boundsOf, degrees, lengthOf, type Matrix, rotation, scaling, translation } from "./geometry";
+import { boundsOf, degrees, lengthOf, type Matrix, rotation, scaling, translation, turning } from "./geometry";
 
 const apply = (matrix: Matrix, [x, y, z]: Vec3): number[] =>
   matrix.slice(0, 3).map(([a, b, c, d]) => a * x + b * y + c * z + d);
@@ -76,4 +76,16 @@ describe("measures", () => {
       [2, 1],
     ]);
   });
+});
+
+it("turns about a line right-handed, and leaves the line where it is", () => {
+  const on = (matrix: Matrix | null, at: Vec3) => matrix && apply(matrix, at);
+  const about = (deg: number) => turning([10, 0, 0], [10, 0, 7], deg);
+  expect(on(about(90), [30, 0, 5])).toEqual([10, 20, 5]);
+  expect(on(about(90), [10, 0, -3])).toEqual([10, 0, -3]);
+  // A third of a turn about the diagonal of a cube takes each axis to the next.
+  on(turning([0, 0, 0], [2, 2, 2], 120), [1, 0, 0])?.forEach((value, k) =>
+    expect(value).toBeCloseTo([0, 1, 0][k] ?? NaN, 12),
+  );
+  expect(turning([1, 2, 3], [1, 2, 3], 90)).toBeNull();
 });

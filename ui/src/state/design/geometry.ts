@@ -1,10 +1,12 @@
-import type { Axis, SceneDesign, Vec3 } from "../../scene/interface";
+import type { Axis, DrawingPlane, SceneDesign, Vec3 } from "../../scene/interface";
 
 /** A matrix of 4 rows and 4 columns, row by row, on positions in mm. */
 export type Matrix = [Row, Row, Row, Row];
 type Row = [number, number, number, number];
 
 export const AXES: readonly Axis[] = ["x", "y", "z"];
+/** Places that are nearer are one, mm. */
+const NOTHING = 1e-6;
 const INDEX: Readonly<Record<Axis, 0 | 1 | 2>> = { x: 0, y: 1, z: 2 };
 const UNITS: Readonly<Record<Axis, Vec3>> = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
 
@@ -32,21 +34,55 @@ export function scaling(factor: number, [x, y, z]: Vec3): Matrix {
   ];
 }
 
+const QUARTERS = [
+  [1, 0],
+  [0, 1],
+  [-1, 0],
+  [0, -1],
+] as const;
+
+/** Cosine and sine of degrees; quarter turns come out whole. */
+function cosSin(deg: number): readonly [number, number] {
+  const turned = ((deg % 360) + 360) % 360;
+  const whole = QUARTERS[turned / 90];
+  return whole ?? [Math.cos((deg * Math.PI) / 180), Math.sin((deg * Math.PI) / 180)];
+}
+
+/** Right-handed by degrees about the line from a place to another; null where they are one. */
+export function turning(from: Vec3, to: Vec3, deg: number): Matrix | null {
+  const size = distance(from, to);
+  if (size < NOTHING) return null;
+  const [x, y, z] = [0, 1, 2].map((k) => ((to[k] ?? 0) - (from[k] ?? 0)) / size) as [number, number, number];
+  const [c, s] = cosSin(deg);
+  const rows: readonly Vec3[] = [
+    [c + x * x * (1 - c), x * y * (1 - c) - z * s, x * z * (1 - c) + y * s],
+    [y * x * (1 - c) + z * s, c + y * y * (1 - c), y * z * (1 - c) - x * s],
+    [z * x * (1 - c) - y * s, z * y * (1 - c) + x * s, c + z * z * (1 - c)],
+  ];
+  const row = (k: 0 | 1 | 2): Row => {
+    const [a, b, d] = rows[k] ?? [0, 0, 0];
+    return [a, b, d, from[k] - a * from[0] - b * from[1] - d * from[2]];
+  };
+  return [row(0), row(1), row(2), [0, 0, 0, 1]];
+}
+
+/** The plane through three places: from the first, its first axis towards the second, its second axis to the side of the third; null where they are in line. */
+export function planeThrough(a: Vec3, b: Vec3, c: Vec3): DrawingPlane | null {
+  const way = (from: Vec3): Vec3 => [from[0] - a[0], from[1] - a[1], from[2] - a[2]];
+  const unit = (of: Vec3): Vec3 | null => {
+    const size = Math.hypot(...of);
+    return size < NOTHING ? null : [of[0] / size, of[1] / size, of[2] / size];
+  };
+  const [u, w] = [unit(way(b)), way(c)];
+  if (!u) return null;
+  const along = u[0] * w[0] + u[1] * w[1] + u[2] * w[2];
+  const v = unit([w[0] - along * u[0], w[1] - along * u[1], w[2] - along * u[2]]);
+  return v && { origin: a, u, v };
+}
+
 /** Right-handed by degrees about an axis through a point, and on along the axis by mm. */
 export function rotation(axis: Axis, deg: number, through: Vec3, along = 0): Matrix {
-  // Quarter turns come out whole.
-  const quarter = ((deg % 360) + 360) % 360;
-  const [c, s] =
-    quarter % 90 === 0
-      ? ((
-          [
-            [1, 0],
-            [0, 1],
-            [-1, 0],
-            [0, -1],
-          ] as const
-        )[quarter / 90] ?? [1, 0])
-      : [Math.cos((deg * Math.PI) / 180), Math.sin((deg * Math.PI) / 180)];
+  const [c, s] = cosSin(deg);
   const k = INDEX[axis];
   const [i, j] = [(k + 1) % 3, (k + 2) % 3];
   const matrix = translation([0, 0, 0]);

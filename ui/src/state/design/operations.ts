@@ -4,7 +4,7 @@ import type { Axis, SceneJoint, Vec3 } from "../../scene/interface";
 import { tell } from "../asking/problems";
 import { chooseTool, useView } from "../window/view";
 import { edit, useDesign } from "./design";
-import { AXES, axisIndex, axisUnit, boundsOf, degrees, lengthOf, type Matrix } from "./geometry";
+import { AXES, axisIndex, axisUnit, boundsOf, degrees, lengthOf, type Matrix, turning } from "./geometry";
 import { fromText, moved, pieceOf, toText } from "./piece";
 import { edgesOf, select, useSelection, verticesOf } from "./selection";
 
@@ -115,6 +115,15 @@ export async function transform(matrix: Matrix): Promise<void> {
 /** Turns the selection, right-handed by degrees about an axis through a point. */
 export async function rotate(axis: Axis, through: Vec3, angle_deg: number): Promise<void> {
   await edit({ edit: "rotate", vertices: selectedVertices(), axis, through_mm: [...through], angle_deg });
+}
+
+/** Turns the selection by degrees about an edge, right-handed along it from its first vertex to its second. */
+export async function rotateAbout(edge: number, angle_deg: number): Promise<void> {
+  const { vertices, edges } = useDesign.getState();
+  const axis = edges.get(edge);
+  const [from, to] = [axis && vertices.get(axis.a)?.at, axis && vertices.get(axis.b)?.at];
+  const matrix = from && to ? turning(from, to, angle_deg) : null;
+  if (matrix) await transform(matrix);
 }
 
 /** Selected vertices with two edges. */

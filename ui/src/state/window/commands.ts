@@ -13,7 +13,18 @@ import { showHints } from "./hints";
 import type { CommandId } from "./keys";
 import { type DialogName, type OperationName, useUi } from "./ui";
 import { useUnits } from "./units";
-import { chooseTool, FACING, type Side, setAnnotations, setDimensions, useView } from "./view";
+import {
+  choosePlane,
+  chooseTool,
+  drawnPlane,
+  FACING,
+  normalOf,
+  planeOf,
+  type Side,
+  setAnnotations,
+  setDimensions,
+  useView,
+} from "./view";
 
 /** What is done when a key is pressed or a menu or button chosen, and why it cannot be done just now: a sentence. */
 interface Command {
@@ -46,13 +57,22 @@ const figure = (name: OperationName) => () => {
     document.querySelector<HTMLInputElement>(`#operation-${name} .number-field input`)?.focus(),
   );
 };
+/** The sine of the angle under which a plane is seen from its edge. */
+const EDGE_ON = 0.05;
+
 /** Looks from a side. The plane that is drawn on goes with the view, which never shows it from its edge. */
 function view(side: Side): Command {
-  const drawing = () => useView.getState().tool === "draw" && useView.getState().plane !== FACING[side];
+  const drawing = () => {
+    const now = useView.getState();
+    if (now.tool !== "draw") return false;
+    if (!now.ownPlane) return now.plane !== FACING[side];
+    const [one, other] = [normalOf(drawnPlane(now)), normalOf(planeOf(FACING[side], 0))];
+    return Math.abs(one[0] * other[0] + one[1] * other[1] + one[2] * other[2]) < EDGE_ON;
+  };
   return {
     run: () => {
       useView.getState().handle?.view(side);
-      if (drawing()) useView.setState({ plane: FACING[side] });
+      if (drawing()) choosePlane(FACING[side]);
     },
     why: () =>
       drawing() && useView.getState().strand !== null
@@ -218,5 +238,5 @@ export function useWhyNot(id: CommandId): string | null {
 export function designReplaced(): void {
   useView.getState().handle?.cancel();
   useSelection.setState({ ...NOTHING, highlight: NOTHING });
-  useView.setState({ preview: null, strand: null });
+  useView.setState({ preview: null, strand: null, ownPlane: null });
 }

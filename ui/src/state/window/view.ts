@@ -1,7 +1,9 @@
 import { create } from "zustand";
 import type { Axis, DrawingPlane, Hovered, Preview, Selection, SnapKind, Tool, Vec3 } from "../../scene/interface";
 import { useDesign } from "../design/design";
-import { surroundings } from "../design/selecting";
+import { planeThrough } from "../design/geometry";
+import { surroundings, verticesOf } from "../design/selecting";
+import { useSelection } from "../design/selection";
 import { store, stored } from "./ui";
 import { type DisplayUnit, useUnits } from "./units";
 
@@ -34,6 +36,11 @@ export const FACING: Readonly<Record<Side, PlaneName>> = {
   bottom: "xy",
 };
 
+/** A plane of a person's own, and the vertices that it was put on. */
+interface OwnPlane extends DrawingPlane {
+  readonly through: readonly number[];
+}
+
 interface ViewStore {
   /** Null before the view is there. */
   readonly handle: ViewHandle | null;
@@ -44,7 +51,9 @@ interface ViewStore {
   /** CSS pixels. */
   readonly reach: number;
   readonly plane: PlaneName;
-  /** How far the plane is from the origin, mm. */
+  /** Drawn on instead of it: put on three vertices. It stays where it is when they move. */
+  readonly ownPlane: OwnPlane | null;
+  /** How far the plane is from the origin, or from where it was put, mm. */
   readonly planeOffset: number;
   readonly stencilShown: boolean;
   /** From 0 to 1. */
@@ -84,6 +93,7 @@ export const useView = create<ViewStore>()(() => ({
   grid: USUAL_GRID[useUnits.getState().unit],
   reach: 12,
   plane: "xy",
+  ownPlane: null,
   planeOffset: 0,
   stencilShown: true,
   stencilOpacity: 0.45,
@@ -132,6 +142,45 @@ export function planeOf(name: PlaneName, offset: number): DrawingPlane {
     case "yz":
       return { origin: [offset, 0, 0], u: [0, 1, 0], v: [0, 0, 1] };
   }
+}
+
+/** The plane that is drawn on. */
+export function drawnPlane({
+  plane,
+  ownPlane,
+  planeOffset,
+}: Pick<ViewStore, "plane" | "ownPlane" | "planeOffset">): DrawingPlane {
+  if (!ownPlane) return planeOf(plane, planeOffset);
+  const { origin, u, v } = ownPlane;
+  const normal = normalOf(ownPlane);
+  const at = (k: 0 | 1 | 2) => origin[k] + normal[k] * planeOffset;
+  return { origin: [at(0), at(1), at(2)], u, v };
+}
+
+/** Of length 1. */
+export function normalOf({ u, v }: DrawingPlane): Vec3 {
+  return [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+}
+
+/** Draws on a plane of the axes. */
+export function choosePlane(plane: PlaneName): void {
+  useView.setState({ plane, ownPlane: null });
+}
+
+/** The plane through the three selected vertices; a sentence where there is none. */
+export function selectedPlane(): OwnPlane | string {
+  const design = useDesign.getState();
+  const through = verticesOf(useSelection.getState(), design);
+  const [a, b, c] = through.map((id) => design.vertices.get(id)?.at);
+  if (!a || !b || !c || through.length > 3) return "Select three vertices first.";
+  const plane = planeThrough(a, b, c);
+  return plane ? { ...plane, through } : "The three vertices are in line: select others.";
+}
+
+/** Puts the plane on the three selected vertices. */
+export function putPlane(): void {
+  const plane = selectedPlane();
+  if (typeof plane !== "string") useView.setState({ ownPlane: plane, planeOffset: 0 });
 }
 
 /** Vertices nearer than this lie in one plane, mm: as exact as drawings are written. */
