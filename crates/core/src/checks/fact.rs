@@ -112,6 +112,8 @@ pub enum Fact {
         feed: Length,
         /// The shortest feed of the machine.
         limit: Sourced<Length>,
+        /// The bend at its end, where the peg cannot press it so near to a corner or the end of the wire.
+        unpressed: Option<Angle>,
     },
     /// A compensated feed is hardly longer than the machine's shortest.
     FeedNearLimit {

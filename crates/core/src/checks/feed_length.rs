@@ -1,7 +1,7 @@
 //! Feeds after compensation: too short to grip, arcs that overlap, longer than the machine or its stock allows.
 
 use super::{Diagnostic, Fact, Remedy, Severity, Sourced, WireStages, is_near};
-use crate::compensate::{corner, with_bend_before};
+use crate::compensate::{BendError, corner, with_bend_before};
 use crate::units::{Angle, Length};
 
 pub(super) fn check(wire: &WireStages, found: &mut Vec<Diagnostic>) {
@@ -45,7 +45,9 @@ fn judge(wire: &WireStages, step: usize, designed: Length, feed: Length, found: 
     let (severity, fact, remedies) = if room < 0.0 {
         let limit = limits.min_feed.clone();
         let by = Some(Length::computed(-room));
-        (Severity::Error, Fact::FeedTooShort { designed, feed, limit }, vec![Remedy::LengthenEdge { by }])
+        let unpressed = unpressed(wire, step);
+        let fact = Fact::FeedTooShort { designed, feed, limit, unpressed };
+        (Severity::Error, fact, vec![Remedy::LengthenEdge { by }])
     } else if let Some(limit) = longest.cloned() {
         let remedies = vec![Remedy::ShortenStraight, Remedy::AddBend];
         (Severity::Error, Fact::FeedTooLong { designed, feed, limit }, remedies)
@@ -59,4 +61,13 @@ fn judge(wire: &WireStages, step: usize, designed: Length, feed: Length, found: 
         return;
     };
     found.push(Diagnostic { severity, location: wire.location_of_step(step), fact, remedies });
+}
+
+/// The bend of a step that the peg cannot press for what lies before it.
+fn unpressed(wire: &WireStages, step: usize) -> Option<Angle> {
+    let failed = wire.unbendable.iter().find(|failed| failed.step == step)?;
+    match failed.error {
+        BendError::CornerTooNear { bend } | BendError::LeadTooShort { bend, .. } => Some(bend),
+        _ => None,
+    }
 }

@@ -6,6 +6,7 @@
 
 mod contact;
 mod feed;
+mod forming;
 mod setback;
 mod springback;
 
@@ -13,9 +14,11 @@ use crate::bend::Step;
 use crate::schedule::ScheduledProgram;
 use crate::units::{Angle, Length};
 
-use contact::{Beyond, FormedWire, Touch};
+use contact::{Beyond, Touch};
 pub use feed::FeedModel;
 pub(crate) use feed::{corner, with_bend_before};
+use forming::Forming;
+pub(crate) use forming::results;
 pub use setback::{PegGeometry, PegGeometryError, PegRadius};
 pub use springback::{Springback, SpringbackCurve, SpringbackError, SpringbackPoint};
 
@@ -299,92 +302,6 @@ pub fn compensate(
     errors.extend(unpressed);
     errors.sort_by_key(|error| error.step);
     Err(errors)
-}
-
-/// A wire whose bends are commanded one after the other.
-struct Forming<'a> {
-    compensation: &'a Compensation,
-    /// As the peg meets it; none where the axis is the bend.
-    wire: Option<FormedWire>,
-    /// Straight wire before the first bend, mm; none once there is one.
-    lead: Option<f64>,
-}
-
-/// How much further the axis goes than on a straight leg, and whether the peg touches past another corner.
-type Elsewhere = (Option<Angle>, bool);
-
-impl<'a> Forming<'a> {
-    fn new(compensation: &'a Compensation) -> Self {
-        Self { compensation, wire: compensation.bend.setback.as_ref().map(FormedWire::new), lead: Some(0.0) }
-    }
-
-    /// The command of the next bend.
-    fn command(&mut self, before: Angle, step: &Step) -> Result<(Angle, Option<Elsewhere>), BendError> {
-        let Step { feed, rotate, bend } = *step;
-        let Compensation { feed: feeds, bend: model } = self.compensation;
-        let (mut straight, mut beyond) = (0.0, Beyond::default());
-        if let Some(wire) = &mut self.wire {
-            straight = wire.straight(feed, before, bend);
-            beyond = wire.beyond(rotate, bend.signum(), straight);
-            wire.push(straight, rotate, bend);
-        }
-        let lead = self.lead.map(|lead| lead + straight);
-        self.lead = lead.filter(|_| bend == Angle::ZERO);
-        if feeds.is_some() && bend.abs().deg() > FOLD_DEG {
-            return Err(BendError::FoldBack { bend });
-        }
-        if beyond.is_empty() || bend == Angle::ZERO {
-            return Ok((model.command(bend)?, None));
-        }
-        // What is not bent yet is straight still.
-        let arc = |bend: Angle| model.arc_of(bend, feeds.as_ref());
-        let leg = |left: Angle| straight + (arc(bend) - arc(left)).max(0.0);
-        match (model.command_on(bend, leg, &beyond), lead, &model.setback) {
-            (Err(BendError::CornerTooNear { bend }), Some(lead), Some(peg)) => {
-                let lead = Length::computed(lead + arc(bend));
-                Err(BendError::LeadTooShort { bend, lead, needed: peg.least_lead(lead) })
-            }
-            (told, lead, _) => told.map(|(axis, touch)| {
-                let on_straight = model.axis(bend);
-                let further = on_straight.map(|straight| Angle::computed(touch.axis - straight.rad()));
-                let is_elsewhere = lead.is_none() && further.is_none_or(|by| by.deg().abs() > NEAR_DEG);
-                (axis, is_elsewhere.then_some((further, touch.past_other)))
-            }),
-        }
-    }
-}
-
-/// Less than this no axis can be told.
-const NEAR_DEG: f64 = 1e-3;
-
-/// The bends that commands leave, one after the other: what the peg touches is what those before have left.
-pub(crate) fn results(steps: &[Step], compensation: &Compensation) -> Vec<Angle> {
-    let model = &compensation.bend;
-    let Some(peg) = &model.setback else {
-        return steps.iter().map(|step| model.result(step.bend)).collect();
-    };
-    let mut formed = FormedWire::new(peg);
-    let mut before = Angle::ZERO;
-    let mut results = Vec::with_capacity(steps.len());
-    for step in steps {
-        let leg = |bend: Angle| {
-            let segment = compensation
-                .feed
-                .as_ref()
-                .map_or(step.feed, |model| model.segment_of(step.feed, before, bend));
-            formed.straight(segment, before, bend)
-        };
-        let bend = if step.bend == Angle::ZERO {
-            Angle::ZERO
-        } else {
-            let beyond = formed.beyond(step.rotate, step.bend.signum(), leg(Angle::HALF_TURN));
-            model.result_on(step.bend, leg, &beyond)
-        };
-        formed.push(leg(bend), step.rotate, bend);
-        before = bend;
-        results.push(bend);
-    }
-    results
 }
 
 /// Where an increasing function crosses zero between two arguments; the nearer end where it does

@@ -50,8 +50,8 @@ pub fn message(diagnostic: &Diagnostic) -> String {
         Fact::EdgeTooShort { length, limit } | Fact::EdgeNearLimit { length, limit } => {
             straight::edge(at, *length, limit.value)
         }
-        Fact::FeedTooShort { designed, feed, limit } => {
-            straight::feed_too_short(at, *designed, *feed, limit.value)
+        Fact::FeedTooShort { designed, feed, limit, unpressed } => {
+            straight::feed_too_short(at, *designed, *feed, limit.value, *unpressed)
         }
         Fact::FeedNearLimit { designed, feed, limit } => {
             straight::feed_near_limit(at, *designed, *feed, limit.value)

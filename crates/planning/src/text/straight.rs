@@ -1,7 +1,7 @@
 //! Straight parts: edges as designed, and feeds after compensation.
 
 use wirebend_core::checks::Location;
-use wirebend_core::units::Length;
+use wirebend_core::units::{Angle, Length};
 
 use super::number::{digits_beside, edge_list, straight};
 
@@ -15,11 +15,19 @@ pub(super) fn edge(at: &Location, length: Length, min: Length) -> String {
     format!("{edges} {length:.digits$} long; the machine's minimum is {min:.digits$}")
 }
 
-pub(super) fn feed_too_short(at: &Location, designed: Length, feed: Length, min: Length) -> String {
+pub(super) fn feed_too_short(
+    at: &Location,
+    designed: Length,
+    feed: Length,
+    min: Length,
+    unpressed: Option<Angle>,
+) -> String {
     let digits = digits_beside(feed.mm(), min.mm());
+    let bend = unpressed.map(|bend| format!(", and the peg cannot press the bend of {bend:.1} at its end"));
     format!(
-        "{} after compensation; the machine cannot feed less than {min:.digits$}",
-        fed(at, designed, feed, digits)
+        "{} after compensation; the machine cannot feed less than {min:.digits$}{}",
+        fed(at, designed, feed, digits),
+        bend.unwrap_or_default()
     )
 }
 

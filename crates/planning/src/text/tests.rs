@@ -133,11 +133,13 @@ fn findings_of_straight_parts_tell_length_and_feed() {
     let near = Fact::EdgeNearLimit { length: mm(21.0), limit: stated(mm(20.4)) };
     says(at(&[7]), near, "edge 7 is 21.0 mm long; the machine's minimum is 20.4 mm");
     let (designed, limit) = (mm(27.0), || stated(mm(25.0)));
-    let feed = Fact::FeedTooShort { designed, feed: mm(24.8), limit: limit() };
+    let short = |unpressed| Fact::FeedTooShort { designed, feed: mm(24.8), limit: limit(), unpressed };
+    let said = "edge 7 (27.0 mm as designed) is fed 24.8 mm after compensation; the machine cannot feed less than 25.0 mm";
+    says(at(&[7]), short(None), said);
     says(
         at(&[7]),
-        feed,
-        "edge 7 (27.0 mm as designed) is fed 24.8 mm after compensation; the machine cannot feed less than 25.0 mm",
+        short(Some(deg(-42.0))),
+        &format!("{said}, and the peg cannot press the bend of -42.0° at its end"),
     );
     let feed = Fact::FeedNearLimit { designed, feed: mm(25.8), limit: limit() };
     says(
@@ -308,7 +310,8 @@ fn what_is_beyond_a_limit_never_reads_like_it() {
     let short = Fact::EdgeTooShort { length: mm(20.399_96), limit: stated(mm(20.4)) };
     let short = message(&finding(at(&[7]), short, Vec::new()));
     assert!(short.contains("20.39996 mm") && short.contains("20.40000 mm"), "{short}");
-    let feed = Fact::FeedTooShort { designed: mm(27.2), feed: mm(24.98), limit: stated(mm(25.0)) };
+    let feed =
+        Fact::FeedTooShort { designed: mm(27.2), feed: mm(24.98), limit: stated(mm(25.0)), unpressed: None };
     let feed = message(&finding(at(&[7]), feed, Vec::new()));
     assert!(feed.contains("24.98 mm") && feed.contains("25.00 mm"), "{feed}");
     let (bend, max) = (deg(85.0004), deg(85.0));
@@ -317,119 +320,4 @@ fn what_is_beyond_a_limit_never_reads_like_it() {
     assert!(far.contains("85.0004°") && far.contains("85.0000°"), "{far}");
 }
 
-#[test]
-fn limits_say_where_they_come_from() {
-    let axis = ReachLimit::Axis { needed: deg(102.2), travel: stated(deg(100.0)) };
-    let reasoned =
-        Source { reason: Some("the paper".to_owned()), entry: "kit, limits.min_feed_mm".to_owned() };
-    for (limit, words) in [
-        (LimitSource::Stated(&reasoned), "the paper [kit, limits.min_feed_mm]"),
-        (LimitSource::Stated(&stated(()).source), "the profile"),
-        (LimitSource::WeldTolerance, "the weld tolerance"),
-        (LimitSource::EulerPath, "Euler: only the ends of wires may be odd"),
-        (LimitSource::BendRadius(mm(3.0)), "bends of centreline radius 3.00 mm"),
-        (
-            LimitSource::Reach(&axis),
-            "the bend axis, which would have to reach 102.2° and goes to 100.0° [the profile]",
-        ),
-        (LimitSource::Reach(&ReachLimit::Peg), "springback and setback of this wire on this machine"),
-        (LimitSource::AxisResolution, "half the resolution of the bend axis"),
-        (LimitSource::EulerLoad, "half the load at which a column with pinned ends buckles (Euler)"),
-    ] {
-        assert_eq!(source(limit), words);
-    }
-}
-
-#[test]
-fn remedies_are_alternatives_with_their_figures() {
-    let helps = |remedies, words: &str| {
-        assert_eq!(help(&finding(Location::default(), Fact::NoEdges, remedies)), words);
-    };
-    helps(vec![Remedy::OpenAngleOfTwo], "open the angle between two of its edges");
-    helps(
-        vec![Remedy::OpenAngle, Remedy::StartAtVertex],
-        "open the angle between the two edges, or start the wire at this vertex",
-    );
-    helps(
-        vec![Remedy::TurnBendPlane, Remedy::ChooseStart, Remedy::ChooseMachineWithRotation],
-        "turn the plane of the bend, start the wire at another vertex, or choose a machine whose head turns farther",
-    );
-    helps(
-        vec![Remedy::LengthenEdge { by: Some(mm(3.07)) }, Remedy::ScaleUp],
-        "make the edge at least 3.1 mm longer, or scale the design up",
-    );
-    helps(vec![Remedy::KeepBendBelow { max: deg(85.0) }], "keep the bend below 85.00°");
-    let edges = |count: u32| (0..count).map(EdgeId).collect();
-    helps(
-        vec![Remedy::DoubleEdges { edges: edges(3), added: mm(90.0), design: mm(360.0) }],
-        "run the wire along 3 edges twice: that adds 90.0 mm (25.0 % of the design), the least possible",
-    );
-    helps(
-        vec![
-            Remedy::ChooseStart,
-            Remedy::LeaveStartOpen,
-            Remedy::DoubleEdges { edges: edges(1), added: mm(70.0), design: mm(140.0) },
-        ],
-        "start the wire at another vertex, leave its start open, or run the wire along 1 edge twice: that adds 70.0 mm (50.0 % of the design), the least possible",
-    );
-}
-
-/// No front end's words, no full stop: what a person reads continues in a list, beside an option or a button.
-#[test]
-fn every_remedy_is_a_clause() {
-    let by = Some(mm(1.0));
-    let all = [
-        Remedy::Leave,
-        Remedy::LeaveTouching,
-        Remedy::LeaveRoom,
-        Remedy::TieWires,
-        Remedy::FastenThere,
-        Remedy::JoinEdges,
-        Remedy::DrawEdges,
-        Remedy::TakeFaceEdges,
-        Remedy::DeleteEdge,
-        Remedy::DeleteParallelEdge,
-        Remedy::MergeVertices,
-        Remedy::ConnectVertex,
-        Remedy::DeleteVertex,
-        Remedy::ConnectParts,
-        Remedy::BendEachPart,
-        Remedy::DoubleEdges { edges: vec![EdgeId(0)], added: mm(1.0), design: mm(0.0) },
-        Remedy::FindDoubling,
-        Remedy::ReduceOddVertices,
-        Remedy::StartAtVertex,
-        Remedy::EndAtVertex,
-        Remedy::ChooseStart,
-        Remedy::LeaveStartOpen,
-        Remedy::SplitDesign,
-        Remedy::SplitEdge,
-        Remedy::LengthenEdge { by },
-        Remedy::LengthenEdge { by: None },
-        Remedy::ShortenStraight,
-        Remedy::AddBend,
-        Remedy::ScaleUp,
-        Remedy::ScaleDown,
-        Remedy::OpenAngle,
-        Remedy::OpenAngleOfTwo,
-        Remedy::KeepBendBelow { max: deg(1.0) },
-        Remedy::EnlargeBend,
-        Remedy::Straighten,
-        Remedy::EaseBends,
-        Remedy::TurnBendPlane,
-        Remedy::MoveApart,
-        Remedy::AvoidCollisions,
-        Remedy::SearchLonger,
-        Remedy::AllowWires,
-        Remedy::MeasureBody,
-        Remedy::SupportVertices,
-        Remedy::BraceFrame,
-        Remedy::ChooseMaterial,
-        Remedy::ChooseMachine,
-        Remedy::ChooseMachineWithRotation,
-    ];
-    for remedy in all {
-        let words = help(&finding(Location::default(), Fact::NoEdges, vec![remedy]));
-        assert!(words.starts_with(char::is_lowercase) && !words.ends_with('.'), "{words}");
-        assert!(!words.contains("--") && !words.contains('`') && words.split(' ').count() > 1, "{words}");
-    }
-}
+mod limits_and_help;
