@@ -16,6 +16,11 @@ use crate::frame::{Frame, FrameError, Mark};
 /// How long a process whose pipe is closed may take to end by itself, before it is helped.
 const LAST_BREATH: Duration = Duration::from_millis(200);
 
+/// A reply is waited for in parts of so long.
+const LOOK: Duration = Duration::from_millis(20);
+/// As much of a deadline one part uses up at most: a busy computer wakes up late, and one that stood still much later.
+const MOST_FOR_ONE: Duration = Duration::from_millis(40);
+
 /// Why there is no answer.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Failure {
@@ -210,17 +215,24 @@ impl Shared {
         self.wait(&reply, deadline)
     }
 
+    /// Waits for a reply. Time in which this program itself did not run is no time in which the driver could have answered: where the
+    /// whole computer stood still, a driver is not ended for it.
     fn wait(&self, reply: &Receiver<Frame>, deadline: Duration) -> Result<Frame, Failure> {
-        match reply.recv_timeout(deadline) {
-            Ok(frame) => Ok(frame),
-            Err(RecvTimeoutError::Timeout) => {
-                self.kill();
-                Err(Failure::Hung)
-            }
-            Err(RecvTimeoutError::Disconnected) => {
-                Err(Failure::Ended(lock(&self.waiting).ending.clone().unwrap_or(Ending::Killed)))
+        let mut left = deadline;
+        while !left.is_zero() {
+            let begun = Instant::now();
+            match reply.recv_timeout(left.min(LOOK)) {
+                Ok(frame) => return Ok(frame),
+                Err(RecvTimeoutError::Timeout) => {
+                    left = left.saturating_sub(begun.elapsed().min(MOST_FOR_ONE));
+                }
+                Err(RecvTimeoutError::Disconnected) => {
+                    return Err(Failure::Ended(lock(&self.waiting).ending.clone().unwrap_or(Ending::Killed)));
+                }
             }
         }
+        self.kill();
+        Err(Failure::Hung)
     }
 
     fn kill(&self) {
