@@ -35,7 +35,13 @@ impl Session {
     pub fn take_stop(&mut self) -> Option<StopOutcome> {
         self.notice_stop();
         self.guard.forget();
-        self.arming.take_stopped()
+        let outcome = self.arming.take_stopped();
+        if outcome.is_some_and(|outcome| outcome.driver_ended) {
+            // It is not asked for anything any more: that would only fail once more.
+            self.phase = Phase::Failed;
+            self.share_port();
+        }
+        outcome
     }
 
     /// What stops the machine from any thread, whatever this one is doing.

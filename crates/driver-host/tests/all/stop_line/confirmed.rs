@@ -51,6 +51,22 @@ fn a_reply_of_before_confirms_nothing() {
     settles(&mut session, Standstill::Confirmed, "at its own reply");
 }
 
+/// A driver that was ended by a stop from another thread is not asked again, even if nobody has polled it since: it would only
+/// fail once more, for the same reason.
+#[test]
+fn a_driver_that_a_stop_has_ended_is_not_asked_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let port = Port::new();
+    let mut session = connected(&hostile(folder.path(), "stop-hang.so"), &port);
+    session.poll().unwrap();
+    let outcome = session.stop_handle().stop();
+    assert!(outcome.driver_ended);
+    port.says(b"x1*37f2\n");
+    settles(&mut session, Standstill::Confirmed, "at its reply");
+    assert_eq!(session.take_stop(), Some(outcome));
+    assert_eq!(session.phase(), Phase::Failed);
+}
+
 /// It is said within seconds, and a person presses again for as long as they like.
 #[test]
 fn a_machine_that_never_answers_is_never_called_stopped() {
