@@ -42,7 +42,7 @@ impl Session {
         let pace = pace(name)?;
         let port: Box<dyn Transport> = match pace {
             Some(pace) => Box::new(Simulated::new(pace, settings)?),
-            None => Box::new(Serial { line: serial::open(name, BAUD)?, opened: Instant::now() }),
+            None => Box::new(Serial::new(serial::open(name, BAUD)?)),
         };
         let mut machine = Machine::new(Rc::clone(settings), resume, port.now());
         if pace.is_some() {

@@ -37,22 +37,70 @@ pub(super) trait Transport {
     }
 }
 
+/// From one look at the line to the next not more time counts than this.
+const MOST_BETWEEN: Duration = Duration::from_millis(100);
+
+/// The time in which a line was looked at. While the whole computer stands still nothing is sent and nothing heard: a machine is not
+/// silent for it.
+struct Attentive {
+    until: Duration,
+    looked_at: Instant,
+}
+
+impl Attentive {
+    fn new() -> Self {
+        Self { until: Duration::ZERO, looked_at: Instant::now() }
+    }
+
+    fn now(&self) -> Duration {
+        self.until + self.looked_at.elapsed().min(MOST_BETWEEN)
+    }
+
+    fn look(&mut self) {
+        self.until = self.now();
+        self.looked_at = Instant::now();
+    }
+}
+
 /// A real machine.
 pub(super) struct Serial {
-    pub line: Box<dyn Line>,
-    pub opened: Instant,
+    line: Box<dyn Line>,
+    clock: Attentive,
+}
+
+impl Serial {
+    pub fn new(line: Box<dyn Line>) -> Self {
+        Self { line, clock: Attentive::new() }
+    }
 }
 
 impl Transport for Serial {
     fn now(&self) -> Duration {
-        self.opened.elapsed()
+        self.clock.now()
     }
 
     fn read(&mut self) -> io::Result<Vec<u8>> {
+        self.clock.look();
         self.line.read()
     }
 
     fn write(&mut self, bytes: &[u8]) -> io::Result<()> {
         self.line.write(bytes)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_time_in_which_nobody_looked_does_not_count() {
+        let mut clock = Attentive::new();
+        clock.looked_at -= Duration::from_secs(3);
+        assert_eq!(clock.now(), MOST_BETWEEN);
+        clock.look();
+        clock.looked_at -= Duration::from_millis(20);
+        let now = clock.now();
+        assert!(now >= MOST_BETWEEN + Duration::from_millis(20) && now <= 2 * MOST_BETWEEN, "{now:?}");
     }
 }
