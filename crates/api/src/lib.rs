@@ -93,8 +93,9 @@ pub use wirebend_planning::sequence::{
     StrategyName,
 };
 pub use wirebend_planning::simulate::{
-    GapReport, SimulateRequest, SimulateResponse, SimulatedCollisions, SimulatedContact, SimulationModel,
-    VertexReport,
+    ErrorSourceName, GapReport, Prediction, PredictionRequest, SimulateRequest, SimulateResponse,
+    SimulatedCollisions, SimulatedContact, SimulatedTolerance, SimulationModel, SourceShare, SourceTolerance,
+    StepShare, VertexReport,
 };
 pub use wirebend_planning::stage::StageName;
 pub use wirebend_planning::wires::{WiresRequest, WiresResponse, WiresRow};

@@ -49,6 +49,8 @@ pub enum InputName {
     Clearance,
     /// How often a job is simulated.
     Runs,
+    /// How close the vertices of a simulated wire have to be to their places.
+    Within,
     /// What holds a frame.
     Supports,
     /// Gravity.
@@ -121,6 +123,7 @@ impl InputName {
             Self::AvoidCollisions => "search for a program without collisions",
             Self::Clearance => "clearance",
             Self::Runs => "number of runs",
+            Self::Within => "accuracy",
             Self::Supports => "supports",
             Self::Gravity => "gravity",
             Self::Modes => "number of modes",

@@ -27,6 +27,7 @@ const INPUTS: Readonly<Record<InputName, string>> = {
   "avoid-collisions": "the search for a program without collisions",
   clearance: "the clearance",
   runs: "the number of runs",
+  within: "the accuracy",
   supports: "the supports",
   gravity: "gravity",
   modes: "the number of modes",

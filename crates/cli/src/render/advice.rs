@@ -242,6 +242,7 @@ const fn option(input: InputName) -> &'static str {
         InputName::AvoidCollisions => "--avoid-collisions",
         InputName::Clearance => "--clearance",
         InputName::Runs => "--runs",
+        InputName::Within => "--within",
         InputName::Supports => "--supports",
         InputName::Gravity => "--gravity",
         InputName::Modes => "--modes",

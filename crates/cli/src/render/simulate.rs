@@ -2,7 +2,10 @@
 
 use std::io::Write;
 
-use wirebend_api::{SeverityName, SimulateResponse, SimulatedCollisions, SimulationModel};
+use wirebend_api::{
+    ErrorSourceName, SeverityName, SimulateResponse, SimulatedCollisions, SimulatedTolerance,
+    SimulationModel, SourceShare, SourceTolerance, StepShare,
+};
 
 use super::number::count;
 use super::{notes, plan, written};
@@ -40,12 +43,73 @@ pub(super) fn simulate(out: &mut impl Write, found: &SimulateResponse) -> std::i
                 )?;
             }
         }
+        shares(out, &wire.sources, &wire.steps)?;
         if let Some(found) = &wire.collisions {
             collisions(out, found)?;
         }
     }
+    if let Some(found) = &found.tolerance {
+        tolerance(out, found)?;
+    }
     writeln!(out, "distances are measured with the first vertex and the first direction fixed")?;
     written(out, found.files.iter())
+}
+
+/// Which errors move the wire most.
+fn shares(out: &mut impl Write, sources: &[SourceShare], steps: &[StepShare]) -> std::io::Result<()> {
+    let said: Vec<String> = sources
+        .iter()
+        .filter(|share| share.rms_mm > 0.0)
+        .map(|share| format!("{} {:.2} mm", of(share.source), share.rms_mm))
+        .collect();
+    if said.is_empty() {
+        return Ok(());
+    }
+    writeln!(out, "  {:<18} {} (root mean square, each alone)", "errors of", said.join(", "))?;
+    if let Some(step) =
+        steps.iter().max_by(|a, b| a.bend_mm.total_cmp(&b.bend_mm)).filter(|step| step.bend_mm > 0.0)
+    {
+        writeln!(
+            out,
+            "  {:<18} at vertex {}, step {}: {:.2} mm",
+            "bend that matters", step.vertex, step.step, step.bend_mm
+        )?;
+    }
+    Ok(())
+}
+
+/// How exact a machine must be.
+fn tolerance(out: &mut impl Write, found: &SimulatedTolerance) -> std::io::Result<()> {
+    let within = found.within_mm;
+    if !found.possible {
+        return writeln!(
+            out,
+            "no machine makes it within {within} mm: without errors a vertex is farther off already"
+        );
+    }
+    writeln!(out, "within {within} mm in 95 % of the wires, where nothing else is off:")?;
+    for SourceTolerance { source, sigma } in &found.alone {
+        let sigma = match (source, sigma) {
+            (_, None) => "any".to_owned(),
+            (ErrorSourceName::Feed, Some(mm)) => format!("± {mm:.3} mm"),
+            (ErrorSourceName::Rotation | ErrorSourceName::Bend, Some(deg)) => format!("± {deg:.3}°"),
+            (ErrorSourceName::Curvature, Some(bow)) => format!("± {:.2} % of the length", 100.0 * bow),
+        };
+        writeln!(out, "  {:<18} {sigma}", of(*source))?;
+    }
+    match found.together {
+        Some(factor) => writeln!(out, "  {:<18} {factor:.3} times the errors of the profile", "all together"),
+        None => Ok(()),
+    }
+}
+
+const fn of(source: ErrorSourceName) -> &'static str {
+    match source {
+        ErrorSourceName::Feed => "feeds",
+        ErrorSourceName::Rotation => "rotations",
+        ErrorSourceName::Bend => "bends",
+        ErrorSourceName::Curvature => "bows of struts",
+    }
 }
 
 /// Whether a simulated wire hits what it cannot pass.

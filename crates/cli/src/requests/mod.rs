@@ -78,7 +78,7 @@ pub(crate) fn prepare(command: Subcommands) -> anyhow::Result<Prepared> {
             };
             Prepared::Command(Box::new(Command::Export(request)), contents)
         }
-        Subcommands::Simulate { job, noise, runs, seed, svg, png, force, collisions, clearance } => {
+        Subcommands::Simulate { job, noise, runs, seed, within, svg, png, force, collisions, clearance } => {
             if [&svg, &png].into_iter().flatten().any(|path| path == Path::new("-")) {
                 return Err(
                     WrongUse("a picture goes to a file: name one after --svg or --png".to_owned()).into()
@@ -92,6 +92,7 @@ pub(crate) fn prepare(command: Subcommands) -> anyhow::Result<Prepared> {
                 noise,
                 runs,
                 seed,
+                within_mm: within,
                 svg,
                 png,
                 collisions,

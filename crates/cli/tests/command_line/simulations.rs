@@ -1,6 +1,6 @@
 //! Simulations: on the simulated machine where there is one, by formulas where there is none.
 
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use crate::{assert_fits, example, run_in};
 
@@ -62,6 +62,73 @@ fn with_errors_the_figures_over_all_runs_are_of_formulas() {
     let found = simulated("wirebend-kit", "house.obj", &["--noise", "wirebend-kit", "--runs", "20"]);
     assert!(worst(&found, "worst_machine_mm") < 0.5, "the machine makes no errors of its own");
     assert!(worst(&found, "worst_radius_95_mm") > worst(&found, "worst_mean_mm"));
+}
+
+/// What a kind of error does alone, and how large it may be for a given accuracy, are the same from both sides.
+#[test]
+fn the_tolerance_of_a_kind_of_error_is_what_it_says() {
+    let found = simulated("wirebend-kit", "house.obj", &["--noise", "bend-forming", "--within", "2"]);
+    let wire = &found["wires"][0];
+    let (sources, steps) = (wire["sources"].as_array().unwrap(), wire["steps"].as_array().unwrap());
+    let rms: Vec<f64> = sources.iter().map(|share| share["rms_mm"].as_f64().unwrap()).collect();
+    assert!(sources.len() == 4 && rms.is_sorted_by(|a, b| a >= b), "{sources:?}");
+    assert_eq!(steps.len(), 5);
+    let tolerance = &found["tolerance"];
+    assert_eq!((&tolerance["possible"], &tolerance["within_mm"]), (&json!(true), &json!(2.0)));
+    let folder = tempfile::tempdir().unwrap();
+    let check = |id: &str, figures: [f64; 4]| {
+        let [feed, bend, rotate, curvature] = figures;
+        let value = |value: f64| json!({"value": value, "source": "a test", "measured": false});
+        let noise = json!({
+            "schema_version": 1, "kind": "noise", "id": id, "name": id,
+            "feed": {"bias_mm": value(0.0), "sigma_mm": value(feed)},
+            "bend": {"bias_deg": value(0.0), "sigma_deg": value(bend)},
+            "rotate": {"bias_deg": value(0.0), "sigma_deg": value(rotate)},
+            "curvature": {"bias": value(0.0), "sigma": value(curvature)},
+        });
+        let profiles = folder.path().join("profiles/noise");
+        std::fs::create_dir_all(&profiles).unwrap();
+        std::fs::write(profiles.join(format!("{id}.json")), noise.to_string()).unwrap();
+        let job = folder.path().join("a.wbjob");
+        let plan = ["plan", &example("house.obj"), "-m", "wirebend-kit", "-o", "a.wbjob", "--force"];
+        run_in(folder.path(), &plan, b"").ended(0);
+        let simulate = [
+            "--profiles",
+            "profiles",
+            "simulate",
+            job.to_str().unwrap(),
+            "--noise",
+            id,
+            "--runs",
+            "8000",
+            "--json",
+        ];
+        let made = run_in(folder.path(), &simulate, b"").ended(0).json();
+        worst(&made, "worst_radius_95_mm")
+    };
+    for (k, source) in ["feed", "bend", "rotation", "curvature"].into_iter().enumerate() {
+        let alone =
+            tolerance["alone"].as_array().unwrap().iter().find(|one| one["source"] == source).unwrap();
+        let mut figures = [0.0; 4];
+        figures[k] = alone["sigma"].as_f64().unwrap();
+        // Other random numbers: as near as so many wires tell.
+        let radius = check(source, figures);
+        assert!((radius - 2.0).abs() < 0.12, "{source}: {radius} mm with {figures:?}");
+    }
+    let factor = tolerance["together"].as_f64().unwrap();
+    let radius = check("all", [0.1 * factor, 0.75 * factor, 0.75 * factor, 0.03 * factor]);
+    assert!((radius - 2.0).abs() < 0.12, "{radius} mm with {factor} times the profile");
+}
+
+#[test]
+fn an_accuracy_that_is_none_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let plan = ["plan", &example("house.obj"), "-m", "wirebend-kit", "-o", "a.wbjob"];
+    run_in(folder.path(), &plan, b"").ended(0);
+    for wrong in ["0", "-1", "nan", "inf"] {
+        let told = run_in(folder.path(), &["simulate", "a.wbjob", "--within", wrong], b"").ended(2).err;
+        assert!(told.contains("the accuracy") && told.contains("--within"), "{told}");
+    }
 }
 
 /// A person hears which of the two it was.

@@ -30,19 +30,13 @@ impl Terms {
     /// # Errors
     /// A figure that is not finite, or a deviation below zero.
     pub fn new(model: &ErrorModel) -> Result<Self, BadErrorTerm> {
-        use ErrorSource::{Bend, Curvature, Feed, Rotation};
-        for of in [Feed, Rotation, Bend, Curvature] {
-            let ErrorTerm { bias, sigma } = term(model, of);
-            if !bias.is_finite() || !sigma.is_finite() || sigma < 0.0 {
-                return Err(BadErrorTerm { of, bias, sigma });
-            }
-        }
+        ErrorSource::ALL.into_iter().try_for_each(|of| model.term(of).check(of))?;
         Ok(Self { model: *model })
     }
 
     /// Of a source in mm or radian; of the curvature as a share.
     pub fn of(&self, of: ErrorSource) -> ErrorTerm {
-        let ErrorTerm { bias, sigma } = term(&self.model, of);
+        let ErrorTerm { bias, sigma } = self.model.term(of);
         match of {
             ErrorSource::Feed | ErrorSource::Curvature => ErrorTerm { bias, sigma },
             ErrorSource::Rotation | ErrorSource::Bend => {
@@ -75,15 +69,6 @@ impl Terms {
             across(strut, angle) * (height * strut.norm())
         };
         Draw { amounts, rises: struts.iter().zip(heights).map(rise).collect() }
-    }
-}
-
-fn term(model: &ErrorModel, of: ErrorSource) -> ErrorTerm {
-    match of {
-        ErrorSource::Feed => model.feed_mm,
-        ErrorSource::Rotation => model.rotate_deg,
-        ErrorSource::Bend => model.bend_deg,
-        ErrorSource::Curvature => model.curvature,
     }
 }
 

@@ -5,9 +5,10 @@
 //! 2023, Eq. 1 and Appendix A): each feed, rotation, bend and strut curvature is off by a constant
 //! and a normally distributed part.
 
+mod first_order;
 mod made;
 
-use std::ops::Range;
+use std::ops::{ControlFlow, Range};
 
 use nalgebra::Point3;
 use rand::SeedableRng;
@@ -17,6 +18,7 @@ use rand_distr::{Distribution, Normal};
 use crate::bend::{Frame, Step};
 use crate::compensate::{CompensatedProgram, Compensation, results, with_bend_before};
 use crate::units::{Angle, Length};
+pub use first_order::{FirstOrder, SourceEffect, StepEffect, first_order};
 pub use made::steps_of_corners;
 
 /// A constant error and the standard deviation of the random one, of a quantity in its own unit.
@@ -53,6 +55,56 @@ pub enum ErrorSource {
     Bend,
     /// The bow of a strut.
     Curvature,
+}
+
+impl ErrorSource {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Feed, Self::Rotation, Self::Bend, Self::Curvature];
+}
+
+impl ErrorModel {
+    /// The errors of one source.
+    #[must_use]
+    pub const fn term(&self, of: ErrorSource) -> ErrorTerm {
+        match of {
+            ErrorSource::Feed => self.feed_mm,
+            ErrorSource::Rotation => self.rotate_deg,
+            ErrorSource::Bend => self.bend_deg,
+            ErrorSource::Curvature => self.curvature,
+        }
+    }
+
+    /// The same errors, those of one source aside.
+    #[must_use]
+    pub fn with(mut self, of: ErrorSource, term: ErrorTerm) -> Self {
+        match of {
+            ErrorSource::Feed => self.feed_mm = term,
+            ErrorSource::Rotation => self.rotate_deg = term,
+            ErrorSource::Bend => self.bend_deg = term,
+            ErrorSource::Curvature => self.curvature = term,
+        }
+        self
+    }
+
+    /// So many times these errors.
+    #[must_use]
+    pub fn times(self, factor: f64) -> Self {
+        ErrorSource::ALL.into_iter().fold(self, |model, of| {
+            let ErrorTerm { bias, sigma } = self.term(of);
+            model.with(of, ErrorTerm { bias: factor * bias, sigma: factor * sigma })
+        })
+    }
+}
+
+impl ErrorTerm {
+    /// # Errors
+    /// A figure that is not finite, or a deviation below zero.
+    pub(crate) fn check(self, of: ErrorSource) -> Result<(), BadErrorTerm> {
+        if !self.bias.is_finite() || !self.sigma.is_finite() || self.sigma < 0.0 {
+            return Err(BadErrorTerm { of, bias: self.bias, sigma: self.sigma });
+        }
+        Ok(())
+    }
 }
 
 /// Why errors cannot be drawn.
@@ -222,7 +274,8 @@ pub fn perfect_wire(input: &SimulationInput) -> Vec<Point3<f64>> {
     imperfect(input, &bends, &mut |_| 0.0).points
 }
 
-/// Bends the wire `runs` times with errors drawn from `seed`; the same seed gives the same report.
+/// Bends the wire `runs` times with errors drawn from `seed`; the same seed gives the same report. It ends early where `each_run` says that
+/// it need not go on; the report is of the wires until then.
 ///
 /// # Errors
 /// [`BadErrorTerm`] when an error is not finite or a deviation is negative.
@@ -231,19 +284,21 @@ pub fn simulate(
     errors: &ErrorModel,
     runs: u32,
     seed: u64,
-    mut each_run: impl FnMut(&ImperfectWire),
+    mut each_run: impl FnMut(&ImperfectWire) -> ControlFlow<()>,
 ) -> Result<ErrorReport, BadErrorTerm> {
-    let normal = |of: ErrorSource, term: ErrorTerm| {
-        let bad = BadErrorTerm { of, bias: term.bias, sigma: term.sigma };
-        if !term.bias.is_finite() || !term.sigma.is_finite() || term.sigma < 0.0 {
-            return Err(bad);
-        }
-        Normal::new(term.bias, term.sigma).map_err(|_| bad)
+    let normal = |of: ErrorSource| {
+        let term = errors.term(of);
+        term.check(of)?;
+        Normal::new(term.bias, term.sigma).map_err(|_| BadErrorTerm {
+            of,
+            bias: term.bias,
+            sigma: term.sigma,
+        })
     };
-    let feed = normal(ErrorSource::Feed, errors.feed_mm)?;
-    let rotate = normal(ErrorSource::Rotation, errors.rotate_deg)?;
-    let bend = normal(ErrorSource::Bend, errors.bend_deg)?;
-    let curvature = normal(ErrorSource::Curvature, errors.curvature)?;
+    let feed = normal(ErrorSource::Feed)?;
+    let rotate = normal(ErrorSource::Rotation)?;
+    let bend = normal(ErrorSource::Bend)?;
+    let curvature = normal(ErrorSource::Curvature)?;
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let mut deviations = vec![Vec::with_capacity(runs as usize); input.design.len()];
     let mut gaps = vec![Vec::with_capacity(runs as usize); input.passes.len()];
@@ -265,7 +320,9 @@ pub fn simulate(
             let widest = between.map(|(a, b)| (made[a] - made[b]).norm()).fold(0.0, f64::max);
             distances.push(widest);
         }
-        each_run(&wire);
+        if each_run(&wire).is_break() {
+            break;
+        }
     }
     let spread = |mut distances: Vec<f64>| {
         distances.sort_by(f64::total_cmp);

@@ -1,3 +1,5 @@
+use nalgebra::{Matrix3, Vector3};
+
 use super::*;
 use crate::bend::replay;
 use crate::plan::{DoublingChoice, PlanOptions, WirePlan, plan_wires};
@@ -20,6 +22,10 @@ fn with_input<T>(plan: &WirePlan, passes: &[Vec<usize>], then: impl FnOnce(&Simu
         program: plan.compensated.as_ref().unwrap(),
         compensation: &machine.compensation,
     })
+}
+
+fn on(_: &ImperfectWire) -> ControlFlow<()> {
+    ControlFlow::Continue(())
 }
 
 /// A twisted wire with straight joints, bends to both sides and no two planes alike.
@@ -62,7 +68,7 @@ fn feed_errors_add_up_along_a_straight_wire_as_statistics_say() {
     let w = chain(&[[0., 0., 0.], [60., 0., 0.], [120., 1., 0.], [180., 0., 0.], [240., 1., 0.]]);
     let plan = planned(&w);
     let errors = ErrorModel { feed_mm: ErrorTerm { bias: 0.0, sigma: 0.5 }, ..ErrorModel::default() };
-    let report = with_input(&plan, &[], |input| simulate(input, &errors, 4000, 7, |_| ()).unwrap());
+    let report = with_input(&plan, &[], |input| simulate(input, &errors, 4000, 7, on).unwrap());
     // Half-normal with sigma 0.5·√4 = 1: mean √(2/π) = 0.798, 95 % within 1.960.
     let end = report.deviations[4];
     assert!((end.mean.mm() - 0.798).abs() < 0.03, "{}", end.mean);
@@ -74,7 +80,7 @@ fn feed_errors_add_up_along_a_straight_wire_as_statistics_say() {
 fn a_constant_bend_error_swings_the_rest_of_the_wire() {
     let w = chain(&[[0., 0., 0.], [100., 0., 0.], [100., 100., 0.]]);
     let errors = ErrorModel { bend_deg: ErrorTerm { bias: 2.0, sigma: 0.0 }, ..ErrorModel::default() };
-    let report = with_input(&planned(&w), &[], |input| simulate(input, &errors, 1, 1, |_| ()).unwrap());
+    let report = with_input(&planned(&w), &[], |input| simulate(input, &errors, 1, 1, on).unwrap());
     // 100 mm swung by 2° is 3.49 mm; the corner itself moves by what a larger arc takes.
     assert!((report.deviations[2].mean.mm() - 3.49).abs() < 0.1, "{}", report.deviations[2].mean);
     assert!(report.deviations[1].mean < mm(0.1));
@@ -85,7 +91,7 @@ fn a_bowed_strut_is_shorter_from_end_to_end() {
     let w = chain(&[[0., 0., 0.], [100., 0., 0.]]);
     for (bow, lost) in [(0.5, 100.0 - 200.0 / std::f64::consts::PI), (0.02, 0.1066), (0.0, 0.0)] {
         let errors = ErrorModel { curvature: ErrorTerm { bias: bow, sigma: 0.0 }, ..ErrorModel::default() };
-        let report = with_input(&planned(&w), &[], |input| simulate(input, &errors, 1, 1, |_| ()).unwrap());
+        let report = with_input(&planned(&w), &[], |input| simulate(input, &errors, 1, 1, on).unwrap());
         // Half a circle rises by half its diameter; a slight bow f takes 8/3·f².
         assert!((report.deviations[1].mean.mm() - lost).abs() < 1e-3, "{}", report.deviations[1].mean);
     }
@@ -100,7 +106,7 @@ fn a_seed_gives_the_same_runs_and_another_one_others() {
     let plan = planned(&w);
     let errors = ErrorModel { bend_deg: ErrorTerm { bias: 0.0, sigma: 0.75 }, ..ErrorModel::default() };
     let run =
-        |seed| with_input(&plan, &[vec![0, 4]], |input| simulate(input, &errors, 50, seed, |_| ()).unwrap());
+        |seed| with_input(&plan, &[vec![0, 4]], |input| simulate(input, &errors, 50, seed, on).unwrap());
     assert_eq!(run(1), run(1));
     assert_ne!(run(1), run(2));
     // The square ends where it starts: the gap between the two passes is the deviation of its end.
@@ -122,7 +128,7 @@ fn errors_that_are_no_numbers_are_refused() {
     let plan = planned(&twisted());
     for term in [ErrorTerm { bias: f64::NAN, sigma: 1.0 }, ErrorTerm { bias: 0.0, sigma: -1.0 }] {
         let errors = ErrorModel { rotate_deg: term, ..ErrorModel::default() };
-        let refused = with_input(&plan, &[], |input| simulate(input, &errors, 1, 1, |_| ()));
+        let refused = with_input(&plan, &[], |input| simulate(input, &errors, 1, 1, on));
         assert_eq!(refused.unwrap_err().of, ErrorSource::Rotation);
     }
 }
@@ -162,6 +168,7 @@ fn the_steps_of_a_wire_with_errors_lead_along_it() {
                 let wrong = made.bend - published_machine().compensation.bend.result(step.bend);
                 assert!((told.bend - step.bend - wrong).rad().abs() < 1e-12);
             }
+            ControlFlow::Continue(())
         })
         .unwrap()
     });
@@ -179,4 +186,123 @@ fn corners_that_are_not_those_of_the_steps_are_no_wire() {
     same[2] = same[1];
     assert!(steps_of_corners(&same, &start, scheduled).is_none());
     assert!(steps_of_corners(&[], &start, &[]).is_none());
+}
+
+const fn off(sigma: f64) -> ErrorTerm {
+    ErrorTerm { bias: 0.0, sigma }
+}
+
+/// A small error that is the same everywhere moves every vertex as the first order says.
+#[test]
+fn single_errors_move_the_wire_as_the_first_order_says() {
+    let plan = planned(&twisted());
+    for (of, bias) in [(ErrorSource::Feed, 1e-3), (ErrorSource::Rotation, 1e-3), (ErrorSource::Bend, 1e-3)] {
+        let errors = ErrorModel::default().with(of, ErrorTerm { bias, sigma: 0.0 });
+        with_input(&plan, &[], |input| {
+            let linear = first_order(input, &errors).unwrap();
+            let perfect = perfect_wire(input);
+            let mut made = Vec::new();
+            simulate(input, &errors, 1, 1, |wire| {
+                made.clone_from(&wire.points);
+                ControlFlow::Continue(())
+            })
+            .unwrap();
+            for ((made, perfect), mean) in made.iter().zip(&perfect).zip(&linear.mean) {
+                let left = (made - perfect - mean).norm();
+                assert!(left < 1e-6, "{of:?}: {left} of {mean}");
+            }
+            assert!(linear.mean.last().unwrap().norm() > 1e-3, "{of:?}");
+        });
+    }
+}
+
+/// Drawn many times, the vertices of a wire scatter as the first order says: as far as so many draws tell.
+#[test]
+fn small_errors_scatter_as_the_first_order_says() {
+    let plan = planned(&twisted());
+    let errors = ErrorModel {
+        feed_mm: off(0.1),
+        rotate_deg: off(0.2),
+        bend_deg: off(0.2),
+        curvature: ErrorTerm { bias: 0.01, sigma: 0.02 },
+    };
+    with_input(&plan, &[], |input| {
+        let linear = first_order(input, &errors).unwrap();
+        let perfect = perfect_wire(input);
+        let (mut sum, mut squares) =
+            (vec![Vector3::zeros(); perfect.len()], vec![Matrix3::zeros(); perfect.len()]);
+        let runs = 20_000;
+        simulate(input, &errors, runs, 5, |wire| {
+            for (k, (made, perfect)) in wire.points.iter().zip(&perfect).enumerate() {
+                let way = made - perfect;
+                sum[k] += way;
+                squares[k] += way * way.transpose();
+            }
+            ControlFlow::Continue(())
+        })
+        .unwrap();
+        let n = f64::from(runs);
+        for k in 1..perfect.len() {
+            let mean = sum[k] / n;
+            let covariance = squares[k] / n - mean * mean.transpose();
+            let spread = linear.covariance[k].trace().sqrt();
+            assert!((mean - linear.mean[k]).norm() < 0.03 * spread, "{k}: {mean} {}", linear.mean[k]);
+            let left = (covariance - linear.covariance[k]).norm() / linear.covariance[k].norm();
+            assert!(left < 0.03, "{k}: {left}");
+        }
+    });
+}
+
+/// A bow takes 8/3·f² of a strut: of normal bows that are even to both sides the mean is 8/3·σ², and the deviation √2 times that.
+#[test]
+fn bows_shorten_a_wire_by_their_mean_square() {
+    let plan = planned(&chain(&[[0., 0., 0.], [100., 0., 0.]]));
+    let errors = ErrorModel { curvature: off(0.01), ..ErrorModel::default() };
+    let found = with_input(&plan, &[], |input| first_order(input, &errors).unwrap());
+    let shorter = 100.0 * 8.0 / 3.0 * 1e-4;
+    assert!((found.mean[1].norm() - shorter).abs() < 2e-3 * shorter, "{}", found.mean[1]);
+    let deviation = found.covariance[1].trace().sqrt();
+    assert!((deviation - 2f64.sqrt() * shorter).abs() < 5e-3 * shorter, "{deviation}");
+}
+
+/// Every source alone, and every step alone: what they are of the whole.
+#[test]
+fn sources_and_steps_add_up_to_the_whole() {
+    let plan = planned(&twisted());
+    let errors =
+        ErrorModel { feed_mm: off(0.3), rotate_deg: off(0.5), bend_deg: off(0.7), ..ErrorModel::default() };
+    let found = with_input(&plan, &[], |input| first_order(input, &errors).unwrap());
+    let vertices = f64::from(u32::try_from(found.covariance.len()).unwrap());
+    let whole = found.covariance.iter().map(Matrix3::trace).sum::<f64>() / vertices;
+    let by_source: f64 = found.sources.iter().map(|effect| effect.rms_mm.powi(2)).sum();
+    let by_step: f64 = found
+        .steps
+        .iter()
+        .map(|step| step.feed_mm.powi(2) + step.rotate_mm.powi(2) + step.bend_mm.powi(2))
+        .sum();
+    assert!((by_source - whole).abs() < 1e-9 * whole && (by_step - whole).abs() < 1e-9 * whole);
+    // The first bends swing the most of the wire.
+    let bends: Vec<f64> = found.steps.iter().map(|step| step.bend_mm).filter(|bend| *bend > 0.0).collect();
+    assert!(bends[0] > *bends.last().unwrap());
+    for of in ErrorSource::ALL {
+        let alone = ErrorModel::default().with(of, errors.term(of));
+        let alone = with_input(&plan, &[], |input| first_order(input, &alone).unwrap());
+        let k = ErrorSource::ALL.iter().position(|source| *source == of).unwrap();
+        assert_eq!(alone.sources[k], found.sources[k]);
+    }
+}
+
+#[test]
+fn a_simulation_ends_when_it_need_not_go_on() {
+    let plan = planned(&twisted());
+    let errors = ErrorModel { feed_mm: off(0.3), ..ErrorModel::default() };
+    let mut runs = 0;
+    with_input(&plan, &[], |input| {
+        simulate(input, &errors, 1000, 1, |_| {
+            runs += 1;
+            if runs < 10 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        })
+    })
+    .unwrap();
+    assert_eq!(runs, 10);
 }

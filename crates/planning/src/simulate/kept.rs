@@ -8,7 +8,7 @@ use wirebend_core::compensate::CompensatedProgram;
 use wirebend_core::motion::poses_of_points;
 use wirebend_core::simulate::{SimulationInput, fractions, scheduled_start};
 use wirebend_core::units::{Angle, Length};
-use wirebend_files::document::JobWire;
+use wirebend_files::document::{JobContents, JobWire};
 
 use crate::PlanningError;
 use crate::machine::{Setup, kept_steps};
@@ -31,6 +31,11 @@ pub struct KeptWire {
 }
 
 impl KeptWire {
+    /// All wires of a job.
+    pub fn all(name: &str, contents: &JobContents, setup: &Setup) -> Result<Vec<Self>, PlanningError> {
+        contents.wires.iter().map(|wire| Self::new(name, wire, setup)).collect()
+    }
+
     pub fn new(name: &str, wire: &JobWire, setup: &Setup) -> Result<Self, PlanningError> {
         let design: Vec<Point3<f64>> = wire.path_mm.iter().copied().map(Point3::from).collect();
         let scheduled = kept_steps(&wire.scheduled)?;

@@ -4,16 +4,20 @@
 mod collisions;
 mod drawing;
 mod kept;
+mod prediction;
+mod shares;
+mod tolerance;
 
+use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use nalgebra::Point3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_core::simulate::{
-    ErrorModel, ErrorReport, ErrorTerm, ImperfectWire, perfect_wire, simulate as simulate_wire,
+    BadErrorTerm, ErrorModel, ErrorReport, ErrorTerm, ImperfectWire, perfect_wire, simulate as simulate_wire,
 };
-use wirebend_files::document::{Job, JobWire};
+use wirebend_files::document::{Job, JobContents, JobWire};
 
 use crate::contacts::collision_margin;
 use crate::design::Input;
@@ -26,6 +30,11 @@ use collisions::CollisionSearch;
 pub use collisions::{SimulatedCollisions, SimulatedContact};
 use drawing::Drawing;
 pub use kept::KeptWire;
+pub use prediction::{Prediction, PredictionRequest, predict};
+use shares::shares;
+pub use shares::{ErrorSourceName, SourceShare, StepShare};
+use tolerance::{Accuracy, tolerance};
+pub use tolerance::{SimulatedTolerance, SourceTolerance};
 use wirebend_error::InputName;
 
 /// The most runs of one simulation.
@@ -42,6 +51,10 @@ pub struct SimulateRequest {
     pub runs: u32,
     /// Where the random numbers start: the same seed, the same wires.
     pub seed: u64,
+    /// How close every vertex has to be to its place in 95 % of the wires, mm; then the response says how exact a machine must be.
+    #[serde(default)]
+    #[schemars(range(min = 0.0))]
+    pub within_mm: Option<f64>,
     /// A picture as SVG.
     pub svg: Option<Output>,
     /// A picture as PNG.
@@ -64,6 +77,7 @@ impl SimulateRequest {
             noise: None,
             runs: 1,
             seed: 1,
+            within_mm: None,
             svg: None,
             png: None,
             collisions: false,
@@ -114,6 +128,10 @@ pub struct SimulatedWire {
     pub worst_mean_mm: f64,
     /// The largest `radius_95_mm`.
     pub worst_radius_95_mm: f64,
+    /// How far each kind of error alone moves the wire, the largest first; empty without errors.
+    pub sources: Vec<SourceShare>,
+    /// How far the errors of each step move the wire, in the order of the program; empty without errors.
+    pub steps: Vec<StepShare>,
     /// Where the simulated wires hit the machine or themselves; null where nobody asked, or with a note that says why not.
     pub collisions: Option<SimulatedCollisions>,
 }
@@ -144,6 +162,8 @@ pub struct SimulateResponse {
     pub model: SimulationModel,
     /// The wires of the job.
     pub wires: Vec<SimulatedWire>,
+    /// How exact a machine must be; null where nobody asked.
+    pub tolerance: Option<SimulatedTolerance>,
     /// What was left out, and what the simulated machine did that a real one would not survive.
     pub notes: Vec<NoteReport>,
     /// The pictures.
@@ -164,6 +184,37 @@ pub struct Made {
     pub corners_mm: Vec<[f64; 3]>,
 }
 
+/// How often a wire can be bent so that it is worth it, and its distances are kept.
+fn check_runs(runs: u32, contents: &JobContents) -> Result<(), PlanningError> {
+    let refused = |expected| PlanningError::Value {
+        input: Some(InputName::Runs),
+        name: "the number of runs",
+        value: runs.to_string(),
+        expected,
+    };
+    if runs == 0 || runs > MAX_RUNS {
+        return Err(refused("1 to 1000000"));
+    }
+    let distances: usize = contents.wires.iter().map(|wire| 2 * wire.vertices.len()).sum();
+    if distances.saturating_mul(runs as usize) > MAX_DISTANCES {
+        return Err(refused("fewer: the distances of all vertices in all runs do not fit the memory"));
+    }
+    Ok(())
+}
+
+/// A distance that can be asked for.
+fn check_within(within_mm: f64) -> Result<f64, PlanningError> {
+    if within_mm.is_finite() && within_mm > 0.0 {
+        return Ok(within_mm);
+    }
+    Err(PlanningError::Value {
+        input: Some(InputName::Within),
+        name: "the accuracy",
+        value: within_mm.to_string(),
+        expected: "a number of millimetres above zero",
+    })
+}
+
 /// Bends a job without a machine: on `machine`, and by the formulas of the compensation turned round.
 pub fn simulate(
     app: &Installation,
@@ -175,15 +226,6 @@ pub fn simulate(
         output.check()?;
     }
     let runs = if request.noise.is_some() { request.runs } else { 1 };
-    if runs == 0 || runs > MAX_RUNS {
-        let expected = "1 to 1000000";
-        return Err(PlanningError::Value {
-            input: Some(InputName::Runs),
-            name: "the number of runs",
-            value: runs.to_string(),
-            expected,
-        });
-    }
     let margin = collision_margin(request.collision_margin_mm)?;
     let errors = match &request.noise {
         Some(id) => noise_model(app, id)?,
@@ -194,16 +236,8 @@ pub fn simulate(
     let job = open_job(&name, &bytes)?;
     let contents = job.contents();
     let setup = restored(&name, contents)?;
-    let distances: usize = contents.wires.iter().map(|wire| 2 * wire.vertices.len()).sum();
-    if distances.saturating_mul(runs as usize) > MAX_DISTANCES {
-        let expected = "fewer: the distances of all vertices in all runs do not fit the memory";
-        return Err(PlanningError::Value {
-            input: Some(InputName::Runs),
-            name: "the number of runs",
-            value: runs.to_string(),
-            expected,
-        });
-    }
+    check_runs(runs, contents)?;
+    let within = request.within_mm.map(check_within).transpose()?;
     let mut notes = accepted_errors(contents);
     progress.stage("bending on the simulated machine");
     let made = machine.bend(&setup, &job, &mut notes);
@@ -236,11 +270,16 @@ pub fn simulate(
                 index as u64 * u64::from(runs) + done,
                 contents.wires.len() as u64 * u64::from(runs),
             );
+            ControlFlow::Continue(())
         };
-        let wrong = |error| PlanningError::Noise { noise: request.noise.clone().unwrap_or_default(), error };
+        let wrong = |error| bad_errors(request.noise.as_deref(), error);
         let input = kept.input(&setup);
         let report = simulate_wire(&input, &errors, runs, request.seed, bent).map_err(wrong)?;
         let perfect = perfect_wire(&input);
+        let (sources, steps) = match request.noise {
+            Some(_) => shares(wire, &input, &errors).map_err(wrong)?,
+            None => (Vec::new(), Vec::new()),
+        };
         let figures = Figures { perfect: &perfect, made: made.as_deref(), report: &report };
         let collisions = match search {
             Ok(search) => search.map(CollisionSearch::finish),
@@ -249,9 +288,19 @@ pub fn simulate(
                 None
             }
         };
-        wires.push(SimulatedWire { collisions, ..simulated_wire(wire, &kept, &figures) });
+        wires.push(SimulatedWire { sources, steps, collisions, ..simulated_wire(wire, &kept, &figures) });
         drawing.design(kept);
     }
+    let tolerance = match within {
+        Some(within_mm) => {
+            progress.stage("looking how exact a machine must be");
+            let wires = KeptWire::all(&name, contents, &setup)?;
+            let accuracy =
+                Accuracy { within_mm, wires: &wires, setup: &setup, errors: &errors, seed: request.seed };
+            tolerance(&accuracy, &|| true).map_err(|error| bad_errors(request.noise.as_deref(), error))?
+        }
+        None => None,
+    };
     let by_machine = wires.iter().all(|wire| wire.worst_machine_mm.is_some()) && !wires.is_empty();
     let model = if by_machine { SimulationModel::SimulatedMachine } else { SimulationModel::ClosedForm };
     let files = drawing.write(request, &setup, &mut notes)?;
@@ -263,9 +312,14 @@ pub fn simulate(
         seed: request.seed,
         model,
         wires,
+        tolerance,
         notes,
         files,
     })
+}
+
+fn bad_errors(noise: Option<&str>, error: BadErrorTerm) -> PlanningError {
+    PlanningError::Noise { noise: noise.unwrap_or("none").to_owned(), error }
 }
 
 pub(crate) fn noise_model(app: &Installation, id: &str) -> Result<ErrorModel, PlanningError> {
@@ -326,6 +380,8 @@ fn simulated_wire(wire: &JobWire, kept: &KeptWire, figures: &Figures) -> Simulat
         worst_systematic_mm: worst(|vertex| vertex.systematic_mm),
         worst_mean_mm: worst(|vertex| vertex.mean_mm),
         worst_radius_95_mm: worst(|vertex| vertex.radius_95_mm),
+        sources: Vec::new(),
+        steps: Vec::new(),
         collisions: None,
         vertices,
     }

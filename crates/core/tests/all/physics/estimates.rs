@@ -1,5 +1,7 @@
 //! Time, mass, cost, and what errors do.
 
+use std::ops::ControlFlow;
+
 use nalgebra::Point3;
 use wirebend_core::bend::{Frame, Step, program_of_path};
 use wirebend_core::checks::{BendTorque, Source, Sourced};
@@ -129,7 +131,7 @@ fn bent(points: &[[f64; 3]], errors: &ErrorModel, runs: u32) -> ErrorReport {
         program: &CompensatedProgram::from_job_steps(program.steps),
         compensation: &Compensation::default(),
     };
-    simulate(&trial, errors, runs, 7, |_| ()).unwrap()
+    simulate(&trial, errors, runs, 7, |_| ControlFlow::Continue(())).unwrap()
 }
 
 fn errors(page: &mut Document) {
@@ -165,6 +167,15 @@ fn errors(page: &mut Document) {
     let straight = [[0., 0., 0.], [length.value, 0., 0.]];
     let report = bent(&straight, &ErrorModel { curvature: term(bow.value, 0.0), ..ErrorModel::default() }, 1);
     shorter.is(report.deviations.last().unwrap().mean.mm());
+
+    let [sigma, percent] =
+        page.sentence("Bows of σ = {} to either side make straight parts shorter by {} % on average.");
+    // A bow f takes 8/3·f² of a straight part, nearly.
+    percent.is(100.0 * 8.0 / 3.0 * sigma.value * sigma.value);
+    let report =
+        bent(&straight, &ErrorModel { curvature: term(0.0, sigma.value), ..ErrorModel::default() }, 20_000);
+    let shorter = 100.0 * report.deviations.last().unwrap().mean.mm() / length.value;
+    assert!((shorter - percent.value).abs() < 0.01, "{shorter}");
 }
 
 #[test]
