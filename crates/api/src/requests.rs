@@ -23,12 +23,12 @@ use crate::{
     FrontEnd, GenerateRequest, GenerateResponse, ImportRequest, ImportResponse, Installation, JogRequest,
     JogResponse, LiveCheck, MachineSettingsRequest, MachineSettingsResponse, MachinesRequest,
     MachinesResponse, MaterialsRequest, MaterialsResponse, OperatorEvent, PlanRequest, PlanResponse,
-    PortsRequest, PortsResponse, ProfileCheckRequest, ProfileCheckResponse, ProfileExplainRequest,
-    ProfileExplainResponse, ProfileNewRequest, ProfileNewResponse, ProfileRevertRequest,
-    ProfileRevertResponse, ProfileSetRequest, ProfileSetResponse, ReplayRequest, RunRequest, RunResponse,
-    RunsExportRequest, RunsExportResponse, RunsRequest, RunsResponse, RunsShowRequest, RunsShowResponse,
-    SequenceRequest, SequenceResponse, SimulateRequest, SimulateResponse, ToleranceRequest,
-    ToleranceResponse, WiresRequest, WiresResponse,
+    PortsRequest, PortsResponse, PredictionRequest, ProfileCheckRequest, ProfileCheckResponse,
+    ProfileExplainRequest, ProfileExplainResponse, ProfileNewRequest, ProfileNewResponse,
+    ProfileRevertRequest, ProfileRevertResponse, ProfileSetRequest, ProfileSetResponse, ReplayRequest,
+    RunRequest, RunResponse, RunsExportRequest, RunsExportResponse, RunsRequest, RunsResponse,
+    RunsShowRequest, RunsShowResponse, SequenceRequest, SequenceResponse, SimulateRequest, SimulateResponse,
+    ToleranceRequest, ToleranceResponse, WiresRequest, WiresResponse,
 };
 
 macro_rules! requests {
@@ -262,6 +262,10 @@ requests! {
         Collisions(workspace::CheckCollisions) -> Collisions = Workspace::collisions, "collisions";
         /// Stops looking for that.
         StopCollisions(workspace::StopCollisions) -> workspace::CollisionsStopped = Workspace::stop_collisions, "stop-collisions";
+        /// Predicts how far off the machine will make the design.
+        Predict(PredictionRequest) -> workspace::PredictedDesign = Workspace::predict, "predict";
+        /// Stops predicting.
+        StopPrediction(workspace::StopPrediction) -> workspace::PredictionStopped = Workspace::stop_prediction, "stop-prediction";
         /// What would fix what the checks say, each tried beforehand.
         Fixes(workspace::FixesRequest) -> workspace::FixesResponse = Workspace::fixes, "fixes";
         /// The program of the design, as it is played.

@@ -218,3 +218,37 @@ it("frames and selects what a line is about, and lists the places of several", a
     .waitFor();
   await editor.isClean("check");
 });
+
+it("predicts how far off the machine will make it, what that comes from and how exact it has to be", async () => {
+  await editor.take("house", "check");
+  const accuracy = check().locator(".part", { hasText: "Accuracy" });
+  await accuracy.getByLabel("Errors of").selectOption("bend-forming");
+  await accuracy.getByLabel("Within").fill("2");
+  await accuracy.getByRole("button", { name: "Predict", exact: true }).click();
+  const expected = accuracy.getByRole("table", { name: "Expected accuracy" });
+  await expected.waitFor();
+  const rows = await expected.locator("tbody tr").allInnerTexts();
+  expect(rows).toHaveLength(2);
+  for (const row of rows) expect(row).toMatch(/vertex \d[\s\S]* mm[\s\S]* mm/);
+  // The largest is named first.
+  const shares = await accuracy
+    .getByRole("table", { name: "What the errors come from" })
+    .locator("tbody td:nth-child(2)");
+  const rms = (await shares.allInnerTexts()).map(Number.parseFloat);
+  expect(rms).toHaveLength(4);
+  expect(rms).toEqual(rms.toSorted((a, b) => b - a));
+  const needed = accuracy.getByRole("table", { name: "Tolerance" });
+  expect(await needed.innerText()).toMatch(/To be within 2 mm[\s\S]*Feeds\s+± [\d.]+ mm/);
+  await accuracy.getByRole("checkbox", { name: "Show in the view" }).scrollIntoViewIfNeeded();
+  await editor.isClean("check-accuracy");
+  // It is of the design as it was: a change takes it out of the view, and it is said.
+  await expected
+    .getByRole("button", { name: /^vertex/ })
+    .first()
+    .click();
+  await editor.page.keyboard.press("Control+z");
+  await accuracy.getByLabel("Within").fill("1");
+  await accuracy.getByLabel("Within").press("Enter");
+  await accuracy.getByText("Changed since it was predicted.").waitFor();
+  expect(await accuracy.getByRole("checkbox", { name: "Show in the view" }).isChecked()).toBe(false);
+});

@@ -9,6 +9,7 @@ import { showFrame } from "../state/frame/shape";
 import { hideByHand } from "../state/machine/by_hand";
 import { stopComparing, useMachines } from "../state/machine/machines";
 import { forgetEnded, showWire } from "../state/machine/run";
+import { forgetPrediction } from "../state/prediction/prediction";
 import { forgetProgram, goTo, leaveStaleProgram } from "../state/program/program";
 import { forgetRunFile, useRunFile } from "../state/program/run_file";
 import { forgetSequence, hideSequence } from "../state/sequence/sequence";
@@ -29,6 +30,7 @@ function followOpening(): End {
       forgetEnded();
       forgetExports();
       forgetFrame();
+      forgetPrediction();
       forgetSequence();
       designReplaced();
     },

@@ -636,6 +636,7 @@ export interface Requests {
   order: OrderMachine;
   outcome: OutcomeRequest;
   ports: PortsRequest;
+  predict: PredictionRequest;
   "profile-explain": ProfileExplainRequest;
   "profile-view": ProfileViewRequest;
   program: ProgramRequest;
@@ -656,6 +657,7 @@ export interface Requests {
   "show-lengths": ShowLengths;
   start: Start;
   "stop-collisions": StopCollisions;
+  "stop-prediction": StopPrediction;
   "stop-sequence": StopSequence;
   tolerance: ToleranceDesign;
   undo: Undo;
@@ -1222,6 +1224,27 @@ export interface PortsRequest {
    */
   machine?: string | null;
 }
+/**
+ * Asks how far off the wires of a job will be.
+ */
+export interface PredictionRequest {
+  /**
+   * The noise profile: how far off single motions are.
+   */
+  noise: string;
+  /**
+   * How often each wire is bent.
+   */
+  runs: number;
+  /**
+   * Where the random numbers start: the same seed, the same wires.
+   */
+  seed: number;
+  /**
+   * How close every vertex has to be to its place in 95 % of the wires, mm; then the answer says how exact a machine must be.
+   */
+  within_mm?: number | null;
+}
 export interface ProfileExplainRequest {
   id: string;
   /**
@@ -1418,6 +1441,10 @@ export interface Start {}
  * Stops the check for collisions that is under way, and the search for what would fix them.
  */
 export interface StopCollisions {}
+/**
+ * Stops the prediction that is under way.
+ */
+export interface StopPrediction {}
 /**
  * Stops the search for a sequence that is under way.
  */

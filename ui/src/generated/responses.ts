@@ -566,6 +566,7 @@ export type InputName =
   | "avoid-collisions"
   | "clearance"
   | "runs"
+  | "within"
   | "supports"
   | "gravity"
   | "modes"
@@ -1393,6 +1394,10 @@ export type EditOutcome =
  */
 export type FilletPart = "chords" | "edges";
 /**
+ * What can be off.
+ */
+export type ErrorSourceName = "feed" | "rotation" | "bend" | "curvature";
+/**
  * Where a sample lies among the pairs of its table.
  */
 export type SamplePlace = "pair" | "between" | "beyond";
@@ -1841,6 +1846,7 @@ export interface Responses {
   order: MachineNow;
   outcome: OutcomeResponse;
   ports: PortsResponse;
+  predict: PredictedDesign;
   "profile-explain": ProfileExplainResponse;
   "profile-view": ProfileView;
   program: ProgramResponse;
@@ -1861,6 +1867,7 @@ export interface Responses {
   "show-lengths": LengthsShown;
   start: Started;
   "stop-collisions": CollisionsStopped;
+  "stop-prediction": PredictionStopped;
   "stop-sequence": SequenceStopped;
   tolerance: ToleranceResponse;
   undo: EditMade;
@@ -4568,6 +4575,274 @@ export interface Usb {
   vid: number;
 }
 /**
+ * How far off the open design will be.
+ */
+export interface PredictedDesign {
+  /**
+   * Null where it was stopped.
+   */
+  found: Prediction | null;
+}
+/**
+ * How far off wires will be, by the formulas of the compensation turned round. Distances are taken with the first vertex and the
+ * first direction in place.
+ */
+export interface Prediction {
+  noise: string;
+  /**
+   * How often each wire was bent.
+   */
+  runs: number;
+  /**
+   * How exact a machine must be; null where nobody asked.
+   */
+  tolerance: SimulatedTolerance | null;
+  wires: SimulatedWire[];
+}
+/**
+ * How large errors may be so that every vertex is near enough to its place in 95 % of the wires.
+ */
+export interface SimulatedTolerance {
+  /**
+   * How large each kind of error may be where nothing else is off.
+   */
+  alone: SourceTolerance[];
+  /**
+   * Whether a machine without errors comes as near. If not, everything else is null.
+   */
+  possible: boolean;
+  /**
+   * How many times as large as they are the errors of the noise profile may be, all together; null where it has none, or where they may
+   * be as large as they like.
+   */
+  together: number | null;
+  /**
+   * How near, mm.
+   */
+  within_mm: number;
+}
+/**
+ * How large one kind of error may be where nothing else is off.
+ */
+export interface SourceTolerance {
+  /**
+   * Standard deviation: mm of feeds, degrees of rotations and bends, of a strut's bow as a share of its length. Null where no error of this
+   * kind takes a vertex so far.
+   */
+  sigma: number | null;
+  source: ErrorSourceName;
+}
+export interface SimulatedWire {
+  /**
+   * Where the simulated wires hit the machine or themselves; null where nobody asked, or with a note that says why not.
+   */
+  collisions: SimulatedCollisions | null;
+  /**
+   * The vertices that are passed more than once.
+   */
+  gaps: GapReport[];
+  /**
+   * How far each kind of error alone moves the wire, the largest first; empty without errors.
+   */
+  sources: SourceShare[];
+  /**
+   * How far the errors of each step move the wire, in the order of the program; empty without errors.
+   */
+  steps: StepShare[];
+  /**
+   * In the order of the route, a vertex as often as it is passed.
+   */
+  vertices: VertexReport[];
+  /**
+   * The largest `machine_mm` of a vertex.
+   */
+  worst_machine_mm: number | null;
+  /**
+   * The largest `mean_mm`.
+   */
+  worst_mean_mm: number;
+  /**
+   * The largest `radius_95_mm`.
+   */
+  worst_radius_95_mm: number;
+  /**
+   * The largest `systematic_mm`.
+   */
+  worst_systematic_mm: number;
+}
+/**
+ * Where the simulated wires of one wire of a job hit the machine or themselves while they are bent.
+ */
+export interface SimulatedCollisions {
+  /**
+   * How many of them hit something. What only comes nearer than the clearance does not count.
+   */
+  colliding: number;
+  /**
+   * What the checks say of each thing that is hit, of the wire that goes deepest into it; errors first.
+   */
+  diagnostics: SimulatedContact[];
+  /**
+   * `colliding` as a share of `wires`, 0 to 1.
+   */
+  share: number;
+  /**
+   * How many wires were looked at: one that the simulated machine or, without one, the formulas bend without errors, else one for
+   * each run.
+   */
+  wires: number;
+}
+/**
+ * What is said of one thing that simulated wires hit.
+ */
+export interface SimulatedContact {
+  /**
+   * The body of the machine that the wire hits, as its profile calls it.
+   */
+  body?: string | null;
+  code: DiagnosticCode;
+  /**
+   * The edge that it is about foremost.
+   */
+  edge?: number | null;
+  /**
+   * All its edges, where there are several.
+   */
+  edges?: number[];
+  /**
+   * What to do: the remedies in words.
+   */
+  help: string;
+  /**
+   * The limit, in `unit`.
+   */
+  limit?: number | null;
+  /**
+   * Why the limit is what it is, where its profile or driver says so: `limit_source` without what it stands in.
+   */
+  limit_reason?: string | null;
+  /**
+   * Where the limit comes from.
+   */
+  limit_source?: string | null;
+  /**
+   * What it says, with its figures: a sentence without a full stop.
+   */
+  message: string;
+  /**
+   * What can be done about it, the most promising first.
+   */
+  remedies?: RemedyReport[];
+  /**
+   * Which of the wires the finding is of, from 0.
+   */
+  run: number;
+  severity: SeverityName;
+  /**
+   * The step of the program, counted from 0.
+   */
+  step?: number | null;
+  /**
+   * The unit of value and limit: `mm`, `deg`, `mpa`, or none for a count and for a share.
+   */
+  unit?: string | null;
+  /**
+   * What was measured, in `unit`.
+   */
+  value?: number | null;
+  /**
+   * The vertex that it is about foremost.
+   */
+  vertex?: number | null;
+  /**
+   * All its vertices, where there are several.
+   */
+  vertices?: number[];
+  /**
+   * How many of the wires hit it, or come nearer to it than the clearance.
+   */
+  wires: number;
+}
+/**
+ * How far the passes of the wire through one vertex lie apart.
+ */
+export interface GapReport {
+  /**
+   * Their largest distance on the simulated machine's wire, in mm; null without such a machine.
+   */
+  machine_mm: number | null;
+  /**
+   * Mean of the largest distance, in mm.
+   */
+  mean_mm: number;
+  /**
+   * How often the wire comes through.
+   */
+  passes: number;
+  /**
+   * What 95 % of the runs stay within, in mm.
+   */
+  radius_95_mm: number;
+  vertex: number;
+}
+/**
+ * How far one kind of error moves the wire where nothing else is off, to first order.
+ */
+export interface SourceShare {
+  /**
+   * Root mean square of the distance of all vertices from where they should be, mm.
+   */
+  rms_mm: number;
+  source: ErrorSourceName;
+}
+/**
+ * How far the errors of one step move the wire where nothing else is off, to first order, as root mean square over all vertices.
+ */
+export interface StepShare {
+  /**
+   * Those of its bend, mm.
+   */
+  bend_mm: number;
+  /**
+   * Those of its feed and of the bow of its strut, mm.
+   */
+  feed_mm: number;
+  /**
+   * Those of its rotation, mm.
+   */
+  rotate_mm: number;
+  /**
+   * From 1.
+   */
+  step: number;
+  /**
+   * The vertex at which it ends.
+   */
+  vertex: number;
+}
+/**
+ * How far one vertex of the route lies from where it should.
+ */
+export interface VertexReport {
+  /**
+   * How far the simulated machine's wire has it from where the design has it, in mm; null without such a machine.
+   */
+  machine_mm: number | null;
+  /**
+   * Mean distance over all runs, in mm.
+   */
+  mean_mm: number;
+  /**
+   * Distance that 95 % of the runs stay within, in mm.
+   */
+  radius_95_mm: number;
+  /**
+   * The same by the closed formulas, without errors.
+   */
+  systematic_mm: number;
+  vertex: number;
+}
+/**
  * A profile, value by value.
  */
 export interface ProfileExplainResponse {
@@ -5193,6 +5468,10 @@ export interface LengthsShown {
  * Nothing is looked for any more.
  */
 export interface CollisionsStopped {}
+/**
+ * No prediction is under way any more.
+ */
+export interface PredictionStopped {}
 /**
  * Nothing is searched for any more.
  */

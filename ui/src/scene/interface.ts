@@ -287,6 +287,13 @@ export interface SceneStruts {
   readonly head: SceneHead | null;
 }
 
+/** A ball around a place of the design, mm, through which it is seen. */
+export interface SceneBall {
+  readonly at: Vec3;
+  readonly radius: number;
+  readonly colour: Colour;
+}
+
 /** A short text at a place of the design, mm. */
 export interface SceneLabel {
   readonly at: Vec3;

@@ -10,6 +10,7 @@ import type {
   LengthFormat,
   Moved,
   Preview,
+  SceneBall,
   SceneDesign,
   SceneDimensions,
   SceneLabel,
@@ -29,7 +30,9 @@ import { Gizmo } from "./layers/gizmo";
 import { facing, Grid } from "./layers/grid";
 import { gridSpacing, type Spacing } from "./layers/grid_spacing";
 import { Labels } from "./layers/labels";
+import { areSame } from "./layers/same_marks";
 import { SelectionLayer } from "./layers/selection_layer";
+import { SpreadLayer } from "./layers/spread";
 import { Stencil } from "./layers/stencil";
 import { StrutLayer } from "./layers/strut_layer";
 import { Playback } from "./playback/playback";
@@ -93,6 +96,7 @@ export class Stage {
   private readonly gizmo = new Gizmo(this.uniforms);
   readonly playback = new Playback(this.uniforms, this.theme);
   private readonly struts = new StrutLayer(this.uniforms, this.theme);
+  private readonly spread = new SpreadLayer(this.uniforms);
   /** Places with a square around them. */
   private held: readonly Vec3[] = [];
   private readonly labels: Labels;
@@ -115,7 +119,13 @@ export class Stage {
     private readonly changed: () => void,
   ) {
     this.labels = new Labels(overlay, this.theme);
-    this.designed.add(this.layer.group, this.selected.outlines.mesh, this.preview.mesh, this.stencil.group);
+    this.designed.add(
+      this.layer.group,
+      this.selected.outlines.mesh,
+      this.preview.mesh,
+      this.stencil.group,
+      this.spread.mesh,
+    );
     this.world.add(this.backdrop.mesh, this.grid.mesh, this.designed, this.struts.group, this.playback.group);
     this.above.add(this.guides.mesh, this.gizmo.mesh, this.symbols.mesh);
     this.gizmo.mesh.renderOrder = 1;
@@ -200,6 +210,12 @@ export class Stage {
   setStruts(struts: SceneStruts | null): void {
     this.struts.show(struts);
     this.showParts();
+  }
+
+  /** Balls within which vertices come out; none shows none. */
+  setSpread(balls: readonly SceneBall[]): void {
+    this.spread.show(balls);
+    this.changed();
   }
 
   enlarge(scale: number): void {
@@ -332,6 +348,7 @@ export class Stage {
       this.gizmo,
       this.playback,
       this.struts,
+      this.spread,
     ])
       part.dispose();
     this.labels.show([]);
@@ -381,20 +398,4 @@ export class Stage {
     const plane = drawing && this.plane ? this.plane : { ...ground, origin: [0, 0, low] as Vec3 };
     this.grid.show(plane, orbit.target, Math.max(orbit.distance * 1.6, ball.radius), this.spacing, this.theme, drawing);
   }
-}
-
-function areSame(a: SceneMarks, b: SceneMarks): boolean {
-  const verdicts = (a: SceneMarks["vertices"], b: SceneMarks["vertices"]): boolean =>
-    a.size === b.size && [...a].every(([id, verdict]) => b.get(id) === verdict);
-  const ids = (a: SceneMarks["odd"], b: SceneMarks["odd"]): boolean =>
-    a.size === b.size && [...a].every((id) => b.has(id));
-  return (
-    a.checked === b.checked &&
-    a.start?.vertex === b.start?.vertex &&
-    a.start?.towards === b.start?.towards &&
-    verdicts(a.vertices, b.vertices) &&
-    verdicts(a.edges, b.edges) &&
-    ids(a.odd, b.odd) &&
-    ids(a.doubled, b.doubled)
-  );
 }

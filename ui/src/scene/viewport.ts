@@ -8,6 +8,7 @@ import type {
   LengthFormat,
   Played,
   Preview,
+  SceneBall,
   SceneDesign,
   SceneDimensions,
   SceneLabel,
@@ -155,6 +156,11 @@ export class Viewport {
   /** Struts instead of the edges of the design; null shows those again. */
   setStruts(struts: SceneStruts | null): void {
     this.stage.setStruts(struts);
+  }
+
+  /** Balls within which vertices come out; none shows none. */
+  setSpread(balls: readonly SceneBall[]): void {
+    this.stage.setSpread(balls);
   }
 
   /** By how much the displacements of struts are enlarged: 1 is true scale. */

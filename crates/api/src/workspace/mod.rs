@@ -19,6 +19,7 @@ mod look;
 mod machines;
 mod mesh;
 mod operating;
+mod predictions;
 mod profiles;
 mod program;
 mod recent;
@@ -59,6 +60,7 @@ pub use operating::{
     AnswerMachine, ByHandRequest, ByHandResponse, ClearRecording, ConnectMachine, MachineNow,
     MachineStateRequest, OrderMachine, Recorded, RecordedRequest, SaveRecording, SavedRecording,
 };
+pub use predictions::{PredictedDesign, PredictionStopped, StopPrediction};
 pub use profiles::{
     CopyProfile, ExportProfile, ExportedProfile, ImportProfile, ImportedProfile, NewValue, ProfileView,
     ProfileViewRequest, RevertProfile, SetProfile,
@@ -111,6 +113,7 @@ pub struct Workspace {
     operator: Mutex<Option<Arc<Operator>>>,
     events: Arc<dyn EventSink>,
     collision_checks: Latest,
+    predictions: Latest,
     sequence_searches: Latest,
 }
 
@@ -131,6 +134,7 @@ impl Workspace {
             operator,
             events,
             collision_checks: Latest::default(),
+            predictions: Latest::default(),
             sequence_searches: Latest::default(),
         })
     }
@@ -157,6 +161,7 @@ impl Workspace {
     /// The program ends: what moves is stopped, and the port closed. What no file has is offered at the next start.
     pub fn leave(&self) {
         self.collision_checks.begin();
+        self.predictions.begin();
         self.sequence_searches.begin();
         self.let_go();
         self.open().leave();

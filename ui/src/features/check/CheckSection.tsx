@@ -8,6 +8,7 @@ import { needFixes } from "../../state/design/fixes";
 import { useUi } from "../../state/window/ui";
 import { setAnnotations, useView } from "../../state/window/view";
 import { Section } from "../panel/Section";
+import { Accuracy } from "./Accuracy";
 import { Collisions } from "./Collisions";
 import { GroupLine } from "./GroupLine";
 import { fineOf, groupsOf, phraseOf } from "./texts";
@@ -51,6 +52,7 @@ export function CheckSection() {
             <Checkbox checked={annotations} onChange={setAnnotations}>
               Annotations in the view
             </Checkbox>
+            <Accuracy />
           </>
         )}
       </Section>

@@ -10,6 +10,7 @@ import { movedOf, usualScale } from "../../state/frame/figures";
 import { useFrame } from "../../state/frame/frame";
 import { useShape } from "../../state/frame/shape";
 import { useByHand } from "../../state/machine/by_hand";
+import { predictedNow, usePrediction } from "../../state/prediction/prediction";
 import { touchesNow } from "../../state/program/contacts";
 import { usePlayback, useProgram } from "../../state/program/program";
 import { shownSequence, useSequence } from "../../state/sequence/sequence";
@@ -17,6 +18,7 @@ import { shownTheme, systemTheme } from "../../state/window/theme";
 import { useUi } from "../../state/window/ui";
 import { useUnits } from "../../state/window/units";
 import { drawnPlane, planeOfAll, useView } from "../../state/window/view";
+import { ballsOf } from "../check/spread";
 import { measureText } from "../check/texts";
 import { drawnFrame } from "../frame/struts";
 import { drawnSequence, layersOf } from "../sequence/struts";
@@ -121,6 +123,10 @@ export function show(scene: Scene): () => void {
     const { vertices } = useDesign.getState();
     const at = (id: number) => vertices.get(id)?.at ?? [];
     scene.setHeld(hold === "chosen" ? [...chosen].map(at).filter((place) => place.length === 3) : []);
+  };
+  const spread = () => {
+    const prediction = predictedNow();
+    scene.setSpread(prediction ? ballsOf(prediction, useDesign.getState().vertices) : []);
   };
   const theme = () => scene.setTheme(shownTheme(useUi.getState().theme));
   const system = systemTheme();
@@ -248,6 +254,8 @@ export function show(scene: Scene): () => void {
     follow(useShape, ({ view, coloured }) => [view, coloured], struts),
     follow(useShape, ({ scale, swing }) => [scale, swing], strutScale),
     follow(useSequence, ({ shown, at, layers, found, changed }) => [shown, at, layers, found, changed], struts),
+    follow(usePrediction, ({ answer, shown, noise, within }) => [answer, shown, noise, within], spread),
+    follow(useDesign, ({ version, state }) => [version, state?.machine, state?.material], spread),
     follow(useFrame, ({ hold, chosen }) => [hold, chosen], supports),
     follow(useDesign, ({ vertices }) => [vertices], supports),
     follow(

@@ -1,4 +1,4 @@
-/** Vertices, all in one draw call: balls, and cubes where the design holds one fixed. */
+/** Balls of a kind, all in one draw call, and cubes where the design holds a vertex fixed. */
 
 import { IcosahedronGeometry, Mesh, ShaderMaterial, Vector3 } from "three";
 import type { Vec3 } from "../interface";
@@ -45,6 +45,19 @@ void main() {
   gl_FragColor = vec4(faded(lit(vColour, normal), vDepth, gl_FragCoord.xy), 1.0);
 }`;
 
+// Glass: it is seen by its outline, and what is in it through its middle.
+const GLASS = /* glsl */ `
+varying vec3 vNormal;
+varying vec3 vPlace;
+varying vec3 vColour;
+varying float vDepth;
+${GLSL}
+void main() {
+  vec3 normal = normalize(vNormal);
+  float edge = 1.0 - abs(dot(normal, towardsEye(vPlace)));
+  gl_FragColor = vec4(faded(lit(vColour, normal), vDepth, gl_FragCoord.xy), mix(0.16, 0.8, edge * edge));
+}`;
+
 export interface SphereLook {
   readonly colour: Rgb;
   /** Factor on the radius. */
@@ -61,11 +74,13 @@ export class Spheres {
   ]);
 
   /** `radius` in mm, kept between `least` and `most` CSS pixels on the screen. */
-  constructor(uniforms: Shared, radius: number, least: number, most: number) {
+  constructor(uniforms: Shared, radius: number, least: number, most: number, glass = false) {
     const material = new ShaderMaterial({
       vertexShader: VERTEX,
-      fragmentShader: FRAGMENT,
+      fragmentShader: glass ? GLASS : FRAGMENT,
       uniforms: { ...uniforms, radius: { value: new Vector3(radius, least, most) } },
+      transparent: glass,
+      depthWrite: !glass,
     });
     this.mesh = new Mesh(this.instances.geometry, material);
     this.mesh.frustumCulled = false;

@@ -4,6 +4,7 @@ mod calibrations;
 mod designs;
 mod frames;
 mod machines;
+mod predictions;
 mod profiles;
 mod running;
 mod wrong_files;

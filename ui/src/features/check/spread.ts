@@ -1,0 +1,71 @@
+/** How far vertices scatter, as balls in the view, and what matters most of it. */
+
+import type { Prediction, SimulatedWire } from "../../generated/responses";
+import type { SceneBall, SceneVertex } from "../../scene/interface";
+import { rising } from "../frame/ramp";
+
+/** The distance that 95 % of the wires keep within, by vertex: of one that is passed more than once the largest. */
+export function radii({ wires }: Prediction): Map<number, number> {
+  const found = new Map<number, number>();
+  for (const { vertices } of wires)
+    for (const { vertex, radius_95_mm } of vertices) found.set(vertex, Math.max(found.get(vertex) ?? 0, radius_95_mm));
+  return found;
+}
+
+export function ballsOf(prediction: Prediction, vertices: ReadonlyMap<number, SceneVertex>): SceneBall[] {
+  const all = radii(prediction);
+  const most = Math.max(0, ...all.values());
+  return [...all].flatMap(([vertex, radius]) => {
+    const at = vertices.get(vertex)?.at;
+    return at && radius > 0 ? [{ at, radius, colour: rising(radius / most) }] : [];
+  });
+}
+
+interface Widest {
+  readonly vertex: number;
+  readonly mean: number;
+  readonly radius: number;
+}
+
+/** The vertex that is farthest off. */
+export const farthest = ({ wires }: Prediction): Widest | null =>
+  largest(
+    wires.flatMap(({ vertices }) =>
+      vertices.map(({ vertex, mean_mm, radius_95_mm }) => ({ vertex, mean: mean_mm, radius: radius_95_mm })),
+    ),
+  );
+
+/** The vertex whose passes are farthest apart. */
+export const widest = ({ wires }: Prediction): Widest | null =>
+  largest(
+    wires.flatMap(({ gaps }) =>
+      gaps.map(({ vertex, mean_mm, radius_95_mm }) => ({ vertex, mean: mean_mm, radius: radius_95_mm })),
+    ),
+  );
+
+const largest = (some: readonly Widest[]): Widest | null =>
+  some.reduce<Widest | null>((most, one) => (most && most.radius >= one.radius ? most : one), null);
+
+type Source = SimulatedWire["sources"][number]["source"];
+
+/** How far each kind of error alone moves all wires, the largest first: root mean squares. */
+export function sources({ wires }: Prediction): { source: Source; rms: number }[] {
+  const sums = new Map<Source, { squares: number; vertices: number }>();
+  for (const wire of wires)
+    for (const { source, rms_mm } of wire.sources) {
+      const { squares, vertices } = sums.get(source) ?? { squares: 0, vertices: 0 };
+      const n = wire.vertices.length;
+      sums.set(source, { squares: squares + n * rms_mm ** 2, vertices: vertices + n });
+    }
+  return [...sums]
+    .map(([source, { squares, vertices }]) => ({ source, rms: Math.sqrt(squares / Math.max(vertices, 1)) }))
+    .toSorted((a, b) => b.rms - a.rms);
+}
+
+/** The bends whose errors move the wire most. */
+export const bends = ({ wires }: Prediction, count: number): { vertex: number; rms: number }[] =>
+  wires
+    .flatMap(({ steps }) => steps.map(({ vertex, bend_mm }) => ({ vertex, rms: bend_mm })))
+    .filter(({ rms }) => rms > 0)
+    .toSorted((a, b) => b.rms - a.rms)
+    .slice(0, count);
