@@ -1,0 +1,135 @@
+//! How far the vertices of a wire scatter with errors: how long it takes, and whether `NumPy` with equations of its own finds the same.
+
+#![allow(clippy::print_stdout, reason = "its output is the table")]
+
+use std::ops::ControlFlow;
+use std::process::{Command, Stdio};
+use std::time::Instant;
+
+use anyhow::{Context, Result, ensure};
+use nalgebra::{Matrix3, Vector3};
+use serde_json::{Value, json};
+use wirebend_benches::{design, machine};
+use wirebend_core::plan::{DoublingChoice, Machine, PlanOptions, WirePlan, plan_wires};
+use wirebend_core::simulate::{
+    ErrorModel, ErrorReport, ErrorTerm, SimulationInput, first_order, formed_steps, fractions, perfect_wire,
+    scheduled_start, simulate,
+};
+
+/// So many wires are bent.
+const RUNS: u32 = 10_000;
+/// The least of so many times is taken.
+const TIMES: usize = 3;
+/// Errors so many times smaller add up as the first order says.
+const SMALL: f64 = 0.1;
+
+/// The typical errors of Bend-Forming.
+fn errors() -> ErrorModel {
+    let sigma = |sigma| ErrorTerm { bias: 0.0, sigma };
+    ErrorModel { feed_mm: sigma(0.1), rotate_deg: sigma(0.75), bend_deg: sigma(0.75), curvature: sigma(0.03) }
+}
+
+fn main() -> Result<()> {
+    let python = std::env::args().nth(1).context("name the peer's Python")?;
+    let machine = machine()?;
+    let bunny = design("bunny", true)?;
+    let options = PlanOptions { doubling: DoublingChoice::Cheapest, ..PlanOptions::default() };
+    let plans = plan_wires(&bunny, &bunny.components()[0], &machine, &options, |_| ());
+    let plan = plans.first().context("a wire")?;
+    let spans = plan.nominal.iter().flat_map(|program| program.spans.iter().cloned());
+    let parts = fractions(&plan.path, spans);
+    let input = SimulationInput {
+        start: scheduled_start(plan.start, &plan.scheduled.as_ref().context("a schedule")?.steps),
+        design: &plan.path,
+        fractions: &parts,
+        passes: &[],
+        program: plan.compensated.as_ref().context("a program")?,
+        compensation: &machine.compensation,
+    };
+    let on = |_: &_| ControlFlow::Continue(());
+    let mut ours = f64::INFINITY;
+    let mut found = ErrorReport { deviations: Vec::new(), gaps: Vec::new() };
+    for seed in 0..u64::try_from(TIMES)? {
+        let begin = Instant::now();
+        found = simulate(&input, &errors(), RUNS, seed, on)?;
+        ours = ours.min(begin.elapsed().as_secs_f64());
+    }
+    let theirs = peer(&python, plan, &machine, &input)?;
+    let of = |key: &str| -> Result<Vec<f64>> { Ok(serde_json::from_value(theirs[key].clone())?) };
+    let mean: Vec<f64> = found.deviations.iter().map(|spread| spread.mean.mm()).collect();
+    let radius: Vec<f64> = found.deviations.iter().map(|spread| spread.radius_95.mm()).collect();
+    let seconds = theirs["seconds"].as_f64().context("seconds")?;
+    println!("{RUNS} wires of the bunny, {} vertices", plan.path.len());
+    println!("  ours {ours:.3} s, NumPy {seconds:.3} s: {:.2} times as fast", seconds / ours);
+    println!("  mean distance differs by at most {:.2} %", 100.0 * apart(&mean, &of("mean")?)?);
+    println!("  distance of 95 % by at most {:.2} %", 100.0 * apart(&radius, &of("radius_95")?)?);
+    linear(&input)
+}
+
+/// By how much two columns differ, as a part of the largest.
+fn apart(a: &[f64], b: &[f64]) -> Result<f64> {
+    ensure!(a.len() == b.len(), "as many vertices");
+    let largest = a.iter().copied().fold(0.0, f64::max);
+    Ok(a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / largest)
+}
+
+/// Small errors, drawn and to first order.
+fn linear(input: &SimulationInput) -> Result<()> {
+    let errors = errors().times(SMALL);
+    let perfect = perfect_wire(input);
+    let begin = Instant::now();
+    let linear = first_order(input, &errors)?;
+    let seconds = begin.elapsed().as_secs_f64();
+    let mut sums = vec![(Vector3::zeros(), Matrix3::zeros()); perfect.len()];
+    simulate(input, &errors, RUNS, 1, |wire| {
+        for ((sum, squares), (made, perfect)) in sums.iter_mut().zip(wire.points.iter().zip(&perfect)) {
+            let way: Vector3<f64> = made - perfect;
+            *sum += way;
+            *squares += way * way.transpose();
+        }
+        ControlFlow::Continue(())
+    })?;
+    let runs = f64::from(RUNS);
+    let drawn = sums.iter().map(|(sum, squares)| {
+        let mean = sum / runs;
+        squares / runs - mean * mean.transpose()
+    });
+    let worst = drawn.zip(&linear.covariance).skip(1);
+    let worst = worst.map(|(drawn, linear)| (drawn - linear).norm() / linear.norm()).fold(0.0, f64::max);
+    println!(
+        "  first order {:.2} ms; the covariance of errors {SMALL} times as large differs by at most {:.2} % of its size",
+        1000.0 * seconds,
+        100.0 * worst
+    );
+    Ok(())
+}
+
+/// The same with `NumPy`, from the commands and the equations of the page.
+fn peer(python: &str, plan: &WirePlan, machine: &Machine, input: &SimulationInput) -> Result<Value> {
+    let formed = formed_steps(input.program, input.compensation);
+    let feed = machine.compensation.feed.as_ref().context("a model of feeds")?;
+    let axis = |axis: Vector3<f64>| -> [f64; 3] { axis.into() };
+    let steps = input.program.steps().iter().zip(&formed).zip(input.fractions);
+    let steps = steps.map(|((told, formed), fractions)| {
+        json!({
+            "feed_mm": told.feed.mm(), "rotate_deg": told.rotate.deg(), "bend_deg": formed.bend.deg(), "fractions": fractions,
+        })
+    });
+    let errors = errors();
+    let wire = json!({
+        "runs": RUNS,
+        "times": TIMES,
+        "start": [input.start.position.coords.as_slice(), &axis(input.start.t()), &axis(input.start.n()), &axis(input.start.b())],
+        "design": plan.path.iter().map(|point| point.coords.as_slice().to_vec()).collect::<Vec<_>>(),
+        "bend_radius_mm": feed.bend_radius.mm(),
+        "neutral_radius_mm": feed.neutral_radius.mm(),
+        "sigma": [errors.feed_mm.sigma, errors.rotate_deg.sigma, errors.bend_deg.sigma, errors.curvature.sigma],
+        "steps": steps.collect::<Vec<_>>(),
+    });
+    let file = tempfile::NamedTempFile::new()?;
+    serde_json::to_writer(&file, &wire)?;
+    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/peers/scatter.py");
+    let run = Command::new(python).arg(script).arg(file.path()).stderr(Stdio::inherit()).output()?;
+    ensure!(run.status.success(), "the peer failed");
+    Ok(serde_json::from_slice(&run.stdout)?)
+}
