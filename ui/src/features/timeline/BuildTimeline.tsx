@@ -10,7 +10,7 @@ import {
 } from "../../state/sequence/sequence";
 import { displacement } from "../frame/words";
 import { KINDS } from "../sequence/words";
-import { type Moves, Track } from "./Track";
+import { movesOf, Track } from "./Track";
 
 /** The steps of building under the view, while they are shown there instead of a program. */
 export function BuildTimeline() {
@@ -24,17 +24,13 @@ export function BuildTimeline() {
   const ticks = [...new Set(sequence?.diagnostics.flatMap(({ step }) => (step == null ? [] : [step])) ?? [])];
   const forward = () => slideTo(Math.floor(at) + 1);
   const back = () => slideTo(Math.ceil(at) - 1);
-  const moves: Moves = {
-    ArrowRight: forward,
-    ArrowUp: forward,
-    ArrowLeft: back,
-    ArrowDown: back,
-    PageUp: () => slideTo(Math.floor(at) + 10),
-    PageDown: () => slideTo(Math.ceil(at) - 10),
-    Home: () => slideTo(0),
-    End: () => slideTo(steps.length),
-    " ": togglePlaySequence,
-  };
+  const moves = movesOf(at, steps.length, {
+    forward,
+    back,
+    reset: () => slideTo(0),
+    goTo: slideTo,
+    toggle: togglePlaySequence,
+  });
   return (
     <section className="timeline" aria-label="Timeline">
       <Button icon="previous" aria-label="Step back" title="Step back" onClick={back} />

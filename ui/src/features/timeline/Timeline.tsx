@@ -21,7 +21,7 @@ import { useSequence } from "../../state/sequence/sequence";
 import { useWhyNot } from "../../state/window/commands";
 import { namedSteps, spoken } from "../animate/steps";
 import { BuildTimeline } from "./BuildTimeline";
-import { type Moves, Track } from "./Track";
+import { movesOf, Track } from "./Track";
 import "./timeline.css";
 
 const LIVE = "A machine is bending the wire.";
@@ -54,17 +54,8 @@ function ProgramTimeline() {
   const why = live ? LIVE : null;
   const whyStep = why ?? (one ? null : NO_PROGRAM);
   const at = Math.max(stepOf(total, step), 0);
-  const moves: Moves = {
-    ArrowRight: forward,
-    ArrowUp: forward,
-    ArrowLeft: back,
-    ArrowDown: back,
-    PageUp: () => void goTo(Math.min(Math.floor(step) + 10, total)),
-    PageDown: () => void goTo(Math.max(Math.ceil(step) - 10, 0)),
-    Home: reset,
-    End: () => void goTo(total),
-    " ": togglePlay,
-  };
+  const goThere = (step: number) => void goTo(step);
+  const moves = movesOf(step, total, { forward, back, reset, goTo: goThere, toggle: togglePlay });
   return (
     <section className="timeline" aria-label="Timeline">
       <Button icon="previous" aria-label="Step back" title="Step back" why={whyStep} onClick={back} />

@@ -7,6 +7,33 @@ import { hitOf } from "../animate/hits";
 /** What a key on the line does; of the others the window decides. */
 export type Moves = Readonly<Partial<Record<string, () => void>>>;
 
+/** What the keys of a line of steps do: on and back by one, by ten, to either end, and the space bar. */
+export function movesOf(
+  at: number,
+  of: number,
+  {
+    forward,
+    back,
+    reset,
+    goTo,
+    toggle,
+  }: Readonly<Record<"forward" | "back" | "reset" | "toggle", () => void>> & {
+    readonly goTo: (step: number) => void;
+  },
+): Moves {
+  return {
+    ArrowRight: forward,
+    ArrowUp: forward,
+    ArrowLeft: back,
+    ArrowDown: back,
+    PageUp: () => goTo(Math.min(Math.floor(at) + 10, of)),
+    PageDown: () => goTo(Math.max(Math.ceil(at) - 10, 0)),
+    Home: reset,
+    End: () => goTo(of),
+    " ": toggle,
+  };
+}
+
 /** The whole program as a line to slide on. `ticks`: steps, from 0, that something is wrong with; `contacts`: where the wire hits something. */
 export function Track({
   label = "Position in the program",
