@@ -35,6 +35,7 @@ fn planning(name: &str, bytes: Vec<u8>, face_edges: bool, double: bool) -> Comma
         choices,
         output: None,
         make_job: false,
+        pauses: Vec::new(),
         sag: false,
         despite_errors: true,
     })

@@ -71,6 +71,7 @@ pub use wirebend_planning::generate::{GenerateRequest, GenerateResponse, Generat
 pub use wirebend_planning::import::{ImportRequest, ImportResponse};
 pub use wirebend_planning::installation::{DriverFolders, Installation};
 pub use wirebend_planning::output::Output;
+pub use wirebend_planning::pauses::{LeftOutPause, StepPause};
 pub use wirebend_planning::plan::{CheckRequest, CheckResponse, PlanRequest, PlanResponse};
 pub use wirebend_planning::profiles::check::{FileVerdict, ProfileCheckRequest, ProfileCheckResponse};
 pub use wirebend_planning::profiles::explain::{

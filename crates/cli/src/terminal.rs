@@ -28,20 +28,34 @@ pub(crate) struct Terminal {
     wished: Cell<Option<Wish>>,
     /// Whether it was said of this wire that Enter pauses it.
     hinted: Cell<bool>,
+    /// Whether a question is on the screen: the bar waits.
+    asks: Cell<bool>,
 }
 
 impl Terminal {
     pub fn new(json: bool) -> Self {
         let bar = (std::io::stderr().is_terminal() && !json).then(Bar::new);
-        Self { bar, json, phase: Cell::new(Phase::Closed), wished: Cell::new(None), hinted: Cell::new(false) }
+        Self {
+            bar,
+            json,
+            phase: Cell::new(Phase::Closed),
+            wished: Cell::new(None),
+            hinted: Cell::new(false),
+            asks: Cell::new(false),
+        }
     }
 
     pub fn finish(&self) {
         self.bar.iter().for_each(Bar::finish);
     }
 
+    /// The bar, unless it is out of the way.
+    fn bar(&self) -> Option<&Bar> {
+        self.bar.as_ref().filter(|_| !self.asks.get())
+    }
+
     fn shown(&self) -> &dyn Progress {
-        self.bar.as_ref().map_or(&NoProgress, |bar| bar)
+        self.bar().map_or(&NoProgress, |bar| bar)
     }
 
     /// Writes a line above the bar.
@@ -49,7 +63,7 @@ impl Terminal {
         let write = || {
             let _ = writeln!(anstream::stderr(), "{line}");
         };
-        match &self.bar {
+        match self.bar() {
             Some(bar) => bar.aside(write),
             None => write(),
         }
@@ -57,12 +71,21 @@ impl Terminal {
 
     /// Asks, and reads a line.
     fn prompt(&self, question: &str) -> Option<String> {
-        let prompt = || {
+        self.prompt_while(question, &mut || true)
+    }
+
+    /// The same as long as there is something to ask.
+    fn prompt_while(&self, question: &str, look: &mut dyn FnMut() -> bool) -> Option<String> {
+        let bar = self.bar();
+        let mut prompt = || {
             let _ = write!(std::io::stderr(), "{question} ");
             let _ = std::io::stderr().flush();
-            read_line()
+            self.asks.set(true);
+            let line = read_line(look);
+            self.asks.set(false);
+            line
         };
-        match &self.bar {
+        match bar {
             Some(bar) => bar.aside(prompt),
             None => prompt(),
         }
@@ -111,11 +134,16 @@ impl Terminal {
 
     /// Asks until one of the answers is given; `None` without a user, or when they press Ctrl-C.
     fn ask(&self, question: &str, answers: &[&str]) -> Option<usize> {
+        self.ask_while(question, answers, &mut || true)
+    }
+
+    /// The same as long as there is something to ask.
+    fn ask_while(&self, question: &str, answers: &[&str], look: &mut dyn FnMut() -> bool) -> Option<usize> {
         if !keyboard::is_there() {
             return None;
         }
         loop {
-            let line = self.prompt(&format!("{question} [{}]", answers.join("/")))?;
+            let line = self.prompt_while(&format!("{question} [{}]", answers.join("/")), look)?;
             let word = line.trim().to_lowercase();
             let fits = |answer: &&str| !word.is_empty() && answer.to_lowercase().starts_with(&word);
             if let Some(found) = answers.iter().position(fits) {
@@ -130,8 +158,8 @@ impl Terminal {
 }
 
 /// A line of the person's; `None` at the end of input, and when Ctrl-C was pressed. Reading cannot be broken off, so
-/// it is done apart.
-fn read_line() -> Option<String> {
+/// it is done apart. `None`, too, once `look` says that there is nothing to ask any more.
+fn read_line(look: &mut dyn FnMut() -> bool) -> Option<String> {
     let (sender, receiver) = channel();
     std::thread::spawn(move || {
         let mut line = String::new();
@@ -142,7 +170,7 @@ fn read_line() -> Option<String> {
         match receiver.recv_timeout(LOOK) {
             Ok(line) => return line,
             Err(RecvTimeoutError::Disconnected) => return None,
-            Err(RecvTimeoutError::Timeout) if stop::was_pressed() => return None,
+            Err(RecvTimeoutError::Timeout) if stop::was_pressed() || !look() => return None,
             Err(RecvTimeoutError::Timeout) => {}
         }
     }
@@ -199,7 +227,7 @@ impl Observer for Terminal {
                 self.say(line);
             }
         }
-        if let Some(bar) = &self.bar {
+        if let Some(bar) = self.bar() {
             bar.snapshot(snapshot);
         }
     }
@@ -209,6 +237,11 @@ impl Prompt for Terminal {
     fn confirm(&self, question: &str) -> Option<bool> {
         let said = self.ask(question, &["yes", "No"]);
         // A user who presses Ctrl-C has answered.
+        said.map(|answer| answer == 0).or(stop::was_pressed().then_some(false))
+    }
+
+    fn confirm_pause(&self, question: &str, look: &mut dyn FnMut() -> bool) -> Option<bool> {
+        let said = self.ask_while(question, &["yes", "No"], look);
         said.map(|answer| answer == 0).or(stop::was_pressed().then_some(false))
     }
 

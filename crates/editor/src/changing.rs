@@ -134,6 +134,7 @@ fn several(
         document.set_reversed(last.reversed),
         document.set_walks(last.walks),
         document.set_pins(last.pins),
+        document.set_pauses(last.pauses),
         document.set_notes(last.notes),
         document.set_units(last.units),
     ];

@@ -40,6 +40,12 @@ pub trait Prompt {
     fn is_so(&self, said: &str) -> Option<bool> {
         self.confirm(said)
     }
+    /// Whether a person has done what is to be done at a pause point, and the machine, which stands there, may go on. `look` looks
+    /// at the machine, again and again until there is an answer; where it gives false there is nothing to ask any more. `None`:
+    /// there is no user to ask.
+    fn confirm_pause(&self, _question: &str, _look: &mut dyn FnMut() -> bool) -> Option<bool> {
+        None
+    }
     /// What became of a step; the user looks at the wire. `None`: there is no user, or they do not know.
     fn decide(&self, _doubt: &Doubt) -> Option<Decision> {
         None

@@ -189,6 +189,7 @@ mod tests {
             stock_mm: 600.0,
             time_s: 1.0,
             avoids_collisions: false,
+            pauses: Vec::new(),
         }
     }
 

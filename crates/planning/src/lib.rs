@@ -25,6 +25,7 @@ pub mod installation;
 pub mod job;
 pub mod machine;
 pub mod output;
+pub mod pauses;
 pub mod picture;
 pub mod plan;
 pub mod playback;

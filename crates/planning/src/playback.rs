@@ -1,5 +1,7 @@
 //! A wire as it is played on its machine: what is drawn follows from these values without a rule of bending.
 
+use std::num::NonZeroU32;
+
 use nalgebra::Point3;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -61,6 +63,14 @@ impl From<&Moment> for MomentReport {
     }
 }
 
+/// A vertex, and which time the wires come to it: where a pause point can be put.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct PausePlace {
+    pub vertex: u32,
+    /// From 1, over all wires in their order.
+    pub pass: NonZeroU32,
+}
+
 /// A step as it is played.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct PlayedStep {
@@ -74,6 +84,10 @@ pub struct PlayedStep {
     pub vertex: Option<u32>,
     /// The edges along which it feeds.
     pub edges: Vec<u32>,
+    /// Where a pause point after it is put; null after the last step, and where the wire is of no open design.
+    pub place: Option<PausePlace>,
+    /// What a person has to do after it before the machine goes on; null where it does not wait.
+    pub pause: Option<String>,
     /// How the wire lies in the machine.
     pub pose: PoseReport,
     /// Where wire and machine are, from the step's beginning to its end.
@@ -168,6 +182,8 @@ fn played_step(designed: &Step, seconds: StepSeconds, pose: &Pose, moments: &[Mo
         seconds: [feed, rotate, bend, wait],
         vertex: None,
         edges: Vec::new(),
+        place: None,
+        pause: None,
         pose: PoseReport::from(pose),
         moments: moments.iter().map(MomentReport::from).collect(),
     }

@@ -35,6 +35,8 @@ const stepByHand = (feed_mm: number): PlayedWire["steps"][number] => ({
   told: null,
   seconds: [0, 0, 0, 0],
   vertex: null,
+  place: null,
+  pause: null,
   edges: [],
   pose: { turn: [0, 1, 0, 0], bend_axis: [0, 0, 1], bend_deg: 0 },
   moments: [{ at: 1, fed: 1, bent: 1, head_deg: 0, bend_axis_deg: 0, peg_out: 0 }],

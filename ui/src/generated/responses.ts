@@ -592,7 +592,7 @@ export type InputName =
 /**
  * What a question is about.
  */
-export type QuestionKind = "head" | "move" | "arm" | "piece" | "go-on" | "doubt" | "said" | "settings";
+export type QuestionKind = "head" | "move" | "arm" | "piece" | "go-on" | "pause" | "doubt" | "said" | "settings";
 /**
  * What reports that a step is done.
  */
@@ -2437,6 +2437,14 @@ export interface PlayedStep {
    * Where wire and machine are, from the step's beginning to its end.
    */
   moments: MomentReport[];
+  /**
+   * What a person has to do after it before the machine goes on; null where it does not wait.
+   */
+  pause: string | null;
+  /**
+   * Where a pause point after it is put; null after the last step, and where the wire is of no open design.
+   */
+  place: PausePlace | null;
   pose: PoseReport;
   /**
    * Seconds for feed, rotate, the bend axis there and back, and for waiting.
@@ -2482,6 +2490,16 @@ export interface MomentReport {
    * Where the peg is along its own axis: at 0 it is in, so that the wire can pass it, at 1 it is out and bends.
    */
   peg_out: number;
+}
+/**
+ * A vertex, and which time the wires come to it: where a pause point can be put.
+ */
+export interface PausePlace {
+  /**
+   * From 1, over all wires in their order.
+   */
+  pass: number;
+  vertex: number;
 }
 /**
  * How the wire lies in the machine while it runs a step. Frame of the machine: mm, right-handed, the origin is the bend
@@ -5037,6 +5055,10 @@ export interface ProgramResponse {
    * connected machine whose job has this hash is one of this very program.
    */
   job_hash: string | null;
+  /**
+   * Pause points of the design that no wire comes to.
+   */
+  left_out: LeftOutPause[];
   machine: string;
   material: string;
   /**
@@ -5047,6 +5069,21 @@ export interface ProgramResponse {
    * Wires that have none: the checks say why.
    */
   without: number;
+}
+/**
+ * A pause point of the design after which nothing of a wire is bent.
+ */
+export interface LeftOutPause {
+  note: string;
+  /**
+   * From 1, over all wires in their order.
+   */
+  pass: number;
+  vertex: number;
+  /**
+   * Why, for a person.
+   */
+  why: string;
 }
 /**
  * The records.
@@ -5153,6 +5190,10 @@ export interface Record {
   made: number;
   outcome: Outcome;
   /**
+   * Pause points at which a person has said that the wire goes on, in order.
+   */
+  pauses: ConfirmedPause[];
+  /**
    * When it was begun.
    */
   started: string;
@@ -5255,6 +5296,20 @@ export interface Heading {
    * Index of the wire, from 0.
    */
   wire: number;
+}
+/**
+ * A pause point past which a person has let the wire go on.
+ */
+export interface ConfirmedPause {
+  /**
+   * The step after which the machine has waited.
+   */
+  after: number;
+  at: string;
+  /**
+   * What they had to do there.
+   */
+  note: string;
 }
 /**
  * A job that was written.

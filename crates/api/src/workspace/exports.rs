@@ -220,6 +220,7 @@ impl Workspace {
             choices: PlanChoices::default(),
             output: Some(asked.output.clone()),
             make_job: false,
+            pauses: Vec::new(),
             sag: false,
             despite_errors: asked.despite_errors,
         };

@@ -12,6 +12,7 @@ use crate::{ApiError, Installation, PlanChoices, Progress};
 use wirebend_operation::simulate::OfDriver;
 use wirebend_planning::design::Opened;
 use wirebend_planning::machine::Setup;
+use wirebend_planning::pauses::LeftOutPause;
 use wirebend_planning::plan::Planned;
 use wirebend_planning::playback::{PlayedWire, PoseReport, played};
 use wirebend_planning::report::NoteReport;
@@ -37,6 +38,8 @@ pub struct ProgramResponse {
     pub wires: Vec<PlayedWire>,
     /// Wires that have none: the checks say why.
     pub without: usize,
+    /// Pause points of the design that no wire comes to.
+    pub left_out: Vec<LeftOutPause>,
 }
 
 /// Asks how the machine bends the open design, or what is open to be run.
@@ -96,7 +99,8 @@ impl Workspace {
         }
         let (_, planned) = self.planned(progress)?;
         let time = &planned.setup.model.time;
-        let wires: Vec<PlayedWire> = planned.wires.iter().filter_map(|plan| played(plan, time)).collect();
+        let mut wires: Vec<PlayedWire> = planned.wires.iter().filter_map(|plan| played(plan, time)).collect();
+        planned.pauses.show(&planned.wires, &mut wires);
         Ok(ProgramResponse {
             machine: planned.setup.machine_id().to_owned(),
             material: planned.setup.material_id().to_owned(),
@@ -104,6 +108,7 @@ impl Workspace {
             feasible: planned.feasible(),
             job_hash: planned.job()?.map(|job| job.hash().to_owned()),
             without: planned.wires.len() - wires.len(),
+            left_out: planned.pauses.left_out.clone(),
             wires,
         })
     }

@@ -121,6 +121,7 @@ impl RunFile {
             job_hash: (kind != RunFileKind::Moves).then_some(job_hash),
             wires: self.wires.played(&self.setup),
             without: 0,
+            left_out: Vec::new(),
         }
     }
 }

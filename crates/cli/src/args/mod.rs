@@ -10,7 +10,7 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand};
 use clap_complete::Shell;
-use wirebend_api::StageName;
+use wirebend_api::{StageName, StepPause};
 
 pub(crate) use calibrate::CalibrateCommand;
 use frame::{FrameArgs, ToleranceArgs};
@@ -20,7 +20,7 @@ pub(crate) use shared::{
     ChoiceArgs, ClearanceArgs, DangerArgs, DesignArgs, ExportedArgs, KindArgs, OutputArgs, ReadArgs,
     WireRange,
 };
-use shared::{parse_setting, stage_parser};
+use shared::{parse_pause, parse_setting, stage_parser};
 
 const AFTER: &str = "\
 Exit status: 0 done · 2 usage error · 3 bad input · 4 not feasible on this machine (the report is \
@@ -111,6 +111,10 @@ pub(crate) enum Subcommands {
         /// Say what changes on another machine, by id, instead of making a job; may be given again
         #[arg(long, value_name = "ID", conflicts_with_all = ["output", "force", "despite_errors"])]
         compare: Vec<String>,
+        /// Let the machine wait after a step, from 1, until you have done what the note says and confirmed it; W/STEP:NOTE for
+        /// another wire than the first; may be given again
+        #[arg(long = "pause", value_name = "STEP:NOTE", conflicts_with = "compare", value_parser = parse_pause)]
+        pauses: Vec<StepPause>,
         /// Say how far the part already bent sags under its own weight while it is bent
         #[arg(long, conflicts_with = "compare")]
         sag: bool,

@@ -4,7 +4,9 @@ use std::path::PathBuf;
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use wirebend_api::{Format, Handedness, LengthUnit, ProfileKind, ProgramKind, SearchWeights, StageName};
+use wirebend_api::{
+    Format, Handedness, LengthUnit, ProfileKind, ProgramKind, SearchWeights, StageName, StepPause,
+};
 
 /// Which kind of profile is meant.
 #[derive(Debug, Args)]
@@ -209,6 +211,19 @@ pub(super) fn parse_setting(text: &str) -> Result<(String, serde_json::Value), S
     Ok((key.to_owned(), value))
 }
 
+/// `STEP:NOTE` or `WIRE/STEP:NOTE`, both counted from 1.
+pub(super) fn parse_pause(text: &str) -> Result<StepPause, String> {
+    const EXPECTED: &str = "expected STEP:NOTE, such as 3:turn the part, or WIRE/STEP:NOTE";
+    let (place, note) = text.split_once(':').ok_or(EXPECTED)?;
+    let (wire, step) = place.split_once('/').unwrap_or(("1", place));
+    let number = |text: &str| text.trim().parse::<u32>().ok().filter(|number| *number > 0).ok_or(EXPECTED);
+    let (wire, after) = (number(wire)?, number(step)?);
+    if note.trim().is_empty() {
+        return Err("the note is empty: say what is to be done there, such as 3:turn the part".to_owned());
+    }
+    Ok(StepPause { wire: wire as usize - 1, after, note: note.to_owned() })
+}
+
 fn parse_unit(word: &str) -> Result<LengthUnit, String> {
     LengthUnit::from_word(word).ok_or_else(|| "expected mm, cm, m or inch".to_owned())
 }
@@ -236,4 +251,21 @@ pub(super) fn stage_parser() -> impl TypedValueParser<Value = StageName> {
     // The parser before has refused every other name.
     PossibleValuesParser::new(StageName::ALL.map(StageName::as_str))
         .map(move |name| by_name(name).unwrap_or(StageName::Wireframe))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pause_names_its_step_and_what_is_to_be_done() {
+        let pause = |wire, after| StepPause { wire, after, note: "turn the part: 90°".to_owned() };
+        assert_eq!(parse_pause("3:turn the part: 90°"), Ok(pause(0, 3)));
+        assert_eq!(parse_pause("2/11:turn the part: 90°"), Ok(pause(1, 11)));
+        for wrong in
+            ["3", "turn the part", "0:turn", "-1:turn", "0/3:turn", "1/:turn", "3: ", "99999999999:turn"]
+        {
+            parse_pause(wrong).unwrap_err();
+        }
+    }
 }

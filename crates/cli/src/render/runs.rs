@@ -71,6 +71,9 @@ pub(super) fn show(out: &mut impl Write, found: &RunsShowResponse) -> std::io::R
         let text = format!("{} after step {}: {}", interruption.at, interruption.after, interruption.what);
         line("interrupted", &text)?;
     }
+    for pause in &record.pauses {
+        line("paused", &format!("{} after step {}: {}", pause.at, pause.after, pause.note))?;
+    }
     for decision in &record.decisions {
         let step = decision.step;
         let what = match decision.part {

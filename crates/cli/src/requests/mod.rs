@@ -14,7 +14,7 @@ use wirebend_api::{
     DriversRequest, DumpRequest, ExportRequest, GenerateRequest, GeneratedShape, ImportRequest, Input,
     MachinesRequest, MaterialsRequest, Output, PlanChoices, PlanRequest, ProfileCheckRequest,
     ProfileExplainRequest, ProfileNewRequest, ProfilePlace, ProfileRevertRequest, ProfileSetRequest,
-    SimulateRequest, WiresRequest,
+    SimulateRequest, StepPause, WiresRequest,
 };
 
 use crate::args::live::RunsCommand;
@@ -63,8 +63,8 @@ pub(crate) fn prepare(command: Subcommands) -> anyhow::Result<Prepared> {
         Subcommands::Check { design: args, choices: chosen } => {
             written(Command::Check(CheckRequest { design: design(&args)?, choices: choices(chosen)? }))
         }
-        Subcommands::Plan { design: args, choices: chosen, output, danger, compare, sag } => {
-            plan(&args, chosen, output, &danger, compare, sag)?
+        Subcommands::Plan { design: args, choices: chosen, output, danger, compare, pauses, sag } => {
+            plan(&args, chosen, output, &danger, compare, (pauses, sag))?
         }
         Subcommands::Export { design: args, choices: chosen, format, settings, output, danger } => {
             let (output, contents) = place(output, true);
@@ -154,7 +154,7 @@ fn plan(
     output: OutputArgs,
     danger: &DangerArgs,
     compare: Vec<String>,
-    sag: bool,
+    (pauses, sag): (Vec<StepPause>, bool),
 ) -> anyhow::Result<Prepared> {
     let design = design(args)?;
     let written = |command| Ok(Prepared::Command(Box::new(command), Contents::Written));
@@ -170,7 +170,7 @@ fn plan(
         }));
     }
     if let Some(WireRange { from, to }) = chosen.wires.filter(|range| range.is_several()) {
-        if output.output.is_some() || output.force || danger.despite_errors || sag {
+        if output.output.is_some() || output.force || danger.despite_errors || sag || !pauses.is_empty() {
             let words = "numbers of wires are compared, and no job is made: give one number of wires";
             return Err(WrongUse(words.to_owned()).into());
         }
@@ -184,6 +184,7 @@ fn plan(
         make_job: contents == Contents::StandardOutput,
         output,
         despite_errors: danger.despite_errors,
+        pauses,
         sag,
     };
     Ok(Prepared::Command(Box::new(Command::Plan(request)), contents))

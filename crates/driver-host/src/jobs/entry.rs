@@ -8,8 +8,8 @@ use crate::session::StoppedBy;
 
 /// The version of the format; a journal of a later one is refused. Since 2 there are [`EntryKind::Standstill`] and
 /// [`EntryKind::NotTaken`]. Since 3 there are [`EntryKind::PartMade`] and [`EntryKind::Part`], and the steps after the one that a
-/// [`EntryKind::Fault`] names were not begun.
-pub const VERSION: u32 = 3;
+/// [`EntryKind::Fault`] names were not begun. Since 4 there is [`EntryKind::PauseConfirmed`].
+pub const VERSION: u32 = 4;
 
 /// A line of a journal.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -67,6 +67,12 @@ pub enum EntryKind {
     Paused,
     /// The machine resumes.
     Resumed,
+    /// A person has said that the wire goes on past the pause point after a step.
+    PauseConfirmed {
+        after: u32,
+        /// What they had to do there.
+        note: String,
+    },
     /// The machine was stopped.
     Stopped {
         /// What caused it; absent when the machine stopped by itself or at a button of its own.

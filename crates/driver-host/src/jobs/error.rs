@@ -59,6 +59,9 @@ pub enum JobError {
     /// There is nothing left to do.
     #[error("there is nothing left to do: {}", settled(*.0))]
     Nothing(Settled),
+    /// A person has said that the wire goes on, and it waits for nobody.
+    #[error("the wire does not wait at a pause point")]
+    NotWaiting,
     /// It was not confirmed since the wire was begun or stopped.
     #[error("the wire was not begun, or was stopped since")]
     NotBegun,
@@ -78,7 +81,7 @@ impl JobError {
             Self::AtWork => ErrorCode::AtWork,
             Self::Contradiction(_) => ErrorCode::Contradiction,
             Self::Nothing(_) => ErrorCode::Nothing,
-            Self::NotBegun => ErrorCode::NotBegun,
+            Self::NotBegun | Self::NotWaiting => ErrorCode::NotBegun,
         }
     }
 
@@ -93,9 +96,11 @@ impl JobError {
             Self::AtWork => vec![ErrorRemedy::Wait, ErrorRemedy::Stop],
             Self::Contradiction(_) => vec![ErrorRemedy::Stop, ErrorRemedy::LookAtWire, ErrorRemedy::Home],
             Self::NotBegun => vec![ErrorRemedy::BeginAnew],
-            Self::OtherWire { .. } | Self::NotInDoubt { .. } | Self::NotOfStep { .. } | Self::Nothing(_) => {
-                Vec::new()
-            }
+            Self::OtherWire { .. }
+            | Self::NotInDoubt { .. }
+            | Self::NotOfStep { .. }
+            | Self::NotWaiting
+            | Self::Nothing(_) => Vec::new(),
         }
     }
 }

@@ -15,6 +15,8 @@ pub struct JournalState {
     pub accepted: u32,
     /// The last step that is done.
     pub done: u32,
+    /// The last step after which a person has said that the wire goes on past a pause point.
+    pub confirmed: u32,
     /// What the driver called the machine's session when it was armed last.
     pub token: Option<String>,
     /// What happened last.
@@ -68,6 +70,7 @@ impl JournalState {
             sent: 0,
             accepted: 0,
             done: 0,
+            confirmed: 0,
             token: None,
             standing: JobState::Begun,
             stopped: false,
@@ -126,6 +129,21 @@ impl JournalState {
     /// The machine has stopped, and does none of the steps after this one.
     fn not_begun_after(&mut self, n: u32) {
         (self.sent, self.accepted) = (n, self.accepted.min(n));
+    }
+
+    fn take_back(&mut self, at_work: bool, n: u32) -> Result<(), String> {
+        let before = self.before(n).filter(|_| !at_work);
+        *self = before.ok_or_else(|| format!("nothing was said of step {n} that can be taken back"))?;
+        Ok(())
+    }
+
+    fn confirm_pause(&mut self, at_work: bool, after: u32) -> Result<(), String> {
+        let Self { done, confirmed, .. } = *self;
+        if !at_work || after != done || after <= confirmed {
+            return Err(format!("the pause after step {after} was confirmed, with {done} done"));
+        }
+        self.confirmed = after;
+        Ok(())
     }
 
     fn require_first_in_doubt(&self, at_work: bool, n: u32) -> Result<(), String> {
@@ -211,11 +229,8 @@ impl JournalState {
                 self.not_begun_after(done);
                 (self.part, self.part_made) = (part, None);
             }
-            EntryKind::TakenBack { n } => {
-                let before = self.before(*n).filter(|_| !at_work);
-                *self =
-                    before.ok_or_else(|| format!("nothing was said of step {n} that can be taken back"))?;
-            }
+            EntryKind::TakenBack { n } => self.take_back(at_work, *n)?,
+            EntryKind::PauseConfirmed { after, .. } => self.confirm_pause(at_work, *after)?,
             EntryKind::Paused if at_work => self.standing = JobState::Paused,
             EntryKind::Resumed if at_work => self.standing = JobState::Running,
             EntryKind::Paused

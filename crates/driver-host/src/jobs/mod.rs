@@ -30,10 +30,10 @@ pub use journal::{Journal, JournalError, Written};
 pub use journal_state::{JobState, JournalState};
 pub use part::{Doubtful, Part, PartMade, StepOutcome};
 pub use progress::{Overview, Progress};
-pub use record::{Decision, Interruption, Outcome, PartInWire, Record};
+pub use record::{ConfirmedPause, Decision, Interruption, Outcome, PartInWire, Record};
 pub use resume::{Contradiction, ContradictionKind, Resume, Settled};
 pub use run::JobRun;
-pub use wire_job::WireJob;
+pub use wire_job::{PauseAfter, WireJob};
 
 #[cfg(test)]
 mod tests;

@@ -28,10 +28,24 @@ pub struct Record {
     pub interruptions: Vec<Interruption>,
     /// What was said of steps that were in doubt, in order.
     pub decisions: Vec<Decision>,
+    /// Pause points at which a person has said that the wire goes on, in order.
+    #[serde(default)]
+    pub pauses: Vec<ConfirmedPause>,
     /// Corners of the wire, where a simulated machine bent it, mm.
     pub corners_mm: Vec<[f64; 3]>,
     /// How far each corner is from the design, mm; absent where that was not measured.
     pub deviations_mm: Option<Vec<f64>>,
+}
+
+/// A pause point past which a person has let the wire go on.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct ConfirmedPause {
+    pub at: String,
+    /// The step after which the machine has waited.
+    pub after: u32,
+    /// What they had to do there.
+    pub note: String,
 }
 
 /// What became of a wire.
@@ -96,6 +110,7 @@ impl Record {
             made: 0,
             interruptions: Vec::new(),
             decisions: Vec::new(),
+            pauses: Vec::new(),
             corners_mm: Vec::new(),
             deviations_mm: None,
         };
@@ -124,6 +139,9 @@ impl Record {
                     self.made = *n - 1;
                     self.decisions.truncate(at);
                 }
+            }
+            EntryKind::PauseConfirmed { after, note } => {
+                self.pauses.push(ConfirmedPause { at: at.clone(), after: *after, note: note.clone() });
             }
             EntryKind::Stopped { .. } => self.interrupted(at, "stopped".to_owned()),
             EntryKind::Fault { error, .. } => self.interrupted(at, error.to_string()),

@@ -7,6 +7,15 @@ use wirebend_driver_api::{Run, Step};
 use super::entry::Heading;
 use super::error::JobError;
 
+/// A step after which the machine waits until a person has done something.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct PauseAfter {
+    /// The step, from 1; never the last of the wire.
+    pub after: u32,
+    /// What they have to do.
+    pub note: String,
+}
+
 #[derive(Debug, Clone, PartialEq)]
 pub struct WireJob {
     /// The wire; `after` and `rotate_at_deg` are filled in from the journal.
@@ -15,6 +24,8 @@ pub struct WireJob {
     pub steps: Vec<Step>,
     /// How long each is estimated to take; may be empty.
     pub estimates: Vec<Duration>,
+    /// Where the machine waits for a person, in order.
+    pub pauses: Vec<PauseAfter>,
 }
 
 impl WireJob {
@@ -34,6 +45,11 @@ impl WireJob {
         if usize::try_from(run.steps) != Ok(self.steps.len()) {
             let what = format!("the wire has {} steps, and {} are there", run.steps, self.steps.len());
             return Err(JobError::Steps { what });
+        }
+        let ascending = self.pauses.is_sorted_by(|one, next| one.after < next.after);
+        if !ascending || self.pauses.iter().any(|pause| !(1..run.steps).contains(&pause.after)) {
+            let what = "a pause point does not come after a step of the wire before its last";
+            return Err(JobError::Steps { what: what.to_owned() });
         }
         let finite =
             |step: &Step| [step.feed_mm, step.rotate_deg, step.bend_deg].iter().all(|v| v.is_finite());

@@ -120,6 +120,14 @@ impl Session {
         self.is_simulated.get_or_init(is_simulated).then(|| Simulation(self.arming.clone()))
     }
 
+    /// Uses up a person's yes to what follows a pause point.
+    ///
+    /// # Errors
+    /// [`SessionError`] where it does not hold any more, or is for something else.
+    pub(crate) fn goes_on(&self, permit: Permit) -> Result<(), SessionError> {
+        self.uses_up(permit, "continuing after a pause point", PermitKind::Continue)
+    }
+
     /// Whether a person has permitted a wire that is not begun.
     pub(super) fn has_permitted_a_wire(&self) -> bool {
         let (kept, stops) = &self.questions.wire;

@@ -8,6 +8,8 @@ pub enum PermitKind {
     Wire,
     /// Moves by hand: homing, and arming for moves by hand.
     ByHand,
+    /// What follows a pause point of a wire, once.
+    Continue,
     /// Writing settings, once.
     Settings,
 }
@@ -17,6 +19,7 @@ impl fmt::Display for PermitKind {
         f.write_str(match self {
             Self::Wire => "bending a wire",
             Self::ByHand => "moves by hand",
+            Self::Continue => "continuing a wire after a pause point",
             Self::Settings => "writing settings",
         })
     }

@@ -3,6 +3,7 @@
 use wirebend_core::wireframe::{Delta, EdgeId, StaleDelta, VertexId};
 
 use super::ids::{Pin, PinTarget};
+use super::pause::PausePoint;
 use super::project::{Document, WireCount};
 use super::snapshot::ProfileSnapshot;
 use super::stencil::StencilSource;
@@ -114,6 +115,8 @@ parts! {
     walks, set_walks: Vec<Walk>,
     /// Remarks pinned to places.
     pins, set_pins: Vec<Pin>,
+    /// Where the machine waits for a person.
+    pauses, set_pauses: Vec<PausePoint>,
     /// Remarks on the whole.
     notes, set_notes: String,
     /// The unit that lengths are shown in.
@@ -133,13 +136,14 @@ impl DocumentChange {
         };
         let doublings = kept(&document.doublings, |id| !gone_edge(*id));
         let pins = kept(&document.pins, |pin| !gone(pin.on));
+        let pauses = kept(&document.pauses, |pause| !gone_vertex(pause.vertex));
         let start = document.start.filter(|id| gone_vertex(*id));
         let start = start.map(|id| Box::new(Replaced { before: Some(id), after: None }));
         // A walk without one of its edges is none, and what is left of the others is not the design.
         let is_broken = |walk: &Walk| gone_vertex(walk.start) || walk.edges.iter().any(|id| gone_edge(*id));
         let broken = document.walks.iter().any(is_broken);
         let walks = broken.then(|| Box::new(Replaced { before: document.walks.clone(), after: Vec::new() }));
-        Self { doublings, start, walks, pins, ..Self::of_wireframe(wireframe) }
+        Self { doublings, start, walks, pins, pauses, ..Self::of_wireframe(wireframe) }
     }
 }
 

@@ -9,6 +9,7 @@ use wirebend_core::wireframe::{Change, Delta, Edge, EdgeId, NextIds, Vertex, Ver
 use super::change::{DocumentChange, Replaced};
 use super::ids::{Pin, PinFile};
 use super::joint::JointFile;
+use super::pause::{PausePoint, PausePointFile};
 use super::project::WireCount;
 use super::snapshot::ProfileSnapshot;
 use super::stencil::{StencilFile, StencilSource};
@@ -62,6 +63,8 @@ struct ChangeFile {
     #[serde(skip_serializing_if = "Option::is_none")]
     pins: Option<[Vec<PinFile>; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    pauses: Option<[Vec<PausePointFile>; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     notes: Option<[String; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     units: Option<[LengthUnit; 2]>,
@@ -92,6 +95,7 @@ impl DocumentChange {
             reversed: pair(self.reversed.as_deref(), |reversed| *reversed),
             walks: pair(self.walks.as_deref(), |walks| walks.iter().map(WalkFile::from).collect()),
             pins: pair(self.pins.as_deref(), |pins| pins.iter().map(PinFile::from).collect()),
+            pauses: pair(self.pauses.as_deref(), |pauses| pauses.iter().map(PausePointFile::from).collect()),
             notes: pair(self.notes.as_deref(), Clone::clone),
             units: pair(self.units.as_deref(), |units| *units),
         };
@@ -128,6 +132,9 @@ impl DocumentChange {
             reversed: swap(file.reversed, |reversed| reversed),
             walks: swap(file.walks, |walks: Vec<WalkFile>| walks.into_iter().map(Walk::from).collect()),
             pins: swap(file.pins, |pins: Vec<PinFile>| pins.into_iter().map(Pin::from).collect()),
+            pauses: swap(file.pauses, |pauses: Vec<PausePointFile>| {
+                pauses.into_iter().map(PausePoint::from).collect()
+            }),
             notes: swap(file.notes, |notes| notes),
             units: swap(file.units, |units| units),
         })

@@ -8,6 +8,7 @@ use wirebend_core::units::{Angle, Length, NotFinite};
 use super::error::DocumentError;
 use super::hash::canonical_sha256;
 use super::layout;
+use super::pause::{JobPause, pause_note};
 use super::project::SourceFile;
 use super::snapshot::ProfileSnapshot;
 use super::version::History;
@@ -62,6 +63,9 @@ pub struct JobWire {
     /// Whether it was found by a search for a wire that hits nothing, and relies on the signs and head turns that were chosen.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub avoids_collisions: bool,
+    /// Steps after which the machine waits for a person, in order.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub pauses: Vec<JobPause>,
 }
 
 // Two other types have the same three values: core's `Step`, with units in its types, and the driver's, whose signs are the
@@ -200,6 +204,17 @@ impl JobContents {
             let covers = kept.spans.last().is_some_and(|span| span[1] == path - 1);
             if kept.spans.len() != steps || !joined || !covers {
                 return refuse("the steps run along all segments of the path, one after the other");
+            }
+            // None before the first step or after the last: a person is asked there in any case.
+            let inside = |pause: &JobPause| (1..steps).contains(&(pause.after as usize));
+            let ascending = kept.pauses.is_sorted_by(|one, next| one.after < next.after);
+            if !ascending || !kept.pauses.iter().all(inside) {
+                return refuse(
+                    "each pause point comes after another step of the wire, in order, and before its last",
+                );
+            }
+            if kept.pauses.iter().any(|pause| pause_note(&pause.note).is_none()) {
+                return refuse("each pause point says what to do");
             }
         }
         self.check_finite()

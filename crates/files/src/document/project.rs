@@ -13,6 +13,7 @@ use super::hash::canonical_sha256;
 use super::ids::{Pin, PinFile, PinTarget};
 use super::joint::JointFile;
 use super::layout;
+use super::pause::{PausePoint, PausePointFile};
 use super::snapshot::ProfileSnapshot;
 use super::stencil::{StencilFile, StencilSource};
 use super::version::History;
@@ -46,6 +47,8 @@ pub struct Document {
     pub walks: Vec<Walk>,
     /// Remarks pinned to vertices and edges.
     pub pins: Vec<Pin>,
+    /// Vertices at which the machine waits for a person.
+    pub pauses: Vec<PausePoint>,
     /// Remarks on the whole.
     pub notes: String,
     /// The unit that lengths are shown in; the file itself is in millimetres.
@@ -104,6 +107,9 @@ pub(crate) struct ProjectFile {
     /// Remarks on vertices and edges.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pins: Vec<PinFile>,
+    /// Vertices at which the machine waits for a person.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pauses: Vec<PausePointFile>,
     /// Remarks on the whole.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     notes: String,
@@ -230,6 +236,7 @@ impl Document {
             reversed: content.reversed,
             walks: content.walks.into_iter().map(Walk::from).collect(),
             pins: content.pins.into_iter().map(Pin::from).collect(),
+            pauses: content.pauses.into_iter().map(PausePoint::from).collect(),
             notes: content.notes,
             units: content.units,
             source: content.source,
@@ -269,7 +276,7 @@ impl Document {
     }
 
     /// The SHA-256 of the canonical form of what the wire is planned from: vertices, edges,
-    /// doublings and how the wires run. Remarks, stencil, machine and material do not change it.
+    /// doublings and how the wires run. Remarks, pause points, stencil, machine and material do not change it.
     ///
     /// # Errors
     /// [`DocumentError::Write`].
@@ -304,6 +311,7 @@ impl Document {
             reversed: self.reversed,
             walks: self.walks.iter().map(WalkFile::from).collect(),
             pins: self.pins.iter().map(PinFile::from).collect(),
+            pauses: self.pauses.iter().map(PausePointFile::from).collect(),
             notes: self.notes.clone(),
             units: self.units,
             source: self.source.clone(),
@@ -326,6 +334,9 @@ impl Document {
             if let Some(id) = walk.edges.iter().find(|id| self.wireframe.edge(**id).is_none()) {
                 return dangling("walks", format!("edge {id}"));
             }
+        }
+        if let Some(pause) = self.pauses.iter().find(|pause| self.wireframe.vertex(pause.vertex).is_none()) {
+            return dangling("pauses", format!("vertex {}", pause.vertex));
         }
         for pin in &self.pins {
             match pin.on {

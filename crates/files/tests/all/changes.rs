@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use wirebend_core::mesh::Stencil;
 use wirebend_core::wireframe::{EdgeId, Edit, MergeAt, Vertex, VertexId, Wireframe};
 use wirebend_files::document::{
-    Document, DocumentChange, Pin, PinTarget, ProfileSnapshot, StaleChange, StencilSource,
+    Document, DocumentChange, PausePoint, Pin, PinTarget, ProfileSnapshot, StaleChange, StencilSource,
 };
 use wirebend_files::read::LengthUnit;
 
@@ -23,8 +23,13 @@ fn square() -> Document {
         doublings: vec![EdgeId(0), EdgeId(2)],
         start: Some(VertexId(2)),
         pins: vec![pin(PinTarget::Vertex(VertexId(2)), "here"), pin(PinTarget::Edge(EdgeId(3)), "zurück\n")],
+        pauses: [1, 2].map(pause).to_vec(),
         ..Document::new(wireframe)
     }
+}
+
+fn pause(vertex: u32) -> PausePoint {
+    PausePoint { vertex: VertexId(vertex), pass: 1.try_into().unwrap(), note: "clip the joint".into() }
 }
 
 fn delete(document: &Document, vertices: &[u32]) -> DocumentChange {
@@ -40,6 +45,7 @@ fn what_points_at_a_vertex_goes_with_it_and_comes_back_with_it() {
     document.commit(&change).unwrap();
     assert_eq!((document.start, &document.doublings[..]), (None, &[EdgeId(0)][..]));
     assert_eq!(document.pins, before.pins[1..]);
+    assert_eq!(document.pauses, [pause(1)]);
     // The file opens: nothing points nowhere.
     let bytes = document.to_bytes().unwrap();
     assert_eq!(Document::open(&bytes, "a.wirebend").unwrap(), document);

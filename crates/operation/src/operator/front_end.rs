@@ -1,5 +1,7 @@
 //! What the commands report and ask goes through what both threads share: the state follows from it, and a person answers.
 
+use std::time::Duration;
+
 use wirebend_driver_host::{Snapshot, StopHandle};
 
 use super::event::OperatorEvent;
@@ -51,6 +53,20 @@ impl Prompt for Shared {
         }
     }
 
+    fn confirm_pause(&self, question: &str, look: &mut dyn FnMut() -> bool) -> Option<bool> {
+        self.ask(QuestionKind::Pause, None, question, None);
+        loop {
+            if let Some(answer) = self.answered(Some(Duration::ZERO)) {
+                return Some(answer == Answer::Yes);
+            }
+            // It waits a moment where there is nothing new.
+            if !look() {
+                self.close_question();
+                return None;
+            }
+        }
+    }
+
     fn decide(&self, doubt: &Doubt) -> Option<Decision> {
         let question = "Look at the wire: how much of this step was done?";
         self.ask(QuestionKind::Doubt, Some(vec![doubt.to_string()]), question, Some(doubt.clone()));
@@ -91,7 +107,6 @@ impl Cancellation for Shared {
 #[cfg(test)]
 mod tests {
     use std::sync::Arc;
-    use std::time::Duration;
 
     use super::*;
     use crate::operator::MachineState;

@@ -43,6 +43,8 @@ pub enum QuestionKind {
     /// Whether a machine that holds, or a wire that was interrupted, may resume.
     #[serde(rename = "go-on")]
     Resume,
+    /// Whether what is to be done at a pause point is done, and the machine may go on.
+    Pause,
     /// Whether a step was done.
     Doubt,
     /// Whether what was said of an interrupted wire before is so.

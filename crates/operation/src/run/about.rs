@@ -10,6 +10,7 @@ use crate::OperationError;
 use crate::live::Connection;
 use wirebend_planning::job::JobCollisions;
 use wirebend_planning::machine::planned_despite;
+use wirebend_planning::pauses;
 use wirebend_planning::report::shown_deg;
 use wirebend_planning::text::shown;
 
@@ -42,6 +43,7 @@ pub fn about(
     let time = if anew { format!("; {} on the machine", minutes(seconds)) } else { String::new() };
     lines.push(format!("{which}: {steps}, {bends}, {:.1} fed{time}", Mm(fed)));
     lines.extend(begins.into_iter().flatten());
+    lines.extend(pauses::lines(if anew { task.pauses(wire) } else { &[] }));
     if connection.wire_used {
         let what = if anew {
             "wire was fed or bent by hand before: put in new wire, or cut off what sticks out of the nozzle"

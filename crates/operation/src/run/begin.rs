@@ -124,7 +124,7 @@ impl Task<'_> {
                 Err(error) => return (None, Err(LiveProblem::from(error).into())),
             };
             let (watch, steps) = (Watch::default(), self.step_watch(wire));
-            let making = Making { task: self, wire, id, homes, run, watch, steps };
+            let making = Making { task: self, wire, id, homes, run, watch, steps, past_pause: None };
             making.go(observer, permit, response)
         })
     }

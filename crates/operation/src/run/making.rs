@@ -30,6 +30,8 @@ pub(super) struct Making<'t, 'a> {
     pub run: JobRun,
     pub watch: Watch,
     pub steps: StepWatch,
+    /// The step after which the wire stands at a pause point of which a person was told before they said that it resumes.
+    pub past_pause: Option<u32>,
 }
 
 /// Whether the program has watched the machine all the time. By the time of day, since that runs on while the
@@ -60,11 +62,11 @@ impl Watch {
 
 /// What was heard besides what the journal has.
 #[derive(Default)]
-struct Heard {
+pub(super) struct Heard {
     stopped_by: Option<StoppedBy>,
     fault: Option<ProblemReport>,
     /// Why it was stopped without a request.
-    held: Option<ProblemReport>,
+    pub held: Option<ProblemReport>,
     corners_mm: Vec<[f64; 3]>,
 }
 
@@ -151,7 +153,11 @@ impl Making<'_, '_> {
             _ => {}
         }
         observer.progress.stage("bending the wire");
-        self.run.start(permit).map_err(LiveProblem::from)?;
+        let started = match self.past_pause {
+            Some(after) => self.run.start_past_pause(permit, after),
+            None => self.run.start(permit),
+        };
+        started.map_err(LiveProblem::from)?;
         observer.publish(self.run.session());
         if let Some(position) = self.run.session().snapshot().position {
             self.steps.position(self.task.setup.signs.canonical(position));
@@ -179,7 +185,10 @@ impl Making<'_, '_> {
             if let Some(wish) = observer.progress.wish() {
                 self.grant(wish, observer);
             }
-            let hold = self.look(observer, heard)?;
+            let hold = match self.look(observer, heard)? {
+                None => self.ask_at_pause(observer, heard)?,
+                hold => hold,
+            };
             match hold {
                 Some(PausedBy::Silence) => self.resume_held(observer, self.watch.was_away())?,
                 Some(PausedBy::Machine) => self.resume_held(observer, true)?,
@@ -204,7 +213,7 @@ impl Making<'_, '_> {
     }
 
     /// Lets the loop take one turn; why the machine holds, if it has begun to.
-    fn look(
+    pub(super) fn look(
         &mut self,
         observer: &mut MachineObserver,
         heard: &mut Heard,

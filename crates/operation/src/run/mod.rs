@@ -5,6 +5,7 @@ mod begin;
 mod doubt;
 mod interrupted;
 mod making;
+mod pausing;
 mod report;
 mod resume;
 mod stale;

@@ -5,6 +5,8 @@ use std::time::Instant;
 use wirebend_driver_host::jobs::{JobRun, Journal, Piece, Resume, Settled};
 use wirebend_driver_host::{Permit, PermitKind, Standstill};
 use wirebend_error::InputName;
+use wirebend_files::document::JobPause;
+use wirebend_planning::pauses;
 
 use super::about::{about, first};
 use super::doubt::{is_settled, said_before};
@@ -71,6 +73,9 @@ impl Task<'_> {
         if let Some(Piece { number, of }) = journal.state().heading.piece {
             lines.push(format!("it is piece {number} of {of}; those after it are ordered anew"));
         }
+        let ahead = |pause: &&JobPause| pause.after > journal.state().done;
+        let ahead: Vec<JobPause> = self.pauses(wire).iter().filter(ahead).cloned().collect();
+        lines.extend(pauses::lines(&ahead));
         let begun_at = &journal.state().heading.port;
         if *begun_at != connection.port {
             lines.push(format!("it was begun at {begun_at}"));
@@ -83,7 +88,7 @@ impl Task<'_> {
                 Err(error) => return (None, Err(LiveProblem::from(error).into())),
             };
             let (watch, steps) = (Watch::default(), self.step_watch(wire));
-            let mut making = Making { task: self, wire, id, homes, run, watch, steps };
+            let mut making = Making { task: self, wire, id, homes, run, watch, steps, past_pause: None };
             match self.settle(&mut making, lines, decided) {
                 Ok(Settling::Resume(permit)) => making.go(observer, permit, response),
                 Ok(Settling::Nothing(made)) => {
@@ -136,6 +141,7 @@ impl Task<'_> {
                         "the machine still is in this wire: of its steps {done} {} done; it resumes at step {from} without homing",
                         if done == 1 { "is" } else { "are" }
                     ));
+                    lines.extend(making.stands_at_pause(done));
                     break self.ask_again(making, lines)?;
                 }
                 (Resume::Arm { from }, None) => {
@@ -145,6 +151,7 @@ impl Task<'_> {
                         if from == 2 { "is" } else { "are" }
                     ));
                     lines.extend(self.rest_of(making, from)?);
+                    lines.extend(making.stands_at_pause(from - 1));
                     if making.homes {
                         let reference = making.run.session().reference();
                         lines.push(first(reference, "see that the wire is out of the way of the bend axis"));

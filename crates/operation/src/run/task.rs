@@ -8,7 +8,7 @@ use wirebend_driver_host::jobs::{
     Clock, Entry, EntryKind, Heading, Journal, JournalError, Record, SystemClock, WireJob,
 };
 use wirebend_error::{InputName, RunTarget};
-use wirebend_files::document::{Job, JobStep, JobWire};
+use wirebend_files::document::{Job, JobPause, JobStep, JobWire};
 
 use super::interrupted::Interrupted;
 use super::report::{RunOutcome, RunResponse, WireRun};
@@ -79,6 +79,11 @@ impl<'a> Task<'a> {
         let count = self.job.contents().wires.len();
         let wire = self.job.contents().wires.get(index);
         wire.ok_or_else(|| LiveProblem::NoWire { wire: index, count }.into())
+    }
+
+    /// Where the machine waits for a person in a wire.
+    pub fn pauses(&self, wire: usize) -> &[JobPause] {
+        self.job.contents().wires.get(wire).map(|wire| wire.pauses.as_slice()).unwrap_or_default()
     }
 
     /// A wire for the machine that is connected: in the time that it takes there.

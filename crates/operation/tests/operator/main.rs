@@ -20,6 +20,7 @@ mod faults;
 #[allow(dead_code)] // the driver's own tests use the rest
 mod grbl_model;
 mod hand;
+mod pauses;
 mod shop;
 mod stops;
 #[cfg(target_os = "linux")]

@@ -11,6 +11,7 @@ use wirebend_operation::{
     Answer, Answers, ConnectRequest, Decided, MachineState, OperationError, Operator, OperatorEvent, Order,
     Phase, Question, Record, Repeat, RunHow, RunRequest, RunResponse,
 };
+use wirebend_planning::pauses::StepPause;
 use wirebend_planning::plan::PlanRequest;
 use wirebend_planning::{DesignInput, DriverFolders, Input, Installation, NoProgress, PlanChoices};
 
@@ -88,11 +89,23 @@ impl Shop {
     }
 
     pub fn job(&self, example: &str, machine: &str) -> Input {
+        self.pausing(example, machine, Vec::new())
+    }
+
+    /// A job with pause points.
+    pub fn pausing(&self, example: &str, machine: &str, pauses: Vec<StepPause>) -> Input {
         let design = DesignInput::file(root().join("examples").join(example));
         let choices =
             PlanChoices { machine: Some(machine.to_owned()), double: true, ..PlanChoices::default() };
-        let request =
-            PlanRequest { design, choices, output: None, make_job: true, sag: false, despite_errors: false };
+        let request = PlanRequest {
+            design,
+            choices,
+            output: None,
+            make_job: true,
+            pauses,
+            sag: false,
+            despite_errors: false,
+        };
         let planned = wirebend_planning::plan::plan(&self.app, &request, &NoProgress).unwrap();
         Input::Bytes { name: "a.wbjob".to_owned(), bytes: planned.contents }
     }

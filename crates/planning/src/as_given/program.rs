@@ -110,6 +110,7 @@ fn of_program(name: &str, bytes: &[u8], opened: &Opened, setup: &Setup) -> Resul
         time_s: setup.model.time.seconds(&commanded),
         compensated: commanded.steps().iter().copied().map(JobStep::from).collect(),
         avoids_collisions: false,
+        pauses: Vec::new(),
     };
     let snapshot = |id: &str, value| ProfileSnapshot { id: id.to_owned(), snapshot: value };
     let sha256 = sha256_hex(bytes);

@@ -9,23 +9,26 @@ use wirebend_core::route::{Doubling, Route};
 use wirebend_core::schedule::ScheduledProgram;
 use wirebend_core::units::{Angle, Length};
 use wirebend_core::wireframe::{Component, Vertex, VertexId, Wireframe};
-use wirebend_files::document::{Job, JobWire};
+use wirebend_files::document::{Job, JobPause, JobWire};
 
 use crate::PlanningError;
 use crate::machine::{Setup, kept_steps};
+use crate::pauses;
 use crate::playback::{PlayedWire, played};
 use crate::report::{DiagnosticReport, PlanReport, WireReport};
 
 /// The wires of a job, each with the stages that the job has kept.
 pub struct GivenWires {
     wires: Vec<(Wireframe, WirePlan)>,
+    pauses: Vec<Vec<JobPause>>,
 }
 
 impl GivenWires {
     /// `name`: of the job, for errors; `setup`: its machine and material.
     pub fn of(name: &str, job: &Job, setup: &Setup) -> Result<Self, PlanningError> {
-        let wires = job.contents().wires.iter().map(|wire| given(name, wire, setup));
-        Ok(Self { wires: wires.collect::<Result<_, _>>()? })
+        let kept = &job.contents().wires;
+        let wires = kept.iter().map(|wire| given(name, wire, setup)).collect::<Result<_, _>>()?;
+        Ok(Self { wires, pauses: kept.iter().map(|wire| wire.pauses.clone()).collect() })
     }
 
     /// The wires as they are played. Their vertices and edges are those of no open design.
@@ -35,6 +38,9 @@ impl GivenWires {
             self.wires.iter().filter_map(|(_, plan)| played(plan, &setup.model.time)).collect();
         for step in wires.iter_mut().flat_map(|wire| &mut wire.steps) {
             (step.vertex, step.edges) = (None, Vec::new());
+        }
+        for (wire, pauses) in wires.iter_mut().zip(&self.pauses) {
+            pauses::show(pauses, wire);
         }
         wires
     }

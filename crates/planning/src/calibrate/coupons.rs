@@ -266,6 +266,7 @@ fn job_wire(
         stock_mm: stock(&wire.commanded, setup.model.limits.tail.value).mm(),
         time_s: setup.model.time.seconds(&wire.commanded),
         avoids_collisions: false,
+        pauses: Vec::new(),
     })
 }
 

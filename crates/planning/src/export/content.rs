@@ -108,14 +108,15 @@ impl Content {
         let wires = planned
             .wires
             .iter()
-            .map(|plan| Wire {
+            .zip(&planned.pauses.wires)
+            .map(|(plan, pauses)| Wire {
                 // Without a route the edges themselves can be drawn, but nothing can be followed.
                 path: plan.path.clone(),
                 nominal: plan.nominal.as_ref().map(|program| program.steps.clone()).unwrap_or_default(),
                 compensated: plan.compensated.as_ref().map(|program| program.steps().to_vec()),
                 stock_mm: plan.stock.map(Length::mm),
                 time_s: plan.seconds,
-                kept: job_wire(plan),
+                kept: job_wire(plan, pauses),
                 doubled: plan.route.as_ref().map_or_else(Vec::new, |route| {
                     passed_twice(&route.traversals.iter().map(|t| t.edge).collect::<Vec<_>>())
                 }),

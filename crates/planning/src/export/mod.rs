@@ -86,6 +86,9 @@ pub fn export(
     }
     let not_carried = not_carried::note(app, &content, &chosen);
     content.notes.extend(not_carried);
+    if chosen.is_program() || chosen.is_of_design() {
+        content.notes.extend(pauses_not_carried(&content, chosen.id()));
+    }
     let (format, driver) = (chosen.id().to_owned(), chosen.driver_id().map(str::to_owned));
     let contents = match chosen {
         Chosen::BuiltIn(format) => {
@@ -131,6 +134,21 @@ fn head_left_turned(content: &Content) -> Option<NoteReport> {
         message: format!(
             "the head ends {} from its start: turn it back before the next wire",
             left.join(", ")
+        ),
+        remedies: Vec::new(),
+    })
+}
+
+/// A file of a machine's program has no place for pause points: they are kept by who sends the steps.
+fn pauses_not_carried(content: &Content, format: &str) -> Option<NoteReport> {
+    let kept = content.wires.iter().filter_map(|wire| wire.kept.as_ref());
+    let count: usize = kept.map(|wire| wire.pauses.len()).sum();
+    (count > 0).then(|| NoteReport {
+        code: "pauses-not-carried".into(),
+        count,
+        message: format!(
+            "{} left out: {format} cannot say where the machine waits for a person; it does where the job is run",
+            if count == 1 { "1 pause point is".to_owned() } else { format!("{count} pause points are") }
         ),
         remedies: Vec::new(),
     })

@@ -9,6 +9,7 @@ use super::joints;
 use super::print::{Print, letters_replaced};
 use crate::job::JobCollisions;
 use crate::machine::Setup;
+use crate::pauses;
 use crate::report::{DiagnosticReport, PlanReport, SeverityName};
 use crate::text;
 
@@ -34,7 +35,7 @@ fn sheet(content: &Content, print: &Print) -> JobSheet {
         joints: joints::lines(&content.joints),
         findings: content.report.as_deref().map(findings).unwrap_or_default(),
         collisions: collisions(content),
-        notes: content.notes.iter().map(|note| note.message.clone()).collect(),
+        notes: content.notes.iter().map(|note| note.message.clone()).chain(pauses(content)).collect(),
         paper: print.paper,
     }
 }
@@ -59,6 +60,19 @@ fn collisions(content: &Content) -> Vec<String> {
         lines.into_iter().map(move |line| sentence(&format!("{of}{line}"))).collect::<Vec<_>>()
     };
     content.wires.iter().enumerate().flat_map(of_wire).collect()
+}
+
+/// Where the machine waits for a person.
+fn pauses(content: &Content) -> impl Iterator<Item = String> {
+    let several = content.wires.len() > 1;
+    let of_wire = move |(index, wire): (usize, &Wire)| {
+        let pauses = wire.kept.as_ref().map(|kept| kept.pauses.clone()).unwrap_or_default();
+        let of = if several { format!("wire {}: ", index + 1) } else { String::new() };
+        let lines: Vec<String> =
+            pauses::lines(&pauses).map(|line| sentence(&format!("{of}{line}"))).collect();
+        lines
+    };
+    content.wires.iter().enumerate().flat_map(of_wire)
 }
 
 /// A line of a list as a sentence.

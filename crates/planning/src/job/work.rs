@@ -4,9 +4,9 @@ use std::time::Duration;
 
 use wirebend_core::compensate::CompensatedProgram;
 use wirebend_driver_host::api::{self, Bench, BenchBender, BenchWire};
-use wirebend_driver_host::jobs::WireJob;
+use wirebend_driver_host::jobs::{PauseAfter, WireJob};
 use wirebend_driver_host::{HostError, OpenDriver};
-use wirebend_files::document::{Job, JobWire};
+use wirebend_files::document::{Job, JobPause, JobWire};
 use wirebend_profile::{BendFigures, MachineProfile};
 
 use crate::machine::{Setup, kept_steps};
@@ -41,7 +41,9 @@ pub fn work(setup: &Setup, job: &Job, name: &str, index: usize) -> Result<WireJo
         bench: bench(setup)?.map(Box::new),
         ..api::Run::default()
     };
-    Ok(WireJob { run, steps, estimates: estimates(setup, wire)? })
+    let pause = |JobPause { after, note }: &JobPause| PauseAfter { after: *after, note: note.clone() };
+    let pauses = wire.pauses.iter().map(pause).collect();
+    Ok(WireJob { run, steps, estimates: estimates(setup, wire)?, pauses })
 }
 
 /// How long each step takes by the machine's time model.

@@ -15,13 +15,14 @@ use wirebend_core::plan::{PlanOptions, WirePlan, plan_wires};
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::{Component, VertexId};
 use wirebend_error::{ErrorRemedy, InputName};
-use wirebend_files::document::{Job, JobContents, JobStep, JobWire, ProfileSnapshot};
+use wirebend_files::document::{Job, JobContents, JobPause, JobStep, JobWire, ProfileSnapshot};
 
 use crate::choices::PlanChoices;
 use crate::contacts::collision_margin;
 use crate::design::{DesignInput, Opened};
 use crate::machine::Setup;
 use crate::output::Output;
+use crate::pauses::{PlannedPauses, StepPause};
 use crate::report::{DiagnosticReport, NoteReport, PlanReport, SagReport, WireReport};
 use crate::stage::StageName;
 use crate::{Installation, PlanningError, Progress, text};
@@ -46,6 +47,9 @@ pub struct PlanRequest {
     /// Whether to return the job, where it does not go to a file.
     #[serde(default)]
     pub make_job: bool,
+    /// Steps after which the machine waits for a person, besides the pause points of the design.
+    #[serde(default)]
+    pub pauses: Vec<StepPause>,
     /// Whether to work out how far the part already bent sags under its own weight.
     #[serde(default)]
     pub sag: bool,
@@ -98,6 +102,8 @@ pub struct Planned {
     pub timings: Vec<BTreeMap<&'static str, f64>>,
     /// What the checks say of the design as a whole.
     pub design: Vec<Diagnostic>,
+    /// Where the machine waits for a person.
+    pub pauses: PlannedPauses,
 }
 
 impl Installation {
@@ -200,12 +206,14 @@ impl Installation {
         }
         progress.advance(bent.len() as u64, bent.len() as u64);
         opened.notes.extend(replaced.notes());
+        let pauses = PlannedPauses::of(&opened.document.pauses, &wires);
+        opened.notes.extend(pauses.notes());
         // Of a single wire, everything is said with it.
         if let [wire] = wires.as_mut_slice() {
             wire.diagnostics.append(&mut design);
             wire.diagnostics.sort_by_key(|diagnostic| diagnostic.severity);
         }
-        Ok(Planned { opened, setup, components: components.len(), wires, timings, design })
+        Ok(Planned { opened, setup, components: components.len(), wires, timings, design, pauses })
     }
 }
 
@@ -263,7 +271,8 @@ impl Planned {
 
     /// The job, or `None` where some wire was not compensated.
     pub fn job(&self) -> Result<Option<Job>, PlanningError> {
-        let Some(wires) = self.wires.iter().map(job_wire).collect::<Option<Vec<_>>>() else {
+        let wires = self.wires.iter().zip(&self.pauses.wires).map(|(plan, pauses)| job_wire(plan, pauses));
+        let Some(wires) = wires.collect::<Option<Vec<_>>>() else {
             return Ok(None);
         };
         if wires.is_empty() {
@@ -281,7 +290,7 @@ impl Planned {
     }
 }
 
-pub(crate) fn job_wire(plan: &WirePlan) -> Option<JobWire> {
+pub(crate) fn job_wire(plan: &WirePlan, pauses: &[JobPause]) -> Option<JobWire> {
     let (route, nominal) = (plan.route.as_ref()?, plan.nominal.as_ref()?);
     let (scheduled, compensated) = (plan.scheduled.as_ref()?, plan.compensated.as_ref()?);
     let steps = |steps: &[wirebend_core::bend::Step]| steps.iter().copied().map(JobStep::from).collect();
@@ -295,6 +304,7 @@ pub(crate) fn job_wire(plan: &WirePlan) -> Option<JobWire> {
         stock_mm: plan.stock?.mm(),
         time_s: plan.seconds?,
         avoids_collisions: plan.searched.is_some_and(|searched| searched.found),
+        pauses: pauses.to_vec(),
     })
 }
 
@@ -329,6 +339,7 @@ pub fn plan(
     let opened = app.designed(request.design.open(progress)?, &request.choices)?.with_wireframe()?;
     let read_ms = started.elapsed().as_secs_f64() * 1000.0;
     let mut planned = app.plan_design(opened, &request.choices, progress)?;
+    planned.pauses = planned.pauses.and(&request.pauses, &planned.wires)?;
     if let Some(first) = planned.timings.first_mut() {
         first.insert("read", read_ms);
     }

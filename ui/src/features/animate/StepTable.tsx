@@ -81,6 +81,7 @@ export function StepTable() {
             >
               <span className="step-number" aria-hidden="true">
                 {row.number}
+                {one.steps[index]?.pause && <span className="step-pause" title={`Pause: ${one.steps[index]?.pause}`} />}
                 <StepHits hits={hitsOf(index)} />
               </span>
               <span className="step-edge" title={row.edges.all} aria-hidden="true">

@@ -17,6 +17,8 @@ const wire: PlayedWire = {
       seconds: [0.3, 0, 14.9, 5],
       vertex: 1,
       edges: [0],
+      place: { vertex: 1, pass: 1 },
+      pause: "turn the part",
       pose,
       moments: [],
     },
@@ -26,6 +28,8 @@ const wire: PlayedWire = {
       seconds: [0.3, 0, 0, 0],
       vertex: 2,
       edges: [1],
+      place: null,
+      pause: null,
       pose,
       moments: [],
     },
@@ -62,7 +66,9 @@ describe("stepRow", () => {
 
 describe("spoken", () => {
   it("names what moves", () => {
-    expect(spoken(wire, 0, (mm) => `${mm} mm`)).toBe("step 1 of 2: feed 35 mm along edge 0, bend −90.0°");
+    expect(spoken(wire, 0, (mm) => `${mm} mm`)).toBe(
+      "step 1 of 2: feed 35 mm along edge 0, bend −90.0°; then pause: turn the part",
+    );
   });
 });
 

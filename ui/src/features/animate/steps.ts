@@ -64,7 +64,8 @@ export function spoken(wire: PlayedWire, index: number, shown: (mm: number) => s
   const parts = [`feed ${shown(feed_mm)}${along}`];
   if (Math.abs(rotate_deg) >= 0.05) parts.push(`rotate ${angle(rotate_deg)}`);
   if (Math.abs(bend_deg) >= 0.05) parts.push(`bend ${angle(bend_deg)}`);
-  return `step ${index + 1} of ${wire.steps.length}: ${parts.join(", ")}`;
+  const pause = step.pause === null ? "" : `; then pause: ${step.pause}`;
+  return `step ${index + 1} of ${wire.steps.length}: ${parts.join(", ")}${pause}`;
 }
 
 /** Steps that a diagnostic names, collisions aside, each once, ascending. Only for a design of one wire is it known whose steps they are. */

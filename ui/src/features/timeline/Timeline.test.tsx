@@ -21,6 +21,8 @@ const step: PlayedWire["steps"][number] = {
   seconds: [1, 0, 0, 0],
   vertex: null,
   edges: [],
+  place: null,
+  pause: null,
   pose: { turn: [0, 0, 0, 1], bend_axis: [0, 0, 1], bend_deg: 0 },
   moments: [],
 };
@@ -45,6 +47,7 @@ it("says that the view shows moves by hand, and goes back from there", () => {
       material: "al",
       wires: [wire],
       without: 0,
+      left_out: [],
     },
   });
   at.show(<Timeline />);

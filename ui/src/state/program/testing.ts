@@ -16,6 +16,8 @@ const step = (feed: number, bend: number): PlayedWire["steps"][number] => ({
   seconds: [1, 0, 4, 1],
   vertex: null,
   edges: [],
+  place: null,
+  pause: null,
   pose,
   moments: [BEGIN, { at: 0.5, fed: 1, bent: 1, head_deg: 0, bend_axis_deg: bend + 20, peg_out: 1 }],
 });
@@ -39,6 +41,7 @@ export const program: ProgramResponse = {
   material: "al",
   wires: [wire],
   without: 0,
+  left_out: [],
 };
 export const view = { id: "kit", shapes: [], pivot_mm: [12, 0, 0], peg_top_mm: 9 } as unknown as MachineViewResponse;
 export const made: MadeResponse = {

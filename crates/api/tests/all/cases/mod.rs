@@ -75,6 +75,7 @@ impl Case {
             choices: self.choices(machine),
             output: None,
             make_job: true,
+            pauses: Vec::new(),
             sag: false,
             despite_errors: true,
         };

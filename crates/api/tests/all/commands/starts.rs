@@ -25,8 +25,15 @@ fn planned(design: DesignInput, start: u32) -> PlanResponse {
         start: Some(start),
         ..PlanChoices::default()
     };
-    let request =
-        PlanRequest { design, choices, output: None, make_job: false, sag: false, despite_errors: false };
+    let request = PlanRequest {
+        design,
+        choices,
+        output: None,
+        make_job: false,
+        pauses: Vec::new(),
+        sag: false,
+        despite_errors: false,
+    };
     match Command::Plan(request).run(&Installation::new(&[]).unwrap(), &NoProgress).unwrap() {
         Response::Plan(found) => *found,
         other => panic!("a plan answered {other:?}"),
@@ -106,6 +113,7 @@ fn a_start_that_does_not_fit_says_what_doubling_would_add() {
         },
         output: None,
         make_job: false,
+        pauses: Vec::new(),
         sag: false,
         despite_errors: false,
     };

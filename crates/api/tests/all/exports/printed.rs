@@ -37,6 +37,7 @@ fn designed(case: &Case) -> Vec<Vec<Step>> {
         choices: case.choices(MACHINE),
         output: None,
         make_job,
+        pauses: Vec::new(),
         sag: false,
         despite_errors,
     };
@@ -126,6 +127,7 @@ fn a_job_is_printed_like_its_design() {
         choices: case.choices(MACHINE),
         output: None,
         make_job: true,
+        pauses: Vec::new(),
         sag: false,
         despite_errors: false,
     };

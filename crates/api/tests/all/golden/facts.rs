@@ -46,6 +46,7 @@ impl Case {
             choices: self.choices(machine),
             output: None,
             make_job: false,
+            pauses: Vec::new(),
             sag: false,
             despite_errors: true,
         };

@@ -2,6 +2,7 @@
 
 mod ending;
 mod in_doubt;
+mod pausing;
 mod send_window;
 
 use std::time::Duration;

@@ -48,7 +48,7 @@ impl JobRun {
         let in_hand = sent.saturating_sub(done);
         // A driver that has nothing in hand takes a step, whatever it said of its room.
         let room = self.window.room.map_or(WINDOW, |room| room.max(u32::from(in_hand == 0)));
-        let count = room.min(WINDOW.saturating_sub(in_hand)).min(total - sent);
+        let count = room.min(WINDOW.saturating_sub(in_hand)).min(self.last_to_send() - sent);
         let at_end = sent == total;
         if self.window.halted || self.window.ended || (count == 0 && !at_end) {
             return Ok(());

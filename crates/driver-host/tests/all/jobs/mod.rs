@@ -3,6 +3,7 @@
 #![cfg(unix)] // the driver that misbehaves is
 
 mod part;
+mod pausing;
 mod record;
 pub(crate) mod shop;
 

@@ -1,11 +1,15 @@
 //! Jobs come back as they were, and what was changed or does not fit together is refused.
 
 use expect_test::expect;
-use wirebend_files::document::{DocumentError, Job, JobContents, JobStep, JobWire};
+use wirebend_files::document::{DocumentError, Job, JobContents, JobPause, JobStep, JobWire};
 use wirebend_files::read::{ReadOptions, read};
 
 use super::super::step;
 use super::example;
+
+fn pause(after: u32, note: &str) -> JobPause {
+    JobPause { after, note: note.to_owned() }
+}
 
 pub(super) fn example_job() -> JobContents {
     let steps: Vec<JobStep> =
@@ -24,6 +28,7 @@ pub(super) fn example_job() -> JobContents {
             stock_mm: 460.0,
             time_s: 91.5,
             avoids_collisions: false,
+            pauses: vec![pause(2, "turn the part")],
         }],
         objections: vec!["edge 1 is too short".into()],
         program: None,
@@ -32,7 +37,7 @@ pub(super) fn example_job() -> JobContents {
 
 #[test]
 fn a_job_whose_stages_do_not_fit_each_other_is_refused() {
-    let cases: [fn(&mut JobWire); 6] = [
+    let cases: [fn(&mut JobWire); 10] = [
         |wire| wire.path_mm.truncate(3),
         |wire| wire.compensated.truncate(2),
         |wire| wire.spans[2] = [2, 9],
@@ -43,6 +48,11 @@ fn a_job_whose_stages_do_not_fit_each_other_is_refused() {
                 stage.clear();
             }
         },
+        // Before the wire begins and after its end a person is asked in any case.
+        |wire| wire.pauses[0].after = 0,
+        |wire| wire.pauses[0].after = 3,
+        |wire| wire.pauses.push(pause(1, "clip the joint")),
+        |wire| wire.pauses[0].note = " ".to_owned(),
     ];
     for damage in cases {
         let mut contents = example_job();
@@ -70,6 +80,7 @@ fn a_job_comes_back_as_it_was_and_only_so() {
     assert!(matches!(refused(&text.replace("\"hash\"", "\"hush\"")), DocumentError::Json { .. }));
     expect!["a.wbjob: its version 9 is newer than 1, the newest known here"]
         .assert_eq(&refused(&text.replace("\"version\": 1", "\"version\": 9")).to_string());
+    assert!(matches!(refused(&text.replace("turn the part", "turn it")), DocumentError::Changed { .. }));
     let error = read(text.as_bytes(), "a.wbjob", None, &ReadOptions::default()).unwrap_err();
     assert_eq!(error.code(), "document-wrong-format", "a job is no wireframe: {error}");
 }
@@ -79,4 +90,15 @@ fn a_job_with_a_number_that_is_none_is_not_sealed() {
     let mut contents = example_job();
     contents.wires[0].compensated[1].bend_deg = f64::NAN;
     assert_eq!(Job::seal(contents).unwrap_err().code(), "document-not-finite");
+}
+
+/// Jobs of before have no pause points, and keep their hash.
+#[test]
+fn a_job_without_pause_points_says_nothing_of_them() {
+    let mut contents = example_job();
+    contents.wires[0].pauses.clear();
+    let job = Job::seal(contents).unwrap();
+    let text = String::from_utf8(job.to_bytes().unwrap()).unwrap();
+    assert!(!text.contains("pauses"));
+    assert_eq!(Job::open(text.as_bytes(), "a.wbjob").unwrap(), job);
 }

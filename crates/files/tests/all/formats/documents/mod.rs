@@ -14,7 +14,8 @@ use wirebend_core::mesh::Stencil;
 use wirebend_core::wireframe::{Edge, EdgeId, Joint, JointKind, NextIds, Vertex, VertexId, Wireframe};
 use wirebend_error::ErrorRemedy;
 use wirebend_files::document::{
-    Document, Job, Pin, PinTarget, ProfileSnapshot, SourceFile, StencilSource, Walk, WireCount, sha256_hex,
+    Document, Job, PausePoint, Pin, PinTarget, ProfileSnapshot, SourceFile, StencilSource, Walk, WireCount,
+    sha256_hex,
 };
 use wirebend_files::read::{Format, LengthUnit, ReadOptions, read};
 
@@ -47,6 +48,7 @@ fn example() -> Document {
             Pin { on: PinTarget::Vertex(a), text: "hold here".into() },
             Pin { on: PinTarget::Edge(edge), text: String::new() },
         ],
+        pauses: vec![PausePoint { vertex: b, pass: 2.try_into().unwrap(), note: "turn the part".into() }],
         notes: "two\nlines".into(),
         units: LengthUnit::Inch,
         source: Some(SourceFile { file: "frame.obj".into(), sha256: sha256_hex(b"x") }),
@@ -104,6 +106,13 @@ fn a_document_is_laid_out_for_people() {
             {
               "on": {"edge": 0},
               "text": ""
+            }
+          ],
+          "pauses": [
+            {
+              "vertex": 1,
+              "pass": 2,
+              "note": "turn the part"
             }
           ],
           "notes": "two\nlines",
@@ -196,6 +205,9 @@ fn what_is_no_document_is_refused_with_advice() {
         with("\"start\": 1", "\"start\": 3"),
         with("\"vertex\": 0", "\"vertex\": 3"),
         with("\"edge\": 0", "\"edge\": 3"),
+        with("\"vertex\": 1", "\"vertex\": 3"),
+        with("\"pass\": 2", "\"pass\": 0"),
+        with("turn the part", " "),
         with("\"doublings\": [\n    0", "\"doublings\": [\n    5"),
         with("\"wires\": 3", "\"wires\": 0"),
         with("\"wires\": 3", "\"wires\": 3,\n  \"closed\": true"),
@@ -205,13 +217,16 @@ fn what_is_no_document_is_refused_with_advice() {
         document-newer: a.wirebend: its version 2 is newer than 1, the newest known here [UpdateProgram]
         document-no-such-version: a.wirebend: there is no version 0 of this format: the file is damaged [UseLastCopy]
         document-wrong-format: a.wirebend: this is a "wbjob" file, expected "wirebend" [OpenAsItIs]
-        document-json: a.wirebend, line 28, column 12: unknown field `doubling`, expected one of `format`, `version`, `wireframe`, `stencil`, `machine`, `material`, `doublings`, `start`, `wires`, `closed`, `reversed`, `walks`, `pins`, `notes`, `units`, `source` [UseLastCopy]
+        document-json: a.wirebend, line 28, column 12: unknown field `doubling`, expected one of `format`, `version`, `wireframe`, `stencil`, `machine`, `material`, `doublings`, `start`, `wires`, `closed`, `reversed`, `walks`, `pins`, `pauses`, `notes`, `units`, `source` [UseLastCopy]
         document-wireframe: a.wirebend: vertex 1 exists already [UseLastCopy]
         document-wireframe: a.wirebend: (30, 0.3333333333333333, 9999999) is not a position: each coordinate must be a number within ±1 000 000 mm [UseLastCopy]
         document-wireframe: a.wirebend: there is no vertex 99 [UseLastCopy]
         document-dangling: a.wirebend: "start" names vertex 3, which is not in the wireframe [UseLastCopy]
         document-dangling: a.wirebend: "pins" names vertex 3, which is not in the wireframe [UseLastCopy]
         document-dangling: a.wirebend: "pins" names edge 3, which is not in the wireframe [UseLastCopy]
+        document-dangling: a.wirebend: "pauses" names vertex 3, which is not in the wireframe [UseLastCopy]
+        document-json: a.wirebend, line 53, column 15: invalid value: integer `0`, expected a nonzero u32 [UseLastCopy]
+        document-json: a.wirebend, line 55, column 5: a pause point says what to do: its note is empty [UseLastCopy]
         document-dangling: a.wirebend: "doublings" names edge 5, which is not in the wireframe [UseLastCopy]
         document-json: a.wirebend, line 32, column 12: invalid value: integer `0`, expected a nonzero u32 [UseLastCopy]
         document-closed-wires: a.wirebend: "closed" is for one wire, and "wires" is 3 [UseLastCopy]
@@ -268,6 +283,7 @@ fn the_design_hash_is_of_the_design_only() {
     let mut other = document.clone();
     other.notes = "another".into();
     other.pins.clear();
+    other.pauses.clear();
     other.machine = None;
     other.units = LengthUnit::Metre;
     assert_eq!(other.design_hash().unwrap(), hash, "a remark is no other wire");
@@ -305,8 +321,10 @@ fn any_document() -> impl Strategy<Value = Document> {
             wireframe.insert_edge(EdgeId(k), Edge { a, b, ceiling: *ceiling }).unwrap();
         }
         let doublings = wireframe.edges().map(|(id, _)| id).step_by(3).collect();
-        let pins = vec![Pin { on: PinTarget::Vertex(VertexId(ids[0])), text }];
-        Document { doublings, start: Some(VertexId(ids[0])), pins, notes, ..Document::new(wireframe) }
+        let (start, pass) = (VertexId(ids[0]), 3.try_into().unwrap());
+        let pauses = vec![PausePoint { vertex: start, pass, note: format!("- {text}") }];
+        let pins = vec![Pin { on: PinTarget::Vertex(start), text }];
+        Document { doublings, start: Some(start), pins, pauses, notes, ..Document::new(wireframe) }
     })
 }
 
