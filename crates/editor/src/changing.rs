@@ -1,8 +1,12 @@
 //! From a request to the exact difference that it makes to a document.
 
+use std::num::NonZeroU32;
+
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::{ChordLimits, Delta, EdgeId, VertexId};
-use wirebend_files::document::{Document, DocumentChange, ProfileSnapshot, Walk, WireCount};
+use wirebend_files::document::{
+    Document, DocumentChange, PausePoint, ProfileSnapshot, Walk, WireCount, pause_note,
+};
 
 use super::{ChosenWalk, EditRequest};
 use crate::EditorError;
@@ -54,6 +58,9 @@ pub(super) fn change(
         }
         EditRequest::Reversed { reversed } => anew(document.set_reversed(*reversed)),
         EditRequest::Walks { walks } => document.set_walks(walks_of(document, walks)?),
+        EditRequest::Pause { vertex, pass, note } => {
+            document.set_pauses(pauses_with(document, *vertex, *pass, note.as_deref())?)
+        }
         EditRequest::Machine { machine, material } => {
             let (machine, material) = snapshots(&app.setup(machine, material.as_deref())?)?;
             both(document.set_machine(machine), document.set_material(material))
@@ -98,6 +105,25 @@ fn walks_of(document: &Document, walks: &[ChosenWalk]) -> Result<Vec<Walk>, Edit
         Ok(Walk { start: VertexId(*start), edges: edges.iter().copied().map(EdgeId).collect() })
     };
     walks.iter().map(walk).collect()
+}
+
+/// The pause points with another note at a place, or without one there.
+fn pauses_with(
+    document: &Document,
+    vertex: u32,
+    pass: u32,
+    note: Option<&str>,
+) -> Result<Vec<PausePoint>, EditorError> {
+    let (vertex, pass) = (VertexId(vertex), NonZeroU32::new(pass).ok_or(EditorError::PausePass)?);
+    if document.wireframe.vertex(vertex).is_none() {
+        return Err(EditorError::NoPauseVertex(vertex.0));
+    }
+    let note = note.map(|text| pause_note(text).ok_or(EditorError::PauseNote)).transpose()?;
+    let mut pauses = document.pauses.clone();
+    pauses.retain(|pause| (pause.vertex, pause.pass) != (vertex, pass));
+    pauses.extend(note.map(|note| PausePoint { vertex, pass, note }));
+    pauses.sort_by_key(|pause| (pause.vertex, pause.pass));
+    Ok(pauses)
 }
 
 fn both(one: Option<DocumentChange>, other: Option<DocumentChange>) -> Option<DocumentChange> {

@@ -42,6 +42,15 @@ pub enum EditorError {
     /// The wire is to begin where nothing is.
     #[error("there is no vertex {0} for the wire to begin at")]
     NoVertex(u32),
+    /// The machine is to wait where nothing is.
+    #[error("there is no vertex {0} for the machine to wait at")]
+    NoPauseVertex(u32),
+    /// A pause point at no pass.
+    #[error("the wires come to a vertex for the first time at pass 1: there is no pass 0 to wait at")]
+    PausePass,
+    /// A pause point says nothing.
+    #[error("a pause point needs a note: it says what to do there, such as \"turn the part\"")]
+    PauseNote,
     /// No wire to bend.
     #[error("a design is bent from one wire at least, not from none")]
     NoWires,
@@ -120,9 +129,11 @@ impl EditorError {
             | Self::ArcStep(_)
             | Self::Turn(_)
             | Self::NoWires
+            | Self::PausePass
+            | Self::PauseNote
             | Self::Matrix => ErrorCode::Edit,
             Self::NoEdge(_) => ErrorCode::NoEdge,
-            Self::NoVertex(_) => ErrorCode::NoVertex,
+            Self::NoVertex(_) | Self::NoPauseVertex(_) => ErrorCode::NoVertex,
             Self::Stale(_) => ErrorCode::Stale,
             Self::Document(_) => ErrorCode::Document,
             Self::NoFile => ErrorCode::NoFile,
@@ -151,6 +162,9 @@ impl EditorError {
             | Self::Matrix
             | Self::NoEdge(_)
             | Self::NoVertex(_)
+            | Self::NoPauseVertex(_)
+            | Self::PausePass
+            | Self::PauseNote
             | Self::NoWires
             | Self::Stale(_)
             | Self::Damaged { .. }

@@ -36,7 +36,7 @@ pub use outcome::{EditOutcome, FilletPart};
 pub use request::{
     AxisName, ChosenWalk, EditRequest, MergePlace, PastedVertex, Placed, PlaneName, PolygonMeasure, RestPlace,
 };
-pub use view::{DesignState, DesignView, EdgeView, VertexView, ViewChange};
+pub use view::{DesignState, DesignView, EdgeView, PauseView, VertexView, ViewChange};
 
 use wirebend_planning::design::{DesignInput, Opened};
 use wirebend_planning::machine::Setup;

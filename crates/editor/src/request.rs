@@ -228,6 +228,16 @@ pub enum EditRequest {
     /// Takes walks for the wires, one each, instead of finding them anew; none: they are found anew. Their bends are made to the sides with
     /// which the wire hits least.
     Walks { walks: Vec<ChosenWalk> },
+    /// Lets the machine wait for a person where the wire comes to a vertex, or no more.
+    Pause {
+        vertex: u32,
+        /// Which time the wires come there, from 1, over all wires in their order.
+        #[serde(default = "first")]
+        #[schemars(range(min = 1))]
+        pass: u32,
+        /// What the person has to do there; null takes the pause point away.
+        note: Option<String>,
+    },
     /// Another machine, and the wire in it; none: the one that the machine's profile names.
     Machine {
         /// Its id.
@@ -248,6 +258,10 @@ pub enum EditRequest {
         /// The changes; each finds the design as the ones before it have left it.
         edits: Vec<EditRequest>,
     },
+}
+
+const fn first() -> u32 {
+    1
 }
 
 /// The way of one wire along the edges.

@@ -106,6 +106,7 @@ impl EditRequest {
             | Self::Closed { .. }
             | Self::Reversed { .. }
             | Self::Walks { .. }
+            | Self::Pause { .. }
             | Self::Machine { .. }
             | Self::Notes { .. }
             | Self::Units { .. }
@@ -166,6 +167,7 @@ impl EditRequest {
             Self::Closed { .. } => "closed wire".to_owned(),
             Self::Reversed { .. } => "direction of the wire".to_owned(),
             Self::Walks { .. } => "order of the bends".to_owned(),
+            Self::Pause { .. } => "pause point".to_owned(),
             Self::Machine { .. } => "machine".to_owned(),
             Self::Notes { .. } => "notes".to_owned(),
             Self::Units { .. } => "units".to_owned(),

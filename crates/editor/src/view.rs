@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use wirebend_core::wireframe::{Edge, EdgeId, Vertex, VertexId};
 use wirebend_error::ProblemReport;
-use wirebend_files::document::{DocumentChange, JointFile};
+use wirebend_files::document::{DocumentChange, JointFile, PausePoint};
 use wirebend_files::read::LengthUnit;
 
 use super::{ChosenWalk, Editor};
@@ -31,6 +31,22 @@ pub struct EdgeView {
     /// Whether it is part of the ceiling; absent where it is not.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub ceiling: bool,
+}
+
+/// Where the machine waits for a person.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct PauseView {
+    pub vertex: u32,
+    /// Which time the wires come there, from 1, over all wires in their order.
+    pub pass: u32,
+    /// What the person has to do.
+    pub note: String,
+}
+
+impl From<&PausePoint> for PauseView {
+    fn from(pause: &PausePoint) -> Self {
+        Self { vertex: pause.vertex.0, pass: pause.pass.get(), note: pause.note.clone() }
+    }
 }
 
 /// All but vertices, edges and the stencil.
@@ -66,6 +82,8 @@ pub struct DesignState {
     pub reversed: bool,
     /// The walks that were chosen, one for each wire; empty where they are found anew.
     pub walks: Vec<ChosenWalk>,
+    /// Where the machine waits for a person, by vertex.
+    pub pauses: Vec<PauseView>,
     /// Remarks on the whole.
     pub notes: String,
     /// The unit that lengths are shown in.
@@ -137,6 +155,7 @@ impl Editor {
             closed: document.closed,
             reversed: document.reversed,
             walks: document.walks.iter().map(ChosenWalk::from).collect(),
+            pauses: document.pauses.iter().map(PauseView::from).collect(),
             notes: document.notes.clone(),
             units: document.units,
             next: [next.vertex, next.edge],

@@ -363,6 +363,18 @@ export type EditRequest =
       walks: ChosenWalk[];
     }
   | {
+      edit: "pause";
+      /**
+       * What the person has to do there; null takes the pause point away.
+       */
+      note?: string | null;
+      /**
+       * Which time the wires come there, from 1, over all wires in their order.
+       */
+      pass?: number;
+      vertex: number;
+    }
+  | {
       edit: "machine";
       /**
        * Its id.

@@ -1266,6 +1266,18 @@ export type EditRequest =
       walks: ChosenWalk[];
     }
   | {
+      edit: "pause";
+      /**
+       * What the person has to do there; null takes the pause point away.
+       */
+      note: string | null;
+      /**
+       * Which time the wires come there, from 1, over all wires in their order.
+       */
+      pass: number;
+      vertex: number;
+    }
+  | {
       edit: "machine";
       /**
        * Its id.
@@ -3068,6 +3080,10 @@ export interface DesignState {
    */
   notes: string;
   /**
+   * Where the machine waits for a person, by vertex.
+   */
+  pauses: PauseView[];
+  /**
    * What would be done again.
    */
   redo: string | null;
@@ -3100,6 +3116,20 @@ export interface DesignState {
    * How many wires there may be.
    */
   wires: number;
+}
+/**
+ * Where the machine waits for a person.
+ */
+export interface PauseView {
+  /**
+   * What the person has to do.
+   */
+  note: string;
+  /**
+   * Which time the wires come there, from 1, over all wires in their order.
+   */
+  pass: number;
+  vertex: number;
 }
 /**
  * The way of one wire along the edges.

@@ -17,6 +17,7 @@ export const designState = (given: Partial<DesignState> = {}): DesignState => ({
   redo: null,
   reversed: false,
   walks: [],
+  pauses: [],
   start: null,
   stencil: null,
   undo: null,

@@ -9,6 +9,7 @@ mod edits;
 mod fixes;
 mod kept;
 mod outcomes;
+mod pauses;
 mod stencils;
 
 use std::path::{Path, PathBuf};

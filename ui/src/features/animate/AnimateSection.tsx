@@ -6,6 +6,7 @@ import { useUi } from "../../state/window/ui";
 import { Section } from "../panel/Section";
 import { Contacts } from "./Contacts";
 import { Generate } from "./Generate";
+import { Pause } from "./Pause";
 import { Player } from "./Player";
 import { Shown } from "./Shown";
 import { StepTable } from "./StepTable";
@@ -31,6 +32,7 @@ export function AnimateSection() {
           <Contacts />
           <Shown />
           <StepTable />
+          <Pause />
         </>
       )}
     </Section>

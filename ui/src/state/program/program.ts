@@ -15,6 +15,8 @@ interface Basis {
   readonly edges: DesignStore["edges"];
   /** Machine, material and how the wires run, as one text. */
   readonly choices: string;
+  /** Where the wires pause, as one text. */
+  readonly pauses: string;
   /** How often profiles were changed. */
   readonly profiles: number;
   /** The file that is run instead of the design. */
@@ -88,13 +90,19 @@ export function useOtherWire(): string | null {
 
 function basisNow(): Basis {
   const { vertices, edges, state } = useDesign.getState();
-  const { machine, material, doublings, start, wires, closed, reversed, walks } = state ?? {};
+  const { machine, material, doublings, start, wires, closed, reversed, walks, pauses } = state ?? {};
   const choices = JSON.stringify([machine, material, doublings, start, wires, closed, reversed, walks]);
+  const pausing = JSON.stringify(pauses ?? []);
   const { file } = useRunFile.getState();
-  return { vertices, edges, choices, profiles: useMachines.getState().changes, file };
+  return { vertices, edges, choices, pauses: pausing, profiles: useMachines.getState().changes, file };
 }
 
 function same(a: Basis | null, b: Basis): boolean {
+  return sameWires(a, b) && (a?.file !== null || a.pauses === b.pauses);
+}
+
+/** Whether the wires are bent the same way, wherever they pause. */
+function sameWires(a: Basis | null, b: Basis): boolean {
   // A file is run as it is, whatever becomes of the design behind it.
   if (a?.file && a.file === b.file) return true;
   return (
@@ -280,5 +288,6 @@ export function endLive(): void {
 /** The view goes back to the design as soon as that is another one: a person wants to see what they change. */
 export function leaveStaleProgram(): void {
   const { played, live } = usePlayback.getState();
-  if (played && !live && !useProgram.getState().asking && !isUpToDate()) showDesignAgain();
+  const { asking, basis } = useProgram.getState();
+  if (played && !live && !asking && !sameWires(basis, basisNow())) showDesignAgain();
 }

@@ -1,0 +1,42 @@
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { Editor, until } from "../support/editor.ts";
+
+let editor: Editor;
+beforeAll(async () => {
+  editor = await Editor.open();
+  await editor.take("house", "animate", "run");
+});
+afterAll(() => editor?.end());
+
+const run = () => editor.section("run");
+const animate = () => editor.section("animate");
+const button = (name: string) => run().getByRole("button", { name, exact: true });
+const dialog = () => editor.page.getByRole("dialog");
+const machine = async () => (await editor.loopback.ask("machine-state", {})).state;
+
+it("stands at a pause point that was set in the step table, and goes on when a person says so", async () => {
+  await animate().getByRole("option").nth(1).click();
+  const note = animate().getByLabel("Pause after step 2", { exact: true });
+  await note.fill("Turn the part");
+  await note.press("Enter");
+  await animate().getByRole("option").nth(1).getByTitle("Pause: Turn the part").waitFor();
+  // The view stays where it is.
+  await animate().getByRole("option", { selected: true }).filter({ hasText: /^2/ }).waitFor();
+  await editor.isCleanNow("pause-set");
+  await run().getByLabel("Port", { exact: true }).selectOption("sim:max");
+  await button("Connect").click();
+  await run().locator(".run-phase.connected").waitFor();
+  await button("Arm…").click();
+  await dialog().getByText("It waits after step 2: Turn the part", { exact: true }).waitFor();
+  await dialog().getByRole("button", { name: "Arm", exact: true }).click();
+  await run().locator(".run-phase.armed").waitFor();
+  await button("Start").click();
+  await dialog().getByText("Turn the part: is that done, and may the machine go on?", { exact: true }).waitFor();
+  const standing = await machine();
+  expect([standing?.wire?.made, standing?.wire?.sent]).toEqual([2, 2]);
+  await editor.isCleanNow("pause-asked");
+  await dialog().getByRole("button", { name: "Continue", exact: true }).click();
+  await until(async () => (await machine())?.busy).toBe(false);
+  const finished = await machine();
+  expect(finished?.wire?.made).toBe(finished?.wire?.of);
+});
