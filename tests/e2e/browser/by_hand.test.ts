@@ -12,11 +12,7 @@ const run = () => editor.section("run");
 const button = (name: string | RegExp) =>
   run().getByRole("button", typeof name === "string" ? { name, exact: true } : { name });
 const press = (key: string) => editor.page.keyboard.press(key);
-const state = async () => {
-  const { state } = await editor.loopback.ask("machine-state", {});
-  if (!state) throw new Error("no machine is connected");
-  return state;
-};
+const state = () => editor.machine();
 /** Until it stands so and is done with its order, also in the window. */
 const rests = async (phase: string) => {
   await until(async () => {

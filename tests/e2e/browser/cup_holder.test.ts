@@ -8,23 +8,13 @@ beforeAll(async () => {
 });
 afterAll(() => editor?.end());
 
-/** Clicks and keys since the stencil was there. */
-let count = 0;
-
-async function keys(...pressed: readonly string[]): Promise<void> {
-  for (const key of pressed) {
-    count += 1;
-    await editor.page.keyboard.press(key);
-  }
-}
-
 const shapes = () => editor.section("edit").getByRole("group", { name: "Shapes" });
 
 /** Clicks a figure, and types it over. */
 async function figure(label: string, text: string): Promise<void> {
-  count += 1;
+  editor.handled += 1;
   await shapes().getByRole("textbox", { name: label, exact: true }).click();
-  await keys(...text, "Tab");
+  await editor.keys(...text, "Tab");
 }
 
 const size = async () => {
@@ -70,13 +60,13 @@ async function take(place: { x: number; y: number }, snap: string): Promise<void
   await editor.page.mouse.move(place.x - 3, place.y - 2);
   await editor.page.mouse.move(place.x, place.y);
   await editor.page.locator(".hover-card", { hasText: snap }).waitFor();
-  count += 1;
+  editor.handled += 1;
   await editor.page.mouse.click(place.x, place.y);
 }
 
 /** Looks from the front or the back, or from below: the holder is the same from both sides. */
 async function look(side: "front" | "top", key: string): Promise<(place: Place) => { x: number; y: number }> {
-  await keys(key, "Home");
+  await editor.keys(key, "Home");
   const sight = await Sight.framed(editor.page, side, OUTERMOST);
   return (place) => sight.at(place);
 }
@@ -90,26 +80,26 @@ it("makes a holder for a cup of 80 mm that is a stencil, in at most 50 clicks an
   await editor.section("trace").getByText("188 triangles").first().waitFor();
 
   // Two rings.
-  count += 1;
+  editor.handled += 1;
   await shapes().getByText("Polygon", { exact: true }).click();
   await figure("Centre, Z, mm", String(HIGH));
-  count += 2;
+  editor.handled += 2;
   await shapes().getByLabel("Size is").selectOption("flats");
   await figure("Size", String(FLATS));
-  await keys(..."8");
-  count += 1;
+  await editor.keys(..."8");
+  editor.handled += 1;
   await editor.isCleanNow("cup-ring");
   await shapes().getByRole("button", { name: "Add polygon" }).click();
   await until(size).toEqual([8, 8]);
   await figure("Centre, Z, mm", String(LOW));
-  count += 1;
+  editor.handled += 1;
   await shapes().getByRole("button", { name: "Add polygon" }).click();
   await until(size).toEqual([16, 16]);
 
   // Four struts, two from the front and two from behind: what the cup covers is not taken.
-  count += 1;
+  editor.handled += 1;
   await editor.page.locator(".viewport canvas").focus();
-  await keys("t");
+  await editor.keys("t");
   for (const key of ["1", "Control+1"]) {
     const at = await look("front", key);
     for (const eighth of [5, 7]) {
@@ -131,7 +121,7 @@ it("makes a holder for a cup of 80 mm that is a stencil, in at most 50 clicks an
   await take(below([0, 0, LOW]), "Vertex");
   await take(below(corner(7, LOW)), "Vertex");
   await until(size).toEqual([17, 24]);
-  await keys("Escape", "7", "5", "Home");
+  await editor.keys("Escape", "7", "5", "Home");
   await editor.isClean("cup");
 
   const { vertices, edges } = await editor.design();
@@ -149,5 +139,5 @@ it("makes a holder for a cup of 80 mm that is a stencil, in at most 50 clicks an
     expect(joined).toContain(pair(low, id(2 * eighth + 1)));
     expect(joined).toContain(pair(low, id(16)));
   }
-  expect(count).toBeLessThanOrEqual(50);
+  expect(editor.handled).toBeLessThanOrEqual(50);
 });

@@ -12,11 +12,7 @@ afterAll(() => editor?.end());
 const run = () => editor.section("run");
 const button = (name: string) => run().getByRole("button", { name, exact: true });
 const dialog = () => editor.page.getByRole("dialog");
-const state = async () => {
-  const { state } = await editor.loopback.ask("machine-state", {});
-  if (!state) throw new Error("no machine is connected");
-  return state;
-};
+const state = () => editor.machine();
 
 async function fill(label: string, value: string): Promise<void> {
   const field = run().getByLabel(label, { exact: true });

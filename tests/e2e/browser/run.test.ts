@@ -13,11 +13,7 @@ const run = () => editor.section("run");
 const button = (name: string | RegExp) =>
   run().getByRole("button", typeof name === "string" ? { name, exact: true } : { name });
 const dialog = () => editor.page.getByRole("dialog");
-const state = async () => {
-  const { state } = await editor.loopback.ask("machine-state", {});
-  if (!state) throw new Error("no machine is connected");
-  return state;
-};
+const state = () => editor.machine();
 /** Until the window says that the machine stands so, and is done with its order. */
 const stands = async (phase: string) => {
   await run().locator(`.run-phase.${phase}`).waitFor();

@@ -17,11 +17,7 @@ const run = () => editor.section("run");
 const toRun = () => run().getByRole("group", { name: "File to run" });
 const button = (name: string) => run().getByRole("button", { name, exact: true });
 const dialog = () => editor.page.getByRole("dialog");
-const state = async () => {
-  const { state } = await editor.loopback.ask("machine-state", {});
-  if (!state) throw new Error("no machine is connected");
-  return state;
-};
+const state = () => editor.machine();
 const stands = async (phase: string) => {
   await run().locator(`.run-phase.${phase}`).waitFor();
   await until(async () => (await state()).busy).toBe(false);

@@ -7,23 +7,13 @@ beforeAll(async () => {
 });
 afterAll(() => editor?.end());
 
-/** Clicks and keys since the plane was chosen. */
-let count = 0;
-
-async function keys(...pressed: readonly string[]): Promise<void> {
-  for (const key of pressed) {
-    count += 1;
-    await editor.page.keyboard.press(key);
-  }
-}
-
 /** A figure in the field that has the focus, with the key that takes it. */
-const type = (figure: string, end: "Enter" | "Tab" = "Enter") => keys(...figure, end);
+const type = (figure: string, end: "Enter" | "Tab" = "Enter") => editor.keys(...figure, end);
 
 const array = () => editor.section("edit").locator("#operation-array");
 
 async function click(label: string): Promise<void> {
-  count += 1;
+  editor.handled += 1;
   await array().getByLabel(label, { exact: true }).click();
 }
 
@@ -54,25 +44,25 @@ it("makes a hexagonal spiral of one edge and an array, in at most 30 clicks and 
   const [right = NaN] = await pointed(x + 200, y);
   const begin = x + (200 * 50) / right;
   expect(await pointed(begin, y)).toEqual([50, 0, 0]);
-  count += 1;
+  editor.handled += 1;
   await editor.page.mouse.click(begin, y);
   await pointed(begin - 40, y - 60);
-  await keys("5", "0", "Tab", "1", "2", "0", "Enter");
+  await editor.keys("5", "0", "Tab", "1", "2", "0", "Enter");
   await until(size).toEqual([2, 1]);
 
   // Its end rises by a sixth of a turn's pitch of 60.
-  await keys("Escape");
-  count += 1;
+  await editor.keys("Escape");
+  editor.handled += 1;
   await editor.section("edit").getByRole("table", { name: "Vertices" }).getByLabel("Vertex 1, Z, mm").click();
   await type("10");
   await until(async () => (await editor.design()).vertices[1]?.at_mm[2]).toBe(10);
 
-  count += 1;
+  editor.handled += 1;
   await canvas.focus();
-  await keys("a");
-  count += 1;
+  await editor.keys("a");
+  editor.handled += 1;
   await editor.section("edit").locator("#operation-array .operation-head").click();
-  count += 1;
+  editor.handled += 1;
   await array().getByText("Circular", { exact: true }).click();
   await click("Copies");
   await type("17", "Tab");
@@ -80,7 +70,7 @@ it("makes a hexagonal spiral of one edge and an array, in at most 30 clicks and 
   await type("60", "Tab");
   await type("10");
   await editor.isClean("spiral-array");
-  count += 1;
+  editor.handled += 1;
   await array().getByRole("button", { name: "Make 17 copies" }).click();
   await until(size).toEqual([19, 18]);
 
@@ -94,5 +84,5 @@ it("makes a hexagonal spiral of one edge and an array, in at most 30 clicks and 
   await editor.isClean("spiral");
   const check = await editor.loopback.ask("check", { moved: [] });
   expect([check.feasible, check.diagnostics.filter(({ severity }) => severity !== "info")]).toEqual([true, []]);
-  expect(count).toBeLessThanOrEqual(30);
+  expect(editor.handled).toBeLessThanOrEqual(30);
 });

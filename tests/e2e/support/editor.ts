@@ -2,7 +2,7 @@ import { readFileSync } from "node:fs";
 import { basename } from "node:path";
 import type { Browser, Locator, Page } from "playwright-core";
 import { expect } from "vitest";
-import type { DesignView } from "../../../ui/src/generated/responses.ts";
+import type { DesignView, MachineState } from "../../../ui/src/generated/responses.ts";
 import { barriers, type Complaints, openBrowser, openPage, picture } from "./browser.ts";
 import { Loopback } from "./loopback.ts";
 
@@ -16,6 +16,9 @@ export const until = <T>(look: () => T | Promise<T>) => expect.poll(look, { time
 
 /** The editor in a browser, and the Rust side behind it. */
 export class Editor {
+  /** Clicks and keys of a test that counts them. */
+  handled = 0;
+
   private constructor(
     public loopback: Loopback,
     private readonly browser: Browser,
@@ -109,6 +112,21 @@ export class Editor {
   /** The design as the Rust side has it. */
   async design(): Promise<DesignView> {
     return (await this.loopback.ask("start", {})).design;
+  }
+
+  /** Presses keys one after the other, which count. */
+  async keys(...pressed: readonly string[]): Promise<void> {
+    for (const key of pressed) {
+      this.handled += 1;
+      await this.page.keyboard.press(key);
+    }
+  }
+
+  /** How the machine stands that is connected. */
+  async machine(): Promise<MachineState> {
+    const { state } = await this.loopback.ask("machine-state", {});
+    if (!state) throw new Error("no machine is connected");
+    return state;
   }
 
   /** Where a vertex is, mm. */
