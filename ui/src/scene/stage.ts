@@ -10,7 +10,6 @@ import type {
   LengthFormat,
   Moved,
   Preview,
-  SceneBall,
   SceneDesign,
   SceneDimensions,
   SceneLabel,
@@ -96,7 +95,7 @@ export class Stage {
   private readonly gizmo = new Gizmo(this.uniforms);
   readonly playback = new Playback(this.uniforms, this.theme);
   private readonly struts = new StrutLayer(this.uniforms, this.theme);
-  private readonly spread = new SpreadLayer(this.uniforms);
+  readonly spread = new SpreadLayer(this.uniforms);
   /** Places with a square around them. */
   private held: readonly Vec3[] = [];
   private readonly labels: Labels;
@@ -210,12 +209,6 @@ export class Stage {
   setStruts(struts: SceneStruts | null): void {
     this.struts.show(struts);
     this.showParts();
-  }
-
-  /** Balls within which vertices come out; none shows none. */
-  setSpread(balls: readonly SceneBall[]): void {
-    this.spread.show(balls);
-    this.changed();
   }
 
   enlarge(scale: number): void {

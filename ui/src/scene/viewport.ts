@@ -23,7 +23,6 @@ import type {
   Touch,
   Vec3,
 } from "./interface";
-import { normalOf } from "./layers/grid";
 import { spacingText } from "./layers/grid_spacing";
 import { Overlay } from "./layers/overlay";
 import { Stage } from "./stage";
@@ -31,8 +30,8 @@ import { Pointer, type ToolHandler } from "./tools/pointer";
 import { SelectTool } from "./tools/select_tool";
 import { TraceTool } from "./tools/trace_tool";
 import { Frames } from "./view/frames";
-import { facingPlane, looking, type Orbit, squareness, type ViewName, viewOf } from "./view/orbit";
-import { afterKey } from "./view/view_keys";
+import type { ViewName } from "./view/orbit";
+import { type Seen, Turning } from "./view/turning";
 
 export interface ViewportOptions {
   readonly lengths: LengthFormat;
@@ -41,17 +40,6 @@ export interface ViewportOptions {
   /** What the view is called for a screen reader. */
   readonly label?: string;
 }
-
-/** A view from anywhere without perspective, beside those of `ViewName`. */
-type AnyView = ViewName | "parallel";
-
-/** As it is told: "Front". */
-const shownName = (view: AnyView): string => (view[0] ?? "").toUpperCase() + view.slice(1);
-
-/** How squarely a plane is seen that need not be turned to: 30° from its edge. */
-const FACED = 0.5;
-/** Nearer to its edge than 8° a plane that is drawn on cannot be turned. */
-const EDGE_ON = 0.14;
 
 /** More pixels than these cannot be distinguished, and cost time. */
 const MAX_RATIO = 2;
@@ -63,20 +51,18 @@ export class Viewport {
   private readonly stage: Stage;
   private readonly frames: Frames;
   private readonly pointer: Pointer;
+  private readonly turning: Turning;
   private readonly selecting: SelectTool;
   private readonly tracing: TraceTool;
   private readonly resized: ResizeObserver;
   private readonly stop = new AbortController();
   private framed = false;
-  private view_: AnyView = "perspective";
   private ratio = 0;
-  /** Where the plane that is drawn on was last seen from well. */
-  private upright: Orbit | null = null;
-  private beforePlay: { orbit: Orbit; view: AnyView } | null = null;
+  private beforePlay: Seen | null = null;
 
   constructor(
     private readonly host: HTMLElement,
-    private readonly listener: SceneListener,
+    listener: SceneListener,
     options: ViewportOptions,
   ) {
     const { canvas } = this;
@@ -92,6 +78,7 @@ export class Viewport {
       () => this.draw(),
     );
     this.stage = new Stage(this.overlay.element, options.lengths, () => this.frames.request());
+    this.turning = new Turning(this.stage, (name) => listener.viewChanged(name));
     this.selecting = new SelectTool(this.stage, listener, this.overlay);
     this.tracing = new TraceTool(this.stage, listener, this.overlay);
     this.pointer = new Pointer(
@@ -99,7 +86,7 @@ export class Viewport {
       this.stage.camera,
       () => this.handler,
       () => this.frames.schedule(),
-      (turned) => this.viewMoved(turned),
+      (turned) => this.turning.moved(turned),
     );
     canvas.tabIndex = 0;
     canvas.setAttribute("role", "application");
@@ -160,7 +147,8 @@ export class Viewport {
 
   /** Balls within which vertices come out; none shows none. */
   setSpread(balls: readonly SceneBall[]): void {
-    this.stage.setSpread(balls);
+    this.stage.spread.show(balls);
+    this.frames.request();
   }
 
   /** By how much the displacements of struts are enlarged: 1 is true scale. */
@@ -191,7 +179,7 @@ export class Viewport {
     this.selecting.hover(null);
     this.tracing.leave();
     this.stage.tool = tool;
-    this.upright = null;
+    this.turning.forget();
     this.overlay.cursor(tool === "select" ? "default" : "crosshair");
     this.frames.request();
   }
@@ -204,7 +192,7 @@ export class Viewport {
   /** Null for the ground. */
   setPlane(plane: DrawingPlane | null): void {
     this.stage.plane = plane;
-    this.upright = null;
+    this.turning.forget();
     this.frames.request();
   }
 
@@ -248,34 +236,17 @@ export class Viewport {
   }
 
   view(name: ViewName): void {
-    const { camera } = this.stage;
-    camera.orbit = looking(camera.orbit, name);
-    this.named(name);
-    this.stage.viewMoved();
+    this.turning.look(name);
   }
 
   /** Turns straight at a plane that is seen from its edge, or nearly so; whether it had to. */
   face(plane: DrawingPlane): boolean {
-    const { camera } = this.stage;
-    const normal = normalOf(plane);
-    if (this.stage.playing || squareness(camera.orbit, normal) >= FACED) return false;
-    camera.orbit = facingPlane(camera.orbit, normal);
-    this.named(viewOf(camera.orbit) ?? "parallel");
-    this.stage.viewMoved();
-    return true;
+    return this.turning.face(plane);
   }
 
   /** From the perspective to the same view without it, and back; from the side of an axis to the perspective. */
   toggleParallel(): void {
-    const { camera } = this.stage;
-    const from = this.view_;
-    if (from !== "perspective" && from !== "parallel") {
-      this.view("perspective");
-      return;
-    }
-    camera.orbit = { ...camera.orbit, orthographic: from === "perspective" };
-    this.named(from === "perspective" ? "parallel" : "perspective");
-    this.stage.viewMoved();
+    this.turning.toggleParallel();
   }
 
   /** Looks at these, or at everything. */
@@ -286,26 +257,21 @@ export class Viewport {
 
   /** Shows a wire on its machine instead of the design; null goes back to the view before. */
   play(played: Played | null): void {
-    const { camera, playback } = this.stage;
+    const { playback } = this.stage;
     const begins = played !== null && !this.stage.playing;
     const ends = played === null && this.stage.playing;
     if (begins) {
       this.cancel();
       this.selecting.hover(null);
-      this.beforePlay = { orbit: camera.orbit, view: this.view_ };
+      this.beforePlay = this.turning.seen;
     }
     playback.play(played);
     this.stage.bound();
     if (begins) {
-      camera.orbit = looking(camera.orbit, "perspective");
-      this.named("perspective");
+      this.turning.look("perspective");
       this.stage.frame(null);
     }
-    if (ends && this.beforePlay) {
-      camera.orbit = this.beforePlay.orbit;
-      this.named(this.beforePlay.view);
-      this.stage.viewMoved();
-    }
+    if (ends && this.beforePlay) this.turning.goBack(this.beforePlay);
     this.frames.request();
   }
 
@@ -387,30 +353,6 @@ export class Viewport {
 
   /** Keys of the view alone, which count while it has the focus; to what is in the hand they are digits and signs. */
   private turnByKey(event: KeyboardEvent): void {
-    const { camera } = this.stage;
-    if (event.ctrlKey || event.metaKey || event.altKey || this.selecting.grab) return;
-    const after = afterKey(camera.orbit, event, camera.height);
-    if (!after) return;
-    event.preventDefault();
-    camera.orbit = after.orbit;
-    this.viewMoved(after.turned);
-  }
-
-  private viewMoved(turned: boolean): void {
-    const { camera, plane, tool, playing } = this.stage;
-    if (turned && tool === "draw" && plane && !playing) {
-      // Seen from its edge nothing can be drawn on it: the turn ends before.
-      if (squareness(camera.orbit, normalOf(plane)) >= EDGE_ON) this.upright = camera.orbit;
-      else if (this.upright) camera.orbit = this.upright;
-    }
-    if (turned && this.view_ === "parallel") camera.orbit = { ...camera.orbit, orthographic: true };
-    else if (turned) this.named("perspective");
-    this.stage.viewMoved();
-  }
-
-  private named(view: AnyView): void {
-    if (view === this.view_) return;
-    this.view_ = view;
-    this.listener.viewChanged(shownName(view));
+    if (!this.selecting.grab && this.turning.byKey(event)) event.preventDefault();
   }
 }

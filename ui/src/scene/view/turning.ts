@@ -1,0 +1,103 @@
+/** From where the design is seen, and what that view is called. */
+
+import type { DrawingPlane } from "../interface";
+import { normalOf } from "../layers/grid";
+import type { Stage } from "../stage";
+import { facingPlane, looking, type Orbit, squareness, type ViewName, viewOf } from "./orbit";
+import { afterKey } from "./view_keys";
+
+/** A view from anywhere without perspective, beside those of `ViewName`. */
+type AnyView = ViewName | "parallel";
+
+/** A view that can be gone back to. */
+export interface Seen {
+  readonly orbit: Orbit;
+  readonly view: AnyView;
+}
+
+/** As it is told: "Front". */
+const shownName = (view: AnyView): string => (view[0] ?? "").toUpperCase() + view.slice(1);
+
+/** How squarely a plane is seen that need not be turned to: 30° from its edge. */
+const FACED = 0.5;
+/** Nearer to its edge than 8° a plane that is drawn on cannot be turned. */
+const EDGE_ON = 0.14;
+
+export class Turning {
+  private view: AnyView = "perspective";
+  /** Where the plane that is drawn on was last seen from well. */
+  private upright: Orbit | null = null;
+
+  /** `named`: hears what the view is called now. */
+  constructor(
+    private readonly stage: Stage,
+    private readonly named: (name: string) => void,
+  ) {}
+
+  get seen(): Seen {
+    return { orbit: this.stage.camera.orbit, view: this.view };
+  }
+
+  look(name: ViewName): void {
+    this.goBack({ orbit: looking(this.stage.camera.orbit, name), view: name });
+  }
+
+  goBack({ orbit, view }: Seen): void {
+    this.stage.camera.orbit = orbit;
+    this.name(view);
+    this.stage.viewMoved();
+  }
+
+  /** Turns straight at a plane that is seen from its edge, or nearly so; whether it had to. */
+  face(plane: DrawingPlane): boolean {
+    const { camera, playing } = this.stage;
+    const normal = normalOf(plane);
+    if (playing || squareness(camera.orbit, normal) >= FACED) return false;
+    const orbit = facingPlane(camera.orbit, normal);
+    this.goBack({ orbit, view: viewOf(orbit) ?? "parallel" });
+    return true;
+  }
+
+  /** From the perspective to the same view without it, and back; from the side of an axis to the perspective. */
+  toggleParallel(): void {
+    const { orbit } = this.stage.camera;
+    if (this.view === "perspective") this.goBack({ orbit: { ...orbit, orthographic: true }, view: "parallel" });
+    else if (this.view === "parallel") this.goBack({ orbit: { ...orbit, orthographic: false }, view: "perspective" });
+    else this.look("perspective");
+  }
+
+  /** Another plane is drawn on, or none. */
+  forget(): void {
+    this.upright = null;
+  }
+
+  /** Turns by a key of the view; whether it was one. */
+  byKey(event: KeyboardEvent): boolean {
+    const { camera } = this.stage;
+    if (event.ctrlKey || event.metaKey || event.altKey) return false;
+    const after = afterKey(camera.orbit, event, camera.height);
+    if (!after) return false;
+    camera.orbit = after.orbit;
+    this.moved(after.turned);
+    return true;
+  }
+
+  /** The view was moved by hand. */
+  moved(turned: boolean): void {
+    const { camera, plane, tool, playing } = this.stage;
+    if (turned && tool === "draw" && plane && !playing) {
+      // Seen from its edge nothing can be drawn on it: the turn ends before.
+      if (squareness(camera.orbit, normalOf(plane)) >= EDGE_ON) this.upright = camera.orbit;
+      else if (this.upright) camera.orbit = this.upright;
+    }
+    if (turned && this.view === "parallel") camera.orbit = { ...camera.orbit, orthographic: true };
+    else if (turned) this.name("perspective");
+    this.stage.viewMoved();
+  }
+
+  private name(view: AnyView): void {
+    if (view === this.view) return;
+    this.view = view;
+    this.named(shownName(view));
+  }
+}
