@@ -1,6 +1,6 @@
 //! The life of a driver: every call once, in order.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use wirebend_driver_api::conformance::sample_job;
 use wirebend_driver_api::{Axis, Motion, NumberedStep, Run, Step, deadline};
@@ -8,6 +8,7 @@ use wirebend_driver_host::{
     Armed, DiscoveredDriver, Driver, Launch, OpenDriver, Phase, Session, SessionError,
 };
 
+use crate::awake::Awake;
 use crate::permits;
 
 /// One thing that a driver is asked. `entry` and `describe` are both part of its start.
@@ -150,7 +151,7 @@ impl<'a> Life<'a> {
     /// The driver is gone, and every later request says so at once.
     pub fn assert_over(&mut self) {
         let Some(session) = self.session.as_mut() else { return };
-        let started = Instant::now();
+        let started = Awake::now();
         let error = session.poll().unwrap_err();
         assert!(matches!(error, SessionError::Host(_)), "{error}");
         assert!(started.elapsed() < Duration::from_secs(1));
@@ -163,7 +164,7 @@ impl<'a> Life<'a> {
     }
 
     fn timed(&mut self, stage: Stage) -> Result<(), SessionError> {
-        let started = Instant::now();
+        let started = Awake::now();
         let done = self.go(stage);
         self.took.push((stage, started.elapsed()));
         done

@@ -12,11 +12,10 @@ use std::sync::Mutex;
 use std::thread;
 use std::time::{Duration, Instant};
 
+use crate::awake::Awake;
 use life::{CALLS, Life, Stage};
 use wirebend_driver_api::deadline;
-use wirebend_driver_host::{
-    DiscoveredDriver, Launch, Place, SessionError, StopOutcome, StoppedBy, TrustStore,
-};
+use wirebend_driver_host::{DiscoveredDriver, Launch, Place, SessionError, StoppedBy, TrustStore};
 
 /// How often something is tried that depends on who comes first.
 const TRIES: usize = 50;
@@ -212,15 +211,15 @@ fn stop_works_whatever_the_driver_does(folder: &Path, launch: &Launch, how: &[&'
         // Who does not come back from what it does cannot have answered.
         let ends = ["hang", "spin"].contains(&how);
         for _ in 0..TRIES {
-            let Some(outcome) = stopped_while(folder, launch, when, how) else { return Ok(()) };
-            if outcome.took > deadline::STOP + GRACE {
-                return Err(format!("the stop took {:?}", outcome.took));
+            let Some((by, took)) = stopped_while(folder, launch, when, how) else { return Ok(()) };
+            if took > deadline::STOP + GRACE {
+                return Err(format!("the stop took {took:?}"));
             }
             let mut slowest = slowest.lock().unwrap();
-            if outcome.took > slowest.0 {
-                *slowest = (outcome.took, when, how);
+            if took > slowest.0 {
+                *slowest = (took, when, how);
             }
-            if !ends || outcome.by == StoppedBy::EndOfDriver {
+            if !ends || by == StoppedBy::EndOfDriver {
                 return Ok(());
             }
         }
@@ -230,12 +229,17 @@ fn stop_works_whatever_the_driver_does(folder: &Path, launch: &Launch, how: &[&'
     eprintln!("the slowest stop took {took:?} ({when}-{how})");
 }
 
-/// A stop while another thread has the driver misbehave; `None` when it does not get there.
-fn stopped_while(folder: &Path, launch: &Launch, when: &'static str, how: &str) -> Option<StopOutcome> {
+/// A stop while another thread has the driver misbehave: by whom, and how long it took; `None` when it does not get there.
+fn stopped_while(
+    folder: &Path,
+    launch: &Launch,
+    when: &'static str,
+    how: &str,
+) -> Option<(StoppedBy, Duration)> {
     let found = told(folder, when, how);
     let mut life = Life::until(&found, launch, when)?;
     let handle = life.session().stop_handle();
-    let outcome = thread::scope(|scope| {
+    let (by, took) = thread::scope(|scope| {
         let (begins, begun) = std::sync::mpsc::channel();
         let misdeed = scope.spawn({
             let life = &mut life;
@@ -246,13 +250,15 @@ fn stopped_while(folder: &Path, launch: &Launch, when: &'static str, how: &str) 
         });
         begun.recv().unwrap();
         thread::yield_now();
-        let outcome = handle.stop();
+        let pressed = Awake::now();
+        let by = handle.stop().by;
+        let took = pressed.elapsed();
         // Whatever the call came to, it did not hold the stop up.
         let _ = misdeed.join().unwrap();
-        outcome
+        (by, took)
     });
-    if outcome.by == StoppedBy::EndOfDriver {
+    if by == StoppedBy::EndOfDriver {
         life.assert_over();
     }
-    Some(outcome)
+    Some((by, took))
 }

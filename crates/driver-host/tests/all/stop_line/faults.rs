@@ -48,7 +48,7 @@ fn a_driver_that_does_not_confirm_after_its_fault_is_taken_over() {
     while port.heard_so_far().is_empty() && begun.elapsed() < Duration::from_secs(20) {
         session.poll().unwrap();
     }
-    is_stopped(&mut session, &port, Instant::now(), "numb");
+    is_stopped(&mut session, &port, "numb");
 }
 
 /// It has let the port go, and refuses the stop.
@@ -60,7 +60,7 @@ fn a_machine_whose_driver_has_given_up_is_stopped_by_the_program() {
         let (mut session, _armed) = in_state(&kept.library, &port, state);
         kept.let_loose();
         faults(&mut session, state);
-        is_stopped(&mut session, &port, Instant::now(), state);
+        is_stopped(&mut session, &port, state);
     }
 }
 

@@ -10,6 +10,7 @@ use wirebend_driver_host::{Armed, Phase, Session, Standstill};
 
 use super::port::Port;
 use super::{STOP, connected, kill, line, opened};
+use crate::awake::Awake;
 use crate::permits;
 
 /// A finger needs as long. What this computer is busy with besides comes on top.
@@ -85,7 +86,8 @@ pub fn in_state(library: &Path, port: &Port, state: &str) -> (Session, Option<Ar
 
 /// The stop bytes come at once, and are repeated until the machine confirms.
 #[track_caller]
-pub fn is_stopped(session: &mut Session, port: &Port, lost: Instant, case: &str) -> Duration {
+pub fn is_stopped(session: &mut Session, port: &Port, case: &str) -> Duration {
+    let lost = Awake::now();
     let heard = port.heard(5);
     let took = lost.elapsed();
     assert!(heard.len() >= 5 && heard.iter().all(|byte| *byte == STOP), "{case}: {heard:?}");
@@ -126,7 +128,7 @@ fn a_driver_that_is_lost_while_the_machine_moves_leaves_it_stopped() {
             assert_eq!(port.heard_so_far(), b"", "{case}: nothing before");
             kept.let_loose();
             session.poll().map(|events| format!("{events:?}")).unwrap_err();
-            let took = is_stopped(&mut session, &port, Instant::now(), &case);
+            let took = is_stopped(&mut session, &port, &case);
             if took > slowest.0 {
                 slowest = (took, case);
             }
@@ -143,7 +145,7 @@ fn a_driver_that_is_killed_is_missed_by_itself() {
         let (port, kept) = (Port::new(), Kept::new(folder.path(), "exit"));
         let (mut session, _armed) = in_state(&kept.library, &port, state);
         kill(&session);
-        is_stopped(&mut session, &port, Instant::now(), state);
+        is_stopped(&mut session, &port, state);
     }
 }
 
