@@ -14,9 +14,11 @@ import time
 import numpy
 
 
-def chord_over_arc(bow):
-    quarter = numpy.arctan(2 * bow)
-    return numpy.where(numpy.abs(quarter) < 1e-6, 1.0, numpy.sinc(2 * quarter / numpy.pi))
+def arc(turn, length, fraction):
+    """Where a part of an arc ends, along its chord and aside from it."""
+    along = numpy.sinc(turn * fraction / 2 / numpy.pi) * length * fraction
+    direction = turn * (1 - fraction) / 2
+    return along * numpy.cos(direction), along * numpy.sin(direction)
 
 
 def bent(wire, random):
@@ -33,15 +35,21 @@ def bent(wire, random):
     corners = wire["bend_radius_mm"] * numpy.tan(numpy.abs(bends) / 2)
     before = numpy.hstack([numpy.zeros((runs, 1)), corners[:, :-1]])
     lengths = fed - wire["neutral_radius_mm"] * numpy.abs(bends) + before + corners
-    lengths *= chord_over_arc(random.normal(0, curvature, (runs, count)))
+    bows = 4 * numpy.arctan(2 * random.normal(0, curvature, (runs, count)))
     at, t, n, b = (numpy.tile(numpy.array(row, dtype=float), (runs, 1)) for row in wire["start"])
     design = numpy.array(wire["design"])
     distances = [numpy.linalg.norm(at - design[0], axis=1)]
     for k, step in enumerate(steps):
-        begin = at
-        for fraction in step["fractions"]:
-            at = begin + t * (lengths[:, k] * fraction)[:, None]
-            distances.append(numpy.linalg.norm(at - design[len(distances)], axis=1))
+        *inner, _ = step["fractions"]
+        if inner:
+            side = random.uniform(0, 2 * numpy.pi, runs)[:, None]
+            across = n * numpy.cos(side) + b * numpy.sin(side)
+        for fraction in inner:
+            along, aside = arc(bows[:, k], lengths[:, k], fraction)
+            vertex = at + t * along[:, None] + across * aside[:, None]
+            distances.append(numpy.linalg.norm(vertex - design[len(distances)], axis=1))
+        at = at + t * (lengths[:, k] * numpy.sinc(bows[:, k] / 2 / numpy.pi))[:, None]
+        distances.append(numpy.linalg.norm(at - design[len(distances)], axis=1))
         cos, sin = numpy.cos(turns[:, k])[:, None], numpy.sin(turns[:, k])[:, None]
         n, b = n * cos + b * sin, b * cos - n * sin
         cos, sin = numpy.cos(bends[:, k])[:, None], numpy.sin(bends[:, k])[:, None]

@@ -18,6 +18,8 @@ const MAY_USE: &[&str] = &[
     "rand",
     "rand_chacha",
     "rand_distr",
+    // Computes on all processors; what comes of it does not depend on their number.
+    "rayon",
     "rmpfit",
     "statrs",
     "thiserror",

@@ -193,7 +193,8 @@ fn errors_make_some_wires_hit_what_the_design_passes() {
     let near = &near["wires"][0]["collisions"];
     assert_eq!((&near["colliding"], &near["diagnostics"][0]["wires"]), (&0.into(), &1.into()));
     assert!(near["diagnostics"][0]["message"].as_str().unwrap().contains("comes within 1.0 mm of"), "{near}");
-    let noise = ["--noise", "wirebend-kit", "--runs", "40", "--json"];
+    // Of this seed none goes so deep that no machine could bend it.
+    let noise = ["--noise", "wirebend-kit", "--runs", "40", "--seed", "4", "--json"];
     let found = simulate(&noise).ended(0).json();
     assert_fits("simulate", &found);
     let found = &found["wires"][0]["collisions"];
@@ -205,7 +206,7 @@ fn errors_make_some_wires_hit_what_the_design_passes() {
     assert!(worst["run"].as_u64().unwrap() < 40 && worst["wires"].as_u64() == Some(colliding), "{worst}");
     // The same seed, the same wires.
     assert_eq!(&simulate(&noise).ended(0).json()["wires"][0]["collisions"], found);
-    let told = simulate(&noise[..4]).ended(0).err;
+    let told = simulate(&noise[..6]).ended(0).err;
     assert!(told.contains(&format!("  collisions         {colliding} of 40 wires hit")), "{told}");
     assert!(told.contains("[plan it again with --avoid-collisions"), "{told}");
     for wrong in ["-1", "nan"] {

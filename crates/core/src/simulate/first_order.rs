@@ -3,9 +3,8 @@
 
 use nalgebra::{Matrix3, Point3, Vector3};
 
-use super::{
-    BadErrorTerm, ErrorModel, ErrorSource, ErrorTerm, SimulationInput, chord_over_arc, corner_to_corner,
-};
+use super::wire::{Bow, corner_to_corner};
+use super::{BadErrorTerm, ErrorModel, ErrorSource, ErrorTerm, SimulationInput};
 use crate::bend::Step;
 use crate::compensate::{Compensation, results};
 use crate::units::Angle;
@@ -93,7 +92,7 @@ fn count(vertices: usize) -> f64 {
 /// What the errors of a model do to a wire as long as they are small.
 ///
 /// Bends, rotations and feeds move everything after them in proportion. A bow takes the same length whichever side it is to: its
-/// part is the mean and the variance of what it takes.
+/// part is the mean and the variance of what it takes. Vertices within a strut go aside with it, to every side alike.
 ///
 /// # Errors
 /// [`BadErrorTerm`] when an error is not finite or a deviation is negative.
@@ -129,7 +128,8 @@ pub fn first_order(input: &SimulationInput, errors: &ErrorModel) -> Result<First
         let fed = sums[0].add(feed, &lengths);
         let length = walk.steps[k].length;
         let bowed = Moments { mean: bow.mean * length, variance: bow.variance * length * length };
-        effect.feed_mm = (fed + sums[3].add(bowed, &lengths)).sqrt();
+        let aside = walk.aside(k, errors.curvature, &mut sums[3]);
+        effect.feed_mm = (fed + sums[3].add(bowed, &lengths) + aside).sqrt();
         if bends[k] == Angle::ZERO {
             continue;
         }
@@ -197,6 +197,21 @@ impl Walk {
         first
     }
 
+    /// Adds how far the vertices within the strut of a step go aside with its bow; the mean over all vertices of the square of it.
+    fn aside(&self, step: usize, bow: ErrorTerm, sum: &mut Sum) -> f64 {
+        let Placed { first, length, t, .. } = self.steps[step];
+        let [inner @ .., _] = self.fractions[step].as_slice() else { return 0.0 };
+        let mean_square = bow.bias.mul_add(bow.bias, bow.sigma * bow.sigma) * length * length;
+        let mut squares = 0.0;
+        for (&fraction, covariance) in inner.iter().zip(&mut sum.covariance[first..]) {
+            let square = (4.0 * fraction * (1.0 - fraction)).powi(2) * mean_square;
+            // Half of it each of the two ways across.
+            *covariance += (Matrix3::identity() - t * t.transpose()) * (square / 2.0);
+            squares += square;
+        }
+        squares / count(self.points.len())
+    }
+
     /// By how much the vertices after a step move where the wire turns by one radian at its end.
     fn by_turn(&self, step: usize, axis: Vector3<f64>, moves: &mut Vec<Vector3<f64>>) {
         let Placed { last, .. } = self.steps[step];
@@ -252,7 +267,7 @@ fn lost_by_bows(term: ErrorTerm) -> Moments {
     /// The normal distribution is summed within so many deviations, in so many parts.
     const WITHIN: f64 = 8.0;
     const PARTS: i32 = 400;
-    let lost = |bow: f64| chord_over_arc(bow) - 1.0;
+    let lost = |bow: f64| Bow(bow).chord_over_arc() - 1.0;
     if term.sigma <= 0.0 {
         return Moments { mean: lost(term.bias), variance: 0.0 };
     }

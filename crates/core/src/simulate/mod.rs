@@ -7,19 +7,20 @@
 
 mod first_order;
 mod made;
+mod wire;
 
 use std::ops::{ControlFlow, Range};
 
 use nalgebra::Point3;
-use rand::SeedableRng;
-use rand_chacha::ChaCha8Rng;
-use rand_distr::{Distribution, Normal};
+use rayon::prelude::*;
 
 use crate::bend::{Frame, Step};
-use crate::compensate::{CompensatedProgram, Compensation, results, with_bend_before};
+use crate::compensate::{CompensatedProgram, Compensation, results};
 use crate::units::{Angle, Length};
 pub use first_order::{FirstOrder, SourceEffect, StepEffect, first_order};
 pub use made::steps_of_corners;
+pub use wire::ImperfectWire;
+use wire::{Draw, corner_to_corner, imperfect};
 
 /// A constant error and the standard deviation of the random one, of a quantity in its own unit.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -39,8 +40,8 @@ pub struct ErrorModel {
     pub rotate_deg: ErrorTerm,
     /// Of each bend, in degrees.
     pub bend_deg: ErrorTerm,
-    /// Of each strut: its bow, the rise of its arc over the distance of its ends. The ends of a bowed
-    /// strut stay in line, as in the authors' model, but come closer together.
+    /// Of each strut: its bow, the rise of its arc over the distance of its ends, to a side that is left to chance. The ends of a bowed
+    /// strut stay in line, as in the authors' model, but come closer together; vertices between them go aside.
     pub curvature: ErrorTerm,
 }
 
@@ -129,75 +130,6 @@ pub fn formed_steps(program: &CompensatedProgram, compensation: &Compensation) -
     corner_to_corner(&bent, compensation)
 }
 
-/// Turns fed lengths between formed bends into lengths from corner to corner.
-fn corner_to_corner(steps: &[Step], compensation: &Compensation) -> Vec<Step> {
-    let Some(model) = &compensation.feed else {
-        return steps.to_vec();
-    };
-    let with_before = with_bend_before(steps);
-    with_before
-        .map(|(before, step)| Step { feed: model.segment_of(step.feed, before, step.bend), ..*step })
-        .collect()
-}
-
-/// A wire as a program makes it when its motions are off.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ImperfectWire {
-    /// Its vertices in mm, in the order of the route; the first is where it starts.
-    pub points: Vec<Point3<f64>>,
-    /// The steps that it is made of, from corner to corner: a bowed strut counts with the distance of its ends.
-    pub steps: Vec<Step>,
-    /// The commands, each bend as far off as the bend that it leaves: where the bend axis goes.
-    pub told: Vec<Step>,
-}
-
-/// One wire, by a program whose motions are off. `bends`: what its commands leave where nothing is off.
-///
-/// Vertices on a straight feed divide it as `fractions` says: for each step the parts of its feed at
-/// which a vertex of the route lies, ending with 1. The first vertex is that of `start`.
-fn imperfect(
-    input: &SimulationInput,
-    bends: &[Angle],
-    draw: &mut impl FnMut(ErrorSource) -> f64,
-) -> ImperfectWire {
-    let mut told = input.program.steps().to_vec();
-    let disturbed: Vec<Step> = told
-        .iter_mut()
-        .zip(bends)
-        .map(|(step, &bent)| {
-            let is_bend = bent != Angle::ZERO;
-            let feed = step.feed + Length::computed(draw(ErrorSource::Feed));
-            let mut off = |of| if is_bend { Angle::computed(draw(of).to_radians()) } else { Angle::ZERO };
-            let rotate = step.rotate + off(ErrorSource::Rotation);
-            let wrong = off(ErrorSource::Bend);
-            step.bend += wrong;
-            Step { feed, rotate, bend: bent + wrong }
-        })
-        .collect();
-    let mut frame = input.start;
-    let mut points = vec![frame.position];
-    let mut steps = corner_to_corner(&disturbed, input.compensation);
-    for (step, fractions) in steps.iter_mut().zip(input.fractions) {
-        let from = frame.position;
-        step.feed = Length::computed(step.feed.mm() * chord_over_arc(draw(ErrorSource::Curvature)));
-        let along = frame.t() * step.feed.mm();
-        for &fraction in fractions {
-            frame.position = from + along * fraction;
-            points.push(frame.position);
-        }
-        frame.rotate(step.rotate);
-        frame.bend(step.bend);
-    }
-    ImperfectWire { points, steps, told }
-}
-
-/// The distance of the ends of an arc over its length, for an arc that rises by `bow` times that
-/// distance.
-fn chord_over_arc(bow: f64) -> f64 {
-    let quarter = (2.0 * bow).atan();
-    if quarter.abs() < 1e-6 { 1.0 } else { (2.0 * quarter).sin() / (2.0 * quarter) }
-}
-
 /// How far one vertex of the route lies from where it should, over all runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spread {
@@ -271,11 +203,15 @@ pub fn scheduled_start(start: Frame, scheduled: &[Step]) -> Frame {
 #[must_use]
 pub fn perfect_wire(input: &SimulationInput) -> Vec<Point3<f64>> {
     let bends = results(input.program.steps(), input.compensation);
-    imperfect(input, &bends, &mut |_| 0.0).points
+    imperfect(input, &bends, &mut Draw::new(&ErrorModel::default(), 0, 0)).points
 }
 
-/// Bends the wire `runs` times with errors drawn from `seed`; the same seed gives the same report. It ends early where `each_run` says that
-/// it need not go on; the report is of the wires until then.
+/// As many steps are bent at once, of as many wires as that is: wires that nobody waits for any more are few, and so is what is kept of
+/// them.
+const STEPS_AT_ONCE: u32 = 1 << 17;
+
+/// Bends the wire `runs` times with errors drawn from `seed`, on all processors; a wire's errors depend on the seed and on its number
+/// alone. `each_run` gets the wires in their order. Where it says that there need be no more, the report is of the wires until then.
 ///
 /// # Errors
 /// [`BadErrorTerm`] when an error is not finite or a deviation is negative.
@@ -286,56 +222,74 @@ pub fn simulate(
     seed: u64,
     mut each_run: impl FnMut(&ImperfectWire) -> ControlFlow<()>,
 ) -> Result<ErrorReport, BadErrorTerm> {
-    let normal = |of: ErrorSource| {
-        let term = errors.term(of);
-        term.check(of)?;
-        Normal::new(term.bias, term.sigma).map_err(|_| BadErrorTerm {
-            of,
-            bias: term.bias,
-            sigma: term.sigma,
-        })
-    };
-    let feed = normal(ErrorSource::Feed)?;
-    let rotate = normal(ErrorSource::Rotation)?;
-    let bend = normal(ErrorSource::Bend)?;
-    let curvature = normal(ErrorSource::Curvature)?;
-    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    for of in ErrorSource::ALL {
+        errors.term(of).check(of)?;
+    }
     let mut deviations = vec![Vec::with_capacity(runs as usize); input.design.len()];
     let mut gaps = vec![Vec::with_capacity(runs as usize); input.passes.len()];
     let bends = results(input.program.steps(), input.compensation);
-    for _ in 0..runs {
-        let mut draw = |term| match term {
-            ErrorSource::Feed => feed.sample(&mut random),
-            ErrorSource::Rotation => rotate.sample(&mut random),
-            ErrorSource::Bend => bend.sample(&mut random),
-            ErrorSource::Curvature => curvature.sample(&mut random),
-        };
-        let wire = imperfect(input, &bends, &mut draw);
-        let made = &wire.points;
-        for ((design, made), distances) in input.design.iter().zip(made).zip(&mut deviations) {
-            distances.push((design - made).norm());
-        }
-        for (passes, distances) in input.passes.iter().zip(&mut gaps) {
-            let between = passes.iter().flat_map(|&a| passes.iter().map(move |&b| (a, b)));
-            let widest = between.map(|(a, b)| (made[a] - made[b]).norm()).fold(0.0, f64::max);
-            distances.push(widest);
-        }
-        if each_run(&wire).is_break() {
-            break;
+    let steps = u32::try_from(bends.len()).unwrap_or(u32::MAX);
+    let at_once = STEPS_AT_ONCE / steps.clamp(1, STEPS_AT_ONCE);
+    let bent = |run| {
+        let wire = imperfect(input, &bends, &mut Draw::new(errors, seed, run));
+        let distances = Distances::of(input, &wire.points);
+        (wire, distances)
+    };
+    for first in (0..runs).step_by(at_once as usize) {
+        let numbers = first..first.saturating_add(at_once).min(runs);
+        let wires: Vec<_> = numbers.into_par_iter().map(bent).collect();
+        for (wire, found) in &wires {
+            keep(&mut deviations, &found.deviations);
+            keep(&mut gaps, &found.gaps);
+            if each_run(wire).is_break() {
+                return Ok(ErrorReport::of(deviations, gaps));
+            }
         }
     }
-    let spread = |mut distances: Vec<f64>| {
-        distances.sort_by(f64::total_cmp);
+    Ok(ErrorReport::of(deviations, gaps))
+}
+
+fn keep(all: &mut [Vec<f64>], found: &[f64]) {
+    for (all, &distance) in all.iter_mut().zip(found) {
+        all.push(distance);
+    }
+}
+
+/// How far off one wire is, in mm.
+struct Distances {
+    deviations: Vec<f64>,
+    gaps: Vec<f64>,
+}
+
+impl Distances {
+    fn of(input: &SimulationInput, made: &[Point3<f64>]) -> Self {
+        let widest = |passes: &Vec<usize>| {
+            let between = passes.iter().flat_map(|&a| passes.iter().map(move |&b| (a, b)));
+            between.map(|(a, b)| (made[a] - made[b]).norm()).fold(0.0, f64::max)
+        };
+        Self {
+            deviations: input.design.iter().zip(made).map(|(design, made)| (design - made).norm()).collect(),
+            gaps: input.passes.iter().map(widest).collect(),
+        }
+    }
+}
+
+impl ErrorReport {
+    fn of(deviations: Vec<Vec<f64>>, gaps: Vec<Vec<f64>>) -> Self {
+        let spreads = |all: Vec<Vec<f64>>| all.into_par_iter().map(Spread::of).collect();
+        Self { deviations: spreads(deviations), gaps: spreads(gaps) }
+    }
+}
+
+impl Spread {
+    fn of(mut distances: Vec<f64>) -> Self {
+        distances.sort_unstable_by(f64::total_cmp);
         #[allow(clippy::cast_precision_loss)] // runs are far fewer than 2^52
         let mean = distances.iter().sum::<f64>() / distances.len().max(1) as f64;
         let within = (distances.len() * 95).div_ceil(100).saturating_sub(1);
         let radius_95 = distances.get(within).copied().unwrap_or_default();
-        Spread { mean: Length::computed(mean), radius_95: Length::computed(radius_95) }
-    };
-    Ok(ErrorReport {
-        deviations: deviations.into_iter().map(spread).collect(),
-        gaps: gaps.into_iter().map(spread).collect(),
-    })
+        Self { mean: Length::computed(mean), radius_95: Length::computed(radius_95) }
+    }
 }
 
 #[cfg(test)]

@@ -97,6 +97,62 @@ fn a_bowed_strut_is_shorter_from_end_to_end() {
     }
 }
 
+/// A vertex within a bowed strut lies where one comes to that walks along the arc, to whichever side it goes.
+#[test]
+fn a_vertex_within_a_bowed_strut_lies_on_its_arc() {
+    const PIECES: u32 = 200_000;
+    let plan = planned(&chain(&[[0., 0., 0.], [30., 0., 0.], [100., 0., 0.]]));
+    let bow: f64 = 0.1;
+    let errors = ErrorModel { curvature: ErrorTerm { bias: bow, sigma: 0.0 }, ..ErrorModel::default() };
+    let (turn, piece) = (4.0 * (2.0 * bow).atan(), 100.0 / f64::from(PIECES));
+    let (mut at, mut walked) = ([0.0, 0.0], Vec::new());
+    for k in 0..PIECES {
+        let along = turn * ((f64::from(k) + 0.5) / f64::from(PIECES) - 0.5);
+        at = [at[0] + piece * along.cos(), at[1] - piece * along.sin()];
+        walked.push(at);
+    }
+    let mut sum = Vector3::zeros();
+    let mut wires = 0;
+    with_input(&plan, &[], |input| {
+        simulate(input, &errors, 400, 1, |wire| {
+            for (vertex, k) in [(1, PIECES * 3 / 10 - 1), (2, PIECES - 1)] {
+                let made = wire.points[vertex] - wire.points[0];
+                let [along, aside] = walked[k as usize];
+                assert!((made.x - along).abs() < 1e-6, "{vertex}: {made} {along}");
+                assert!((made.yz().norm() - aside.abs()).abs() < 1e-6, "{vertex}: {made} {aside}");
+            }
+            sum += wire.points[1].coords;
+            wires += 1;
+            ControlFlow::Continue(())
+        })
+        .unwrap();
+    });
+    // To all sides alike: the mean of so many lies near the line.
+    let mean = sum / f64::from(wires);
+    assert!(mean.yz().norm() < 4.0 * walked[(PIECES * 3 / 10) as usize][1].abs() / 400f64.sqrt(), "{mean}");
+}
+
+/// What is off in a wire depends on its number: more wires are those of before and others.
+#[test]
+fn more_wires_begin_with_the_same_ones() {
+    let plan = planned(&twisted());
+    let errors = ErrorModel { bend_deg: off(0.5), curvature: off(0.01), ..ErrorModel::default() };
+    let drawn = |runs| {
+        let mut wires = Vec::new();
+        with_input(&plan, &[], |input| {
+            simulate(input, &errors, runs, 4, |wire| {
+                wires.push(wire.clone());
+                ControlFlow::Continue(())
+            })
+        })
+        .unwrap();
+        wires
+    };
+    let (few, many) = (drawn(7), drawn(STEPS_AT_ONCE / 4));
+    assert_eq!((few.as_slice(), many.len()), (&many[..7], (STEPS_AT_ONCE / 4) as usize));
+    assert!(many.windows(2).all(|pair| pair[0] != pair[1]));
+}
+
 #[test]
 fn a_seed_gives_the_same_runs_and_another_one_others() {
     let w = wireframe(

@@ -168,6 +168,13 @@ fn errors(page: &mut Document) {
     let report = bent(&straight, &ErrorModel { curvature: term(bow.value, 0.0), ..ErrorModel::default() }, 1);
     shorter.is(report.deviations.last().unwrap().mean.mm());
 
+    let [length, bow, aside] = page
+        .sentence("A vertex in the middle of a straight part of {} mm with a bow of {} goes {} mm aside.");
+    let halved = [[0., 0., 0.], [length.value / 2.0, 0., 0.], [length.value, 0., 0.]];
+    let report = bent(&halved, &ErrorModel { curvature: term(bow.value, 0.0), ..ErrorModel::default() }, 1);
+    aside.is(report.deviations[1].mean.mm());
+    aside.is(bow.value * length.value);
+
     let [sigma, percent] =
         page.sentence("Bows of σ = {} to either side make straight parts shorter by {} % on average.");
     // A bow f takes 8/3·f² of a straight part, nearly.
