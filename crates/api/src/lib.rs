@@ -80,6 +80,9 @@ pub use wirebend_planning::profiles::explain::{
 pub use wirebend_planning::profiles::new::{ProfileNewRequest, ProfileNewResponse, ProfilePlace};
 pub use wirebend_planning::profiles::revert::{ProfileRevertRequest, ProfileRevertResponse};
 pub use wirebend_planning::profiles::set::{ProfileSetRequest, ProfileSetResponse, SetValue};
+pub use wirebend_planning::profiles::share::{
+    ProfileExportRequest, ProfileExportResponse, ProfileImportRequest, ProfileImportResponse,
+};
 pub use wirebend_planning::profiles::springback::{SamplePlace, SpringbackReport, SpringbackSample};
 pub use wirebend_planning::program::ProgramKind;
 pub use wirebend_planning::progress::{NoProgress, Progress};

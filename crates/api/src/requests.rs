@@ -24,11 +24,12 @@ use crate::{
     JogResponse, LiveCheck, MachineSettingsRequest, MachineSettingsResponse, MachinesRequest,
     MachinesResponse, MaterialsRequest, MaterialsResponse, OperatorEvent, PlanRequest, PlanResponse,
     PortsRequest, PortsResponse, PredictionRequest, ProfileCheckRequest, ProfileCheckResponse,
-    ProfileExplainRequest, ProfileExplainResponse, ProfileNewRequest, ProfileNewResponse,
-    ProfileRevertRequest, ProfileRevertResponse, ProfileSetRequest, ProfileSetResponse, ReplayRequest,
-    RunRequest, RunResponse, RunsExportRequest, RunsExportResponse, RunsRequest, RunsResponse,
-    RunsShowRequest, RunsShowResponse, SequenceRequest, SequenceResponse, SimulateRequest, SimulateResponse,
-    ToleranceRequest, ToleranceResponse, WiresRequest, WiresResponse,
+    ProfileExplainRequest, ProfileExplainResponse, ProfileExportRequest, ProfileExportResponse,
+    ProfileImportRequest, ProfileImportResponse, ProfileNewRequest, ProfileNewResponse, ProfileRevertRequest,
+    ProfileRevertResponse, ProfileSetRequest, ProfileSetResponse, ReplayRequest, RunRequest, RunResponse,
+    RunsExportRequest, RunsExportResponse, RunsRequest, RunsResponse, RunsShowRequest, RunsShowResponse,
+    SequenceRequest, SequenceResponse, SimulateRequest, SimulateResponse, ToleranceRequest,
+    ToleranceResponse, WiresRequest, WiresResponse,
 };
 
 macro_rules! requests {
@@ -184,6 +185,10 @@ requests! {
         ProfileSet(ProfileSetRequest) -> ProfileSetResponse = profiles::set::set, "profile-set";
         /// Takes back values of a profile of the person's own, or its last change.
         ProfileRevert(ProfileRevertRequest) -> ProfileRevertResponse = profiles::revert::revert, "profile-revert";
+        /// Writes a profile as one file that others can use.
+        ProfileExport(ProfileExportRequest) -> ProfileExportResponse = profiles::share::export_profile, "profile-export";
+        /// Takes in a profile from a file.
+        ProfileImport(ProfileImportRequest) -> ProfileImportResponse = profiles::share::import_profile, "profile-import";
         /// Writes a version of the machine and of the wire with what a sheet tells.
         CalibrateApply(CalibrateApplyRequest) -> CalibrateApplyResponse = calibrate::apply, "calibrate-apply";
     }

@@ -14,8 +14,8 @@ use wirebend_profile::{Kind, Shape};
 
 use super::Workspace;
 use crate::{
-    ApiError, Output, ProfileExplainRequest, ProfileExplainResponse, ProfileNewRequest, ProfileNewResponse,
-    ProfilePlace, ProfileRevertRequest, ProfileSetRequest, Progress,
+    ApiError, Output, ProfileExplainRequest, ProfileExplainResponse, ProfileImportResponse,
+    ProfileNewRequest, ProfileNewResponse, ProfilePlace, ProfileRevertRequest, ProfileSetRequest, Progress,
 };
 
 /// Writes a profile of the person's own that inherits from another.
@@ -204,7 +204,8 @@ impl Workspace {
         _: &dyn Progress,
     ) -> Result<ImportedProfile, ApiError> {
         let folder = self.own_folder()?;
-        let (kind, id) = share::import(&self.installation(), &asked.file, asked.id.as_deref(), &folder)?;
+        let ProfileImportResponse { id, kind, .. } =
+            share::import(&self.installation(), &asked.file, asked.id.as_deref(), &folder)?;
         self.reload()?;
         let listed = self.installation().library.list(kind).into_iter().find(|listing| listing.id == id);
         let name = listed.map_or_else(|| id.clone(), |listing| listing.name);

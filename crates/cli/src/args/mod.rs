@@ -359,6 +359,27 @@ pub(crate) enum ProfileCommand {
         #[command(flatten)]
         kind: KindArgs,
     },
+    /// Write a profile, with all that it has from other profiles of your own, as one file for others
+    #[command(after_help = "Example:\n  wirebend profile export my-bender -o my-bender.json")]
+    Export {
+        /// Profile to write, by id
+        #[arg(value_name = "ID")]
+        id: String,
+        #[command(flatten)]
+        kind: KindArgs,
+        #[command(flatten)]
+        output: OutputArgs,
+    },
+    /// Take in a profile that somebody else has exported, as one of your own
+    #[command(after_help = "Example:\n  wirebend profile import my-bender.json")]
+    Import {
+        /// File of the profile
+        #[arg(value_name = "FILE")]
+        file: PathBuf,
+        /// Another id for it, where the one of the file is taken
+        #[arg(long, value_name = "ID")]
+        id: Option<String>,
+    },
     /// Say which file and line set each value of a profile
     #[command(after_help = "Example:\n  wirebend profile explain steel-0-9mm")]
     Explain {

@@ -74,6 +74,8 @@ pub(crate) fn show(response: &Response, json: bool, contents: Contents) -> anyho
             Response::ProfileNew(found) => profile::new(&mut err, found)?,
             Response::ProfileSet(found) => profile::set(&mut err, found)?,
             Response::ProfileRevert(found) => profile::revert(&mut err, found)?,
+            Response::ProfileExport(found) => profile::exported(&mut err, found)?,
+            Response::ProfileImport(found) => profile::imported(&mut err, found)?,
             Response::CalibrateNew(found) => calibrate::new(&mut err, found)?,
             Response::CalibrateEnter(found) => calibrate::enter(&mut err, found)?,
             Response::CalibrateFit(found) => calibrate::fit(&mut anstream::stdout().lock(), found)?,
@@ -129,6 +131,8 @@ fn status(response: &Response) -> u8 {
         | Response::ProfileExplain(_)
         | Response::ProfileSet(_)
         | Response::ProfileRevert(_)
+        | Response::ProfileExport(_)
+        | Response::ProfileImport(_)
         | Response::CalibrateNew(_)
         | Response::CalibrateEnter(_)
         | Response::CalibrateFit(_)
@@ -165,6 +169,7 @@ fn write_contents(response: &Response) -> anyhow::Result<bool> {
         Response::Generate(found) => &found.contents,
         Response::Plan(found) => &found.contents,
         Response::ProfileNew(found) => &found.contents,
+        Response::ProfileExport(found) => &found.contents,
         Response::RunsExport(found) => &found.contents,
         Response::Export(found) => {
             if found.contents.len() > 1 {

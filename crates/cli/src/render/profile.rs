@@ -5,8 +5,9 @@ use std::io::Write;
 use anstyle::Style;
 use serde_json::Value;
 use wirebend_api::{
-    ProfileCheckResponse, ProfileExplainResponse, ProfileNewResponse, ProfileRevertResponse,
-    ProfileSetResponse, SamplePlace, SetValue, SeverityName, SpringbackReport, SpringbackSample, ValueReport,
+    ProfileCheckResponse, ProfileExplainResponse, ProfileExportResponse, ProfileImportResponse,
+    ProfileNewResponse, ProfileRevertResponse, ProfileSetResponse, SamplePlace, SetValue, SeverityName,
+    SpringbackReport, SpringbackSample, ValueReport,
 };
 
 use super::tables::padded;
@@ -77,6 +78,15 @@ pub(super) fn set(out: &mut impl Write, found: &ProfileSetResponse) -> std::io::
 
 pub(super) fn revert(out: &mut impl Write, found: &ProfileRevertResponse) -> std::io::Result<()> {
     changed(out, &found.values)?;
+    writeln!(out, "wrote {} ({} '{}')", found.file.display(), found.kind, found.id)
+}
+
+pub(super) fn exported(out: &mut impl Write, found: &ProfileExportResponse) -> std::io::Result<()> {
+    let Some(file) = &found.file else { return Ok(()) };
+    writeln!(out, "wrote {} ({} '{}')", file.display(), found.kind, found.id)
+}
+
+pub(super) fn imported(out: &mut impl Write, found: &ProfileImportResponse) -> std::io::Result<()> {
     writeln!(out, "wrote {} ({} '{}')", found.file.display(), found.kind, found.id)
 }
 

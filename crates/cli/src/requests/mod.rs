@@ -13,8 +13,8 @@ use wirebend_api::{
     CheckRequest, Command, CompareRequest, DesignInput, DriverCheckRequest, DriverTrustRequest,
     DriversRequest, DumpRequest, ExportRequest, GenerateRequest, GeneratedShape, ImportRequest, Input,
     MachinesRequest, MaterialsRequest, Output, PlanChoices, PlanRequest, ProfileCheckRequest,
-    ProfileExplainRequest, ProfileNewRequest, ProfilePlace, ProfileRevertRequest, ProfileSetRequest,
-    SimulateRequest, StepPause, WiresRequest,
+    ProfileExplainRequest, ProfileExportRequest, ProfileImportRequest, ProfileNewRequest, ProfilePlace,
+    ProfileRevertRequest, ProfileSetRequest, SimulateRequest, StepPause, WiresRequest,
 };
 
 use crate::args::live::RunsCommand;
@@ -120,6 +120,17 @@ pub(crate) fn prepare(command: Subcommands) -> anyhow::Result<Prepared> {
         }
         Subcommands::Profile(ProfileCommand::Revert { id, keys, kind }) => {
             written(Command::ProfileRevert(ProfileRevertRequest { id, kind: kind.kind, keys }))
+        }
+        Subcommands::Profile(ProfileCommand::Export { id, kind, output: OutputArgs { output, force } }) => {
+            let file = output.filter(|path| path != Path::new("-"));
+            let contents = if file.is_some() { Contents::Written } else { Contents::StandardOutput };
+            let output = file.map(|path| Output { path, force });
+            let request = ProfileExportRequest { id, kind: kind.kind, output };
+            Prepared::Command(Box::new(Command::ProfileExport(request)), contents)
+        }
+        Subcommands::Profile(ProfileCommand::Import { file, id }) => {
+            let folder = calibrate::own_folder("set HOME or XDG_CONFIG_HOME")?;
+            written(Command::ProfileImport(ProfileImportRequest { file, id, folder }))
         }
         Subcommands::Profile(ProfileCommand::Check { files }) => {
             written(Command::ProfileCheck(ProfileCheckRequest { files }))

@@ -131,6 +131,69 @@ fn every_shipped_profile_can_be_explained() {
     assert!(said.contains("did you mean `steel-1mm`"), "{said}");
 }
 
+/// What somebody has measured reaches another person as one file, whatever it inherits from.
+#[test]
+fn a_profile_goes_from_one_person_to_another() {
+    let [mine, theirs] = [(); 2].map(|()| tempfile::tempdir().unwrap());
+    let set = |id: &str, from: &str, value: &str| {
+        let kind = ["--kind", "machine", "--source", "caliper", "--measured"];
+        run_in(mine.path(), &[&["profile", "set", id, "--from", from, value], &kind[..]].concat(), b"")
+            .ended(0)
+    };
+    set("first", "wirebend-kit", "bend.orbit_radius_mm=20.45");
+    set("second", "first", "bend.pin_radius_mm=1.6");
+    let export = |more: &[&str]| {
+        let kind = ["--kind", "machine"];
+        run_in(mine.path(), &[&["profile", "export", "second"], &kind[..], more].concat(), b"")
+    };
+    let said = export(&["-o", "for-you.json"]).ended(0).err;
+    assert!(said.contains("wrote for-you.json (machine 'second')"), "{said}");
+    assert!(export(&["-o", "for-you.json"]).ended(2).err.contains("--force"));
+    let exported = export(&["-o", "for-you.json", "--force", "--json"]).ended(0).json();
+    assert_fits("profile-export", &exported);
+    // Without a file it goes on to the next program.
+    let text = export(&[]).ended(0).out;
+    assert_eq!(text, read(mine.path(), "for-you.json").into_bytes());
+
+    let file = mine.path().join("for-you.json");
+    let import = |more: &[&str]| {
+        run_in(theirs.path(), &[&["profile", "import", file.to_str().unwrap()], more].concat(), b"")
+    };
+    let said = import(&[]).ended(0).err;
+    assert!(said.contains("machines/second.json (machine 'second')"), "{said}");
+    assert!(import(&[]).ended(2).err.contains("'second'"), "it is there already");
+    let imported = import(&["--id", "theirs", "--json"]).ended(0).json();
+    assert_fits("profile-import", &imported);
+    let of = |folder: &Path, id: &str| {
+        let explained = ["profile", "explain", id, "--kind", "machine", "--json"];
+        let found = run_in(folder, &explained, b"").ended(0).json();
+        let values = found["values"].as_array().unwrap().clone();
+        let plain = values.into_iter().map(|value| (value["key"].clone(), value["value"].clone()));
+        plain.filter(|(key, _)| key != "id" && key != "name").collect::<Vec<_>>()
+    };
+    assert_eq!(of(theirs.path(), "theirs"), of(mine.path(), "second"));
+
+    for (name, contents, expected) in [
+        ("no.json", "", "no.json"),
+        ("text.json", "hello", "text.json"),
+        ("list.json", "[1]", "list.json"),
+        ("other.json", "{\"kind\": \"noise\", \"id\": \"a\"}", "other.json"),
+        (
+            "open.json",
+            "{\"schema_version\": 1, \"kind\": \"machine\", \"id\": \"open\", \"name\": \"Open\", \"inherits\": \"nobody\"}",
+            "nobody",
+        ),
+    ] {
+        let wrong = theirs.path().join(name);
+        std::fs::write(&wrong, contents).unwrap();
+        let said = run_in(theirs.path(), &["profile", "import", name], b"");
+        let said = said.ended(3).err;
+        assert!(said.contains(expected) && said.contains("help:"), "{name}: {said}");
+    }
+    let said = run_in(theirs.path(), &["profile", "import", "missing.json"], b"").ended(3).err;
+    assert!(said.contains("missing.json"), "{said}");
+}
+
 /// Who has typed a wrong dimension gets the one of before back, also where they no longer know what it was.
 #[test]
 fn a_value_or_the_last_change_is_taken_back() {

@@ -113,5 +113,8 @@ fn a_profile_goes_to_another_computer_as_one_file() {
     assert_eq!(taken["id"], "second");
     // A file that is no profile is none, whatever it is called.
     std::fs::write(&file, "{\"kind\": \"cat\"}").unwrap();
-    assert_eq!(other.try_ask("import-profile", json!({"file": file})).unwrap_err().code, "value");
+    assert_eq!(
+        other.try_ask("import-profile", json!({"file": file})).unwrap_err().code,
+        "profile-unknown-kind"
+    );
 }
