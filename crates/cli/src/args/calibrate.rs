@@ -39,9 +39,12 @@ pub(crate) enum CalibrateCommand {
         /// How often each coupon is bent
         #[arg(long, value_name = "N", default_value_t = 2)]
         repeats: u32,
-        /// Folder for jobs and table
+        /// Folder for jobs, table and the sheet to print
         #[arg(long, short, value_name = "FOLDER")]
         output: PathBuf,
+        /// What the sheet is printed on: a4 or letter
+        #[arg(long, value_name = "PAPER")]
+        paper: Option<String>,
         /// Replace files that are there
         #[arg(long)]
         force: bool,

@@ -24,7 +24,7 @@ pub(super) fn new(out: &mut impl Write, found: &CalibrateNewResponse) -> std::io
         found.wire_mm / 1000.0,
         (found.seconds / 60.0).ceil(),
     )?;
-    written(out, found.jobs.iter().chain([&found.sheet]))
+    written(out, found.jobs.iter().chain([&found.sheet, &found.printed]))
 }
 
 pub(super) fn enter(out: &mut impl Write, found: &CalibrateEnterResponse) -> std::io::Result<()> {

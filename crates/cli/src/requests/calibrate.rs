@@ -12,13 +12,14 @@ use crate::usage::WrongUse;
 
 pub(super) fn calibrate(command: CalibrateCommand) -> Result<Command, WrongUse> {
     Ok(match command {
-        CalibrateCommand::New { machine, material, angles, repeats, output, force } => {
+        CalibrateCommand::New { machine, material, angles, repeats, output, paper, force } => {
             Command::CalibrateNew(CalibrateNewRequest {
                 machine,
                 material,
                 angles_deg: angles,
                 repeats,
                 folder: output,
+                paper,
                 force,
             })
         }

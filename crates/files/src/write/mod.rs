@@ -3,6 +3,7 @@
 //! Programs of machines are written by their drivers. Lengths are mm, angles degrees.
 
 mod centreline;
+mod coupon_sheet;
 pub mod frame;
 mod glb;
 mod job_sheet;
@@ -15,6 +16,7 @@ mod tube;
 mod wireframe_obj;
 
 pub use centreline::{Centreline, centreline};
+pub use coupon_sheet::{CouponSheet, PrintedCoupon, PrintedReading, coupon_sheet};
 pub use glb::glb;
 pub use job_sheet::{Figure, Finding, JobSheet, SheetStep, SheetWire, job_sheet};
 pub use obj::obj;

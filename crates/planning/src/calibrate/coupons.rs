@@ -16,7 +16,9 @@ use wirebend_files::document::{
 };
 use wirebend_files::number::short;
 use wirebend_files::read::{MeasuringSheet, SheetQuantity, SheetRow};
+use wirebend_files::write::{CouponSheet, Paper, PrintedCoupon, PrintedReading, coupon_sheet};
 
+use crate::export::paper;
 use crate::machine::{Setup, deg, mm};
 use crate::output::Output;
 use crate::{Installation, PlanningError, Progress};
@@ -47,6 +49,9 @@ pub struct CalibrateNewRequest {
     pub repeats: u32,
     /// Where jobs and sheet go. It is created where it is missing.
     pub folder: PathBuf,
+    /// What the sheet is printed on, `a4` or `letter`; A4 if absent.
+    #[serde(default)]
+    pub paper: Option<String>,
     /// Whether files that are there may be replaced.
     #[serde(default)]
     pub force: bool,
@@ -58,6 +63,8 @@ pub struct CalibrateNewResponse {
     pub material: String,
     /// The table for what is measured.
     pub sheet: PathBuf,
+    /// The sheet to print: a protractor in true size, and boxes for what is read.
+    pub printed: PathBuf,
     /// The jobs; each of their wires is a coupon.
     pub jobs: Vec<PathBuf>,
     /// How many coupons there are, without their repeats.
@@ -86,6 +93,7 @@ pub fn new(
     if !(1..=20).contains(&request.repeats) {
         return Err(wrong("the number of repeats", request.repeats.to_string(), "a number from 1 to 20"));
     }
+    let paper = request.paper.clone().map_or(Ok(Paper::default()), |name| paper(&name.into()))?;
     let plan = coupon_plan(&setup, &request.angles_deg)?;
     let mut jobs: [(&str, Vec<Planned>); 3] =
         [("angles", Vec::new()), ("sides", Vec::new()), ("turns", Vec::new())];
@@ -107,7 +115,8 @@ pub fn new(
     let written: Vec<_> = jobs.into_iter().filter(|(_, wires)| !wires.is_empty()).collect();
     let outputs: Vec<Output> = written.iter().map(|(name, _)| output(&format!("{name}.wbjob"))).collect();
     let sheet_output = output("sheet.csv");
-    outputs.iter().chain([&sheet_output]).try_for_each(Output::check)?;
+    let printed_output = output("sheet.pdf");
+    outputs.iter().chain([&sheet_output, &printed_output]).try_for_each(Output::check)?;
     std::fs::create_dir_all(&request.folder).map_err(|error| {
         PlanningError::Document(DocumentError::Save { path: request.folder.display().to_string(), error })
     })?;
@@ -118,6 +127,7 @@ pub fn new(
         machine: sheet.machine.clone(),
         material: sheet.material.clone(),
         sheet: sheet_output.path.clone(),
+        printed: printed_output.path.clone(),
         jobs: outputs.iter().map(|output| output.path.clone()).collect(),
         coupons: all().count(),
         repeats: request.repeats,
@@ -128,7 +138,31 @@ pub fn new(
         output.save(&job(&setup, wires)?.to_bytes()?)?;
     }
     sheet_output.save(sheet.to_text().as_bytes())?;
+    let printed = CouponSheet {
+        machine: setup.machine_name().to_owned(),
+        material: setup.material_name().to_owned(),
+        wire_diameter_mm: setup.model.wire.diameter.mm(),
+        coupons: all().map(printed).collect(),
+        repeats: request.repeats,
+        paper,
+    };
+    printed_output.save(&coupon_sheet(&printed).bytes)?;
     Ok(response)
+}
+
+/// A coupon on the sheet that is printed.
+fn printed(wire: &Planned) -> PrintedCoupon {
+    let reading = |row: &SheetRow| PrintedReading {
+        what: row.quantity.word(),
+        wanted: row.wanted,
+        unit: if row.quantity == SheetQuantity::Side { " mm" } else { "°" },
+        is_bend: row.quantity == SheetQuantity::Bend,
+    };
+    PrintedCoupon {
+        name: wire.name.clone(),
+        wire_mm: wire.commanded.feed_total().mm(),
+        readings: rows(wire, 0).iter().map(reading).collect(),
+    }
 }
 
 fn wrong(name: &'static str, value: String, expected: &'static str) -> PlanningError {

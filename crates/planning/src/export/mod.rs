@@ -29,6 +29,7 @@ use content::{Content, Wire};
 use format::Chosen;
 pub use format::ExportFormat;
 use print::Print;
+pub(crate) use print::paper;
 
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 pub struct ExportRequest {

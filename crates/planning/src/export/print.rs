@@ -50,7 +50,8 @@ impl Print {
     }
 }
 
-fn paper(value: &Value) -> Result<Paper, PlanningError> {
+/// The paper that a setting names.
+pub(crate) fn paper(value: &Value) -> Result<Paper, PlanningError> {
     let named = |paper: &Paper| value.as_str().is_some_and(|name| name.eq_ignore_ascii_case(paper.id()));
     Paper::ALL.into_iter().find(named).ok_or_else(|| PlanningError::Value {
         input: FORMAT,

@@ -1,13 +1,12 @@
 //! The job sheet: what a person takes to the machine, as PDF.
 
-mod flow;
 mod picture;
 mod steps;
 
+use super::pdf::flow::{Flow, SMALL};
 use super::pdf::{Canvas, Paper, Pdf, Pen, Type, document, letters};
 use super::svg::PictureWire;
 use crate::number::fixed;
-use flow::{Flow, SMALL};
 
 /// What stands on a job sheet. Nothing is looked up or computed for it, the date included.
 #[derive(Debug, Clone, PartialEq)]

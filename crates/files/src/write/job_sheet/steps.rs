@@ -1,7 +1,6 @@
 //! The table of steps.
 
-use super::flow::{Flow, SMALL};
-use super::{Pen, SheetStep, Type, fixed};
+use super::{Flow, Pen, SMALL, SheetStep, Type, fixed};
 
 const ROW: f64 = 4.4;
 const LETTERS: Type = Type { size: 3.0, bold: false, grey: 0.0 };

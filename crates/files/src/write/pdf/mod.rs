@@ -2,6 +2,7 @@
 //! selected and searched. The same pages give the same bytes: no clock is read.
 
 mod canvas;
+pub(crate) mod flow;
 pub(crate) mod letters;
 
 use std::collections::BTreeSet;

@@ -10,24 +10,24 @@ use wirebend_files::write::{
 
 use super::templates::of;
 
-const POINTS: f64 = 72.0 / 25.4;
+pub(super) const POINTS: f64 = 72.0 / 25.4;
 /// A4 and Letter upright, in points: 210 × 297 mm, 612 × 792.
 const SIZES: [(Paper, [f64; 2]); 2] = [(Paper::A4, [595.276, 841.890]), (Paper::Letter, [612.0, 792.0])];
 
 /// What a page shows.
 #[derive(Debug, Default)]
-struct Page {
+pub(super) struct Page {
     size: [f64; 2],
     /// Lines that are drawn, from point to point, in points.
-    lines: Vec<[[f64; 2]; 2]>,
+    pub(super) lines: Vec<[[f64; 2]; 2]>,
     /// Cubic curves that are drawn: begin, two handles, end.
     curves: Vec<[[f64; 2]; 4]>,
     /// Text, each piece where it stands.
-    texts: Vec<([f64; 2], String)>,
+    pub(super) texts: Vec<([f64; 2], String)>,
 }
 
 impl Page {
-    fn says(&self, words: &str) -> bool {
+    pub(super) fn says(&self, words: &str) -> bool {
         self.texts.iter().any(|(_, text)| text.contains(words))
     }
 
@@ -40,7 +40,7 @@ fn number(object: &Object) -> f64 {
     f64::from(object.as_float().unwrap_or_else(|error| panic!("{error}: {object:?}")))
 }
 
-fn pages(bytes: &[u8]) -> Vec<Page> {
+pub(super) fn pages(bytes: &[u8]) -> Vec<Page> {
     let document = Document::load_mem(bytes).unwrap();
     let page = |id| {
         let page = document.get_dictionary(id).unwrap();

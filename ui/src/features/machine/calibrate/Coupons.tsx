@@ -117,6 +117,10 @@ export function Coupons() {
               the wire behind each coupon and write its name on it. Then come back to this sheet:
             </p>
             <p className="selectable calibrate-file">{made.sheet}</p>
+            <p className="muted small">
+              To print in true size: a protractor for the bends, and boxes for the readings.
+            </p>
+            <p className="selectable calibrate-file">{made.printed}</p>
           </>
         ) : sheet ? (
           <>

@@ -7,10 +7,10 @@ const MARGIN: f64 = 15.0;
 /// For what stands under each page, in mm.
 const FOOT: f64 = 8.0;
 
-pub(super) const SMALL: Type = Type { size: 2.9, bold: false, grey: 0.3 };
+pub(crate) const SMALL: Type = Type { size: 2.9, bold: false, grey: 0.3 };
 
 /// Pages that are filled from above.
-pub(super) struct Flow {
+pub(crate) struct Flow {
     /// Width and height of the paper in mm.
     pub paper: [f64; 2],
     full: Vec<Canvas>,
