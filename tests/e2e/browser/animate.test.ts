@@ -108,6 +108,24 @@ it("says how far the made wire is from the designed one, as the machine bends it
   await animate().getByRole("button", { name: "Back to the design" }).click();
 });
 
+it("shows how far off vertices come out while the wire is played", async () => {
+  const shown = animate().getByRole("checkbox", { name: "Accuracy" });
+  expect(await shown.isDisabled()).toBe(true);
+  await animate().getByRole("button", { name: "Predict" }).click();
+  const line = animate().getByText(/^Worst vertex: 95 % within/);
+  await line.waitFor();
+  // Asked any earlier, this would be asked in place of what the window has asked.
+  const { found } = await editor.loopback.ask("predict", { noise: "wirebend-kit", runs: 2000, seed: 1, within_mm: 1 });
+  const worst = found?.wires[0]?.worst_radius_95_mm ?? NaN;
+  expect(Number.parseFloat((await line.innerText()).split("within")[1] ?? "")).toBeCloseTo(worst, 2);
+  await slider().fill("4.6");
+  expect(await shown.isChecked()).toBe(true);
+  await editor.isClean("animate-accuracy");
+  await shown.uncheck();
+  await editor.isClean("animate-no-accuracy");
+  await animate().getByRole("button", { name: "Back to the design" }).click();
+});
+
 it("plays to its end and stands there, and says when the design is another one", async () => {
   await slider().fill("4.6");
   await animate().getByRole("button", { name: "Play" }).click();

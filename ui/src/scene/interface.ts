@@ -294,6 +294,12 @@ export interface SceneBall {
   readonly colour: Colour;
 }
 
+/** A ball around a place of a wire that is played. */
+export interface PlayedBall extends SceneBall {
+  /** mm of wire up to it. */
+  readonly along: number;
+}
+
 /** A short text at a place of the design, mm. */
 export interface SceneLabel {
   readonly at: Vec3;

@@ -7,6 +7,7 @@ import type {
   DrawingPlane,
   LengthFormat,
   Played,
+  PlayedBall,
   Preview,
   SceneBall,
   SceneDesign,
@@ -290,6 +291,12 @@ export class Viewport {
   /** What touches what where it is played, drawn red. */
   setTouches(touches: readonly Touch[]): void {
     this.stage.playback.setTouches(touches);
+    this.frames.request();
+  }
+
+  /** Balls around places of the wire that is played, in its order. */
+  setPlayedSpread(balls: readonly PlayedBall[]): void {
+    this.stage.playback.setSpread(balls);
     this.frames.request();
   }
 

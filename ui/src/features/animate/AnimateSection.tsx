@@ -5,6 +5,7 @@ import { useRunFile } from "../../state/program/run_file";
 import { useUi } from "../../state/window/ui";
 import { Section } from "../panel/Section";
 import { Contacts } from "./Contacts";
+import { Expected } from "./Expected";
 import { Generate } from "./Generate";
 import { Pause } from "./Pause";
 import { Player } from "./Player";
@@ -31,6 +32,7 @@ export function AnimateSection() {
           <Player />
           <Contacts />
           <Shown />
+          <Expected />
           <StepTable />
           <Pause />
         </>

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Prediction } from "../../generated/responses";
-import { ballsOf, bends, farthest, radii, sources, widest } from "./spread";
+import { ballsOf, bends, farthest, playedBallsOf, radii, sources, widest } from "./spread";
 
 const vertex = (vertex: number, mean_mm: number, radius_95_mm: number) => ({
   vertex,
@@ -70,6 +70,20 @@ describe("how far vertices scatter", () => {
       [2, { id: 2, at: [9, 0, 0] as const, support: false }],
     ]);
     expect(ballsOf(prediction, vertices)).toMatchObject([{ at: [0, 0, 0], radius: 4 }]);
+  });
+
+  it("follows one wire in its order, with what it scatters at each pass and the wire up to there", () => {
+    const vertices = new Map([
+      [0, { id: 0, at: [0, 0, 0] as const, support: false }],
+      [1, { id: 1, at: [30, 40, 0] as const, support: false }],
+    ]);
+    const [first, second, ...rest] = playedBallsOf(prediction, 0, vertices);
+    expect(rest).toEqual([]);
+    expect(first).toMatchObject({ at: [30, 40, 0], radius: 2, along: 50 });
+    expect(second).toMatchObject({ at: [0, 0, 0], radius: 4, along: 100 });
+    // Colours say the same of every wire.
+    expect(second?.colour).toEqual(ballsOf(prediction, vertices)[0]?.colour);
+    expect(playedBallsOf(prediction, 2, vertices)).toEqual([]);
   });
 
   it("names the vertex that is farthest off, and the one whose passes are farthest apart", () => {

@@ -1,7 +1,8 @@
 /** How far vertices scatter, as balls in the view, and what matters most of it. */
 
 import type { Prediction, SimulatedWire } from "../../generated/responses";
-import type { SceneBall, SceneVertex } from "../../scene/interface";
+import type { PlayedBall, SceneBall, SceneVertex } from "../../scene/interface";
+import { distance } from "../../state/design/geometry";
 import { rising } from "../frame/ramp";
 
 /** The distance that 95 % of the wires keep within, by vertex: of one that is passed more than once the largest. */
@@ -18,6 +19,24 @@ export function ballsOf(prediction: Prediction, vertices: ReadonlyMap<number, Sc
   return [...all].flatMap(([vertex, radius]) => {
     const at = vertices.get(vertex)?.at;
     return at && radius > 0 ? [{ at, radius, colour: rising(radius / most) }] : [];
+  });
+}
+
+/** The balls of one wire in its order, each pass of a vertex with its own; colours are those of all wires. */
+export function playedBallsOf(
+  prediction: Prediction,
+  wire: number,
+  vertices: ReadonlyMap<number, SceneVertex>,
+): PlayedBall[] {
+  const most = Math.max(0, ...radii(prediction).values());
+  let along = 0;
+  let before: SceneVertex["at"] | null = null;
+  return (prediction.wires[wire]?.vertices ?? []).flatMap(({ vertex, radius_95_mm: radius }) => {
+    const at = vertices.get(vertex)?.at;
+    if (!at) return [];
+    along += before ? distance(before, at) : 0;
+    before = at;
+    return radius > 0 ? [{ at, radius, colour: rising(radius / most), along }] : [];
   });
 }
 

@@ -12,13 +12,14 @@ import { useShape } from "../../state/frame/shape";
 import { useByHand } from "../../state/machine/by_hand";
 import { predictedNow, usePrediction } from "../../state/prediction/prediction";
 import { touchesNow } from "../../state/program/contacts";
-import { usePlayback, useProgram } from "../../state/program/program";
+import { isUpToDate, usePlayback, useProgram } from "../../state/program/program";
+import { useRunFile } from "../../state/program/run_file";
 import { shownSequence, useSequence } from "../../state/sequence/sequence";
 import { shownTheme, systemTheme } from "../../state/window/theme";
 import { useUi } from "../../state/window/ui";
 import { useUnits } from "../../state/window/units";
 import { drawnPlane, planeOfAll, useView } from "../../state/window/view";
-import { ballsOf } from "../check/spread";
+import { ballsOf, playedBallsOf } from "../check/spread";
 import { measureText } from "../check/texts";
 import { drawnFrame } from "../frame/struts";
 import { drawnSequence, layersOf } from "../sequence/struts";
@@ -127,6 +128,14 @@ export function show(scene: Scene): () => void {
   const spread = () => {
     const prediction = predictedNow();
     scene.setSpread(prediction ? ballsOf(prediction, useDesign.getState().vertices) : []);
+    playedSpread();
+  };
+  // Of the design's own program alone, while both are as the design is.
+  const playedSpread = () => {
+    const { wire } = useProgram.getState();
+    const ofDesign = usePlayback.getState().played !== null && isUpToDate() && useRunFile.getState().file === null;
+    const prediction = ofDesign ? predictedNow() : null;
+    scene.setPlayedSpread(prediction ? playedBallsOf(prediction, wire, useDesign.getState().vertices) : []);
   };
   const theme = () => scene.setTheme(shownTheme(useUi.getState().theme));
   const system = systemTheme();
@@ -256,6 +265,8 @@ export function show(scene: Scene): () => void {
     follow(useSequence, ({ shown, at, layers, found, changed }) => [shown, at, layers, found, changed], struts),
     follow(usePrediction, ({ answer, shown, noise, within }) => [answer, shown, noise, within], spread),
     follow(useDesign, ({ version, state }) => [version, state?.machine, state?.material], spread),
+    follow(usePlayback, ({ played }) => [played], playedSpread),
+    follow(useProgram, ({ basis, wire }) => [basis, wire], playedSpread),
     follow(useFrame, ({ hold, chosen }) => [hold, chosen], supports),
     follow(useDesign, ({ vertices }) => [vertices], supports),
     follow(

@@ -22,6 +22,11 @@ export class SpreadLayer {
     balls.forEach(({ at, radius, colour }, row) => this.spheres.set(row, at, { colour, size: radius, cube: false }));
   }
 
+  /** Only so many of them are seen, the first ones. */
+  keep(count: number): void {
+    this.spheres.count = count;
+  }
+
   dispose(): void {
     this.spheres.dispose();
   }

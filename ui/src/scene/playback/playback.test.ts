@@ -1,4 +1,4 @@
-import { type Mesh, Vector3 } from "three";
+import { type InstancedBufferGeometry, type Mesh, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import { shared } from "../drawing/shading";
 import { THEMES } from "../drawing/theme";
@@ -92,6 +92,34 @@ describe("the end that was bent first", () => {
     expect(at(2).first).toEqual([0, 10, -20]);
     expect(at(3).first).toEqual([30, 10, -20]);
   });
+});
+
+it("shows a ball once its place is out of the nozzle, and where its place is", () => {
+  const playback = new Playback(shared(), THEMES.dark);
+  playback.play(played());
+  const ball = { radius: 2, colour: [1, 0, 0] as const };
+  playback.setSpread([
+    { ...ball, at: [10, 0, 0], along: 10 },
+    { ...ball, at: [10, 20, 0], along: 30 },
+    { ...ball, at: [10, 20, 15], along: 45 },
+  ]);
+  const { group } = playback;
+  const scattered = given(group.children.find((child) => child.type === "Group" && child !== group.children[0]));
+  const mesh = given(scattered.children[0]) as Mesh<InstancedBufferGeometry>;
+  const seen = (time: number, shown: "designed" | "made" | "both" = "designed"): number => {
+    playback.setTime(time, shown);
+    group.updateMatrixWorld(true);
+    return scattered.visible ? mesh.geometry.instanceCount : 0;
+  };
+  expect([0, 0.2, 0.25, 1, 1.2, 1.25, 2, 2.124, 2.126, 3].map((time) => seen(time))).toEqual([
+    0, 0, 1, 1, 1, 2, 2, 2, 3, 3,
+  ]);
+  seen(0.75);
+  // The corner that is being bent stays at the bend point.
+  const corner = mesh.localToWorld(new Vector3(10, 0, 0));
+  expect(corner.length()).toBeCloseTo(0, 6);
+  playback.play(played({ made: { corners: PATH, poses: POSES } }));
+  expect([seen(3, "made"), seen(3, "both")]).toEqual([0, 3]);
 });
 
 it("turns the head about the direction of travel, with everything on it", () => {

@@ -4,14 +4,17 @@ import { Group, Vector3 } from "three";
 import type { Shared } from "../drawing/shading";
 import type { Rgb, Theme } from "../drawing/theme";
 import { Tubes } from "../drawing/tubes";
-import type { Moment, Played, PlayedPath, Shown, Touch, Vec3 } from "../interface";
-import { along, scale, subtract } from "../vec";
+import type { Moment, Played, PlayedBall, PlayedPath, Shown, Touch, Vec3 } from "../interface";
+import { SpreadLayer } from "../layers/spread";
+import { along, distance, scale, subtract } from "../vec";
 import { Machine, reach } from "./machine";
 import { momentAt, stepAt } from "./moments";
 import { placed, turned } from "./pose";
 
 /** mm of wire that are drawn behind the nozzle. */
 const BEHIND = 260;
+/** mm by which two sums of the same lengths may differ. */
+const NEAR = 1e-3;
 
 /** One of the two wires: as designed, or as made. */
 class Wire {
@@ -51,6 +54,18 @@ class Wire {
     tubes.mesh.quaternion.copy(turn);
     const shift = new Vector3(...scale(here, -1)).applyQuaternion(turn);
     tubes.mesh.position.copy(shift);
+  }
+
+  /** mm of wire that are out of the nozzle. */
+  out(step: number, { fed }: Moment): number {
+    const { corners } = this.path;
+    const length = (to: number): number => {
+      const [from, end] = [corners[to - 1], corners[to]];
+      return from && end ? distance(from, end) : 0;
+    };
+    let sum = length(step + 1) * fed;
+    for (let to = 1; to <= step; to += 1) sum += length(to);
+    return sum;
   }
 
   /** Places of the path in the frame of the machine, half way and at the end. On its way a wire reaches farther, but seldom and not for long. */
@@ -94,13 +109,19 @@ export class Playback {
   private shown: Shown = "designed";
   private progress = 0;
   private touches: readonly Touch[] = [];
+  private readonly spread: SpreadLayer;
+  /** It lies where the wire as designed does. */
+  private readonly scattered = new Group();
+  private balls: readonly PlayedBall[] = [];
 
   constructor(
     private readonly uniforms: Shared,
     private theme: Theme,
   ) {
     this.machine = new Machine(uniforms);
-    this.group.add(this.machine.group);
+    this.spread = new SpreadLayer(uniforms);
+    this.scattered.add(this.spread.mesh);
+    this.group.add(this.machine.group, this.scattered);
     this.group.visible = false;
   }
 
@@ -156,6 +177,13 @@ export class Playback {
     this.update();
   }
 
+  /** Balls around places of the wire as designed, in its order: each is seen once its place is out of the nozzle. */
+  setSpread(balls: readonly PlayedBall[]): void {
+    this.balls = balls;
+    this.spread.show(balls);
+    this.update();
+  }
+
   paint(theme: Theme): void {
     this.theme = theme;
     this.machine.paint(theme);
@@ -165,6 +193,7 @@ export class Playback {
   dispose(): void {
     this.play(null);
     this.machine.dispose();
+    this.spread.dispose();
   }
 
   private update(): void {
@@ -176,7 +205,15 @@ export class Playback {
     const showDesigned = !showMade || this.shown === "both";
     this.designed?.show(at.step, now, theme.edge, this.progress, this.touches, theme);
     this.made?.show(at.step, now, theme.made, showDesigned ? 0 : this.progress, this.touches, theme);
-    if (this.designed) this.designed.tubes.mesh.visible = showDesigned;
+    if (this.designed) {
+      const { mesh } = this.designed.tubes;
+      mesh.visible = showDesigned;
+      this.scattered.visible = showDesigned;
+      this.scattered.quaternion.copy(mesh.quaternion);
+      this.scattered.position.copy(mesh.position);
+      const out = this.designed.out(at.step, now) + NEAR;
+      this.spread.keep(this.balls.filter(({ along }) => along <= out).length);
+    }
     if (this.made) this.made.tubes.mesh.visible = showMade;
     this.machine.pose(now.head, now.bendAxis, now.pegOut);
   }
