@@ -4,7 +4,7 @@ use nalgebra::Point3;
 
 use crate::checks::{BendRadius, BendTorque, MachineLimits, Source, Sourced};
 use crate::clearance::Bodies;
-use crate::compensate::{BendModel, Compensation, FeedModel, PegGeometry, Springback};
+use crate::compensate::{BendModel, Compensation, FeedModel, MotionModel, PegGeometry, Springback};
 use crate::estimate::{TimeModel, WireModel};
 use crate::plan::Machine;
 use crate::schedule::HeadLimits;
@@ -55,6 +55,7 @@ pub(crate) fn published_machine() -> Machine {
                 setback: Some(PegGeometry::new(mm(20.4), mm(12.0), mm(3.0), mm(4.675)).unwrap()),
                 axis_limit: None,
             },
+            motion: MotionModel::default(),
         },
         time: TimeModel {
             feed_mm_per_s: 110.2,

@@ -97,10 +97,9 @@ impl Pieces {
         self.made >= self.repeat.pieces
     }
 
-    /// A wire came to its end.
-    pub fn wire_made(&mut self, wire: &JobWire) {
-        let fed: f64 = wire.compensated.iter().map(|step| step.feed_mm).sum();
-        self.left_mm = self.left_mm.map(|left| (left - fed).max(0.0));
+    /// A wire of so many mm came to its end.
+    pub fn wire_made(&mut self, fed_mm: f64) {
+        self.left_mm = self.left_mm.map(|left| (left - fed_mm).max(0.0));
         self.follows = true;
     }
 
@@ -121,9 +120,8 @@ impl Pieces {
         self.left_mm.map(|left| left >= wire.stock_mm)
     }
 
-    /// What to see to before a wire of a material is bent.
-    pub fn lines(&self, material: &str, wire: &JobWire) -> Vec<String> {
-        let fed: f64 = wire.compensated.iter().map(|step| step.feed_mm).sum();
+    /// What to see to before a wire of a material is bent, of which so many mm are fed.
+    pub fn lines(&self, material: &str, wire: &JobWire, fed: f64) -> Vec<String> {
         let mut lines = Vec::new();
         if let Some(Piece { number, of }) = self.piece() {
             lines.push(format!("piece {number} of {of}"));
@@ -202,7 +200,7 @@ mod tests {
         while !pieces.are_done() {
             asked.push((pieces.suffices(&wire).unwrap(), pieces.left_mm.unwrap()));
             pieces.confirmed(&wire);
-            pieces.wire_made(&wire);
+            pieces.wire_made(200.0);
             pieces.piece_made();
         }
         // 1000, 800 and 600 mm suffice for 600 mm; then there is new wire.

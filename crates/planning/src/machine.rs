@@ -4,13 +4,14 @@ use serde_json::{Map, Value};
 use wirebend_core::bend::Step;
 use wirebend_core::checks::{BendRadius, BendTorque, MachineLimits, Source, Sourced};
 use wirebend_core::compensate::{
-    BendModel, Compensation, FeedModel, PegGeometry, Springback, SpringbackCurve, SpringbackPoint,
+    BendModel, Compensation, FeedModel, MotionModel, PegGeometry, Springback, SpringbackCurve,
+    SpringbackPoint,
 };
 use wirebend_core::estimate::{TimeModel, WireModel};
 use wirebend_core::plan::Machine;
 use wirebend_core::schedule::HeadLimits;
 use wirebend_core::units::{Angle, Length, NotFinite};
-use wirebend_files::document::{JobContents, JobStep};
+use wirebend_files::document::{JobContents, JobStep, JobWire};
 use wirebend_profile::{
     BendFigures, MachineFigures, MachineProfile, MaterialFigures, MaterialProfile, Profile, Resolved,
 };
@@ -82,6 +83,13 @@ impl crate::Installation {
 }
 
 impl Setup {
+    /// Wire that the commands of a job's wire feed, mm.
+    #[must_use]
+    pub fn fed_mm(&self, wire: &JobWire) -> f64 {
+        let commanded: f64 = wire.compensated.iter().map(|step| step.feed_mm).sum();
+        commanded * self.model.compensation.motion.feed_scale
+    }
+
     /// A setup from resolved profiles, such as the snapshots in a job.
     pub fn new(
         machine: Resolved<MachineProfile>,
@@ -203,6 +211,11 @@ fn model(
         compensation: Compensation {
             feed: figures.compensate_feed.then(|| FeedModel::new(pin, diameter, wire.k_factor)),
             bend: bend_model(machine, figures, material, wire)?,
+            motion: MotionModel {
+                feed_scale: figures.feed_scale,
+                rotate_offset: deg(figures.rotate_offset_deg)?,
+                rotate_backlash: deg(figures.rotate_backlash_deg)?,
+            },
         },
         time: TimeModel {
             feed_mm_per_s: figures.feed_rate_mm_per_s,

@@ -114,6 +114,8 @@ layer! {
         pub rate_mm_per_s: Sourced<f64>,
         /// Smallest step that can be commanded, millimetres.
         pub resolution_mm: Sourced<f64>,
+        /// Wire that is fed for each commanded millimetre; 1 if absent.
+        pub scale: Sourced<f64>,
     }
 }
 
@@ -124,6 +126,10 @@ layer! {
         pub rate_deg_per_s: Sourced<f64>,
         /// Smallest step that can be commanded, degrees.
         pub resolution_deg: Sourced<f64>,
+        /// What every turn is off by, degrees; none if absent.
+        pub offset_deg: Sourced<f64>,
+        /// What a turn loses that goes against the one before, degrees; nothing if absent.
+        pub backlash_deg: Sourced<f64>,
     }
 }
 

@@ -154,6 +154,10 @@ impl MachineProfile {
         for (key, figure) in zero_or_more {
             within(faults, key, figure, 0.0, f64::MAX);
         }
+        // Farther off a motion is broken, or somebody has typed per cent.
+        within(faults, "feed.scale", &self.feed.scale, 0.8, 1.25);
+        within(faults, "rotate.offset_deg", &self.rotate.offset_deg, -20.0, 20.0);
+        within(faults, "rotate.backlash_deg", &self.rotate.backlash_deg, 0.0, 20.0);
     }
 
     fn id_faults(&self, faults: &mut Vec<Fault>) {

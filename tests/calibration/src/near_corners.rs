@@ -2,7 +2,9 @@
 //! wire as it is they do not. The bench marches; what compensates has formulas.
 
 use wirebend_core::bend::Step;
-use wirebend_core::compensate::{BendModel, Compensation, FeedModel, PegGeometry, Springback, compensate};
+use wirebend_core::compensate::{
+    BendModel, Compensation, FeedModel, MotionModel, PegGeometry, Springback, compensate,
+};
 use wirebend_core::schedule::ScheduledProgram;
 use wirebend_core::units::{Angle, Length};
 
@@ -25,6 +27,7 @@ fn machine(loss: f64) -> Compensation {
             setback: Some(peg),
             axis_limit: Some(deg(155.0)),
         },
+        motion: MotionModel::default(),
     }
 }
 

@@ -7,7 +7,7 @@ use wirebend_core::calibrate::{
     Measurements, ShapeChoice, calibrate,
 };
 use wirebend_core::compensate::{
-    BendModel, CompensatedProgram, Compensation, FeedModel, Springback, compensate,
+    BendModel, CompensatedProgram, Compensation, FeedModel, MotionModel, Springback, compensate,
 };
 use wirebend_core::schedule::ScheduledProgram;
 use wirebend_core::units::{Angle, Length};
@@ -35,6 +35,7 @@ fn published() -> Assumed {
         springback: Some(Springback::Constant(deg(10.23))),
         axis_limit: Some(deg(155.0)),
         diameter: mm(3.0),
+        motion: MotionModel::default(),
         k_factor: 0.3,
         k_deviation: 0.1,
         angle_reading: deg(0.5),
@@ -58,6 +59,7 @@ fn measured(shop: &mut Shop) -> Measurements {
     let as_published = Compensation {
         feed: Some(FeedModel::new(mm(1.5), mm(3.0), 0.3)),
         bend: published().bend_model().unwrap(),
+        motion: MotionModel::default(),
     };
     let mut measured = Measurements::default();
     for coupon in plan.coupons() {
@@ -129,9 +131,8 @@ fn off(shop: &mut Shop, tell: Tell, tell_sides: Tell) -> Off {
 fn compensated(found: &Calibration, program: &ScheduledProgram) -> CompensatedProgram {
     let bend: BendModel = found.bends.as_ref().unwrap().model(Some(deg(155.0)));
     let feeds = found.feeds.as_ref().unwrap();
-    let told = compensate(program, &Compensation { feed: Some(feeds.model), bend }).unwrap();
-    let scaled = told.steps().iter().map(|step| Step { feed: mm(step.feed.mm() / feeds.scale), ..*step });
-    CompensatedProgram::from_job_steps(scaled.collect())
+    let motion = MotionModel { feed_scale: feeds.scale, ..MotionModel::default() };
+    compensate(program, &Compensation { feed: Some(feeds.model), bend, motion }).unwrap()
 }
 
 fn recovers(factor: f64, seed: u64) {

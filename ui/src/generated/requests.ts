@@ -790,6 +790,10 @@ export interface CalibrateNewRequest {
    */
   material?: string | null;
   /**
+   * What the sheet is printed on, `a4` or `letter`; A4 if absent.
+   */
+  paper?: string | null;
+  /**
    * How often each coupon is bent.
    */
   repeats: number;

@@ -2279,10 +2279,6 @@ export interface CalibrateApplyResponse {
    * The new wire.
    */
   material: string;
-  /**
-   * What was found and has no place in a profile, with what to do about it.
-   */
-  notes: string[];
   report: CalibrationReport;
 }
 /**
@@ -2629,6 +2625,10 @@ export interface CalibrateNewResponse {
   jobs: string[];
   machine: string;
   material: string;
+  /**
+   * The sheet to print: a protractor in true size, and boxes for what is read.
+   */
+  printed: string;
   repeats: number;
   /**
    * How long the machine bends, estimated, s.

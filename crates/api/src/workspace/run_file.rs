@@ -158,7 +158,7 @@ impl Workspace {
             machine: setup.machine_id().to_owned(),
             material: setup.material_id().to_owned(),
             job_hash: job.hash().to_owned(),
-            wires: job.contents().wires.iter().map(RunFileWire::of).collect(),
+            wires: job.contents().wires.iter().map(|wire| RunFileWire::of(wire, &setup)).collect(),
             moves,
             feasible: wires.feasible(),
             findings: wires.findings().map(DiagnosticReport::from).collect(),
@@ -204,10 +204,10 @@ impl Workspace {
 }
 
 impl RunFileWire {
-    fn of(wire: &wirebend_files::document::JobWire) -> Self {
+    fn of(wire: &wirebend_files::document::JobWire, setup: &Setup) -> Self {
         Self {
             steps: wire.compensated.len(),
-            length_mm: wire.compensated.iter().map(|step| step.feed_mm).sum(),
+            length_mm: setup.fed_mm(wire),
             stock_mm: wire.stock_mm,
             time_s: wire.time_s,
         }

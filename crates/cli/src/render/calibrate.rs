@@ -115,7 +115,6 @@ pub(super) fn apply(out: &mut impl Write, found: &CalibrateApplyResponse) -> std
             count(left_out, "reading is", "readings are")
         )?;
     }
-    found.notes.iter().try_for_each(|note| writeln!(out, "note: {note}"))?;
     writeln!(out, "machine '{}' with material '{}'", found.machine, found.material)?;
     written(out, found.files.iter())
 }

@@ -75,6 +75,67 @@ fn coupons_that_the_simulated_machine_has_bent_make_profiles_that_are_used() {
     assert!(misfits[1]["mean_abs"].as_f64() < misfits[0]["mean_abs"].as_f64(), "{misfits:?}");
 }
 
+/// A feed that gives a fiftieth more than it is told, and a head with a play of two degrees: found, and made up for.
+#[test]
+fn a_feed_that_is_off_and_a_head_with_play_are_compensated() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |arguments: &[&str]| run_in(folder.path(), arguments, b"");
+    run(&["calibrate", "new", "--machine", "wirebend-kit", "--repeats", "3", "-o", "calibration"]).ended(0);
+    let pdf = std::fs::read(folder.path().join("calibration/sheet.pdf")).unwrap();
+    assert!(pdf.starts_with(b"%PDF"));
+    let mut readings: Vec<String> = Vec::new();
+    for line in sheet(folder.path()).lines().filter(|line| line.starts_with("side-")) {
+        let cells: Vec<&str> = line.split(',').collect();
+        let [wanted, commanded] = [2, 3].map(|k: usize| cells[k].parse::<f64>().unwrap());
+        // Over the outside there is half a wire more at either end.
+        let side = wanted + 0.02 * commanded + 3.0;
+        readings.push(format!("{}:1={:.2},{:.2},{:.2}", cells[0], side - 0.05, side, side + 0.05));
+    }
+    readings.extend(["turn-90:1=89.9,90,90.1", "turn-90:2=-88.1,-88,-87.9"].map(str::to_owned));
+    assert_eq!(readings.len(), 4);
+    for reading in &readings {
+        run(&["calibrate", "enter", "calibration/sheet.csv", reading]).ended(0);
+    }
+    let apply =
+        ["calibrate", "apply", "calibration/sheet.csv", "--machine-id", "mine", "--material-id", "own"];
+    run(&apply).ended(0);
+    let value = |key: &str| {
+        let explained = run(&["profile", "explain", "mine", "--json"]).ended(0).json();
+        let values = explained["values"].as_array().unwrap();
+        values.iter().find(|value| value["key"] == key).and_then(|value| value["value"].as_f64())
+    };
+    let [scale, play] = ["feed.scale", "rotate.backlash_deg"].map(|key| value(key).unwrap());
+    assert!((scale - 1.02).abs() < 0.004 && (play - 2.0).abs() < 0.05, "{scale} {play}");
+    assert_eq!(value("rotate.offset_deg"), None, "the first turn is right");
+
+    let cube = example("cube-8-edges.obj");
+    run(&["plan", &cube, "--units", "mm", "-m", "mine", "--despite-errors", "-o", "cube.wbjob"]).ended(0);
+    let job = std::fs::read_to_string(folder.path().join("cube.wbjob")).unwrap();
+    let job: serde_json::Value = serde_json::from_str(&job).unwrap();
+    let of = |steps: &str| -> Vec<f64> {
+        let steps = job["wires"][0][steps].as_array().unwrap();
+        steps.iter().map(|step| step["rotate_deg"].as_f64().unwrap()).collect()
+    };
+    let (scheduled, told) = (of("scheduled"), of("compensated"));
+    let mut before = 0.0;
+    let mut back = 0;
+    for (wanted, told) in scheduled.into_iter().zip(told) {
+        let turns_back = wanted * before < 0.0;
+        let expected = if turns_back { wanted + wanted.signum() * play } else { wanted };
+        assert!((told - expected).abs() < 1e-6, "{told} instead of {expected}");
+        back += usize::from(turns_back);
+        before = if wanted == 0.0 { before } else { wanted };
+    }
+    assert!(back > 0, "the head turns back");
+    // Commands turned back into a wire are the design again.
+    let simulated = run(&["simulate", "cube.wbjob", "--json"]).ended(0).json();
+    assert!(simulated["wires"][0]["worst_systematic_mm"].as_f64().unwrap() < 1e-6, "{simulated}");
+    let said =
+        run(&["calibrate", "compare", "wirebend-kit", "mine", "--sheet", "calibration/sheet.csv"]).ended(0);
+    let said = String::from_utf8(said.out).unwrap() + &said.err;
+    assert!(said.contains("turns off on average: 1.0") && said.contains("with mine"), "{said}");
+}
+
 #[test]
 fn a_table_of_pin_angles_is_enough_for_a_springback() {
     let folder = tempfile::tempdir().unwrap();

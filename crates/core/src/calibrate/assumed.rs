@@ -1,6 +1,6 @@
 //! What is known of a machine and a wire before anything is measured.
 
-use crate::compensate::{BendModel, PegGeometry, PegGeometryError, Springback};
+use crate::compensate::{BendModel, MotionModel, PegGeometry, PegGeometryError, Springback};
 use crate::units::{Angle, Length};
 
 /// A length that is known to within a deviation.
@@ -40,6 +40,8 @@ pub struct Assumed {
     pub k_factor: f64,
     /// How far off that may be.
     pub k_deviation: f64,
+    /// What feed and head make of what they are told.
+    pub motion: MotionModel,
     /// How finely bends and turns are read: their scatter as long as nothing tells it.
     pub angle_reading: Angle,
     /// How finely lengths are read.

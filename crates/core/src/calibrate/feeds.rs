@@ -40,7 +40,7 @@ pub(super) fn fit(
         let fed = Length::computed(scale * sample.feed.mm());
         feed_model(assumed, k, radius).segment_of(fed, before, after)
     };
-    let as_before = [1.0, assumed.k_factor, radius.value.mm()];
+    let as_before = [assumed.motion.feed_scale, assumed.k_factor, radius.value.mm()];
     let expected: Vec<Length> = samples.iter().map(|sample| side_of(sample, as_before)).collect();
     let readings: Vec<&[Option<Length>]> = samples.iter().map(|sample| sample.readings.as_slice()).collect();
     let mut screened = screen(
@@ -71,7 +71,7 @@ pub(super) fn fit(
     };
     let search = Search {
         parameters: vec![
-            (Parameter::FeedScale, Belief { value: 1.0, sd: SCALE_DEVIATION }),
+            (Parameter::FeedScale, Belief { value: assumed.motion.feed_scale, sd: SCALE_DEVIATION }),
             (Parameter::KFactor, Belief { value: assumed.k_factor, sd: assumed.k_deviation.max(1e-3) }),
             (Parameter::BendRadius, Belief { value: radius.value.mm(), sd: radius.deviation.mm().max(1e-3) }),
         ],

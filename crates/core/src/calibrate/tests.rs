@@ -1,5 +1,5 @@
 use super::*;
-use crate::compensate::{BendModel, FeedModel, PegGeometry, Springback};
+use crate::compensate::{BendModel, FeedModel, MotionModel, PegGeometry, Springback};
 use crate::testing::{deg, mm};
 use crate::units::{Angle, Length};
 
@@ -21,6 +21,7 @@ fn published() -> Assumed {
         springback: Some(Springback::Constant(deg(10.23))),
         axis_limit: Some(deg(155.0)),
         diameter: mm(3.0),
+        motion: MotionModel::default(),
         k_factor: 0.3,
         k_deviation: 0.1,
         angle_reading: deg(0.5),

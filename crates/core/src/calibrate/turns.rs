@@ -9,6 +9,7 @@ use super::fitting::Search;
 use super::least_squares::Belief;
 use super::measured::{Gap, Kind, TurnSample};
 use super::screen::{screen, turn};
+use crate::units::Angle;
 
 /// How far off a turn, and how large a play may be, in degrees.
 const DEVIATION_DEG: f64 = 5.0;
@@ -26,9 +27,16 @@ pub struct TurnFit {
 
 pub(super) fn fit(assumed: &Assumed, samples: &[TurnSample]) -> Result<Outcome<TurnFit>, CalibrationError> {
     let readings: Vec<_> = samples.iter().map(|sample| sample.readings.as_slice()).collect();
-    let expected = |k: usize| Figure::Angle(samples[k].rotate);
+    let made = |sample: &TurnSample, offset: f64, backlash: f64| {
+        let lost = if sample.reverses { sample.rotate.signum() * backlash } else { 0.0 };
+        sample.rotate.deg() + offset - lost
+    };
+    let known = assumed.motion;
+    let [offset, backlash] = [known.rotate_offset.deg(), known.rotate_backlash.deg()];
+    let before = |sample: &TurnSample| Angle::computed(made(sample, offset, backlash).to_radians());
+    let expected = |k: usize| Figure::Angle(before(&samples[k]));
     let mut screened = screen(Kind::Turns, &readings, Figure::Angle, expected, |k, reading| {
-        turn(samples[k].rotate, samples[k].rotate, reading)
+        turn(samples[k].rotate, before(&samples[k]), reading)
     });
     let given = screened.given;
     if screened.data.is_empty() {
@@ -38,22 +46,21 @@ pub(super) fn fit(assumed: &Assumed, samples: &[TurnSample]) -> Result<Outcome<T
     let used: Vec<&TurnSample> = screened.samples.iter().map(|&k| &samples[k]).collect();
     let predict = |parameters: &[f64]| {
         let &[offset, backlash] = parameters else { return Vec::new() };
-        let made = |sample: &&TurnSample| {
-            let lost = if sample.reverses { sample.rotate.signum() * backlash } else { 0.0 };
-            sample.rotate.deg() + offset - lost
-        };
-        used.iter().map(made).collect()
+        used.iter().map(|sample| made(sample, offset, backlash)).collect()
     };
-    let belief = Belief { value: 0.0, sd: DEVIATION_DEG };
+    let belief = |value| Belief { value, sd: DEVIATION_DEG };
     let search = Search {
-        parameters: vec![(Parameter::RotationOffset, belief), (Parameter::RotationBacklash, belief)],
+        parameters: vec![
+            (Parameter::RotationOffset, belief(offset)),
+            (Parameter::RotationBacklash, belief(backlash)),
+        ],
         predict: &predict,
         reading: assumed.angle_reading.deg(),
     };
     let no_solution = |_| CalibrationError::NoSolution { kind: Kind::Turns };
     search.take_out_wild(Kind::Turns, &mut screened).map_err(no_solution)?;
     let commanded = |k: usize| Figure::Angle(used[k].rotate);
-    let before: Vec<f64> = used.iter().map(|sample| sample.rotate.deg()).collect();
+    let before: Vec<f64> = used.iter().map(|sample| before(sample).deg()).collect();
     let (fit, solution) = search.fit(Kind::Turns, &screened, &commanded, &before).map_err(no_solution)?;
     let reverses = screened.data.iter().any(|datum| used[datum.sample].reverses);
     let fit = solution.parameters.first_chunk::<2>().map(|&[offset_deg, backlash_deg]| TurnFit {

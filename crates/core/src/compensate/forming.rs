@@ -28,7 +28,7 @@ impl<'a> Forming<'a> {
     /// The command of the next bend.
     pub fn command(&mut self, before: Angle, step: &Step) -> Result<(Angle, Option<Elsewhere>), BendError> {
         let Step { feed, rotate, bend } = *step;
-        let Compensation { feed: feeds, bend: model } = self.compensation;
+        let Compensation { feed: feeds, bend: model, .. } = self.compensation;
         let (mut straight, mut beyond) = (0.0, Beyond::default());
         if let Some(wire) = &mut self.wire {
             straight = wire.straight(feed, before, bend);
@@ -61,7 +61,8 @@ impl<'a> Forming<'a> {
     }
 }
 
-/// The bends that commands leave, one after the other: what the peg touches is what those before have left.
+/// The bends that commands leave, one after the other: what the peg touches is what those before have left. Feeds and turns are those
+/// that feed and head make of the commands.
 pub(crate) fn results(steps: &[Step], compensation: &Compensation) -> Vec<Angle> {
     let model = &compensation.bend;
     let Some(peg) = &model.setback else {

@@ -7,6 +7,7 @@
 mod contact;
 mod feed;
 mod forming;
+mod motion;
 mod setback;
 mod springback;
 
@@ -19,6 +20,7 @@ pub use feed::FeedModel;
 pub(crate) use feed::{corner, with_bend_before};
 use forming::Forming;
 pub(crate) use forming::results;
+pub use motion::MotionModel;
 pub use setback::{PegGeometry, PegGeometryError, PegRadius};
 pub use springback::{Springback, SpringbackCurve, SpringbackError, SpringbackPoint};
 
@@ -185,6 +187,8 @@ pub struct Compensation {
     pub feed: Option<FeedModel>,
     /// For the bends.
     pub bend: BendModel,
+    /// For feed and head that do not do quite what they are told.
+    pub motion: MotionModel,
 }
 
 /// What a machine is told. It can only be had by compensating.
@@ -193,6 +197,8 @@ pub struct CompensatedProgram {
     steps: Vec<Step>,
     near: Vec<NearCorner>,
     unpressed: Vec<StepError>,
+    /// Wire for each commanded millimetre.
+    feed_scale: f64,
 }
 
 /// A bend whose peg meets wire that was bent before.
@@ -208,10 +214,11 @@ pub struct NearCorner {
 }
 
 impl CompensatedProgram {
-    /// A program that was compensated before and has been kept in a job whose hash still fits.
+    /// A program that was compensated before, for a machine and a wire, and has been kept in a job whose hash still fits.
     #[must_use]
-    pub fn from_job_steps(steps: Vec<Step>) -> Self {
-        Self { steps, near: Vec::new(), unpressed: Vec::new() }
+    pub fn from_job_steps(steps: Vec<Step>, compensation: &Compensation) -> Self {
+        let feed_scale = compensation.motion.feed_scale;
+        Self { steps, near: Vec::new(), unpressed: Vec::new(), feed_scale }
     }
 
     /// The bends whose peg meets wire that was bent before, where it was compensated just now.
@@ -233,10 +240,11 @@ impl CompensatedProgram {
         &self.steps
     }
 
-    /// All feeds together.
+    /// Wire that all feeds take together.
     #[must_use]
     pub fn feed_total(&self) -> Length {
-        self.steps.iter().map(|step| step.feed).sum()
+        let commanded: Length = self.steps.iter().map(|step| step.feed).sum();
+        Length::computed(commanded.mm() * self.feed_scale)
     }
 }
 
@@ -297,7 +305,8 @@ pub fn compensate(
         }
     }
     if errors.is_empty() {
-        return Ok(CompensatedProgram { steps, near, unpressed });
+        compensation.motion.command(&mut steps);
+        return Ok(CompensatedProgram { steps, near, unpressed, feed_scale: compensation.motion.feed_scale });
     }
     errors.extend(unpressed);
     errors.sort_by_key(|error| error.step);

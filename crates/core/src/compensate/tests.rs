@@ -232,3 +232,4 @@ proptest! {
 }
 
 mod contact;
+mod motion;

@@ -4,9 +4,9 @@
 use nalgebra::{Matrix3, Point3, Vector3};
 
 use super::wire::{Bow, corner_to_corner};
-use super::{BadErrorTerm, ErrorModel, ErrorSource, ErrorTerm, SimulationInput};
+use super::{BadErrorTerm, ErrorModel, ErrorSource, ErrorTerm, SimulationInput, formed};
 use crate::bend::Step;
-use crate::compensate::{Compensation, results};
+use crate::compensate::Compensation;
 use crate::units::Angle;
 
 /// What the errors of a model do to a wire, small as they are: every vertex moves by the sum of what the single errors move it by.
@@ -113,9 +113,7 @@ pub fn first_order(input: &SimulationInput, errors: &ErrorModel) -> Result<First
         moments(ErrorSource::Bend)?,
         moments(ErrorSource::Curvature)?,
     ];
-    let bends = results(input.program.steps(), input.compensation);
-    let formed: Vec<Step> =
-        input.program.steps().iter().zip(&bends).map(|(step, &bend)| Step { bend, ..*step }).collect();
+    let formed = formed(input.program, input.compensation);
     let walk = Walk::new(input, &corner_to_corner(&formed, input.compensation));
     let vertices = walk.points.len();
     let mut sums = ErrorSource::ALL.map(|_| Sum::new(vertices));
@@ -130,7 +128,7 @@ pub fn first_order(input: &SimulationInput, errors: &ErrorModel) -> Result<First
         let bowed = Moments { mean: bow.mean * length, variance: bow.variance * length * length };
         let aside = walk.aside(k, errors.curvature, &mut sums[3]);
         effect.feed_mm = (fed + sums[3].add(bowed, &lengths) + aside).sqrt();
-        if bends[k] == Angle::ZERO {
+        if formed[k].bend == Angle::ZERO {
             continue;
         }
         walk.by_turn(k, walk.steps[k].t, &mut moves);

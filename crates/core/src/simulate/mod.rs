@@ -22,6 +22,13 @@ pub use made::steps_of_corners;
 pub use wire::ImperfectWire;
 use wire::{Draw, corner_to_corner, imperfect};
 
+/// What commands leave where nothing is off: the wire that is fed, and turns and bends as they come out.
+fn formed(program: &CompensatedProgram, compensation: &Compensation) -> Vec<Step> {
+    let made = compensation.motion.result(program.steps());
+    let bends = results(&made, compensation);
+    made.iter().zip(bends).map(|(step, bend)| Step { bend, ..*step }).collect()
+}
+
 /// A constant error and the standard deviation of the random one, of a quantity in its own unit.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ErrorTerm {
@@ -124,10 +131,7 @@ pub struct BadErrorTerm {
 /// compensation.
 #[must_use]
 pub fn formed_steps(program: &CompensatedProgram, compensation: &Compensation) -> Vec<Step> {
-    let bends = results(program.steps(), compensation);
-    let bent: Vec<Step> =
-        program.steps().iter().zip(bends).map(|(step, bend)| Step { bend, ..*step }).collect();
-    corner_to_corner(&bent, compensation)
+    corner_to_corner(&formed(program, compensation), compensation)
 }
 
 /// How far one vertex of the route lies from where it should, over all runs.
@@ -202,8 +206,8 @@ pub fn scheduled_start(start: Frame, scheduled: &[Step]) -> Frame {
 /// The wire that a machine without errors bends: its vertices in mm, in the order of the route.
 #[must_use]
 pub fn perfect_wire(input: &SimulationInput) -> Vec<Point3<f64>> {
-    let bends = results(input.program.steps(), input.compensation);
-    imperfect(input, &bends, &mut Draw::new(&ErrorModel::default(), 0, 0)).points
+    let formed = formed(input.program, input.compensation);
+    imperfect(input, &formed, &mut Draw::new(&ErrorModel::default(), 0, 0)).points
 }
 
 /// As many steps are bent at once, of as many wires as that is: wires that nobody waits for any more are few, and so is what is kept of
@@ -227,11 +231,11 @@ pub fn simulate(
     }
     let mut deviations = vec![Vec::with_capacity(runs as usize); input.design.len()];
     let mut gaps = vec![Vec::with_capacity(runs as usize); input.passes.len()];
-    let bends = results(input.program.steps(), input.compensation);
-    let steps = u32::try_from(bends.len()).unwrap_or(u32::MAX);
+    let formed = formed(input.program, input.compensation);
+    let steps = u32::try_from(formed.len()).unwrap_or(u32::MAX);
     let at_once = STEPS_AT_ONCE / steps.clamp(1, STEPS_AT_ONCE);
     let bent = |run| {
-        let wire = imperfect(input, &bends, &mut Draw::new(errors, seed, run));
+        let wire = imperfect(input, &formed, &mut Draw::new(errors, seed, run));
         let distances = Distances::of(input, &wire.points);
         (wire, distances)
     };

@@ -58,24 +58,24 @@ pub(super) fn corner_to_corner(steps: &[Step], compensation: &Compensation) -> V
         .collect()
 }
 
-/// One wire. `bends`: what its commands leave where nothing is off.
+/// One wire. `formed`: what its commands leave where nothing is off.
 ///
 /// Vertices on a straight feed divide it as `fractions` says: for each step the parts of its feed at
 /// which a vertex of the route lies, ending with 1. The first vertex is that of `start`.
-pub(super) fn imperfect(input: &SimulationInput, bends: &[Angle], draw: &mut Draw) -> ImperfectWire {
+pub(super) fn imperfect(input: &SimulationInput, formed: &[Step], draw: &mut Draw) -> ImperfectWire {
     let mut told = input.program.steps().to_vec();
     let disturbed: Vec<Step> = told
         .iter_mut()
-        .zip(bends)
-        .map(|(step, &bent)| {
-            let is_bend = bent != Angle::ZERO;
-            let feed = step.feed + Length::computed(draw.error(ErrorSource::Feed));
+        .zip(formed)
+        .map(|(told, formed)| {
+            let is_bend = formed.bend != Angle::ZERO;
+            let feed = formed.feed + Length::computed(draw.error(ErrorSource::Feed));
             let mut off =
                 |of| if is_bend { Angle::computed(draw.error(of).to_radians()) } else { Angle::ZERO };
-            let rotate = step.rotate + off(ErrorSource::Rotation);
+            let rotate = formed.rotate + off(ErrorSource::Rotation);
             let wrong = off(ErrorSource::Bend);
-            step.bend += wrong;
-            Step { feed, rotate, bend: bent + wrong }
+            told.bend += wrong;
+            Step { feed, rotate, bend: formed.bend + wrong }
         })
         .collect();
     let mut frame = input.start;

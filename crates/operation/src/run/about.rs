@@ -34,7 +34,7 @@ pub fn about(
     }
     let steps = kept.compensated.len();
     let bends = kept.compensated.iter().filter(|step| step.bend_deg != 0.0).count();
-    let fed: f64 = kept.compensated.iter().map(|step| step.feed_mm).sum();
+    let fed = setup.fed_mm(kept);
     let which = if count > 1 { format!("wire {} of {count}", wire + 1) } else { "the wire".to_owned() };
     let (steps, bends) = (counted(steps, "step"), counted(bends, "bend"));
     let seconds = task.work(wire, connection)?.estimates.iter().map(Duration::as_secs_f64).sum();

@@ -82,7 +82,8 @@ impl Task<'_> {
 
     /// What to see to before a wire is bent from its beginning.
     pub fn wire_lines(&self, wire: usize) -> Result<Vec<String>, OperationError> {
-        Ok(self.pieces.get().lines(self.setup.material_name(), self.wire(wire)?))
+        let wire = self.wire(wire)?;
+        Ok(self.pieces.get().lines(self.setup.material_name(), wire, self.setup.fed_mm(wire)))
     }
 
     /// A person has said that there is wire for this one.
@@ -96,7 +97,7 @@ impl Task<'_> {
     /// A wire came to its end; `last`: it is the last of its piece.
     pub fn wire_made(&self, wire: usize, last: bool) -> Result<(), OperationError> {
         let mut pieces = self.pieces.get();
-        pieces.wire_made(self.wire(wire)?);
+        pieces.wire_made(self.setup.fed_mm(self.wire(wire)?));
         if last {
             pieces.piece_made();
         }

@@ -98,7 +98,7 @@ fn of_program(name: &str, bytes: &[u8], opened: &Opened, setup: &Setup) -> Resul
         step.feed = if step.feed < hair { hair } else { step.feed };
     }
     let path = replay(Frame::default(), &shape);
-    let commanded = CompensatedProgram::from_job_steps(told);
+    let commanded = CompensatedProgram::from_job_steps(told, &setup.model.compensation);
     let steps: Vec<JobStep> = shape.iter().copied().map(JobStep::from).collect();
     let wire = JobWire {
         vertices: vertices(name, &path)?,

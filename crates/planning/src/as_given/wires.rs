@@ -102,7 +102,10 @@ fn given(name: &str, wire: &JobWire, setup: &Setup) -> Result<(Wireframe, WirePl
             spans: wire.spans.iter().map(|&[from, to]| from..to).collect(),
         }),
         scheduled: Some(ScheduledProgram { steps, head }),
-        compensated: Some(CompensatedProgram::from_job_steps(kept_steps(&wire.compensated)?)),
+        compensated: Some(CompensatedProgram::from_job_steps(
+            kept_steps(&wire.compensated)?,
+            &setup.model.compensation,
+        )),
         searched: None,
         contacts: None,
         diagnostics: Vec::new(),

@@ -45,8 +45,6 @@ pub struct CalibrateApplyResponse {
     pub files: Vec<PathBuf>,
     /// What was found.
     pub report: CalibrationReport,
-    /// What was found and has no place in a profile, with what to do about it.
-    pub notes: Vec<String>,
 }
 
 pub fn apply(
@@ -78,7 +76,6 @@ pub fn apply(
         machine: request.machine_id.clone(),
         material: request.material_id.clone(),
         files: vec![material.save()?, machine.save()?],
-        notes: found.notes(),
         report: fitted.report.clone(),
     })
 }
@@ -106,6 +103,32 @@ impl Values<'_> {
     }
 
     fn of_machine(&self) -> Vec<(&'static str, Value)> {
+        let mut values = self.of_peg();
+        values.extend(self.of_motion());
+        values
+    }
+
+    /// Of feed and head only what readings show to be otherwise than it was.
+    fn of_motion(&self) -> impl Iterator<Item = (&'static str, Value)> {
+        let found = &self.fitted.found;
+        let feeds = found.feeds.as_ref().map(|feeds| &feeds.fit);
+        let turns = found.turns.as_ref().map(|turns| &turns.fit);
+        let figures = [
+            ("feed.scale", feeds, Parameter::FeedScale),
+            ("rotate.offset_deg", turns, Parameter::RotationOffset),
+            ("rotate.backlash_deg", turns, Parameter::RotationBacklash),
+        ];
+        figures.into_iter().filter_map(|(key, fit, parameter)| {
+            let fit = fit?;
+            let found = estimate(fit, parameter).filter(|found| off(found))?;
+            let value = found.value.plain();
+            // No play is less than none.
+            let value = if parameter == Parameter::RotationBacklash { value.max(0.0) } else { value };
+            Some((key, self.figure(value, found, fit.readings)))
+        })
+    }
+
+    fn of_peg(&self) -> Vec<(&'static str, Value)> {
         let Some((bends, peg)) = self.fitted.found.bends.as_ref().and_then(|bends| Some((bends, bends.peg?)))
         else {
             return Vec::new();
@@ -151,38 +174,6 @@ impl Values<'_> {
         };
         values.push(("springback", springback));
         values
-    }
-
-    /// What no profile has a key for.
-    fn notes(&self) -> Vec<String> {
-        let found = &self.fitted.found;
-        let mut notes = Vec::new();
-        if let Some(scale) = found
-            .feeds
-            .as_ref()
-            .and_then(|feeds| estimate(&feeds.fit, Parameter::FeedScale))
-            .filter(|found| off(found))
-        {
-            notes.push(format!(
-                "a commanded millimetre is {:.4} ± {:.4} mm of wire: multiply the controller's steps per millimetre by {:.4}",
-                scale.value.plain(),
-                scale.within_95.plain(),
-                1.0 / scale.value.plain()
-            ));
-        }
-        let turns = found.turns.as_ref().map(|turns| &turns.fit);
-        let of_turns = |parameter| turns.and_then(|fit| estimate(fit, parameter)).filter(|found| off(found));
-        if let Some(offset) = of_turns(Parameter::RotationOffset) {
-            let (value, within) = (offset.value.plain(), offset.within_95.plain());
-            notes.push(format!(
-                "every turn of the head is off by {value:.2}° ± {within:.2}°: look at its belt and its zero"
-            ));
-        }
-        if let Some(play) = of_turns(Parameter::RotationBacklash) {
-            let (value, within) = (play.value.plain(), play.within_95.plain());
-            notes.push(format!("a turn back loses {value:.2}° ± {within:.2}°: tighten the belt of the head"));
-        }
-        notes
     }
 }
 

@@ -56,6 +56,7 @@ impl Setup {
             axis_limit: model.axis_limit,
             diameter: Length::from_mm(wire.diameter_mm).unwrap_or_default(),
             k_factor: wire.k_factor,
+            motion: self.model.compensation.motion,
             k_deviation: if k.is_some_and(|k| k.measured) { K_MEASURED } else { K_UNMEASURED },
             angle_reading: deg(PROTRACTOR_DEG)?,
             length_reading: mm(READ_MM)?,

@@ -48,7 +48,10 @@ pub fn work(setup: &Setup, job: &Job, name: &str, index: usize) -> Result<WireJo
 
 /// How long each step takes by the machine's time model.
 fn estimates(setup: &Setup, wire: &JobWire) -> Result<Vec<Duration>, PlanningError> {
-    let seconds = |step| setup.model.time.seconds(&CompensatedProgram::from_job_steps(vec![step]));
+    let seconds = |step| {
+        let program = CompensatedProgram::from_job_steps(vec![step], &setup.model.compensation);
+        setup.model.time.seconds(&program)
+    };
     let steps = kept_steps(&wire.compensated)?;
     Ok(steps.into_iter().map(|step| Duration::try_from_secs_f64(seconds(step)).unwrap_or_default()).collect())
 }

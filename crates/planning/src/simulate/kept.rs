@@ -57,7 +57,10 @@ impl KeptWire {
             start: scheduled_start(start, &scheduled),
             fractions: fractions(&design, wire.spans.iter().map(|&[from, to]| from..to)),
             passes: at.into_values().filter(|passes| passes.len() > 1).collect(),
-            program: CompensatedProgram::from_job_steps(kept_steps(&wire.compensated)?),
+            program: CompensatedProgram::from_job_steps(
+                kept_steps(&wire.compensated)?,
+                &setup.model.compensation,
+            ),
             length: nominal.iter().map(|step| step.feed).sum(),
             bends: nominal.iter().filter(|step| step.bend != Angle::ZERO).count(),
             design,

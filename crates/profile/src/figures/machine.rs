@@ -18,10 +18,19 @@ pub struct MachineFigures {
     pub feed_rate_mm_per_s: f64,
     /// Smallest feed step, millimetres.
     pub feed_resolution_mm: f64,
+    /// Wire for each commanded millimetre.
+    #[serde(default = "one")]
+    pub feed_scale: f64,
     /// Speed of the rotate axis, degrees a second.
     pub rotate_rate_deg_per_s: f64,
     /// Smallest rotate step, degrees.
     pub rotate_resolution_deg: f64,
+    /// What every turn of the head is off by, degrees.
+    #[serde(default)]
+    pub rotate_offset_deg: f64,
+    /// What a turn loses that goes against the one before, degrees.
+    #[serde(default)]
+    pub rotate_backlash_deg: f64,
     /// Speed of the bend axis, degrees a second.
     pub bend_rate_deg_per_s: f64,
     /// Smallest bend step, degrees.
@@ -42,6 +51,10 @@ pub struct MachineFigures {
     pub rotate_sign: f64,
     /// Time of a bend beside its stroke, seconds.
     pub fixed_per_bend_s: f64,
+}
+
+const fn one() -> f64 {
+    1.0
 }
 
 /// What may be asked of a machine.
@@ -101,8 +114,11 @@ impl Complete for MachineProfile {
             limits: self.limit_figures()?,
             feed_rate_mm_per_s: v(&self.feed.rate_mm_per_s)?,
             feed_resolution_mm: v(&self.feed.resolution_mm)?,
+            feed_scale: v(&self.feed.scale).unwrap_or_else(one),
             rotate_rate_deg_per_s: v(&self.rotate.rate_deg_per_s)?,
             rotate_resolution_deg: v(&self.rotate.resolution_deg)?,
+            rotate_offset_deg: v(&self.rotate.offset_deg).unwrap_or_default(),
+            rotate_backlash_deg: v(&self.rotate.backlash_deg).unwrap_or_default(),
             bend_rate_deg_per_s: v(&self.bend.rate_deg_per_s)?,
             bend_resolution_deg: v(&self.bend.resolution_deg)?,
             pin_radius_mm: v(&self.bend.pin_radius_mm)?,

@@ -12,7 +12,11 @@ fn program(edges: &[(f64, f64, f64)]) -> ScheduledProgram {
 }
 
 fn published_compensation() -> Compensation {
-    Compensation { feed: Some(FeedModel::new(mm(1.5), mm(3.0), 0.3)), bend: published() }
+    Compensation {
+        feed: Some(FeedModel::new(mm(1.5), mm(3.0), 0.3)),
+        bend: published(),
+        motion: MotionModel::default(),
+    }
 }
 
 /// Where the peg goes for a bend of 30 degrees after one of 30 degrees to the same side or the other.

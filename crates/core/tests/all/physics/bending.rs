@@ -2,7 +2,8 @@
 
 use wirebend_core::bend::Step;
 use wirebend_core::compensate::{
-    BendModel, Compensation, FeedModel, PegGeometry, Springback, SpringbackCurve, SpringbackPoint, compensate,
+    BendModel, Compensation, FeedModel, MotionModel, PegGeometry, Springback, SpringbackCurve,
+    SpringbackPoint, compensate,
 };
 use wirebend_core::schedule::ScheduledProgram;
 use wirebend_core::units::Angle;
@@ -16,6 +17,7 @@ pub fn claims(page: &mut Document) {
     springback(page);
     estimate(page);
     commands(page, peg);
+    motion(page);
     near_corners(page, peg);
 }
 
@@ -123,6 +125,27 @@ fn estimate(page: &mut Document) {
     page.pass_over("M = Y · d³ / 6");
 }
 
+fn motion(page: &mut Document) {
+    let [scale, wire, commanded] = page.sentence("At k = {}, {} mm are commanded as {} mm.");
+    commanded.is(wire.value / scale.value);
+    let [offset, backlash, there, back, told_there, told_back] =
+        page.sentence("With o = {}° and β = {}°, turns of {}° and {}° are commanded as {}° and {}°.");
+    told_there.is(there.value - offset.value);
+    told_back.is(back.value - offset.value - backlash.value);
+    let motion = MotionModel {
+        feed_scale: scale.value,
+        rotate_offset: deg(offset.value),
+        rotate_backlash: deg(backlash.value),
+    };
+    let step = |turn: f64| Step { feed: mm(wire.value), rotate: deg(turn), bend: Angle::ZERO };
+    let program =
+        ScheduledProgram { steps: vec![step(there.value), step(back.value)], head: vec![Angle::ZERO; 2] };
+    let told = compensate(&program, &Compensation { motion, ..Compensation::default() }).unwrap();
+    commanded.is(told.steps()[0].feed.mm());
+    told_there.is(told.steps()[0].rotate.deg());
+    told_back.is(told.steps()[1].rotate.deg());
+}
+
 /// Published nowhere: worked out by moving the peg past points of the wire, apart from this program.
 fn near_corners(page: &mut Document, peg: PegGeometry) {
     let [loss, bend, before, edge, axis] = page.sentence(
@@ -141,6 +164,7 @@ fn near_corners(page: &mut Document, peg: PegGeometry) {
             setback: Some(peg),
             axis_limit: None,
         },
+        motion: MotionModel::default(),
     };
     let told = |edges: &[(f64, f64)]| -> Vec<f64> {
         let step = |&(feed, bend): &(f64, f64)| Step { feed: mm(feed), rotate: Angle::ZERO, bend: deg(bend) };

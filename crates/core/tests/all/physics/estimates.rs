@@ -6,7 +6,7 @@ use nalgebra::Point3;
 use wirebend_core::bend::{Frame, Step, program_of_path};
 use wirebend_core::checks::{BendTorque, Source, Sourced};
 use wirebend_core::compensate::{
-    BendModel, CompensatedProgram, Compensation, FeedModel, PegGeometry, Springback, compensate,
+    BendModel, CompensatedProgram, Compensation, FeedModel, MotionModel, PegGeometry, Springback, compensate,
 };
 use wirebend_core::estimate::{TimeModel, WireModel};
 use wirebend_core::sag::max_sag;
@@ -34,6 +34,7 @@ fn published() -> Compensation {
             setback: Some(PegGeometry::new(mm(20.4), mm(12.0), mm(3.0), mm(4.675)).unwrap()),
             axis_limit: None,
         },
+        motion: MotionModel::default(),
     }
 }
 
@@ -123,13 +124,14 @@ fn sag(page: &mut Document) {
 fn bent(points: &[[f64; 3]], errors: &ErrorModel, runs: u32) -> ErrorReport {
     let path: Vec<_> = points.iter().map(|&point| Point3::from(point)).collect();
     let (start, program) = program_of_path(&path, deg(0.001)).unwrap();
+    let none = Compensation::default();
     let trial = SimulationInput {
         start,
         design: &path,
         fractions: &fractions(&path, program.spans.clone()),
         passes: &[],
-        program: &CompensatedProgram::from_job_steps(program.steps),
-        compensation: &Compensation::default(),
+        program: &CompensatedProgram::from_job_steps(program.steps, &none),
+        compensation: &none,
     };
     simulate(&trial, errors, runs, 7, |_| ControlFlow::Continue(())).unwrap()
 }

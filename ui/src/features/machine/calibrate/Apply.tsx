@@ -91,9 +91,6 @@ export function Apply() {
                 sub={applied.result.files.join(", ")}
               />
             )}
-            {applied.result.notes.map((note) => (
-              <Line key={note} tone="info" what={note} />
-            ))}
           </ul>
         )}
       </div>

@@ -83,8 +83,24 @@ export const MACHINE_GROUPS: readonly FieldGroup[] = [
     fields: [
       { key: "feed.rate_mm_per_s", label: "Feed speed", kind: "length", per: "/s" },
       { key: "feed.resolution_mm", label: "Feed, smallest step", kind: "length" },
+      {
+        key: "feed.scale",
+        label: "Feed, wire per mm",
+        kind: "number",
+        absent: "1",
+        hint: "Wire that is fed for each commanded millimetre.",
+      },
       { key: "rotate.rate_deg_per_s", label: "Rotation speed", kind: "number", unit: "°/s" },
       { key: "rotate.resolution_deg", label: "Rotation, smallest step", kind: "number", unit: DEG },
+      { key: "rotate.offset_deg", label: "Rotation, offset", kind: "number", unit: DEG, absent: "0" },
+      {
+        key: "rotate.backlash_deg",
+        label: "Rotation, backlash",
+        kind: "number",
+        unit: DEG,
+        absent: "0",
+        hint: "What a turn loses that goes against the one before.",
+      },
     ],
   },
   {
