@@ -101,6 +101,7 @@ fn facts(setup: &Setup, wire: &Wire, length: Length) -> Vec<(String, String)> {
     let model = &setup.model.wire;
     let fed = wire.compensated.as_ref().map(|steps| steps.iter().map(|step| step.feed).sum::<Length>());
     let stock = wire.stock_mm.and_then(|stock| Length::from_mm(stock).ok());
+    let tail = Some(setup.model.limits.tail.value);
     let cost = |length: Option<Length>| {
         model.cost(length?).map(|cost| match &setup.currency {
             Some(currency) => format!("{cost:.2} {currency}"),
@@ -109,17 +110,20 @@ fn facts(setup: &Setup, wire: &Wire, length: Length) -> Vec<(String, String)> {
     };
     let mass = |length: Option<Length>| length.map(|length| format!("{:.1} g", model.mass_g(length)));
     let fact = |name: &str, value: Option<String>| (name.to_owned(), value.unwrap_or_else(unknown));
+    // Four in a row: what is fed, what is lost and what both take stand under each other.
     vec![
-        fact("stock length", wire.stock_mm.map(|stock| format!("{stock:.1} mm"))),
         fact("wire fed", fed.map(|fed| fed.to_string())),
-        fact("unusable tail", Some(setup.model.limits.tail.value.to_string())),
+        fact("unusable tail", tail.map(|tail| tail.to_string())),
+        fact("stock length", stock.map(|stock| stock.to_string())),
         fact("designed length", Some(length.to_string())),
-        fact("bends", Some(wire.bend_count().to_string())),
-        fact("machine time", wire.time_s.map(duration)),
-        fact("mass, fed wire", mass(fed)),
-        fact("mass, stock", mass(stock)),
         fact("cost, fed wire", cost(fed)),
+        fact("cost, unusable tail", cost(tail)),
         fact("cost, stock", cost(stock)),
+        fact("bends", Some(wire.bend_count().to_string())),
+        fact("mass, fed wire", mass(fed)),
+        fact("mass, unusable tail", mass(tail)),
+        fact("mass, stock", mass(stock)),
+        fact("machine time", wire.time_s.map(duration)),
     ]
 }
 
