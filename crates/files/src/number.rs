@@ -2,6 +2,37 @@
 //!
 //! Drivers know none of this and have [the same for programs of machines](../../driver-api/src/number.rs).
 
+use wirebend_core::units::DisplayUnit;
+
+const MM_PER_INCH: f64 = 25.4;
+
+/// Millimetres as a number of the unit, with so many decimals in millimetres, or so many in inches.
+#[must_use]
+pub fn length_in(unit: DisplayUnit, mm: f64, [in_mm, in_inches]: [usize; 2]) -> String {
+    match unit {
+        DisplayUnit::Millimetre => fixed(mm, in_mm),
+        DisplayUnit::Inch => fixed(mm / MM_PER_INCH, in_inches),
+    }
+}
+
+/// "mm" or "in".
+#[must_use]
+pub const fn unit_name(unit: DisplayUnit) -> &'static str {
+    match unit {
+        DisplayUnit::Millimetre => "mm",
+        DisplayUnit::Inch => "in",
+    }
+}
+
+/// A unit as it stands in a sentence: "mm" or "inches".
+#[must_use]
+pub const fn unit_word(unit: DisplayUnit) -> &'static str {
+    match unit {
+        DisplayUnit::Millimetre => "mm",
+        DisplayUnit::Inch => "inches",
+    }
+}
+
 /// A number with so many decimals; what rounds to zero has no sign.
 #[must_use]
 pub fn fixed(value: f64, decimals: usize) -> String {
@@ -46,6 +77,13 @@ mod tests {
         assert_eq!(fixed(-0.4, 0), "0");
         assert_eq!(fixed(-133.786_218_4, 5), "-133.78622");
         assert_eq!(fixed(f64::NEG_INFINITY, 1), "-inf");
+    }
+
+    #[test]
+    fn lengths_are_numbers_of_their_unit() {
+        let both = [DisplayUnit::Millimetre, DisplayUnit::Inch];
+        assert_eq!(both.map(|unit| length_in(unit, 63.5, [1, 3])), ["63.5", "2.500"]);
+        assert_eq!(both.map(unit_name), ["mm", "in"]);
     }
 
     #[test]

@@ -131,7 +131,7 @@ pub(crate) enum Subcommands {
         /// Format to write (see `wirebend machines` and `wirebend drivers`); the machine's own if absent
         #[arg(long, short = 'f', value_name = "FORMAT")]
         format: Option<String>,
-        /// Setting of the format's driver, over the machine's profile; of a PDF, paper=letter
+        /// Setting of the format's driver, over the machine's profile; of what is printed, paper=letter or units=in
         #[arg(long = "set", value_name = "KEY=VALUE", value_parser = parse_setting)]
         settings: Vec<(String, serde_json::Value)>,
         #[command(flatten)]

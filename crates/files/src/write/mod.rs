@@ -4,11 +4,14 @@
 
 mod centreline;
 mod coupon_sheet;
+mod drawing;
 pub mod frame;
 mod glb;
 mod job_sheet;
+mod labels;
 mod obj;
 mod pdf;
+mod plane;
 mod sheet;
 mod svg;
 mod template;
@@ -19,6 +22,7 @@ pub use centreline::{Centreline, centreline};
 pub use coupon_sheet::{CouponSheet, PrintedCoupon, PrintedReading, coupon_sheet};
 pub use glb::glb;
 pub use job_sheet::{Figure, Finding, JobSheet, SheetStep, SheetWire, job_sheet};
+pub use labels::LabelStep;
 pub use obj::obj;
 pub use pdf::{Paper, Pdf};
 pub use svg::{Mark, MarkAt, Picture, PictureWire, Severity, View, svg};

@@ -4,14 +4,15 @@ use std::collections::BTreeMap;
 
 use nalgebra::Point3;
 use wirebend_core::bend::Step;
-use wirebend_core::units::{Angle, Length};
+use wirebend_core::units::{Angle, DisplayUnit, Length};
 use wirebend_core::wireframe::{Joint, VertexId};
 use wirebend_error::{ErrorRemedy, InputName};
 use wirebend_files::document::JobWire;
-use wirebend_files::write::{Mark, PictureWire};
+use wirebend_files::write::{LabelStep, Mark, PictureWire};
 
 use super::ExportRequest;
 use super::format::Chosen;
+use super::print;
 use crate::choices::PlanChoices;
 use crate::job::Stages;
 use crate::job::{is_job, open_job};
@@ -47,6 +48,12 @@ impl Wire {
 
     pub fn picture(&self) -> PictureWire {
         PictureWire { points: self.path.clone(), doubled: self.doubled.clone() }
+    }
+
+    /// What is written beside it.
+    pub fn labels(&self) -> Vec<LabelStep> {
+        let label = |step: &Step| LabelStep { feed_mm: step.feed.mm(), bend_deg: step.bend.deg() };
+        self.nominal.iter().map(label).collect()
     }
 
     pub fn bend_count(&self) -> usize {
@@ -88,7 +95,7 @@ impl Content {
         let setup = app.setup_of(&opened, &request.choices)?;
         let setup = Self::as_set(app, setup, request)?;
         let planned = Installation::plan_with(opened, setup, &request.choices, progress)?;
-        Self::of_plan(planned, title)
+        Self::of_plan(planned, title, print::unit(request)?)
     }
 
     /// What is set for the machine's driver changes what the machine can make.
@@ -102,8 +109,8 @@ impl Content {
         if of_machine { app.setup_with(setup, &request.settings) } else { Ok(setup) }
     }
 
-    fn of_plan(planned: Planned, title: String) -> Result<Self, PlanningError> {
-        let report = text::kept(|| planned.report());
+    fn of_plan(planned: Planned, title: String, unit: DisplayUnit) -> Result<Self, PlanningError> {
+        let report = text::kept_in(unit, || planned.report());
         let wireframe = &planned.opened.document.wireframe;
         let wires = planned
             .wires

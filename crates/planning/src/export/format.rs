@@ -86,15 +86,17 @@ impl ExportFormat {
         let date = serde_json::json!({
             "type": "string", "title": "Date", "description": "On the sheet; absent: today's.",
         });
-        match self {
-            Self::TemplatePdf => {
-                Some(serde_json::json!({ "type": "object", "properties": { "paper": paper } }))
-            }
-            Self::JobSheet => Some(serde_json::json!({
-                "type": "object", "properties": { "paper": paper, "date": date },
-            })),
-            _ => None,
-        }
+        let units = serde_json::json!({
+            "type": "string", "title": "Units", "enum": ["mm", "in"], "default": "mm",
+            "description": "Of the lengths that a person reads. What the machine is sent stays in mm.",
+        });
+        let properties = match self {
+            Self::TemplateSvg | Self::TemplateDxf => serde_json::json!({ "units": units }),
+            Self::TemplatePdf => serde_json::json!({ "paper": paper, "units": units }),
+            Self::JobSheet => serde_json::json!({ "paper": paper, "units": units, "date": date }),
+            _ => return None,
+        };
+        Some(serde_json::json!({ "type": "object", "properties": properties }))
     }
 
     /// How the names of its files end.

@@ -40,7 +40,7 @@ pub struct ExportRequest {
     /// The format; absent, the machine's default.
     pub format: Option<String>,
     /// Settings of the driver that writes the format, over those of the machine's profile; or of what is printed: its
-    /// `paper` (`a4` or `letter`), and the `date` on a job sheet instead of today's.
+    /// `paper` (`a4` or `letter`), the `units` of its lengths (`mm` or `in`), and the `date` on a job sheet instead of today's.
     #[serde(default)]
     pub settings: Map<String, Value>,
     /// Where it goes; absent, it is returned. Several wires go to files with numbers.

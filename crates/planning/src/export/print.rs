@@ -3,11 +3,12 @@
 use std::collections::BTreeSet;
 
 use serde_json::{Map, Value};
+use wirebend_core::units::DisplayUnit;
 use wirebend_driver_host::jobs::{Clock as _, SystemClock};
 use wirebend_error::InputName;
 use wirebend_files::write::Paper;
 
-use super::ExportFormat;
+use super::{ExportFormat, ExportRequest};
 use crate::PlanningError;
 use crate::report::NoteReport;
 
@@ -15,6 +16,8 @@ use crate::report::NoteReport;
 #[derive(Debug, Default, PartialEq, Eq)]
 pub(super) struct Print {
     pub paper: Paper,
+    /// What lengths are written in.
+    pub unit: DisplayUnit,
     /// Instead of today's.
     date: Option<String>,
 }
@@ -26,17 +29,24 @@ impl Print {
     /// What was asked for; each format knows its own settings.
     pub fn asked(format: ExportFormat, settings: &Map<String, Value>) -> Result<Self, PlanningError> {
         let (name, expected) = match format {
-            ExportFormat::TemplatePdf => ("a setting of template-pdf", "paper alone (a4 or letter)"),
-            ExportFormat::JobSheet => {
-                ("a setting of job-sheet", "paper (a4 or letter) or date (a text, today's if absent)")
+            ExportFormat::TemplateSvg => ("a setting of template-svg", "units alone (mm or in)"),
+            ExportFormat::TemplateDxf => ("a setting of template-dxf", "units alone (mm or in)"),
+            ExportFormat::TemplatePdf => {
+                ("a setting of template-pdf", "paper (a4 or letter) or units (mm or in)")
             }
+            ExportFormat::JobSheet => (
+                "a setting of job-sheet",
+                "paper (a4 or letter), units (mm or in) or date (a text, today's if absent)",
+            ),
             _ if settings.is_empty() => return Ok(Self::default()),
             other => return Err(PlanningError::NoSettings { format: other.id() }),
         };
         let mut print = Self::default();
+        let on_pages = matches!(format, ExportFormat::TemplatePdf | ExportFormat::JobSheet);
         for (key, value) in settings {
             match key.as_str() {
-                "paper" => print.paper = paper(value)?,
+                "units" => print.unit = units(value)?,
+                "paper" if on_pages => print.paper = paper(value)?,
                 "date" if format == ExportFormat::JobSheet => print.date = Some(date(value)?),
                 _ => return Err(PlanningError::Value { input: FORMAT, name, value: key.clone(), expected }),
             }
@@ -47,6 +57,28 @@ impl Print {
     /// The date to print, `2026-05-01`; of today it is that of UTC.
     pub fn date(&self) -> String {
         self.date.clone().unwrap_or_else(|| SystemClock::default().stamp().chars().take(10).collect())
+    }
+}
+
+/// What lengths are written in where something printed was asked for by its name; else millimetres.
+pub(super) fn unit(request: &ExportRequest) -> Result<DisplayUnit, PlanningError> {
+    let printed = request.format.as_deref().and_then(ExportFormat::from_id);
+    match printed.and_then(|_| request.settings.get("units")) {
+        Some(value) => units(value),
+        None => Ok(DisplayUnit::Millimetre),
+    }
+}
+
+fn units(value: &Value) -> Result<DisplayUnit, PlanningError> {
+    match value.as_str() {
+        Some("mm") => Ok(DisplayUnit::Millimetre),
+        Some("in") => Ok(DisplayUnit::Inch),
+        _ => Err(PlanningError::Value {
+            input: FORMAT,
+            name: "units",
+            value: plain(value),
+            expected: "mm or in",
+        }),
     }
 }
 

@@ -1,12 +1,14 @@
 //! The job sheet: what is known of a plan or of a job, in words and numbers for a person.
 
-use wirebend_core::units::Length;
+use wirebend_core::units::{DisplayUnit, Length, Mm};
+use wirebend_files::number::short;
 use wirebend_files::write::{Figure, Finding, JobSheet, SheetStep, SheetWire, job_sheet};
 use wirebend_profile::{Profile as _, Sourced, Springback};
 
 use super::content::{Content, Wire};
 use super::joints;
 use super::print::{Print, letters_replaced};
+use super::template::lies_flat;
 use crate::job::JobCollisions;
 use crate::machine::Setup;
 use crate::pauses;
@@ -15,7 +17,8 @@ use crate::text;
 
 /// A job sheet as PDF.
 pub(super) fn encode(content: &mut Content, print: &Print) -> Vec<u8> {
-    let pdf = job_sheet(&sheet(content, print));
+    let sheet = text::kept_in(print.unit, || sheet(content, print));
+    let pdf = job_sheet(&sheet);
     content.notes.extend(letters_replaced(&pdf.missing));
     pdf.bytes
 }
@@ -30,18 +33,21 @@ fn sheet(content: &Content, print: &Print) -> JobSheet {
         feasible: content.feasible,
         machine: format!("{} [{}]", setup.machine_name(), setup.machine_id()),
         material: format!("{} [{}]", setup.material_name(), setup.material_id()),
-        figures: figures(setup),
+        figures: figures(setup, print.unit),
         wires: content.wires.iter().map(|wire| sheet_wire(setup, wire)).collect(),
         joints: joints::lines(&content.joints),
         findings: content.report.as_deref().map(findings).unwrap_or_default(),
-        collisions: collisions(content),
+        collisions: collisions(content, print.unit),
         notes: content.notes.iter().map(|note| note.message.clone()).chain(pauses(content)).collect(),
         paper: print.paper,
+        unit: print.unit,
+        flat: lies_flat(setup.model.wire.diameter),
+        straight: setup.model.straight,
     }
 }
 
-/// What is known of the collisions of each wire, in millimetres as all that is kept.
-fn collisions(content: &Content) -> Vec<String> {
+/// What is known of the collisions of each wire.
+fn collisions(content: &Content, unit: DisplayUnit) -> Vec<String> {
     let several = content.wires.len() > 1;
     let report = content.report.as_deref();
     let looked = |index: usize| {
@@ -52,7 +58,7 @@ fn collisions(content: &Content) -> Vec<String> {
             Some(kept) => match JobCollisions::of(kept, &content.setup) {
                 // They are among the findings.
                 found if found.some() && looked(index) => Vec::new(),
-                found => text::kept(|| found.lines()),
+                found => text::kept_in(unit, || found.lines()),
             },
             None => vec!["collisions are not checked: there is no compensated program".to_owned()],
         };
@@ -128,42 +134,57 @@ fn facts(setup: &Setup, wire: &Wire, length: Length) -> Vec<(String, String)> {
 }
 
 /// Figures of the machine and of the wire, with their sources as the profiles have them.
-fn figures(setup: &Setup) -> Vec<Figure> {
+fn figures(setup: &Setup, unit: DisplayUnit) -> Vec<Figure> {
     let (machine, material) = (&setup.machine.profile, &setup.material.profile);
     let (of_machine, of_material) = (machine.id(), material.id());
-    let figure = |profile: &str, name: &str, unit: &str, stated: &Option<Sourced<f64>>| {
+    let figure = |profile: &str, name: &str, stated: &Option<Sourced<f64>>, value: &dyn Fn(f64) -> String| {
         let stated = stated.as_ref()?;
         let source = format!("{}{} [{profile}]", how(stated.measured), stated.source);
-        Some(Figure { name: name.to_owned(), value: format!("{}{unit}", stated.value), source })
+        Some(Figure { name: name.to_owned(), value: value(stated.value), source })
     };
     let (limits, bend) = (&machine.limits, &machine.bend);
     let radius = Figure {
         name: "centreline radius of bends".to_owned(),
-        value: format!("{:.2} mm", setup.model.bend_radius.mm()),
+        value: format!("{:.2}", setup.model.bend_radius),
         source: "derived: pin radius plus half the wire diameter".to_owned(),
     };
+    let (length, speed) = (|mm: f64| Mm(mm).to_string(), |mm: f64| format!("{}/s", Mm(mm)));
+    let (angle, turning) = (|deg: f64| format!("{deg}°"), |deg: f64| format!("{deg}°/s"));
+    let price = |per_mm: f64| format!("{}{}", per_length(per_mm, unit), price_unit(setup));
+    let priced = match unit {
+        DisplayUnit::Millimetre => "price per mm",
+        DisplayUnit::Inch => "price per inch",
+    };
     [
-        figure(of_material, "wire diameter", " mm", &material.diameter_mm),
-        figure(of_machine, "pin radius", " mm", &bend.pin_radius_mm),
+        figure(of_material, "wire diameter", &material.diameter_mm, &length),
+        figure(of_machine, "pin radius", &bend.pin_radius_mm, &length),
         Some(radius),
-        figure(of_material, "K-factor", "", &material.k_factor),
+        figure(of_material, "K-factor", &material.k_factor, &|k| k.to_string()),
         springback(setup),
-        figure(of_machine, "largest bend", "°", &limits.max_bend_deg),
-        figure(of_machine, "range of the bend axis", "°", &bend.axis_limit_deg),
-        figure(of_machine, "range of the head", "°", &limits.max_rotation_deg),
-        figure(of_machine, "minimum feed", " mm", &limits.min_feed_mm),
-        figure(of_machine, "maximum feed", " mm", &limits.max_feed_mm),
-        figure(of_machine, "unusable tail", " mm", &limits.tail_mm),
-        figure(of_machine, "feed speed", " mm/s", &machine.feed.rate_mm_per_s),
-        figure(of_machine, "rotate speed", "°/s", &machine.rotate.rate_deg_per_s),
-        figure(of_machine, "bend speed", "°/s", &bend.rate_deg_per_s),
-        figure(of_machine, "overhead of each bend", " s", &machine.time.fixed_per_bend_s),
-        figure(of_material, "density", " kg/m³", &material.density_kg_per_m3),
-        figure(of_material, "price per mm", &price_unit(setup), &material.price_per_mm),
+        figure(of_machine, "largest bend", &limits.max_bend_deg, &angle),
+        figure(of_machine, "range of the bend axis", &bend.axis_limit_deg, &angle),
+        figure(of_machine, "range of the head", &limits.max_rotation_deg, &angle),
+        figure(of_machine, "minimum feed", &limits.min_feed_mm, &length),
+        figure(of_machine, "maximum feed", &limits.max_feed_mm, &length),
+        figure(of_machine, "unusable tail", &limits.tail_mm, &length),
+        figure(of_machine, "feed speed", &machine.feed.rate_mm_per_s, &speed),
+        figure(of_machine, "rotate speed", &machine.rotate.rate_deg_per_s, &turning),
+        figure(of_machine, "bend speed", &bend.rate_deg_per_s, &turning),
+        figure(of_machine, "overhead of each bend", &machine.time.fixed_per_bend_s, &|s| format!("{s} s")),
+        figure(of_material, "density", &material.density_kg_per_m3, &|d| format!("{d} kg/m³")),
+        figure(of_material, priced, &material.price_per_mm, &price),
     ]
     .into_iter()
     .flatten()
     .collect()
+}
+
+/// A price for each millimetre as one for each of a unit.
+fn per_length(per_mm: f64, unit: DisplayUnit) -> String {
+    match unit {
+        DisplayUnit::Millimetre => per_mm.to_string(),
+        DisplayUnit::Inch => short(per_mm * 25.4, 6),
+    }
 }
 
 fn price_unit(setup: &Setup) -> String {

@@ -1,9 +1,9 @@
 //! Templates at 1:1.
 
-use wirebend_core::units::Length;
+use wirebend_core::units::{DisplayUnit, Length};
 use wirebend_files::write::{Drawing, Template, template, template_dxf, template_pdf, template_svg};
 
-use super::content::Content;
+use super::content::{Content, Wire};
 use super::print::{Print, letters_replaced};
 use super::{ExportFormat, bends_tightened, chord};
 use crate::PlanningError;
@@ -14,7 +14,7 @@ pub(super) fn encode(
     format: ExportFormat,
     print: &Print,
 ) -> Result<Vec<u8>, PlanningError> {
-    let drawing = drawing(content);
+    let drawing = drawing(content, print.unit);
     content.notes.extend(bends_tightened(drawing.tightened));
     match format {
         ExportFormat::TemplatePdf => {
@@ -31,7 +31,7 @@ pub(super) fn encode(
     }
 }
 
-fn drawing(content: &Content) -> Drawing {
+fn drawing(content: &Content, unit: DisplayUnit) -> Drawing {
     let model = &content.setup.model;
     let diameter = model.wire.diameter;
     template(&Template {
@@ -39,9 +39,15 @@ fn drawing(content: &Content) -> Drawing {
         wires: content.wires.iter().map(|wire| wire.path.clone()).collect(),
         diameter,
         radius: model.bend_radius,
-        // On a table a wire that stands up by a tenth of its diameter lies flat.
-        flat: Length::from_mm(diameter.mm() / 10.0).unwrap_or_default(),
+        flat: lies_flat(diameter),
         straight: model.straight,
         chord: chord(diameter),
+        steps: content.wires.iter().map(Wire::labels).collect(),
+        unit,
     })
+}
+
+/// On a table a wire that stands up by a tenth of its diameter lies flat.
+pub(super) fn lies_flat(diameter: Length) -> Length {
+    Length::from_mm(diameter.mm() / 10.0).unwrap_or_default()
 }

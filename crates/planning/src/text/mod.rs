@@ -25,7 +25,7 @@ mod tests;
 
 pub use limit::source;
 pub use number::price;
-pub use shown::{kept, show_lengths_in, shown};
+pub use shown::{kept, kept_in, show_lengths_in, shown};
 use wirebend_core::checks::{Diagnostic, Fact};
 
 /// What a finding says, with its figures.

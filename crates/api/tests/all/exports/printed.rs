@@ -150,14 +150,19 @@ fn settings_are_those_of_the_format() {
     for (format, settings, expected) in [
         ("template-pdf", json!({"paper": "a3"}), "paper is a3, expected a4 or letter"),
         ("template-pdf", json!({"paper": 4}), "paper is 4, expected a4 or letter"),
-        ("template-pdf", json!({"date": "today"}), "expected paper alone"),
+        ("template-pdf", json!({"date": "today"}), "expected paper (a4 or letter) or units (mm or in)"),
         ("job-sheet", json!({"papier": "a4"}), "a setting of job-sheet is papier, expected paper"),
         ("job-sheet", json!({"date": 2026}), "date is 2026, expected a text"),
-        ("template-dxf", json!({"paper": "a4"}), "template-dxf has no settings"),
+        ("template-dxf", json!({"paper": "a4"}), "a setting of template-dxf is paper, expected units alone"),
+        ("job-sheet", json!({"units": "inch"}), "units is inch, expected mm or in"),
         ("svg", json!({"paper": "a4"}), "svg has no settings"),
     ] {
         let error = house(format, &settings).unwrap_err();
         assert!(error.to_string().contains(expected), "{error}");
+    }
+    for format in PRINTED {
+        let units = |units: &str| house(format, &json!({"units": units})).unwrap().contents.remove(0);
+        assert!(units("in") != units("mm"), "{format}");
     }
     for format in ["template-pdf", "job-sheet"] {
         let paper = |paper: &str| house(format, &json!({"paper": paper})).unwrap().contents.remove(0);

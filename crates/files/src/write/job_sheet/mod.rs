@@ -3,6 +3,8 @@
 mod picture;
 mod steps;
 
+use wirebend_core::units::{Angle, DisplayUnit, Length};
+
 use super::pdf::flow::{Flow, SMALL};
 use super::pdf::{Canvas, Paper, Pdf, Pen, Type, document, letters};
 use super::svg::PictureWire;
@@ -36,6 +38,12 @@ pub struct JobSheet {
     pub notes: Vec<String>,
     /// What it is printed on.
     pub paper: Paper,
+    /// What the lengths of the picture and of the steps as designed are written in. What the machine is sent is in mm.
+    pub unit: DisplayUnit,
+    /// How far a point may be from a plane for all of the wire to be flat: then it is drawn as seen straight from above.
+    pub flat: Length,
+    /// A bend up to this is none.
+    pub straight: Angle,
 }
 
 /// A figure of a machine or of a wire.
@@ -80,10 +88,11 @@ pub struct Finding {
 pub fn job_sheet(sheet: &JobSheet) -> Pdf {
     let mut flow = Flow::new(sheet.paper.size_mm());
     head(&mut flow, sheet);
-    let wires: Vec<&PictureWire> = sheet.wires.iter().map(|wire| &wire.picture).collect();
-    let height = flow.paper[1] * 0.28;
+    let height = flow.paper[1] * 0.3;
     let area = flow.take(height);
-    picture::draw(flow.page(), &wires, area);
+    for line in picture::draw(flow.page(), sheet, area) {
+        flow.text(&line, SMALL);
+    }
     for (index, wire) in sheet.wires.iter().enumerate() {
         facts(&mut flow, &numbered("Totals", index, sheet.wires.len()), &wire.facts);
     }
@@ -91,7 +100,7 @@ pub fn job_sheet(sheet: &JobSheet) -> Pdf {
     checks(&mut flow, sheet);
     figures(&mut flow, sheet);
     for (index, wire) in sheet.wires.iter().enumerate() {
-        steps::table(&mut flow, &numbered("Steps", index, sheet.wires.len()), &wire.steps);
+        steps::table(&mut flow, &numbered("Steps", index, sheet.wires.len()), &wire.steps, sheet.unit);
     }
     let design = format!("design {}", short(&sheet.design_hash));
     let job = sheet.job_hash.as_ref().map(|hash| format!(", job {}", short(hash))).unwrap_or_default();

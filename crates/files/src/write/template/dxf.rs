@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use super::drawing::{Drawing, Layer, Point, Shape};
 use crate::number::fixed;
+use crate::write::drawing::{Drawing, Layer, Point, Shape};
 
 /// Capitals of a font are so much of its size high; DXF counts their height.
 const CAPITALS: f64 = 0.72;

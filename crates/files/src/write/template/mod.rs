@@ -1,27 +1,28 @@
 //! The template at 1:1, to lay the bent wire on: its centreline with its bends as arcs, and the edges of the wire.
 
-mod drawing;
 mod dxf;
+mod labelled;
 mod outline;
 mod pages;
-mod plane;
 mod svg;
 mod tiles;
 mod views;
 
 use nalgebra::{Point3, Vector3};
-use wirebend_core::units::{Angle, Length};
+use wirebend_core::units::{Angle, DisplayUnit, Length};
 
-pub use drawing::{Drawing, Layer, Shape};
+pub use super::drawing::{Drawing, Layer, Shape};
 pub use dxf::template_dxf;
 pub use pages::{TooManyPages, template_pdf};
 pub use svg::template_svg;
 
-use super::centreline::{Piece, pieces};
+use super::centreline::pieces;
+use super::drawing::{Point, bounds, shift};
+use super::labels::LabelStep;
 use super::pdf::letters::cut;
-use crate::number::short;
-use drawing::{Point, bounds, shift};
-use plane::View;
+use super::plane::{self, View};
+use crate::number::{length_in, short, unit_name};
+use labelled::Labelled;
 
 /// Size of the letters in mm.
 const LETTERS: f64 = 3.5;
@@ -49,6 +50,10 @@ pub struct Template {
     pub straight: Angle,
     /// How far chords may leave a curve that is no circle.
     pub chord: Length,
+    /// The steps of each wire as designed, whose numbers, angles and lengths stand beside it; none where they are not to be there.
+    pub steps: Vec<Vec<LabelStep>>,
+    /// What lengths are written in; the drawing itself is in mm.
+    pub unit: DisplayUnit,
 }
 
 /// Draws a template. A flat wire is laid into its plane and seen from the side on which its first bend turns left;
@@ -62,7 +67,8 @@ pub fn template(template: &Template) -> Drawing {
         let path: Vec<Point3<f64>> =
             path.iter().copied().filter(|point| point.coords.iter().all(|c| c.abs() < FARTHEST)).collect();
         let name = if template.wires.len() > 1 { format!("wire {}: ", index + 1) } else { String::new() };
-        let mut wire = wire(template, &path, &name, &mut drawing.tightened);
+        let steps = template.steps.get(index).map_or(&[][..], Vec::as_slice);
+        let mut wire = wire(template, &path, steps, &name, &mut drawing.tightened);
         let Some([left, bottom, _, highest]) = bounds(&wire) else { continue };
         shift(&mut wire, [-left, top - highest]);
         top -= highest - bottom + GAP;
@@ -72,9 +78,9 @@ pub fn template(template: &Template) -> Drawing {
     let mut lines = vec![
         format!("{title}: template 1:1"),
         format!(
-            "wire of {} mm, bends with a centreline radius of {} mm",
-            figure(template.diameter.mm()),
-            figure(template.radius.mm())
+            "wire of {}, bends with a centreline radius of {}",
+            length(template.diameter, template.unit),
+            length(template.radius, template.unit)
         ),
     ];
     if drawing.tightened > 0 {
@@ -88,27 +94,36 @@ pub fn template(template: &Template) -> Drawing {
 }
 
 /// The views of one wire with what stands under them.
-fn wire(template: &Template, path: &[Point3<f64>], name: &str, tightened: &mut usize) -> Vec<(Layer, Shape)> {
-    let seen = |path: &[Point3<f64>], view: &View, tightened: &mut usize| {
+fn wire(
+    template: &Template,
+    path: &[Point3<f64>],
+    steps: &[LabelStep],
+    name: &str,
+    tightened: &mut usize,
+) -> Vec<(Layer, Shape)> {
+    let mut labelled = Labelled::new(steps);
+    let (diameter, chord) = (template.diameter.mm(), template.chord.mm());
+    let mut seen = |path: &[Point3<f64>], view: &View, views: &[View], tightened: &mut usize| {
         let (pieces, tight) = pieces(&corners(path, template.straight), template.radius);
         *tightened = tight.len();
-        let mut shapes = outline::outline(&pieces, view, template.diameter.mm(), template.chord.mm());
-        marks(&mut shapes, &pieces, view, template.diameter.mm());
+        let mut shapes = outline::outline(&pieces, view, diameter, chord);
+        labelled.add(&mut shapes, path, &pieces, view, views, template);
         shapes
     };
     let mut tight = 0;
     let (mut shapes, about) = if let Some(view) = plane::of_flat(path, template.flat, template.straight) {
         let page = View { right: Vector3::x(), up: Vector3::y() };
-        let shapes = seen(&plane::laid(path, &view), &page, &mut tight);
+        let shapes = seen(&plane::laid(path, &view), &page, &[page], &mut tight);
         let [x, y, z] = [0, 1, 2].map(|k| figure(view.normal()[k]));
         (shapes, format!("{name}flat; its first bend turns left, as seen from ({x}, {y}, {z})"))
     } else {
-        let shapes = views::third_angle(|view| seen(path, view, &mut tight));
+        let shapes = views::third_angle(|view| seen(path, view, &views::all(), &mut tight));
         (shapes, format!("{name}third-angle projection: front from -y, top from +z, right from +x"))
     };
     *tightened += tight;
     if let Some([left, bottom, ..]) = bounds(&shapes) {
-        caption(&mut shapes, &[about], [left, bottom - 5.0]);
+        let lines: Vec<String> = std::iter::once(about).chain(labelled.about(template.unit)).collect();
+        caption(&mut shapes, &lines, [left, bottom - 5.0]);
     }
     shapes
 }
@@ -137,25 +152,11 @@ fn caption(shapes: &mut Vec<(Layer, Shape)>, lines: &[String], [x, y]: Point) {
     }
 }
 
-/// Words at both ends of a wire, on the side where it is not.
-fn marks(shapes: &mut Vec<(Layer, Shape)>, pieces: &[Piece], view: &View, diameter: f64) {
-    let ends = [(pieces.first(), 0.0, -1.0, "start"), (pieces.last(), 1.0, 1.0, "end")];
-    for (piece, at, sign, word) in ends {
-        let Some((point, tangent)) = piece.map(|piece| outline::end_of(piece, at, view)) else { continue };
-        let away = tangent.map(|c| c * sign);
-        let room = diameter / 2.0 + 1.5;
-        let text = Shape::Text { at: [0.0; 2], size: LETTERS, text: word.to_owned() };
-        let [_, _, width, height] = text.bounds();
-        // Seen along the wire, the word stands above its end.
-        let at = if away[0].abs() > away[1].abs().max(0.01) {
-            let x = if away[0] < 0.0 { point[0] - room - width } else { point[0] + room };
-            [x, point[1] - LETTERS * 0.36]
-        } else {
-            let y = if away[1] < 0.0 { point[1] - room - height } else { point[1] + room };
-            [point[0] - width / 2.0, y]
-        };
-        shapes.push((Layer::Text, Shape::Text { at, size: LETTERS, text: word.to_owned() }));
-    }
+/// A length with up to three decimals of a millimetre or four of an inch.
+fn length(length: Length, unit: DisplayUnit) -> String {
+    let text = length_in(unit, length.mm(), [3, 4]);
+    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    format!("{text} {}", unit_name(unit))
 }
 
 /// A number with up to three decimals.

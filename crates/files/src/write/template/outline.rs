@@ -2,9 +2,9 @@
 
 use nalgebra::Point3;
 
-use super::drawing::{Layer, Point, Shape};
-use super::plane::View;
 use crate::write::centreline::{Arc, Piece};
+use crate::write::drawing::{Layer, Point, Shape};
+use crate::write::plane::View;
 
 /// What is shorter than this, in mm, is seen as a point.
 const POINT_MM: f64 = 1e-9;

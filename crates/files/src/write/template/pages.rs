@@ -1,7 +1,7 @@
 //! The template as PDF: an overview, then pages at 1:1 that are cut out and laid over one another.
 
-use super::drawing::{Bounds, Drawing, Layer, Point, Shape, joined};
 use super::tiles::{OVERLAP, Tile, Tiling};
+use crate::write::drawing::{Bounds, Drawing, Layer, draw, joined};
 use crate::write::pdf::{Canvas, Paper, Pdf, Pen, Type, document, letters};
 
 /// White around what a page shows, in mm: no printer reaches the edge.
@@ -12,7 +12,6 @@ const FOOT: f64 = 14.0;
 const MAX_PAGES: usize = 400;
 /// How far chords may leave a curve where it is asked on which page it is, in mm; also how wide lines are.
 const INK: f64 = 0.2;
-const DASHES: &[f64] = &[6.0, 1.0, 1.0, 1.0];
 const SHORT: &[f64] = &[1.5, 1.5];
 
 /// A drawing that is too large to be printed.
@@ -103,28 +102,6 @@ fn neighbours(page: &mut Canvas, tiling: &Tiling, (row, column): Tile, window: B
         let y = bottom + OVERLAP;
         page.line([left, y], [right, y], pen);
         page.text([left + 0.8, y - 3.0], &Tiling::name((row + 1, column)), kind);
-    }
-}
-
-/// A shape, scaled and then moved.
-fn draw(page: &mut Canvas, layer: Layer, shape: &Shape, scale: f64, [x, y]: Point) {
-    let at = |point: Point| [point[0] * scale + x, point[1] * scale + y];
-    let pen = match layer {
-        Layer::Centreline if scale < 1.0 => Pen::new(0.3, 0.0),
-        Layer::Centreline => Pen::new(0.15, 0.0).dashed(DASHES),
-        Layer::Wire => Pen::new(0.25, 0.0),
-        Layer::Text => Pen::new(0.15, 0.2),
-    };
-    match shape {
-        Shape::Line(points) => page.chain(&points.map(at), pen),
-        Shape::Chain(points) => page.chain(&points.iter().map(|point| at(*point)).collect::<Vec<_>>(), pen),
-        Shape::Circle { centre, radius } => page.circle(at(*centre), radius * scale, pen),
-        Shape::Arc { centre, radius, from, sweep } => {
-            page.arc(at(*centre), radius * scale, *from, *sweep, pen);
-        }
-        Shape::Text { at: place, size, text } => {
-            page.text(at(*place), text, Type::new(size * scale).grey(0.2));
-        }
     }
 }
 

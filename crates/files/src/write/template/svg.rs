@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use super::drawing::{Drawing, Layer, Point, Shape, on_circle};
 use crate::number::short;
+use crate::write::drawing::{Drawing, Layer, Point, Shape, on_circle};
 use crate::write::svg::escape;
 
 /// Around the drawing, in mm.

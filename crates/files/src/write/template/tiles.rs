@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::drawing::{Bounds, Drawing, Point};
+use crate::write::drawing::{Bounds, Drawing, Point, crosses};
 
 /// How far a page continues beyond the one before it, in mm.
 pub(super) const OVERLAP: f64 = 10.0;
@@ -102,33 +102,12 @@ fn count(length: f64, window: f64) -> Option<u32> {
     (count < 1e6).then_some(count as u32)
 }
 
-/// Whether a line passes a rectangle: what is left of it when it is cut off at each side in turn (Liang and Barsky,
-/// ACM Transactions on Graphics 3, 1984).
-fn crosses(from: Point, to: Point, [left, bottom, right, top]: Bounds) -> bool {
-    let (mut begin, mut end) = (0.0_f64, 1.0_f64);
-    for (from, to, min, max) in [(from[0], to[0], left, right), (from[1], to[1], bottom, top)] {
-        let along = to - from;
-        for (room, along) in [(from - min, -along), (max - from, along)] {
-            if along == 0.0 {
-                if room < 0.0 {
-                    return false;
-                }
-            } else if along < 0.0 {
-                begin = begin.max(room / along);
-            } else {
-                end = end.min(room / along);
-            }
-        }
-    }
-    begin <= end
-}
-
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
 
-    use super::super::drawing::{Layer, Shape};
     use super::*;
+    use crate::write::drawing::{Layer, Shape};
 
     fn drawing(points: Vec<Point>) -> Drawing {
         Drawing { shapes: vec![(Layer::Wire, Shape::Chain(points))], ..Drawing::default() }

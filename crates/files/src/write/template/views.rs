@@ -2,17 +2,20 @@
 
 use nalgebra::Vector3;
 
-use super::drawing::{Layer, Shape, bounds, shift};
-use super::plane::View;
 use super::{GAP, LETTERS};
+use crate::write::drawing::{Layer, Shape, bounds, shift};
+use crate::write::plane::View;
+
+/// Front, top and right side.
+pub(super) fn all() -> [View; 3] {
+    let (x, y, z) = (Vector3::x(), Vector3::y(), Vector3::z());
+    [View { right: x, up: z }, View { right: x, up: y }, View { right: y, up: z }]
+}
 
 /// Front, the top above it, the right side to its right: third-angle projection, with its symbol. Each point stands at
 /// the same height in front and right side, and as far to the right in front and top.
 pub(super) fn third_angle(mut seen: impl FnMut(&View) -> Vec<(Layer, Shape)>) -> Vec<(Layer, Shape)> {
-    let (x, y, z) = (Vector3::x(), Vector3::y(), Vector3::z());
-    let mut front = seen(&View { right: x, up: z });
-    let mut top = seen(&View { right: x, up: y });
-    let mut right = seen(&View { right: y, up: z });
+    let [mut front, mut top, mut right] = all().map(|view| seen(&view));
     for (view, name) in [(&mut front, "front"), (&mut top, "top"), (&mut right, "right")] {
         if let Some([left, bottom, ..]) = bounds(&*view) {
             let at = [left, bottom - 2.0 - LETTERS];

@@ -22,15 +22,14 @@ mod left_out;
 mod meshes;
 mod models;
 mod models_beside;
-mod pdf_files;
 mod pictures;
+mod printed;
 mod programs;
 mod real_files;
 mod round_trips;
 mod svg;
 mod svg_styles;
 mod tables;
-mod templates;
 mod written_models;
 
 use std::path::PathBuf;

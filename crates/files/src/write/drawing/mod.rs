@@ -1,8 +1,12 @@
 //! A drawing at 1:1: lines, arcs and text in mm.
 
+mod canvas;
+
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::write::pdf::letters::width;
+
+pub(crate) use canvas::draw;
 
 /// A point of a drawing: to the right and up, in mm.
 pub type Point = [f64; 2];
@@ -159,4 +163,25 @@ fn arc_points(centre: Point, radius: f64, from: f64, sweep: f64, chord: f64) -> 
 fn around(points: &[Point]) -> Bounds {
     let nothing = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
     points.iter().fold(nothing, |bounds, &[x, y]| joined(bounds, [x, y, x, y]))
+}
+
+/// Whether a line passes a rectangle: what is left of it when it is cut off at each side in turn (Liang and Barsky,
+/// ACM Transactions on Graphics 3, 1984).
+pub(crate) fn crosses(from: Point, to: Point, [left, bottom, right, top]: Bounds) -> bool {
+    let (mut begin, mut end) = (0.0_f64, 1.0_f64);
+    for (from, to, min, max) in [(from[0], to[0], left, right), (from[1], to[1], bottom, top)] {
+        let along = to - from;
+        for (room, along) in [(from - min, -along), (max - from, along)] {
+            if along == 0.0 {
+                if room < 0.0 {
+                    return false;
+                }
+            } else if along < 0.0 {
+                begin = begin.max(room / along);
+            } else {
+                end = end.min(room / along);
+            }
+        }
+    }
+    begin <= end
 }

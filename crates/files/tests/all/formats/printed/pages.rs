@@ -3,11 +3,13 @@
 use lopdf::content::Content;
 use lopdf::{Document, Object};
 use nalgebra::Point3;
+use wirebend_core::units::{Angle, DisplayUnit};
 use wirebend_files::write::{
     Figure, Finding, JobSheet, Layer, Paper, PictureWire, SheetStep, SheetWire, job_sheet, template,
     template_pdf,
 };
 
+use super::super::mm;
 use super::templates::of;
 
 pub(super) const POINTS: f64 = 72.0 / 25.4;
@@ -31,7 +33,7 @@ impl Page {
         self.texts.iter().any(|(_, text)| text.contains(words))
     }
 
-    fn all(&self) -> String {
+    pub(super) fn all(&self) -> String {
         self.texts.iter().map(|(_, text)| text.as_str()).collect::<Vec<_>>().join(" ")
     }
 }
@@ -234,7 +236,7 @@ fn what_nobody_would_glue_is_refused() {
     assert!(error.to_string().contains("more than 400 pages"), "{error}");
 }
 
-fn sheet(steps: usize) -> JobSheet {
+pub(super) fn sheet(steps: usize) -> JobSheet {
     let step = |k: usize| {
         #[allow(clippy::cast_precision_loss)]
         let k = k as f64;
@@ -269,6 +271,9 @@ fn sheet(steps: usize) -> JobSheet {
         }],
         notes: vec!["the springback is an estimate".into()],
         paper: Paper::A4,
+        unit: DisplayUnit::Millimetre,
+        flat: mm(0.3),
+        straight: Angle::from_deg(0.05).unwrap(),
     }
 }
 

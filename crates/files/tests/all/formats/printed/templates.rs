@@ -3,12 +3,12 @@
 use nalgebra::{Point3, Rotation3, Unit, Vector3};
 use proptest::prelude::*;
 use wirebend_core::bend::{Frame, Step, replay};
-use wirebend_core::units::{Angle, Length};
+use wirebend_core::units::{Angle, DisplayUnit, Length};
 use wirebend_files::write::{
     Drawing, Layer, Paper, Shape, Template, template, template_dxf, template_pdf, template_svg,
 };
 
-use super::{mm, step};
+use super::super::{mm, step};
 
 const RADIUS: f64 = 4.5;
 
@@ -21,6 +21,8 @@ pub(super) fn of(wires: Vec<Vec<Point3<f64>>>) -> Template {
         flat: mm(0.3),
         straight: Angle::from_deg(0.05).unwrap(),
         chord: mm(0.03),
+        steps: Vec::new(),
+        unit: DisplayUnit::Millimetre,
     }
 }
 
@@ -29,7 +31,7 @@ fn drawn(path: &[Point3<f64>]) -> Drawing {
 }
 
 /// The middle of the wire: lines by their ends, arcs by their ends, radius and sweep.
-fn centreline(drawing: &Drawing) -> Vec<&Shape> {
+pub(super) fn centreline(drawing: &Drawing) -> Vec<&Shape> {
     drawing.shapes.iter().filter(|(layer, _)| *layer == Layer::Centreline).map(|(_, shape)| shape).collect()
 }
 
@@ -162,7 +164,7 @@ fn three_views_stand_where_they_belong() {
     assert!(said.contains("third-angle projection"), "{said}");
 }
 
-fn texts(drawing: &Drawing) -> Vec<&str> {
+pub(super) fn texts(drawing: &Drawing) -> Vec<&str> {
     let shapes = drawing.shapes.iter().map(|(_, shape)| shape);
     shapes
         .filter_map(|shape| if let Shape::Text { text, .. } = shape { Some(text.as_str()) } else { None })
