@@ -6,6 +6,8 @@ export default defineConfig({
   plugins: [react()],
   clearScreen: false,
   build: { target: "safari16", chunkSizeWarningLimit: 1500 },
+  // The thread that reads PDF files is a module.
+  worker: { format: "es" },
   // Two at a time on two cores, where one is what it chooses itself.
   test: { include: ["{src,tests}/**/*.test.{ts,tsx,mjs}"], maxWorkers: 2 },
 });

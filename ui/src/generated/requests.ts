@@ -982,6 +982,10 @@ export interface ExamplesRequest {}
  */
 export interface ExportDesign {
   /**
+   * Whether all of what would be written is returned too, to be looked at as it will be.
+   */
+  contents?: boolean;
+  /**
    * Whether to write a program although a check says that it cannot be made.
    */
   despite_errors?: boolean;

@@ -3796,6 +3796,10 @@ export interface ExportPreview {
   beginnings: (string | null)[];
   bytes: number[];
   /**
+   * All of each file that would be written, in Base64; empty where that was not asked for.
+   */
+  contents: string[];
+  /**
    * Whether the machine can make it.
    */
   feasible: boolean;

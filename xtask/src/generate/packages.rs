@@ -61,8 +61,9 @@ fn of_npm(root: &Path) -> Result<Vec<[String; 3]>> {
     let lock: Value = serde_json::from_str(&text)?;
     let packages = lock["packages"].as_object().context("ui/package-lock.json has no packages")?;
     let text = |value: &Value| value.as_str().unwrap_or_default().to_owned();
-    let shipped =
-        packages.iter().filter(|(path, package)| !path.is_empty() && package["dev"] != Value::Bool(true));
+    // What is optional is for Node alone: it is not in what a browser loads.
+    let left_out = |package: &Value| ["dev", "optional"].iter().any(|key| package[*key] == Value::Bool(true));
+    let shipped = packages.iter().filter(|(path, package)| !path.is_empty() && !left_out(package));
     let named = |(path, package): (&String, &Value)| {
         let name = path.rsplit("node_modules/").next().unwrap_or_default();
         [format!("npm:{name}"), text(&package["version"]), text(&package["license"])]

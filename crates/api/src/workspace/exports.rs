@@ -3,6 +3,8 @@
 use std::path::PathBuf;
 use wirebend_planning::PlanningError;
 
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD as BASE64;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
@@ -64,6 +66,9 @@ pub struct ExportDesign {
     pub despite_errors: bool,
     /// Where it goes; absent, its beginning is returned.
     pub output: Option<Output>,
+    /// Whether all of what would be written is returned too, to be looked at as it will be.
+    #[serde(default)]
+    pub contents: bool,
 }
 
 /// A file, or the beginning of what it would be.
@@ -79,6 +84,8 @@ pub struct ExportPreview {
     /// Of each file that would be written its first lines; null of one that is no text.
     pub beginnings: Vec<Option<String>>,
     pub bytes: Vec<usize>,
+    /// All of each file that would be written, in Base64; empty where that was not asked for.
+    pub contents: Vec<String>,
 }
 
 /// Plans the open design and writes the job.
@@ -210,6 +217,11 @@ impl Workspace {
             notes: written.notes,
             beginnings: written.contents.iter().map(begins).collect(),
             bytes: written.contents.iter().map(Vec::len).collect(),
+            contents: if asked.contents {
+                written.contents.iter().map(|bytes| BASE64.encode(bytes)).collect()
+            } else {
+                Vec::new()
+            },
             files: written.files,
         })
     }

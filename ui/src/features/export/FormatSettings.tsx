@@ -1,8 +1,9 @@
 import type { FormatEntry } from "../../generated/responses";
 import { Button } from "../../shared/controls/Button";
 import { count } from "../../shared/figures/format";
+import { useUnit } from "../../shared/figures/unit";
 import { useDesign } from "../../state/design/design";
-import { setSettings, settingsOf, useExports } from "../../state/files/exports";
+import { asSet, setSettings, settingsOf, useExports } from "../../state/files/exports";
 import { useMachines } from "../../state/machine/machines";
 import { Fold } from "../machine/Fold";
 import { SettingsForm } from "../machine/settings/SettingsForm";
@@ -11,15 +12,17 @@ import { changedKeys } from "../machine/settings/values";
 /** What can be set for this one export, over what the machine's profile says. */
 export function FormatSettings({ format }: { readonly format: FormatEntry }) {
   const settings = useExports((store) => store.settings);
+  const unit = useUnit();
   const machine = useDesign((design) => design.state?.machine ?? null);
   const driver = useMachines((machines) => machines.machines?.find(({ id }) => id === machine)?.driver ?? null);
   // The generated type does not say that some formats have nothing to set.
   const schema = format.settings_schema as { readonly properties?: object } | null;
   const fields = Object.keys(schema?.properties ?? {}).length;
   if (!schema || fields === 0) return null;
-  const values = settingsOf(format, settings);
+  const values = settingsOf(format, settings, unit);
+  const unset = settingsOf(format, new Map(), unit);
   const own = settings.has(format.id);
-  const changed = own ? changedKeys(withDefaults(schema, format.settings), withDefaults(schema, values)).length : 0;
+  const changed = own ? changedKeys(withDefaults(schema, unset), withDefaults(schema, values)).length : 0;
   // The driver of the machine has one set for everything: it does not say which of them are about the text.
   const ofMachine = format.driver !== null && format.driver === driver;
   const title = ofMachine ? `All settings of the driver (${fields})` : "Settings of this export";
@@ -42,7 +45,7 @@ export function FormatSettings({ format }: { readonly format: FormatEntry }) {
         idPrefix={`export-${format.id}`}
         schema={schema}
         values={values}
-        onChange={(changedTo) => setSettings(format.id, changedTo)}
+        onChange={(changedTo) => setSettings(format.id, asSet(format, changedTo, unit))}
       />
       {changed > 0 && (
         <div className="row end">

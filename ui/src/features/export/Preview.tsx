@@ -8,7 +8,7 @@ import { Line } from "../../shared/lists/Line";
 import { useDesign } from "../../state/design/design";
 import { preview, setDespiteErrors, useExports } from "../../state/files/exports";
 import { useUi } from "../../state/window/ui";
-import { bytes } from "./groups";
+import { bytes, isPrinted } from "./groups";
 
 /** How long nothing has to change before it is asked for, ms. */
 const REST_MS = 350;
@@ -79,7 +79,7 @@ export function Preview({ format }: { readonly format: FormatEntry }) {
           <figcaption className="muted small">
             {mine.seen && mine.seen.beginnings.length > 1 ? `File ${index + 1} · ` : ""}
             {bytes(mine.seen?.bytes[index] ?? 0)}
-            {beginning === null ? " · binary file: no preview" : ""}
+            {beginning !== null ? "" : isPrinted(format) ? " · pages to print" : " · binary file: no preview"}
           </figcaption>
           {beginning !== null && (
             <section aria-label="First lines">

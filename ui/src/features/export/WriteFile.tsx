@@ -8,7 +8,8 @@ import { Line } from "../../shared/lists/Line";
 import { told } from "../../state/asking/problems";
 import { useDesign } from "../../state/design/design";
 import { useExports, write } from "../../state/files/exports";
-import { beside, fileName } from "./groups";
+import { beside, fileName, isPrinted } from "./groups";
+import { PrintPreview } from "./print/PrintPreview";
 
 /** Where the file goes, and writing it. A file that is there is replaced only when a person says so. */
 export function WriteFile({ format }: { readonly format: FormatEntry }) {
@@ -19,6 +20,7 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
   /** A path that the system's dialog has asked about. */
   const [agreed, setAgreed] = useState<string | null>(null);
   const [busy, setBusy] = useState(false);
+  const [previewed, setPreviewed] = useState(false);
   const [problem, setProblem] = useState<{ message: string; exists: boolean } | null>(null);
   const path = typed ?? (state?.file ? suggested : "");
   const go = async (to: string, force: boolean) => {
@@ -48,12 +50,12 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
   const done = written?.format === format.id ? written.files : [];
   const answer = useRef<HTMLDivElement>(null);
   const [before] = useState(written);
-  const previewed = preview?.format === format.id;
+  const arrived = preview?.format === format.id;
   // biome-ignore lint/correctness/useExhaustiveDependencies: a preview that arrives moves it
   useEffect(() => {
     // It may come below what is seen of the panel, and a preview that arrives after it moves it down again.
     if (written && written !== before) void answer.current?.scrollIntoView({ block: "nearest" });
-  }, [written, before, previewed]);
+  }, [written, before, arrived]);
   return (
     <div className="stack">
       <Field label="File">
@@ -91,10 +93,16 @@ export function WriteFile({ format }: { readonly format: FormatEntry }) {
         </div>
       )}
       <div className="row end">
+        {isPrinted(format) && (
+          <Button icon="shown" why={refused?.message ?? null} onClick={() => setPreviewed(true)}>
+            Print preview…
+          </Button>
+        )}
         <Button kind="primary" why={why} onClick={() => void (path === "" ? browse(true) : go(path, path === agreed))}>
           {path === "" ? "Write…" : "Write"}
         </Button>
       </div>
+      {previewed && <PrintPreview format={format} onClose={() => setPreviewed(false)} />}
       <div ref={answer} aria-live="polite">
         {done.map((file) => (
           <p key={file} className="written">

@@ -17,6 +17,9 @@ function groupOf(format: FormatEntry, driver: string | null): (typeof GROUPS)[nu
   return "Tables and programs";
 }
 
+/** Whether it is pages that a person prints, which can be looked at before. */
+export const isPrinted = ({ driver, extension }: FormatEntry): boolean => driver === null && extension === "pdf";
+
 /** Groups that have something in them; the formats stay in their order. `driver`: that of the machine. */
 export function grouped(formats: readonly FormatEntry[], driver: string | null): readonly Group[] {
   const of = (title: string) => formats.filter((format) => groupOf(format, driver) === title);

@@ -15,7 +15,7 @@ vi.mock("../../platform", () => ({
 }));
 
 import type { FormatEntry } from "../../generated/responses";
-import { preview, useExports } from "./exports";
+import { asSet, preview, settingsOf, useExports } from "./exports";
 
 const format = { id: "gcode", name: "G-code", extension: "gcode", settings: {} } as unknown as FormatEntry;
 
@@ -27,4 +27,29 @@ it.each([
   platform.ask.mockRejectedValue(new Refused({ code, kind: "not-feasible", message: "no" }));
   await preview();
   expect(useExports.getState().preview?.refused).toEqual({ message: "no", errors });
+});
+
+const properties = { paper: {}, units: {} };
+const sheet = {
+  id: "job-sheet",
+  driver: null,
+  settings: {},
+  settings_schema: { properties },
+} as unknown as FormatEntry;
+
+it("writes what a person reads in the unit of the window, unless another is set", () => {
+  const none = new Map();
+  expect(settingsOf(sheet, none, "inch")).toEqual({ units: "in" });
+  expect(settingsOf(sheet, none, "mm")).toEqual({ units: "mm" });
+  expect(settingsOf(sheet, new Map([["job-sheet", { units: "mm" }]]), "inch")).toEqual({ units: "mm" });
+  // A driver's unit is that of its machine.
+  expect(settingsOf({ ...sheet, driver: "tables" }, none, "inch")).toEqual({});
+  expect(settingsOf({ ...sheet, settings_schema: null } as never, none, "inch")).toEqual({});
+});
+
+it("goes on following the window when another setting is changed", () => {
+  const changed = asSet(sheet, { ...settingsOf(sheet, new Map(), "inch"), paper: "letter" }, "inch");
+  expect(changed).toEqual({ paper: "letter" });
+  expect(settingsOf(sheet, new Map([["job-sheet", changed]]), "mm")).toEqual({ paper: "letter", units: "mm" });
+  expect(asSet(sheet, { units: "mm", paper: "a4" }, "inch")).toEqual({ units: "mm", paper: "a4" });
 });

@@ -3,6 +3,7 @@ import type { ExportPreview, FormatEntry } from "../../generated/responses";
 import { Refused } from "../../platform";
 import { errorText } from "../../platform/error_text";
 import { asking } from "../asking/work";
+import { type DisplayUnit, useUnits } from "../window/units";
 
 /** Settings of a format, by key. */
 export type Settings = Readonly<Record<string, unknown>>;
@@ -68,9 +69,27 @@ export function chosenFormat({ formats, chosen }: Pick<ExportsStore, "formats" |
   return formats?.find(({ id }) => id === chosen) ?? formats?.[0] ?? null;
 }
 
-/** The settings that are written with: those of the person, else those of the profile. */
-export function settingsOf(format: FormatEntry, settings: ReadonlyMap<string, Settings>): Settings {
-  return settings.get(format.id) ?? format.settings;
+/** What lengths are written in where nothing else is set: of what a person reads it is what the window shows. */
+function shownUnits(format: FormatEntry, unit: DisplayUnit): Settings {
+  const properties = (format.settings_schema as { readonly properties?: object } | null)?.properties;
+  // A driver's unit is that of its machine or of another program.
+  const reads = format.driver === null && properties !== undefined && "units" in properties;
+  return reads ? { units: unit === "inch" ? "in" : "mm" } : {};
+}
+
+/** The settings that are written with: those of the person, else those of the profile. `unit`: what the window shows. */
+export function settingsOf(
+  format: FormatEntry,
+  settings: ReadonlyMap<string, Settings>,
+  unit: DisplayUnit = useUnits.getState().unit,
+): Settings {
+  return { ...shownUnits(format, unit), ...(settings.get(format.id) ?? format.settings) };
+}
+
+/** What a person has set, without the unit where it is that of the window: it goes on following the window. */
+export function asSet(format: FormatEntry, settings: Settings, unit: DisplayUnit): Settings {
+  const shown = shownUnits(format, unit);
+  return Object.fromEntries(Object.entries(settings).filter(([key, value]) => shown[key] !== value));
 }
 
 export function chooseFormat(format: string): void {
@@ -106,6 +125,18 @@ export async function preview(): Promise<void> {
     answer = { format: format.id, seen: null, refused: refusal(error) };
   }
   if (question === asked) useExports.setState({ preview: answer, previewing: false });
+}
+
+/** All of the file that would be written now, as it would be. */
+export async function fileBytes(format: FormatEntry): Promise<Uint8Array> {
+  const { settings, despiteErrors } = useExports.getState();
+  const { contents } = await asking("export", {
+    format: format.id,
+    settings: { ...settingsOf(format, settings) },
+    despite_errors: despiteErrors,
+    contents: true,
+  });
+  return Uint8Array.from(atob(contents[0] ?? ""), (letter) => letter.charCodeAt(0));
 }
 
 function refusal(error: unknown): { message: string; errors: boolean } {

@@ -1,5 +1,8 @@
 //! Machines, programs and exports of the open design.
 
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD as BASE64;
+
 use super::*;
 
 /// What is played is the design: each corner is a vertex, and the time is the plan's.
@@ -106,6 +109,10 @@ fn a_preview_is_the_beginning_of_the_file() {
         let written = window.ask("export", json!({"format": id, "output": {"path": path}}));
         assert_eq!(written["files"], json!([path]), "{id}");
         let bytes = std::fs::read(&path).unwrap();
+        // What is looked at before it is saved is the file.
+        assert_eq!(shown["contents"], json!([]), "{id}");
+        let seen = window.ask("export", json!({"format": id, "contents": true}))["contents"][0].clone();
+        assert!(BASE64.decode(seen.as_str().unwrap()).unwrap() == bytes, "{id}");
         if let Some(beginning) = shown["beginnings"][0].as_str() {
             let text = String::from_utf8(bytes).unwrap().replace("\r\n", "\n");
             assert!(text.starts_with(beginning), "{id}");
