@@ -153,8 +153,15 @@ fn overview(drawing: &Drawing, tiling: &Tiling, size: [f64; 2]) -> Canvas {
 fn instructions(tiling: &Tiling) -> Vec<String> {
     let (all, used) = (u64::from(tiling.columns) * u64::from(tiling.rows), tiling.used.len());
     let pages = if used == 1 { "1 page follows".to_owned() } else { format!("{used} pages follow") };
-    let mut lines =
-        vec![format!("{pages}, of {} columns (A, B, …) and {} rows (1, 2, …).", tiling.columns, tiling.rows)];
+    let count = |count: u32, what: &str, names: &str| match count {
+        1 => format!("1 {what}"),
+        _ => format!("{count} {what}s ({names}, …)"),
+    };
+    let mut lines = vec![format!(
+        "{pages}, of {} and {}.",
+        count(tiling.columns, "column", "A, B"),
+        count(tiling.rows, "row", "1, 2")
+    )];
     let empty = all.saturating_sub(used as u64);
     if empty > 0 {
         let places = (0..tiling.rows).flat_map(|row| (0..tiling.columns).map(move |column| (row, column)));

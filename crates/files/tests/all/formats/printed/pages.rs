@@ -219,6 +219,7 @@ fn empty_pages_are_left_out_and_named() {
     let first = pages[0].all();
     let count = pages.len() - 1;
     assert!(first.contains(&format!("{count} pages follow")), "{first}");
+    assert!(first.contains("of 4 columns (A, B, "), "{first}");
     assert!(first.contains("would be empty and are left out: A1"), "{first}");
     assert!(
         !pages[1..].iter().any(|page| page.says("A1 of")),
