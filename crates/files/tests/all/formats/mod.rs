@@ -9,7 +9,6 @@
 mod any_bytes;
 mod broken_drawings;
 mod broken_models;
-mod coupon_sheets;
 mod documents;
 mod drawn;
 mod dxf;

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use proptest::prelude::*;
 use wirebend_files::write::{CouponSheet, Paper, PrintedCoupon, PrintedReading, coupon_sheet};
 
-use super::pdf_files::{POINTS, Page, pages};
+use super::pages::{POINTS, Page, pages};
 
 fn angle(deg: f64) -> PrintedCoupon {
     let bend = |wanted| PrintedReading { what: "bend", wanted, unit: "°", is_bend: true };
