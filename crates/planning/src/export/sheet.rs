@@ -105,7 +105,11 @@ fn sheet_wire(setup: &Setup, wire: &Wire) -> SheetWire {
 fn facts(setup: &Setup, wire: &Wire, length: Length) -> Vec<(String, String)> {
     let unknown = || "not known".to_owned();
     let model = &setup.model.wire;
-    let fed = wire.compensated.as_ref().map(|steps| steps.iter().map(|step| step.feed).sum::<Length>());
+    let scale = setup.model.compensation.motion.feed_scale;
+    let fed = wire.compensated.as_ref().and_then(|steps| {
+        let commanded: Length = steps.iter().map(|step| step.feed).sum();
+        Length::from_mm(commanded.mm() * scale).ok()
+    });
     let stock = wire.stock_mm.and_then(|stock| Length::from_mm(stock).ok());
     let tail = Some(setup.model.limits.tail.value);
     let cost = |length: Option<Length>| {
