@@ -1,17 +1,9 @@
-import { useEffect } from "react";
-import { Button } from "../../shared/controls/Button";
 import { Checkbox } from "../../shared/controls/inputs";
 import { sentence } from "../../shared/figures/format";
 import { useUnit } from "../../shared/figures/unit";
-import { needFrameChoices } from "../../state/frame/frame";
-import {
-  choosePrediction,
-  predict,
-  stopPrediction,
-  usePrediction,
-  usePredictionStale,
-} from "../../state/prediction/prediction";
+import { choosePrediction, usePrediction, usePredictionStale } from "../../state/prediction/prediction";
 import { useRunFile } from "../../state/program/run_file";
+import { PredictButton } from "../check/PredictButton";
 import { farthest } from "../check/spread";
 import { displacement } from "../frame/words";
 
@@ -21,7 +13,6 @@ export function Expected() {
   const stale = usePredictionStale();
   const ofFile = useRunFile(({ file }) => file !== null);
   const unit = useUnit();
-  useEffect(needFrameChoices, []);
   if (ofFile) return null;
   const far = answer && !stale ? farthest(answer.value) : null;
   const status = asking
@@ -44,17 +35,9 @@ export function Expected() {
           Accuracy
         </Checkbox>
         <span className="grow" />
-        {asking ? (
-          <Button className="predict-go" onClick={() => void stopPrediction()}>
-            Stop
-          </Button>
-        ) : (
-          <Button className="predict-go" why={far ? "It is predicted already." : null} onClick={() => void predict()}>
-            Predict
-          </Button>
-        )}
+        <PredictButton why={far ? "It is predicted already." : null} />
       </div>
-      <p className="muted small" role="status">
+      <p className="muted small expected" role="status" title={status}>
         {status}
       </p>
     </div>

@@ -1,6 +1,5 @@
-import { useEffect, useMemo } from "react";
+import { useMemo } from "react";
 import type { Prediction } from "../../generated/responses";
-import { Button } from "../../shared/controls/Button";
 import { Field } from "../../shared/controls/Field";
 import { Bar, Checkbox, Select } from "../../shared/controls/inputs";
 import { NumberField } from "../../shared/controls/NumberField";
@@ -10,19 +9,13 @@ import { Line } from "../../shared/lists/Line";
 import { useWork } from "../../state/asking/work";
 import { useDesign } from "../../state/design/design";
 import { select } from "../../state/design/selection";
-import { needFrameChoices, useFrame } from "../../state/frame/frame";
-import {
-  choosePrediction,
-  noiseTaken,
-  predict,
-  stopPrediction,
-  usePrediction,
-  usePredictionStale,
-} from "../../state/prediction/prediction";
+import { useFrame } from "../../state/frame/frame";
+import { choosePrediction, noiseTaken, usePrediction, usePredictionStale } from "../../state/prediction/prediction";
 import { frame } from "../../state/window/view";
 import { gradientOf } from "../frame/ramp";
 import { displacement, exactness } from "../frame/words";
 import { Part } from "../panel/Section";
+import { PredictButton } from "./PredictButton";
 import { bends, farthest, sources, widest } from "./spread";
 
 /** So many bends are named. */
@@ -43,15 +36,9 @@ export function Accuracy() {
   const check = useDesign((design) => design.check);
   const known = useFrame(({ choices }) => choices?.errors ?? null);
   const work = useWork(({ works }) => works.get("predict"));
-  useEffect(needFrameChoices, []);
   const taken = noiseTaken(noise, machine, known ?? []);
   const hasProgram = check?.wires.some(({ bends }) => bends !== null) ?? false;
-  const why =
-    taken === null
-      ? "The errors of machines are not known yet."
-      : !hasProgram
-        ? "There is no program yet: the findings above say why."
-        : null;
+  const why = hasProgram ? null : "There is no program yet: the findings above say why.";
   return (
     <Part title="Accuracy">
       <div className="stack">
@@ -81,15 +68,7 @@ export function Accuracy() {
           <span className="grow muted small" role="status">
             {asking ? "Predicting…" : stale ? "Changed since it was predicted." : ""}
           </span>
-          {asking ? (
-            <Button className="predict-go" onClick={() => void stopPrediction()}>
-              Stop
-            </Button>
-          ) : (
-            <Button className="predict-go" why={why} onClick={() => void predict()}>
-              Predict
-            </Button>
-          )}
+          <PredictButton why={why} />
         </div>
         <div className="predict-bar">
           {asking && <Bar done={work?.done ?? 0} of={work?.of ?? 0} label="Predicting" />}
