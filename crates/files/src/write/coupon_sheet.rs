@@ -40,9 +40,13 @@ pub struct PrintedReading {
 }
 
 /// Radius of the scale, mm.
-const RADIUS: f64 = 80.0;
-/// The thick end of the lines, where those of neighbouring angles would run into each other, is left out: at most so much.
-const MOST_LEFT_OUT: f64 = 50.0;
+const RADIUS: f64 = 76.0;
+/// Where lines of neighbouring angles would cross, they begin farther from the corner: this far at most, mm.
+const MAX_BEGIN: f64 = 50.0;
+/// How far beyond the scale names stand, mm: those of angles near each other by turns.
+const NAMES: [f64; 3] = [8.5, 12.5, 16.5];
+/// Names of angles farther apart, degrees, do not meet.
+const APART_DEG: f64 = 11.0;
 const RULER_MM: i32 = 150;
 /// Nearer to the name of a coupon, degrees, no number stands at the scale.
 const NAMED_DEG: f64 = 7.0;
@@ -57,15 +61,15 @@ pub fn coupon_sheet(sheet: &CouponSheet) -> Pdf {
     flow.text("Coupons", Type::new(6.0).bold());
     flow.text(&format!("{} with {}", sheet.machine, sheet.material), Type::new(3.6));
     flow.gap(1.0);
-    flow.text("Print in true size (100 %), and check the ruler: 150 mm have to be 150 mm.", SMALL);
+    flow.text("Print at 100 %. The ruler must measure 150 mm.", SMALL);
     flow.gap(6.0);
     let angles = ladder(sheet);
     if !angles.is_empty() {
-        let [left, bottom, right, _] = flow.take(RADIUS + 19.0);
+        let [left, bottom, right, _] = flow.take(RADIUS + 24.0);
         let centre = [f64::midpoint(left, right), bottom + 6.0];
         protractor(flow.page(), centre, sheet.wire_diameter_mm, &angles);
         flow.text(
-            "Lay the leg that was fed first into the lines at the left, with the corner in the middle. The other leg points to how far the wire turns: 0° is straight. Of a bend to the other side turn the wire over.",
+            "Lay the leg that was fed first into the lines at the left, with the corner in the middle. The other leg points to how far the wire turns: 0° is straight. For a bend to the other side, turn the wire over.",
             SMALL,
         );
         flow.gap(4.0);
@@ -126,11 +130,15 @@ fn protractor(page: &mut Canvas, centre: [f64; 2], diameter: f64, angles: &[(f64
     };
     lines(page, 180.0, 0.0, Pen::new(0.35, 0.0));
     let between = angles.windows(2).map(|pair| pair[1].0 - pair[0].0).fold(45.0, f64::min);
-    let from = (half / (between / 2.0).to_radians().tan() + 4.0).clamp(6.0, MOST_LEFT_OUT);
+    let from = (half / (between / 2.0).to_radians().tan() + 4.0).clamp(6.0, MAX_BEGIN);
+    let mut before: Option<(f64, usize)> = None;
     for &(deg, name) in angles {
+        let near = before.filter(|(before, _)| deg - before < APART_DEG);
+        let row = near.map_or(0, |(_, row)| (row + 1) % NAMES.len());
+        before = Some((deg, row));
         lines(page, deg, from, Pen::new(0.25, 0.0));
-        page.line(at(deg, RADIUS, 0.0), at(deg, RADIUS + 5.0, 0.0), Pen::new(0.35, 0.0));
-        centred(page, at(deg, RADIUS + 8.5, 0.0), name, LETTERS.bold());
+        page.line(at(deg, RADIUS, 0.0), at(deg, RADIUS + NAMES[row] - 3.0, 0.0), Pen::new(0.25, 0.0));
+        centred(page, at(deg, RADIUS + NAMES[row], 0.0), name, LETTERS.bold());
     }
     for deg in [0.0, 90.0] {
         page.line(at(deg, -4.0, 0.0), at(deg, 4.0, 0.0), Pen::new(0.25, 0.0));
@@ -171,8 +179,8 @@ fn table(flow: &mut Flow, sheet: &CouponSheet) {
     for coupon in &sheet.coupons {
         let lines = sheet.repeats.div_ceil(BOXES).max(1);
         // What belongs to one coupon stays on one page where a page has the room.
-        let reading_lines = f64::from(lines) * coupon.readings.iter().fold(0.0, |sum, _| sum + 1.0);
-        if !flow.fits(ROW * reading_lines.min(20.0)) {
+        let rows = u32::try_from(coupon.readings.len()).unwrap_or(u32::MAX).saturating_mul(lines).min(20);
+        if !flow.fits(ROW * f64::from(rows)) {
             flow.next_page();
             names(flow, &repeats);
         }

@@ -93,7 +93,7 @@ pub fn new(
     if !(1..=20).contains(&request.repeats) {
         return Err(wrong("the number of repeats", request.repeats.to_string(), "a number from 1 to 20"));
     }
-    let paper = request.paper.clone().map_or(Ok(Paper::default()), |name| paper(&name.into()))?;
+    let paper = request.paper.clone().map_or(Ok(Paper::default()), |name| paper(None, &name.into()))?;
     let plan = coupon_plan(&setup, &request.angles_deg)?;
     let mut jobs: [(&str, Vec<Planned>); 3] =
         [("angles", Vec::new()), ("sides", Vec::new()), ("turns", Vec::new())];
@@ -142,7 +142,7 @@ pub fn new(
         machine: setup.machine_name().to_owned(),
         material: setup.material_name().to_owned(),
         wire_diameter_mm: setup.model.wire.diameter.mm(),
-        coupons: all().map(printed).collect(),
+        coupons: all().map(|wire| printed(&setup, wire)).collect(),
         repeats: request.repeats,
         paper,
     };
@@ -151,10 +151,15 @@ pub fn new(
 }
 
 /// A coupon on the sheet that is printed.
-fn printed(wire: &Planned) -> PrintedCoupon {
+fn printed(setup: &Setup, wire: &Planned) -> PrintedCoupon {
+    // A person measures over the outside.
+    let wanted = |row: &SheetRow| match row.quantity {
+        SheetQuantity::Side => row.wanted + setup.model.wire.diameter.mm(),
+        _ => row.wanted,
+    };
     let reading = |row: &SheetRow| PrintedReading {
         what: row.quantity.word(),
-        wanted: row.wanted,
+        wanted: wanted(row),
         unit: if row.quantity == SheetQuantity::Side { " mm" } else { "°" },
         is_bend: row.quantity == SheetQuantity::Bend,
     };

@@ -46,7 +46,7 @@ impl Print {
         for (key, value) in settings {
             match key.as_str() {
                 "units" => print.unit = units(value)?,
-                "paper" if on_pages => print.paper = paper(value)?,
+                "paper" if on_pages => print.paper = paper(FORMAT, value)?,
                 "date" if format == ExportFormat::JobSheet => print.date = Some(date(value)?),
                 _ => return Err(PlanningError::Value { input: FORMAT, name, value: key.clone(), expected }),
             }
@@ -82,11 +82,11 @@ fn units(value: &Value) -> Result<DisplayUnit, PlanningError> {
     }
 }
 
-/// The paper that a setting names.
-pub(crate) fn paper(value: &Value) -> Result<Paper, PlanningError> {
+/// The paper that a value names; a wrong one is reported for the input.
+pub(crate) fn paper(input: Option<InputName>, value: &Value) -> Result<Paper, PlanningError> {
     let named = |paper: &Paper| value.as_str().is_some_and(|name| name.eq_ignore_ascii_case(paper.id()));
     Paper::ALL.into_iter().find(named).ok_or_else(|| PlanningError::Value {
-        input: FORMAT,
+        input,
         name: "paper",
         value: plain(value),
         expected: "a4 or letter",

@@ -132,6 +132,7 @@ export function makeCoupons(request: {
   readonly angles_deg: readonly number[];
   readonly repeats: number;
   readonly folder: string;
+  readonly paper: string;
 }): Promise<boolean> {
   return working(async () => {
     const made = await platform.ask("calibrate-new", { ...request, angles_deg: [...request.angles_deg] });

@@ -25,6 +25,7 @@ export function Coupons() {
   const [material, setMaterial] = useState(state?.material ?? "");
   const [angles, setAngles] = useState("");
   const [repeats, setRepeats] = useState(2);
+  const [paper, setPaper] = useState("a4");
   const { long } = useLengths();
   const ladder = parseAngles(angles);
   const why = busy
@@ -36,7 +37,7 @@ export function Coupons() {
         : null;
   const make = async () => {
     const folder = await told(platform.pickSave("calibration", FOLDER));
-    if (folder && ladder) await makeCoupons({ machine, material, angles_deg: ladder, repeats, folder });
+    if (folder && ladder) await makeCoupons({ machine, material, angles_deg: ladder, repeats, folder, paper });
   };
   const open = async () => {
     const picked = await told(platform.pickFile([SHEETS]));
@@ -86,6 +87,19 @@ export function Coupons() {
         <Field label="Repeats" hint="How often each coupon is bent: two show how far bends scatter.">
           {(ids) => (
             <NumberField {...ids} label="Repeats" kind="whole" min={1} max={20} value={repeats} onCommit={setRepeats} />
+          )}
+        </Field>
+        <Field label="Paper" hint="Of the sheet to print.">
+          {(ids) => (
+            <Select
+              {...ids}
+              value={paper}
+              choices={[
+                { value: "a4", label: "A4" },
+                { value: "letter", label: "US Letter" },
+              ]}
+              onChoose={setPaper}
+            />
           )}
         </Field>
         <div className="row wrap">

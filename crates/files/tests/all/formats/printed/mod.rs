@@ -1,4 +1,4 @@
-//! What a person prints: templates at 1:1 and job sheets.
+//! What a person prints: templates at 1:1, job sheets and the sheet of coupons.
 
 mod coupons;
 mod labels;
