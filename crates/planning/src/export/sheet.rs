@@ -90,13 +90,16 @@ fn sentence(line: &str) -> String {
 
 fn sheet_wire(setup: &Setup, wire: &Wire) -> SheetWire {
     let length: Length = wire.nominal.iter().map(|step| step.feed).sum();
+    let commanded = |index: usize| wire.compensated.as_ref()?.get(index).copied();
     let told = |index: usize| {
-        let step = setup.signs.machine(*wire.compensated.as_ref()?.get(index)?);
+        let step = setup.signs.machine(commanded(index)?);
         Some([step.feed_mm, step.rotate_deg, step.bend_deg])
     };
+    let fed = |index: usize| commanded(index).map(|step| setup.model.compensation.motion.fed(step.feed).mm());
     let steps = wire.nominal.iter().enumerate().map(|(index, step)| SheetStep {
         designed: [step.feed.mm(), step.rotate.deg(), step.bend.deg()],
         told: told(index),
+        fed_mm: fed(index).unwrap_or(step.feed.mm()),
     });
     SheetWire { picture: wire.picture(), facts: facts(setup, wire, length), steps: steps.collect() }
 }
@@ -105,11 +108,8 @@ fn sheet_wire(setup: &Setup, wire: &Wire) -> SheetWire {
 fn facts(setup: &Setup, wire: &Wire, length: Length) -> Vec<(String, String)> {
     let unknown = || "not known".to_owned();
     let model = &setup.model.wire;
-    let scale = setup.model.compensation.motion.feed_scale;
-    let fed = wire.compensated.as_ref().and_then(|steps| {
-        let commanded: Length = steps.iter().map(|step| step.feed).sum();
-        Length::from_mm(commanded.mm() * scale).ok()
-    });
+    let motion = &setup.model.compensation.motion;
+    let fed = wire.compensated.as_ref().map(|steps| motion.fed(steps.iter().map(|step| step.feed).sum()));
     let stock = wire.stock_mm.and_then(|stock| Length::from_mm(stock).ok());
     let tail = Some(setup.model.limits.tail.value);
     let cost = |length: Option<Length>| {

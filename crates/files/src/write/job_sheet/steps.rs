@@ -22,7 +22,7 @@ pub(super) fn table(flow: &mut Flow, heading: &str, steps: &[SheetStep], unit: D
             flow.next_page();
             names(flow, unit);
         }
-        run += step.told.unwrap_or(step.designed)[0];
+        run += step.fed_mm;
         let three = |values: [f64; 3]| values.map(|value| fixed(value, 3));
         let [feed, rotate, bend] = step.designed;
         let designed = [length_in(unit, feed, DECIMALS), fixed(rotate, 3), fixed(bend, 3)];
