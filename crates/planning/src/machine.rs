@@ -86,8 +86,8 @@ impl Setup {
     /// Wire that the commands of a job's wire feed, mm.
     #[must_use]
     pub fn fed_mm(&self, wire: &JobWire) -> f64 {
-        let commanded: f64 = wire.compensated.iter().map(|step| step.feed_mm).sum();
-        commanded * self.model.compensation.motion.feed_scale
+        let commanded = wire.compensated.iter().map(|step| step.feed_mm).sum();
+        self.model.compensation.motion.fed(Length::from_mm(commanded).unwrap_or_default()).mm()
     }
 
     /// A setup from resolved profiles, such as the snapshots in a job.

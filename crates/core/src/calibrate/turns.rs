@@ -1,4 +1,4 @@
-//! What turns of the head are off by, and its play.
+//! What turns of the head are off by, and the backlash of the head.
 
 use super::CalibrationError;
 use super::assumed::Assumed;
@@ -11,7 +11,7 @@ use super::measured::{Gap, Kind, TurnSample};
 use super::screen::{screen, turn};
 use crate::units::Angle;
 
-/// How far off a turn, and how large a play may be, in degrees.
+/// How far off a turn, and how large a backlash may be, in degrees.
 const DEVIATION_DEG: f64 = 5.0;
 
 /// What turns tell.

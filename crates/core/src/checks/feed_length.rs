@@ -37,7 +37,9 @@ pub(super) fn check(wire: &WireStages, found: &mut Vec<Diagnostic>) {
 fn judge(wire: &WireStages, step: usize, designed: Length, feed: Length, found: &mut Vec<Diagnostic>) {
     let limits = wire.limits;
     let room = (feed - limits.min_feed.value).mm();
-    let longest = limits.max_feed.as_ref().filter(|longest| feed > longest.value);
+    // What the machine is told is limited there, not the wire that comes of it.
+    let commanded = wire.compensation.motion.commanded(feed);
+    let longest = limits.max_feed.as_ref().filter(|longest| commanded > longest.value);
     let usable_stock = limits
         .max_stock
         .as_ref()
@@ -50,7 +52,7 @@ fn judge(wire: &WireStages, step: usize, designed: Length, feed: Length, found: 
         (Severity::Error, fact, vec![Remedy::LengthenEdge { by }])
     } else if let Some(limit) = longest.cloned() {
         let remedies = vec![Remedy::ShortenStraight, Remedy::AddBend];
-        (Severity::Error, Fact::FeedTooLong { designed, feed, limit }, remedies)
+        (Severity::Error, Fact::FeedTooLong { designed, feed: commanded, limit }, remedies)
     } else if let Some(limit) = usable_stock.filter(|usable| feed > usable.value) {
         (Severity::Error, Fact::FeedLongerThanStock { designed, feed, limit }, vec![Remedy::SplitEdge])
     } else if is_near(room, limits.min_feed.value.mm()) {

@@ -1,8 +1,9 @@
 //! Compensation: what a real machine has to be told so that the design comes out.
 //!
 //! Feeds shrink because bends are arcs, bends grow because the peg orbits off the wire's axis
-//! (setback) and because the wire springs back. Every model has its inverse, which tells what a
-//! command leaves; the simulation uses it.
+//! (setback) and because the wire springs back; a feed may give more or less than it is told, and a
+//! head be off and have backlash. Every model has its inverse, which tells what a command leaves;
+//! the simulation uses it.
 
 mod contact;
 mod feed;
@@ -197,8 +198,8 @@ pub struct CompensatedProgram {
     steps: Vec<Step>,
     near: Vec<NearCorner>,
     unpressed: Vec<StepError>,
-    /// Wire for each commanded millimetre.
-    feed_scale: f64,
+    /// How feed and head are off.
+    motion: MotionModel,
 }
 
 /// A bend whose peg meets wire that was bent before.
@@ -217,8 +218,7 @@ impl CompensatedProgram {
     /// A program that was compensated before, for a machine and a wire, and has been kept in a job whose hash still fits.
     #[must_use]
     pub fn from_job_steps(steps: Vec<Step>, compensation: &Compensation) -> Self {
-        let feed_scale = compensation.motion.feed_scale;
-        Self { steps, near: Vec::new(), unpressed: Vec::new(), feed_scale }
+        Self { steps, near: Vec::new(), unpressed: Vec::new(), motion: compensation.motion }
     }
 
     /// The bends whose peg meets wire that was bent before, where it was compensated just now.
@@ -243,8 +243,7 @@ impl CompensatedProgram {
     /// Wire that all feeds take together.
     #[must_use]
     pub fn feed_total(&self) -> Length {
-        let commanded: Length = self.steps.iter().map(|step| step.feed).sum();
-        Length::computed(commanded.mm() * self.feed_scale)
+        self.motion.fed(self.steps.iter().map(|step| step.feed).sum())
     }
 }
 
@@ -306,7 +305,7 @@ pub fn compensate(
     }
     if errors.is_empty() {
         compensation.motion.command(&mut steps);
-        return Ok(CompensatedProgram { steps, near, unpressed, feed_scale: compensation.motion.feed_scale });
+        return Ok(CompensatedProgram { steps, near, unpressed, motion: compensation.motion });
     }
     errors.extend(unpressed);
     errors.sort_by_key(|error| error.step);

@@ -1,4 +1,4 @@
-//! What feed and head make of what they are told: a feed that gives more or less, a head that is off or has play.
+//! What feed and head make of what they are told: a feed that gives more or less, a head that is off or has backlash.
 
 use std::borrow::Cow;
 
@@ -29,14 +29,29 @@ impl MotionModel {
         *self == Self::default()
     }
 
+    /// The feed to command for so much wire.
+    #[must_use]
+    pub fn commanded(&self, wire: Length) -> Length {
+        Length::computed(wire.mm() / self.feed_scale)
+    }
+
+    /// Wire that a commanded feed gives.
+    #[must_use]
+    pub fn fed(&self, commanded: Length) -> Length {
+        Length::computed(commanded.mm() * self.feed_scale)
+    }
+
     /// Commands so that feeds and turns come out as these steps have them.
     pub(super) fn command(&self, steps: &mut [Step]) {
-        let mut play = Play::new(self.rotate_backlash);
+        let mut backlash = Backlash::new(self.rotate_backlash);
         for step in steps {
-            step.feed = Length::computed(step.feed.mm() / self.feed_scale);
-            if step.rotate != Angle::ZERO {
-                let turn = step.rotate - self.rotate_offset;
-                step.rotate = turn + play.lost(turn.signum(), Angle::HALF_TURN);
+            step.feed = self.commanded(step.feed);
+            if is_turn(step.rotate) {
+                step.rotate -= self.rotate_offset;
+            }
+            // Where the offset alone turns the head, nothing is commanded, and the drive stays where it is.
+            if is_turn(step.rotate) {
+                step.rotate += backlash.take_up(step.rotate.signum(), self.rotate_backlash);
             }
         }
     }
@@ -46,36 +61,43 @@ impl MotionModel {
         if self.is_exact() {
             return Cow::Borrowed(told);
         }
-        let mut play = Play::new(self.rotate_backlash);
+        let mut backlash = Backlash::new(self.rotate_backlash);
         let made = |step: &Step| {
             let mut rotate = step.rotate;
-            if rotate != Angle::ZERO {
-                rotate = rotate - play.lost(rotate.signum(), rotate.abs()) + self.rotate_offset;
+            if is_turn(rotate) {
+                rotate = rotate - backlash.take_up(rotate.signum(), rotate.abs()) + self.rotate_offset;
             }
-            Step { feed: Length::computed(step.feed.mm() * self.feed_scale), rotate, ..*step }
+            Step { feed: self.fed(step.feed), rotate, ..*step }
         };
         Cow::Owned(told.iter().map(made).collect())
     }
 }
 
-/// Where the drive stands within the play of the head.
-struct Play {
+/// Less is what numbers are rounded by, degrees: no head turns so little.
+const LEAST_TURN_DEG: f64 = 1e-6;
+
+fn is_turn(rotate: Angle) -> bool {
+    rotate.abs().deg() > LEAST_TURN_DEG
+}
+
+/// Where the drive stands within the backlash of the head.
+struct Backlash {
     size: Angle,
-    /// From where it turns the head to the negative side; nothing is known before the first turn, in which it is taken up.
+    /// From where it turns the head to the negative side; before the first turn it is not known, and taken to be where that turn needs it.
     at: Option<Angle>,
 }
 
-impl Play {
+impl Backlash {
     const fn new(size: Angle) -> Self {
         Self { size, at: None }
     }
 
-    /// What a turn to one side loses of its way, with its sign.
-    fn lost(&mut self, way: f64, most: Angle) -> Angle {
-        let end = if way < 0.0 { Angle::ZERO } else { self.size };
+    /// What a command to one side loses until the head turns, `max` of it at most; with its sign.
+    fn take_up(&mut self, direction: f64, max: Angle) -> Angle {
+        let end = if direction < 0.0 { Angle::ZERO } else { self.size };
         let at = self.at.unwrap_or(end);
-        let lost = (end - at).abs().min(most);
-        let lost = Angle::computed(way * lost.rad());
+        let lost = (end - at).abs().min(max);
+        let lost = Angle::computed(direction * lost.rad());
         self.at = Some(at + lost);
         lost
     }

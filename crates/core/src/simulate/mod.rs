@@ -210,8 +210,7 @@ pub fn perfect_wire(input: &SimulationInput) -> Vec<Point3<f64>> {
     imperfect(input, &formed, &mut Draw::new(&ErrorModel::default(), 0, 0)).points
 }
 
-/// As many steps are bent at once, of as many wires as that is: wires that nobody waits for any more are few, and so is what is kept of
-/// them.
+/// Wires are bent in batches of about so many steps: that bounds what is kept of them, and what is bent in vain when a run is ended.
 const STEPS_AT_ONCE: u32 = 1 << 17;
 
 /// Bends the wire `runs` times with errors drawn from `seed`, on all processors; a wire's errors depend on the seed and on its number

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
-use wirebend_core::calibrate::{Estimate, Parameter};
+use wirebend_core::calibrate::{Estimate, Figure, Parameter};
 use wirebend_core::compensate::SpringbackPoint;
 use wirebend_driver_host::jobs::{Clock, SystemClock};
 use wirebend_profile::Kind;
@@ -90,7 +90,9 @@ impl Values<'_> {
     /// A figure with its source: when, from how many readings, how well.
     fn figure(&self, value: f64, estimate: &Estimate, readings: usize) -> Value {
         let round = |value: f64, digits: f64| (value * digits).round() / digits;
-        let within = round(estimate.within_95.plain(), 1e3);
+        // Of ratios the fourth digit counts.
+        let digits = if matches!(estimate.within_95, Figure::Ratio(_)) { 1e4 } else { 1e3 };
+        let within = round(estimate.within_95.plain(), digits);
         let how = if estimate.is_identified() {
             format!("Calibrated {}: n = {readings}, ±{within} (95 %)", self.date)
         } else {
@@ -108,24 +110,27 @@ impl Values<'_> {
         values
     }
 
-    /// Of feed and head only what readings show to be otherwise than it was.
-    fn of_motion(&self) -> impl Iterator<Item = (&'static str, Value)> {
+    /// The scale of the feed goes with the K-factor that was found with it. What was found of turns goes together, and only where the
+    /// readings show that one of it is not what it was; a backlash below zero is none.
+    fn of_motion(&self) -> Vec<(&'static str, Value)> {
         let found = &self.fitted.found;
-        let feeds = found.feeds.as_ref().map(|feeds| &feeds.fit);
-        let turns = found.turns.as_ref().map(|turns| &turns.fit);
-        let figures = [
-            ("feed.scale", feeds, Parameter::FeedScale),
-            ("rotate.offset_deg", turns, Parameter::RotationOffset),
-            ("rotate.backlash_deg", turns, Parameter::RotationBacklash),
-        ];
-        figures.into_iter().filter_map(|(key, fit, parameter)| {
-            let fit = fit?;
-            let found = estimate(fit, parameter).filter(|found| off(found))?;
-            let value = found.value.plain();
-            // No play is less than none.
-            let value = if parameter == Parameter::RotationBacklash { value.max(0.0) } else { value };
-            Some((key, self.figure(value, found, fit.readings)))
-        })
+        let mut values = Vec::new();
+        if let Some(fit) = found.feeds.as_ref().map(|feeds| &feeds.fit)
+            && let Some(scale) = estimate(fit, Parameter::FeedScale)
+        {
+            values.push(("feed.scale", self.figure(scale.value.plain(), scale, fit.readings)));
+        }
+        if let Some(fit) = found.turns.as_ref().map(|turns| &turns.fit)
+            && let Some(offset) = estimate(fit, Parameter::RotationOffset)
+            && let Some(backlash) = estimate(fit, Parameter::RotationBacklash)
+            && (off(offset) || off(backlash))
+            && backlash.value.plain() >= 0.0
+        {
+            for (key, found) in [("rotate.offset_deg", offset), ("rotate.backlash_deg", backlash)] {
+                values.push((key, self.figure(found.value.plain(), found, fit.readings)));
+            }
+        }
+        values
     }
 
     fn of_peg(&self) -> Vec<(&'static str, Value)> {

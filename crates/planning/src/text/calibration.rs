@@ -17,7 +17,7 @@ pub fn parameter(parameter: Parameter) -> String {
         Parameter::KFactor => "K-factor".to_owned(),
         Parameter::FeedScale => "wire per commanded mm".to_owned(),
         Parameter::RotationOffset => "offset of a turn".to_owned(),
-        Parameter::RotationBacklash => "play of a turn back".to_owned(),
+        Parameter::RotationBacklash => "backlash of a turn".to_owned(),
     }
 }
 
@@ -98,7 +98,7 @@ pub fn gap(gap: &Gap) -> String {
         Gap::FewAngles { needed } => format!(
             "a curve of the springback needs {needed} angles of each side that was bent: a constant is fitted"
         ),
-        Gap::NoReversal => "no turn goes back: the play of the head is not determined".to_owned(),
+        Gap::NoReversal => "no turn goes back: the backlash of the head is not determined".to_owned(),
     }
 }
 

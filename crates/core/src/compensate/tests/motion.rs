@@ -1,4 +1,4 @@
-//! A feed that gives more or less, and a head that is off and has play.
+//! A feed that gives more or less, and a head that is off and has backlash.
 
 use proptest::prelude::*;
 
@@ -40,7 +40,7 @@ fn turns() -> impl Strategy<Value = Vec<f64>> {
 proptest! {
     /// What the program commands turns such a head as the design has it.
     #[test]
-    fn a_head_with_play_turns_as_designed(
+    fn a_head_with_backlash_turns_as_designed(
         turns in turns(), scale in 0.9..1.1_f64, offset in -1.0..1.0_f64, backlash in 0.0..3.0_f64,
     ) {
         let steps: Vec<Step> =
@@ -58,7 +58,7 @@ proptest! {
         }
     }
 
-    /// What any commands make of such a head, small ones within its play included.
+    /// What any commands make of such a head, small ones within its backlash included.
     #[test]
     fn commands_turn_it_as_the_inverse_says(
         turns in prop::collection::vec(-4.0..4.0_f64, 1..20), offset in -1.0..1.0_f64, backlash in 0.0..3.0_f64,
@@ -71,6 +71,17 @@ proptest! {
             prop_assert!((made.rotate.deg() - turned).abs() < 1e-6, "{} {turned}", made.rotate);
         }
     }
+}
+
+/// A rotation that is there by rounding alone turns no head: neither the offset nor the backlash is made up for.
+#[test]
+fn no_rotation_is_commanded_where_there_is_none() {
+    let turn = |rotate: f64| Step { rotate: deg(rotate), ..Step::default() };
+    let mut steps = [90.0, -1e-12, 0.0, 0.5, -90.0].map(turn);
+    model(1.0, 0.5, 2.0).command(&mut steps);
+    let told = steps.map(|step| step.rotate.deg());
+    let expected = [89.5, 0.0, 0.0, 0.0, -92.5];
+    assert!(told.iter().zip(expected).all(|(told, expected)| (told - expected).abs() < 1e-9), "{told:?}");
 }
 
 #[test]

@@ -99,7 +99,7 @@ export const MACHINE_GROUPS: readonly FieldGroup[] = [
         kind: "number",
         unit: DEG,
         absent: "0",
-        hint: "What a turn loses that goes against the one before.",
+        hint: "Motion lost when the head reverses.",
       },
     ],
   },
