@@ -56,6 +56,7 @@ it("opens a file, and finds it again among those that were open before", async (
   await editor.menu("File", "New");
   await until(name).toBe("untitled");
   await editor.menu("File", "Open recent", "hook.obj");
+  await dialog("Open hook.obj").getByText("60.0 × 0.0 × 60.0 mm").waitFor();
   await dialog("Open hook.obj").getByRole("button", { name: "Open", exact: true }).click();
   await until(name).toBe("hook.obj");
 });
