@@ -94,6 +94,9 @@ fn stop(handle: Option<&StopHandle>) {
         StoppedBy::EndOfDriver => {
             "the driver did not pass STOP on and was ended: cut the power of the machine"
         }
+        StoppedBy::EndOfSimulation => {
+            "the driver did not pass STOP on and was ended, and the machine that it simulated with it"
+        }
     };
     let _ = writeln!(std::io::stderr(), "\n{said} ({} ms)", outcome.took.as_millis());
 }

@@ -1591,7 +1591,7 @@ export type Standstill = "awaited" | "confirmed" | "not-confirmed";
 /**
  * What sent the stop.
  */
-export type StoppedBy = "driver" | "nothing-more" | "end-of-driver" | "host";
+export type StoppedBy = "driver" | "nothing-more" | "end-of-driver" | "end-of-simulation" | "host";
 /**
  * The kind of an error: a name that stays the same.
  */

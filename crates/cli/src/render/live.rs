@@ -119,6 +119,9 @@ fn standing(
 ) -> std::io::Result<()> {
     let told = !matches!(by, Some(StoppedBy::EndOfDriver | StoppedBy::NothingMore));
     match standstill {
+        Some(Standstill::Confirmed) if by == Some(StoppedBy::EndOfSimulation) => {
+            writeln!(err, "the simulated machine has ended with its driver")
+        }
         Some(Standstill::Confirmed) => writeln!(err, "the machine has confirmed that it stands"),
         Some(Standstill::NotConfirmed | Standstill::Awaited) if told => {
             writeln!(err, "the machine has NOT confirmed that it stands: cut its power")

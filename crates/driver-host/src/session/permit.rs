@@ -117,7 +117,11 @@ impl Session {
             let ports = self.driver.ports().unwrap_or_default();
             ports.iter().any(|port| port.simulated && port.name == self.port)
         };
-        self.is_simulated.get_or_init(is_simulated).then(|| Simulation(self.arming.clone()))
+        if *self.is_simulated.get_or_init(is_simulated) {
+            self.guard.use_simulated();
+            return Some(Simulation(self.arming.clone()));
+        }
+        None
     }
 
     /// Uses up a person's yes to what follows a pause point.

@@ -42,9 +42,21 @@ struct Shared {
     settled: Condvar,
 }
 
+/// What stops the machine once its driver is ended.
+#[derive(Debug, Default)]
+enum WithoutDriver {
+    /// Nothing that the program can do.
+    #[default]
+    Nothing,
+    /// The stop bytes, written to the port.
+    Line(StopLine),
+    /// Its driver simulates it: it has ended with it.
+    Simulated,
+}
+
 #[derive(Debug, Default)]
 struct Known {
-    line: Option<StopLine>,
+    without_driver: WithoutDriver,
     /// The machine may move: something was asked of it that has not ended.
     moves: bool,
     /// The last stop, or the loss of the driver, and what came of it.
@@ -56,17 +68,49 @@ struct Known {
     over: bool,
 }
 
+impl Known {
+    fn line(&self) -> Option<StopLine> {
+        match &self.without_driver {
+            WithoutDriver::Line(line) => Some(line.clone()),
+            WithoutDriver::Nothing | WithoutDriver::Simulated => None,
+        }
+    }
+
+    const fn is_simulated(&self) -> bool {
+        matches!(self.without_driver, WithoutDriver::Simulated)
+    }
+}
+
 impl Guard {
     fn lock(&self) -> MutexGuard<'_, Known> {
         self.0.known.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     pub fn use_line(&self, line: Option<StopLine>) {
-        self.lock().line = line;
+        if let Some(line) = line {
+            self.lock().without_driver = WithoutDriver::Line(line);
+        }
     }
 
     pub fn line(&self) -> Option<StopLine> {
-        self.lock().line.clone()
+        self.lock().line()
+    }
+
+    /// The driver simulates the machine. Where there is a port to write to, that is what counts.
+    pub fn use_simulated(&self) {
+        let mut known = self.lock();
+        if matches!(known.without_driver, WithoutDriver::Nothing) {
+            known.without_driver = WithoutDriver::Simulated;
+        }
+    }
+
+    pub fn is_simulated(&self) -> bool {
+        self.lock().is_simulated()
+    }
+
+    /// Whether ending the driver settles that the machine stands, or lets the program find it out.
+    pub fn settles_without_driver(&self) -> bool {
+        !matches!(self.lock().without_driver, WithoutDriver::Nothing)
     }
 
     /// The machine is about to be asked to move. Whether it might move before.
@@ -141,12 +185,15 @@ impl Guard {
         wanted && !known.over
     }
 
-    /// Writes the stop bytes to the port, and again until the machine confirms. Whether the system has taken them.
+    /// Writes the stop bytes to the port, and again until the machine confirms. Whether the system has taken them. The driver is ended
+    /// before.
     pub fn take_over(&self) -> bool {
         let (line, first) = {
             let mut known = self.lock();
-            let Some(line) = known.line.clone() else {
-                known.standstill = Some(Standstill::NotConfirmed);
+            let Some(line) = known.line() else {
+                let ended = known.is_simulated();
+                known.moves &= !ended;
+                known.standstill = Some(if ended { Standstill::Confirmed } else { Standstill::NotConfirmed });
                 self.0.settled.notify_all();
                 return false;
             };

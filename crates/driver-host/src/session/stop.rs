@@ -103,6 +103,9 @@ pub enum StoppedBy {
     /// This program: the driver did not answer in time or refused, so its process was ended and its port
     /// closed with it. What the machine holds in its own memory may still run: cut its power.
     EndOfDriver,
+    /// This program: the driver did not answer in time or refused, so its process was ended, and with it the machine that it
+    /// simulated. Nothing moves.
+    EndOfSimulation,
     /// This program: the driver did not pass the stop on, and so the stop bytes of the machine's profile were
     /// written to the port by the program itself.
     Host,
@@ -163,7 +166,11 @@ impl StopHandle {
         }
         // A driver that has not passed the stop on is of no use: it would read the machine's reply.
         self.process.kill();
-        if self.guard.take_over() { StoppedBy::Host } else { StoppedBy::EndOfDriver }
+        match self.guard.take_over() {
+            true => StoppedBy::Host,
+            false if self.guard.is_simulated() => StoppedBy::EndOfSimulation,
+            false => StoppedBy::EndOfDriver,
+        }
     }
 
     /// How many stops there were through this session, those at the machine itself included.

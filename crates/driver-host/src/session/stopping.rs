@@ -68,9 +68,9 @@ impl Session {
     /// A driver that does not bring the machine's confirmation in time is ended: the program asks for it itself.
     pub(super) fn see_stop_through(&mut self) {
         let Some(awaited) = self.guard.awaited_for() else { return };
-        if awaited > DRIVER_CONFIRMS_WITHIN && !self.lost && self.guard.line().is_some() {
+        if awaited > DRIVER_CONFIRMS_WITHIN && !self.lost && self.guard.settles_without_driver() {
             self.lose_driver();
-        } else if awaited > GIVE_UP_AFTER && self.guard.line().is_none() {
+        } else if awaited > GIVE_UP_AFTER && !self.guard.settles_without_driver() {
             self.guard.give_up();
             self.phase = Phase::Failed;
         }

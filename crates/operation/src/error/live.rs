@@ -235,6 +235,7 @@ const fn held_by(by: PausedBy) -> &'static str {
 pub const fn hard_stop(by: StoppedBy) -> &'static str {
     match by {
         StoppedBy::Host => ": the stop was written to the port itself",
+        StoppedBy::EndOfSimulation => ", and the machine that it simulated with it",
         _ => "",
     }
 }
@@ -242,7 +243,7 @@ pub const fn hard_stop(by: StoppedBy) -> &'static str {
 /// What a person does then.
 pub fn after_hard_stop(by: StoppedBy) -> Vec<ErrorRemedy> {
     match by {
-        StoppedBy::Host => vec![ErrorRemedy::ConnectAgain],
+        StoppedBy::Host | StoppedBy::EndOfSimulation => vec![ErrorRemedy::ConnectAgain],
         _ => vec![ErrorRemedy::CutPower, ErrorRemedy::ConnectAgain],
     }
 }

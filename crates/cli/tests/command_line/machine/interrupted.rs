@@ -9,6 +9,7 @@ use rustix::process::{Pid, Signal, kill_process};
 use serde_json::{Value, json};
 use wirebend_journal::Log;
 
+use super::lost::driver_of;
 use super::runs::Shop;
 use crate::{assert_fits, wirebend};
 
@@ -263,6 +264,29 @@ fn a_wire_that_is_being_made_is_left_alone() {
     assert!(said.contains("bends the wire 'a'") && !said.contains("--resume"), "{said}");
     going.send(Signal::INT);
     assert_eq!(going.end().0, Some(130));
+}
+
+/// A simulated machine is part of its driver: where that has to be ended, there is nothing left that could move.
+#[test]
+fn a_simulated_machine_stands_once_its_driver_is_ended() {
+    for signal in [Signal::STOP, Signal::KILL] {
+        let shop = Shop::cube();
+        let mut going = Going::start(&shop, &RUN);
+        going.until("step 1 of 8 is done");
+        kill_process(driver_of(&going.child), signal).unwrap();
+        let hangs = signal == Signal::STOP;
+        if hangs {
+            going.send(Signal::INT);
+        }
+        let (status, told) = going.end();
+        assert_eq!(status, Some(if hangs { 130 } else { 5 }), "{told}");
+        assert_eq!(told["wires"][0]["standstill"], "confirmed", "{told}");
+        let standstill = entries(&shop).into_iter().find(|entry| entry["record"] == "standstill").unwrap();
+        assert_eq!(standstill["confirmed"], true, "{standstill}");
+        // The wire in it is no other than one of a machine that was stopped.
+        let said = shop.make(&["--yes"]).ended(2).err;
+        assert!(said.contains("--resume") && said.contains("--abandon"), "{said}");
+    }
 }
 
 /// Half of a wire that lies in a real machine is not finished by a simulated one.
