@@ -35,6 +35,12 @@ static uint8_t validate_peg(const struct wb_peg *peg, int32_t out)
     return out == 0 || out == 1 ? 0 : WB_ERROR_RANGE;
 }
 
+/* Whether the peg comes out on the side from which it bends. */
+static bool validate_approach(int32_t bend, int32_t approach)
+{
+    return approach == 0 || (bend != 0 && (bend < 0) != (approach < 0));
+}
+
 /* Why a line cannot be accepted; 0 when it can. */
 static uint8_t validate(const struct wb_controller *c, const struct wb_command *line)
 {
@@ -60,8 +66,11 @@ static uint8_t validate(const struct wb_controller *c, const struct wb_command *
     if (!c->motion.homed) {
         return WB_ERROR_NOT_HOMED;
     }
-    bool allowed =
-        wb_limits_allow_move(&c->settings, &c->queue, line->field[0], line->field[1], line->field[2]);
+    if (!validate_approach(line->field[2], line->field[3])) {
+        return WB_ERROR_RANGE;
+    }
+    bool allowed = wb_limits_allow_move(&c->settings, &c->queue, line->field[0], line->field[1], line->field[2]) &&
+                   wb_limits_allow_bend_axis(&c->settings, line->field[3]);
     return allowed ? 0 : WB_ERROR_SOFT_LIMIT;
 }
 
@@ -71,6 +80,7 @@ static void queue_line(struct wb_queue *queue, const struct wb_command *command)
     if (command->letter == WB_COMMAND_MOVE) {
         line.rotate = command->field[1];
         line.bend = command->field[2];
+        line.approach = command->field[3];
         queue->planned_feed += line.feed;
         queue->planned_rotate += line.rotate;
     }

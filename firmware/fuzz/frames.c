@@ -72,11 +72,11 @@ static void command(struct world *world, char letter, struct text *text)
 {
     char payload[PAYLOAD_MAX];
     uint32_t n = world_next(world);
-    int32_t a = number(text), b = number(text), c = number(text);
+    int32_t a = number(text), b = number(text), c = number(text), d = number(text);
     int length;
     switch (letter) {
     case WB_COMMAND_MOVE:
-        length = snprintf(payload, sizeof payload, "M%u,%d,%d,%d", n, a, b, c);
+        length = snprintf(payload, sizeof payload, d ? "M%u,%d,%d,%d,%d" : "M%u,%d,%d,%d", n, a, b, c, d);
         break;
     case WB_COMMAND_HOME:
         length = snprintf(payload, sizeof payload, "H%u", n);

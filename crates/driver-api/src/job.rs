@@ -75,6 +75,10 @@ pub struct Step {
     pub rotate_deg: f64,
     /// How far it is bent, degrees.
     pub bend_deg: f64,
+    /// Where the bend axis has to stand, or beyond, when the peg comes out to bend, degrees: of the other sign than the bend. Nearer
+    /// to zero there is wire that was bent before. Absent where the machine's own place will do. Since 1.4.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub approach_deg: Option<f64>,
 }
 
 /// A step of the design, with the length of its straight part: a type of its own, because its signs are the canonical ones

@@ -2,15 +2,12 @@
 
 use nalgebra::{Isometry3, Rotation3, Translation3, UnitQuaternion, Vector3};
 use wirebend_core::clearance::{self, Bodies, Body, MovesWith};
+use wirebend_core::compensate::PegGeometry;
 use wirebend_core::units::{Angle, Length};
 use wirebend_profile::{BendFigures, MachineFigures, Part, Shape};
 
 /// How far a peg that is in stays from the wire that passes over it, mm.
 const CLEAR_MM: f64 = 1.0;
-
-/// How far before it touches straight wire the peg comes out, degrees: the firmware's 18.25° are 5° before the 13.25° of the
-/// published head.
-const APPROACH_DEG: f64 = 5.0;
 
 /// The bodies of a machine, which goes by its id, with a wire of a diameter in it.
 pub fn bodies(machine: &str, shapes: &[Shape], figures: &MachineFigures, diameter_mm: f64) -> Bodies {
@@ -29,7 +26,7 @@ pub fn bodies(machine: &str, shapes: &[Shape], figures: &MachineFigures, diamete
         pivot: length(pivot_mm),
         peg_stroke: length(stroke_mm),
         peg_rest: Angle::from_rad(peg_rest).unwrap_or_default(),
-        approach: Angle::from_deg(APPROACH_DEG).unwrap_or_default(),
+        approach: PegGeometry::clear_before_touch(),
     }
 }
 

@@ -86,7 +86,7 @@ impl ReadProgram {
         let canonical = |step: &Step| {
             let Step { feed, rotate, bend } = step;
             let (rotate_deg, bend_deg) = (rotate.deg(), bend.deg());
-            signs.canonical(api::Step { feed_mm: feed.mm(), rotate_deg, bend_deg })
+            signs.canonical(api::Step { feed_mm: feed.mm(), rotate_deg, bend_deg, approach_deg: None })
         };
         kept_steps(&self.steps.iter().map(canonical).collect::<Vec<_>>())
     }

@@ -1,6 +1,8 @@
 //! Between canonical signs and those of a machine, both ways. Nowhere else are they applied.
 
 use wirebend_core::bend::{Convention, Sign, Step};
+use wirebend_core::compensate::{Compensation, approaches};
+use wirebend_core::units::Angle;
 use wirebend_driver_host::api::{self, Axis, Motion};
 use wirebend_driver_host::jobs::Part;
 use wirebend_profile::MachineFigures;
@@ -18,10 +20,19 @@ impl Signs {
         Self(Convention { bend: sign(figures.bend_sign), rotate: sign(figures.rotate_sign) })
     }
 
+    /// The steps of a compensated program as the machine counts them.
+    pub fn machine_steps(self, told: &[Step], compensation: &Compensation) -> Vec<api::Step> {
+        let step = |(step, approach): (&Step, Option<Angle>)| api::Step {
+            approach_deg: approach.map(|at| at.deg() * factor(self.0.bend)),
+            ..self.machine(*step)
+        };
+        told.iter().zip(approaches(told, compensation)).map(step).collect()
+    }
+
     /// A step of a program as the machine counts it.
     pub fn machine(self, step: Step) -> api::Step {
         let Step { feed, rotate, bend } = self.0.apply(step);
-        api::Step { feed_mm: feed.mm(), rotate_deg: rotate.deg(), bend_deg: bend.deg() }
+        api::Step { feed_mm: feed.mm(), rotate_deg: rotate.deg(), bend_deg: bend.deg(), approach_deg: None }
     }
 
     /// A move of one axis, in mm or degrees, as the machine counts it.

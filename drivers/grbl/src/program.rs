@@ -303,7 +303,7 @@ mod tests {
             stock_mm: None,
         };
         let mut program = Program::new(Rc::new(Settings::default()), &names).unwrap();
-        let bad = Step { feed_mm: 5.0, rotate_deg: 0.0, bend_deg: f64::NAN };
+        let bad = Step { feed_mm: 5.0, rotate_deg: 0.0, bend_deg: f64::NAN, approach_deg: None };
         assert!(matches!(program.step(&bad), Err(Unwritable::NotFinite { what: "bend", .. })));
         let far = Step { feed_mm: 2e6, ..Step::default() };
         let said = program.step(&far).expect_err("two kilometres").to_string();

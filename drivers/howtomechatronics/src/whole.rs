@@ -124,7 +124,7 @@ impl Axes {
 }
 
 fn check(step: &Step, place: &str) -> Result<(), DriverError> {
-    let Step { feed_mm, rotate_deg, bend_deg } = *step;
+    let Step { feed_mm, rotate_deg, bend_deg, .. } = *step;
     let axes = [
         ("feed", "mm", feed_mm, MAX_FEED_MM),
         ("rotate", "degrees", rotate_deg, MAX_ANGLE_DEG),
@@ -150,7 +150,7 @@ mod tests {
     use super::*;
 
     fn commands(axes: &mut Axes, step: (f64, f64, f64)) -> String {
-        let step = Step { feed_mm: step.0, rotate_deg: step.1, bend_deg: step.2 };
+        let step = Step { feed_mm: step.0, rotate_deg: step.1, bend_deg: step.2, approach_deg: None };
         let commands = axes.commands(&step, "step 1", 682).unwrap();
         commands.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ")
     }
@@ -223,7 +223,7 @@ mod tests {
             ((1.0, -2048.0, 0.0), "too-large"),
             ((1.0, 0.0, f64::NAN), "too-large"),
         ] {
-            let step = Step { feed_mm: step.0, rotate_deg: step.1, bend_deg: step.2 };
+            let step = Step { feed_mm: step.0, rotate_deg: step.1, bend_deg: step.2, approach_deg: None };
             let error = axes.commands(&step, "wire 1, step 2", 682).unwrap_err();
             assert_eq!(error.code, code);
             assert!(error.message.starts_with("wire 1, step 2: "), "{error}");

@@ -16,7 +16,7 @@ pub(crate) fn wire(job: &Job, index: usize) -> Result<EncodedFile, DriverError> 
     if !hash.is_empty() {
         let _ = writeln!(text, "# design {hash}");
     }
-    for &Step { feed_mm, rotate_deg, bend_deg } in steps {
+    for &Step { feed_mm, rotate_deg, bend_deg, .. } in steps {
         let _ = writeln!(text, "F {}", fixed(feed_mm, DECIMALS));
         for (letter, angle) in [("R", rotate_deg), ("B", bend_deg)] {
             let angle = fixed(angle, DECIMALS);

@@ -5,11 +5,12 @@
 #include <stdint.h>
 
 struct wb_line {
-    uint32_t n;     /* number: counts from 1 in a session */
-    char letter;    /* letter: WB_COMMAND_MOVE, _HOME or _PEG */
-    int32_t feed;   /* steps; of a peg line 1 for out, 0 for in */
-    int32_t rotate; /* steps */
-    int32_t bend;   /* steps from zero; the axis returns to zero after it */
+    uint32_t n;       /* number: counts from 1 in a session */
+    char letter;      /* letter: WB_COMMAND_MOVE, _HOME or _PEG */
+    int32_t feed;     /* steps; of a peg line 1 for out, 0 for in */
+    int32_t rotate;   /* steps */
+    int32_t bend;     /* steps from zero; the axis returns to zero after it */
+    int32_t approach; /* steps from zero: where the peg comes out where that is beyond the near side; 0 where it is not */
 };
 
 #endif

@@ -7,10 +7,14 @@
 
 #include "storage/settings.h"
 
-/* Target of a phase that moves the bend axis, in a bend to `bend`. All in steps from zero. */
-int32_t wb_bend_target(const struct wb_settings *settings, uint8_t phase, int32_t bend);
+/* How far before zero the peg comes out for an approach of a line, in steps: at the near side at least. */
+int32_t wb_bend_near(const struct wb_settings *settings, int32_t approach);
+/* Target of a phase that moves the bend axis, in a bend to `bend` whose peg comes out `near` before zero. All in steps from
+ * zero. */
+int32_t wb_bend_target(const struct wb_settings *settings, uint8_t phase, int32_t bend, int32_t near);
 /* Target that takes the peg off a wire that it was bending, in steps. `side` is that of the wire, `position` that of
- * the axis; unless the axis is located its position means nothing, and it goes the whole way back. */
-int32_t wb_bend_clear(const struct wb_settings *settings, int8_t side, int32_t position, bool located);
+ * the axis, `near` how far before zero the peg came out; unless the axis is located its position means nothing, and it
+ * goes the whole way back. */
+int32_t wb_bend_clear(const struct wb_settings *settings, int8_t side, int32_t position, int32_t near, bool located);
 
 #endif

@@ -102,11 +102,12 @@ static bool begin(struct wb_motion *motion, const struct wb_settings *settings, 
     case WB_PHASE_CLEAR_WIRE:
         return move_bend(motion, settings,
                          wb_bend_clear(settings, motion->peg.wire_side, motion->stepper.position[WB_BEND],
-                                       motion->located));
+                                       wb_bend_near(settings, motion->approach), motion->located));
     case WB_PHASE_RETRACT:
     case WB_PHASE_PEG_IN:
         return move_peg(motion, settings, clock, WB_PEG_IN);
     case WB_PHASE_PEG_OUT:
+        motion->approach = line->approach;
         wb_peg_set_wire_side(&motion->peg, board, line->bend < 0 ? -1 : 1);
         return move_peg(motion, settings, clock, WB_PEG_OUT);
     case WB_PHASE_PEG_MANUAL:
@@ -124,7 +125,8 @@ static bool begin(struct wb_motion *motion, const struct wb_settings *settings, 
     case WB_PHASE_BACK_OFF:
     case WB_PHASE_RETURN:
     case WB_PHASE_HOME_ZERO:
-        return move_bend(motion, settings, wb_bend_target(settings, motion->phase, line->bend));
+        return move_bend(motion, settings,
+                         wb_bend_target(settings, motion->phase, line->bend, wb_bend_near(settings, line->approach)));
     default:
         return wb_homing_move(settings, wb_switch_pressed(settings, board), motion->phase, &move) &&
                move_axis(motion, settings, &move);

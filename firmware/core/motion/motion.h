@@ -30,6 +30,7 @@ struct wb_motion {
     struct wb_peg peg;
     struct wb_motors motors;
     struct wb_line line; /* the one that runs */
+    int32_t approach;    /* steps: of the line in which the peg came out last */
     uint8_t phase;       /* enum wb_phase */
     uint8_t waits_for;   /* enum: what ends the phase */
     bool homed;          /* flag: moves are allowed; until an alarm, a release or a change of settings */

@@ -3,10 +3,11 @@
 
 use wirebend_core::bend::Step;
 use wirebend_core::compensate::{
-    BendModel, Compensation, FeedModel, MotionModel, PegGeometry, Springback, compensate,
+    BendModel, Compensation, FeedModel, MotionModel, PegGeometry, Springback, approaches, compensate,
 };
 use wirebend_core::schedule::ScheduledProgram;
 use wirebend_core::units::{Angle, Length};
+use wirebend_driver_wirebend_kit::bench::{Incident, Violation};
 
 use crate::shop::Shop;
 
@@ -45,8 +46,10 @@ fn program(edge: f64, bends: &[(f64, f64)]) -> ScheduledProgram {
 }
 
 /// How far each bend of a program is off, degrees, compensated so.
-fn off(shop: &mut Shop, program: &ScheduledProgram, told: &[Step]) -> Vec<f64> {
-    let made = shop.bend(told);
+fn off(shop: &mut Shop, program: &ScheduledProgram, told: &[Step], machine: &Compensation) -> Vec<f64> {
+    let bench = shop.bent(told, &approaches(told, machine));
+    assert_eq!(bench.incidents(), []);
+    let made = bench.made();
     let bends = program.steps.iter().filter(|step| step.bend != Angle::ZERO);
     bends.zip(made.bends()).map(|(step, bent)| bent.angle_deg - step.bend.deg()).collect()
 }
@@ -57,7 +60,7 @@ fn loss_at(shop: &mut Shop, bend: f64) -> f64 {
     let mut loss = 10.23;
     for _ in 0..4 {
         let told = compensate(&lone, &machine(loss)).unwrap();
-        loss -= off(shop, &lone, told.steps())[0];
+        loss -= off(shop, &lone, told.steps(), &machine(loss))[0];
     }
     loss
 }
@@ -74,7 +77,7 @@ fn both(edge: f64, bend: f64, bends: &[(f64, f64)]) -> [f64; 2] {
         .map(|(told, step)| Step { bend: machine.bend.command(step.bend).unwrap(), ..*told })
         .collect();
     [straight, as_formed].map(|told| {
-        let off = off(&mut shop, &program, &told);
+        let off = off(&mut shop, &program, &told, &machine);
         println!("{edge} mm, {bends:?}: {off:.2?} degrees off");
         off.iter().fold(0.0, |most: f64, off| most.max(off.abs()))
     })
@@ -85,6 +88,27 @@ fn six_bends_to_one_side_come_out_as_they_should() {
     let [straight, as_formed] = both(25.0, 30.0, &[(0.0, 30.0); 6]);
     assert!(straight > 1.0, "{straight}");
     assert!(as_formed <= 0.3, "{as_formed}");
+}
+
+/// Where the peg comes out for straight wire, wire that is bent towards it may be.
+#[test]
+fn the_peg_comes_out_beside_wire_that_is_bent_towards_it() {
+    let machine = machine(10.23);
+    let bends = [(0.0, 30.0), (0.0, -30.0), (0.0, 30.0), (0.0, -30.0)];
+    let told = compensate(&program(22.0, &bends), &machine).unwrap();
+    let mut shop = Shop::exact();
+    let known = approaches(told.steps(), &machine);
+    println!("comes out at {known:.2?}");
+    assert_eq!(known[0], None, "nothing is bent yet");
+    assert!(known[1..4].iter().all(Option::is_some), "{known:?}");
+    // From there on the wire is another.
+    let blind = shop.bent(told.steps(), &[None; 5]);
+    assert!(
+        matches!(blind.incidents()[..], [Incident { what: Violation::PegIntoWire { .. }, .. }, ..]),
+        "{:?}",
+        blind.incidents()
+    );
+    assert_eq!(shop.bent(told.steps(), &known).incidents(), []);
 }
 
 #[test]

@@ -4,6 +4,7 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 use wirebend_core::bend::Step;
+use wirebend_core::units::Angle;
 use wirebend_driver_api::Axis;
 use wirebend_driver_wirebend_kit::bench::{
     Bench, Bender, Compliance, ErrorTerm, Made, Noise, Peg, Scale, Wire,
@@ -44,14 +45,19 @@ impl Shop {
     /// The wire that commands bend: feeds in mm, positions of the axis, turns of the head. No two wires have the same
     /// errors.
     pub fn bend(&mut self, steps: &[Step]) -> Made {
+        let bench = self.bent(steps, &vec![None; steps.len()]);
+        assert_eq!(bench.incidents(), []);
+        bench.made()
+    }
+
+    /// The machine after it was told so. `approaches`: where the peg comes out where that is farther than for straight wire.
+    pub fn bent(&mut self, steps: &[Step], approaches: &[Option<Angle>]) -> Bench {
         self.noise.seed += 1;
         let mut bench = self.bench.clone().with_noise(&self.noise).unwrap();
-        let (mut head, mut axis_at) = (0, 0);
-        for step in steps {
+        let mut axis_at = 0;
+        for (step, approach) in steps.iter().zip(approaches) {
             pulses(&mut bench, Axis::Feed, nearest(step.feed.mm() / SCALE.feed_mm_per_step));
-            let turn = nearest(step.rotate.deg() / SCALE.rotate_deg_per_step);
-            pulses(&mut bench, Axis::Rotate, turn);
-            head += turn;
+            pulses(&mut bench, Axis::Rotate, nearest(step.rotate.deg() / SCALE.rotate_deg_per_step));
             if step.bend.deg() == 0.0 {
                 continue;
             }
@@ -60,7 +66,8 @@ impl Shop {
                 pulses(bench, Axis::Bend, to - axis_at);
                 axis_at = to;
             };
-            let clear = -CLEAR_DEG * step.bend.signum();
+            let clear = approach.map_or(CLEAR_DEG, |at| at.abs().deg().max(CLEAR_DEG));
+            let clear = -clear * step.bend.signum();
             go(&mut bench, clear);
             bench.peg(Peg::Between);
             bench.peg(Peg::Out);
@@ -70,8 +77,7 @@ impl Shop {
             bench.peg(Peg::In);
             go(&mut bench, 0.0);
         }
-        assert_eq!(bench.incidents(), [], "head at {head}");
-        bench.made()
+        bench
     }
 
     /// A reading that scatters by `sd`.

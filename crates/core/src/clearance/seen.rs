@@ -306,6 +306,7 @@ mod tests {
                 bend: deg(bend),
                 pressed: model.springback.as_ref().unwrap().bend_to(deg(bend)).abs(),
                 told: model.command(deg(bend)).unwrap_or(deg(bend)),
+                approach: None,
             };
             let all = strokes(&moves, &bodies, model.setback.as_ref(), true);
             let points: Vec<Point3<f64>> = points.into_iter().map(Point3::from).collect();

@@ -130,6 +130,8 @@ pub(super) struct Moves {
     pub pressed: Angle,
     /// Where the bend axis goes.
     pub told: Angle,
+    /// Where the peg comes out, where that is not its place for straight wire.
+    pub approach: Option<Angle>,
 }
 
 /// So many parts make a bend whose peg follows the wire: one for each so many radians.
@@ -196,7 +198,9 @@ impl AxisPath {
             || -side * bodies.peg_rest.abs().rad() - bodies.peg_rest.rad(),
             |touch| side * touch.rad(),
         );
-        let begin = if touching.is_some() { touch - side * bodies.approach.rad() } else { touch };
+        let clear = if touching.is_some() { side * bodies.approach.rad() } else { 0.0 };
+        let touch = moves.approach.map_or(touch, |approach| approach.rad() + clear);
+        let begin = touch - clear;
         let end = if touching.is_some() { moves.told.rad() } else { touch + moves.told.rad() };
         // A corner within the peg's reach makes it go elsewhere in the end; on the way there it does so little by little.
         let elsewhere =
@@ -212,5 +216,43 @@ impl AxisPath {
             bending.push((bent, axis));
         }
         Self { begin, touch, bending }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{Point3, UnitQuaternion};
+
+    use super::*;
+    use crate::testing::{deg, mm, published_machine};
+
+    /// The peg comes out and goes in where the program has it, on either side; where it says nothing, 5 degrees before it touches
+    /// straight wire.
+    #[test]
+    fn the_peg_comes_out_where_the_program_has_it() {
+        let machine = published_machine();
+        let peg = machine.compensation.bend.setback.as_ref();
+        let bodies = Bodies { peg_stroke: mm(10.0), approach: deg(5.0), ..Bodies::default() };
+        for side in [1.0, -1.0] {
+            for (approach, expected) in [(None, -18.248), (Some(deg(-40.0 * side)), -40.0)] {
+                let moves = Moves {
+                    lie: Lie { turn: UnitQuaternion::identity(), begin: Point3::origin() },
+                    radius: 3.0,
+                    fed: 30.0,
+                    head: [Angle::ZERO; 2],
+                    bend: deg(side * 30.0),
+                    pressed: deg(40.0),
+                    told: deg(side * 47.0),
+                    approach,
+                };
+                let all = strokes(&moves, &bodies, peg, true);
+                for (phase, at) in [(Phase::PegOut, expected), (Phase::PegIn, expected), (Phase::Return, 0.0)]
+                {
+                    let stroke = all.iter().find(|stroke| stroke.phase == phase).unwrap();
+                    let axis = side * stroke.to.axis.to_degrees();
+                    assert!((axis - at).abs() < 1e-3, "{phase:?} to {side}: {axis}");
+                }
+            }
+        }
     }
 }

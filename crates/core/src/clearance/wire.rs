@@ -47,6 +47,7 @@ pub struct Clearance<'a> {
     pub(super) passed: Passed,
     steps: Vec<Step>,
     told: Vec<Angle>,
+    approaches: Vec<Option<Angle>>,
     pub(super) lies: Vec<Lie>,
     /// Of each body.
     pub(super) rooms: Vec<Rooms>,
@@ -106,6 +107,7 @@ impl<'a> Clearance<'a> {
             wire,
             centreline,
             passed,
+            approaches: vec![None; steps.len()],
             steps,
             told,
             lies,
@@ -113,6 +115,13 @@ impl<'a> Clearance<'a> {
             stock,
             met: Vec::new(),
         }
+    }
+
+    /// The same with where the peg comes out in each step, where that is beyond its place for straight wire.
+    #[must_use]
+    pub fn with_approaches(mut self, approaches: Vec<Option<Angle>>) -> Self {
+        self.approaches = approaches;
+        self
     }
 
     /// How many steps there are.
@@ -125,7 +134,8 @@ impl<'a> Clearance<'a> {
         let run =
             StepRun { head: [self.heads[step], self.heads[step + 1]], bend: self.steps.get(step)?.bend };
         let told = self.told.get(step).copied().unwrap_or(run.bend);
-        self.moves_of(step, &run, told)
+        let moves = self.moves_of(step, &run, told)?;
+        Some(Moves { approach: self.approaches.get(step).copied().flatten(), ..moves })
     }
 
     /// `told`: where the bend axis goes.
@@ -142,6 +152,7 @@ impl<'a> Clearance<'a> {
             bend,
             pressed: if bend == Angle::ZERO { bend } else { pressed },
             told,
+            approach: None,
         })
     }
 }

@@ -68,11 +68,21 @@ pub(super) enum Shape {
     },
 }
 
+/// So long before it touches the wire the peg comes out: the firmware's 18.25° are 5° before the 13.25° of the published head.
+const CLEAR: f64 = 5.0 * std::f64::consts::PI / 180.0;
+/// Less room than this, from one piece of wire to the next, is none.
+const LEAST_ROOM: f64 = 2.0 * std::f64::consts::PI / 180.0;
+
+/// Places of the axis that differ by less are one, radians.
+const SAME: f64 = 1e-6;
+
 /// Where the peg touches.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Touch {
     /// Position of the axis, radians towards the side of the bend.
     pub axis: f64,
+    /// From where on there is room for the peg, radians towards the side of the bend.
+    pub room_from: f64,
     /// Whether it touches beyond a bend of another plane or to the other side.
     pub past_other: bool,
 }
@@ -219,7 +229,7 @@ impl PegGeometry {
     /// wire from the pin to what lies beyond, mm. Nothing where it passes without touching.
     pub(super) fn touch(&self, pressed: f64, leg: f64, beyond: &Beyond) -> Option<Touch> {
         if beyond.is_empty() {
-            return self.axis(pressed).map(|axis| Touch { axis, past_other: false });
+            return self.axis(pressed).map(|axis| Touch { axis, room_from: FROM, past_other: false });
         }
         // The centre of the orbit as the end of the leg sees it, turned with it.
         let (sin, cos) = pressed.sin_cos();
@@ -246,11 +256,32 @@ impl PegGeometry {
             piece.shape.touched_by(&orbit, |at| {
                 let axis = from + (at + pressed - from).rem_euclid(whole);
                 if first.is_none_or(|first| axis < first.axis) {
-                    first = Some(Touch { axis, past_other: piece.past_other });
+                    first = Some(Touch { axis, room_from: from, past_other: piece.past_other });
                 }
             });
         }
         first.filter(|touch| touch.axis < std::f64::consts::PI)
+    }
+
+    /// How far before it touches the wire the peg comes out.
+    #[must_use]
+    pub fn clear_before_touch() -> Angle {
+        Angle::computed(CLEAR)
+    }
+
+    /// Where the peg has to come out so that it is clear of wire that is bent within its reach, radians towards the side of the bend:
+    /// below zero. `Ok(None)` where the place for straight wire will do, `Err` where there is no room.
+    pub(super) fn approach(&self, leg: f64, beyond: &Beyond) -> Result<Option<f64>, NoRoom> {
+        let touch = self.touch(0.0, leg, beyond).ok_or(NoRoom)?;
+        if touch.axis - touch.room_from < LEAST_ROOM {
+            return Err(NoRoom);
+        }
+        let on_straight = -(self.peg / self.orbit_radius).asin();
+        let at = (touch.axis - CLEAR).max(f64::midpoint(touch.room_from, touch.axis));
+        if touch.axis >= on_straight - SAME && touch.room_from <= on_straight - CLEAR {
+            return Ok(None);
+        }
+        if at < 0.0 { Ok(Some(at)) } else { Err(NoRoom) }
     }
 
     /// The same where the axis only ever moves forward on the way there. `leg`: how long it is where the wire is pressed so far.
@@ -270,6 +301,10 @@ impl PegGeometry {
         (end.axis > before).then_some(end)
     }
 }
+
+/// The peg finds no room beside the wire.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct NoRoom;
 
 /// The circle on which the peg goes.
 struct Orbit {

@@ -1,7 +1,7 @@
 //! A wire that is bent step after step: what the peg touches is what the bends before have left.
 
 use super::contact::{Beyond, FormedWire};
-use super::{BendError, Compensation, FOLD_DEG};
+use super::{BendError, Compensation, FOLD_DEG, PegGeometry};
 use crate::bend::Step;
 use crate::units::{Angle, Length};
 
@@ -68,10 +68,37 @@ pub(crate) fn results(steps: &[Step], compensation: &Compensation) -> Vec<Angle>
     let Some(peg) = &model.setback else {
         return steps.iter().map(|step| model.result(step.bend)).collect();
     };
+    bent_by(peg, steps, compensation, |_, _, _| ())
+}
+
+/// For each command where the bend axis has to stand when the peg comes out, so that it is clear of the wire that the commands before
+/// have left: on the side from which it bends, so of the other sign than the command. Nothing where the place for straight wire will
+/// do, and where there is no room anywhere.
+#[must_use]
+pub fn approaches(commands: &[Step], compensation: &Compensation) -> Vec<Option<Angle>> {
+    let mut found = vec![None; commands.len()];
+    let Some(peg) = &compensation.bend.setback else { return found };
+    let made = compensation.motion.result(commands);
+    bent_by(peg, &made, compensation, |index, leg, beyond| {
+        let at = peg.approach(leg, beyond).ok().flatten();
+        found[index] = at.map(|at| Angle::computed(made[index].bend.signum() * at));
+    });
+    found
+}
+
+/// Bends wire step after step. `met` hears before each bend how long the leg is while nothing of it is pressed, mm, and what lies
+/// beyond.
+fn bent_by(
+    peg: &PegGeometry,
+    steps: &[Step],
+    compensation: &Compensation,
+    mut met: impl FnMut(usize, f64, &Beyond),
+) -> Vec<Angle> {
+    let model = &compensation.bend;
     let mut formed = FormedWire::new(peg);
     let mut before = Angle::ZERO;
     let mut results = Vec::with_capacity(steps.len());
-    for step in steps {
+    for (index, step) in steps.iter().enumerate() {
         let leg = |bend: Angle| {
             let segment = compensation
                 .feed
@@ -83,6 +110,9 @@ pub(crate) fn results(steps: &[Step], compensation: &Compensation) -> Vec<Angle>
             Angle::ZERO
         } else {
             let beyond = formed.beyond(step.rotate, step.bend.signum(), leg(Angle::HALF_TURN));
+            if !beyond.is_empty() {
+                met(index, leg(Angle::ZERO), &beyond);
+            }
             model.result_on(step.bend, leg, &beyond)
         };
         formed.push(leg(bend), step.rotate, bend);

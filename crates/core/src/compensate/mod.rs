@@ -20,6 +20,7 @@ use contact::{Beyond, Touch};
 pub use feed::FeedModel;
 pub(crate) use feed::{corner, with_bend_before};
 use forming::Forming;
+pub use forming::approaches;
 pub(crate) use forming::results;
 pub use motion::MotionModel;
 pub use setback::{PegGeometry, PegGeometryError, PegRadius};
@@ -107,8 +108,9 @@ impl BendModel {
         let side = bend.signum();
         let leg = |pressed: f64| leg(self.left(side, pressed));
         let touch = peg.pressing(self.pressed(bend).rad(), leg, beyond);
-        let touch = touch.filter(|touch| self.axis_limit.is_none_or(|limit| touch.axis <= limit.rad()));
-        match touch.filter(|touch| touch.axis > 0.0) {
+        let within = |axis: f64| self.axis_limit.is_none_or(|limit| axis.abs() <= limit.rad());
+        let comes_out = peg.approach(leg(0.0), beyond).is_ok_and(|at| at.is_none_or(within));
+        match touch.filter(|touch| comes_out && touch.axis > 0.0 && within(touch.axis)) {
             Some(touch) => Ok((Angle::computed(side * touch.axis), touch)),
             // Where straight wire could not be bent so either, that is the reason.
             None => Err(self.command(bend).err().unwrap_or(BendError::CornerTooNear { bend })),

@@ -5,7 +5,7 @@ use super::{Machine, WirePlan};
 use crate::bend::{Frame, Step};
 use crate::checks::{Diagnostic, WireStages, check_contacts};
 use crate::clearance::{Clearance, FirstContact, Passage, StockWire, passages};
-use crate::compensate::CompensatedProgram;
+use crate::compensate::{CompensatedProgram, approaches};
 use crate::route::Doubling;
 use crate::simulate::scheduled_start;
 use crate::units::Length;
@@ -87,7 +87,9 @@ fn in_machine<'a>(
     margin: Length,
 ) -> Clearance<'a> {
     let stock = stock_wire(machine, margin);
+    let approaches = told.map(|told| approaches(told, &machine.compensation)).unwrap_or_default();
     Clearance::new(wire, told, passages, stock, &machine.bodies, &machine.compensation.bend)
+        .with_approaches(approaches)
 }
 
 /// The wire as it runs through the machine.

@@ -24,7 +24,12 @@ fn of(steps: &[(f64, f64, f64)]) -> Job {
         before = corner(bend_deg);
         design.push(DesignStep { feed_mm, rotate_deg, bend_deg, straight_mm });
     }
-    let machine = steps.iter().map(|&(feed_mm, rotate_deg, bend_deg)| Step { feed_mm, rotate_deg, bend_deg });
+    let machine = steps.iter().map(|&(feed_mm, rotate_deg, bend_deg)| Step {
+        feed_mm,
+        rotate_deg,
+        bend_deg,
+        approach_deg: None,
+    });
     Job {
         name: "sample".to_owned(),
         job_hash: Some("5a".repeat(32)),

@@ -102,8 +102,7 @@ impl Part {
     /// What is left of a step.
     #[must_use]
     pub fn rest(self, step: Step) -> Step {
-        let Step { feed_mm, rotate_deg, bend_deg } = step;
-        Step { feed_mm: feed_mm - self.feed_mm, rotate_deg: rotate_deg - self.rotate_deg, bend_deg }
+        Step { feed_mm: step.feed_mm - self.feed_mm, rotate_deg: step.rotate_deg - self.rotate_deg, ..step }
     }
 
     /// Whether it is the same as far as a person can measure.

@@ -29,7 +29,10 @@ fn run(steps: u32) -> Run {
 
 fn steps(numbers: std::ops::RangeInclusive<u32>) -> Vec<NumberedStep> {
     numbers
-        .map(|n| NumberedStep { n, step: Step { feed_mm: 30.0, rotate_deg: 0.0, bend_deg: 45.0 } })
+        .map(|n| NumberedStep {
+            n,
+            step: Step { feed_mm: 30.0, rotate_deg: 0.0, bend_deg: 45.0, approach_deg: None },
+        })
         .collect()
 }
 
@@ -137,7 +140,10 @@ fn a_wire_starts_where_its_axes_are_at_zero() {
 fn the_head_is_turned_back_between_wires() {
     let mut session = homed();
     let armed = permits::arm(&mut session, run(1)).unwrap();
-    let step = NumberedStep { n: 1, step: Step { feed_mm: 30.0, rotate_deg: 180.0, bend_deg: 45.0 } };
+    let step = NumberedStep {
+        n: 1,
+        step: Step { feed_mm: 30.0, rotate_deg: 180.0, bend_deg: 45.0, approach_deg: None },
+    };
     session.send(&armed, &[step]).unwrap();
     session.poll().unwrap();
     assert!(session.is_done());

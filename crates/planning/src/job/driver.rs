@@ -45,7 +45,7 @@ fn wire(setup: &Setup, stages: &Stages) -> api::Wire {
         bend_deg: step.bend.deg(),
         straight_mm: straight.map(Length::mm),
     });
-    let machine = |steps: &[Step]| steps.iter().map(|&step| setup.signs.machine(step)).collect();
+    let machine = |told: &[Step]| setup.signs.machine_steps(told, &setup.model.compensation);
     api::Wire {
         path_mm: stages.path.iter().map(|point| [point.x, point.y, point.z]).collect(),
         design: design.collect(),

@@ -29,7 +29,7 @@ pub fn work(setup: &Setup, job: &Job, name: &str, index: usize) -> Result<WireJo
         |reason: &str| PlanningError::DamagedJob { name: name.to_owned(), reason: reason.to_owned() };
     let wire = job.contents().wires.get(index).ok_or_else(|| damaged("it has not so many wires"))?;
     let compensated = kept_steps(&wire.compensated)?;
-    let steps: Vec<api::Step> = compensated.iter().map(|&step| setup.signs.machine(step)).collect();
+    let steps = setup.signs.machine_steps(&compensated, &setup.model.compensation);
     let run = api::Run {
         job_hash: job.hash().to_owned(),
         design_hash: job.contents().design_hash.clone(),

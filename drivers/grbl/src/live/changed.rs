@@ -30,8 +30,8 @@ const MAX_MS: u64 = 60_000;
 /// Of whole steps of the model.
 const BEND_DEG: f64 = 92.35;
 const WIRE: [Step; 2] = [
-    Step { feed_mm: 20.5, rotate_deg: -30.0, bend_deg: BEND_DEG },
-    Step { feed_mm: 10.0, rotate_deg: 0.0, bend_deg: 0.0 },
+    Step { feed_mm: 20.5, rotate_deg: -30.0, bend_deg: BEND_DEG, approach_deg: None },
+    Step { feed_mm: 10.0, rotate_deg: 0.0, bend_deg: 0.0, approach_deg: None },
 ];
 
 /// What is on its way to the controller and from it.

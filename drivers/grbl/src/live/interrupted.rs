@@ -42,6 +42,7 @@ impl InterruptedStep {
             feed_mm: began.feed_mm + from[0] / settings.feed_units_per_mm,
             rotate_deg: began.rotate_deg + from[1] / settings.rotate_units_per_deg,
             bend_deg: began.bend_deg,
+            approach_deg: None,
         });
         let exact = by == StoppedBy::FeedHold || run.hold == Hold::Held;
         Some(Self { step, from, whole, tolerance, exact })

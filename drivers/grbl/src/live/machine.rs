@@ -135,6 +135,7 @@ impl Machine {
             feed_mm: feed? / settings.feed_units_per_mm,
             rotate_deg: rotate? / settings.rotate_units_per_deg,
             bend_deg: bend? / settings.bend_units_per_deg,
+            approach_deg: None,
         })
     }
 

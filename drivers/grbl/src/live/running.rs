@@ -126,6 +126,7 @@ impl Protocol {
             feed_mm: made(0, now.feed_mm - from.feed_mm),
             rotate_deg: made(1, now.rotate_deg - from.rotate_deg),
             bend_deg: now.bend_deg - from.bend_deg,
+            approach_deg: None,
         });
         self.event(Event::PartMade { step, made, exact });
     }

@@ -19,7 +19,12 @@ fn written(settings: Value, job: &Job) -> Vec<String> {
 /// A job with these steps of a machine.
 fn job(steps: &[(f64, f64, f64)]) -> Job {
     let mut job = sample_job();
-    let step = |&(feed_mm, rotate_deg, bend_deg): &(f64, f64, f64)| Step { feed_mm, rotate_deg, bend_deg };
+    let step = |&(feed_mm, rotate_deg, bend_deg): &(f64, f64, f64)| Step {
+        feed_mm,
+        rotate_deg,
+        bend_deg,
+        approach_deg: None,
+    };
     job.wires[0].machine = Some(steps.iter().map(step).collect());
     job
 }

@@ -119,8 +119,10 @@ struct Case {
 
 /// All of the settings that change what is written. The numbers stay small enough for single precision.
 fn cases() -> impl Strategy<Value = Case> {
-    let step = (-5.0..30.0f64, -60.0..60.0f64, prop_oneof![Just(0.0), -60.0..-0.6f64, 0.6..60.0f64])
-        .prop_map(|(feed_mm, rotate_deg, bend_deg)| Step { feed_mm, rotate_deg, bend_deg });
+    let step =
+        (-5.0..30.0f64, -60.0..60.0f64, prop_oneof![Just(0.0), -60.0..-0.6f64, 0.6..60.0f64]).prop_map(
+            |(feed_mm, rotate_deg, bend_deg)| Step { feed_mm, rotate_deg, bend_deg, approach_deg: None },
+        );
     let steps = prop::collection::vec(step, 1..12);
     let letters =
         prop::sample::subsequence(vec!['X', 'Y', 'Z', 'A', 'B', 'C', 'U', 'V', 'W'], 3).prop_shuffle();

@@ -62,6 +62,7 @@ fn any_step() -> impl Strategy<Value = Step> {
         feed_mm,
         rotate_deg,
         bend_deg,
+        approach_deg: None,
     })
 }
 

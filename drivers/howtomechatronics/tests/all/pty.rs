@@ -58,7 +58,10 @@ impl Board {
     fn makes(&mut self) -> Vec<Event> {
         let run = Run { job_hash: "0".repeat(64), name: "sample".to_owned(), steps: 2, ..Run::default() };
         self.session.arm(&run).unwrap();
-        let step = |n| NumberedStep { n, step: Step { feed_mm: 30.0, rotate_deg: 0.0, bend_deg: 45.0 } };
+        let step = |n| NumberedStep {
+            n,
+            step: Step { feed_mm: 30.0, rotate_deg: 0.0, bend_deg: 45.0, approach_deg: None },
+        };
         self.session.send(&Batch { steps: vec![step(1), step(2)], last: true }).unwrap();
         self.until(|event| matches!(event, Event::Finished | Event::Fault { .. }))
     }

@@ -13,9 +13,14 @@ fn any_steps() -> impl Strategy<Value = Vec<Step>> {
         feed_mm,
         rotate_deg,
         bend_deg,
+        approach_deg: None,
     });
-    let last =
-        (feed(), angle()).prop_map(|(feed_mm, rotate_deg)| Step { feed_mm, rotate_deg, bend_deg: 0.0 });
+    let last = (feed(), angle()).prop_map(|(feed_mm, rotate_deg)| Step {
+        feed_mm,
+        rotate_deg,
+        bend_deg: 0.0,
+        approach_deg: None,
+    });
     (prop::collection::vec(step, 0..20), last).prop_map(|(mut steps, last)| {
         steps.push(last);
         steps

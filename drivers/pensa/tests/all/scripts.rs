@@ -24,7 +24,8 @@ fn notes(settings: Settings, steps: &[(f64, f64, f64)]) -> Vec<(String, usize, S
 
 /// The sample with these steps for the machine.
 fn job_of(steps: &[(f64, f64, f64)]) -> Job {
-    let step = |&(feed_mm, rotate_deg, bend_deg): &_| Step { feed_mm, rotate_deg, bend_deg };
+    let step =
+        |&(feed_mm, rotate_deg, bend_deg): &_| Step { feed_mm, rotate_deg, bend_deg, approach_deg: None };
     let mut job = sample_job();
     job.wires[0].machine = Some(steps.iter().map(step).collect());
     job

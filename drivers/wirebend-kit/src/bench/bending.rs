@@ -3,7 +3,7 @@
 use super::chain::Arc;
 use super::formed::{Formed, Held, Met};
 use super::incident::ModelWarning;
-use super::machine::Bench;
+use super::machine::{Bench, Stroke};
 
 impl Bench {
     /// Angle of the wire behind the nozzle in the plane of the head, radians. None where the wire is too
@@ -18,7 +18,7 @@ impl Bench {
         let Some(mut stroke) = self.stroke else { return };
         let sign = stroke.sign();
         let axis = self.axis(stroke.furthest);
-        let met = self.met(sign, axis);
+        let met = self.met(&stroke, axis);
         stroke.furthest = i64::from(stroke.side) * self.bend_steps();
         self.stroke = Some(stroke);
         let leg = self.leg();
@@ -58,21 +58,34 @@ impl Bench {
     }
 
     /// What the peg does to the wire with the axis at a place towards the side that it bends to, radians.
-    pub(super) fn met(&self, sign: f64, axis: f64) -> Met {
-        let leg = sign * self.leg().unwrap_or(0.0);
+    pub(super) fn met(&self, stroke: &Stroke, axis: f64) -> Met {
+        let leg = stroke.sign() * self.leg().unwrap_or(0.0);
         let contact = &self.press.contact;
-        let formed = Formed::beyond(&self.chain, contact, self.head(), sign, self.press.off_centre());
         let wrapped = |leg: f64| self.press.fibre(self.press.wrapped(leg));
-        formed.map_or_else(
+        self.formed(stroke).map_or_else(
             || {
                 let placed = contact.leg_angle(axis);
                 Met::Held(Held { leg: placed, arm: self.press.leg(placed) })
             },
             |formed| {
                 let given = |placed: f64| self.press.held(placed);
-                formed.held(contact, leg, axis, wrapped, given)
+                formed.held(contact, leg, [self.axis(stroke.from), axis], wrapped, given)
             },
         )
+    }
+
+    /// The wire within the peg's reach, where it is bent there.
+    fn formed(&self, stroke: &Stroke) -> Option<Formed> {
+        Formed::beyond(&self.chain, &self.press.contact, self.head(), stroke.sign(), self.press.off_centre())
+    }
+
+    /// Whether the peg comes out where wire is that is bent within its reach.
+    pub(super) fn comes_into_formed(&self, stroke: &Stroke) -> bool {
+        let leg = stroke.sign() * self.leg().unwrap_or(0.0);
+        let wrapped = self.press.fibre(self.press.wrapped(leg));
+        let overlaps =
+            |formed: Formed| formed.overlaps(&self.press.contact, leg, self.axis(stroke.from), wrapped);
+        self.formed(stroke).is_some_and(overlaps)
     }
 
     fn press(&mut self, bend: usize, sign: f64, placed: f64, arm: f64) {

@@ -17,8 +17,8 @@ const SPACING: f64 = 0.1;
 const HALF_ROD: f64 = 13.0;
 /// The peg goes round in steps of so much, radians: a quarter of a degree.
 const STEP: f64 = 0.004;
-/// It comes out no farther from the wire's axis than here.
-const FROM: f64 = -1.75;
+/// Peg and wire that overlap by less only touch, mm: half of what is between two points.
+const TOUCH: f64 = SPACING / 2.0;
 /// The wire gives way in steps of so much.
 const YIELD: f64 = 0.002;
 
@@ -100,18 +100,19 @@ impl Formed {
         (straight < near).then_some(Self { straight, points })
     }
 
-    /// How the peg holds the wire with the axis at `axis`, where it stood at `leg` before; `wrapped` says how much of the straight
+    /// How the peg holds the wire with the axis at the second of `axis`, which came out with it at the first; the wire stood at `leg`
+    /// before. `wrapped` says how much of the straight
     /// is round the pin for a leg, and `given` where a leg really is that a machine which does not give would hold.
     pub fn held(
         &self,
         contact: &Contact,
         leg: f64,
-        axis: f64,
+        [from, axis]: [f64; 2],
         wrapped: impl Fn(f64) -> f64,
         given: impl Fn(f64) -> f64,
     ) -> Met {
         let gap = |leg: f64, axis: f64| self.nearest(contact, leg, axis, wrapped(leg)).0 - contact.reach();
-        let mut at = FROM.min(axis);
+        let mut at = from.min(axis);
         while gap(leg, at) < 0.0 {
             at += STEP;
             if at > axis {
@@ -149,6 +150,11 @@ impl Formed {
         let from = axis - 2.0 * (leg - really).max(0.0);
         let axis = rising_root(from, axis, |axis| contact.reach() - nearest(axis).0);
         Met::Held(Held { leg, arm: nearest(axis).1 })
+    }
+
+    /// Whether the peg with the axis at `axis` is where wire is.
+    pub fn overlaps(&self, contact: &Contact, leg: f64, axis: f64, wrapped: f64) -> bool {
+        self.nearest(contact, leg, axis, wrapped).0 < contact.reach() - TOUCH
     }
 
     /// From the peg to the nearest point of the wire, of which so much is round the pin, and from the pin to that point.

@@ -39,6 +39,8 @@ struct Motion {
 pub(super) struct Stroke {
     /// 1 where the peg is on the wire's right side and bends it to the left, -1 the other way round.
     pub side: i32,
+    /// Where the bend axis stood when it came out, in steps, positive where the peg pushes.
+    pub from: i64,
     /// Furthest place of the bend axis towards that side, in steps, positive where the peg pushes.
     pub furthest: i64,
 }
@@ -302,14 +304,19 @@ impl Bench {
                 if left - leg <= leg - right { 1 } else { -1 }
             }
         };
-        self.stroke = Some(Stroke { side, furthest: i64::from(side) * self.bend_steps });
+        let from = i64::from(side) * self.bend_steps;
+        let stroke = Stroke { side, from, furthest: from };
+        if self.comes_into_formed(&stroke) {
+            self.record(Violation::PegIntoWire { axis_deg: self.bend_axis_deg() });
+        }
+        self.stroke = Some(stroke);
     }
 
     /// Whether the peg pushes the wire, which must have been let go before it is asked.
     fn touches(&self) -> bool {
         let (Some(stroke), Some(leg)) = (self.stroke, self.leg()) else { return false };
         let at = self.axis(i64::from(stroke.side) * self.bend_steps);
-        matches!(self.met(stroke.sign(), at), Met::Held(held) if held.leg > stroke.sign() * leg + TOUCH)
+        matches!(self.met(&stroke, at), Met::Held(held) if held.leg > stroke.sign() * leg + TOUCH)
     }
 
     fn record(&mut self, what: Violation) {

@@ -11,6 +11,9 @@ use crate::link::Request;
 use crate::protocol::{SETTINGS, State};
 use crate::settings::{expected, steps};
 
+/// The firmware that takes where the peg comes out, 100 for 1.0.
+const APPROACHES_SINCE: u32 = 111;
+
 /// Steps that are accepted ahead of the running one. The program writes each into its journal before.
 const AHEAD: u32 = 12;
 
@@ -72,14 +75,16 @@ impl Machine {
             if self.activity == Activity::Arming || step.n > done + AHEAD {
                 break;
             }
-            lines.push((step.step, self.line_of(step.n, step.step)?));
+            lines.push((step.step, self.line_of(step.n, step.step)?, self.approach_of(step.n, step.step)?));
             given = step.n;
         }
         let all = batch.steps.last().is_none_or(|last| last.n <= given);
         if let Some(wire) = &mut self.wire {
-            for (n, (step, [feed, rotate, bend])) in (wire.given + 1..).zip(lines) {
+            for (n, (step, [feed, rotate, bend], approach)) in (wire.given + 1..).zip(lines) {
                 let turn = std::mem::take(&mut wire.turn);
-                self.link.line(b'M', &[feed, rotate + turn, bend]);
+                let mut line = vec![feed, rotate + turn, bend];
+                line.extend(approach);
+                self.link.line(b'M', &line);
                 wire.give(n, step, [feed, rotate]);
             }
             wire.closed |= batch.last && all && self.activity == Activity::Running;
@@ -173,6 +178,23 @@ impl Machine {
         ])
     }
 
+    /// Where the peg comes out, in motor steps, where that is farther from zero than it does by itself.
+    fn approach_of(&self, n: u32, step: Step) -> Result<Option<i32>, DriverError> {
+        let settings = &self.settings;
+        let Some(deg) = step.approach_deg.filter(|deg| deg.is_nan() || deg.abs() > settings.near_side_deg)
+        else {
+            return Ok(None);
+        };
+        let max = settings.bend_limit_deg;
+        if !(deg.abs() <= max + 1e-9 && deg * step.bend_deg < 0.0) {
+            return Err(fault::beyond(n, "approach of the peg", deg, max, "°"));
+        }
+        if let Some(versions) = self.versions.filter(|versions| versions.firmware < APPROACHES_SINCE) {
+            return Err(fault::cannot_approach(n, deg, versions));
+        }
+        Ok(Some(steps(deg * f64::from(settings.bend_steps_per_turn) / 360.0)))
+    }
+
     fn require_rest(&self, what: &str) -> Result<(), DriverError> {
         match self.activity {
             Activity::Idle => Ok(()),
@@ -190,5 +212,43 @@ impl Machine {
             return Ok(());
         }
         Err(DriverError::new("not-homed", "the machine is not homed", "home it"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::rc::Rc;
+
+    use super::*;
+    use crate::protocol::Versions;
+    use crate::settings::Settings;
+
+    #[test]
+    fn the_peg_is_told_where_to_come_out_only_where_it_has_to_and_can_be() {
+        let settings = Settings::default();
+        let per_deg = f64::from(settings.bend_steps_per_turn) / 360.0;
+        let mut machine = Machine::new(Rc::new(settings), None, Duration::ZERO);
+        let mut told = |firmware: Option<u32>, bend_deg, approach_deg| {
+            machine.versions = firmware.map(|firmware| Versions { protocol: 1, firmware, machine: 1 });
+            machine.approach_of(7, Step { feed_mm: 30.0, rotate_deg: 0.0, bend_deg, approach_deg })
+        };
+        assert_eq!(told(Some(111), 40.0, None).unwrap(), None);
+        assert_eq!(told(Some(110), 40.0, Some(-18.0)).unwrap(), None, "it comes out farther by itself");
+        assert_eq!(told(Some(111), 40.0, Some(-30.0)).unwrap(), Some(steps(-30.0 * per_deg)));
+        assert_eq!(
+            told(None, -40.0, Some(30.0)).unwrap(),
+            Some(steps(30.0 * per_deg)),
+            "in a session of before"
+        );
+        let older = told(Some(110), 40.0, Some(-30.0)).unwrap_err();
+        assert_eq!(older.code, "older-firmware");
+        assert!(older.message.contains("step 7") && older.message.contains("1.10"), "{}", older.message);
+        for (bend, approach) in [(40.0, -156.0), (40.0, 30.0), (0.0, -30.0), (40.0, f64::NAN)] {
+            assert_eq!(
+                told(Some(111), bend, Some(approach)).unwrap_err().code,
+                "beyond",
+                "{bend} {approach}"
+            );
+        }
     }
 }

@@ -82,6 +82,7 @@ impl Machine {
             feed_mm: feed / self.settings.feed_steps_per_mm,
             rotate_deg: rotate / self.rotate_steps_per_deg(),
             bend_deg: bend * 360.0 / f64::from(self.settings.bend_steps_per_turn),
+            approach_deg: None,
         }
     }
 

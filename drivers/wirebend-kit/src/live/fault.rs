@@ -46,6 +46,18 @@ pub(super) fn beyond(n: u32, what: &str, value: f64, max: f64, unit: &str) -> Dr
     )
 }
 
+pub(super) fn cannot_approach(n: u32, deg: f64, versions: Versions) -> DriverError {
+    DriverError::new(
+        "older-firmware",
+        format!(
+            "in step {n} the peg has to come out at {deg:.1}°, beside wire that is bent already, and firmware {}.{:02} cannot be told so",
+            versions.firmware / 100,
+            versions.firmware % 100
+        ),
+        "flash the firmware of this program: firmware/README.md says how; or lengthen the edge before the bend",
+    )
+}
+
 pub(super) fn silent(connecting: bool) -> DriverError {
     if connecting {
         return DriverError::new(

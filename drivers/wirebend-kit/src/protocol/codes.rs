@@ -10,7 +10,7 @@ pub enum Command {
     Session = b'S',
     /// Asks for the status.
     Query = b'Q',
-    /// Line n: feeds, rotates, then bends. All in steps: feed and rotation are relative, the bend goes from zero to its angle and back.
+    /// Line n: feeds, rotates, then bends. All in steps: feed and rotation are relative, the bend goes from zero to its angle and back. The peg comes out at `approach`, a position of the other sign than the bend, or at the near side where that is farther; it may be left out, and is since firmware 1.11.
     Move = b'M',
     /// Line n: homes the bend axis, then moves it to zero.
     Home = b'H',

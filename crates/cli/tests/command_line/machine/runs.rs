@@ -136,6 +136,33 @@ fn a_job_is_made_and_recorded() {
     assert_eq!(ids, [json!(id), json!(format!("{}2", &id[..id.len() - 1]))]);
 }
 
+/// Bends of 30 degrees to one side and the other, so near to each other that the wire lies where the peg comes out for straight wire:
+/// it comes out farther, for a job and for its text.
+#[test]
+fn the_peg_comes_out_beside_wire_that_is_bent_towards_it() {
+    let shop = Shop::cube();
+    let mut corners = vec![[0.0, 0.0], [80.0, 0.0]];
+    for (edge, turn) in [(27.0, 30.0_f64), (27.0, 0.0), (27.0, 30.0), (60.0, 0.0)] {
+        let [x, y] = corners[corners.len() - 1];
+        let (sin, cos) = turn.to_radians().sin_cos();
+        corners.push([x + edge * cos, y + edge * sin]);
+    }
+    let mut lines: Vec<String> = corners.iter().map(|[x, y]| format!("v {x} {y} 0")).collect();
+    lines.push("l 1 2 3 4 5 6\n".to_owned());
+    std::fs::write(shop.path().join("zigzag.obj"), lines.join("\n")).unwrap();
+    shop.run(&["plan", "zigzag.obj", "-m", "wirebend-kit", "-o", "a.wbjob", "--force"]).ended(0);
+    shop.run(&["export", "a.wbjob", "-o", "a.txt"]).ended(0);
+    for file in [&["a.wbjob"][..], &["a.txt", "-m", "wirebend-kit"]] {
+        let arguments = [&["run"], file, &["--port", "sim:max", "--yes", "--json"]].concat();
+        let ran = shop.run(&arguments).ended(0);
+        assert!(!ran.err.contains("mishap"), "{}", ran.err);
+        let made = ran.json();
+        let off = made["wires"][0]["deviations_mm"].as_array().unwrap();
+        let worst = off.iter().map(|mm| mm.as_f64().unwrap()).fold(0.0, f64::max);
+        assert!(worst < 0.5, "{off:?}");
+    }
+}
+
 /// The machine that is there before anybody has bought one. A machine that cannot be simulated has to be named.
 #[test]
 fn where_no_port_is_named_the_simulated_machine_makes_the_wire() {
@@ -253,7 +280,7 @@ fn settings_are_compared_and_written() {
     let found = shop.run(&[&at[..], &["--json"]].concat()).ended(0).json();
     assert_fits("machine-settings", &found);
     assert_eq!((&found["fits"], &found["written"]), (&json!(true), &json!(false)));
-    assert!(found["identity"].as_str().unwrap().contains("firmware 1.10"), "{found}");
+    assert!(found["identity"].as_str().unwrap().contains("firmware 1.11"), "{found}");
     let said = shop.run(&[&at[..], &["--write"]].concat()).ended(2).err;
     assert!(said.contains("--yes"), "{said}");
     let found = shop.run(&[&at[..], &["--write", "--yes", "--json"]].concat()).ended(0).json();

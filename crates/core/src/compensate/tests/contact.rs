@@ -36,6 +36,37 @@ fn a_corner_within_reach_moves_the_place_that_the_peg_touches() {
     }
 }
 
+/// The peg must not come out into wire that was bent towards it, nor on the far side of it. The places are found by marching along
+/// the wire, outside of this program.
+#[test]
+fn the_peg_comes_out_clear_of_wire_that_is_bent_towards_it() {
+    let approach = |edge: f64, before: f64, bend: f64| {
+        let program = program(&[(100.0, 0.0, before), (edge, 0.0, bend)]);
+        let compensation = published_compensation();
+        let told = compensate(&program, &compensation).unwrap();
+        approaches(told.steps(), &compensation)[1]
+    };
+    for (before, bend) in [(-30.0, 30.0), (30.0, -30.0)] {
+        let at = approach(25.0, before, bend).expect("another place");
+        assert!(at.signum() * bend < 0.0, "on the side from which it bends: {at}");
+        // The leg is so long at the pin; what is beyond goes the other way from there.
+        let leg = 25.0 - 2.0 * 3.0 * 15.0_f64.to_radians().tan();
+        let leg = leg + 0.0_f64.max(bend.abs().to_radians() * 2.4);
+        let points = marched(0.0, leg, &[(0.0, -30.0, 60.0)], 13.0);
+        let gap = |deg: f64| {
+            let axis = deg.to_radians();
+            let peg = Point2::new(12.0 + 20.4 * axis.cos(), 20.4 * axis.sin());
+            points.iter().map(|point| (point - peg).norm()).fold(f64::INFINITY, f64::min) - 4.675
+        };
+        assert!(gap(-at.abs().deg()) > 0.5, "it comes out into the wire: {at}");
+        assert!(gap(-18.25) < 0.0, "where it comes out for straight wire there is wire");
+    }
+    // Bent out of its way, out of its reach, or straight: the machine's own place.
+    for (edge, before) in [(25.0, 30.0), (45.0, -30.0)] {
+        assert_eq!(approach(edge, before, 30.0), None, "{edge} {before}");
+    }
+}
+
 #[test]
 fn an_arc_at_the_pin_is_touched_later_than_a_straight_leg() {
     let centre = Point2::new(0.0, 30.0);
@@ -133,6 +164,15 @@ proptest! {
         while axis < end - 2e-3 {
             prop_assert!(gap(axis) > -0.06, "{} at {}", gap(axis), axis.to_degrees());
             axis += 0.02;
+        }
+        if let Ok(approach) = peg.approach(leg, &beyond) {
+            let points = marched(0.0, leg, &corners, half);
+            let clear = |axis: f64| {
+                let peg = Point2::new(12.0 + 20.4 * axis.cos(), 20.4 * axis.sin());
+                points.iter().map(|point| (point - peg).norm()).fold(f64::INFINITY, f64::min) - 4.675 > -0.06
+            };
+            let at = approach.unwrap_or(f64::to_radians(-18.25));
+            prop_assert!(clear(at), "the peg comes out into the wire at {}", at.to_degrees());
         }
         if touch.is_some() {
             prop_assert!(gap(end).abs() < 0.06, "gap {} at {}", gap(end), end.to_degrees());

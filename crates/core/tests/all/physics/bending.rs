@@ -3,7 +3,7 @@
 use wirebend_core::bend::Step;
 use wirebend_core::compensate::{
     BendModel, Compensation, FeedModel, MotionModel, PegGeometry, Springback, SpringbackCurve,
-    SpringbackPoint, compensate,
+    SpringbackPoint, approaches, compensate,
 };
 use wirebend_core::schedule::ScheduledProgram;
 use wirebend_core::units::Angle;
@@ -166,12 +166,26 @@ fn near_corners(page: &mut Document, peg: PegGeometry) {
         },
         motion: MotionModel::default(),
     };
-    let told = |edges: &[(f64, f64)]| -> Vec<f64> {
+    let program = |edges: &[(f64, f64)]| {
         let step = |&(feed, bend): &(f64, f64)| Step { feed: mm(feed), rotate: Angle::ZERO, bend: deg(bend) };
         let steps: Vec<Step> = edges.iter().map(step).collect();
         let program = ScheduledProgram { head: vec![Angle::ZERO; steps.len()], steps };
-        compensate(&program, &compensation).unwrap().steps().iter().map(|step| step.bend.deg()).collect()
+        compensate(&program, &compensation).unwrap()
     };
+    let told = |edges: &[(f64, f64)]| -> Vec<f64> {
+        program(edges).steps().iter().map(|step| step.bend.deg()).collect()
+    };
+    let [clear] = page.sentence(
+        "it comes out {}° before the place at which it would touch the wire as it is formed so far.",
+    );
+    clear.is(PegGeometry::clear_before_touch().deg());
+    let [own] = page.sentence("that is the bender's own place at {}°.");
+    own.is(clear.value - peg.axis_for(Angle::ZERO).unwrap().deg());
+    let [next, last, apart, out] = page.sentence(
+        "Before the bend of {}° after one of {}° to the other side and an edge of {} mm it is {}°.",
+    );
+    let beside = program(&[(100.0, -last.value), (apart.value, next.value)]);
+    out.is(-approaches(beside.steps(), &compensation)[1].unwrap().deg());
     axis.is(told(&[(100.0, before.value), (edge.value, bend.value)])[1]);
     other_axis.is(told(&[(100.0, -other.value), (far.value, bend.value)])[1]);
     straight.is(told(&[(100.0, before.value), (100.0, bend.value)])[1]);

@@ -253,5 +253,5 @@ impl<'a> Life<'a> {
 }
 
 fn step(n: u32) -> NumberedStep {
-    NumberedStep { n, step: Step { feed_mm: 30.0, rotate_deg: 0.0, bend_deg: 45.0 } }
+    NumberedStep { n, step: Step { feed_mm: 30.0, rotate_deg: 0.0, bend_deg: 45.0, approach_deg: None } }
 }

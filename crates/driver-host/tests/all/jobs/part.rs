@@ -61,13 +61,16 @@ fn only_the_step_under_way_is_in_doubt_where_the_machine_says_which() {
 fn a_bend_that_was_stopped_is_made_again_and_nothing_is_fed_twice() {
     let folder = tempfile::tempdir().unwrap();
     let shop = Shop::at(folder.path());
-    let Step { feed_mm, rotate_deg, bend_deg } = second();
+    let Step { feed_mm, rotate_deg, bend_deg, .. } = second();
     let made = Step { bend_deg: bend_deg / 2.0, ..second() };
     let mut run = stopped(&shop, &json!({"made": made, "exact": false}));
     assert_eq!(run.resume_from(), Resume::Arm { from: 2 });
     let before = work().steps[0].rotate_deg;
     let (rest, head) = rest(&shop, &mut run);
-    assert_eq!((rest, head), (Step { feed_mm: 0.0, rotate_deg: 0.0, bend_deg }, before + rotate_deg));
+    assert_eq!(
+        (rest, head),
+        (Step { feed_mm: 0.0, rotate_deg: 0.0, bend_deg, approach_deg: None }, before + rotate_deg)
+    );
     let part = EntryKind::Part { n: 2, feed_mm, rotate_deg, by: ToldBy::Machine };
     assert!(entries(&shop).iter().any(|entry| entry.what == part));
 }

@@ -24,7 +24,12 @@ pub struct Shop {
 
 pub fn work() -> WireJob {
     let run = Run { job_hash: "5a".repeat(32), name: "bow".into(), steps: STEPS, ..Run::default() };
-    let step = |rotate_deg: &f64| Step { feed_mm: 30.0, rotate_deg: *rotate_deg, bend_deg: 45.0 };
+    let step = |rotate_deg: &f64| Step {
+        feed_mm: 30.0,
+        rotate_deg: *rotate_deg,
+        bend_deg: 45.0,
+        approach_deg: None,
+    };
     let (steps, estimates) = (TURNS.iter().map(step).collect(), vec![Duration::from_secs(10); 5]);
     WireJob { run, steps, estimates, pauses: Vec::new() }
 }

@@ -25,7 +25,7 @@ fn run() -> Run {
 }
 
 fn steps() -> Vec<NumberedStep> {
-    let step = Step { feed_mm: 30.0, rotate_deg: 0.0, bend_deg: 45.0 };
+    let step = Step { feed_mm: 30.0, rotate_deg: 0.0, bend_deg: 45.0, approach_deg: None };
     (1..=2).map(|n| NumberedStep { n, step }).collect()
 }
 

@@ -8,8 +8,8 @@ use crate::pty::{Bench, arm_and_send, built, until, until_told};
 
 /// A bend that takes the model a second.
 const WIRE: [Step; 2] = [
-    Step { feed_mm: 30.0, rotate_deg: 45.0, bend_deg: 90.0 },
-    Step { feed_mm: 10.0, rotate_deg: 0.0, bend_deg: 0.0 },
+    Step { feed_mm: 30.0, rotate_deg: 45.0, bend_deg: 90.0, approach_deg: None },
+    Step { feed_mm: 10.0, rotate_deg: 0.0, bend_deg: 0.0, approach_deg: None },
 ];
 
 /// A machine without switches, which a person has put to zero away from where it was switched on.

@@ -9,8 +9,8 @@ use crate::pty::{arm_and_send, built, connected_and_homed, until};
 
 /// Of whole steps of the model.
 const WIRE: [Step; 2] = [
-    Step { feed_mm: 20.5, rotate_deg: -30.0, bend_deg: 92.35 },
-    Step { feed_mm: 10.0, rotate_deg: 0.0, bend_deg: 0.0 },
+    Step { feed_mm: 20.5, rotate_deg: -30.0, bend_deg: 92.35, approach_deg: None },
+    Step { feed_mm: 10.0, rotate_deg: 0.0, bend_deg: 0.0, approach_deg: None },
 ];
 
 /// Such a wire was reported as finished.

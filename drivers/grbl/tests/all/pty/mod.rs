@@ -23,14 +23,14 @@ const DEADLINE: Duration = Duration::from_mins(1);
 
 /// A corner in three dimensions. All of it is whole steps of the model.
 const WIRE: [Step; 4] = [
-    Step { feed_mm: 60.0, rotate_deg: 90.0, bend_deg: 90.0 },
-    Step { feed_mm: 40.5, rotate_deg: -45.0, bend_deg: -60.25 },
-    Step { feed_mm: 0.0, rotate_deg: 10.0, bend_deg: 30.0 },
-    Step { feed_mm: 70.0, rotate_deg: 0.0, bend_deg: 0.0 },
+    Step { feed_mm: 60.0, rotate_deg: 90.0, bend_deg: 90.0, approach_deg: None },
+    Step { feed_mm: 40.5, rotate_deg: -45.0, bend_deg: -60.25, approach_deg: None },
+    Step { feed_mm: 0.0, rotate_deg: 10.0, bend_deg: 30.0, approach_deg: None },
+    Step { feed_mm: 70.0, rotate_deg: 0.0, bend_deg: 0.0, approach_deg: None },
 ];
 
 /// A feed that takes the model seconds: whatever is asked for comes while it moves.
-const LONG: [Step; 1] = [Step { feed_mm: 5000.0, rotate_deg: 0.0, bend_deg: 0.0 }];
+const LONG: [Step; 1] = [Step { feed_mm: 5000.0, rotate_deg: 0.0, bend_deg: 0.0, approach_deg: None }];
 
 struct Bench {
     session: Box<dyn MachineSession>,

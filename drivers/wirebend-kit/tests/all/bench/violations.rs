@@ -64,6 +64,27 @@ fn the_peg_does_not_come_out_into_the_wire() {
     assert_eq!(told(&empty), []);
 }
 
+/// 60 mm from the tip a bend of some 40 degrees to the other side, and 15 mm behind it the next: what was bent lies where the peg comes
+/// out for straight wire, and not beyond.
+#[test]
+fn the_peg_does_not_come_out_into_wire_that_was_bent() {
+    for (axis, overlaps) in [(-182, true), (-300, true), (-600, false)] {
+        let mut bench = bench();
+        pulses(&mut bench, Axis::Feed, 600);
+        pulses(&mut bench, Axis::Bend, 200);
+        bench.peg(Peg::Out);
+        pulses(&mut bench, Axis::Bend, -800);
+        pulses(&mut bench, Axis::Bend, 800);
+        bench.peg(Peg::In);
+        pulses(&mut bench, Axis::Bend, -200);
+        pulses(&mut bench, Axis::Feed, 200);
+        pulses(&mut bench, Axis::Bend, axis);
+        bench.peg(Peg::Out);
+        let is_told = matches!(told(&bench)[..], [(_, Violation::PegIntoWire { .. })]);
+        assert_eq!(is_told, overlaps, "{axis}: {:?}", told(&bench));
+    }
+}
+
 #[test]
 fn the_peg_comes_back_before_it_goes_in() {
     let mut bench = ready();

@@ -12,7 +12,7 @@ use wirebend_driver_api::{Axis, Event, HeadBy, Motion, PausedBy, Step};
 fn a_machine_is_met_homed_and_armed() {
     let mut table = Table::new(json!({}));
     let Event::Connected { identity, settings, homed, resume, .. } = table.connected() else { panic!() };
-    assert_eq!((identity.as_str(), homed, resume), ("WireBend-kit, firmware 1.10", false, None));
+    assert_eq!((identity.as_str(), homed, resume), ("WireBend-kit, firmware 1.11", false, None));
     assert_eq!(settings, [], "a machine that was set up as its profile says");
     table.home();
     let token = table.arm(0, 1, 0.0);
@@ -31,9 +31,9 @@ fn cube(compensated: bool) -> Vec<Step> {
     let arc = if compensated { 2.4 * std::f64::consts::FRAC_PI_2 } else { 0.0 };
     let turns = [0.0, 0.0, -90.0, 0.0, 90.0, 0.0, -90.0, 0.0];
     let step = |(k, rotate_deg): (usize, f64)| match k {
-        0 => Step { feed_mm: end + arc, rotate_deg, bend_deg: bend },
-        7 => Step { feed_mm: end, rotate_deg: 0.0, bend_deg: 0.0 },
-        _ => Step { feed_mm: between, rotate_deg, bend_deg: bend },
+        0 => Step { feed_mm: end + arc, rotate_deg, bend_deg: bend, approach_deg: None },
+        7 => Step { feed_mm: end, rotate_deg: 0.0, bend_deg: 0.0, approach_deg: None },
+        _ => Step { feed_mm: between, rotate_deg, bend_deg: bend, approach_deg: None },
     };
     turns.into_iter().enumerate().map(step).collect()
 }
@@ -125,7 +125,12 @@ fn homing_turns_a_head_back_that_stands_where_the_program_says() {
 /// A wire that is resumed needs the head where the finished part has left it, to the step.
 #[test]
 fn after_a_stop_the_head_is_turned_again_as_far_as_it_was() {
-    let steps = [0.0, -90.0, 0.0].map(|rotate_deg| Step { feed_mm: 30.0, rotate_deg, bend_deg: 60.0 });
+    let steps = [0.0, -90.0, 0.0].map(|rotate_deg| Step {
+        feed_mm: 30.0,
+        rotate_deg,
+        bend_deg: 60.0,
+        approach_deg: None,
+    });
     let mut table = Table::new(json!({}));
     table.connected();
     table.home();
@@ -163,7 +168,7 @@ fn a_stop_ends_everything_until_the_machine_is_homed() {
 /// A startled user presses STOP more than once. How far the step had come is asked once more each time, and reported.
 #[test]
 fn a_stop_that_is_repeated_still_tells_how_far_the_step_had_come() {
-    let steps = [Step { feed_mm: 30.0, rotate_deg: 0.0, bend_deg: 60.0 }; 3];
+    let steps = [Step { feed_mm: 30.0, rotate_deg: 0.0, bend_deg: 60.0, approach_deg: None }; 3];
     for looks in 0..12 {
         let mut table = Table::new(json!({}));
         table.connected();
@@ -245,10 +250,10 @@ fn what_the_machine_cannot_make_is_refused_before_it_is_sent() {
     table.home();
     table.arm(0, 1, 0.0);
     for step in [
-        Step { feed_mm: 8000.0, rotate_deg: 0.0, bend_deg: 0.0 },
-        Step { feed_mm: 10.0, rotate_deg: 800.0, bend_deg: 0.0 },
-        Step { feed_mm: 10.0, rotate_deg: 0.0, bend_deg: 155.1 },
-        Step { feed_mm: f64::NAN, rotate_deg: 0.0, bend_deg: 0.0 },
+        Step { feed_mm: 8000.0, rotate_deg: 0.0, bend_deg: 0.0, approach_deg: None },
+        Step { feed_mm: 10.0, rotate_deg: 800.0, bend_deg: 0.0, approach_deg: None },
+        Step { feed_mm: 10.0, rotate_deg: 0.0, bend_deg: 155.1, approach_deg: None },
+        Step { feed_mm: f64::NAN, rotate_deg: 0.0, bend_deg: 0.0, approach_deg: None },
     ] {
         assert_eq!(table.refused(step).code, "beyond", "{step:?}");
     }

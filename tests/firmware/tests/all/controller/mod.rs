@@ -1,6 +1,7 @@
 //! The firmware, by what it does on its pins and its serial line: the binary of the board on a simulated Uno, and
 //! the same core on this computer.
 
+mod approach;
 mod backing_off;
 mod boot;
 mod builds;

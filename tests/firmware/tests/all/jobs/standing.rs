@@ -19,7 +19,7 @@ const HALF_A_STEP: f64 = 0.5 / GEARS.feed_steps_per_mm;
 const HALF_A_TURN_STEP: f64 = 0.11;
 
 /// A step that takes seconds on each axis; bends to the negative side.
-const STEP: Step = Step { feed_mm: 400.0, rotate_deg: 200.0, bend_deg: -120.0 };
+const STEP: Step = Step { feed_mm: 400.0, rotate_deg: 200.0, bend_deg: -120.0, approach_deg: None };
 
 /// A homed machine that bends a wire of this step, connected by the driver.
 struct Making {
@@ -99,6 +99,7 @@ impl Making {
             feed_mm: feed / GEARS.feed_steps_per_mm,
             rotate_deg: rotate * 360.0 / f64::from(GEARS.rotate_steps_per_turn),
             bend_deg: bend * 360.0 / f64::from(GEARS.bend_steps_per_turn),
+            approach_deg: None,
         }
     }
 
