@@ -67,6 +67,25 @@ pub(super) struct Outcome<T> {
     pub gaps: Vec<Gap>,
 }
 
+/// Readings from which on their median says something.
+const SEVERAL: usize = 5;
+
+/// What is expected of each sample, less what the readings lose in the median: a wire whose springback is far from what was taken
+/// has all of them off alike, and a reading that is off by as much is no slip.
+fn as_the_table_has_it(samples: &[AngleSample], expected: &[Angle]) -> Vec<Angle> {
+    let off = samples.iter().zip(expected).flat_map(|(sample, expected)| {
+        let readings = sample.readings.iter().flatten();
+        readings.map(|reading| reading.abs().deg() - expected.abs().deg()).filter(|off| off.abs() < 180.0)
+    });
+    let off: Vec<f64> = off.collect();
+    if off.len() < SEVERAL {
+        return expected.to_vec();
+    }
+    let off = median(off).to_radians();
+    let shifted = |angle: &Angle| Angle::computed(angle.signum() * (angle.abs().rad() + off).max(0.0));
+    expected.iter().map(shifted).collect()
+}
+
 pub(super) fn fit(
     assumed: &Assumed,
     samples: &[AngleSample],
@@ -74,13 +93,14 @@ pub(super) fn fit(
 ) -> Result<Outcome<BendFit>, CalibrationError> {
     let before = assumed.bend_model()?;
     let expected: Vec<Angle> = samples.iter().map(|sample| before.result(sample.axis)).collect();
+    let likely = as_the_table_has_it(samples, &expected);
     let readings: Vec<&[Option<Angle>]> = samples.iter().map(|sample| sample.readings.as_slice()).collect();
     let mut screened = screen(
         Kind::Bends,
         &readings,
         Figure::Angle,
         |k| Figure::Angle(expected[k]),
-        |k, reading| bend(samples[k].axis, assumed.axis_limit, expected[k], reading),
+        |k, reading| bend(samples[k].axis, assumed.axis_limit, likely[k], reading),
     );
     let none = |screened: Screened, given| Outcome {
         fit: None,

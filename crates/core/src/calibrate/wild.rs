@@ -51,8 +51,23 @@ pub(super) fn find_wild(problem: &mut Problem) -> Result<Vec<Wild>, NoSolution> 
         }
         problem.data[next].weight = 1.0;
     }
+    for k in all.clone() {
+        if is_repeated(problem, k) {
+            problem.data[k].weight = 1.0;
+        }
+    }
     let wild = all.filter(|&k| problem.data[k].weight == 0.0);
     Ok(wild.map(|k| Wild { datum: k, expected: solution.predicted[problem.data[k].sample] }).collect())
+}
+
+/// Whether another reading of the same sample says the same: then it is no slip, and the machine does something that no parameter
+/// tells.
+fn is_repeated(problem: &Problem, k: usize) -> bool {
+    let datum = &problem.data[k];
+    let near = SET_ASIDE * std::f64::consts::SQRT_2 * problem.first_scatter;
+    let others = problem.data.iter().enumerate().filter(|(other, _)| *other != k);
+    let mut of_sample = others.filter(|(_, other)| other.sample == datum.sample);
+    of_sample.any(|(_, other)| (other.value - datum.value).abs() <= near)
 }
 
 /// A fit in which a large residual counts little and a very large one nothing.
