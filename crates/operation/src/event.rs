@@ -66,7 +66,7 @@ pub struct Doubt {
     pub last: u32,
     /// What it was to do to the wire: feed, then rotate, then bend, as designed.
     pub designed: JobStep,
-    /// What the machine is told of the whole of it.
+    /// What the machine is told of the whole of it, with its feed in mm of wire.
     #[serde(rename = "told")]
     pub commanded: JobStep,
     /// How much of it was in the wire before it was sent last.

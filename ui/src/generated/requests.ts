@@ -690,7 +690,7 @@ export interface AnswerMachine {
  */
 export interface PartOfStep {
   /**
-   * Fed, mm.
+   * Fed, mm of wire.
    */
   feed_mm: number;
   /**

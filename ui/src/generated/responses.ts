@@ -2110,7 +2110,7 @@ export interface Doubt {
  */
 export interface PartOfStep {
   /**
-   * Fed, mm.
+   * Fed, mm of wire.
    */
   feed_mm: number;
   /**

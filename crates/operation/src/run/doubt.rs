@@ -7,7 +7,6 @@ use super::making::Making;
 use super::task::Task;
 use crate::{Decided, Decision, Doubt, LiveProblem, OperationError};
 use wirebend_planning::report::SHOWN_AS_ZERO;
-use wirebend_planning::signs::Signs;
 
 impl Task<'_> {
     /// The user looks whether a step was done, or how much of it.
@@ -22,15 +21,14 @@ impl Task<'_> {
             return Err(self.not_in_doubt(making, said).into());
         }
         let doubt = self.doubt(making, step, last)?;
-        let signs = self.setup.signs;
         let said = decided.map(|decided| decided.what).or_else(|| self.progress.decide(&doubt));
         let outcome = match said {
             Some(Decision::Made) => StepOutcome::Made,
             Some(Decision::NotMade) => StepOutcome::NotMade,
-            Some(Decision::Part(part)) => StepOutcome::Part(signs.told_part(part)),
+            Some(Decision::Part(part)) => StepOutcome::Part(self.told_part(part)),
             Some(Decision::AsCounted) => {
                 let counted = doubt.counted.ok_or(LiveProblem::NotCounted { step })?;
-                StepOutcome::Part(signs.told_part(counted))
+                StepOutcome::Part(self.told_part(counted))
             }
             None => {
                 let run = self.target(making.wire);
@@ -44,10 +42,10 @@ impl Task<'_> {
     fn doubt(&self, making: &Making, step: u32, last: u32) -> Result<Doubt, OperationError> {
         let (designed, commanded) = self.step(making.wire, step)?;
         let state = making.run.journal_state();
-        let (of, before) = (state.heading.steps, self.setup.signs.part(state.part));
+        let (of, before) = (state.heading.steps, self.part(state.part));
         let counted = making.run.doubtful().and_then(|doubtful| doubtful.counted);
-        let counted = counted.map(|part| self.setup.signs.part(part));
         let in_step = counted.map_or(0.0, |part| self.time_part(making.wire, step, part));
+        let counted = counted.map(|part| self.part(part));
         Ok(Doubt { wire: making.wire, step, of, last, designed, commanded, before, counted, in_step })
     }
 
@@ -59,7 +57,7 @@ impl Task<'_> {
             return Ok(None);
         }
         let (_, commanded) = self.step(making.wire, step)?;
-        let part = self.setup.signs.part(part);
+        let part = self.part(part);
         let left = |whole: f64, part: f64, amount: fn(f64) -> String| {
             let rest = whole - part;
             if rest.abs() < SHOWN_AS_ZERO {
@@ -86,24 +84,24 @@ impl Task<'_> {
 }
 
 /// Whether the journal says the same already: an answer that is given again changes nothing.
-pub(super) fn is_settled(run: &JobRun, signs: Signs, Decided { step, what }: Decided) -> bool {
+pub(super) fn is_settled(task: &Task, run: &JobRun, Decided { step, what }: Decided) -> bool {
     let state = run.journal_state();
     let next = step == state.done + 1 && state.in_doubt().is_none();
     match what {
         Decision::Made => step <= state.done,
         Decision::NotMade => next && state.part == Part::default(),
         Decision::AsCounted => next && run.counted_before(step) == Some(state.part),
-        Decision::Part(part) => next && state.part.is_measured_as(signs.told_part(part)),
+        Decision::Part(part) => next && state.part.is_measured_as(task.told_part(part)),
     }
 }
 
 /// What a person has said of steps, as a question whether it is so.
-pub(super) fn said_before(run: &JobRun, signs: Signs) -> Option<(u32, String)> {
+pub(super) fn said_before(task: &Task, run: &JobRun) -> Option<(u32, String)> {
     let said = |(step, outcome)| match outcome {
         StepOutcome::Made => format!("step {step} was done"),
         StepOutcome::NotMade => format!("nothing of step {step} was done"),
         StepOutcome::Part(part) => {
-            let part = signs.part(part);
+            let part = task.part(part);
             format!("of step {step} {:.1} were fed and {:.1}° turned", Mm(part.feed_mm), part.rotate_deg)
         }
     };

@@ -316,7 +316,7 @@ impl Making<'_, '_> {
         let (_, of) = self.task.step(self.wire, doubtful.step)?;
         Ok(Some(StoppedIn {
             step: doubtful.step,
-            made: signs.part(counted),
+            made: self.task.part(counted),
             of,
             bend_at_deg: signs.canonical(told).bend_deg,
             sure: !doubtful.measure,

@@ -51,9 +51,9 @@ pub enum LeftBecause {
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct StoppedIn {
     pub step: u32,
-    /// How much of it is fed, mm, and turned, degrees.
+    /// How much of it is fed, mm of wire, and turned, degrees.
     pub made: PartOfStep,
-    /// What the machine is told of it in all: the bend starts from its beginning.
+    /// What the machine is told of it in all, with its feed in mm of wire: the bend starts from its beginning.
     pub of: JobStep,
     /// Where the bend axis stands, degrees.
     pub bend_at_deg: f64,

@@ -110,7 +110,7 @@ impl Task<'_> {
         mut decided: Option<Decided>,
     ) -> Result<Settling, OperationError> {
         // What was said before, and was written down then, is not said again.
-        decided = decided.filter(|decided| !is_settled(&making.run, self.setup.signs, *decided));
+        decided = decided.filter(|decided| !is_settled(self, &making.run, *decided));
         if decided.is_none() && !self.request.answers.confirmed {
             self.ask_what_was_said(making)?;
         }
@@ -170,7 +170,7 @@ impl Task<'_> {
 
     /// What was said before counts, unless the person takes it back now.
     fn ask_what_was_said(&self, making: &mut Making) -> Result<(), LiveProblem> {
-        let Some((first, question)) = said_before(&making.run, self.setup.signs) else { return Ok(()) };
+        let Some((first, question)) = said_before(self, &making.run) else { return Ok(()) };
         if self.progress.is_so(&question) == Some(false) {
             making.run.take_back(first)?;
         }

@@ -1,6 +1,7 @@
 //! How far a machine is in the step that it runs, from where it reports its axes.
 
 use wirebend_core::estimate::StepSeconds;
+use wirebend_driver_host::jobs::Part;
 use wirebend_planning::machine::kept_steps;
 use wirebend_planning::{JobStep, PartOfStep};
 
@@ -127,9 +128,9 @@ impl Task<'_> {
     }
 
     /// The part of a step's time that a machine took for so much of the step, which is counted from 1.
-    pub(super) fn time_part(&self, wire: usize, step: u32, counted: PartOfStep) -> f64 {
+    pub(super) fn time_part(&self, wire: usize, step: u32, counted: Part) -> f64 {
         let mut watch = self.step_watch(wire);
-        let PartOfStep { feed_mm, rotate_deg } = counted;
+        let PartOfStep { feed_mm, rotate_deg } = self.setup.signs.part(counted);
         for (feed_mm, rotate_deg) in [(0.0, 0.0), (feed_mm, rotate_deg)] {
             watch.position(JobStep { feed_mm, rotate_deg, bend_deg: 0.0 });
             watch.in_step(step.saturating_sub(1));

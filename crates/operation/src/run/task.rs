@@ -5,7 +5,7 @@ use std::path::Path;
 
 use wirebend_driver_host::api::DoneBy;
 use wirebend_driver_host::jobs::{
-    Clock, Entry, EntryKind, Heading, Journal, JournalError, Record, SystemClock, WireJob,
+    Clock, Entry, EntryKind, Heading, Journal, JournalError, Part, Record, SystemClock, WireJob,
 };
 use wirebend_error::{InputName, RunTarget};
 use wirebend_files::document::{Job, JobPause, JobStep, JobWire};
@@ -25,7 +25,7 @@ use wirebend_planning::job::work;
 use wirebend_planning::machine::{Setup, accepted_errors, restored};
 use wirebend_planning::output::Output;
 use wirebend_planning::report::NoteReport;
-use wirebend_planning::{Installation, PlanningError};
+use wirebend_planning::{Installation, PartOfStep, PlanningError};
 
 /// A job, its machine, and the journals of its wires.
 pub struct Task<'a> {
@@ -178,12 +178,31 @@ impl<'a> Task<'a> {
         })
     }
 
-    /// A step of a wire, from 1: as designed, and as sent to the machine in canonical signs.
+    /// A step of a wire, from 1: as designed, and as sent to the machine in canonical signs, its feed in mm of wire: a person can
+    /// measure nothing else.
     pub fn step(&self, wire: usize, n: u32) -> Result<(JobStep, JobStep), OperationError> {
         let index = usize::try_from(n).unwrap_or(usize::MAX).saturating_sub(1);
         let kept = self.wire(wire)?;
         let at = |steps: &[JobStep]| steps.get(index).copied().unwrap_or_default();
-        Ok((at(&kept.scheduled), at(&kept.compensated)))
+        let commanded = at(&kept.compensated);
+        let feed_mm = commanded.feed_mm * self.feed_scale();
+        Ok((at(&kept.scheduled), JobStep { feed_mm, ..commanded }))
+    }
+
+    /// How much of a step is in the wire, from what the machine counts.
+    pub fn part(&self, part: Part) -> PartOfStep {
+        let part = self.setup.signs.part(part);
+        PartOfStep { feed_mm: part.feed_mm * self.feed_scale(), ..part }
+    }
+
+    /// How much of a step is in the wire as a person says it, as the machine counts it.
+    pub fn told_part(&self, part: PartOfStep) -> Part {
+        self.setup.signs.told_part(PartOfStep { feed_mm: part.feed_mm / self.feed_scale(), ..part })
+    }
+
+    /// Wire that is fed for each commanded millimetre.
+    fn feed_scale(&self) -> f64 {
+        self.setup.model.compensation.motion.feed_scale
     }
 
     /// `piece`: from 1. Of several wires or pieces each has a file of its own.

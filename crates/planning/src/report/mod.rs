@@ -57,7 +57,7 @@ pub fn shown_deg(deg: f64) -> f64 {
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PartOfStep {
-    /// Fed, mm.
+    /// Fed, mm of wire.
     pub feed_mm: f64,
     /// Turned, degrees.
     pub rotate_deg: f64,

@@ -207,6 +207,27 @@ fn a_program_that_was_killed_is_gone_on_with_by_a_person() {
     assert!(!record["interruptions"].as_array().unwrap().is_empty());
 }
 
+/// A rule measures wire. Where a millimetre that is commanded gives 1.25 mm of it, 5 mm are 4 mm as the machine counts.
+#[test]
+fn what_a_person_measures_is_wire_whatever_the_feed_gives() {
+    let shop = Shop::cube();
+    let set = ["profile", "set", "mine", "--from", "wirebend-kit", "--kind", "machine", "feed.scale=1.25"];
+    shop.run(&[&set[..], &["--source", "a rule"]].concat()).ended(0);
+    let plan = ["plan", &crate::example("cube-8-edges.obj"), "-m", "mine", "-o", "a.wbjob", "--force"];
+    shop.run(&plan).ended(0);
+    let mut going = Going::start(&shop, &RUN);
+    going.until("step 2 of 8 is done");
+    going.send(Signal::KILL);
+    going.end();
+    let step = count(&shop, "done") + 1;
+    let asked = shop.make(&["--yes", "--resume"]).ended(2).err;
+    assert!(asked.contains(&format!("step {step} of 8")), "{asked}");
+    shop.make(&["--yes", &format!("--resume=part:{step}:5:0")]).ended(0);
+    let parts: Vec<Value> = entries(&shop).into_iter().filter(|entry| entry["by"] == "person").collect();
+    assert_eq!(parts.len(), 1, "{parts:?}");
+    assert_eq!((&parts[0]["n"], &parts[0]["feed_mm"]), (&json!(step), &json!(4.0)));
+}
+
 #[test]
 fn a_wire_is_given_up_and_begun_anew() {
     let shop = Shop::cube();
