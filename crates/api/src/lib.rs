@@ -63,8 +63,8 @@ pub use wirebend_planning::error::{DriverProblem, ErrorKind, PlanningError, Sten
 pub use wirebend_planning::export::{ExportFormat, ExportRequest, ExportResponse};
 pub use wirebend_planning::frame::{
     AchievedReport, ClosedShapes, ClosingChoice, ClosingFigures, ClosingName, ClosingReport, ClosingRuns,
-    ContinuumChoice, FrameFigures, FrameRequest, FrameResponse, FrameShapes, FrameSupports, LoadsChoice,
-    MemberReport, ModeKindName, ModeReport, ReactionReport, RequirementName, RequirementsChoice,
+    ContinuumChoice, FrameFigures, FrameFiles, FrameRequest, FrameResponse, FrameShapes, FrameSupports,
+    LoadsChoice, MemberReport, ModeKindName, ModeReport, ReactionReport, RequirementName, RequirementsChoice,
     ResourcesReport, StaticReport, ToleranceRequest, ToleranceResponse, ToleranceSubject, VaryName,
 };
 pub use wirebend_planning::generate::{GenerateRequest, GenerateResponse, GeneratedShape};

@@ -32,6 +32,15 @@ pub(crate) struct FrameArgs {
     /// Write displacements and forces as tables, NAME-nodes.csv and NAME-members.csv for NAME.csv
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,
+    /// Write the frame as it is computed, and what acts on it, for conmech: NAME.json and NAME-loads.json
+    #[arg(long, value_name = "FILE")]
+    pub conmech: Option<PathBuf>,
+    /// Write the deformed shape as a model, binary glTF
+    #[arg(long, value_name = "FILE")]
+    pub glb: Option<PathBuf>,
+    /// Enlarge the displacements of the model by this factor; 1 is true scale
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, requires = "glb", allow_hyphen_values = true)]
+    pub displacement_scale: f64,
     /// Replace files that are there
     #[arg(long)]
     pub force: bool,

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use wirebend_api::{
-    ClosingChoice, ClosingName, Command, FrameRequest, LoadsChoice, Output, ToleranceRequest,
+    ClosingChoice, ClosingName, Command, FrameFiles, FrameRequest, LoadsChoice, Output, ToleranceRequest,
     ToleranceSubject,
 };
 
@@ -14,8 +14,10 @@ use crate::usage::WrongUse;
 
 pub(super) fn frame(args: FrameArgs) -> anyhow::Result<Command> {
     let faces = args.closing.faces.as_deref().map(input).transpose()?;
-    if [&args.vtk, &args.csv].into_iter().flatten().any(|path| path == Path::new("-")) {
-        return Err(WrongUse("results go to files: name one after --vtk or --csv".to_owned()).into());
+    let named = [&args.vtk, &args.csv, &args.conmech, &args.glb];
+    if named.into_iter().flatten().any(|path| path == Path::new("-")) {
+        let words = "results go to files: name one after --vtk, --csv, --conmech or --glb";
+        return Err(WrongUse(words.to_owned()).into());
     }
     if !args.close && (args.closing.closing.is_some() || args.closing.faces.is_some()) {
         let words = "--closing and --faces are for joints that are closed: give --close and --errors, too";
@@ -37,8 +39,13 @@ pub(super) fn frame(args: FrameArgs) -> anyhow::Result<Command> {
         supports: args.supports,
         loads: loads.map(|file| LoadsChoice { file, case: args.load_case }),
         gravity: args.gravity.map(|gravity| gravity.0),
-        vtk: args.vtk.map(file),
-        csv: args.csv.map(file),
+        files: Box::new(FrameFiles {
+            vtk: args.vtk.map(file),
+            csv: args.csv.map(file),
+            conmech: args.conmech.map(file),
+            glb: args.glb.map(file),
+            displacement_scale: args.displacement_scale,
+        }),
         modes: args.modes,
         pieces: args.pieces,
         close,

@@ -317,25 +317,6 @@ fn struts_that_do_not_hold_are_named() {
     assert!(codes.contains(&"strut_near_buckling"), "{codes:?}");
 }
 
-/// `ParaView` opens the file; a table has a row for each vertex and each strut.
-#[test]
-fn results_are_written_for_other_programs() {
-    let folder = tempfile::tempdir().unwrap();
-    let bunny = data("framefab/bunny0507_.pwf");
-    let arguments = ["frame", &bunny, "--material", "abs-1-5mm", "--vtk", "bunny.vtk", "--csv", "bunny.csv"];
-    run_in(folder.path(), &arguments, b"").ended(0);
-    let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
-    assert!(read("bunny.vtk").starts_with("# vtk DataFile Version "));
-    // The heading, and 179 struts.
-    assert_eq!(read("bunny-members.csv").lines().filter(|line| !line.starts_with('#')).count(), 180);
-    assert_eq!(read("bunny-nodes.csv").lines().filter(|line| !line.starts_with('#')).count(), 92);
-    let again = run_in(folder.path(), &arguments, b"").ended(2).err;
-    assert!(again.contains("exists already"), "{again}");
-    let floating = [&arguments[..], &["--supports", "free", "--force"]].concat();
-    let said = run_in(folder.path(), &floating, b"").ended(0).err;
-    assert!(said.contains("no file of displacements is written"), "{said}");
-}
-
 #[test]
 fn a_person_reads_what_the_frame_does() {
     let said = frame(&data("framefab/bunny0507_.pwf"), &["--material", "abs-1-5mm"]).ended(0);

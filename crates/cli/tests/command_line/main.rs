@@ -8,6 +8,7 @@ mod compare;
 #[cfg(target_os = "linux")]
 mod documents;
 mod drivers;
+mod frame_files;
 mod frames;
 mod generated;
 mod machine;

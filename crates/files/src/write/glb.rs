@@ -1,4 +1,4 @@
-//! Binary glTF 2.0 of the bent wire: its surface, in metres with y up as the format wants it.
+//! Binary glTF 2.0 of lines in space, such as the bent wire: their surface, in metres with y up as the format wants it.
 
 use nalgebra::Point3;
 use serde_json::{Value, json};
@@ -13,19 +13,34 @@ const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 /// Drawn wire: a metal, and how rough.
 const METAL: [f64; 2] = [1.0, 0.35];
 
+/// A line whose surface is written.
+pub(super) struct Line<'a> {
+    pub name: String,
+    /// mm, z up.
+    pub points: &'a [Point3<f64>],
+    pub tube: Tube,
+}
+
 /// Writes the surface of wires (mm, z up), each as a node of its own. Wires of less than two points are left out.
 #[must_use]
 pub fn glb(wires: &[Centreline], tube: Tube) -> Vec<u8> {
+    let wires = wires.iter().enumerate();
+    let lines = wires.map(|(k, wire)| Line { name: format!("wire {}", k + 1), points: &wire.points, tube });
+    of_lines(lines)
+}
+
+/// Writes the surface of lines, each as a node of its own. Lines of less than two points are left out.
+pub(super) fn of_lines<'a>(lines: impl Iterator<Item = Line<'a>>) -> Vec<u8> {
     let mut binary = Vec::new();
     let (mut nodes, mut meshes, mut accessors, mut views) = (vec![], vec![], vec![], vec![]);
-    for (k, wire) in wires.iter().enumerate().filter(|(_, wire)| wire.points.len() > 1) {
-        let swept = Swept::new(&wire.points, tube);
+    for line in lines.filter(|line| line.points.len() > 1) {
+        let swept = Swept::new(line.points, line.tube);
         let points: Vec<[f32; 3]> = swept.points.iter().map(in_metres).collect();
         let indices: Vec<u32> = swept.faces().flat_map(|face| triangles(&face)).collect();
         let edge = |pick: fn(f32, f32) -> f32, from: f32| {
             points.iter().fold([from; 3], |edge, p| std::array::from_fn(|axis| pick(edge[axis], p[axis])))
         };
-        nodes.push(json!({ "name": format!("wire {}", k + 1), "mesh": meshes.len() }));
+        nodes.push(json!({ "name": line.name, "mesh": meshes.len() }));
         let attributes = json!({ "POSITION": accessors.len() });
         let primitive = json!({ "attributes": attributes, "indices": accessors.len() + 1, "material": 0 });
         meshes.push(json!({ "primitives": [primitive] }));

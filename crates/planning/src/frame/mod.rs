@@ -2,6 +2,7 @@
 //! `tolerance`: how good a machine must be for that.
 
 mod closing;
+mod conmech;
 mod faces;
 mod figures;
 mod findings;
@@ -19,7 +20,7 @@ mod tolerance;
 mod wires;
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
 use schemars::JsonSchema;
@@ -30,7 +31,6 @@ use wirebend_files::read::NoteKind;
 
 use crate::choices::PlanChoices;
 use crate::design::DesignInput;
-use crate::output::{Output, file_name};
 use crate::report::{DiagnosticReport, NoteReport, SeverityName};
 use crate::{Installation, PlanningError, Progress};
 pub use closing::{ClosingChoice, ClosingName, ClosingReport, ClosingRuns, ResourcesReport};
@@ -39,7 +39,8 @@ pub use loads::LoadsChoice;
 pub(crate) use material::FrameMaterial;
 pub use modes::{ModeKindName, ModeReport};
 pub use report::{MemberReport, ReactionReport, StaticReport};
-use results::Wanted;
+pub use results::FrameFiles;
+use results::{Loaded, Wanted};
 pub use shapes::{ClosedShapes, FrameShapes, MadeLine, StrutLine, StrutShape};
 use structure::Structure;
 pub use supports::FrameSupports;
@@ -65,10 +66,9 @@ pub struct FrameRequest {
     pub gravity: Option<[f64; 3]>,
     /// What acts on it besides.
     pub loads: Option<LoadsChoice>,
-    /// Displacements and forces for a program that shows them, as a VTK file.
-    pub vtk: Option<Output>,
-    /// The same as tables: `NAME-nodes.csv` and `NAME-members.csv` for `NAME.csv`.
-    pub csv: Option<Output>,
+    /// What is written for other programs.
+    #[serde(default)]
+    pub files: Box<FrameFiles>,
     /// How many modes to look for, the rigid ones aside.
     #[serde(default)]
     pub modes: u32,
@@ -153,7 +153,7 @@ fn compute(
 ) -> Result<(FrameResponse, FrameShapes), PlanningError> {
     within(InputName::Modes, u64::from(request.modes), 0, u64::from(MAX_MODES), "0 to 1000")?;
     within(InputName::Pieces, u64::from(request.pieces), 1, u64::from(MAX_PIECES), "1 to 100")?;
-    let wanted = Wanted::of(request)?;
+    let wanted = Wanted::of(&request.files)?;
     let mut timings = Timings::default();
     let opened = app.designed(request.design.open(progress)?, &request.choices)?.with_wireframe()?;
     let material = app.frame_material(&opened, &request.choices)?;
@@ -173,7 +173,8 @@ fn compute(
     let load = loads::loads(&opened, &structure, request.gravity, request.loads.as_ref())?;
     let solved = structure.statics(&opened, &material, &request.supports, &load, &mut found)?;
     timings.took("static");
-    let files = wanted.write(&structure, solved.as_ref(), &file_name(Path::new(&opened.name)), &mut notes)?;
+    let loaded = Loaded { opened: &opened, structure: &structure, material: &material, load: &load };
+    let files = wanted.write(loaded, solved.as_ref(), &mut notes)?;
     progress.stage("looking for modes");
     let (modes, mode_shapes) = structure.modes(request.modes, request.pieces, drawn)?;
     timings.took("modes");

@@ -65,10 +65,15 @@ impl Structure {
         self.vertices.binary_search(&id).ok().map(NodeId)
     }
 
+    /// How many struts have a section that is no solid round.
+    pub fn of_other_sections(&self, material: &FrameMaterial) -> usize {
+        let members = self.assembly.model().members.iter();
+        members.filter(|member| !material.knows_stress(member.section)).count()
+    }
+
     /// Struts whose section is no solid round have no stress, and so no yield check, which is worth knowing of.
     pub fn without_stress(&self, material: &FrameMaterial) -> Option<NoteReport> {
-        let members = self.assembly.model().members.iter();
-        let count = members.filter(|member| !material.knows_stress(member.section)).count();
+        let count = self.of_other_sections(material);
         let of = if count == 1 { "1 edge".to_owned() } else { format!("{count} edges") };
         (count > 0).then(|| NoteReport {
             code: "stress-unknown".into(),

@@ -10,25 +10,25 @@ use crate::read::frame::{FrameFile, LoadCase};
 /// Standard gravity, m/s²: the format states a weight per volume.
 const GRAVITY: f64 = 9.80665;
 
-/// Writes a frame. Every element has a tag of its own, by which sections, materials and loads name it. A support that the frame does not
-/// name is held in every direction; an edge without section or material gets none, which conmech refuses.
+/// Writes a frame as `frame` describes it, which holds no other vertices than that says. Its nodes are the vertices at which edges end, in
+/// order of their ids and numbered from 0. Every element has a tag of its own, by which sections, materials and loads name it. An edge
+/// without section or material gets none, which conmech refuses.
 #[must_use]
 pub fn conmech_frame(wireframe: &Wireframe, frame: &FrameFile, name: &str) -> String {
     let numbers = numbers(wireframe);
-    let held =
-        |id: VertexId, support: bool| frame.supports.get(&id).copied().or(support.then_some([true; 6]));
-    let nodes = wireframe.vertices().map(|(id, vertex)| {
+    let used = || wireframe.vertices().filter_map(|(id, vertex)| Some((id, vertex, *numbers.get(&id)?)));
+    let nodes = used().map(|(id, vertex, number)| {
         let at = vertex.position;
         let metres = [at.x, at.y, at.z].map(|mm| mm / 1e3);
         json!({
             "point": metres,
-            "node_ind": numbers[&id],
-            "is_grounded": held(id, vertex.support).is_some(),
+            "node_ind": number,
+            "is_grounded": frame.supports.contains_key(&id),
         })
     });
-    let supports = wireframe.vertices().filter_map(|(id, vertex)| {
-        let condition = held(id, vertex.support)?;
-        Some(json!({ "condition": condition, "node_ind": numbers[&id] }))
+    let supports = used().filter_map(|(id, _, number)| {
+        let condition = frame.supports.get(&id)?;
+        Some(json!({ "condition": condition, "node_ind": number }))
     });
     let elements = wireframe.edges().enumerate().map(|(k, (id, edge))| {
         let layer = frame.members.get(&id).and_then(|member| member.layer);
@@ -78,7 +78,7 @@ pub fn conmech_frame(wireframe: &Wireframe, frame: &FrameFile, name: &str) -> St
     let file = json!({
         "model_name": name,
         "unit": "meter",
-        "node_num": wireframe.vertex_count(),
+        "node_num": numbers.len(),
         "element_num": wireframe.edge_count(),
         "nodes": nodes.collect::<Vec<_>>(),
         "elements": elements.collect::<Vec<_>>(),
@@ -120,8 +120,10 @@ pub fn conmech_loads(wireframe: &Wireframe, cases: &[LoadCase]) -> String {
     format!("{:#}\n", json!({ "loadcases": cases }))
 }
 
+/// The numbers of the vertices at which edges end: another node would be free to move without any force.
 fn numbers(wireframe: &Wireframe) -> BTreeMap<VertexId, usize> {
-    wireframe.vertices().enumerate().map(|(number, (id, _))| (id, number)).collect()
+    let used = wireframe.vertices().map(|(id, _)| id).filter(|id| !wireframe.incident(*id).is_empty());
+    used.enumerate().map(|(number, id)| (id, number)).collect()
 }
 
 fn tag(edge: EdgeId) -> String {

@@ -13,7 +13,7 @@ use wirebend_core::wireframe::{EdgeId, VertexId};
 pub use assembly::{BuiltMember, assembly_instances};
 pub use conmech::{conmech_frame, conmech_loads};
 pub use csv::{members_csv, nodes_csv};
-pub use glb::deformed_glb;
+pub use glb::{DeformedStrut, deformed_glb};
 pub use sequence::framefab_sequence;
 pub use vtk::vtk;
 

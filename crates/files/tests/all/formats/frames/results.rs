@@ -10,10 +10,9 @@ use wirebend_files::read::frame::{
     SequenceStep, StrutKind, read_loads, read_sequence,
 };
 use wirebend_files::read::{Imported, ReadOptions, read};
-use wirebend_files::write::Tube;
 use wirebend_files::write::frame::{
-    BuiltMember, FrameResult, ResultMember, ResultNode, assembly_instances, conmech_frame, conmech_loads,
-    deformed_glb, framefab_sequence, members_csv, nodes_csv, vtk,
+    BuiltMember, DeformedStrut, FrameResult, ResultMember, ResultNode, assembly_instances, conmech_frame,
+    conmech_loads, deformed_glb, framefab_sequence, members_csv, nodes_csv, vtk,
 };
 
 use crate::formats::{data, mm};
@@ -88,24 +87,24 @@ fn tables_have_a_row_for_each_node_and_each_strut() {
     assert_eq!(members_csv(&unknown), format!("{header}9,4,7,100,-0.5,12,0,,,0.125,\n"));
 }
 
-/// The cubic of a beam with a force at its free end: the middle has 5/16 of the end's deflection, whose slope is 1.5 of it over the length.
+/// Rings of corners stand around the points of a strut where it has moved to, each as far from it as the strut is thick.
 #[test]
-fn the_deformed_shape_is_that_of_a_beam() {
-    let (end, radius) = (-2.0, 0.01);
-    let mut frame = cantilever();
-    frame.nodes[1].rotation = Vector3::new(0.0, -1.5 * end / 100.0, 0.0);
-    let tube = Tube { radius: mm(radius), sides: 4 };
-    let options = ReadOptions::default();
-    let model = read(&deformed_glb(&frame, 10.0, tube), "frame.glb", None, &options).unwrap();
-    let surface = model.stencil.unwrap();
-    let middle: Vec<&Point3<f64>> =
-        surface.vertices().iter().filter(|point| (point.x - 50.0).abs() < 0.1).collect();
-    assert_eq!(middle.len(), 4);
-    for point in middle {
-        assert!((point.z - 10.0 * end * 5.0 / 16.0).abs() < 2.0 * radius, "{point}");
+fn the_deformed_shape_is_where_its_points_move_to() {
+    let at: Vec<Point3<f64>> = [0.0, 50.0, 100.0].map(|x| Point3::new(x, 0.0, 0.0)).to_vec();
+    let moved = vec![Vector3::zeros(), Vector3::new(0.0, 0.25, -0.625), Vector3::new(0.5, 0.0, -2.0)];
+    let struts = [DeformedStrut { edge: EdgeId(9), radius: mm(0.75), at, moved }];
+    for scale in [1.0, 10.0] {
+        let file = deformed_glb(&struts, scale);
+        assert!(String::from_utf8_lossy(&file).contains("\"edge 9\""), "a strut is found by its edge");
+        let model = read(&file, "frame.glb", None, &ReadOptions::default()).unwrap();
+        let surface = model.stencil.unwrap();
+        let near = |point: Point3<f64>| {
+            surface.vertices().iter().filter(|corner| ((*corner - point).norm() - 0.75).abs() < 1e-4).count()
+        };
+        for (at, moved) in struts[0].at.iter().zip(&struts[0].moved) {
+            assert_eq!(near(at + moved * scale), 12, "{at} {scale}");
+        }
     }
-    let lowest = surface.vertices().iter().map(|point| point.z).fold(f64::INFINITY, f64::min);
-    assert!((lowest - 10.0 * end).abs() < 2.0 * radius, "{lowest}");
 }
 
 /// A frame of which every material and section is used.
@@ -147,6 +146,28 @@ fn any_frame() -> impl Strategy<Value = (Wireframe, FrameFile)> {
         }
         (wireframe, frame)
     })
+}
+
+/// conmech would find a node at which nothing ends free to move, and numbers of nodes have no gaps.
+#[test]
+fn a_vertex_without_struts_is_no_node_of_conmech() {
+    let mut wireframe = Wireframe::new();
+    for (id, x) in [(2, 0.0), (3, 50.0), (7, 100.0)] {
+        let vertex = Vertex { support: true, ..Vertex::at(Point3::new(x, 0.0, 0.0)) };
+        wireframe.insert_vertex(VertexId(id), vertex).unwrap();
+    }
+    wireframe.insert_edge(EdgeId(4), Edge::between(VertexId(2), VertexId(7))).unwrap();
+    let pinned = [true, true, true, false, false, false];
+    let frame = FrameFile { supports: [(VertexId(7), pinned)].into(), ..FrameFile::default() };
+    let read = back(&conmech_frame(&wireframe, &frame, "gap"));
+    let found: Vec<(VertexId, f64, bool)> =
+        read.wireframe.vertices().map(|(id, vertex)| (id, vertex.position.x, vertex.support)).collect();
+    assert_eq!(found, [(VertexId(0), 0.0, false), (VertexId(1), 100.0, true)]);
+    assert_eq!(read.frame.unwrap().supports, [(VertexId(1), pinned)].into());
+    let nodal = vec![NodalLoad { vertex: VertexId(7), force_n: [0.0, 0.0, -2.0], moment_n_mm: [0.0; 3] }];
+    let text = conmech_loads(&wireframe, &[LoadCase { nodal, ..LoadCase::default() }]);
+    let loads = read_loads(text.as_bytes(), "loads.json", &read.wireframe, None).unwrap();
+    assert_eq!(loads[0].nodal[0].vertex, VertexId(1));
 }
 
 fn back(text: &str) -> Imported {
