@@ -38,7 +38,7 @@ pub use assembly::Assembly;
 pub use error::{LoadError, ModelError, ModesError, SolveError, Unstable};
 pub use factor::Factor;
 pub use flexibility::{Flexibility, Sag};
-pub use load::{EndMotion, LineLoad, Load, Misfit, NodalLoad, STANDARD_GRAVITY};
+pub use load::{EndMotion, LineLoad, Load, Misfit, NodalLoad, NodeMass, STANDARD_GRAVITY};
 pub use member_set::MemberSet;
 pub use model::{Member, MemberId, Model, NodeId, SectionId, Support};
 pub use modes::{Mode, ModeKind, ModeSearch};

@@ -18,6 +18,15 @@ pub struct NodalLoad {
     pub moment: Vector3<f64>,
 }
 
+/// A mass at a node, such as that of a joint.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NodeMass {
+    /// Which node.
+    pub node: NodeId,
+    /// t.
+    pub mass: f64,
+}
+
 /// A force spread evenly along a member.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LineLoad {
@@ -57,8 +66,10 @@ pub struct Load {
     pub nodal: Vec<NodalLoad>,
     /// Forces along members.
     pub line: Vec<LineLoad>,
-    /// The acceleration that pulls at every member that is there, mm/s²; zero for none.
+    /// The acceleration that pulls at every member that is there, and at masses, mm/s²; zero for none.
     pub gravity: Vector3<f64>,
+    /// Masses at nodes. A node at which no member that is there ends has none.
+    pub masses: Vec<NodeMass>,
     /// Members that do not fit.
     pub misfits: Vec<Misfit>,
     /// Members that do not fit, in general. It adds to their misfit.

@@ -37,6 +37,10 @@ impl Acting {
                 *sum += value;
             }
         }
+        for mass in load.masses.iter().filter(|mass| touched.get(mass.node.0) == Some(&true)) {
+            let weight = load.gravity * mass.mass;
+            acting.nodal[mass.node.0].iter_mut().zip(weight.iter()).for_each(|(sum, value)| *sum += value);
+        }
         for member in members.iter() {
             acting.line[member.0] = load.gravity * assembly.weight(member);
         }

@@ -12,7 +12,7 @@ use nalgebra::Vector3;
 
 use crate::assembly::Assembly;
 use crate::error::Unstable;
-use crate::load::Load;
+use crate::load::{Load, NodeMass};
 use crate::loads;
 use crate::member_set::MemberSet;
 use crate::model::{MemberId, NodeId};
@@ -46,7 +46,10 @@ pub struct Sag {
 /// or more, since a strut that carries a soft frame is the small difference of large flexibilities.
 pub struct Flexibility<'a> {
     assembly: &'a Assembly,
-    gravity: Vector3<f64>,
+    /// Gravity, and masses at nodes.
+    weight: Load,
+    /// Of each node, its mass, t.
+    mass: Vec<f64>,
     standing: MemberSet,
     /// Of each node, how many members that stand touch it.
     touching: Vec<usize>,
@@ -69,14 +72,27 @@ impl<'a> Flexibility<'a> {
     /// Nothing stands yet. `gravity` is the acceleration, mm/s².
     #[must_use]
     pub fn new(assembly: &'a Assembly, gravity: Vector3<f64>) -> Self {
+        Self::with_masses(assembly, gravity, &[])
+    }
+
+    /// Nothing stands yet; masses at nodes weigh something as soon as a member that stands ends there.
+    #[must_use]
+    pub fn with_masses(assembly: &'a Assembly, gravity: Vector3<f64>, masses: &[NodeMass]) -> Self {
         let nodes = assembly.model().nodes.len();
+        let mut mass = vec![0.0; nodes];
+        for at in masses {
+            if let Some(sum) = mass.get_mut(at.node.0) {
+                *sum += at.mass;
+            }
+        }
         let equations = &assembly.equations.of_node;
         let held: Vec<usize> =
             equations.iter().map(|of| of.iter().filter(|&&k| k == crate::equations::NONE).count()).collect();
         let free = held.iter().filter(|&&count| count < 6).count();
         Self {
             assembly,
-            gravity,
+            weight: Load { gravity, masses: masses.to_vec(), ..Load::default() },
+            mass,
             standing: MemberSet::empty(assembly.model().members.len()),
             touching: vec![0; nodes],
             held,
@@ -252,11 +268,10 @@ impl<'a> Flexibility<'a> {
         if self.is_half_held(a) || self.is_half_held(b) {
             return Ok(None);
         }
-        let strut = |from_a| Strut::new(self.assembly, member, from_a, self.gravity);
         Ok(Some(match (self.stands(a), self.stands(b)) {
-            (true, true) => Place::Joins(strut(true)),
-            (true, false) => Place::Hangs(strut(true)),
-            _ => Place::Hangs(strut(false)),
+            (true, true) => Place::Joins(self.strut(member, true)),
+            (true, false) => self.hangs(member, true),
+            _ => self.hangs(member, false),
         }))
     }
 
@@ -267,13 +282,24 @@ impl<'a> Flexibility<'a> {
             return None;
         }
         let stays = |node: NodeId| self.touching[node.0] > 1 || self.is_clamped(node.0);
-        let strut = |from_a| Strut::new(self.assembly, member, from_a, self.gravity);
         match (stays(ends.a), stays(ends.b)) {
-            (true, true) => Some(Place::Joins(strut(true))),
-            (true, false) => Some(Place::Hangs(strut(true))),
-            (false, true) => Some(Place::Hangs(strut(false))),
+            (true, true) => Some(Place::Joins(self.strut(member, true))),
+            (true, false) => Some(self.hangs(member, true)),
+            (false, true) => Some(self.hangs(member, false)),
             (false, false) => None,
         }
+    }
+
+    fn strut(&self, member: MemberId, from_a: bool) -> Strut {
+        Strut::new(self.assembly, member, from_a, self.weight.gravity)
+    }
+
+    /// A strut whose tip stands by it alone: the mass there comes and goes with it.
+    fn hangs(&self, member: MemberId, from_a: bool) -> Place {
+        let mut strut = self.strut(member, from_a);
+        let weight = self.weight.gravity * self.mass[strut.tip];
+        strut.add_at_tip(&weight);
+        Place::Hangs(strut)
     }
 
     fn is_half_held(&self, node: NodeId) -> bool {
@@ -318,10 +344,9 @@ impl<'a> Flexibility<'a> {
 
     /// The forces at nodes that stand for the weight of some members.
     fn weight(&self, members: &MemberSet) -> Vec<[f64; 6]> {
-        let load = Load { gravity: self.gravity, ..Load::default() };
-        // Weight acts on members that are there, and is finite where gravity is.
+        // Weight acts on what is there, and is finite where gravity and masses are.
         self.assembly
-            .nodal_forces(members, &load)
+            .nodal_forces(members, &self.weight)
             .unwrap_or_else(|_| vec![[f64::NAN; 6]; self.displacements.len()])
     }
 

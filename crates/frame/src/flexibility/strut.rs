@@ -1,5 +1,7 @@
 //! A strut that is added to what stands, or taken away.
 
+use std::ops::AddAssign;
+
 use nalgebra::{Matrix6, Vector3, Vector6};
 
 use crate::assembly::Assembly;
@@ -40,6 +42,11 @@ impl Strut {
         };
         let weight = element.spread(&(gravity * assembly.weight(member)));
         Self { element, base, tip, gives: element.cantilever(section), weight }
+    }
+
+    /// Adds a force at the tip to its weight.
+    pub fn add_at_tip(&mut self, force: &Vector3<f64>) {
+        self.weight.fixed_rows_mut::<3>(6).add_assign(force);
     }
 
     /// The force and moment at the base that its whole weight amounts to.

@@ -3,7 +3,8 @@
 use nalgebra::Vector3;
 use proptest::prelude::*;
 use wirebend_frame::{
-    Assembly, Flexibility, Load, MemberId, MemberSet, Model, NodeId, Section, Support, Unstable,
+    Assembly, Flexibility, Load, MemberId, MemberSet, Model, NodalLoad, NodeId, NodeMass, Section, Support,
+    Unstable,
 };
 
 use crate::frames::{ABS, bunny, frame, framefab_weight};
@@ -16,9 +17,12 @@ const TRIED: f64 = 1e-5;
 
 /// The largest displacement by factoring.
 fn factored(assembly: &Assembly, members: &MemberSet) -> f64 {
-    let load = Load { gravity: GRAVITY, ..Load::default() };
+    factored_under(assembly, members, &Load { gravity: GRAVITY, ..Load::default() })
+}
+
+fn factored_under(assembly: &Assembly, members: &MemberSet, load: &Load) -> f64 {
     let factor = assembly.factor(members).expect("it stands");
-    let displacements = factor.displacements(&[assembly.nodal_forces(members, &load).expect("a load")]);
+    let displacements = factor.displacements(&[assembly.nodal_forces(members, load).expect("a load")]);
     displacements[0].iter().map(|u| Vector3::new(u[0], u[1], u[2]).norm()).fold(0.0, f64::max)
 }
 
@@ -84,6 +88,50 @@ proptest! {
     #[test]
     fn a_frame_that_grows_sags_as_when_factored(keys in Just((0..179).collect::<Vec<usize>>()).prop_shuffle()) {
         build(&bunny(), &keys, 90);
+    }
+}
+
+/// A joint weighs something from its first strut to its last one: the same as forces at the nodes that stand.
+#[test]
+fn joints_weigh_while_a_strut_ends_there() {
+    let model = bunny();
+    let assembly = Assembly::new(&model).expect("a model");
+    let masses: Vec<NodeMass> =
+        (0..model.nodes.len()).step_by(3).map(|node| NodeMass { node: NodeId(node), mass: 0.4e-6 }).collect();
+    let expected = |members: &MemberSet| {
+        let ends: Vec<NodeId> =
+            members.iter().map(|member| model.members[member.0]).flat_map(|ends| [ends.a, ends.b]).collect();
+        let there = masses.iter().filter(|mass| ends.contains(&mass.node));
+        let forces = there.map(|mass| NodalLoad {
+            node: mass.node,
+            force: GRAVITY * mass.mass,
+            moment: Vector3::zeros(),
+        });
+        let load = Load { gravity: GRAVITY, nodal: forces.collect(), ..Load::default() };
+        factored_under(&assembly, members, &load)
+    };
+    let mut flexibility = Flexibility::with_masses(&assembly, GRAVITY, &masses);
+    let mut left: Vec<MemberId> = (0..model.members.len()).map(MemberId).collect();
+    while let Some(place) = left.iter().position(|&member| {
+        let ends = model.members[member.0];
+        flexibility.stands(ends.a) || flexibility.stands(ends.b)
+    }) {
+        let member = left.remove(place);
+        let tried = flexibility.try_add(member).expect("it hangs on").max_displacement;
+        let sag = flexibility.add(member).expect("it hangs on").max_displacement;
+        let wanted = expected(flexibility.standing());
+        assert!((sag - wanted).abs() <= 1e-8 * wanted, "{sag} instead of {wanted}");
+        assert!((tried - wanted).abs() <= TRIED * wanted, "{tried} instead of {wanted}");
+    }
+    assert!(left.is_empty());
+    let whole = flexibility.sag().max_displacement;
+    assert!(whole > 1.2 * factored(&assembly, &assembly.all()), "the joints count: {whole}");
+    for member in (100..179).rev().map(MemberId) {
+        let Ok(tried) = flexibility.try_remove(member) else { continue };
+        let sag = flexibility.remove(member).expect("it was tried").max_displacement;
+        let wanted = expected(flexibility.standing());
+        assert!((sag - wanted).abs() <= 1e-8 * wanted, "{sag} instead of {wanted}");
+        assert!((tried.max_displacement - wanted).abs() <= TRIED * wanted);
     }
 }
 
