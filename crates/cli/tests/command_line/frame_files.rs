@@ -51,7 +51,7 @@ fn near(a: &[f64], b: &[f64], by: f64) -> bool {
 }
 
 /// A design whose joints weigh something, and one of whose vertices has no strut.
-fn jointed(folder: &Path) -> String {
+pub(crate) fn jointed(folder: &Path) -> String {
     let lines = "v 0 0 0\nv 9 9 9\nv 0 60 0\nv 0 0 80\nv 0 60 80\nv 50 30 80\nl 1 4\nl 3 5\nl 4 5 6 4\n";
     std::fs::write(folder.join("jointed.obj"), lines).unwrap();
     run_in(folder, &["import", "jointed.obj", "--units", "mm", "-o", "jointed.wirebend"], b"").ended(0);

@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 
+use crate::frame_files::jointed;
 use crate::{Ran, assert_fits, root, run, run_in};
 
 /// A file that a reader is tested with.
@@ -94,6 +95,53 @@ fn a_sequence_that_was_written_is_checked_and_a_spoilt_one_refused() {
     let told = ask(&["--check", "spoilt.json"]).ended(4).err;
     assert!(told.contains("error[strut_floating]: step 1: "), "{told}");
     assert!(told.contains("1 edge is never built"), "{told}");
+}
+
+/// What stands at the end is the whole frame: held as its file says, with joints that weigh what the design says.
+#[test]
+fn the_last_step_sags_as_the_frame_does() {
+    let folder = tempfile::tempdir().unwrap();
+    // One leg is held altogether, the other rests on the ground.
+    let node = |id: u32, [x, y, z]: [f64; 3], fixities: &[u8]| {
+        let point = json!({ "X": x, "Y": y, "Z": z });
+        json!({ "node_id": id, "point": point, "is_grounded": u8::from(!fixities.is_empty()), "fixities": fixities })
+    };
+    let legs = json!({
+        "unit": "millimeter",
+        "node_list": [
+            node(0, [0.0; 3], &[1, 1, 1, 1, 1, 1]),
+            node(1, [60.0, 0.0, 0.0], &[0, 0, 1, 0, 0, 0]),
+            node(2, [30.0, 0.0, 50.0], &[]),
+        ],
+        "element_list": [{ "end_node_ids": [1, 2] }, { "end_node_ids": [0, 2] }],
+    });
+    std::fs::write(folder.path().join("legs.json"), legs.to_string()).unwrap();
+    let jointed = jointed(folder.path());
+    let simple = data("assembly-instances/simple_frame.json");
+    let material = ["--material", "abs-1-5mm", "--json"];
+    let build = ["--machine", "framefab-extruder", "--epsilon", "20"];
+    for file in ["legs.json", &jointed, &simple] {
+        let run = |arguments: &[&str]| {
+            run_in(folder.path(), &[arguments, &material[..]].concat(), b"").ended(0).json()
+        };
+        let whole = run(&["frame", file])["static"]["max_displacement_mm"].as_f64().unwrap();
+        let written = ["-o", "built.json", "-f", "assembly-instances", "--force"];
+        let found = run(&[&["sequence", file], &build[..], &written].concat());
+        let last =
+            found["steps"].as_array().unwrap().last().unwrap()["max_displacement_mm"].as_f64().unwrap();
+        assert!((last - whole).abs() <= 1e-9 * whole, "{file}: {last} instead of {whole}");
+        // The file that is written holds its supports as the design does.
+        if file != jointed {
+            let again = run(&["frame", "built.json"])["static"]["max_displacement_mm"].as_f64().unwrap();
+            assert!((again - whole).abs() <= 1e-9 * whole, "{file}: {again} instead of {whole}");
+        }
+    }
+    // Without the leg that is held, none stands first.
+    let text = legs.to_string().replace("[1,1,1,1,1,1]", "[1,1,1,0,0,0]");
+    std::fs::write(folder.path().join("pinned.json"), text).unwrap();
+    let arguments = [&["sequence", "pinned.json"], &build[..], &material].concat();
+    let none = run_in(folder.path(), &arguments, b"").ended(4).json();
+    assert_eq!(none["proved"], json!(true));
 }
 
 #[test]

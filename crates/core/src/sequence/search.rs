@@ -77,6 +77,11 @@ pub fn search(
         Ok(outcome) => return Ok(outcome),
         Err(stuck) => stuck,
     };
+    if let Some(stuck) = &stuck
+        && !can_begin(&candidates)
+    {
+        return Ok(Outcome::impossible(obstacle(&candidates, stuck)));
+    }
     let plan = keys::stiffness_plan(&candidates, &mut |taken| rounds.tell(Strategy::StiffnessPlan, taken));
     let mut bases = vec![first];
     if let Some(plan) = plan {
@@ -106,6 +111,16 @@ pub fn search(
     }
     let farthest = rounds.farthest.map(|stuck| obstacle(&candidates, &stuck));
     Ok(Outcome::not_found(farthest))
+}
+
+/// Whether a group on the ground stands alone, as the first one must. On a support that lets it turn or slide no strut does.
+fn can_begin(candidates: &Candidates<'_>) -> bool {
+    let count = candidates.groups.all().len();
+    (0..count).filter(|&group| candidates.groups.all()[group].grounded).any(|group| {
+        let mut first = GroupSet::none(count);
+        first.insert(group);
+        candidates.sag(&first).is_ok_and(|sag| sag.mm <= candidates.max_sag_mm)
+    })
 }
 
 /// The groups in the order that keeps the largest sag least while only stability counts, and that sag of its worst step, mm.

@@ -1,9 +1,9 @@
-//! How far what stands of a frame sags under its own weight.
+//! How far what stands of a frame sags under its own weight and that of its joints.
 
 use nalgebra::Vector3;
 use wirebend_frame::{
-    Assembly, Flexibility, Load, Member, MemberId, MemberSet, Model, ModelError, NodeId, Section, SectionId,
-    SolveError, Support, Unstable,
+    Assembly, Flexibility, Load, Member, MemberId, MemberSet, Model, ModelError, NodeId, NodeMass, Section,
+    SectionId, SolveError, Support, Unstable,
 };
 
 use super::structure::Structure;
@@ -30,10 +30,9 @@ pub struct Sag {
 pub(super) struct Stability {
     assembly: Assembly,
     weight: Load,
-    gravity: Vector3<f64>,
 }
 
-/// The frame of a structure, supports held altogether.
+/// The frame of a structure.
 pub(super) fn model(structure: &Structure, section: &Section) -> Model {
     let member = |ends: [usize; 2]| Member::new(NodeId(ends[0]), NodeId(ends[1]), SectionId(0));
     let supports = structure.nodes().iter().enumerate().filter(|(_, node)| node.support);
@@ -41,15 +40,18 @@ pub(super) fn model(structure: &Structure, section: &Section) -> Model {
         nodes: structure.nodes().iter().map(|node| node.at).collect(),
         members: structure.struts().iter().map(|strut| member(strut.ends)).collect(),
         sections: vec![*section],
-        supports: supports.map(|(node, _)| Support::clamped(NodeId(node))).collect(),
+        supports: supports.map(|(node, there)| Support { node: NodeId(node), fixed: there.fixed }).collect(),
     }
 }
 
 impl Stability {
     pub fn new(structure: &Structure, weight: &Weight) -> Result<Self, ModelError> {
-        let load = Load { gravity: weight.gravity, ..Load::default() };
-        let assembly = Assembly::new(&model(structure, &weight.section))?;
-        Ok(Self { assembly, weight: load, gravity: weight.gravity })
+        let joints = structure.nodes().iter().enumerate().filter(|(_, node)| node.joint_g > 0.0);
+        // Grams are 1e-6 t.
+        let masses =
+            joints.map(|(k, node)| NodeMass { node: NodeId(k), mass: node.joint_g * 1.0e-6 }).collect();
+        let load = Load { gravity: weight.gravity, masses, ..Load::default() };
+        Ok(Self { assembly: Assembly::new(&model(structure, &weight.section))?, weight: load })
     }
 
     /// The sag of some struts; zero of none.
@@ -73,7 +75,7 @@ impl Stability {
 
     /// The flexibility of nothing, to which struts are added.
     pub fn flexibility(&self) -> Flexibility<'_> {
-        Flexibility::new(&self.assembly, self.gravity)
+        Flexibility::with_masses(&self.assembly, self.weight.gravity, &self.weight.masses)
     }
 }
 

@@ -1,5 +1,7 @@
 //! The frame as a sequence sees it: struts between nodes, and the parts that are placed at once.
 
+use std::collections::BTreeMap;
+
 use nalgebra::Point3;
 
 use crate::units::Length;
@@ -23,6 +25,10 @@ pub struct Node {
     pub at: Point3<f64>,
     /// Whether the ground holds it.
     pub support: bool,
+    /// Which of its displacements along x, y, z and rotations about them the ground holds.
+    pub fixed: [bool; 6],
+    /// What joins the struts there, g. It stands with the first of them.
+    pub joint_g: f64,
 }
 
 /// Why a wireframe is no frame that can be built strut by strut.
@@ -62,12 +68,30 @@ impl Structure {
     /// # Errors
     /// [`StructureError`] where it cannot be built one strut after the other, whatever the order.
     pub fn new(wireframe: &Wireframe) -> Result<Self, StructureError> {
+        Self::held(wireframe, &BTreeMap::new())
+    }
+
+    /// The same, where supports hold some displacements and rotations and not all. A support that is not in `fixed` holds all.
+    ///
+    /// # Errors
+    /// As [`Structure::new`].
+    pub fn held(
+        wireframe: &Wireframe,
+        fixed: &BTreeMap<VertexId, [bool; 6]>,
+    ) -> Result<Self, StructureError> {
         let mut nodes = Vec::new();
-        let mut place = std::collections::BTreeMap::new();
+        let mut place = BTreeMap::new();
         for (vertex, there) in wireframe.vertices() {
             if !wireframe.incident(vertex).is_empty() {
                 place.insert(vertex, nodes.len());
-                nodes.push(Node { vertex, at: there.position, support: there.support });
+                let held = fixed.get(&vertex).copied().unwrap_or([true; 6]);
+                nodes.push(Node {
+                    vertex,
+                    at: there.position,
+                    support: there.support,
+                    fixed: held.map(|held| held && there.support),
+                    joint_g: there.joint.map_or(0.0, |joint| joint.mass_g),
+                });
             }
         }
         let mut struts = Vec::new();

@@ -127,7 +127,8 @@ fn run(
     let mut answer = report::Answer::new(&opened, &setup);
     answer.took("read", started);
     let mut drawing = Drawing::new(&setup);
-    let structure = match Structure::new(&opened.document.wireframe) {
+    let held = opened.frame.as_ref().map(|file| file.supports.clone()).unwrap_or_default();
+    let structure = match Structure::held(&opened.document.wireframe, &held) {
         Ok(structure) => structure,
         Err(error) => return Ok((answer.refused(&findings::no_structure(&opened, &error)), drawing)),
     };
@@ -187,7 +188,7 @@ fn run(
     answer.took("check", since);
     let mut response = answer.found(&task, &outcome, refused);
     if let Some(output) = request.output.as_ref().filter(|_| response.feasible) {
-        let text = write::text(request.format, &response, &task, &outcome, &opened.document.wireframe)?;
+        let text = write::text(request.format, &response, &task, &outcome, &opened)?;
         response.files.push(output.save(text.as_bytes())?);
     }
     drawing.moves(&structure, &response, Some(&outcome));

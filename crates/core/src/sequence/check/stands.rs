@@ -1,6 +1,9 @@
 //! The sag of what stands, as a frame of nothing else.
 
-use wirebend_frame::{Assembly, Load, Member, Model, NodeId, SectionId, SolveError, Support, Unstable};
+use nalgebra::Vector3;
+use wirebend_frame::{
+    Assembly, Load, Member, Model, NodalLoad, NodeId, SectionId, SolveError, Support, Unstable,
+};
 
 use crate::sequence::search::Task;
 use crate::wireframe::VertexId;
@@ -31,10 +34,18 @@ pub(super) fn sag(task: &Task<'_>, standing: &[usize]) -> Sagging {
         nodes: used.iter().map(|&node| structure.nodes()[node].at).collect(),
         members: members.collect(),
         sections: vec![task.weight.section],
-        supports: supports.map(|&node| Support::clamped(place(node))).collect(),
+        supports: supports
+            .map(|&node| Support { node: place(node), fixed: structure.nodes()[node].fixed })
+            .collect(),
     };
     let Ok(assembly) = Assembly::new(&model) else { return Sagging { mm: None, vertex: vertex(NodeId(0)) } };
-    let load = Load { gravity: task.weight.gravity, ..Load::default() };
+    // Grams are 1e-6 t.
+    let of_joints = used.iter().map(|&node| NodalLoad {
+        node: place(node),
+        force: task.weight.gravity * (structure.nodes()[node].joint_g * 1.0e-6),
+        moment: Vector3::zeros(),
+    });
+    let load = Load { gravity: task.weight.gravity, nodal: of_joints.collect(), ..Load::default() };
     let response = match assembly.factor(&assembly.all()) {
         Ok(factor) => factor.solve(&load),
         Err(unstable) => Err(SolveError::Unstable(unstable)),

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use nalgebra::{Point3, Vector3};
 use wirebend_core::sequence::{GivenStep, Task};
 use wirebend_core::wireframe::VertexId;
-use wirebend_frame::{Assembly, Load, Member, Model, NodeId, SectionId, Support};
+use wirebend_frame::{Assembly, Load, Member, Model, NodalLoad, NodeId, SectionId, Support};
 
 /// How many places of a motion and of a strut are looked at.
 const PLACES: u32 = 30;
@@ -87,6 +87,18 @@ fn deepest(motion: [Point3<f64>; 2], strut: [Point3<f64>; 2], axis: &Vector3<f64
     deepest
 }
 
+/// The sag after each of some steps of one strut; infinite where it does not stand.
+pub fn sags(task: &Task<'_>, steps: &[GivenStep]) -> Vec<f64> {
+    let structure = task.structure;
+    let mut standing: Vec<[VertexId; 2]> = Vec::new();
+    let sags = steps.iter().map(|step| {
+        let strut = structure.struts()[structure.strut_of(step.edges[0]).unwrap()];
+        standing.push(strut.ends.map(|node| structure.nodes()[node].vertex));
+        sag(task, &standing)
+    });
+    sags.collect()
+}
+
 /// The sag of a frame of what stands and nothing else.
 fn sag(task: &Task<'_>, standing: &[[VertexId; 2]]) -> f64 {
     let used: Vec<VertexId> =
@@ -103,11 +115,16 @@ fn sag(task: &Task<'_>, standing: &[[VertexId; 2]]) -> f64 {
         supports: used
             .iter()
             .filter(|&&vertex| node(vertex).support)
-            .map(|&vertex| Support::clamped(place(vertex)))
+            .map(|&vertex| Support { node: place(vertex), fixed: node(vertex).fixed })
             .collect(),
     };
     let assembly = Assembly::new(&model).unwrap();
-    let load = Load { gravity: task.weight.gravity, ..Load::default() };
+    let joints = used.iter().map(|&vertex| NodalLoad {
+        node: place(vertex),
+        force: task.weight.gravity * node(vertex).joint_g * 1e-6,
+        moment: Vector3::zeros(),
+    });
+    let load = Load { gravity: task.weight.gravity, nodal: joints.collect(), ..Load::default() };
     let response = assembly.factor(&assembly.all()).map(|factor| factor.solve(&load));
     // What does not stand at all sags without end.
     response.ok().and_then(Result::ok).map_or(f64::INFINITY, |response| response.max_displacement().1)

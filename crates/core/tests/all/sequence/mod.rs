@@ -4,5 +4,6 @@ mod brute;
 mod directions;
 mod found;
 mod frames;
+mod held;
 mod refused;
 mod small;
