@@ -32,6 +32,7 @@ impl EditRequest {
                     .map(|vertex| Vertex {
                         position: vertex.at_mm.into(),
                         support: vertex.support,
+                        free: [false; 6],
                         joint: vertex.joint.map(Joint::from),
                     })
                     .collect(),

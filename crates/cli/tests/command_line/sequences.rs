@@ -116,11 +116,14 @@ fn the_last_step_sags_as_the_frame_does() {
         "element_list": [{ "end_node_ids": [1, 2] }, { "end_node_ids": [0, 2] }],
     });
     std::fs::write(folder.path().join("legs.json"), legs.to_string()).unwrap();
+    // The same as a design of its own.
+    run_in(folder.path(), &["import", "legs.json", "-o", "legs.wirebend"], b"").ended(0);
     let jointed = jointed(folder.path());
     let simple = data("assembly-instances/simple_frame.json");
     let material = ["--material", "abs-1-5mm", "--json"];
     let build = ["--machine", "framefab-extruder", "--epsilon", "20"];
-    for file in ["legs.json", &jointed, &simple] {
+    let mut wholes = Vec::new();
+    for file in ["legs.json", "legs.wirebend", &jointed, &simple] {
         let run = |arguments: &[&str]| {
             run_in(folder.path(), &[arguments, &material[..]].concat(), b"").ended(0).json()
         };
@@ -135,7 +138,9 @@ fn the_last_step_sags_as_the_frame_does() {
             let again = run(&["frame", "built.json"])["static"]["max_displacement_mm"].as_f64().unwrap();
             assert!((again - whole).abs() <= 1e-9 * whole, "{file}: {again} instead of {whole}");
         }
+        wholes.push(whole);
     }
+    assert!((wholes[0] - wholes[1]).abs() <= 1e-9 * wholes[0], "{wholes:?}");
     // Without the leg that is held, none stands first.
     let text = legs.to_string().replace("[1,1,1,1,1,1]", "[1,1,1,0,0,0]");
     std::fs::write(folder.path().join("pinned.json"), text).unwrap();

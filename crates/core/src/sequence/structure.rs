@@ -1,7 +1,5 @@
 //! The frame as a sequence sees it: struts between nodes, and the parts that are placed at once.
 
-use std::collections::BTreeMap;
-
 use nalgebra::Point3;
 
 use crate::units::Length;
@@ -68,28 +66,16 @@ impl Structure {
     /// # Errors
     /// [`StructureError`] where it cannot be built one strut after the other, whatever the order.
     pub fn new(wireframe: &Wireframe) -> Result<Self, StructureError> {
-        Self::held(wireframe, &BTreeMap::new())
-    }
-
-    /// The same, where supports hold some displacements and rotations and not all. A support that is not in `fixed` holds all.
-    ///
-    /// # Errors
-    /// As [`Structure::new`].
-    pub fn held(
-        wireframe: &Wireframe,
-        fixed: &BTreeMap<VertexId, [bool; 6]>,
-    ) -> Result<Self, StructureError> {
         let mut nodes = Vec::new();
-        let mut place = BTreeMap::new();
+        let mut place = std::collections::BTreeMap::new();
         for (vertex, there) in wireframe.vertices() {
             if !wireframe.incident(vertex).is_empty() {
                 place.insert(vertex, nodes.len());
-                let held = fixed.get(&vertex).copied().unwrap_or([true; 6]);
                 nodes.push(Node {
                     vertex,
                     at: there.position,
                     support: there.support,
-                    fixed: held.map(|held| held && there.support),
+                    fixed: there.fixed(),
                     joint_g: there.joint.map_or(0.0, |joint| joint.mass_g),
                 });
             }

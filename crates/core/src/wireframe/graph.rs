@@ -49,6 +49,8 @@ pub struct Vertex {
     pub position: Point3<f64>,
     /// Whether the design holds this point fixed (a support of the structure).
     pub support: bool,
+    /// The motions that a support leaves free: along x, y and z, then about them. It counts for supports alone.
+    pub free: [bool; 6],
     /// What holds the struts together here; none where the wire itself runs through, or nothing does.
     pub joint: Option<Joint>,
 }
@@ -57,12 +59,21 @@ impl Vertex {
     /// A free vertex at a position in mm.
     #[must_use]
     pub const fn at(position: Point3<f64>) -> Self {
-        Self { position, support: false, joint: None }
+        Self { position, support: false, free: [false; 6], joint: None }
     }
 
-    /// This vertex with what another one has that is merged into it: a support stays one, and its own joint goes first.
+    /// Which motions are held: along x, y and z, then about them. None of a vertex that is no support.
+    #[must_use]
+    pub fn fixed(&self) -> [bool; 6] {
+        self.free.map(|free| self.support && !free)
+    }
+
+    /// This vertex with what another one has that is merged into it: what either held is held, and its own joint goes first.
     pub(super) fn with_marks_of(self, merged: Self) -> Self {
-        Self { support: self.support || merged.support, joint: self.joint.or(merged.joint), ..self }
+        let (one, other) = (self.fixed(), merged.fixed());
+        let support = self.support || merged.support;
+        let free = std::array::from_fn(|k| support && !(one[k] || other[k]));
+        Self { support, free, joint: self.joint.or(merged.joint), ..self }
     }
 }
 

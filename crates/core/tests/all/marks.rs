@@ -54,6 +54,40 @@ fn marks_are_set_and_undone() {
     assert_eq!(w, before);
 }
 
+/// What is merged is held as each was; marked anew, a vertex is held altogether, and freed not at all.
+#[test]
+fn a_support_that_leaves_motions_free_stays_so_until_it_is_marked_anew() {
+    let [along_z, about_x] = [2, 3].map(|axis| std::array::from_fn(|k| k != axis));
+    let mut w = Wireframe::new();
+    for (x, support, free) in [
+        (0.0, true, along_z),
+        (0.0, true, about_x),
+        (0.0, false, [false; 6]),
+        (50.0, false, [false; 6]),
+        (50.0, true, about_x),
+        (90.0, true, along_z),
+    ] {
+        let position = Point3::new(x, 0.0, 0.0);
+        w.add_vertex(Vertex { support, free, ..Vertex::at(position) }).unwrap();
+    }
+    let fixed = |w: &Wireframe, id: u32| w.vertex(VertexId(id)).unwrap().fixed();
+    let before = w.clone();
+    let welded = w.weld(Length::from_mm(0.1).unwrap()).0;
+    w.commit(&welded).unwrap();
+    assert_eq!(fixed(&w, 0), [false, false, true, true, false, false]);
+    assert_eq!(fixed(&w, 3), [false, false, false, true, false, false]);
+    w.commit(&welded.inverse()).unwrap();
+    assert_eq!(w, before);
+    let mark = |support| Edit::SetSupport { vertices: vec![VertexId(5)], support };
+    let undo = w.apply(&mark(true)).unwrap().inverse();
+    assert_eq!(fixed(&w, 5), [true; 6]);
+    w.apply(&mark(false)).unwrap();
+    assert_eq!(w.vertex(VertexId(5)).unwrap(), Vertex::at(Point3::new(90.0, 0.0, 0.0)));
+    w.apply(&mark(true)).unwrap();
+    w.commit(&undo).unwrap();
+    assert_eq!(w, before);
+}
+
 #[test]
 fn a_joint_has_a_mass_and_a_place() {
     let mut w = line(3);

@@ -18,12 +18,13 @@ use crate::length_unit::LengthUnit;
 
 /// Before and after.
 type Pair<T> = [Option<T>; 2];
-/// x, y and z in mm, and whether it is a support; then its joint, if it has one.
+/// x, y and z in mm, and whether it is a support; then its joint, if it has one; then the motions that it leaves free, if there are some.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 #[serde(untagged)]
 enum VertexPart {
     Plain(f64, f64, f64, bool),
     Jointed(f64, f64, f64, bool, JointFile),
+    PartlyHeld(f64, f64, f64, bool, Option<JointFile>, [bool; 6]),
 }
 /// Its two vertices; then whether it is part of the ceiling, if it is.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
@@ -142,19 +143,22 @@ impl DocumentChange {
 }
 
 fn vertex_part(vertex: &Vertex) -> VertexPart {
-    let Vertex { position: at, support, joint } = *vertex;
+    let Vertex { position: at, support, free, joint } = *vertex;
+    let joint = joint.map(JointFile::from);
     match joint {
+        _ if free != [false; 6] => VertexPart::PartlyHeld(at.x, at.y, at.z, support, joint, free),
         None => VertexPart::Plain(at.x, at.y, at.z, support),
-        Some(joint) => VertexPart::Jointed(at.x, at.y, at.z, support, joint.into()),
+        Some(joint) => VertexPart::Jointed(at.x, at.y, at.z, support, joint),
     }
 }
 
 fn vertex_of(part: VertexPart) -> Vertex {
-    let (x, y, z, support, joint) = match part {
-        VertexPart::Plain(x, y, z, support) => (x, y, z, support, None),
-        VertexPart::Jointed(x, y, z, support, joint) => (x, y, z, support, Some(joint.into())),
+    let (x, y, z, support, joint, free) = match part {
+        VertexPart::Plain(x, y, z, support) => (x, y, z, support, None, [false; 6]),
+        VertexPart::Jointed(x, y, z, support, joint) => (x, y, z, support, Some(joint), [false; 6]),
+        VertexPart::PartlyHeld(x, y, z, support, joint, free) => (x, y, z, support, joint, free),
     };
-    Vertex { position: Point3::new(x, y, z), support, joint }
+    Vertex { position: Point3::new(x, y, z), support, free, joint: joint.map(Into::into) }
 }
 
 fn edge_part(edge: &Edge) -> EdgePart {

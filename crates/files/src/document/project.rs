@@ -145,6 +145,9 @@ struct VertexFile {
     /// Whether the design holds it fixed.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     support: bool,
+    /// The motions that a support leaves free: along x, y and z, then turns about them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    free: Option<[bool; 6]>,
     /// What holds the struts together there.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     joint: Option<JointFile>,
@@ -360,6 +363,7 @@ impl WireframeFile {
             id: id.0,
             at_mm: vertex.position.coords.into(),
             support: vertex.support,
+            free: Some(vertex.free).filter(|free| free.contains(&true)),
             joint: vertex.joint.map(JointFile::from),
         });
         let edges = wireframe.edges().map(|(id, edge)| EdgeFile {
@@ -374,8 +378,9 @@ impl WireframeFile {
     fn build(self, file: &str) -> Result<Wireframe, DocumentError> {
         let refuse = |error| DocumentError::Wireframe { file: file.to_owned(), error };
         let mut wireframe = Wireframe::new();
-        for VertexFile { id, at_mm, support, joint } in self.vertices {
-            let vertex = Vertex { position: Point3::from(at_mm), support, joint: joint.map(Joint::from) };
+        for VertexFile { id, at_mm, support, free, joint } in self.vertices {
+            let (position, free) = (Point3::from(at_mm), free.unwrap_or_default());
+            let vertex = Vertex { position, support, free, joint: joint.map(Joint::from) };
             wireframe.insert_vertex(VertexId(id), vertex).map_err(refuse)?;
         }
         for EdgeFile { id, a, b, ceiling } in self.edges {

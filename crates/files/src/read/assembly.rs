@@ -142,7 +142,7 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
         drawing.points.push(Point3::new(x, y, z));
         supports.extend(node.fixities(source, place)?.map(|held| (index, held)));
     }
-    drawing.supports = supports.iter().map(|(index, _)| *index).collect();
+    drawing.supports.clone_from(&supports);
     let members = elements(&assembly, source, &index_of, &mut drawing)?;
     let described = assembly.material_properties.as_ref();
     drawing.notes.add(NoteKind::MaterialIgnored, usize::from(described.is_some()));

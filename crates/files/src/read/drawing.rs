@@ -19,7 +19,8 @@ pub(crate) struct Drawing {
     pub(crate) points: Vec<Point3<f64>>,
     /// The line of each point, from 1; empty where the file has no lines.
     pub(crate) point_lines: Vec<usize>,
-    pub(crate) supports: Vec<u32>,
+    /// Points that are held, and how: along x, y and z, then about them.
+    pub(crate) supports: Vec<(u32, [bool; 6])>,
     pub(crate) edges: Vec<(u32, u32)>,
     /// Which of the edges are part of the ceiling, as their places in the list.
     pub(crate) ceilings: HashSet<u32>,
@@ -144,15 +145,16 @@ impl Drawing {
     ) -> Result<(Wireframe, Vec<u32>), ReadError> {
         let refuse = |place, error| ReadError::Wireframe { file: source.name.to_owned(), place, error };
         let mut welder = Welder::new(options.weld);
-        let mut supports = vec![false; self.points.len()];
-        for &k in &self.supports {
-            supports[k as usize] = true;
+        let mut fixed = vec![[false; 6]; self.points.len()];
+        for &(k, how) in &self.supports {
+            fixed[k as usize] = how;
         }
         let mut welded: Vec<u32> = (0..).take(self.points.len()).collect();
         for (k, &position) in self.points.iter().enumerate().filter(|&(k, _)| used[k]) {
             welded[k] = welder.put(welded[k], position);
-            // A support stays one when it is welded to a free vertex.
-            supports[welded[k] as usize] |= supports[k];
+            // What is welded together is held as each was.
+            let (onto, own) = (fixed[welded[k] as usize], fixed[k]);
+            fixed[welded[k] as usize] = std::array::from_fn(|axis| onto[axis] || own[axis]);
         }
         let mut wireframe = Wireframe::new();
         for (k, &position) in self.points.iter().enumerate().filter(|&(k, _)| used[k]) {
@@ -162,7 +164,9 @@ impl Drawing {
             }
             let place =
                 self.point_lines.get(k).map_or(Location::Item("vertex", k), |&line| Location::Line(line));
-            let vertex = Vertex { support: supports[k], ..Vertex::at(position) };
+            let support = fixed[k].contains(&true);
+            let free = fixed[k].map(|fixed| support && !fixed);
+            let vertex = Vertex { support, free, ..Vertex::at(position) };
             wireframe.insert_vertex(VertexId(welded[k]), vertex).map_err(|error| refuse(place, error))?;
         }
         let mut joined = HashSet::new();

@@ -57,7 +57,7 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
             ("p", [base, foot]) => {
                 let foot = index(foot)?;
                 drawing.edges.push((index(base)?, foot));
-                drawing.supports.push(foot);
+                drawing.supports.push((foot, [true; 6]));
             }
             ("c", [a, b]) => {
                 let ceiling = (index(a)?, index(b)?);
@@ -102,7 +102,7 @@ pub(super) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
         (0..).map(EdgeId).zip(edges.into_iter().map(member)).filter(|(id, _)| is_there(*id)).collect();
     imported.frame = Some(Box::new(FrameFile {
         nodes: (1..).zip((0..).take(count).map(vertex)).collect(),
-        supports: feet.iter().map(|foot| (vertex(*foot), [true; 6])).collect(),
+        supports: feet.iter().map(|(foot, how)| (vertex(*foot), *how)).collect(),
         members,
         ..FrameFile::default()
     }));

@@ -103,11 +103,10 @@ impl Structure {
     }
 }
 
-/// How a vertex is held: as its file says, or altogether.
+/// How a vertex is held: as the design says, or altogether where it was chosen.
 fn support(opened: &Opened, supports: &FrameSupports, id: VertexId, node: NodeId) -> Support {
-    let of_file = opened.frame.as_ref().filter(|_| *supports == FrameSupports::Design);
-    let fixed = of_file.and_then(|file| file.supports.get(&id).copied()).unwrap_or([true; 6]);
-    Support { node, fixed }
+    let drawn = opened.document.wireframe.vertex(id).filter(|_| *supports == FrameSupports::Design);
+    Support { node, fixed: drawn.map_or([true; 6], |vertex| vertex.fixed()) }
 }
 
 /// The vertices that are held.

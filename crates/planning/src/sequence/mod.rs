@@ -127,8 +127,7 @@ fn run(
     let mut answer = report::Answer::new(&opened, &setup);
     answer.took("read", started);
     let mut drawing = Drawing::new(&setup);
-    let held = opened.frame.as_ref().map(|file| file.supports.clone()).unwrap_or_default();
-    let structure = match Structure::held(&opened.document.wireframe, &held) {
+    let structure = match Structure::new(&opened.document.wireframe) {
         Ok(structure) => structure,
         Err(error) => return Ok((answer.refused(&findings::no_structure(&opened, &error)), drawing)),
     };
@@ -188,7 +187,7 @@ fn run(
     answer.took("check", since);
     let mut response = answer.found(&task, &outcome, refused);
     if let Some(output) = request.output.as_ref().filter(|_| response.feasible) {
-        let text = write::text(request.format, &response, &task, &outcome, &opened)?;
+        let text = write::text(request.format, &response, &task, &outcome, &opened.document.wireframe)?;
         response.files.push(output.save(text.as_bytes())?);
     }
     drawing.moves(&structure, &response, Some(&outcome));

@@ -5,13 +5,13 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use wirebend_core::sequence::{Outcome, Step, StepKind, Task};
+use wirebend_core::wireframe::Wireframe;
 use wirebend_error::InputName;
 use wirebend_files::read::frame::{SequenceFile, SequenceStep, StrutKind};
 use wirebend_files::write::frame::{BuiltMember, assembly_instances, framefab_sequence};
 
 use super::report::SequenceResponse;
 use crate::PlanningError;
-use crate::design::Opened;
 
 /// What a sequence is written as.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize, JsonSchema)]
@@ -31,7 +31,7 @@ pub(super) fn text(
     response: &SequenceResponse,
     task: &Task<'_>,
     outcome: &Outcome,
-    opened: &Opened,
+    wireframe: &Wireframe,
 ) -> Result<String, PlanningError> {
     Ok(match format {
         SequenceFormat::Wirebend => {
@@ -46,8 +46,7 @@ pub(super) fn text(
         }
         SequenceFormat::AssemblyInstances => {
             let built = built(response);
-            let held = opened.frame.as_ref().map(|file| file.supports.clone()).unwrap_or_default();
-            assembly_instances(&opened.document.wireframe, &built, &held, None, None)
+            assembly_instances(wireframe, &built, &BTreeMap::new(), None, None)
         }
     })
 }

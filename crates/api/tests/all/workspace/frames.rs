@@ -56,6 +56,34 @@ fn a_frame_is_held_where_a_person_says() {
     assert!(window.try_ask("frame", json!({"supports": {"vertices": [99]}})).is_err());
 }
 
+/// A beam that is clamped at one end and rests on the other bears 3/8 of its weight there, as textbooks have it; clamped at both, a half.
+#[test]
+fn what_a_support_leaves_free_is_kept_in_the_design() {
+    let window = Window::new();
+    let node = |x: f64, fixities: [u8; 6]| json!({"point": {"X": x, "Y": 0.0, "Z": 0.0}, "is_grounded": 1, "fixities": fixities});
+    let beam = json!({
+        "unit": "millimeter",
+        "node_list": [node(0.0, [1; 6]), node(60.0, [0, 0, 1, 0, 0, 0])],
+        "element_list": [{"end_node_ids": [0, 1]}],
+    });
+    window.ask("open", file(&window.file("beam.json", beam.to_string().as_bytes())));
+    let share = || {
+        let result = window.ask("frame", json!({"material": "abs-1-5mm"}))["result"].clone();
+        let borne = result["static"]["reactions"].as_array().unwrap().iter();
+        let borne: Vec<f64> = borne.map(|reaction| number(&reaction["force_n"][2])).collect();
+        borne[1] / (borne[0] + borne[1])
+    };
+    assert!((share() - 3.0 / 8.0).abs() < 1e-9, "{}", share());
+    window.ask("edit", json!({"request": {"edit": "support", "vertices": [1], "support": true}}));
+    assert!((share() - 0.5).abs() < 1e-9, "marked anew it is held altogether: {}", share());
+    window.ask("undo", json!({}));
+    assert!((share() - 3.0 / 8.0).abs() < 1e-9, "{}", share());
+    let saved = window.home.path().join("beam.wirebend");
+    window.ask("save", json!({"path": saved}));
+    window.ask("open", file(&saved));
+    assert!((share() - 3.0 / 8.0).abs() < 1e-9, "{}", share());
+}
+
 /// As made, a wire is off by what its errors add up to; closed, by far less.
 #[test]
 fn a_closed_frame_is_drawn_before_and_after() {

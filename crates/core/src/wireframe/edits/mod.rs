@@ -181,7 +181,7 @@ pub enum Edit {
         /// A copied vertex that is this close to one of the copy before shares it.
         weld: Length,
     },
-    /// Fixes vertices as supports of the structure, or frees them.
+    /// Fixes vertices altogether as supports of the structure, or frees them.
     SetSupport {
         /// Which.
         vertices: Vec<VertexId>,

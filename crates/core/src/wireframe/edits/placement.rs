@@ -32,7 +32,7 @@ pub(super) fn set_support(draft: &mut Draft, vertices: &[VertexId], support: boo
     check_listed(draft, vertices)?;
     for &id in vertices {
         let vertex = draft.vertex(id).ok_or(WireframeError::NoVertex(id))?;
-        draft.set_vertex(id, Vertex { support, ..vertex })?;
+        draft.set_vertex(id, Vertex { support, free: [false; 6], ..vertex })?;
     }
     Ok(())
 }

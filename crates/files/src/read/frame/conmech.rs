@@ -127,7 +127,7 @@ pub(crate) fn read(bytes: &[u8], source: Source<'_>, options: &ReadOptions) -> R
     let index_of = nodes(&model, source, &mut drawing)?;
     elements(&model, source, &index_of, &mut drawing)?;
     let supports = supports(&model, source, &index_of)?;
-    drawing.supports = supports.keys().copied().collect();
+    drawing.supports = supports.iter().map(|(index, how)| (*index, *how)).collect();
     let sections = sections(&model, source)?;
     let materials = materials(&model, source)?;
     let described = usize::from(!(sections.is_empty() && materials.is_empty()));

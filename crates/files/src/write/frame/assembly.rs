@@ -19,7 +19,7 @@ pub struct BuiltMember {
 }
 
 /// Writes a frame, mm. Its elements stand in the order of `built`, with their layers; edges that are not in it come after, without one. A
-/// support that `supports` does not name is held in every direction. Material and section are for all elements.
+/// support that `supports` does not name is held as the wireframe says. Material and section are for all elements.
 #[must_use]
 pub fn assembly_instances(
     wireframe: &Wireframe,
@@ -32,7 +32,7 @@ pub fn assembly_instances(
     let mut nodes = Vec::new();
     for (number, (id, vertex)) in wireframe.vertices().enumerate() {
         numbers.insert(id, number);
-        let held = supports.get(&id).copied().or(vertex.support.then_some([true; 6]));
+        let held = supports.get(&id).copied().or(vertex.support.then(|| vertex.fixed()));
         let fixities: Vec<u8> = held.iter().flatten().map(|held| u8::from(*held)).collect();
         let at = vertex.position;
         nodes.push(json!({

@@ -305,15 +305,16 @@ fn any_document() -> impl Strategy<Value = Document> {
     let coordinate = prop_oneof![-1e6..1e6_f64, -1e-3..1e-3_f64];
     let kinds = prop_oneof![Just(JointKind::SnapFit), Just(JointKind::Solder), Just(JointKind::ZipTie)];
     let joint = prop::option::of((kinds, 0.0..1e6_f64).prop_map(|(kind, mass_g)| Joint { kind, mass_g }));
-    let vertex = (prop::array::uniform3(coordinate), any::<bool>(), joint);
+    let free = prop::array::uniform6(any::<bool>());
+    let vertex = (prop::array::uniform3(coordinate), any::<bool>(), free, joint);
     let vertices = prop::collection::btree_map(0_u32..500, vertex, 1..20);
     let edge = (any::<prop::sample::Index>(), any::<prop::sample::Index>(), any::<bool>());
     let edges = prop::collection::vec(edge, 0..30);
     (vertices, edges, any::<String>(), any::<String>()).prop_map(|(vertices, edges, notes, text)| {
         let mut wireframe = Wireframe::new();
         let ids: Vec<u32> = vertices.keys().copied().collect();
-        for (id, (at, support, joint)) in vertices {
-            let vertex = Vertex { position: Point3::from(at), support, joint };
+        for (id, (at, support, free, joint)) in vertices {
+            let vertex = Vertex { position: Point3::from(at), support, free, joint };
             wireframe.insert_vertex(VertexId(id), vertex).unwrap();
         }
         for (k, (a, b, ceiling)) in (0..).zip(&edges) {

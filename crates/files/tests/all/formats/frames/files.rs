@@ -76,6 +76,8 @@ fn an_assembly_may_be_of_either_dialect() {
     let frame = imported.frame.unwrap();
     let held = [[true; 6], [false, false, true, false, false, false]];
     assert_eq!(frame.supports.values().copied().collect::<Vec<_>>(), held);
+    // The design itself has it, too.
+    assert_eq!(imported.wireframe.vertices().map(|(_, vertex)| vertex.fixed()).collect::<Vec<_>>(), held);
     assert!(frame.materials.is_empty() && frame.sections.is_empty());
     assert!((imported.wireframe.total_length().mm() - 10.0).abs() < 1e-12);
     // What is said to hold nothing is no support.
