@@ -5161,6 +5161,10 @@ export interface RunEntry {
    */
   outcome: Outcome | null;
   /**
+   * At how many pause points a person has let it go on.
+   */
+  pauses: number | null;
+  /**
    * Which piece it is, where several were to be bent in a row.
    */
   piece: Piece | null;

@@ -98,6 +98,9 @@ fn wire(out: &mut impl Write, report: &WireReport) -> std::io::Result<()> {
         );
         line(out, "sags", words)?;
     }
+    for pause in &report.pauses {
+        line(out, "pauses", format!("after step {}: {}", pause.after, pause.note))?;
+    }
     let mut figures = Vec::new();
     figures.extend(report.time_s.map(|seconds| format!("{} on the machine", duration(seconds))));
     let with_stock = |fed: String, stock: Option<String>| match stock {

@@ -46,6 +46,8 @@ pub struct RunEntry {
     pub steps: Option<u32>,
     /// How often it was stopped or failed.
     pub interruptions: Option<usize>,
+    /// At how many pause points a person has let it go on.
+    pub pauses: Option<usize>,
     /// How far the worst corner is from the design, in mm, where that was measured.
     pub worst_deviation_mm: Option<f64>,
 }
@@ -167,6 +169,7 @@ impl RunEntry {
             made: record.map(|record| record.made),
             steps: job.map(|job| job.steps),
             interruptions: record.map(|record| record.interruptions.len()),
+            pauses: record.map(|record| record.pauses.len()),
             worst_deviation_mm: deviations.map(|all| all.iter().copied().fold(0.0, f64::max)),
         }
     }

@@ -257,7 +257,11 @@ impl Planned {
             .wires
             .iter()
             .zip(&self.timings)
-            .map(|(plan, took)| WireReport::new(wireframe, self.components, plan, &self.setup, took.clone()))
+            .zip(&self.pauses.wires)
+            .map(|((plan, took), pauses)| WireReport {
+                pauses: pauses.clone(),
+                ..WireReport::new(wireframe, self.components, plan, &self.setup, took.clone())
+            })
             .collect();
         if wires.len() == 1 && self.design.is_empty() {
             return PlanReport::One(Box::new(wires.remove(0)));

@@ -62,6 +62,7 @@ impl WireReport {
             // The wires of a part were searched for together: the first has what came of it, as it has the times.
             search: plan.searched.as_ref().filter(|_| !timings_ms.is_empty()).map(SearchReport::from),
             sag: None,
+            pauses: Vec::new(),
             time_s: plan.seconds,
             cost: fed.and_then(|fed| wire.cost(fed)),
             stock_cost: plan.stock.and_then(|stock| wire.cost(stock)),

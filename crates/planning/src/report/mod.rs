@@ -11,6 +11,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use wirebend_core::sag::Sag;
 use wirebend_error::ErrorRemedy;
+use wirebend_files::document::JobPause;
 use wirebend_files::read::Note;
 
 pub use diagnostic::{DiagnosticReport, SeverityName};
@@ -154,6 +155,9 @@ pub struct WireReport {
     /// How far it sags while it is bent: only on request, and not without a program.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sag: Option<SagReport>,
+    /// After which steps the machine waits for a person, and for what. Absent where it never does.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub pauses: Vec<JobPause>,
     /// Time on the machine, in s.
     pub time_s: Option<f64>,
     /// Price of the wire that is fed, in `currency`; null where the price is not known, and where nothing can be fed.

@@ -64,6 +64,7 @@ it("reports a wire that was interrupted before anything is connected, and none t
     steps: 10,
     made: 3,
     interruptions: 1,
+    pauses: 0,
     material: null,
     problem: null,
     started: null,

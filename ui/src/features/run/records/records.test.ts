@@ -17,6 +17,7 @@ const RUN: RunEntry = {
   made: 5,
   steps: 5,
   interruptions: 0,
+  pauses: 0,
   worst_deviation_mm: 0.245,
 };
 
@@ -34,6 +35,7 @@ it("says what became of a wire, as far as it is known", () => {
     what: "House, wire 3",
     sub: "interrupted after step 3 of 5 · 1 interruption · wirebend-kit",
   });
+  expect(madePhrase({ ...RUN, pauses: 2 }, "mm").sub).toContain("· 2 pauses ·");
   expect(madePhrase({ ...RUN, outcome: null, problem: "line 4 is cut" }, "mm")).toEqual({
     tone: "error",
     what: "House",

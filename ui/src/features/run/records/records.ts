@@ -26,7 +26,7 @@ export function madePhrase(
   run: RunEntry,
   unit: DisplayUnit,
 ): { readonly tone: Tone; readonly what: string; readonly sub: string } {
-  const { name, wire, piece, started, machine, interruptions, worst_deviation_mm: worst, problem } = run;
+  const { name, wire, piece, started, machine, interruptions, pauses, worst_deviation_mm: worst, problem } = run;
   const which = `${wire ? `, wire ${wire + 1}` : ""}${piece ? `, piece ${piece.number} of ${piece.of}` : ""}`;
   const what = `${name ?? "Unknown design"}${which}`;
   if (problem || !run.outcome) return { tone: "error", what, sub: problem ?? "Its journal cannot be read." };
@@ -34,6 +34,7 @@ export function madePhrase(
     outcome(run),
     worst === null ? "" : `worst vertex ${deviation(worst, unit)}`,
     interruptions ? count(interruptions, "interruption") : "",
+    pauses ? count(pauses, "pause") : "",
     started ? when(started) : "",
     machine ?? "",
   ];
