@@ -119,6 +119,14 @@ it("makes the pictures", async () => {
     .locator(".section-phrase", { hasText: /within limits|to look at/ })
     .waitFor();
 
+  // How far off the machine will make it: the balls in the view, and what they come from.
+  const accuracy = editor.section("check").locator(".part", { hasText: "Accuracy" });
+  await accuracy.getByRole("button", { name: "Predict", exact: true }).click();
+  await accuracy.getByRole("table", { name: "Expected accuracy" }).waitFor();
+  await accuracy.getByRole("table", { name: "Tolerance" }).scrollIntoViewIfNeeded();
+  await picture("accuracy");
+  await accuracy.getByRole("checkbox", { name: "Show in the view" }).uncheck();
+
   // In the middle of a bend, more than half way through.
   await only("check", "animate");
   const slider = editor.section("animate").getByRole("slider").first();
