@@ -88,6 +88,7 @@ const fn factor(sign: Sign) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use wirebend_core::compensate::{BendModel, PegGeometry};
     use wirebend_core::units::{Angle, Length};
 
     use super::*;
@@ -103,6 +104,27 @@ mod tests {
             frame = frame * rotate * bend;
         }
         at.into()
+    }
+
+    /// Were a sign wrong here, the peg would come out on the side to which it bends.
+    #[test]
+    fn the_peg_comes_out_on_the_other_side_of_zero_whatever_the_signs() {
+        let mm = |mm| Length::from_mm(mm).unwrap();
+        let deg = |deg| Angle::from_deg(deg).unwrap();
+        let peg = PegGeometry::new(mm(20.4), mm(12.0), mm(3.0), mm(4.675)).unwrap();
+        let bend = BendModel { setback: Some(peg), ..BendModel::default() };
+        let compensation = Compensation { bend, ..Compensation::default() };
+        for side in [1.0, -1.0] {
+            let step = |feed, bend| Step { feed: mm(feed), rotate: deg(0.0), bend: deg(side * bend) };
+            let told = [step(80.0, 40.0), step(25.0, -40.0), step(30.0, 0.0)];
+            for sign in [Sign::Same, Sign::Opposite] {
+                let signs = Signs(Convention { bend: sign, rotate: Sign::Same });
+                let steps = signs.machine_steps(&told, &compensation);
+                assert!(steps[0].approach_deg.is_none() && steps[2].approach_deg.is_none(), "{steps:?}");
+                let approach = steps[1].approach_deg.expect("wire is bent towards it");
+                assert!(approach * steps[1].bend_deg < 0.0, "{steps:?}");
+            }
+        }
     }
 
     /// Were a sign wrong here, a simulated machine's wire would be compared with its mirror image.

@@ -186,8 +186,11 @@ impl Machine {
             return Ok(None);
         };
         let max = settings.bend_limit_deg;
-        if !(deg.abs() <= max + 1e-9 && deg * step.bend_deg < 0.0) {
+        if deg.abs() > max + 1e-9 {
             return Err(fault::beyond(n, "approach of the peg", deg, max, "°"));
+        }
+        if deg.is_nan() || deg * step.bend_deg >= 0.0 {
+            return Err(fault::other_side(n, deg, step.bend_deg));
         }
         if let Some(versions) = self.versions.filter(|versions| versions.firmware < APPROACHES_SINCE) {
             return Err(fault::cannot_approach(n, deg, versions));
@@ -243,12 +246,13 @@ mod tests {
         let older = told(Some(110), 40.0, Some(-30.0)).unwrap_err();
         assert_eq!(older.code, "older-firmware");
         assert!(older.message.contains("step 7") && older.message.contains("1.10"), "{}", older.message);
-        for (bend, approach) in [(40.0, -156.0), (40.0, 30.0), (0.0, -30.0), (40.0, f64::NAN)] {
-            assert_eq!(
-                told(Some(111), bend, Some(approach)).unwrap_err().code,
-                "beyond",
-                "{bend} {approach}"
-            );
+        for (bend, approach, code) in [
+            (40.0, -156.0, "beyond"),
+            (40.0, 30.0, "other-side"),
+            (0.0, -30.0, "other-side"),
+            (40.0, f64::NAN, "other-side"),
+        ] {
+            assert_eq!(told(Some(111), bend, Some(approach)).unwrap_err().code, code, "{bend} {approach}");
         }
     }
 }

@@ -46,6 +46,16 @@ pub(super) fn beyond(n: u32, what: &str, value: f64, max: f64, unit: &str) -> Dr
     )
 }
 
+pub(super) fn other_side(n: u32, approach: f64, bend: f64) -> DriverError {
+    DriverError::new(
+        "other-side",
+        format!(
+            "in step {n} the peg would come out at {approach:.1}° for a bend to {bend:.1}°: it comes out on the other side of zero"
+        ),
+        "plan the design again",
+    )
+}
+
 pub(super) fn cannot_approach(n: u32, deg: f64, versions: Versions) -> DriverError {
     DriverError::new(
         "older-firmware",
