@@ -59,10 +59,17 @@ impl GivenWires {
     /// The same as a report.
     #[must_use]
     pub fn report(&self, setup: &Setup) -> PlanReport {
-        let report = |(wireframe, plan): &(Wireframe, WirePlan)| {
-            WireReport::new(wireframe, self.wires.len(), plan, setup, std::collections::BTreeMap::new())
+        let report = |((wireframe, plan), pauses): (&(Wireframe, WirePlan), &Vec<JobPause>)| {
+            WireReport::new(
+                wireframe,
+                self.wires.len(),
+                plan,
+                pauses,
+                setup,
+                std::collections::BTreeMap::new(),
+            )
         };
-        let mut wires: Vec<WireReport> = self.wires.iter().map(report).collect();
+        let mut wires: Vec<WireReport> = self.wires.iter().zip(&self.pauses).map(report).collect();
         if wires.len() == 1 {
             return PlanReport::One(Box::new(wires.remove(0)));
         }

@@ -258,9 +258,8 @@ impl Planned {
             .iter()
             .zip(&self.timings)
             .zip(&self.pauses.wires)
-            .map(|((plan, took), pauses)| WireReport {
-                pauses: pauses.clone(),
-                ..WireReport::new(wireframe, self.components, plan, &self.setup, took.clone())
+            .map(|((plan, took), pauses)| {
+                WireReport::new(wireframe, self.components, plan, pauses, &self.setup, took.clone())
             })
             .collect();
         if wires.len() == 1 && self.design.is_empty() {

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use wirebend_core::plan::WirePlan;
 use wirebend_core::units::Length;
 use wirebend_core::wireframe::{EdgeId, Wireframe};
+use wirebend_files::document::JobPause;
 
 use crate::machine::Setup;
 use crate::report::{
@@ -18,6 +19,7 @@ impl WireReport {
         wireframe: &Wireframe,
         components: usize,
         plan: &WirePlan,
+        pauses: &[JobPause],
         setup: &Setup,
         timings_ms: BTreeMap<&'static str, f64>,
     ) -> Self {
@@ -62,7 +64,7 @@ impl WireReport {
             // The wires of a part were searched for together: the first has what came of it, as it has the times.
             search: plan.searched.as_ref().filter(|_| !timings_ms.is_empty()).map(SearchReport::from),
             sag: None,
-            pauses: Vec::new(),
+            pauses: pauses.to_vec(),
             time_s: plan.seconds,
             cost: fed.and_then(|fed| wire.cost(fed)),
             stock_cost: plan.stock.and_then(|stock| wire.cost(stock)),
