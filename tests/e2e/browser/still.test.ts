@@ -225,6 +225,10 @@ it("keeps the focus on a click on a unit, and letters of a field away from the d
   // The same where a click that takes no focus has closed the menu of a field; what only looks works.
   await field.click({ button: "right" });
   await menu().waitFor();
+  // It hears clicks beside it from the first timer on that comes after it has the focus.
+  const inMenu = () => document.activeElement?.closest("[role=menu]") != null;
+  await until(() => editor.page.evaluate(inMenu)).toBe(true);
+  await editor.page.evaluate(() => new Promise((done) => window.setTimeout(done)));
   await editor.section("edit").getByRole("heading", { name: "Vertices", exact: true }).click({ force: true });
   await menu().waitFor({ state: "detached" });
   await until(() => editor.page.evaluate(() => document.activeElement?.tagName)).not.toBe("INPUT");
