@@ -35,6 +35,12 @@ static uint8_t validate_peg(const struct wb_peg *peg, int32_t out)
     return out == 0 || out == 1 ? 0 : WB_ERROR_RANGE;
 }
 
+/* Where the peg comes out, if a line says so. In the air it does not. */
+static int32_t approach_of(const struct wb_command *line)
+{
+    return line->letter == WB_COMMAND_MOVE ? line->field[3] : 0;
+}
+
 /* Whether the peg comes out on the side from which it bends. */
 static bool validate_approach(int32_t bend, int32_t approach)
 {
@@ -66,21 +72,21 @@ static uint8_t validate(const struct wb_controller *c, const struct wb_command *
     if (!c->motion.homed) {
         return WB_ERROR_NOT_HOMED;
     }
-    if (!validate_approach(line->field[2], line->field[3])) {
+    if (!validate_approach(line->field[2], approach_of(line))) {
         return WB_ERROR_RANGE;
     }
     bool allowed = wb_limits_allow_move(&c->settings, &c->queue, line->field[0], line->field[1], line->field[2]) &&
-                   wb_limits_allow_bend_axis(&c->settings, line->field[3]);
+                   wb_limits_allow_bend_axis(&c->settings, approach_of(line));
     return allowed ? 0 : WB_ERROR_SOFT_LIMIT;
 }
 
 static void queue_line(struct wb_queue *queue, const struct wb_command *command)
 {
     struct wb_line line = {.n = command->n, .letter = command->letter, .feed = command->field[0]};
-    if (command->letter == WB_COMMAND_MOVE) {
+    if (command->letter == WB_COMMAND_MOVE || command->letter == WB_COMMAND_DRY) {
         line.rotate = command->field[1];
         line.bend = command->field[2];
-        line.approach = command->field[3];
+        line.approach = approach_of(command);
         queue->planned_feed += line.feed;
         queue->planned_rotate += line.rotate;
     }

@@ -78,6 +78,9 @@ static void command(struct world *world, char letter, struct text *text)
     case WB_COMMAND_MOVE:
         length = snprintf(payload, sizeof payload, d ? "M%u,%d,%d,%d,%d" : "M%u,%d,%d,%d", n, a, b, c, d);
         break;
+    case WB_COMMAND_DRY:
+        length = snprintf(payload, sizeof payload, "Y%u,%d,%d,%d", n, a, b, c);
+        break;
     case WB_COMMAND_HOME:
         length = snprintf(payload, sizeof payload, "H%u", n);
         break;

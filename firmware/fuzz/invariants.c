@@ -78,7 +78,8 @@ static void pulse(struct world *world, const struct wb_host_event *event, const 
     MUST(!world->stopped || homing(&before->motion));
     /* The peg is in while the wire moves, and while the bend axis is homed. */
     uint8_t phase = before->motion.phase;
-    bool peg_out = phase == WB_PHASE_BEND || phase == WB_PHASE_BACK_OFF || phase == WB_PHASE_CLEAR_WIRE;
+    bool dry = before->motion.line.letter == WB_COMMAND_DRY;
+    bool peg_out = (phase == WB_PHASE_BEND && !dry) || phase == WB_PHASE_BACK_OFF || phase == WB_PHASE_CLEAR_WIRE;
     MUST(peg_out || world->peg_us == wb_setting(&c->settings, WB_SETTING_PEG_IN_US));
     MUST(!peg_out || axis == WB_BEND);
     if (axis == WB_BEND) {

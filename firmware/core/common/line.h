@@ -1,4 +1,4 @@
-/* A numbered line from the host: a move, homing, or the peg by hand. */
+/* A numbered line from the host: a move, the same in the air, homing, or the peg by hand. */
 #ifndef WB_LINE_H
 #define WB_LINE_H
 
@@ -6,7 +6,7 @@
 
 struct wb_line {
     uint32_t n;       /* number: counts from 1 in a session */
-    char letter;      /* letter: WB_COMMAND_MOVE, _HOME or _PEG */
+    char letter;      /* letter: WB_COMMAND_MOVE, _DRY, _HOME or _PEG */
     int32_t feed;     /* steps; of a peg line 1 for out, 0 for in */
     int32_t rotate;   /* steps */
     int32_t bend;     /* steps from zero; the axis returns to zero after it */

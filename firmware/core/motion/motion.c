@@ -47,6 +47,20 @@ void wb_motion_release(struct wb_motion *motion)
     motion->located = false;
 }
 
+/* A line in the air has a quarter of the speeds, but no less than the timer can do. */
+enum { DRY_SLOWER = 4, SLOWEST = 31 /* steps/s */ };
+
+static bool is_dry(const struct wb_motion *motion)
+{
+    return motion->line.letter == WB_COMMAND_DRY;
+}
+
+static uint16_t slower(uint16_t rate)
+{
+    rate = (uint16_t)(rate / DRY_SLOWER);
+    return rate < SLOWEST ? SLOWEST : rate;
+}
+
 /* Begins a move of an axis; false when it has no steps. */
 static bool move_axis(struct wb_motion *motion, const struct wb_settings *settings, struct wb_move *move)
 {
@@ -60,6 +74,9 @@ static bool move_axis(struct wb_motion *motion, const struct wb_settings *settin
     }
     if (move->rate == 0) {
         move->rate = (uint16_t)wb_setting(settings, RATE[move->axis]);
+    }
+    if (is_dry(motion)) {
+        move->rate = slower(move->rate);
     }
     move->acceleration = (uint32_t)wb_setting(settings, ACCELERATION[move->axis]);
     move->inverted = (inverted >> move->axis & 1) != 0;
@@ -76,7 +93,7 @@ static bool move_bend(struct wb_motion *motion, const struct wb_settings *settin
     struct wb_move move = {.axis = WB_BEND, .readings = WB_SWITCH_READINGS};
     move.steps = target - motion->stepper.position[WB_BEND];
     bool towards = (move.steps < 0) == (home < 0);
-    move.until = towards || motion->line.letter == WB_COMMAND_MOVE ? WB_UNTIL_PRESSED : WB_UNTIL_COUNT;
+    move.until = towards || motion->line.letter != WB_COMMAND_HOME ? WB_UNTIL_PRESSED : WB_UNTIL_COUNT;
     return move_axis(motion, settings, &move);
 }
 
@@ -139,7 +156,12 @@ static uint8_t next_phase(const struct wb_motion *motion)
     case WB_PHASE_RETRACT:
         return motion->line.letter == WB_COMMAND_HOME ? WB_PHASE_HOME_RELEASE : WB_PHASE_FEED;
     case WB_PHASE_ROTATE:
-        return motion->line.bend ? WB_PHASE_APPROACH : WB_PHASE_NONE;
+        if (motion->line.bend == 0) {
+            return WB_PHASE_NONE;
+        }
+        return is_dry(motion) ? WB_PHASE_BEND : WB_PHASE_APPROACH;
+    case WB_PHASE_BEND:
+        return is_dry(motion) ? WB_PHASE_RETURN : WB_PHASE_BACK_OFF;
     case WB_PHASE_RETURN:
     case WB_PHASE_HOME_ZERO:
     case WB_PHASE_PEG_MANUAL:

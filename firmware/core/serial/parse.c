@@ -44,12 +44,13 @@ enum wb_parsed wb_parse(const char *payload, struct wb_command *command)
         uint8_t more;   /* numbers after those that may be left out: then they are 0 */
     };
     static const WB_FLASH struct form FORMS[] = {
-        {WB_COMMAND_SESSION, false, 1, 0},       {WB_COMMAND_QUERY, false, 0, 0},
-        {WB_COMMAND_MOVE, true, 3, 1},           {WB_COMMAND_HOME, true, 0, 0},
-        {WB_COMMAND_PEG, true, 1, 0},            {WB_COMMAND_PAUSE, false, 0, 0},
-        {WB_COMMAND_RESUME, false, 0, 0},        {WB_COMMAND_HEAD, false, 1, 0},
-        {WB_COMMAND_READ_SETTING, false, 1, 0},  {WB_COMMAND_WRITE_SETTING, false, 2, 0},
-        {WB_COMMAND_LOAD_DEFAULTS, false, 0, 0}, {WB_COMMAND_RELEASE, false, 0, 0},
+        {WB_COMMAND_MOVE, true, 3, 1},           {WB_COMMAND_DRY, true, 3, 0},
+        {WB_COMMAND_HOME, true, 0, 0},           {WB_COMMAND_PEG, true, 1, 0},
+        {WB_COMMAND_PAUSE, false, 0, 0},         {WB_COMMAND_RESUME, false, 0, 0},
+        {WB_COMMAND_HEAD, false, 1, 0},          {WB_COMMAND_READ_SETTING, false, 1, 0},
+        {WB_COMMAND_WRITE_SETTING, false, 2, 0}, {WB_COMMAND_LOAD_DEFAULTS, false, 0, 0},
+        {WB_COMMAND_QUERY, false, 0, 0},         {WB_COMMAND_SESSION, false, 1, 0},
+        {WB_COMMAND_RELEASE, false, 0, 0},
     };
     uint8_t form = 0;
     while (FORMS[form].letter != *payload) {

@@ -12,6 +12,8 @@ pub enum Command {
     Query = b'Q',
     /// Line n: feeds, rotates, then bends. All in steps: feed and rotation are relative, the bend goes from zero to its angle and back. The peg comes out at `approach`, a position of the other sign than the bend, or at the near side where that is farther; it may be left out, and is since firmware 1.11.
     Move = b'M',
+    /// Line n: the same in the air. The peg stays in, the bend axis goes to its angle and back, and each axis moves at a quarter of its speed. Since firmware 1.12.
+    Dry = b'Y',
     /// Line n: homes the bend axis, then moves it to zero.
     Home = b'H',
     /// Line n: the peg in (0) or out (1).
@@ -40,6 +42,7 @@ impl Command {
             b'S' => Self::Session,
             b'Q' => Self::Query,
             b'M' => Self::Move,
+            b'Y' => Self::Dry,
             b'H' => Self::Home,
             b'K' => Self::Peg,
             b'P' => Self::Pause,

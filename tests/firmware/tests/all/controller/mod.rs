@@ -7,6 +7,7 @@ mod boot;
 mod builds;
 mod clone;
 mod core;
+mod dry;
 mod figures;
 mod frames;
 mod homing;
