@@ -22,7 +22,7 @@ pub use wirebend_editor::{
     Fix, FixChange, FixPreview, LiveCheck, MergePlace, Moved, PastedVertex, Placed, Unsaved, VertexView,
     ViewChange, WireFigures,
 };
-pub use wirebend_operation::by_hand::{JogRequest, JogResponse, ReplayRequest};
+pub use wirebend_operation::by_hand::{DryRunRequest, JogRequest, JogResponse, ReplayRequest};
 pub use wirebend_operation::calibrate::CalibrateEnterRequest;
 pub use wirebend_operation::machine_settings::{MachineSettingsRequest, MachineSettingsResponse};
 pub use wirebend_operation::ports::{PortEntry, PortsRequest, PortsResponse};

@@ -19,9 +19,9 @@ use crate::{
     CalibrateNewRequest, CalibrateNewResponse, CalibrationReport, CalibrationSheet, CalibrationSheetRequest,
     CheckRequest, CheckResponse, Collisions, CompareRequest, CompareResponse, DrawnSequence,
     DriverCheckRequest, DriverCheckResponse, DriverTrustRequest, DriverTrustResponse, DriversRequest,
-    DriversResponse, DumpRequest, DumpResponse, ExportRequest, ExportResponse, FrameRequest, FrameResponse,
-    FrontEnd, GenerateRequest, GenerateResponse, ImportRequest, ImportResponse, Installation, JogRequest,
-    JogResponse, LiveCheck, MachineSettingsRequest, MachineSettingsResponse, MachinesRequest,
+    DriversResponse, DryRunRequest, DumpRequest, DumpResponse, ExportRequest, ExportResponse, FrameRequest,
+    FrameResponse, FrontEnd, GenerateRequest, GenerateResponse, ImportRequest, ImportResponse, Installation,
+    JogRequest, JogResponse, LiveCheck, MachineSettingsRequest, MachineSettingsResponse, MachinesRequest,
     MachinesResponse, MaterialsRequest, MaterialsResponse, OperatorEvent, PlanRequest, PlanResponse,
     PortsRequest, PortsResponse, PredictionRequest, ProfileCheckRequest, ProfileCheckResponse,
     ProfileExplainRequest, ProfileExplainResponse, ProfileExportRequest, ProfileExportResponse,
@@ -171,6 +171,7 @@ requests! {
         Jog(JogRequest) -> JogResponse = by_hand::jog, "jog";
         /// Replays recorded moves.
         Replay(ReplayRequest) -> JogResponse = by_hand::replay, "replay";
+        DryRun(DryRunRequest) -> JogResponse = by_hand::dry_run, "dry-run";
         /// Compares a machine's settings with its profile, or writes them.
         MachineSettings(MachineSettingsRequest) -> MachineSettingsResponse = machine_settings::machine_settings, "machine-settings";
         /// Writes the record of a run to a file.

@@ -116,7 +116,14 @@ fn run(cli: Cli) -> anyhow::Result<u8> {
 
 /// What may move a machine, so that a stop has to be at hand.
 const fn is_live(command: &Command) -> bool {
-    matches!(command, Command::Run(_) | Command::Jog(_) | Command::Replay(_) | Command::MachineSettings(_))
+    matches!(
+        command,
+        Command::Run(_)
+            | Command::Jog(_)
+            | Command::Replay(_)
+            | Command::DryRun(_)
+            | Command::MachineSettings(_)
+    )
 }
 
 /// What may search, which Ctrl-C ends with the best so far.

@@ -42,7 +42,7 @@ extern "C" {
    ("ports", "write-settings") and events ("settings-written", "made"), and keys with defaults in those of
    1.0: "resume" of "connect", "token" in the reply of "arm", "going_on" of "connected". 1.2 has the call "limits",
    and one key more, "reference" of "connected": "machine" (the default) or "person". */
-#define WIREBEND_ABI_MINOR 4u
+#define WIREBEND_ABI_MINOR 5u
 
 /* What a function returns. */
 #define WIREBEND_OK 0      /* done; the buffer holds the result */

@@ -41,7 +41,8 @@ pub enum Call {
     /// Hands over steps. Reply: [`Sent`]; then `done` for each, and `finished` after the last.
     Send(Batch),
     /// Moves one axis. Reply: `{}`; then `jogged` or `fault`. On a machine that bends with a peg, a jog of the
-    /// bend axis is a whole bend: the peg comes out, the axis goes there and back, the peg goes in.
+    /// bend axis is a whole bend: the peg comes out, the axis goes there and back, the peg goes in. Of a dry run
+    /// it is that in the air: the peg stays in.
     Jog(Motion),
     /// Holds. Reply: `{}`; then `paused`.
     Pause,
@@ -165,6 +166,18 @@ pub struct Motion {
     pub axis: Axis,
     /// How far: mm for feed, degrees for the others.
     pub by: f64,
+    /// Whether it belongs to a dry run: without wire, at a quarter of the speed, the peg in; the bend axis goes there and back.
+    /// Only for drivers with [`Capability::DryRun`](crate::Capability::DryRun). Since 1.5.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub dry: bool,
+}
+
+impl Motion {
+    /// A jog.
+    #[must_use]
+    pub const fn new(axis: Axis, by: f64) -> Self {
+        Self { axis, by, dry: false }
+    }
 }
 
 /// An axis of a bender.

@@ -50,6 +50,8 @@ pub enum Capability {
     Ports,
     /// Writes its settings to the machine. Since 1.1.
     Settings,
+    /// Does the moves of a wire in the air: see [`Motion::dry`](crate::Motion::dry). Since 1.5.
+    DryRun,
     /// Something of a later minor version, which this one does not know.
     #[serde(other)]
     #[schemars(skip)]

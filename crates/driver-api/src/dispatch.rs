@@ -188,7 +188,7 @@ mod tests {
             Call::Home { head_at_deg: None },
             Call::Arm(Run::default()),
             Call::Send(Batch { steps: Vec::new(), last: true }),
-            Call::Jog(Motion { axis: Axis::Feed, by: 1.0 }),
+            Call::Jog(Motion::new(Axis::Feed, 1.0)),
             Call::Pause,
             Call::Resume,
             Call::Stop,

@@ -233,6 +233,7 @@ codes! {
     Unwritable = "unwritable",
     Unwritten = "unwritten",
     Value = "value",
+    WhichWire = "which-wire",
     WrongAnswer = "wrong-answer",
     ZeroNotConfirmed = "zero-not-confirmed",
 }

@@ -97,6 +97,14 @@ pub enum Order {
         #[serde(default)]
         other_machine: bool,
     },
+    /// Makes the moves of one of the open design's wires in the air, slowly: without wire, the peg in. A person is asked first.
+    DryRun {
+        /// Index of the wire, from 0.
+        wire: usize,
+        /// Whether to do it although a check says that the machine cannot make the wire.
+        #[serde(default)]
+        despite_errors: bool,
+    },
     /// Sets the machine as its profile says, for good. Nothing moves for it, and it has to be homed afterwards.
     WriteSettings,
     /// Closes the port.
@@ -122,11 +130,13 @@ impl Move {
 
 impl std::fmt::Display for Move {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        // To what a machine does of it.
+        let shown = |by: f64| (by * 1000.0).round() / 1000.0;
         match self {
             Self::Home => f.write_str("home"),
-            Self::Feed { mm } => write!(f, "feed {}", Mm(*mm)),
-            Self::Rotate { deg } => write!(f, "rotate {deg}°"),
-            Self::Bend { deg } => write!(f, "bend {deg}°"),
+            Self::Feed { mm } => write!(f, "feed {}", Mm(shown(*mm))),
+            Self::Rotate { deg } => write!(f, "rotate {}°", shown(*deg)),
+            Self::Bend { deg } => write!(f, "bend {}°", shown(*deg)),
         }
     }
 }
@@ -145,6 +155,7 @@ impl Order {
             Self::ResumeRun { .. } => OrderName::ResumeRun,
             Self::Abandon { .. } => OrderName::Abandon,
             Self::Replay { .. } => OrderName::Replay,
+            Self::DryRun { .. } => OrderName::DryRun,
             Self::WriteSettings => OrderName::WriteSettings,
             Self::Disconnect => OrderName::Disconnect,
         }
@@ -153,7 +164,7 @@ impl Order {
     /// Whether it is about a wire of a job, which is given with it.
     #[must_use]
     pub const fn is_of_job(&self) -> bool {
-        matches!(self, Self::Arm { .. } | Self::ResumeRun { .. } | Self::Abandon { .. })
+        matches!(self, Self::Arm { .. } | Self::DryRun { .. } | Self::ResumeRun { .. } | Self::Abandon { .. })
     }
 
     /// Whether something moves or is set by it, or is to be.
@@ -166,6 +177,7 @@ impl Order {
             | Self::Start
             | Self::ResumeRun { .. }
             | Self::Replay { .. }
+            | Self::DryRun { .. }
             | Self::WriteSettings => true,
             // A wire that was begun continues as it was begun.
             Self::Disarm | Self::Pause | Self::Resume | Self::Abandon { .. } | Self::Disconnect => false,

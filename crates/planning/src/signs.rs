@@ -42,7 +42,7 @@ impl Signs {
             Axis::Rotate => factor(self.0.rotate),
             Axis::Bend => factor(self.0.bend),
         };
-        Motion { axis, by: by * factor }
+        Motion::new(axis, by * factor)
     }
 
     /// What the machine says of its axes.

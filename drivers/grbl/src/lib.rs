@@ -40,6 +40,7 @@ impl MachineDriver for Grbl {
                 Capability::Export,
                 Capability::Live,
                 Capability::Jog,
+                Capability::DryRun,
                 Capability::Home,
                 Capability::Pause,
                 Capability::Resume,

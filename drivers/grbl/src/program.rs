@@ -92,8 +92,7 @@ impl Program {
                 lines.extend(["G90".to_owned(), format!("G92{zero}")]);
             }
         }
-        lines.extend_from_slice(&settings.pin_in);
-        lines.extend(dwell(settings.pin_dwell_s, !settings.pin_in.is_empty()));
+        lines.extend(taken_in(&settings));
         self.numbered(lines)
     }
 
@@ -156,8 +155,7 @@ impl Program {
                     segments.push(Segment { lines: std::mem::take(&mut lines), end: end(bend_at) });
                 }
             }
-            lines.extend_from_slice(&settings.pin_in);
-            lines.extend(dwell(settings.pin_dwell_s, !settings.pin_in.is_empty()));
+            lines.extend(taken_in(&settings));
         } else if settings.bend_returns {
             bend.exact = before;
         }
@@ -201,6 +199,11 @@ fn parts(bend_deg: f64, max_deg: f64) -> impl Iterator<Item = f64> {
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // 1 to a million
     let whole = count as u32;
     (1..=whole).map(move |k| if k == whole { bend_deg } else { bend_deg * f64::from(k) / count })
+}
+
+/// The pin taken in.
+pub(crate) fn taken_in(settings: &Settings) -> impl Iterator<Item = String> {
+    settings.pin_in.iter().cloned().chain(dwell(settings.pin_dwell_s, !settings.pin_in.is_empty()))
 }
 
 fn dwell(seconds: f64, wanted: bool) -> Option<String> {

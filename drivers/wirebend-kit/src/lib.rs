@@ -47,6 +47,7 @@ impl MachineDriver for WirebendKit {
                 Capability::Export,
                 Capability::Live,
                 Capability::Jog,
+                Capability::DryRun,
                 Capability::Home,
                 Capability::Pause,
                 Capability::Resume,

@@ -104,6 +104,21 @@ it("replays what was just recorded from the reference, once a person has said th
   expect((await state()).recorded).toBe(2);
 });
 
+it("makes a dry run of the wire, which is none of what is recorded, and leaves the bend axis at zero", async () => {
+  await button("Home").click();
+  await rests("ready");
+  const [from = 0] = await places();
+  const { recorded } = await state();
+  expect(await button("Dry run…").getAttribute("title")).toMatch(/without wire and with the peg in/);
+  await button("Dry run…").click();
+  // The house takes several times as much wire.
+  await until(async () => ((await places())[0] ?? 0) > from + 500).toBe(true);
+  await rests("ready");
+  expect((await places())[1]).toBe(0);
+  expect((await state()).recorded).toBe(recorded);
+  await until(() => button("Arm…").getAttribute("aria-disabled")).toBeNull();
+});
+
 it("says in the console when each line went over the wire", async () => {
   await button(/^Console/).click();
   const lines = run().getByRole("log", { name: "Lines to and from the machine" }).locator("time");

@@ -548,6 +548,17 @@ export type Order =
       other_machine?: boolean;
     }
   | {
+      /**
+       * Whether to do it although a check says that the machine cannot make the wire.
+       */
+      despite_errors?: boolean;
+      order: "dry-run";
+      /**
+       * Index of the wire, from 0.
+       */
+      wire: number;
+    }
+  | {
       order: "write-settings";
     }
   | {

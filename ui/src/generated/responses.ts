@@ -14,6 +14,7 @@ export type OrderName =
   | "resume-run"
   | "abandon"
   | "replay"
+  | "dry-run"
   | "write-settings"
   | "disconnect";
 /**
@@ -913,7 +914,8 @@ export type RunFileKind = "job" | "program" | "moves";
 /**
  * Something that a driver can do.
  */
-export type Capability = "export" | "live" | "jog" | "home" | "pause" | "resume" | "stop" | "ports" | "settings";
+export type Capability =
+  "export" | "live" | "jog" | "home" | "pause" | "resume" | "stop" | "ports" | "settings" | "dry-run";
 /**
  * What a format holds.
  */
@@ -1802,6 +1804,7 @@ export type ErrorCode =
   | "unwritable"
   | "unwritten"
   | "value"
+  | "which-wire"
   | "wrong-answer"
   | "zero-not-confirmed";
 /**

@@ -38,6 +38,7 @@ const ORDERS: Readonly<Record<OrderName, true>> = {
   "resume-run": true,
   abandon: true,
   replay: true,
+  "dry-run": true,
   "write-settings": true,
   disconnect: true,
 };

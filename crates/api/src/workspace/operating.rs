@@ -197,6 +197,7 @@ impl Workspace {
                 self.keep_job(&job)?;
                 Some(job)
             }
+            Order::DryRun { despite_errors, .. } => Some(self.job(*despite_errors, progress)?),
             Order::ResumeRun { job_hash, .. } | Order::Abandon { job_hash, .. } => {
                 Some(self.job_of(job_hash)?)
             }

@@ -30,9 +30,9 @@ pub(crate) struct ZeroArgs {
     pub head_at: Option<f64>,
 }
 
-#[allow(clippy::struct_excessive_bools)] // each is an option of its own
+/// What is run, and where.
 #[derive(Debug, Args)]
-pub(crate) struct RunArgs {
+pub(crate) struct ToRunArgs {
     /// Job to run, or program in the machine's own format, or - for standard input
     #[arg(value_name = "JOB")]
     pub job: PathBuf,
@@ -49,6 +49,13 @@ pub(crate) struct RunArgs {
     pub at: PortArgs,
     #[command(flatten)]
     pub zero: ZeroArgs,
+}
+
+#[allow(clippy::struct_excessive_bools)] // each is an option of its own
+#[derive(Debug, Args)]
+pub(crate) struct RunArgs {
+    #[command(flatten)]
+    pub what: ToRunArgs,
     /// Bend this wire alone, counted from 1
     #[arg(long, value_name = "N")]
     pub wire: Option<NonZeroUsize>,
@@ -73,6 +80,15 @@ pub(crate) struct RunArgs {
     /// Replace a record that is there
     #[arg(long)]
     pub force: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct DryRunArgs {
+    #[command(flatten)]
+    pub what: ToRunArgs,
+    /// The wire, counted from 1; needed where the job has several
+    #[arg(long, value_name = "N")]
+    pub wire: Option<NonZeroUsize>,
 }
 
 /// What a person says of a step in doubt; nothing where they are to be asked.

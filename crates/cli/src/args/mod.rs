@@ -14,7 +14,7 @@ use wirebend_api::{StageName, StepPause};
 
 pub(crate) use calibrate::CalibrateCommand;
 use frame::{FrameArgs, ToleranceArgs};
-use live::{JogArgs, MachineSettingsArgs, PortsArgs, ReplayArgs, RunArgs, RunsCommand};
+use live::{DryRunArgs, JogArgs, MachineSettingsArgs, PortsArgs, ReplayArgs, RunArgs, RunsCommand};
 use sequence::SequenceArgs;
 pub(crate) use shared::{
     ChoiceArgs, ClearanceArgs, DangerArgs, DesignArgs, ExportedArgs, KindArgs, OutputArgs, ReadArgs,
@@ -194,6 +194,9 @@ pub(crate) enum Subcommands {
         after_help = "Examples:\n  wirebend run cube.wbjob --port sim\n  wirebend run cube.wbjob --port /dev/ttyACM0\n  wirebend run cube.wbjob --port /dev/ttyACM0 --resume"
     )]
     Run(RunArgs),
+    /// Make the moves of a wire without wire, slowly and with the peg in; Ctrl-C is STOP
+    #[command(after_help = "Example:\n  wirebend dry-run cube.wbjob --port /dev/ttyACM0")]
+    DryRun(DryRunArgs),
     /// Move a machine by hand; Ctrl-C is STOP
     #[command(
         after_help = "Example:\n  wirebend jog --machine wirebend-kit --port sim:max home f 10 r 90 b -45 --record try.wbmoves"

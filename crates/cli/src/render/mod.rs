@@ -55,7 +55,7 @@ pub(crate) fn show(response: &Response, json: bool, contents: Contents) -> anyho
             Response::Tolerance(found) => frame::tolerance(&mut err, found)?,
             Response::Sequence(found) => sequence::sequence(&mut err, found)?,
             Response::Run(found) => live::run(&mut std::io::stdout().lock(), &mut err, found)?,
-            Response::Jog(found) | Response::Replay(found) => {
+            Response::Jog(found) | Response::Replay(found) | Response::DryRun(found) => {
                 live::jog(&mut std::io::stdout().lock(), &mut err, found)?;
             }
             Response::Ports(found) => live::ports(&mut std::io::stdout().lock(), &mut err, found)?,
@@ -101,19 +101,30 @@ fn status(response: &Response) -> u8 {
         // A user who asked to accept it has to read that it is not accepted.
         Response::DriverTrust(found) => return if found.accepted { exit::DONE } else { exit::USAGE },
         Response::Run(found) => return status_of_run(found),
-        Response::Jog(found) | Response::Replay(found) if may_move(found.standstill) => {
+        Response::Jog(found) | Response::Replay(found) | Response::DryRun(found)
+            if may_move(found.standstill) =>
+        {
             return exit::MAY_MOVE;
         }
-        Response::Jog(found) | Response::Replay(found) if found.stopped => return exit::STOPPED,
-        Response::Jog(found) | Response::Replay(found) if found.left_because.is_some() => {
+        Response::Jog(found) | Response::Replay(found) | Response::DryRun(found) if found.stopped => {
+            return exit::STOPPED;
+        }
+        Response::Jog(found) | Response::Replay(found) | Response::DryRun(found)
+            if found.left_because.is_some() =>
+        {
             return match found.left_because {
                 Some(LeftBecause::NobodyAsked) => exit::USAGE,
                 Some(LeftBecause::Declined) | None => exit::STOPPED,
             };
         }
-        Response::Jog(found) | Response::Replay(found) if found.problem.is_some() => return exit::FAILURE,
+        Response::Jog(found) | Response::Replay(found) | Response::DryRun(found)
+            if found.problem.is_some() =>
+        {
+            return exit::FAILURE;
+        }
         Response::Jog(_)
         | Response::Replay(_)
+        | Response::DryRun(_)
         | Response::Ports(_)
         | Response::MachineSettings(_)
         | Response::Runs(_)

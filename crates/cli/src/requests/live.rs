@@ -1,35 +1,21 @@
 //! The requests of what moves a machine, or asks it.
 
 use wirebend_api::{
-    Answers, Command, JogRequest, MachineSettingsRequest, Output, PortsRequest, Repeat, ReplayRequest,
-    RunHow, RunRequest, RunsExportRequest, RunsRequest, RunsShowRequest,
+    Answers, Command, DryRunRequest, JogRequest, MachineSettingsRequest, Output, PortsRequest, Repeat,
+    ReplayRequest, RunHow, RunRequest, RunsExportRequest, RunsRequest, RunsShowRequest,
 };
 
 use super::{Prepared, input, place};
 use crate::args::live::{
-    Answer, JogArgs, MachineSettingsArgs, PortArgs, PortsArgs, ReplayArgs, RunArgs, RunsCommand, ZeroArgs,
-    moves,
+    Answer, DryRunArgs, JogArgs, MachineSettingsArgs, PortArgs, PortsArgs, ReplayArgs, RunArgs, RunsCommand,
+    ToRunArgs, ZeroArgs, moves,
 };
 use crate::contents::Contents;
 use crate::usage::WrongUse;
 
 pub(super) fn run(args: RunArgs) -> anyhow::Result<Command> {
-    let RunArgs {
-        job,
-        machine,
-        material,
-        despite_errors,
-        at,
-        zero,
-        wire,
-        repeat,
-        stock,
-        resume,
-        abandon,
-        accept_settings,
-        record,
-        force,
-    } = args;
+    let RunArgs { what, wire, repeat, stock, resume, abandon, accept_settings, record, force } = args;
+    let ToRunArgs { job, machine, material, despite_errors, at, zero } = what;
     let answers = answers(&at, &zero);
     let wire = wire.map(|wire| wire.get() - 1);
     let how = match resume {
@@ -49,6 +35,22 @@ pub(super) fn run(args: RunArgs) -> anyhow::Result<Command> {
         answers,
         accept_settings,
         record: record.map(|path| Output { path, force }),
+    }))
+}
+
+pub(super) fn dry_run(args: DryRunArgs) -> anyhow::Result<Command> {
+    let DryRunArgs { what, wire } = args;
+    let ToRunArgs { job, machine, material, despite_errors, at, zero } = what;
+    let answers = answers(&at, &zero);
+    let (job, wire) = (input(&job)?, wire.map(|wire| wire.get() - 1));
+    Ok(Command::DryRun(DryRunRequest {
+        job,
+        machine,
+        material,
+        despite_errors,
+        port: at.port,
+        wire,
+        answers,
     }))
 }
 

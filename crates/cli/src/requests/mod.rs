@@ -103,6 +103,7 @@ pub(crate) fn prepare(command: Subcommands) -> anyhow::Result<Prepared> {
         Subcommands::Tolerance(args) => written(frame::tolerance(args)?),
         Subcommands::Sequence(args) => written(sequence::sequence(args)?),
         Subcommands::Run(args) => written(live::run(args)?),
+        Subcommands::DryRun(args) => written(live::dry_run(args)?),
         Subcommands::Jog(args) => written(live::jog(args)?),
         Subcommands::Replay(args) => written(live::replay(args)?),
         Subcommands::Ports(args) => written(live::ports(args)),

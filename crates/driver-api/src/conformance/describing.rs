@@ -83,9 +83,15 @@ fn capabilities(description: &Description) -> Result<(), String> {
         Capability::Stop,
         Capability::Ports,
         Capability::Settings,
+        Capability::DryRun,
     ];
     if connected.into_iter().any(can) && !can(Capability::Live) {
-        return Err("'jog', 'home', 'pause', 'stop', 'ports' and 'settings' need 'live'".to_owned());
+        return Err(
+            "'jog', 'home', 'pause', 'stop', 'ports', 'settings' and 'dry-run' need 'live'".to_owned()
+        );
+    }
+    if can(Capability::DryRun) && !can(Capability::Jog) {
+        return Err("'dry-run' needs 'jog'".to_owned());
     }
     if description.capabilities.is_empty() { Err("it can do nothing at all".to_owned()) } else { Ok(()) }
 }

@@ -61,7 +61,7 @@ fn unconnected(subject: &mut dyn Subject) -> Result<(), String> {
         Call::Home { head_at_deg: None },
         Call::Arm(run),
         Call::Send(Batch { steps: Vec::new(), last: true }),
-        Call::Jog(Motion { axis: Axis::Feed, by: 1.0 }),
+        Call::Jog(Motion::new(Axis::Feed, 1.0)),
         Call::Pause,
         Call::Resume,
         Call::Stop,

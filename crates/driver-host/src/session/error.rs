@@ -160,6 +160,7 @@ const fn word(capability: Capability) -> &'static str {
         Capability::Export => "export",
         Capability::Live => "live",
         Capability::Jog => "jog",
+        Capability::DryRun => "dry-run",
         Capability::Home => "home",
         Capability::Pause => "pause",
         Capability::Resume => "resume",

@@ -162,6 +162,9 @@ impl Session {
     /// [`SessionError`].
     pub fn jog(&mut self, armed: &Armed, motion: Motion) -> Result<(), SessionError> {
         self.require(Capability::Jog)?;
+        if motion.dry {
+            self.require(Capability::DryRun)?;
+        }
         self.valid(armed)?;
         let next = self.may(Act::Jog)?;
         if self.steps.is_some() {
@@ -170,7 +173,9 @@ impl Session {
         let place = self.head.jogs(motion)?;
         let called = self.motion("jogging", &Call::Jog(motion));
         self.faulting_before(called, place)?;
-        self.off.turned(motion.axis, motion.by);
+        if !(motion.dry && motion.axis == Axis::Bend) {
+            self.off.turned(motion.axis, motion.by);
+        }
         self.phase = next;
         Ok(())
     }

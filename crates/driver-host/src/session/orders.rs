@@ -33,6 +33,8 @@ pub enum OrderName {
     Abandon,
     /// Replays recorded moves.
     Replay,
+    /// Makes the moves of one of the open design's wires in the air, slowly: without wire, the peg in.
+    DryRun,
     /// Sets the machine as its profile says, for good. Nothing moves for it, and it has to be homed afterwards.
     WriteSettings,
     /// Closes the port.
@@ -40,7 +42,7 @@ pub enum OrderName {
 }
 
 impl OrderName {
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::Home,
         Self::Jog,
         Self::Arm,
@@ -51,6 +53,7 @@ impl OrderName {
         Self::ResumeRun,
         Self::Abandon,
         Self::Replay,
+        Self::DryRun,
         Self::WriteSettings,
         Self::Disconnect,
     ];
@@ -60,6 +63,7 @@ impl OrderName {
         match self {
             Self::Home => Some(Capability::Home),
             Self::Jog | Self::Replay => Some(Capability::Jog),
+            Self::DryRun => Some(Capability::DryRun),
             Self::Pause => Some(Capability::Pause),
             Self::Resume => Some(Capability::Resume),
             Self::WriteSettings => Some(Capability::Settings),
@@ -81,6 +85,7 @@ impl fmt::Display for OrderName {
             Self::ResumeRun => "resuming an interrupted wire",
             Self::Abandon => "giving up a wire",
             Self::Replay => "replaying moves",
+            Self::DryRun => "a dry run",
             Self::WriteSettings => "writing settings",
             Self::Disconnect => "disconnecting",
         })
@@ -170,7 +175,8 @@ impl Orders {
 /// The table.
 const fn refusal(phase: Phase, order: OrderName, reference: ReferenceBy) -> Option<Because> {
     use OrderName::{
-        Abandon, Arm, Disarm, Disconnect, Home, Jog, Pause, Replay, Resume, ResumeRun, Start, WriteSettings,
+        Abandon, Arm, Disarm, Disconnect, DryRun, Home, Jog, Pause, Replay, Resume, ResumeRun, Start,
+        WriteSettings,
     };
     match (phase, order) {
         // A wire, and a recording, begin with homing where the reference is not known. Where a person brings
@@ -180,9 +186,9 @@ const fn refusal(phase: Phase, order: OrderName, reference: ReferenceBy) -> Opti
         }
         (
             Phase::Connected | Phase::Stopped | Phase::Ready,
-            Home | Jog | Arm | ResumeRun | Abandon | Replay | WriteSettings | Disconnect,
+            Home | Jog | Arm | ResumeRun | Abandon | Replay | DryRun | WriteSettings | Disconnect,
         )
-        | (Phase::Armed, Start | Disarm | Home | Jog | Arm | ResumeRun | Abandon | Replay | Disconnect)
+        | (Phase::Armed, Start | Disarm | Home | Jog | Arm | ResumeRun | Abandon | Replay | DryRun | Disconnect)
         | (Phase::Making, Pause)
         | (Phase::Holding, Resume)
         // Homing ends what only the machine itself has against moving; resuming connects anew.

@@ -1,10 +1,11 @@
 //! Moves run one after the other, each to its end before the next.
 
-use wirebend_driver_host::api::{Axis, Capability, Event, ReferenceBy};
+use wirebend_driver_host::api::{Axis, Capability, Event, Motion, ReferenceBy};
 use wirebend_driver_host::{Armed, Permit, PermitKind, Phase, SessionError};
 use wirebend_error::ProblemReport;
 use wirebend_profile::{MachineProfile, Resolved};
 
+use super::dry_run::DryRun;
 use super::{Hand, JogResponse};
 use crate::FrontEnd;
 use crate::live::{At, Connection, Unnamed, Zero, ask_permit, connect, stop_of};
@@ -19,13 +20,32 @@ pub const QUESTION: &str = "May the machine move?";
 /// How many moves are listed before they run.
 const TOLD: usize = 12;
 
+/// Moves that run one after the other, in canonical signs.
+pub struct Row<'a> {
+    pub moves: &'a [Move],
+    /// What else a person has to know of them.
+    pub more: Vec<String>,
+    /// The wire whose moves they are, where they are made in the air.
+    pub dry: Option<DryRun<'a>>,
+}
+
+impl Row<'_> {
+    fn begins_with_homing(&self) -> bool {
+        self.moves.first() == Some(&Move::Home)
+    }
+
+    /// What a person is asked before they run.
+    pub fn question(&self) -> &'static str {
+        if self.dry.is_some() { "Is there no wire in the machine, and may it move?" } else { QUESTION }
+    }
+}
+
 /// Runs moves on a machine. What stops or fails on the way is in the answer, with the moves done before.
 pub(super) fn make(
     app: &Installation,
     machine: &Resolved<MachineProfile>,
     hand: &Hand,
-    moves: &[Move],
-    more: Vec<String>,
+    row: &Row,
     progress: &dyn FrontEnd,
 ) -> Result<JogResponse, OperationError> {
     let signs = Signs::of(&machine.figures()?);
@@ -38,25 +58,24 @@ pub(super) fn make(
         axes_at_zero: hand.answers.axes_at_zero,
     };
     let mut connection = connect(app, &at, progress)?;
-    require(&connection, moves)?;
+    require(&connection, row)?;
     connection.settle_head(hand.answers.head_at_deg, hand.answers.confirmed)?;
     // It counts every move from its reference.
-    let homes = connection.session.phase() != Phase::Ready
-        && moves.first() != Some(&Move::Home)
-        && connection.can_home();
-    let lines = lines(&connection, machine, moves, more, homes);
+    let homes =
+        connection.session.phase() != Phase::Ready && !row.begins_with_homing() && connection.can_home();
+    let lines = lines(&connection, machine, row, homes);
     let kind = PermitKind::ByHand;
-    let permit =
-        ask_permit(&mut connection.session, progress, kind, lines, QUESTION, hand.answers.confirmed)?;
-    if homes || moves.first() == Some(&Move::Home) {
+    let confirmed = hand.answers.confirmed;
+    let permit = ask_permit(&mut connection.session, progress, kind, lines, row.question(), confirmed)?;
+    if homes || row.begins_with_homing() {
         // Before any of them runs.
         connection.ask_zero(if homes { hand.zero } else { Zero::Wire })?;
     }
     let mut made = Vec::new();
-    let ended = make_all(&mut connection, signs, moves, homes, &permit, |told| {
+    let ended = make_all(&mut connection, signs, row, homes, &permit, |told| {
         if let MoveProgress::Made(one) = told {
             made.push(one);
-            progress.advance(made.len() as u64, moves.len() as u64);
+            progress.advance(made.len() as u64, row.moves.len() as u64);
         }
     });
     let left_because = match &ended {
@@ -88,7 +107,7 @@ pub(super) fn make(
         port: connection.port.clone(),
         identity: connection.session.identity().to_owned(),
         made,
-        of: moves.len(),
+        of: row.moves.len(),
         left_because,
         stopped,
         standstill,
@@ -98,39 +117,39 @@ pub(super) fn make(
     })
 }
 
-/// Refuses moves that the machine's driver does not know at all.
-pub fn require(connection: &Connection, moves: &[Move]) -> Result<(), LiveProblem> {
+/// Refuses moves that the machine's driver does not know at all, and those of a wire that the machine cannot make.
+pub fn require(connection: &Connection, row: &Row) -> Result<(), OperationError> {
     let description = connection.session.driver().description();
     for (needed, capability) in [
-        (moves.iter().any(|one| *one != Move::Home), Capability::Jog),
-        (moves.contains(&Move::Home), Capability::Home),
+        (row.moves.iter().any(|one| *one != Move::Home), Capability::Jog),
+        (row.moves.contains(&Move::Home), Capability::Home),
+        (row.dry.is_some(), Capability::DryRun),
     ] {
         if needed && !description.can(capability) {
             let driver = description.id.clone();
-            return Err(SessionError::Unsupported { driver, capability }.into());
+            return Err(LiveProblem::from(SessionError::Unsupported { driver, capability }).into());
         }
     }
-    Ok(())
+    row.dry.as_ref().map_or(Ok(()), |dry| dry.require_within(connection))
 }
 
-/// What the user reads before moves run. `more`: what else they have to know about them.
+/// What the user reads before moves run.
 pub fn lines(
     connection: &Connection,
     machine: &Resolved<MachineProfile>,
-    moves: &[Move],
-    more: Vec<String>,
+    row: &Row,
     homes: bool,
 ) -> Vec<String> {
     let name = machine.profile.name.as_deref().unwrap_or(&machine.profile.id);
     let mut lines = vec![format!("{name} at {} ({})", connection.port, connection.session.identity())];
     lines.extend(connection.why_here());
-    lines.extend(more);
+    lines.extend(row.more.iter().cloned());
     if homes && connection.reference() == ReferenceBy::Machine {
         lines.push("first it homes: the bend axis moves at once".to_owned());
     }
-    lines.extend(connection.head_lines(homes || moves.first() == Some(&Move::Home)));
-    let told: Vec<String> = moves.iter().take(TOLD).map(ToString::to_string).collect();
-    let more = moves.len().saturating_sub(TOLD);
+    lines.extend(connection.head_lines(homes || row.begins_with_homing()));
+    let told: Vec<String> = row.moves.iter().take(TOLD).map(ToString::to_string).collect();
+    let more = row.moves.len().saturating_sub(TOLD);
     let more = if more > 0 { format!(" and {more} more") } else { String::new() };
     lines.push(format!("moves: {}{more}", told.join(", ")));
     lines
@@ -148,7 +167,7 @@ pub enum MoveProgress {
 pub fn make_all(
     connection: &mut Connection,
     signs: Signs,
-    moves: &[Move],
+    row: &Row,
     homes: bool,
     permit: &Permit,
     mut told: impl FnMut(MoveProgress),
@@ -157,9 +176,9 @@ pub fn make_all(
         connection.home(permit)?;
     }
     let mut armed = None;
-    let ended = moves.iter().try_for_each(|&one| {
+    let ended = row.moves.iter().try_for_each(|&one| {
         told(MoveProgress::Begins(one));
-        make_one(connection, signs, one, &mut armed, permit)?;
+        make_one(connection, signs, one, row.dry.is_some(), &mut armed, permit)?;
         told(MoveProgress::Made(one));
         Ok(())
     });
@@ -172,6 +191,7 @@ fn make_one(
     connection: &mut Connection,
     signs: Signs,
     one: Move,
+    dry: bool,
     armed: &mut Option<Armed>,
     permit: &Permit,
 ) -> Result<(), LiveProblem> {
@@ -195,7 +215,7 @@ fn make_one(
     connection.observer.progress.stage(&one.to_string());
     // What was said of where the axes stand was said before this.
     connection.observer.moved();
-    connection.session.jog(&token, motion)?;
+    connection.session.jog(&token, Motion { dry, ..motion })?;
     connection.observer.publish(&connection.session);
     while !connection.look_until_held("it was moved by hand")?.contains(&Event::Jogged) {}
     *armed = Some(token);

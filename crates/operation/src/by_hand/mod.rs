@@ -1,5 +1,6 @@
-//! `jog` and `replay`: moves by hand, and a recorded row of them.
+//! `jog`, `replay` and `dry-run`: moves by hand, a recorded row of them, and those of a wire in the air.
 
+mod dry_run;
 mod making;
 mod moves;
 mod wire;
@@ -14,10 +15,11 @@ use wirebend_profile::{MachineProfile, Resolved};
 use crate::FrontEnd;
 use crate::live::{Answers, Zero};
 use crate::order::Move;
-use crate::run::LeftBecause;
-use crate::{LiveProblem, OperationError};
+use crate::run::{LeftBecause, Task};
+use crate::{LiveProblem, OperationError, Repeat, RunHow, RunRequest};
+pub use dry_run::DryRun;
 use making::make;
-pub use making::{MoveProgress, QUESTION, lines, make_all, require};
+pub use making::{MoveProgress, Row, lines, make_all, require};
 pub use moves::MovesFile;
 pub use moves::{check_moves, profile_hash};
 pub use wire::WireByHand;
@@ -51,6 +53,28 @@ pub struct ReplayRequest {
     pub machine: Option<String>,
     /// Where it is; absent, the machine that its driver simulates is taken, if it has one.
     pub port: Option<String>,
+    #[serde(flatten)]
+    pub answers: Answers,
+}
+
+/// A wire whose moves are to be made in the air. Nothing moves unless a person confirms it: here, or when they are asked.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+pub struct DryRunRequest {
+    /// A job, or a program in the format of its machine.
+    pub job: Input,
+    /// The machine that a program is for; a job says it itself.
+    #[serde(default)]
+    pub machine: Option<String>,
+    /// The wire that a program is for; absent, the one that the machine's profile names.
+    #[serde(default)]
+    pub material: Option<String>,
+    /// Whether to do it although a check says that the machine cannot make the wire.
+    #[serde(default)]
+    pub despite_errors: bool,
+    /// Where the machine is; absent, the machine that its driver simulates is taken, if it has one.
+    pub port: Option<String>,
+    /// Index of the wire, from 0; it has to be named where there are several.
+    pub wire: Option<usize>,
     #[serde(flatten)]
     pub answers: Answers,
 }
@@ -90,7 +114,8 @@ pub fn jog(
     check_moves(&request.moves)?;
     let machine = app.library.machine(&request.machine)?;
     let hand = Hand { port: request.port.as_deref(), answers: request.answers, zero: Zero::Moves };
-    let mut response = make(app, &machine, &hand, &request.moves, Vec::new(), progress)?;
+    let mut response =
+        make(app, &machine, &hand, &Row { moves: &request.moves, more: Vec::new(), dry: None }, progress)?;
     if let Some(output) = &request.record {
         if response.made.is_empty() {
             let message = "nothing was moved, and so nothing was recorded".to_owned();
@@ -119,7 +144,36 @@ pub fn replay(
     let machine = app.library.machine(request.machine.as_ref().unwrap_or(&file.machine))?;
     let lines = other_machine(&name, &file, &machine, request.machine.is_some())?;
     let hand = Hand { port: request.port.as_deref(), answers: request.answers, zero: Zero::Wire };
-    make(app, &machine, &hand, &file.moves, lines, progress)
+    make(app, &machine, &hand, &Row { moves: &file.moves, more: lines, dry: None }, progress)
+}
+
+pub fn dry_run(
+    app: &Installation,
+    request: &DryRunRequest,
+    progress: &dyn FrontEnd,
+) -> Result<JogResponse, OperationError> {
+    let DryRunRequest { job, machine, material, despite_errors, port, wire, answers } = request.clone();
+    let request = RunRequest {
+        job,
+        machine,
+        material,
+        despite_errors,
+        port,
+        wire,
+        repeat: Repeat::default(),
+        how: RunHow::Begin,
+        answers,
+        accept_settings: false,
+        record: None,
+    };
+    let task = Task::open(app, request, progress)?;
+    let &[wire] = task.wanted().as_slice() else {
+        return Err(LiveProblem::WhichWire { count: task.wanted().len() }.into());
+    };
+    let dry = DryRun::of(&task, wire)?;
+    let moves = dry.moves()?;
+    let hand = Hand { port: task.request.port.as_deref(), answers, zero: Zero::Wire };
+    make(app, &task.setup.machine, &hand, &Row { moves: &moves, more: dry.lines(), dry: Some(dry) }, progress)
 }
 
 /// The moves of a recording for a machine that is connected, and what a person has to know of them. `named`: whether they

@@ -112,6 +112,12 @@ pub enum LiveProblem {
         /// How many there are.
         count: usize,
     },
+    /// One wire is wanted, and the job has several.
+    #[error("the job has {count} wires, and a dry run is of one")]
+    WhichWire {
+        /// How many there are.
+        count: usize,
+    },
     /// The wire was begun before, and is not over.
     #[error(
         "wire {} of this job was begun on {started} and is not over: {made} of {of} steps are done",

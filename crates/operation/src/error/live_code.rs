@@ -18,6 +18,7 @@ impl LiveProblem {
             | Self::ZeroNotConfirmed
             | Self::Head(_)
             | Self::NoWire { .. }
+            | Self::WhichWire { .. }
             | Self::Unfinished { .. }
             | Self::SeveralUnfinished { .. }
             | Self::NothingBegun { .. }
@@ -74,6 +75,7 @@ impl LiveProblem {
             Self::Job(error) => error.code(),
             Self::SettingsDiffer { .. } => ErrorCode::SettingsDiffer,
             Self::NoWire { .. } => ErrorCode::NoWire,
+            Self::WhichWire { .. } => ErrorCode::WhichWire,
             Self::Unfinished { .. } => ErrorCode::Unfinished,
             Self::DamagedJournal { .. } => ErrorCode::JournalDamaged,
             Self::SeveralUnfinished { .. } => ErrorCode::SeveralUnfinished,

@@ -32,7 +32,9 @@ impl LiveProblem {
                 let set = if *writable { R::WriteSettings { machine, port } } else { R::SetMachine };
                 vec![set, R::AcceptSettings]
             }
-            Self::NoWire { .. } | Self::SeveralUnfinished { .. } => vec![R::ChooseWire],
+            Self::NoWire { .. } | Self::WhichWire { .. } | Self::SeveralUnfinished { .. } => {
+                vec![R::ChooseWire]
+            }
             Self::Unfinished { run, .. } => {
                 vec![R::ResumeRun { run: run.clone() }, R::AbandonRun { run: run.clone() }]
             }

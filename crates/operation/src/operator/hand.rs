@@ -10,19 +10,19 @@ use super::event::OperatorEvent;
 use super::jog_permit::JogPermit;
 use super::question::QuestionKind;
 use super::thread::OperatorThread;
-use crate::by_hand::{MoveProgress, QUESTION, check_moves, lines, make_all, moves_of, require};
+use crate::by_hand::{DryRun, MoveProgress, Row, check_moves, lines, make_all, moves_of, require};
 use crate::live::Zero;
-use crate::{LiveProblem, Move, OperationError, OperatorError};
+use crate::{LiveProblem, Move, OperationError, OperatorError, Repeat, RunHow};
 use wirebend_planning::design::Input;
 
 impl OperatorThread<'_> {
     pub fn home(&mut self) -> Result<(), OperationError> {
-        self.move_by_hand(OrderName::Home, &[Move::Home], Vec::new(), false)
+        self.move_by_hand(OrderName::Home, &Row { moves: &[Move::Home], more: Vec::new(), dry: None }, false)
     }
 
     pub fn jog(&mut self, moves: &[Move], record: bool) -> Result<(), OperationError> {
         check_moves(moves)?;
-        self.move_by_hand(OrderName::Jog, moves, Vec::new(), record)
+        self.move_by_hand(OrderName::Jog, &Row { moves, more: Vec::new(), dry: None }, record)
     }
 
     pub fn replay(&mut self, file: Option<&Path>, other_machine: bool) -> Result<(), OperationError> {
@@ -32,7 +32,16 @@ impl OperatorThread<'_> {
         };
         // Many moves at one word: a permit for moves one by one is none for them.
         self.jog_permit = None;
-        self.move_by_hand(OrderName::Replay, &moves, more, false)
+        self.move_by_hand(OrderName::Replay, &Row { moves: &moves, more, dry: None }, false)
+    }
+
+    /// The moves of a wire in the air.
+    pub fn dry_run(&mut self, job: Input, wire: usize) -> Result<(), OperationError> {
+        let task = self.task(job, wire, RunHow::Begin, Repeat::default(), false)?;
+        let dry = DryRun::of(&task, wire)?;
+        let moves = dry.moves()?;
+        self.jog_permit = None;
+        self.move_by_hand(OrderName::DryRun, &Row { moves: &moves, more: dry.lines(), dry: Some(dry) }, false)
     }
 
     fn recorded(&self) -> Result<Vec<Move>, OperationError> {
@@ -40,27 +49,22 @@ impl OperatorThread<'_> {
         if moves.is_empty() { Err(OperatorError::NothingRecorded.into()) } else { Ok(moves) }
     }
 
-    fn move_by_hand(
-        &mut self,
-        order: OrderName,
-        moves: &[Move],
-        more: Vec<String>,
-        record: bool,
-    ) -> Result<(), OperationError> {
+    fn move_by_hand(&mut self, order: OrderName, row: &Row, record: bool) -> Result<(), OperationError> {
+        let moves = row.moves;
         let at_reference = self.at_reference;
         let by_hand = self.is_zeroed_by_hand();
         let connection = self.connected(order)?;
-        require(connection, moves)?;
+        require(connection, row)?;
         // A recording counts from the reference. Where a person brings the axes to zero, they do it by jogging.
         let homed = matches!(connection.session.phase(), Phase::Ready | Phase::Moving | Phase::Armed);
         let homes = match order {
-            OrderName::Replay => !at_reference,
+            OrderName::Replay | OrderName::DryRun => !at_reference,
             _ => by_hand && !homed,
         } && moves.first() != Some(&Move::Home)
             && connection.can_home();
         self.settle_head(order, homes || moves.first() == Some(&Move::Home))?;
         let sets_zero = order == OrderName::Home && by_hand;
-        let mut permit = if sets_zero { None } else { Some(self.permit_to_move(order, moves, more, homes)?) };
+        let mut permit = if sets_zero { None } else { Some(self.permit_to_move(order, row, homes)?) };
         if homes || moves.first() == Some(&Move::Home) {
             let zero = if homes && order == OrderName::Jog { Zero::Moves } else { Zero::Wire };
             permit = permit.or(self.ask_zero(order, zero)?);
@@ -71,7 +75,8 @@ impl OperatorThread<'_> {
         // Until they are where a wire begins again.
         let mut at_reference = at_reference || (homes && order != OrderName::Jog);
         let connection = self.connected(order)?;
-        connection.wire_used |= moves.iter().any(|one| matches!(one, Move::Feed { .. } | Move::Bend { .. }));
+        connection.wire_used |=
+            row.dry.is_none() && moves.iter().any(|one| matches!(one, Move::Feed { .. } | Move::Bend { .. }));
         let mut told = |progress| {
             let made = match progress {
                 MoveProgress::Begins(one) => return shared.begin_move(one),
@@ -90,11 +95,12 @@ impl OperatorThread<'_> {
         };
         let homed =
             if homes { connection.home(&permit).map(|()| shared.enter(Phase::Moving)) } else { Ok(()) };
-        let made = homed.and_then(|()| make_all(connection, signs, moves, false, &permit, &mut told));
+        let made = homed.and_then(|()| make_all(connection, signs, row, false, &permit, &mut told));
         // One that was not finished has turned something.
         self.at_reference = at_reference && made.is_ok();
         made?;
-        if !sets_zero {
+        // A dry run was confirmed for itself alone.
+        if !sets_zero && row.dry.is_none() {
             self.jog_permit = Some(JogPermit::new(permit, Instant::now()));
         }
         Ok(())
@@ -119,13 +125,7 @@ impl OperatorThread<'_> {
 
     /// A person's word that the machine may be moved, which holds for a while. Where nothing moves, the user is asked only
     /// about what is in a file, which they have not seen.
-    fn permit_to_move(
-        &mut self,
-        order: OrderName,
-        moves: &[Move],
-        more: Vec<String>,
-        homes: bool,
-    ) -> Result<Permit, OperationError> {
+    fn permit_to_move(&mut self, order: OrderName, row: &Row, homes: bool) -> Result<Permit, OperationError> {
         let simulation = self.connected(order)?.session.simulated();
         if let Some(simulation) = simulation.filter(|_| order != OrderName::Replay) {
             return Ok(simulation.permit(PermitKind::ByHand));
@@ -134,10 +134,10 @@ impl OperatorThread<'_> {
             return Ok(permit);
         }
         let machine = self.machine.clone();
-        let mut about = lines(self.connected(order)?, &machine, moves, more, homes);
-        if moves.contains(&Move::Home) && !self.is_zeroed_by_hand() {
+        let mut about = lines(self.connected(order)?, &machine, row, homes);
+        if row.moves.contains(&Move::Home) && !self.is_zeroed_by_hand() {
             about.push("homing moves the bend axis at once".to_owned());
         }
-        self.ask(QuestionKind::Move, PermitKind::ByHand, about, QUESTION)
+        self.ask(QuestionKind::Move, PermitKind::ByHand, about, row.question())
     }
 }

@@ -181,6 +181,7 @@ impl<'a> OperatorThread<'a> {
             &Order::Arm { wire, repeat, accept_settings, .. } => {
                 self.arm(of_job()?, wire, repeat, accept_settings)
             }
+            &Order::DryRun { wire, .. } => self.dry_run(of_job()?, wire),
             Order::Disarm => {
                 self.armed = None;
                 Ok(())

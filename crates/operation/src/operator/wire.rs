@@ -172,7 +172,7 @@ impl<'a> OperatorThread<'a> {
     }
 
     /// A job for this machine, as this connection can run it.
-    fn task(
+    pub fn task(
         &self,
         job: Input,
         wire: usize,

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 use wirebend_error::ErrorRemedy;
-use wirebend_operation::{Answer, Move, OperatorEvent, Order, OrderName, Phase, QuestionKind};
+use wirebend_operation::{Answer, Move, OperatorEvent, Order, OrderName, Phase, QuestionKind, RunOutcome};
 use wirebend_planning::Output;
 
 use crate::shop::{Seat, Shop};
@@ -119,6 +119,35 @@ fn a_recording_begins_at_the_reference() {
     seat.until_phase(Phase::Ready);
     let at = seat.operator.state().position.unwrap();
     assert!((at.rotate_deg - 30.0).abs() < 0.1, "turned once, not twice: {at:?}");
+}
+
+/// Each move of the cube, its bends with the peg in. Afterwards the head is where they leave it, and a wire homes first.
+#[test]
+fn a_dry_run_makes_each_move_of_a_wire_in_the_air() {
+    let shop = Shop::new();
+    let (seat, job) = (shop.simulated("sim:max"), shop.cube("wirebend-kit"));
+    seat.home();
+    let dry = |wire| Order::DryRun { wire, despite_errors: false };
+    seat.operator.order_wire(dry(0), job.clone()).unwrap();
+    let made = jogged(&seat);
+    let count = |is: fn(&Move) -> bool| made.iter().filter(|one| is(one)).count();
+    let bends = count(|one| matches!(one, Move::Bend { .. }));
+    assert_eq!((count(|one| matches!(one, Move::Feed { .. })), bends), (8, 7), "{made:?}");
+    assert_eq!(seat.operator.state().recorded, 0);
+    let turned: f64 = made.iter().map(|one| if let Move::Rotate { deg } = one { *deg } else { 0.0 }).sum();
+    let at = seat.operator.state().position.unwrap();
+    assert!((at.rotate_deg - turned).abs() < 0.1 && at.bend_deg.abs() < 0.1, "{at:?} after {turned}");
+    // There was no wire in it.
+    seat.arm(&job);
+    let asked = seat.says(Answer::Yes);
+    assert!(!asked.lines.iter().any(|line| line.contains("fed or bent by hand")), "{asked:?}");
+    seat.until_phase(Phase::Armed);
+    seat.order(&json!({"order": "start"}));
+    seat.until_phase(Phase::Homing);
+    assert_eq!(seat.until_run().wires[0].outcome, RunOutcome::Made);
+    seat.until_state(|state| !state.busy);
+    seat.operator.order_wire(dry(7), job).unwrap();
+    assert_eq!(seat.until_problem().0, "no-wire");
 }
 
 #[test]

@@ -206,6 +206,10 @@ fn an_interrupted_wire_is_gone_on_with_wherever_a_person_likes() {
     seat.arm(&job);
     assert_eq!(seat.until_problem().0, "unfinished");
     seat.until_phase(Phase::Connected);
+    // Its wire may still be in the machine.
+    seat.operator.order_wire(Order::DryRun { wire: 0, despite_errors: false }, job.clone()).unwrap();
+    assert_eq!(seat.until_problem().0, "unfinished");
+    seat.until_phase(Phase::Connected);
     seat.operator.order_wire(abandon(0), job.clone()).unwrap();
     assert_eq!(seat.until_run().wires[0].outcome, RunOutcome::Abandoned);
     assert_eq!(seat.until_state(|state| state.unfinished.is_none() && !state.busy).phase, Phase::Connected);

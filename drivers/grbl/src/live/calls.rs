@@ -8,13 +8,15 @@ use super::phase::Phase;
 use super::protocol::Protocol;
 use super::status::State;
 use super::wire_run::{Hold, Stage, WireRun};
-use crate::program::{digits, trimmed};
+use crate::program::{digits, taken_in, trimmed};
 use crate::settings::Homing;
 
 const HOLD: u8 = b'!';
 const RESUME: u8 = b'~';
 /// The farthest jog, units of the machine. No bender is longer.
 const MAX_JOG: f64 = 10_000.0;
+/// What the speeds of a dry run are divided by.
+const DRY_SLOWER: f64 = 4.0;
 
 impl Protocol {
     /// `$H`, or zero where the axes are, once a person has confirmed it.
@@ -91,10 +93,15 @@ impl Protocol {
             let what = format!("a jog by {} is less than the last digit that is written", motion.by);
             return Err(DriverError::new("jog", what, "jog farther, or raise 'decimals' in the settings"));
         }
-        let number = digits(written, s.decimals);
-        let line = format!("$J=G91 G21 {}{number} F{}", letter.letter(), trimmed(rate * units));
-        self.stream.take([line]);
-        self.phase = Phase::Jogging { stopping: None };
+        let rate = if motion.dry { rate / DRY_SLOWER } else { rate };
+        let line = |by: i64| {
+            format!("$J=G91 G21 {}{} F{}", letter.letter(), digits(by, s.decimals), trimmed(rate * units))
+        };
+        let bends = motion.dry && motion.axis == Axis::Bend;
+        let (there, back) = (line(written), bends.then(|| line(-written)));
+        let pin = if bends { taken_in(s).collect() } else { Vec::new() };
+        self.stream.take(pin.into_iter().chain([there]));
+        self.phase = Phase::Jogging { stopping: None, back };
         self.poller.outdated();
         self.feed();
         Ok(())
@@ -133,8 +140,8 @@ impl Protocol {
         match self.phase {
             Phase::Closed => return Err(over()),
             Phase::Greeting(_) | Phase::Reading(_) => self.stop_first(),
-            Phase::Jogging { stopping: None } => {
-                self.phase = Phase::Jogging { stopping: Some(now) };
+            Phase::Jogging { stopping: None, .. } => {
+                self.phase = Phase::Jogging { stopping: Some(now), back: None };
                 self.cancel_jog();
             }
             _ => self.reset(true),

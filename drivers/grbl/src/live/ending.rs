@@ -50,7 +50,15 @@ impl Protocol {
     }
 
     pub(super) fn jogged(&mut self) {
-        let stopping = matches!(self.phase, Phase::Jogging { stopping: Some(_) });
+        // Not before the axis rests: what a stop finds in the machine's buffer would still be run.
+        if let Phase::Jogging { stopping: None, back } = &mut self.phase
+            && let Some(line) = back.take()
+        {
+            self.stream.take([line]);
+            self.poller.outdated();
+            return self.feed();
+        }
+        let stopping = matches!(self.phase, Phase::Jogging { stopping: Some(_), .. });
         self.phase = Phase::Ready;
         self.event(if stopping { Event::Stopped { homed: self.machine.homed } } else { Event::Jogged });
     }
@@ -58,7 +66,7 @@ impl Protocol {
     /// grbl accepts this only while it jogs (`serial.c`), and ignores it before it has taken the line of the jog. So it is
     /// sent again until the jog has stopped.
     pub(super) fn cancel_jog(&mut self) {
-        if matches!(self.phase, Phase::Jogging { stopping: Some(_) }) {
+        if matches!(self.phase, Phase::Jogging { stopping: Some(_), .. }) {
             self.send_realtime(JOG_CANCEL);
         }
     }
@@ -77,7 +85,7 @@ impl Protocol {
         match self.phase {
             Phase::Reading(_) => self.question_refused(error),
             // Nothing moves, and the lines behind it make no sense without it.
-            Phase::Homing { .. } | Phase::Jogging { stopping: None } => {
+            Phase::Homing { .. } | Phase::Jogging { stopping: None, .. } => {
                 self.fault(error);
                 self.stream.clear();
                 self.phase = Phase::Ready;

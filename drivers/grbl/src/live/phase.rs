@@ -18,6 +18,8 @@ pub(super) enum Phase {
     /// One axis jogs; since when it has been stopping.
     Jogging {
         stopping: Option<Duration>,
+        /// What brings it back, in a dry run.
+        back: Option<String>,
     },
     /// Armed for a wire, or running it.
     Running(Box<WireRun>),

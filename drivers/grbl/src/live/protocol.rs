@@ -72,7 +72,7 @@ impl Protocol {
             Phase::Greeting(_) => self.greeting_late(),
             Phase::Reading(_) => self.reading_late(),
             Phase::Homing { since } => self.homing_late(since),
-            Phase::Jogging { stopping: Some(since) } => self.jog_late(since),
+            Phase::Jogging { stopping: Some(since), .. } => self.jog_late(since),
             Phase::Halting { since } => self.halting_late(since),
             Phase::Resetting(_) => self.reset_late(),
             _ => {}
@@ -171,8 +171,8 @@ impl Protocol {
             {
                 self.alarm(0);
             }
-            Phase::Jogging { stopping: None } => self.watch_answer(state),
-            Phase::Jogging { stopping: Some(_) } if state == State::Jog => self.cancel_jog(),
+            Phase::Jogging { stopping: None, .. } => self.watch_answer(state),
+            Phase::Jogging { stopping: Some(_), .. } if state == State::Jog => self.cancel_jog(),
             Phase::Running(_) => self.wire_reported(state, before, rests),
             Phase::Halting { .. } if counts => self.halted(state),
             Phase::Resetting(reset) if reset.greeted => self.settled(state),

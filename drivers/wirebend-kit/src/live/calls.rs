@@ -14,6 +14,9 @@ use crate::settings::{expected, steps};
 /// The firmware that takes where the peg comes out, 100 for 1.0.
 const APPROACHES_SINCE: u32 = 111;
 
+/// The firmware that moves in the air, 100 for 1.0.
+const DRY_SINCE: u32 = 112;
+
 /// Steps that are accepted ahead of the running one. The program writes each into its journal before.
 const AHEAD: u32 = 12;
 
@@ -103,7 +106,11 @@ impl Machine {
             Axis::Bend => &mut step.bend_deg,
         } = motion.by;
         let line = self.line_of(0, step)?;
-        self.activity = Activity::Jogging(self.link.line(b'M', &line));
+        if let Some(versions) = self.versions.filter(|versions| motion.dry && versions.firmware < DRY_SINCE) {
+            return Err(fault::cannot_run_dry(versions));
+        }
+        let letter = if motion.dry { b'Y' } else { b'M' };
+        self.activity = Activity::Jogging(self.link.line(letter, &line));
         Ok(())
     }
 
@@ -225,6 +232,19 @@ mod tests {
     use super::*;
     use crate::protocol::Versions;
     use crate::settings::Settings;
+
+    #[test]
+    fn an_older_firmware_has_no_dry_run() {
+        let mut machine = Machine::new(Rc::new(Settings::default()), None, Duration::ZERO);
+        (machine.homed, machine.activity) = (true, Activity::Idle);
+        let mut jog = |firmware, dry| {
+            machine.activity = Activity::Idle;
+            machine.versions = Some(Versions { protocol: 1, firmware, machine: 1 });
+            machine.jog(Motion { dry, ..Motion::new(Axis::Bend, 30.0) })
+        };
+        assert_eq!(jog(111, true).unwrap_err().code, "older-firmware");
+        assert!(jog(111, false).is_ok() && jog(112, true).is_ok());
+    }
 
     #[test]
     fn the_peg_is_told_where_to_come_out_only_where_it_has_to_and_can_be() {

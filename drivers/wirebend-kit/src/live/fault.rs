@@ -68,6 +68,18 @@ pub(super) fn cannot_approach(n: u32, deg: f64, versions: Versions) -> DriverErr
     )
 }
 
+pub(super) fn cannot_run_dry(versions: Versions) -> DriverError {
+    DriverError::new(
+        "older-firmware",
+        format!(
+            "firmware {}.{:02} cannot move in the air: it has no dry run",
+            versions.firmware / 100,
+            versions.firmware % 100
+        ),
+        "flash the firmware of this program: firmware/README.md says how",
+    )
+}
+
 pub(super) fn silent(connecting: bool) -> DriverError {
     if connecting {
         return DriverError::new(
@@ -152,6 +164,7 @@ pub(super) fn refused(command: u8, error: Refusal, homing: bool) -> DriverError 
         b'H' => "to home",
         b'M' if homing => "to turn the head back",
         b'M' => "a step",
+        b'Y' => "a move in the air",
         b'S' => "a new session",
         b'Z' => "the position of the head",
         _ => "a request",

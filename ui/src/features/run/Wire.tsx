@@ -124,6 +124,15 @@ export function Wire({ state }: { readonly state: MachineState }) {
           </Button>
         )}
       </div>
+      {!under && (
+        <Button
+          why={despite && all.dryRun === all.noWire ? null : all.dryRun}
+          title="Every move of the wire at a quarter of its speed, without wire and with the peg in"
+          onClick={() => void order({ order: "dry-run", wire, despite_errors: despite })}
+        >
+          Dry run…
+        </Button>
+      )}
       {all.noWire && (state.phase === "ready" || state.phase === "moving") && (
         <p className="muted small">{all.noWire}</p>
       )}

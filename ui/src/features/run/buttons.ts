@@ -30,6 +30,7 @@ export interface RunButtons {
   readonly resumeRun: Why;
   readonly abandon: Why;
   readonly replay: Why;
+  readonly dryRun: Why;
   readonly writeSettings: Why;
   readonly disconnect: Why;
   /** The button that leads on from here. */
@@ -58,6 +59,7 @@ const BECAUSE: Readonly<Record<Because, string>> = {
 /** The same of what a machine's driver cannot do, where there is more to say. */
 const UNABLE: Readonly<Partial<Record<OrderName, string>>> = {
   pause: "This machine cannot pause.",
+  "dry-run": "This machine cannot move with the peg in: it has no dry run.",
   "write-settings": "This machine's settings cannot be written from here.",
 };
 
@@ -93,6 +95,7 @@ export function buttons(state: MachineState | null, prospect: Prospect): RunButt
     resumeRun: why("resume-run"),
     abandon: why("abandon"),
     replay: why("replay"),
+    dryRun: why("dry-run") ?? noWire,
     writeSettings: why("write-settings"),
     disconnect: why("disconnect"),
     next: next(state?.phase ?? "closed", (order) => why(order) === null, noWire === null),

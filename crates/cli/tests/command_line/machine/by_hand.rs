@@ -40,6 +40,25 @@ fn moves_are_made_recorded_and_replayed() {
 }
 
 #[test]
+fn a_dry_run_makes_the_moves_of_one_wire() {
+    let shop = Shop::cube();
+    let dry = |more: &[&str]| shop.run(&[&["dry-run", "a.wbjob", "--port", "sim:max"], more].concat());
+    let made = dry(&["--yes", "--json"]).ended(0).json();
+    assert_fits("dry-run", &made);
+    assert_eq!(json!(made["made"].as_array().unwrap().len()), made["of"]);
+    let said = dry(&[]).ended(2).err;
+    for words in ["no wire may be in the machine", "the peg stays in", "--yes"] {
+        assert!(said.contains(words), "{words}: {said}");
+    }
+    let said = dry(&["--yes", "--wire", "2"]).ended(2).err;
+    assert!(said.contains("there is no wire 2"), "{said}");
+    let two = Shop::with("two-parts.obj");
+    let said = two.run(&["dry-run", "a.wbjob", "--port", "sim:max", "--yes"]).ended(2).err;
+    assert!(said.contains("the job has 2 wires") && said.contains("--wire"), "{said}");
+    two.run(&["dry-run", "a.wbjob", "--port", "sim:max", "--yes", "--wire", "2"]).ended(0);
+}
+
+#[test]
 fn a_recording_is_for_its_machine() {
     let shop = Shop::cube();
     jog(&shop, &["--yes", "--record", "a.wbmoves", "f", "10"]).ended(0);

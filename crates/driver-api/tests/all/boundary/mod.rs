@@ -73,10 +73,7 @@ fn a_session_runs_behind_the_table() {
     assert_eq!(value(table.poll().unwrap()), json!({"event": "done", "n": 1}));
     assert_eq!(table.poll().unwrap(), Reply::Ok(Vec::new()), "one event only");
     assert_eq!(refusal(ask(&mut table, &Call::Home { head_at_deg: None })).code, "unsupported");
-    assert_eq!(
-        refusal(ask(&mut table, &Call::Jog(Motion { axis: Axis::Bend, by: 1.0 }))).code,
-        "unsupported"
-    );
+    assert_eq!(refusal(ask(&mut table, &Call::Jog(Motion::new(Axis::Bend, 1.0)))).code, "unsupported");
     value(ask(&mut table, &Call::Stop));
     assert_eq!(value(table.poll().unwrap())["event"], "stopped");
     value(ask(&mut table, &Call::Disconnect));

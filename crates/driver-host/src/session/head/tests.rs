@@ -154,7 +154,7 @@ fn what_was_refused_was_not_turned() {
     assert_eq!(disk.last(), HeadPlace::Between(0.0, 90.0));
     refused.not_taken(1, before);
     assert_eq!(disk.last(), HeadPlace::At(0.0));
-    let motion = Motion { axis: Axis::Rotate, by: -45.0 };
+    let motion = Motion::new(Axis::Rotate, -45.0);
     let before = refused.jogs(motion).unwrap();
     assert_eq!(disk.last(), HeadPlace::Between(-45.0, 0.0));
     refused.stays(before);
@@ -169,11 +169,11 @@ fn what_was_refused_was_not_turned() {
 fn what_cannot_be_kept_is_not_turned() {
     let (mut full, disk) = making(&[]);
     disk.0.lock().unwrap().1 = true;
-    let error = full.jogs(Motion { axis: Axis::Rotate, by: 10.0 }).unwrap_err();
+    let error = full.jogs(Motion::new(Axis::Rotate, 10.0)).unwrap_err();
     assert!(matches!(error, SessionError::HeadNotKept { .. }), "{error}");
     assert_eq!(full.place, HeadPlace::At(0.0));
     // What does not turn the head still works.
-    full.jogs(Motion { axis: Axis::Feed, by: 10.0 }).unwrap();
+    full.jogs(Motion::new(Axis::Feed, 10.0)).unwrap();
 }
 
 /// Where a person zeroes the axes, moves may count from anywhere: the head keeps its account.
@@ -182,7 +182,7 @@ fn a_head_that_is_zeroed_elsewhere_keeps_its_account() {
     let (mut zeroed, disk) = head(HeadBy::Reference, HeadPlace::At(90.0));
     assert_eq!(zeroed.homes(ReferenceBy::Person).unwrap(), None);
     zeroed.hears(&Event::Homed, ReferenceBy::Person);
-    zeroed.jogs(Motion { axis: Axis::Rotate, by: -90.0 }).unwrap();
+    zeroed.jogs(Motion::new(Axis::Rotate, -90.0)).unwrap();
     // Stopped on its way: the machine counts from where it was zeroed.
     hears(&mut zeroed, &[position(-30.0), STOPPED]);
     assert_eq!(disk.last(), HeadPlace::At(60.0));

@@ -194,7 +194,7 @@ impl<'a> Life<'a> {
             }
             Stage::Jog => {
                 let armed = permits::arm_by_hand(self.session())?;
-                self.session().jog(&armed, Motion { axis: Axis::Feed, by: 1.0 })?;
+                self.session().jog(&armed, Motion::new(Axis::Feed, 1.0))?;
                 return self.polled(Phase::Moving);
             }
             Stage::Arm => {

@@ -71,7 +71,7 @@ pub fn in_state(library: &Path, port: &Port, state: &str) -> (Session, Option<Ar
     session.poll().unwrap();
     if state == "jogging" {
         let armed = permits::arm_by_hand(&mut session).unwrap();
-        session.jog(&armed, Motion { axis: Axis::Feed, by: 1.0 }).unwrap();
+        session.jog(&armed, Motion::new(Axis::Feed, 1.0)).unwrap();
         return (session, Some(armed));
     }
     let armed = permits::arm(&mut session, run()).unwrap();

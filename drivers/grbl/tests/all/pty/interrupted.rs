@@ -20,7 +20,7 @@ fn zeroed() -> Bench {
     until(session, |event| matches!(event, Event::Connected { .. }));
     home(session);
     for (axis, by) in [(wirebend_driver_api::Axis::Rotate, -20.0), (wirebend_driver_api::Axis::Bend, 5.0)] {
-        session.jog(wirebend_driver_api::Motion { axis, by }).unwrap();
+        session.jog(wirebend_driver_api::Motion::new(axis, by)).unwrap();
         until(session, |event| *event == Event::Jogged);
     }
     home(session);

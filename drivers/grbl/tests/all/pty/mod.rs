@@ -184,7 +184,7 @@ fn a_stop_halts_what_moves() {
     let mut bench = bench(json!({}));
     let session = bench.session.as_mut();
     connected_and_homed(session);
-    session.jog(Motion { axis: Axis::Feed, by: 5.0 }).unwrap();
+    session.jog(Motion::new(Axis::Feed, 5.0)).unwrap();
     assert_eq!(until(session, |event| *event == Event::Jogged), [Event::Jogged]);
     arm_and_send(session, &LONG);
     until_moved(session, 10.0);

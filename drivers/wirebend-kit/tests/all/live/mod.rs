@@ -85,8 +85,23 @@ fn a_fast_machine_that_is_looked_at_rarely_does_not_hold() {
     table.rarely = Duration::from_millis(2);
     table.connected();
     table.home();
-    table.jog(Motion { axis: Axis::Feed, by: 200.0 });
+    table.jog(Motion::new(Axis::Feed, 200.0));
     assert!((table.position().feed_mm - 200.0).abs() < 0.1);
+}
+
+/// What a dry run is for: the machine does it all, and nothing happens to wire that is not there. Each move ends as a jog does.
+#[test]
+fn a_dry_bend_ends_at_zero() {
+    let mut table = Table::new(json!({}));
+    table.connected();
+    table.home();
+    table.jog(Motion { dry: true, ..Motion::new(Axis::Rotate, 90.0) });
+    table.seen.clear();
+    table.jog(Motion { dry: true, ..Motion::new(Axis::Bend, -80.0) });
+    let at = table.position();
+    assert!(at.bend_deg.abs() < 1e-9 && (at.rotate_deg - 90.0).abs() < 0.03, "{at:?}");
+    let refused = table.session.jog(Motion { dry: true, ..Motion::new(Axis::Bend, 500.0) }).unwrap_err();
+    assert_eq!(refused.code, "beyond");
 }
 
 /// Homing turns the head back, so that the next wire starts from zero.
@@ -95,7 +110,7 @@ fn homing_turns_the_head_back() {
     let mut table = Table::new(json!({}));
     table.connected();
     table.home();
-    table.jog(Motion { axis: Axis::Rotate, by: 90.0 });
+    table.jog(Motion::new(Axis::Rotate, 90.0));
     assert!((table.position().rotate_deg - 90.0).abs() < 0.03);
     table.home();
     assert!(table.position().rotate_deg.abs() < 1e-9);
@@ -119,7 +134,7 @@ fn homing_turns_a_head_back_that_stands_where_the_program_says() {
     });
     let least = told.fold(0.0, f64::min);
     assert!((least + 270.0).abs() < 0.03, "it was never sent there: {least}");
-    table.jog(Motion { axis: Axis::Rotate, by: 350.0 });
+    table.jog(Motion::new(Axis::Rotate, 350.0));
 }
 
 /// A wire that is resumed needs the head where the finished part has left it, to the step.
@@ -159,10 +174,10 @@ fn a_stop_ends_everything_until_the_machine_is_homed() {
     table.session.stop().unwrap();
     table.stopped = true;
     assert_eq!(table.until(|event| matches!(event, Event::Stopped { .. })), Event::Stopped { homed: false });
-    let refused = table.session.jog(Motion { axis: Axis::Feed, by: 1.0 }).unwrap_err();
+    let refused = table.session.jog(Motion::new(Axis::Feed, 1.0)).unwrap_err();
     assert_eq!(refused.code, "not-homed");
     table.home();
-    table.jog(Motion { axis: Axis::Feed, by: 1.0 });
+    table.jog(Motion::new(Axis::Feed, 1.0));
 }
 
 /// A startled user presses STOP more than once. How far the step had come is asked once more each time, and reported.
@@ -203,9 +218,9 @@ fn motors_that_were_released_at_rest_ask_for_homing() {
     let Event::Warning(warning) = warning else { unreachable!() };
     assert_eq!(warning.code, "released");
     table.until(|event| *event == Event::Stopped { homed: false });
-    assert_eq!(table.session.jog(Motion { axis: Axis::Feed, by: 1.0 }).unwrap_err().code, "not-homed");
+    assert_eq!(table.session.jog(Motion::new(Axis::Feed, 1.0)).unwrap_err().code, "not-homed");
     table.home();
-    table.jog(Motion { axis: Axis::Feed, by: 1.0 });
+    table.jog(Motion::new(Axis::Feed, 1.0));
 }
 
 #[test]
@@ -239,7 +254,7 @@ fn settings_are_written_and_read_back() {
     let feed = limits.limits.iter().find(|limit| limit.axis == Axis::Feed).unwrap();
     // `feed_most_mm`, in whole steps by now.
     assert!((feed.most - 7347.54).abs() < 1.0 / 48.0, "{feed:?}");
-    assert_eq!(table.session.jog(Motion { axis: Axis::Feed, by: 1.0 }).unwrap_err().code, "not-homed");
+    assert_eq!(table.session.jog(Motion::new(Axis::Feed, 1.0)).unwrap_err().code, "not-homed");
     table.home();
 }
 
