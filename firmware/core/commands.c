@@ -18,8 +18,12 @@ static bool in_alarm(const struct wb_controller *c)
 
 static uint8_t open_session(struct wb_controller *c, int32_t id)
 {
+    uint16_t before = c->session.id;
     uint8_t error = wb_session_open(&c->session, id, busy(c));
     if (!error) {
+        if (c->session.id != before) {
+            c->motion.slower_by = 0;
+        }
         wb_send_open(c->board, &c->session, &c->boot);
     }
     return error;
@@ -143,6 +147,16 @@ static uint8_t resume(struct wb_controller *c)
     return 0;
 }
 
+static uint8_t set_speed(struct wb_controller *c, int32_t percent)
+{
+    if (percent < WB_SPEED_MIN || percent > 100) {
+        return WB_ERROR_RANGE;
+    }
+    c->motion.slower_by = (uint8_t)(100 - percent);
+    wb_send_number(c->board, &c->session, WB_REPLY_SPEED, (uint32_t)percent);
+    return 0;
+}
+
 static uint8_t set_head(struct wb_controller *c, int32_t position)
 {
     if (!c->settings.good) {
@@ -230,6 +244,8 @@ uint8_t wb_dispatch(struct wb_controller *c, const struct wb_command *command)
         return pause(c);
     case WB_COMMAND_RESUME:
         return resume(c);
+    case WB_COMMAND_SPEED:
+        return set_speed(c, command->field[0]);
     case WB_COMMAND_HEAD:
         return set_head(c, command->field[0]);
     case WB_COMMAND_READ_SETTING:

@@ -91,6 +91,7 @@ static void command(struct world *world, char letter, struct text *text)
         length = snprintf(payload, sizeof payload, "W%d,%d", a, b);
         break;
     case WB_COMMAND_SESSION:
+    case WB_COMMAND_SPEED:
     case WB_COMMAND_HEAD:
     case WB_COMMAND_READ_SETTING:
         length = snprintf(payload, sizeof payload, "%c%d", letter, a);

@@ -44,6 +44,7 @@ void world_check(struct world *world)
     MUST(c->rx.in < WB_RX_BYTES && c->rx.out < WB_RX_BYTES);
     MUST(c->rx.frame.length <= WB_LINE_MAX);
     MUST((uint8_t)(host->send_in - host->send_out) < SEND_ROOM);
+    MUST(motion->slower_by <= 100 - WB_SPEED_MIN);
     MUST(motion->phase <= WB_PHASE_PEG_MANUAL && c->safety.alarm <= WB_ALARM_HOLD_INPUT &&
          motion->peg.position <= WB_PEG_UNKNOWN);
     MUST(!motion->homed || (c->settings.good && motion->motors.on));
@@ -97,7 +98,8 @@ static void pulse(struct world *world, const struct wb_host_event *event, const 
 static void events(struct world *world, const struct wb_controller *before)
 {
     static const char REPLIES[] = {WB_REPLY_BOOT, WB_REPLY_OPEN, WB_REPLY_ACCEPTED, WB_REPLY_DONE, WB_REPLY_FULL,
-                                   WB_REPLY_REFUSED, WB_REPLY_STATUS, WB_REPLY_VALUE, WB_REPLY_ALARM};
+                                   WB_REPLY_REFUSED, WB_REPLY_STATUS, WB_REPLY_VALUE, WB_REPLY_ALARM,
+                                   WB_REPLY_SPEED};
     struct wb_host_event event;
     while (wb_host_next(world->host, &event)) {
         switch (event.kind) {

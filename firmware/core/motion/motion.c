@@ -55,10 +55,14 @@ static bool is_dry(const struct wb_motion *motion)
     return motion->line.letter == WB_COMMAND_DRY;
 }
 
-static uint16_t slower(uint16_t rate)
+/* The speed of a line's move. */
+static uint16_t slowed(const struct wb_motion *motion, uint16_t rate)
 {
-    rate = (uint16_t)(rate / DRY_SLOWER);
-    return rate < SLOWEST ? SLOWEST : rate;
+    uint32_t slow = (uint32_t)rate * (100u - motion->slower_by) / 100;
+    if (is_dry(motion)) {
+        slow /= DRY_SLOWER;
+    }
+    return slow < SLOWEST ? SLOWEST : (uint16_t)slow;
 }
 
 /* Begins a move of an axis; false when it has no steps. */
@@ -75,8 +79,8 @@ static bool move_axis(struct wb_motion *motion, const struct wb_settings *settin
     if (move->rate == 0) {
         move->rate = (uint16_t)wb_setting(settings, RATE[move->axis]);
     }
-    if (is_dry(motion)) {
-        move->rate = slower(move->rate);
+    if (motion->line.letter != WB_COMMAND_HOME) {
+        move->rate = slowed(motion, move->rate);
     }
     move->acceleration = (uint32_t)wb_setting(settings, ACCELERATION[move->axis]);
     move->inverted = (inverted >> move->axis & 1) != 0;

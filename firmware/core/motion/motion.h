@@ -24,6 +24,9 @@ enum wb_motion_result {
     WB_MOTION_FINISHED = 0xFF /* every phase is over */
 };
 
+/* The slowest that lines can be made, in percent of their speed. */
+#define WB_SPEED_MIN 10
+
 struct wb_motion {
     struct wb_stepper stepper;
     struct wb_homing homing;
@@ -33,6 +36,7 @@ struct wb_motion {
     int32_t approach;    /* steps: of the line in which the peg came out last */
     uint8_t phase;       /* enum wb_phase */
     uint8_t waits_for;   /* enum: what ends the phase */
+    uint8_t slower_by;   /* percent by which moves of lines are slower, 0 to 90; homing is not */
     bool homed;          /* flag: moves are allowed; until an alarm, a release or a change of settings */
     bool located;        /* flag: the position of the bend axis is known; until a release */
 };

@@ -21,6 +21,7 @@ const UNITS: &[&str] = &[
     "lines",
     "readings",
     "starts",
+    "percent",
     "numbers",
     "number",
     "index",

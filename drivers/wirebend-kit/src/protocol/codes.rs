@@ -18,6 +18,8 @@ pub enum Command {
     Home = b'H',
     /// Line n: the peg in (0) or out (1).
     Peg = b'K',
+    /// Moves that begin from now on have so many percent of their speed, 10 to 100; homing has its own. A new session begins with 100. Since firmware 1.12.
+    Speed = b'U',
     /// Feed hold: slows down and holds.
     Pause = b'P',
     /// Leaves the hold.
@@ -45,6 +47,7 @@ impl Command {
             b'Y' => Self::Dry,
             b'H' => Self::Home,
             b'K' => Self::Peg,
+            b'U' => Self::Speed,
             b'P' => Self::Pause,
             b'G' => Self::Resume,
             b'Z' => Self::Head,
@@ -77,6 +80,8 @@ pub enum Reply {
     Status = b't',
     /// A setting.
     Value = b'v',
+    /// Moves have so many percent of their speed.
+    Speed = b'i',
     /// Stopped with this alarm; also the answer to STOP.
     Alarm = b'x',
 }
@@ -94,6 +99,7 @@ impl Reply {
             b'e' => Self::Refused,
             b't' => Self::Status,
             b'v' => Self::Value,
+            b'i' => Self::Speed,
             b'x' => Self::Alarm,
             _ => return None,
         })

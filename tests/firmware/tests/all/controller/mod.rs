@@ -20,6 +20,7 @@ mod pulses;
 mod release;
 mod session;
 mod settings;
+mod speed;
 mod stop;
 mod talk;
 mod watch;
