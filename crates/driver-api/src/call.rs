@@ -48,6 +48,12 @@ pub enum Call {
     Pause,
     /// Resumes. Reply: `{}`; then `resumed`.
     Resume,
+    /// So fast from now on, as soon as the machine can: percent of the speeds that it is programmed with, 10 to 200. Refused where the machine
+    /// goes no faster. Reply: `{}`; then `speed`, with what became of it. Every wire begins with 100. Since 1.5.
+    Speed {
+        /// How fast, percent.
+        percent: u8,
+    },
     /// Stops at once. Reply: `{}`; then `stopped`. Always allowed once connected.
     Stop,
     /// Writes the driver's settings to the machine, for good. Reply: `{}`; then `settings-written` or `fault`.
@@ -70,6 +76,7 @@ pub(crate) enum CallName {
     Jog,
     Pause,
     Resume,
+    Speed,
     Stop,
     WriteSettings,
 }

@@ -52,6 +52,8 @@ pub enum Capability {
     Settings,
     /// Does the moves of a wire in the air: see [`Motion::dry`](crate::Motion::dry). Since 1.5.
     DryRun,
+    /// Changes its speed while it runs. Since 1.5.
+    Speed,
     /// Something of a later minor version, which this one does not know.
     #[serde(other)]
     #[schemars(skip)]

@@ -128,6 +128,14 @@ pub trait MachineSession {
     /// [`DriverError`].
     fn stop(&mut self) -> Result<(), DriverError>;
 
+    /// [`Call::Speed`](crate::Call::Speed).
+    ///
+    /// # Errors
+    /// What the machine cannot do.
+    fn set_speed(&mut self, _percent: u8) -> Result<(), DriverError> {
+        Err(DriverError::unsupported("change the speed"))
+    }
+
     /// Writes the driver's settings to the machine, for good. Nothing moves.
     ///
     /// # Errors

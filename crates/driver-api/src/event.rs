@@ -56,6 +56,11 @@ pub enum Event {
     },
     /// The machine resumes.
     Resumed,
+    /// So fast the machine is now, percent of the speeds that it is programmed with; also where that was changed at the machine. Since 1.5.
+    Speed {
+        /// How fast, percent.
+        percent: u8,
+    },
     /// The machine has stopped.
     Stopped {
         /// Whether it still knows where its axes are.

@@ -1,5 +1,6 @@
 //! The orders of a machine, and what a person can answer.
 
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use schemars::JsonSchema;
@@ -12,6 +13,9 @@ use wirebend_planning::{PartOfStep, PlanningError};
 
 use crate::event::Decided;
 use crate::pieces::Repeat;
+
+/// The speeds that a machine can be asked for, percent of the programmed one.
+pub const SPEEDS: RangeInclusive<u8> = 10..=200;
 
 /// One axis by an amount, in canonical signs, or homing.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -70,6 +74,12 @@ pub enum Order {
     Pause,
     /// It resumes after a pause.
     Resume,
+    /// The wire is bent slower or faster than it is programmed, from the next move on at the latest. Every wire begins with 100.
+    Speed {
+        /// Percent of the programmed speed.
+        #[schemars(range(min = 10, max = 200))]
+        percent: u8,
+    },
     /// Resumes the wire that was interrupted.
     ResumeRun {
         job_hash: String,
@@ -152,6 +162,7 @@ impl Order {
             Self::Start => OrderName::Start,
             Self::Pause => OrderName::Pause,
             Self::Resume => OrderName::Resume,
+            Self::Speed { .. } => OrderName::Speed,
             Self::ResumeRun { .. } => OrderName::ResumeRun,
             Self::Abandon { .. } => OrderName::Abandon,
             Self::Replay { .. } => OrderName::Replay,
@@ -180,7 +191,12 @@ impl Order {
             | Self::DryRun { .. }
             | Self::WriteSettings => true,
             // A wire that was begun continues as it was begun.
-            Self::Disarm | Self::Pause | Self::Resume | Self::Abandon { .. } | Self::Disconnect => false,
+            Self::Disarm
+            | Self::Pause
+            | Self::Resume
+            | Self::Speed { .. }
+            | Self::Abandon { .. }
+            | Self::Disconnect => false,
         }
     }
 }

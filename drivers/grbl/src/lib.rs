@@ -41,6 +41,7 @@ impl MachineDriver for Grbl {
                 Capability::Live,
                 Capability::Jog,
                 Capability::DryRun,
+                Capability::Speed,
                 Capability::Home,
                 Capability::Pause,
                 Capability::Resume,

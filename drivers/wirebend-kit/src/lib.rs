@@ -48,6 +48,7 @@ impl MachineDriver for WirebendKit {
                 Capability::Live,
                 Capability::Jog,
                 Capability::DryRun,
+                Capability::Speed,
                 Capability::Home,
                 Capability::Pause,
                 Capability::Resume,

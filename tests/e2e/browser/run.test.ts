@@ -206,6 +206,17 @@ it("arms with a summary, starts, shows the steps, pauses and resumes", async () 
   await editor.isCleanNow("run-holding");
   const { wire, position } = await state();
   expect([wire?.made, position]).toEqual([held.wire?.made, held.position]);
+  // As slow as is wanted, and no faster than its settings say.
+  const speed = run().getByRole("group", { name: "Speed" });
+  await speed.getByRole("button", { name: "Faster" }).click();
+  await editor.messages.filter({ hasText: "goes no faster than its settings say" }).waitFor();
+  for (const percent of [90, 80]) {
+    await speed.getByRole("button", { name: "Slower" }).click();
+    await speed.getByText(`${percent} %`, { exact: true }).waitFor();
+  }
+  await editor.isCleanNow("run-slower");
+  await speed.getByRole("button", { name: "100 %" }).click();
+  await until(async () => (await state()).speed_percent).toBe(100);
   await goingOn(async () => ((await state()).wire?.made ?? 0) > (held.wire?.made ?? 0));
 });
 

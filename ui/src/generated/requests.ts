@@ -513,6 +513,13 @@ export type Order =
       order: "resume";
     }
   | {
+      order: "speed";
+      /**
+       * Percent of the programmed speed.
+       */
+      percent: number;
+    }
+  | {
       /**
        * Whether to bend it although the machine's settings are not those of its profile.
        */

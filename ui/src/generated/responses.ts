@@ -11,6 +11,7 @@ export type OrderName =
   | "start"
   | "pause"
   | "resume"
+  | "speed"
   | "resume-run"
   | "abandon"
   | "replay"
@@ -915,7 +916,7 @@ export type RunFileKind = "job" | "program" | "moves";
  * Something that a driver can do.
  */
 export type Capability =
-  "export" | "live" | "jog" | "home" | "pause" | "resume" | "stop" | "ports" | "settings" | "dry-run";
+  "export" | "live" | "jog" | "home" | "pause" | "resume" | "stop" | "ports" | "settings" | "dry-run" | "speed";
 /**
  * What a format holds.
  */
@@ -1978,6 +1979,10 @@ export interface MachineState {
    * No machine is there: its driver computes one.
    */
   simulated: boolean;
+  /**
+   * How fast it is, percent of the programmed speed; null where that cannot be changed.
+   */
+  speed_percent: number | null;
   /**
    * The last wire on it, where that was interrupted and can be resumed.
    */

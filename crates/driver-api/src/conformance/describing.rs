@@ -84,11 +84,11 @@ fn capabilities(description: &Description) -> Result<(), String> {
         Capability::Ports,
         Capability::Settings,
         Capability::DryRun,
+        Capability::Speed,
     ];
     if connected.into_iter().any(can) && !can(Capability::Live) {
-        return Err(
-            "'jog', 'home', 'pause', 'stop', 'ports', 'settings' and 'dry-run' need 'live'".to_owned()
-        );
+        return Err("'jog', 'home', 'pause', 'stop', 'ports', 'settings', 'dry-run' and 'speed' need 'live'"
+            .to_owned());
     }
     if can(Capability::DryRun) && !can(Capability::Jog) {
         return Err("'dry-run' needs 'jog'".to_owned());

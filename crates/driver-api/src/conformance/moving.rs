@@ -63,6 +63,7 @@ fn unconnected(subject: &mut dyn Subject) -> Result<(), String> {
         Call::Send(Batch { steps: Vec::new(), last: true }),
         Call::Jog(Motion::new(Axis::Feed, 1.0)),
         Call::Pause,
+        Call::Speed { percent: 50 },
         Call::Resume,
         Call::Stop,
         Call::WriteSettings,

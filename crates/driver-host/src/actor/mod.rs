@@ -21,6 +21,8 @@ pub trait ActorOrder {
     fn name(&self) -> OrderName;
     /// Whether it begins with homing, so that the machine need not be homed before.
     fn homes_first(&self) -> bool;
+    /// What it wants of the wire that is being bent, where it is for the order that is carried out.
+    fn wish(&self) -> Option<Wish>;
 }
 
 /// Carries out what an actor is ordered, on its thread.
@@ -48,6 +50,8 @@ pub enum Wish {
     Pause,
     /// It continues after that.
     Resume,
+    /// It has so many percent of the programmed speed.
+    Speed(u8),
 }
 
 /// An order that is not taken now.
@@ -258,7 +262,7 @@ impl<O: ActorOrder> Actor<O> {
 
     /// What a person wants of the wire that is being bent, once.
     pub fn wish(&self) -> Option<Wish> {
-        self.lock().wish.take()
+        self.lock().take_wish()
     }
 
     /// Whether a stop waits until there is something to stop.

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use wirebend_driver_api::{ReferenceBy, Step};
 
 use super::{ActorOrder, NotTaken, Wish};
-use crate::session::{Because, OrderName, Orders, Phase, Snapshot, StopHandle, StopOutcome};
+use crate::session::{Because, Orders, Phase, Snapshot, StopHandle, StopOutcome};
 
 /// Whether there still is an actor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,6 +31,8 @@ pub struct ActorView {
     pub identity: Option<String>,
     /// Where its axes are, in the machine's signs.
     pub position: Option<Step>,
+    /// How fast it is, percent of the programmed speed; `None` where that cannot be changed.
+    pub speed_percent: Option<u8>,
 }
 
 /// What the threads share.
@@ -43,7 +45,9 @@ pub(super) struct ActorState<O> {
     pub order: Option<O>,
     /// A person is asked.
     pub question_open: bool,
-    pub wish: Option<Wish>,
+    /// That it pauses or resumes, and then how fast it is: one does not take the place of the other.
+    wish: Option<Wish>,
+    wished_speed: Option<Wish>,
     pub stops: Stops,
     pub life: Life,
 }
@@ -76,11 +80,13 @@ impl<O: ActorOrder> ActorState<O> {
                 simulated: false,
                 identity: None,
                 position: None,
+                speed_percent: None,
             },
             changed: true,
             order: None,
             question_open: false,
             wish: None,
+            wished_speed: None,
             stops: Stops::default(),
             life: Life::Open,
         }
@@ -120,12 +126,17 @@ impl<O: ActorOrder> ActorState<O> {
         if let Some(because) = self.why_not(&order) {
             return Err(NotTaken { order: name, because, phase: self.view.phase });
         }
-        match name {
-            OrderName::Pause => self.wish = Some(Wish::Pause),
-            OrderName::Resume => self.wish = Some(Wish::Resume),
-            _ => (self.order, self.view.busy, self.changed) = (Some(order), true, true),
+        match order.wish() {
+            Some(Wish::Speed(percent)) => self.wished_speed = Some(Wish::Speed(percent)),
+            Some(wish) => self.wish = Some(wish),
+            None => (self.order, self.view.busy, self.changed) = (Some(order), true, true),
         }
         Ok(())
+    }
+
+    /// What a person wants of the wire that is being bent, once.
+    pub fn take_wish(&mut self) -> Option<Wish> {
+        self.wish.take().or_else(|| self.wished_speed.take())
     }
 
     fn why_not(&self, order: &O) -> Option<Because> {
@@ -149,7 +160,7 @@ impl<O: ActorOrder> ActorState<O> {
         self.stops.under_way += 1;
         (self.stops.known, self.stops.in_order) = (before + 1, true);
         // What was ordered before was ordered of a machine that had not been stopped.
-        (self.order, self.wish) = (None, None);
+        (self.order, self.wish, self.wished_speed) = (None, None, None);
         self.enter(Phase::Stopping);
         self.changed = true;
     }
@@ -163,7 +174,8 @@ impl<O: ActorOrder> ActorState<O> {
         if !self.view.busy || over || self.is_stale(snapshot) {
             return;
         }
-        self.changed |= self.view.phase != snapshot.phase;
+        self.changed |=
+            self.view.phase != snapshot.phase || self.view.speed_percent != snapshot.speed_percent;
         self.take(snapshot);
     }
 
@@ -171,7 +183,7 @@ impl<O: ActorOrder> ActorState<O> {
     pub fn rest(&mut self, snapshot: Option<&Snapshot>) {
         // Another order may have come while it was at rest.
         self.view.busy = self.order.is_some();
-        (self.wish, self.stops.wanted) = (None, false);
+        (self.wish, self.wished_speed, self.stops.wanted) = (None, None, false);
         // What is older than a stop counts once that is over.
         self.stops.in_order = snapshot.is_some_and(|snapshot| self.is_stale(snapshot));
         match snapshot {
@@ -189,6 +201,7 @@ impl<O: ActorOrder> ActorState<O> {
     fn take(&mut self, snapshot: &Snapshot) {
         self.view.phase = snapshot.phase;
         self.view.orders.clone_from(&snapshot.orders);
+        self.view.speed_percent = snapshot.speed_percent;
         // Before it has answered it has said nothing of itself.
         if snapshot.phase != Phase::Connecting {
             self.view.simulated = snapshot.simulated;
@@ -219,6 +232,7 @@ mod tests {
     use wirebend_driver_api::Capability;
 
     use super::*;
+    use crate::session::OrderName;
 
     /// An order, and whether it begins with homing.
     #[derive(Debug, PartialEq)]
@@ -227,6 +241,15 @@ mod tests {
     impl ActorOrder for Order {
         fn name(&self) -> OrderName {
             self.0
+        }
+
+        fn wish(&self) -> Option<Wish> {
+            match self.0 {
+                OrderName::Pause => Some(Wish::Pause),
+                OrderName::Resume => Some(Wish::Resume),
+                OrderName::Speed => Some(Wish::Speed(50)),
+                _ => None,
+            }
         }
 
         fn homes_first(&self) -> bool {
@@ -242,6 +265,7 @@ mod tests {
             simulated: false,
             identity: "kit".to_owned(),
             position: None,
+            speed_percent: None,
             wire: None,
             orders,
             stops,
@@ -329,14 +353,32 @@ mod tests {
         for (phase, order, wish) in [
             (Phase::Making, OrderName::Pause, Wish::Pause),
             (Phase::Holding, OrderName::Resume, Wish::Resume),
+            (Phase::Making, OrderName::Speed, Wish::Speed(50)),
+            (Phase::Holding, OrderName::Speed, Wish::Speed(50)),
         ] {
             let mut state = ActorState::<Order>::connecting();
             let mut snapshot = snapshot(phase, 0);
-            let abilities = [Capability::Pause, Capability::Resume].into_iter().collect();
+            let abilities = [Capability::Pause, Capability::Resume, Capability::Speed].into_iter().collect();
             snapshot.orders = Orders::of(phase, &abilities, ReferenceBy::Machine);
             state.publish(&snapshot);
             assert_eq!(why_not(&mut state, order), None);
-            assert_eq!((state.wish, state.order.is_none(), state.busy()), (Some(wish), true, true));
+            assert_eq!((state.order.is_none(), state.busy()), (true, true));
+            assert_eq!((state.take_wish(), state.take_wish()), (Some(wish), None));
         }
+    }
+
+    /// A pause that another speed took the place of would be lost.
+    #[test]
+    fn another_speed_takes_the_place_of_no_pause() {
+        let mut state = ActorState::<Order>::connecting();
+        let mut snapshot = snapshot(Phase::Making, 0);
+        let abilities = [Capability::Pause, Capability::Speed].into_iter().collect();
+        snapshot.orders = Orders::of(Phase::Making, &abilities, ReferenceBy::Machine);
+        state.publish(&snapshot);
+        for order in [OrderName::Pause, OrderName::Speed] {
+            assert_eq!(why_not(&mut state, order), None);
+        }
+        let taken = [state.take_wish(), state.take_wish(), state.take_wish()];
+        assert_eq!(taken, [Some(Wish::Pause), Some(Wish::Speed(50)), None]);
     }
 }

@@ -161,6 +161,7 @@ const fn word(capability: Capability) -> &'static str {
         Capability::Live => "live",
         Capability::Jog => "jog",
         Capability::DryRun => "dry-run",
+        Capability::Speed => "speed",
         Capability::Home => "home",
         Capability::Pause => "pause",
         Capability::Resume => "resume",

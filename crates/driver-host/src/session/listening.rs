@@ -63,6 +63,7 @@ impl Session {
                 self.guard.rests();
             }
             Event::Position(position) => self.position = Some(*position),
+            Event::Speed { percent } => self.speed_percent = *percent,
             Event::Jogged => self.guard.rests(),
             Event::Finished if believed => self.guard.rests(),
             Event::Stopped { .. } => self.guard.confirm(),

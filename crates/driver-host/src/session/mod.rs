@@ -55,6 +55,7 @@ pub struct Session {
     questions: Questions,
     phase: Phase,
     position: Option<Step>,
+    speed_percent: u8,
     arming: Arming,
     /// The arming, or the stop, that this session knows of.
     known: u64,
@@ -131,6 +132,7 @@ impl Session {
             questions: Questions::default(),
             phase: Phase::Connecting,
             position: None,
+            speed_percent: 100,
             known: arming.now(),
             known_stops: arming.stops(),
             arming,

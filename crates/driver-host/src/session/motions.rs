@@ -198,6 +198,18 @@ impl Session {
         self.faulting(called)
     }
 
+    /// The wire is bent at so many percent of the programmed speed from now on; [`Snapshot::speed_percent`](super::Snapshot::speed_percent)
+    /// says what became of it.
+    ///
+    /// # Errors
+    /// [`SessionError`].
+    pub fn set_speed(&mut self, percent: u8) -> Result<(), SessionError> {
+        self.require(Capability::Speed)?;
+        self.may(Act::Speed)?;
+        let called = self.driver.call("changing the speed", &Call::Speed { percent });
+        self.faulting(called)
+    }
+
     /// Resumes after a pause: the machine moves.
     ///
     /// # Errors

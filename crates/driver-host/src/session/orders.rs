@@ -27,6 +27,8 @@ pub enum OrderName {
     Pause,
     /// It resumes after a pause.
     Resume,
+    /// Bends the wire slower or faster than it is programmed.
+    Speed,
     /// Resumes the wire that was interrupted.
     ResumeRun,
     /// Gives up the wire that was interrupted. Nothing moves for it.
@@ -42,7 +44,7 @@ pub enum OrderName {
 }
 
 impl OrderName {
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 14] = [
         Self::Home,
         Self::Jog,
         Self::Arm,
@@ -50,6 +52,7 @@ impl OrderName {
         Self::Start,
         Self::Pause,
         Self::Resume,
+        Self::Speed,
         Self::ResumeRun,
         Self::Abandon,
         Self::Replay,
@@ -66,6 +69,7 @@ impl OrderName {
             Self::DryRun => Some(Capability::DryRun),
             Self::Pause => Some(Capability::Pause),
             Self::Resume => Some(Capability::Resume),
+            Self::Speed => Some(Capability::Speed),
             Self::WriteSettings => Some(Capability::Settings),
             _ => None,
         }
@@ -82,6 +86,7 @@ impl fmt::Display for OrderName {
             Self::Start => "starting a wire",
             Self::Pause => "pausing",
             Self::Resume => "resuming after a pause",
+            Self::Speed => "changing the speed",
             Self::ResumeRun => "resuming an interrupted wire",
             Self::Abandon => "giving up a wire",
             Self::Replay => "replaying moves",
@@ -175,7 +180,7 @@ impl Orders {
 /// The table.
 const fn refusal(phase: Phase, order: OrderName, reference: ReferenceBy) -> Option<Because> {
     use OrderName::{
-        Abandon, Arm, Disarm, Disconnect, DryRun, Home, Jog, Pause, Replay, Resume, ResumeRun, Start,
+        Abandon, Arm, Disarm, Disconnect, DryRun, Home, Jog, Pause, Replay, Resume, ResumeRun, Speed, Start,
         WriteSettings,
     };
     match (phase, order) {
@@ -189,12 +194,12 @@ const fn refusal(phase: Phase, order: OrderName, reference: ReferenceBy) -> Opti
             Home | Jog | Arm | ResumeRun | Abandon | Replay | DryRun | WriteSettings | Disconnect,
         )
         | (Phase::Armed, Start | Disarm | Home | Jog | Arm | ResumeRun | Abandon | Replay | DryRun | Disconnect)
-        | (Phase::Making, Pause)
-        | (Phase::Holding, Resume)
+        | (Phase::Making, Pause | Speed)
+        | (Phase::Holding, Resume | Speed)
         // Homing ends what only the machine itself has against moving; resuming connects anew.
         | (Phase::Failed, Home | ResumeRun | Abandon | Disconnect) => None,
         (Phase::Connected | Phase::Stopped | Phase::Ready, Start | Disarm) => Some(Because::NoWireArmed),
-        (Phase::Connected | Phase::Stopped | Phase::Ready | Phase::Armed, Pause | Resume) => {
+        (Phase::Connected | Phase::Stopped | Phase::Ready | Phase::Armed, Pause | Resume | Speed) => {
             Some(Because::NoWireUnderWay)
         }
         (Phase::Armed, WriteSettings) => Some(Because::WireArmed),

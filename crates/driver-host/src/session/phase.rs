@@ -130,6 +130,8 @@ pub enum Act {
     Pause,
     /// Resume.
     Resume,
+    /// Change the speed.
+    Speed,
     /// Resume a wire that was begun before this connection.
     Reattach,
     WriteSettings,
@@ -144,6 +146,7 @@ impl fmt::Display for Act {
             Self::Jog => "jogging",
             Self::Pause => "pausing",
             Self::Resume => "resuming",
+            Self::Speed => "changing the speed",
             Self::Reattach => "reattaching the wire",
             Self::WriteSettings => "writing settings",
         })
@@ -171,10 +174,10 @@ impl Phase {
                 Transition::To(Moving)
             }
             // Holding and resuming change the phase when the machine says so.
-            (Act::Send, Armed | Making) | (Act::Pause, Making) | (Act::Reattach, Interrupted) => {
-                Transition::To(Making)
-            }
-            (Act::Send | Act::Resume, Holding) => Transition::To(Holding),
+            (Act::Send, Armed | Making)
+            | (Act::Pause | Act::Speed, Making)
+            | (Act::Reattach, Interrupted) => Transition::To(Making),
+            (Act::Send | Act::Resume | Act::Speed, Holding) => Transition::To(Holding),
             (Act::WriteSettings, Stopped) => Transition::To(Stopped),
             (Act::WriteSettings, Failed) => Transition::To(Failed),
             (Act::Home | Act::WriteSettings, _) => Transition::Refused { expected: "connected and at rest" },
@@ -182,6 +185,7 @@ impl Phase {
             (Act::Send, _) => Transition::Refused { expected: "armed for a wire" },
             (Act::Jog, _) => Transition::Refused { expected: "armed, with no wire in hand" },
             (Act::Pause, _) => Transition::Refused { expected: "running" },
+            (Act::Speed, _) => Transition::Refused { expected: "running or paused" },
             (Act::Resume, _) => Transition::Refused { expected: "paused" },
             (Act::Reattach, _) => Transition::Refused {
                 expected: "connected again, and still in the wire that was interrupted",

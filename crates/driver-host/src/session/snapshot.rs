@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use wirebend_driver_api::Step;
+use wirebend_driver_api::{Capability, Step};
 
 use super::orders::Orders;
 use super::{Phase, Session, Standstill};
@@ -18,6 +18,8 @@ pub struct Snapshot {
     pub identity: String,
     /// Where its axes are, in the machine's signs; `None` before it has said so.
     pub position: Option<Step>,
+    /// How fast it is, percent of the programmed speed; `None` where that cannot be changed.
+    pub speed_percent: Option<u8>,
     /// The wire in hand, or the one before as long as a person has not permitted another.
     pub wire: Option<WireProgress>,
     /// Which orders are possible, and why the others are not.
@@ -70,6 +72,7 @@ impl Session {
             simulated: self.is_simulated.get().copied().unwrap_or_default(),
             identity: self.identity.clone(),
             position: self.position,
+            speed_percent: abilities.contains(&Capability::Speed).then_some(self.speed_percent),
             wire: self.wire_progress(),
             orders: Orders::of(phase, abilities, self.reference),
             stops,

@@ -69,6 +69,9 @@ pub enum OperatorError {
         /// Who has stopped the machine.
         by: StoppedBy,
     },
+    /// A speed that no machine is asked for.
+    #[error("a speed of {percent} % is not possible: 10 to 200 % are")]
+    Speed { percent: u8 },
     /// No machine is connected.
     #[error("no machine is connected")]
     NotConnected,
@@ -110,6 +113,7 @@ impl OperatorError {
             Self::BegunElsewhere { .. } => ErrorCode::BegunElsewhere,
             Self::LeftInWire { .. } => ErrorCode::LeftInWire,
             Self::DriverEnded { .. } => ErrorCode::DriverEnded,
+            Self::Speed { .. } => ErrorCode::Value,
             Self::NotConnected => ErrorCode::NotConnected,
             Self::NoJob { .. } => ErrorCode::NoJob,
             Self::JobNotKept { .. } => ErrorCode::JobNotKept,
@@ -134,7 +138,7 @@ impl OperatorError {
             Self::NoJob { .. } => vec![R::ChooseJob],
             Self::JobNotKept { .. } => vec![R::OpenDesign],
             Self::NoThread { .. } => vec![R::CloseOtherPrograms],
-            Self::NoQuestion { .. } | Self::WrongAnswer { .. } => Vec::new(),
+            Self::NoQuestion { .. } | Self::WrongAnswer { .. } | Self::Speed { .. } => Vec::new(),
         }
     }
 }

@@ -16,7 +16,7 @@ use super::shared_state::{Ordered, SharedState};
 use super::state::MachineState;
 use crate::error::OperatorError;
 use crate::live::HeadQuestion;
-use crate::order::{Answer, Order};
+use crate::order::{Answer, Order, SPEEDS};
 use crate::{Doubt, Move, Wish};
 use wirebend_planning::Input;
 
@@ -50,8 +50,13 @@ impl Shared {
         if order.is_of_job() && job.is_none() {
             return Err(OperatorError::NoJob { order: order.name() });
         }
-        // What failed before is over with the next order; a pause is none.
-        let goes_on = matches!(order, Order::Pause | Order::Resume);
+        // What failed before is over with the next order; a pause is none, nor is another speed.
+        if let Order::Speed { percent } = order
+            && !SPEEDS.contains(&percent)
+        {
+            return Err(OperatorError::Speed { percent });
+        }
+        let goes_on = matches!(order, Order::Pause | Order::Resume | Order::Speed { .. });
         let taken = || {
             if !goes_on {
                 self.lock().state.problem = None;

@@ -9,7 +9,7 @@ use super::state::MachineState;
 use crate::by_hand::WireByHand;
 use crate::error::OperatorError;
 use crate::order::{Answer, Order};
-use crate::{MachineEvent, Move};
+use crate::{MachineEvent, Move, Wish};
 use wirebend_planning::Input;
 
 /// How often it is reported how far a wire is, at least.
@@ -30,6 +30,15 @@ impl ActorOrder for Ordered {
 
     fn homes_first(&self) -> bool {
         matches!(&self.order, Order::Jog { moves, .. } if moves.first() == Some(&Move::Home))
+    }
+
+    fn wish(&self) -> Option<Wish> {
+        match self.order {
+            Order::Pause => Some(Wish::Pause),
+            Order::Resume => Some(Wish::Resume),
+            Order::Speed { percent } => Some(Wish::Speed(percent)),
+            _ => None,
+        }
     }
 }
 
@@ -80,7 +89,15 @@ impl SharedState {
 
     /// The state, with what the actor says of it.
     pub fn state(&self, view: ActorView) -> MachineState {
-        let ActorView { phase, busy, orders: Orders { can, cannot }, simulated, identity, position } = view;
+        let ActorView {
+            phase,
+            busy,
+            orders: Orders { can, cannot },
+            simulated,
+            identity,
+            position,
+            speed_percent,
+        } = view;
         let position = position.zip(self.signs).map(|(position, signs)| signs.canonical(position));
         let may_move = phase.may_move();
         MachineState {
@@ -90,6 +107,7 @@ impl SharedState {
             simulated,
             identity,
             position,
+            speed_percent,
             can,
             cannot,
             ..self.state.clone()

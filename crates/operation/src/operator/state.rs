@@ -33,6 +33,8 @@ pub struct MachineState {
     pub driver: Option<String>,
     /// Where its axes are, in canonical signs.
     pub position: Option<JobStep>,
+    /// How fast it is, percent of the programmed speed; null where that cannot be changed.
+    pub speed_percent: Option<u8>,
     /// Settings of the machine that are not those of its profile.
     pub settings: Vec<SettingCheck>,
     /// The wire that is armed or being bent, or that was the last.
@@ -133,6 +135,7 @@ impl MachineState {
             identity: None,
             driver: None,
             position: None,
+            speed_percent: None,
             settings: Vec::new(),
             wire: None,
             can: Vec::new(),

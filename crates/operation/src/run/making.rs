@@ -204,6 +204,7 @@ impl Making<'_, '_> {
         let granted = match wish {
             Wish::Pause => self.run.pause(),
             Wish::Resume => self.run.resume(),
+            Wish::Speed(percent) => self.run.set_speed(percent),
         };
         if let Err(error) = granted.map_err(LiveProblem::from)
             && self.run.session().last_stop().is_none()

@@ -63,14 +63,18 @@ fn a_wire_is_armed_started_paused_and_made() {
     seat.until_phase(Phase::Ready);
 
     seat.start(&job);
-    assert_eq!(seat.until_phase(Phase::Making).can, [OrderName::Pause]);
+    assert_eq!(seat.until_phase(Phase::Making).can, [OrderName::Pause, OrderName::Speed]);
     seat.until_made(2);
     seat.order(&json!({"order": "pause"}));
     let holding = seat.until_phase(Phase::Holding);
-    assert_eq!(holding.can, [OrderName::Resume]);
+    assert_eq!(holding.can, [OrderName::Resume, OrderName::Speed]);
     assert_eq!(seat.refused(Order::Home).0, "not-now");
+    seat.order(&json!({"order": "speed", "percent": 40}));
+    seat.until_state(|state| state.speed_percent == Some(40));
     seat.order(&json!({"order": "resume"}));
     seat.until_phase(Phase::Making);
+    let refused = seat.refused(Order::Speed { percent: 5 });
+    assert!(refused.0 == "value" && refused.1.contains("10 to 200"), "{refused:?}");
     let made = seat.until_run();
     assert_eq!((made.wires[0].outcome, made.wires[0].made), (RunOutcome::Made, 8));
     let worst = made.wires[0].worst_deviation_mm().unwrap();
@@ -131,8 +135,9 @@ fn a_wire_with_a_part_of_its_first_step_is_no_new_one() {
     let shop = Shop::new();
     let (seat, job) = (shop.simulated("sim:10"), shop.cube("wirebend-kit"));
     seat.start(&job);
+    // Of a step that it has not begun nothing is in doubt.
     seat.until(|event| match event {
-        OperatorEvent::Machine(MachineEvent::Wire { sent, .. }) => (*sent > 0).then_some(()),
+        OperatorEvent::Machine(MachineEvent::Wire { in_step, .. }) => (*in_step > 0.0).then_some(()),
         _ => None,
     });
     assert!(seat.operator.stop());

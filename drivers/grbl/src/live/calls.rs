@@ -6,7 +6,7 @@ use wirebend_driver_api::{Axis, Batch, DriverError, Motion, Run, Sent};
 
 use super::phase::Phase;
 use super::protocol::Protocol;
-use super::status::State;
+use super::status::{Speeds, State};
 use super::wire_run::{Hold, Stage, WireRun};
 use crate::program::{digits, taken_in, trimmed};
 use crate::settings::Homing;
@@ -41,7 +41,7 @@ impl Protocol {
         Ok(())
     }
 
-    /// Nothing is sent.
+    /// Nothing of the wire is sent. It begins at full speed.
     pub fn arm(&mut self, run: &Run, now: Duration) -> Result<(), DriverError> {
         self.now = now;
         self.ready()?;
@@ -53,6 +53,10 @@ impl Protocol {
             return Err(DriverError::new("not-homed", what, "home the machine first"));
         }
         self.garbled = 0;
+        for byte in self.machine.speeds.to(Speeds::default()) {
+            self.send_realtime(byte);
+        }
+        self.machine.speeds = Speeds::default();
         self.phase = Phase::Running(Box::new(WireRun::new(&self.settings, run)?));
         Ok(())
     }
@@ -131,6 +135,20 @@ impl Protocol {
             _ => return Err(DriverError::new("not-paused", "the machine does not hold", "pause it first")),
         }
         self.send_realtime(RESUME);
+        Ok(())
+    }
+
+    /// By overrides of feeds and of rapid moves, which grbl has in steps.
+    pub fn set_speed(&mut self, percent: u8, now: Duration) -> Result<(), DriverError> {
+        self.now = now;
+        if !matches!(self.phase, Phase::Ready | Phase::Running(_)) {
+            return Err(DriverError::new("not-running", "nothing runs whose speed could be changed", ""));
+        }
+        let wanted = Speeds::wanted(percent);
+        for byte in self.machine.speeds.to(wanted) {
+            self.send_realtime(byte);
+        }
+        self.machine.speeds = wanted;
         Ok(())
     }
 

@@ -118,6 +118,10 @@ impl MachineSession for Session {
         self.call(Protocol::pause)
     }
 
+    fn set_speed(&mut self, percent: u8) -> Result<(), DriverError> {
+        self.call(|protocol, now| protocol.set_speed(percent, now))
+    }
+
     fn resume(&mut self) -> Result<(), DriverError> {
         self.call(Protocol::resume)
     }

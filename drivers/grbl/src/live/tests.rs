@@ -35,6 +35,7 @@ impl Conversation for Protocol {
             Call::Send(batch) => return self.send(batch, now).map(Answered::Sent),
             Call::Jog(motion) => self.jog(*motion, now)?,
             Call::Pause => self.pause(now)?,
+            Call::Speed { percent } => self.set_speed(*percent, now)?,
             Call::Resume => self.resume(now)?,
             Call::Stop => self.stop(now)?,
             Call::Encode(_)

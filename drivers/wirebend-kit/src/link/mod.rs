@@ -252,6 +252,9 @@ impl Link {
             }
             ReplyFrame::Done { n } => self.done(n, now),
             ReplyFrame::Status(status) => self.stands(status, now),
+            ReplyFrame::Speed { percent } => {
+                self.events.extend(self.requests.speed(percent).map(MachineEvent::Answered));
+            }
             ReplyFrame::Value { id, value } => {
                 self.events.push(MachineEvent::Setting { id, value });
                 self.events.extend(self.requests.value(id, value).map(MachineEvent::Answered));

@@ -14,6 +14,8 @@ pub enum Request {
     Pause,
     /// Leave the hold.
     Resume,
+    /// Moves have so many percent of their speed.
+    Speed(u8),
     /// The head stands here, steps.
     Head(i32),
     Read(u8),
@@ -37,6 +39,7 @@ impl Request {
         match self {
             Self::Pause => "P".to_owned(),
             Self::Resume => "G".to_owned(),
+            Self::Speed(percent) => format!("U{percent}"),
             Self::Head(steps) => format!("Z{steps}"),
             Self::Read(id) => format!("C{id}"),
             Self::Write(id, value) => format!("W{id},{value}"),
@@ -87,7 +90,7 @@ impl Requests {
             Request::Pause => status.state == State::Hold,
             Request::Resume => matches!(status.state, State::Idle | State::Run),
             Request::Head(steps) => status.position[1] == steps,
-            Request::Read(_) | Request::Write(..) | Request::LoadDefaults => false,
+            Request::Speed(_) | Request::Read(_) | Request::Write(..) | Request::LoadDefaults => false,
         })
     }
 
@@ -100,6 +103,11 @@ impl Requests {
             Request::LoadDefaults => id == 1,
             _ => false,
         })
+    }
+
+    /// The request that this speed answers.
+    pub fn speed(&mut self, percent: u8) -> Option<Request> {
+        self.answered(|ask| ask == Request::Speed(percent))
     }
 
     /// The request with this letter that waits for its answer; it is not repeated any more.

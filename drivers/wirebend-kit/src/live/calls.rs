@@ -16,6 +16,10 @@ const APPROACHES_SINCE: u32 = 111;
 
 /// The firmware that moves in the air, 100 for 1.0.
 const DRY_SINCE: u32 = 112;
+/// The firmware whose speed can be changed while it runs.
+const SPEED_SINCE: u32 = 112;
+/// It goes no faster than its settings say, percent.
+const FASTEST: u8 = 100;
 
 /// Steps that are accepted ahead of the running one. The program writes each into its journal before.
 const AHEAD: u32 = 12;
@@ -106,8 +110,8 @@ impl Machine {
             Axis::Bend => &mut step.bend_deg,
         } = motion.by;
         let line = self.line_of(0, step)?;
-        if let Some(versions) = self.versions.filter(|versions| motion.dry && versions.firmware < DRY_SINCE) {
-            return Err(fault::cannot_run_dry(versions));
+        if motion.dry {
+            self.require_since(DRY_SINCE, "dry run")?;
         }
         let letter = if motion.dry { b'Y' } else { b'M' };
         self.activity = Activity::Jogging(self.link.line(letter, &line));
@@ -120,6 +124,16 @@ impl Machine {
 
     pub fn resume(&mut self) {
         self.link.request(Request::Resume);
+    }
+
+    /// From the next move of an axis on.
+    pub fn set_speed(&mut self, percent: u8) -> Result<(), DriverError> {
+        self.require_since(SPEED_SINCE, "speed override")?;
+        if percent > FASTEST {
+            return Err(fault::no_faster());
+        }
+        self.link.request(Request::Speed(percent));
+        Ok(())
     }
 
     pub fn stop(&mut self, now: Duration) {
@@ -158,6 +172,7 @@ impl Machine {
     pub(super) fn renew(&mut self, id: u16, now: Duration) {
         self.link.renew(id, now);
         self.token = None;
+        self.has_speed(FASTEST);
     }
 
     pub(super) fn rotate_steps_per_deg(&self) -> f64 {
@@ -214,6 +229,13 @@ impl Machine {
             Activity::Arming | Activity::Running => Err(fault::busy(what, "it is running a job")),
             Activity::Jogging(_) => Err(fault::busy(what, "it is jogging")),
             Activity::StoringSettings => Err(fault::busy(what, "it is storing settings")),
+        }
+    }
+
+    fn require_since(&self, firmware: u32, what: &str) -> Result<(), DriverError> {
+        match self.versions.filter(|versions| versions.firmware < firmware) {
+            Some(versions) => Err(fault::lacks(what, versions)),
+            None => Ok(()),
         }
     }
 

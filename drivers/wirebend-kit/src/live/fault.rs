@@ -68,14 +68,18 @@ pub(super) fn cannot_approach(n: u32, deg: f64, versions: Versions) -> DriverErr
     )
 }
 
-pub(super) fn cannot_run_dry(versions: Versions) -> DriverError {
+pub(super) fn no_faster() -> DriverError {
+    DriverError::new(
+        "no-faster",
+        "the machine goes no faster than its settings say",
+        "raise the speeds in the profile, and write its settings to the machine",
+    )
+}
+
+pub(super) fn lacks(what: &str, versions: Versions) -> DriverError {
     DriverError::new(
         "older-firmware",
-        format!(
-            "firmware {}.{:02} cannot move in the air: it has no dry run",
-            versions.firmware / 100,
-            versions.firmware % 100
-        ),
+        format!("firmware {}.{:02} has no {what}", versions.firmware / 100, versions.firmware % 100),
         "flash the firmware of this program: firmware/README.md says how",
     )
 }
@@ -165,6 +169,7 @@ pub(super) fn refused(command: u8, error: Refusal, homing: bool) -> DriverError 
         b'M' if homing => "to turn the head back",
         b'M' => "a step",
         b'Y' => "a move in the air",
+        b'U' => "another speed",
         b'S' => "a new session",
         b'Z' => "the position of the head",
         _ => "a request",

@@ -44,6 +44,7 @@ impl Machine {
                 }
             }
             MachineEvent::Answered(Request::Write(id, _)) => drop(self.unwritten.remove(&id)),
+            MachineEvent::Answered(Request::Speed(percent)) => self.has_speed(percent),
             MachineEvent::Answered(_) => {}
             MachineEvent::Setting { id, value } => {
                 let index = usize::from(id).wrapping_sub(1);
@@ -56,6 +57,13 @@ impl Machine {
             MachineEvent::Refused { command, error, .. } => self.refused(command, error, now),
             MachineEvent::Alarm(alarm) => self.alarmed(alarm, now),
             MachineEvent::Silent => self.lose(fault::silent(self.activity == Activity::Connecting)),
+        }
+    }
+
+    /// Moves have so many percent of their speed.
+    pub(super) fn has_speed(&mut self, percent: u8) {
+        if std::mem::replace(&mut self.speed, percent) != percent {
+            self.report(Event::Speed { percent });
         }
     }
 
@@ -228,6 +236,8 @@ impl Machine {
             (b'C', _) if error == Refusal::Settings => {}
             // It holds on.
             (b'G', _) if error == Refusal::HoldInput => self.report(Event::Warning(fault::hold_input())),
+            // It goes on as fast as before.
+            (b'U', _) => self.report(Event::Warning(fault::refused(command, error, false))),
             // It has fewer settings than this driver knows.
             (b'C', Activity::Connecting) if error == Refusal::Unknown => {
                 self.lose(fault::older_firmware(self.versions));

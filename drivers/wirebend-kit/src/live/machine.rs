@@ -111,6 +111,8 @@ pub(super) struct Machine {
     pub(super) boots: u32,
     /// The controller's settings as far as they were read; nothing where it says that they are damaged.
     pub(super) read: [Option<i32>; SETTINGS.len()],
+    /// How fast its moves are, percent.
+    pub(super) speed: u8,
     /// Values that the controller has refused.
     pub(super) unwritten: BTreeMap<u8, (i32, Refusal)>,
     pub(super) status: Option<Status>,
@@ -146,6 +148,7 @@ impl Machine {
             versions: None,
             boots: 0,
             read: [None; SETTINGS.len()],
+            speed: 100,
             unwritten: BTreeMap::new(),
             status: None,
             told: None,

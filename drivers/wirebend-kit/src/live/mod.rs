@@ -160,6 +160,10 @@ impl MachineSession for Session {
         })
     }
 
+    fn set_speed(&mut self, percent: u8) -> Result<(), DriverError> {
+        self.call(|machine, _| machine.set_speed(percent))
+    }
+
     fn write_settings(&mut self) -> Result<(), DriverError> {
         self.call(|machine, _| machine.write_settings())
     }

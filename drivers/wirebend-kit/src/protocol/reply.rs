@@ -77,6 +77,10 @@ pub enum ReplyFrame {
         command: Option<u8>,
     },
     Status(Status),
+    /// Moves have so many percent of their speed.
+    Speed {
+        percent: u8,
+    },
     Value {
         id: u8,
         value: i32,
@@ -152,6 +156,7 @@ impl ReplyFrame {
                     homed: flag(homed)?,
                 })
             }
+            (Reply::Speed, &[percent]) => Self::Speed { percent: code(percent)? },
             (Reply::Value, &[id, value]) => Self::Value { id: code(id)?, value: steps(value)? },
             (Reply::Alarm, &[alarm]) => Self::Alarm(Alarm::of(code(alarm)?)?),
             _ => return None,

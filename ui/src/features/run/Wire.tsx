@@ -14,6 +14,7 @@ import { Pieces } from "./Pieces";
 import { progressPhrase } from "./phrases";
 import { useProspect } from "./prospect";
 import { Ended } from "./records/Ended";
+import { Speed } from "./Speed";
 import { UnfinishedCard } from "./UnfinishedCard";
 
 /** Arming, starting, pausing a wire of the design. */
@@ -77,6 +78,7 @@ export function Wire({ state }: { readonly state: MachineState }) {
             <span className="muted small">{long(state.wire.stock_left_mm)} of wire before this piece</span>
           )}
           {otherWire && <p className="muted small">{otherWire}</p>}
+          {state.speed_percent !== null && <Speed percent={state.speed_percent} why={all.speed} />}
         </div>
       )}
       <div className="row">

@@ -26,6 +26,7 @@ export interface RunButtons {
   readonly disarm: Why;
   /** One button that pauses or resumes. */
   readonly pause: { readonly order: "pause" | "resume"; readonly why: Why };
+  readonly speed: Why;
   readonly jog: Why;
   readonly resumeRun: Why;
   readonly abandon: Why;
@@ -91,6 +92,7 @@ export function buttons(state: MachineState | null, prospect: Prospect): RunButt
     start: why("start"),
     disarm: why("disarm"),
     pause: { order: pause, why: why(pause) },
+    speed: why("speed"),
     jog: why("jog"),
     resumeRun: why("resume-run"),
     abandon: why("abandon"),

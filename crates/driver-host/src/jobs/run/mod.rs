@@ -253,6 +253,14 @@ impl JobRun {
         Ok(self.session.pause()?)
     }
 
+    /// Bends at so many percent of the programmed speed.
+    ///
+    /// # Errors
+    /// [`JobError::Session`].
+    pub fn set_speed(&mut self, percent: u8) -> Result<(), JobError> {
+        Ok(self.session.set_speed(percent)?)
+    }
+
     /// Resumes after a pause.
     ///
     /// # Errors

@@ -5,13 +5,14 @@ use wirebend_driver_api::{DoneBy, DriverError, HeadBy, Limits, PausedBy, Referen
 
 use super::*;
 
-const ACTS: [Act; 9] = [
+const ACTS: [Act; 10] = [
     Act::Home,
     Act::Arm,
     Act::ArmByHand,
     Act::Send,
     Act::Jog,
     Act::Pause,
+    Act::Speed,
     Act::Resume,
     Act::Reattach,
     Act::WriteSettings,
@@ -40,6 +41,7 @@ fn events() -> Vec<Event> {
         Event::Jogged,
         Event::Paused { by: PausedBy::Program },
         Event::Resumed,
+        Event::Speed { percent: 50 },
         Event::Stopped { homed: true },
         Event::SettingsWritten { settings: Vec::new(), limits: Limits::default() },
         Event::Warning(error.clone()),
@@ -51,7 +53,7 @@ proptest! {
     /// However a driver reports and whatever is asked: from anywhere to running there is no way without a
     /// person's yes, which is arming or reattaching; and to armed none that does not pass through a reference.
     #[test]
-    fn nothing_runs_that_nobody_confirmed(turns in prop::collection::vec((any::<bool>(), 0_usize..14), 0..60)) {
+    fn nothing_runs_that_nobody_confirmed(turns in prop::collection::vec((any::<bool>(), 0_usize..15), 0..60)) {
         let (mut state, mut confirmed, mut referenced) = (Phase::Connecting, false, false);
         for (is_act, k) in turns {
             let before = state;
@@ -69,7 +71,7 @@ proptest! {
                         }
                         Act::Home | Act::WriteSettings => (referenced, confirmed) = (false, false),
                         Act::Send | Act::Jog | Act::Resume => prop_assert!(confirmed, "{act} from {before}"),
-                        Act::Pause => {}
+                        Act::Pause | Act::Speed => {}
                     }
                     state = next;
                 }
@@ -94,7 +96,7 @@ proptest! {
 
     /// No report makes a machine that was interrupted run: only what was taken before is run by itself.
     #[test]
-    fn an_interrupted_wire_goes_on_at_a_persons_word_alone(reports in prop::collection::vec(0_usize..14, 0..30)) {
+    fn an_interrupted_wire_goes_on_at_a_persons_word_alone(reports in prop::collection::vec(0_usize..15, 0..30)) {
         let mut state = Phase::Interrupted;
         for k in reports {
             state = state.after(&events()[k]);
