@@ -10,8 +10,10 @@ vi.mock("../../platform", () => ({
 import type { PlayedWire } from "../../generated/responses";
 import type { Played } from "../../scene/interface";
 import { place } from "../../shared/testing";
+import { useDesign } from "../../state/design/design";
 import { useByHand } from "../../state/machine/by_hand";
 import { useProgram } from "../../state/program/program";
+import { designState } from "../../state/testing";
 import { Timeline } from "./Timeline";
 
 const at = place();
@@ -66,5 +68,18 @@ it("keeps its place while there is no program, and says so", () => {
   expect(at.host.textContent).toContain("no program yet");
   expect(at.host.querySelector<HTMLInputElement>("input[type=range]")?.disabled).toBe(true);
   const why = [...at.host.querySelectorAll("button")].map((button) => button.title);
-  expect(why).toEqual(["There is no program yet.", "The design is empty.", "There is no program yet."]);
+  expect(why).toEqual(["The design is empty.", "The design is empty.", "The design is empty."]);
+});
+
+it("does not deny a program that is made when it is played", () => {
+  useByHand.setState({ moves: 0, played: null });
+  useProgram.setState({ program: null });
+  useDesign.setState({
+    vertices: new Map([[0, { id: 0, at: [0, 0, 0], support: false }]]),
+    state: designState({ machine: "kit" }),
+  });
+  at.show(<Timeline />);
+  expect(at.host.textContent).toContain("not played yet");
+  const why = [...at.host.querySelectorAll("button")].map((button) => button.title);
+  expect(why).toEqual(["Press Play first.", "Play (Space)", "Press Play first."]);
 });

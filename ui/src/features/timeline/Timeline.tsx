@@ -26,7 +26,8 @@ import "./timeline.css";
 
 const LIVE = "A machine is bending the wire.";
 
-const NO_PROGRAM = "There is no program yet.";
+/** The program is made when it is played. */
+const NOT_PLAYED = "Press Play first.";
 
 /** What plays in the view: a program, or the steps of building. */
 export function Timeline() {
@@ -52,7 +53,8 @@ function ProgramTimeline() {
   const one = program?.wires[wire];
   const total = one?.steps.length ?? 0;
   const why = live ? LIVE : null;
-  const whyStep = why ?? (one ? null : NO_PROGRAM);
+  const noSteps = none ?? NOT_PLAYED;
+  const whyStep = why ?? (one ? null : noSteps);
   const at = Math.max(stepOf(total, step), 0);
   const goThere = (step: number) => void goTo(step);
   const moves = movesOf(step, total, { forward, back, reset, goTo: goThere, toggle: togglePlay });
@@ -71,7 +73,7 @@ function ProgramTimeline() {
       <Track
         value={step}
         of={total}
-        text={one ? spoken(one, at, length) : NO_PROGRAM}
+        text={one ? spoken(one, at, length) : noSteps}
         ticks={program ? namedSteps((file ?? check)?.diagnostics ?? [], program.wires.length) : []}
         contacts={one ? contacts : []}
         off={live || !one}
@@ -83,7 +85,9 @@ function ProgramTimeline() {
           ? `${count(byHand, "move")} by hand, not this program`
           : one
             ? `${live ? `${stands} · ` : ""}step ${at + 1} / ${total} · ${percent(total > 0 ? step / total : 0)}`
-            : "no program yet"}
+            : none === null
+              ? "not played yet"
+              : "no program yet"}
       </span>
       <span className="timeline-time muted">
         {byHand === null &&
