@@ -10,6 +10,7 @@ use wirebend_files::write::frame::{conmech_frame, conmech_loads};
 use wirebend_frame::{Load, MemberId, STANDARD_GRAVITY};
 
 use super::material::{FrameMaterial, UNKNOWN_YIELD};
+use super::notes::about_edges;
 use super::structure::Structure;
 use crate::design::Opened;
 use crate::report::NoteReport;
@@ -89,14 +90,10 @@ pub(super) fn loads_text(opened: &Opened, structure: &Structure, load: &Load) ->
 pub(super) fn without_yield(structure: &Structure) -> Option<NoteReport> {
     let members = (0..structure.edges.len()).map(MemberId);
     let count = members.filter(|&id| structure.assembly.section(id).yield_strength >= UNKNOWN_YIELD).count();
-    let of = if count == 1 { "1 edge".to_owned() } else { format!("{count} edges") };
-    (count > 0).then(|| NoteReport {
-        code: "yield-unknown".into(),
-        count,
-        message: format!(
+    about_edges("yield-unknown", count, |of| {
+        format!(
             "conmech asks for a yield strength (fy), and that of {of} is not known: its own program refuses the file"
-        ),
-        remedies: Vec::new(),
+        )
     })
 }
 

@@ -9,6 +9,7 @@ mod findings;
 mod loads;
 mod material;
 mod modes;
+mod notes;
 mod report;
 mod results;
 mod runs;

@@ -14,6 +14,7 @@ use wirebend_frame::{Load, MemberId, Response};
 
 use super::conmech::{frame_text, joints_as_forces, loads_text, without_yield};
 use super::material::FrameMaterial;
+use super::notes::about_edges;
 use super::report::StaticReport;
 use super::structure::Structure;
 use crate::PlanningError;
@@ -146,13 +147,8 @@ fn deformed(structure: &Structure, load: &Load, response: &Response) -> Vec<Defo
 
 /// A model has round struts only.
 fn drawn_round(structure: &Structure, material: &FrameMaterial) -> Option<NoteReport> {
-    let count = structure.of_other_sections(material);
-    let of = if count == 1 { "1 edge".to_owned() } else { format!("{count} edges") };
-    (count > 0).then(|| NoteReport {
-        code: "drawn-round".into(),
-        count,
-        message: format!("the section of {of} is no solid round: drawn as a round one of the same area"),
-        remedies: Vec::new(),
+    about_edges("drawn-round", structure.of_other_sections(material), |of| {
+        format!("the section of {of} is no solid round: drawn as a round one of the same area")
     })
 }
 

@@ -7,6 +7,7 @@ use wirebend_frame::{Assembly, Member, MemberId, Model, ModelError, NodeId, Supp
 
 use super::FrameFigures;
 use super::material::FrameMaterial;
+use super::notes::about_edges;
 use super::supports::FrameSupports;
 use crate::PlanningError;
 use crate::design::Opened;
@@ -73,15 +74,10 @@ impl Structure {
 
     /// Struts whose section is no solid round have no stress, and so no yield check, which is worth knowing of.
     pub fn without_stress(&self, material: &FrameMaterial) -> Option<NoteReport> {
-        let count = self.of_other_sections(material);
-        let of = if count == 1 { "1 edge".to_owned() } else { format!("{count} edges") };
-        (count > 0).then(|| NoteReport {
-            code: "stress-unknown".into(),
-            count,
-            message: format!(
+        about_edges("stress-unknown", self.of_other_sections(material), |of| {
+            format!(
                 "the section of {of} is no solid round: stresses are not known, and whether it yields is not checked"
-            ),
-            remedies: Vec::new(),
+            )
         })
     }
 
