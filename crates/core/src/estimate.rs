@@ -26,7 +26,7 @@ pub struct StepSeconds {
     pub rotate: f64,
     /// The bend axis out to the commanded angle and back.
     pub bend: f64,
-    /// What a bend takes besides: the peg comes out and goes in.
+    /// What a bend takes besides: the way to where the peg comes out and the way back, the peg comes out and goes in.
     pub wait: f64,
 }
 
@@ -39,17 +39,27 @@ impl StepSeconds {
 }
 
 impl TimeModel {
-    /// How long the parts of a step take as the machine is told it.
+    /// How long the parts of a step take as the machine is told it. `detour`: how much farther the bend axis goes than beside straight
+    /// wire before the peg comes out ([`CompensatedProgram::peg_detour`]); that far it has to come back, too.
     #[must_use]
-    pub fn step_seconds(&self, told: &Step) -> StepSeconds {
+    pub fn step_seconds(&self, told: &Step, detour: Angle) -> StepSeconds {
         let bends = told.bend != Angle::ZERO;
-        let wait = if bends { self.fixed_per_bend_s } else { 0.0 };
+        let fixed = if bends { self.fixed_per_bend_s } else { 0.0 };
         StepSeconds {
             feed: told.feed.abs().mm() / self.feed_mm_per_s,
             rotate: told.rotate.abs().deg() / self.rotate_deg_per_s,
-            bend: if bends { self.bend_seconds(told.bend) - wait } else { 0.0 },
-            wait,
+            bend: if bends { self.bend_seconds(told.bend) - fixed } else { 0.0 },
+            wait: fixed + 2.0 * detour.abs().deg() / self.bend_deg_per_s,
         }
+    }
+
+    /// The same of each step of a program.
+    pub fn each_step<'p>(
+        &'p self,
+        program: &'p CompensatedProgram,
+    ) -> impl Iterator<Item = StepSeconds> + 'p {
+        let step_seconds = |(index, told)| self.step_seconds(told, program.peg_detour(index));
+        program.steps().iter().enumerate().map(step_seconds)
     }
 
     /// Seconds for a bend: out to the commanded angle, back, and what every bend takes.
@@ -61,11 +71,7 @@ impl TimeModel {
     /// Seconds for a program: each feed, turn of the head and bend after the other.
     #[must_use]
     pub fn seconds(&self, program: &CompensatedProgram) -> f64 {
-        let step_seconds = |step: &Step| {
-            let bend = if step.bend == Angle::ZERO { 0.0 } else { self.bend_seconds(step.bend) };
-            step.feed.abs().mm() / self.feed_mm_per_s + step.rotate.abs().deg() / self.rotate_deg_per_s + bend
-        };
-        program.steps().iter().map(step_seconds).sum()
+        self.each_step(program).map(|step| step.total()).sum()
     }
 }
 

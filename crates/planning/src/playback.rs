@@ -140,10 +140,12 @@ pub fn played(plan: &WirePlan, time: &TimeModel) -> Option<PlayedWire> {
 
 /// What the machine does in each step of a planned wire; `None` where it has no program.
 pub(crate) fn machine_steps(plan: &WirePlan, time: &TimeModel) -> Option<Vec<MachineStep>> {
-    let told = plan.compensated.as_ref().map(CompensatedProgram::steps);
+    let program = plan.compensated.as_ref();
     let steps = plan.scheduled.as_ref()?.steps.iter().enumerate().map(|(index, designed)| {
-        let told = told.and_then(|told| told.get(index)).unwrap_or(designed);
-        MachineStep { designed: *designed, told: *told, seconds: time.step_seconds(told) }
+        let told = program.and_then(|program| program.steps().get(index)).unwrap_or(designed);
+        let detour = program.map(|program| program.peg_detour(index)).unwrap_or_default();
+        let comes_out = program.and_then(|program| program.peg_comes_out(index));
+        MachineStep { designed: *designed, told: *told, comes_out, seconds: time.step_seconds(told, detour) }
     });
     Some(steps.collect())
 }

@@ -7,8 +7,8 @@ use crate::units::Angle;
 
 impl Contact {
     /// The part of its step's time that has passed, from 0 to 1: `moments` are those of the step, `bend` is what it leaves in the
-    /// wire. There a bend goes evenly from nothing to what is left, and the peg comes out before the bend axis moves, so that a
-    /// contact while the wire is bent comes where it is bent as far.
+    /// wire. There a bend goes evenly from nothing to what is left, once the peg is out, so that a contact while the wire is bent
+    /// comes where it is bent as far.
     #[must_use]
     pub fn time_in(&self, moments: &[Moment], bend: Angle) -> f64 {
         let passed = self.passed.clamp(0.0, 1.0);
@@ -28,7 +28,8 @@ impl Contact {
         let time = match self.phase {
             Phase::Feed => first(moments, of_feed, passed).unwrap_or_default(),
             Phase::Rotate => first(moments, of_head, passed).unwrap_or(fed),
-            Phase::Approach => turned,
+            // Of a machine whose peg comes out at zero it is no motion.
+            Phase::Approach => first(moments, of_axis, passed).filter(|at| *at < out).unwrap_or(turned),
             Phase::PegOut => first(moments, of_peg, passed).unwrap_or(turned),
             Phase::Bend => {
                 let share = if bend == Angle::ZERO { 1.0 } else { self.bent.rad() / bend.rad() };
@@ -74,7 +75,7 @@ mod tests {
         let designed = Step { feed: mm(30.0), rotate: deg(40.0), bend: deg(-80.0) };
         let told = Step { bend: deg(-100.0), ..designed };
         let seconds = StepSeconds { feed: 2.0, rotate: 1.0, bend: 4.0, wait: 2.0 };
-        let of_step = &moments(&[MachineStep { designed, told, seconds }])[0];
+        let of_step = &moments(&[MachineStep { designed, told, comes_out: None, seconds }])[0];
         let at = |phase, passed, bent| contact(phase, passed, bent).time_in(of_step, designed.bend) * 9.0;
         for (phase, passed, bent, seconds) in [
             (Phase::Feed, 0.25, 0.0, 0.5),
@@ -96,12 +97,35 @@ mod tests {
         }
     }
 
+    /// Its way to where the peg comes out takes half of a second.
+    #[test]
+    fn a_contact_on_the_way_to_where_the_peg_comes_out_is_there() {
+        let designed = Step { feed: mm(30.0), rotate: deg(40.0), bend: deg(-80.0) };
+        let told = Step { bend: deg(-100.0), ..designed };
+        let seconds = StepSeconds { feed: 2.0, rotate: 1.0, bend: 4.0, wait: 2.0 };
+        let step = MachineStep { designed, told, comes_out: Some(deg(18.25)), seconds };
+        let of_step = &moments(&[step])[0];
+        let at = |phase, passed, bent| contact(phase, passed, bent).time_in(of_step, designed.bend) * 9.0;
+        for (phase, passed, bent, seconds) in [
+            (Phase::Approach, 0.5, 0.0, 3.25),
+            (Phase::PegOut, 0.5, 0.0, 3.75),
+            (Phase::Bend, 0.6, -20.0, 4.5),
+            (Phase::Release, 0.5, -80.0, 7.0),
+        ] {
+            assert!(
+                (at(phase, passed, bent) - seconds).abs() < 1e-9,
+                "{phase:?}: {}",
+                at(phase, passed, bent)
+            );
+        }
+    }
+
     /// A machine whose peg stays out, and a step that only feeds: nothing is divided by what does not move.
     #[test]
     fn what_does_not_move_takes_no_time() {
         let designed = Step { feed: mm(30.0), ..Step::default() };
         let seconds = StepSeconds { feed: 2.0, ..StepSeconds::default() };
-        let of_step = &moments(&[MachineStep { designed, told: designed, seconds }])[0];
+        let of_step = &moments(&[MachineStep { designed, told: designed, comes_out: None, seconds }])[0];
         for phase in
             [Phase::Rotate, Phase::Approach, Phase::PegOut, Phase::Bend, Phase::Release, Phase::PegIn]
         {

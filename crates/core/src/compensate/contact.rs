@@ -263,6 +263,17 @@ impl PegGeometry {
         first.filter(|touch| touch.axis < std::f64::consts::PI)
     }
 
+    /// Where the peg touches wire that is straight, radians towards the side of the bend: below zero.
+    fn touches_straight(&self) -> f64 {
+        -(self.peg / self.orbit_radius).asin()
+    }
+
+    /// How far before zero the bend axis stands when the peg comes out beside straight wire.
+    #[must_use]
+    pub fn near_side(&self) -> Angle {
+        Angle::computed(CLEAR - self.touches_straight())
+    }
+
     /// How far before it touches the wire the peg comes out.
     #[must_use]
     pub fn clear_before_touch() -> Angle {
@@ -276,7 +287,7 @@ impl PegGeometry {
         if touch.axis - touch.room_from < LEAST_ROOM {
             return Err(NoRoom);
         }
-        let on_straight = -(self.peg / self.orbit_radius).asin();
+        let on_straight = self.touches_straight();
         let at = (touch.axis - CLEAR).max(f64::midpoint(touch.room_from, touch.axis));
         if touch.axis >= on_straight - SAME && touch.room_from <= on_straight - CLEAR {
             return Ok(None);

@@ -20,13 +20,21 @@ pub(super) struct Forming<'a> {
 /// How much further the axis goes than on a straight leg, and whether the peg touches past another corner.
 pub(super) type Elsewhere = (Option<Angle>, bool);
 
+/// The command of a bend.
+pub(super) struct Commanded {
+    pub axis: Angle,
+    pub elsewhere: Option<Elsewhere>,
+    /// Where the peg comes out, unless the place for straight wire will do.
+    pub approach: Option<Angle>,
+}
+
 impl<'a> Forming<'a> {
     pub fn new(compensation: &'a Compensation) -> Self {
         Self { compensation, wire: compensation.bend.setback.as_ref().map(FormedWire::new), lead: Some(0.0) }
     }
 
     /// The command of the next bend.
-    pub fn command(&mut self, before: Angle, step: &Step) -> Result<(Angle, Option<Elsewhere>), BendError> {
+    pub fn command(&mut self, before: Angle, step: &Step) -> Result<Commanded, BendError> {
         let Step { feed, rotate, bend } = *step;
         let Compensation { feed: feeds, bend: model, .. } = self.compensation;
         let (mut straight, mut beyond) = (0.0, Beyond::default());
@@ -41,7 +49,7 @@ impl<'a> Forming<'a> {
             return Err(BendError::FoldBack { bend });
         }
         if beyond.is_empty() || bend == Angle::ZERO {
-            return Ok((model.command(bend)?, None));
+            return Ok(Commanded { axis: model.command(bend)?, elsewhere: None, approach: None });
         }
         // What is not bent yet is straight still.
         let arc = |bend: Angle| model.arc_of(bend, feeds.as_ref());
@@ -51,11 +59,12 @@ impl<'a> Forming<'a> {
                 let lead = Length::computed(lead + arc(bend));
                 Err(BendError::LeadTooShort { bend, lead, needed: peg.least_lead(lead) })
             }
-            (told, lead, _) => told.map(|(axis, touch)| {
+            (told, lead, _) => told.map(|(axis, touch, approach)| {
                 let on_straight = model.axis(bend);
                 let further = on_straight.map(|straight| Angle::computed(touch.axis - straight.rad()));
                 let is_elsewhere = lead.is_none() && further.is_none_or(|by| by.deg().abs() > NEAR_DEG);
-                (axis, is_elsewhere.then_some((further, touch.past_other)))
+                let elsewhere = is_elsewhere.then_some((further, touch.past_other));
+                Commanded { axis, elsewhere, approach }
             }),
         }
     }

@@ -19,9 +19,9 @@ use crate::units::{Angle, Length};
 use contact::{Beyond, Touch};
 pub use feed::FeedModel;
 pub(crate) use feed::{corner, with_bend_before};
-use forming::Forming;
 pub use forming::approaches;
 pub(crate) use forming::results;
+use forming::{Commanded, Forming};
 pub use motion::MotionModel;
 pub use setback::{PegGeometry, PegGeometryError, PegRadius};
 pub use springback::{Springback, SpringbackCurve, SpringbackError, SpringbackPoint};
@@ -101,17 +101,21 @@ impl BendModel {
         bend: Angle,
         leg: impl Fn(Angle) -> f64,
         beyond: &Beyond,
-    ) -> Result<(Angle, Touch), BendError> {
+    ) -> Result<(Angle, Touch, Option<Angle>), BendError> {
         let Some(peg) = &self.setback else {
-            return self.command(bend).map(|axis| (axis, Touch::default()));
+            return self.command(bend).map(|axis| (axis, Touch::default(), None));
         };
         let side = bend.signum();
         let leg = |pressed: f64| leg(self.left(side, pressed));
         let touch = peg.pressing(self.pressed(bend).rad(), leg, beyond);
         let within = |axis: f64| self.axis_limit.is_none_or(|limit| axis.abs() <= limit.rad());
-        let comes_out = peg.approach(leg(0.0), beyond).is_ok_and(|at| at.is_none_or(within));
-        match touch.filter(|touch| comes_out && touch.axis > 0.0 && within(touch.axis)) {
-            Some(touch) => Ok((Angle::computed(side * touch.axis), touch)),
+        let approach = peg.approach(leg(0.0), beyond).ok().filter(|at| at.is_none_or(within));
+        let touch = touch.filter(|touch| touch.axis > 0.0 && within(touch.axis));
+        match touch.zip(approach) {
+            Some((touch, approach)) => {
+                let approach = approach.map(|at| Angle::computed(side * at));
+                Ok((Angle::computed(side * touch.axis), touch, approach))
+            }
             // Where straight wire could not be bent so either, that is the reason.
             None => Err(self.command(bend).err().unwrap_or(BendError::CornerTooNear { bend })),
         }
@@ -198,6 +202,10 @@ pub struct Compensation {
 #[derive(Debug, Clone, PartialEq)]
 pub struct CompensatedProgram {
     steps: Vec<Step>,
+    /// Where the peg comes out for each step, unless the place for straight wire will do.
+    approaches: Vec<Option<Angle>>,
+    /// That place, before zero; none for a machine without a peg.
+    near_side: Option<Angle>,
     near: Vec<NearCorner>,
     unpressed: Vec<StepError>,
     /// How feed and head are off.
@@ -220,7 +228,31 @@ impl CompensatedProgram {
     /// A program that was compensated before, for a machine and a wire, and has been kept in a job whose hash still fits.
     #[must_use]
     pub fn from_job_steps(steps: Vec<Step>, compensation: &Compensation) -> Self {
-        Self { steps, near: Vec::new(), unpressed: Vec::new(), motion: compensation.motion }
+        let approaches = approaches(&steps, compensation);
+        Self::new(steps, approaches, compensation)
+    }
+
+    fn new(steps: Vec<Step>, approaches: Vec<Option<Angle>>, compensation: &Compensation) -> Self {
+        let near_side = compensation.bend.setback.as_ref().map(PegGeometry::near_side);
+        let (near, unpressed) = Default::default();
+        Self { steps, approaches, near_side, near, unpressed, motion: compensation.motion }
+    }
+
+    /// Where the bend axis stands when the peg comes out in a step: on the side from which it bends, so of the other sign than
+    /// the command. `None` where the step does not bend, and for a machine without a peg.
+    #[must_use]
+    pub fn peg_comes_out(&self, step: usize) -> Option<Angle> {
+        let bend = self.steps.get(step).map(|step| step.bend).filter(|bend| *bend != Angle::ZERO)?;
+        let on_straight = Angle::computed(-bend.signum() * self.near_side?.rad());
+        Some(self.approaches.get(step).copied().flatten().unwrap_or(on_straight))
+    }
+
+    /// How much farther from zero that is than beside straight wire.
+    #[must_use]
+    pub fn peg_detour(&self, step: usize) -> Angle {
+        let approach = self.approaches.get(step).copied().flatten();
+        let further = approach.zip(self.near_side).map(|(at, near_side)| at.abs() - near_side);
+        further.map_or(Angle::ZERO, |by| if by > Angle::ZERO { by } else { Angle::ZERO })
     }
 
     /// The bends whose peg meets wire that was bent before, where it was compensated just now.
@@ -273,6 +305,7 @@ pub fn compensate(
     let mut errors = Vec::new();
     let (mut near, mut unpressed) = (Vec::new(), Vec::new());
     let mut steps = Vec::with_capacity(program.steps.len());
+    let mut approaches = Vec::with_capacity(program.steps.len());
     let mut forming = Forming::new(compensation);
     for (index, (before, step)) in with_bend_before(&program.steps).enumerate() {
         let feed = match &compensation.feed {
@@ -280,8 +313,9 @@ pub fn compensate(
             None => step.feed,
         };
         match forming.command(before, step) {
-            Ok((bend, elsewhere)) => {
+            Ok(Commanded { axis: bend, elsewhere, approach }) => {
                 steps.push(Step { feed, rotate: step.rotate, bend });
+                approaches.push(approach);
                 near.extend(elsewhere.map(|(further, past_other)| NearCorner {
                     step: index,
                     further,
@@ -298,6 +332,7 @@ pub fn compensate(
                 let error = StepError { step: index, error };
                 if let Some(bend) = on_straight {
                     steps.push(Step { feed, rotate: step.rotate, bend });
+                    approaches.push(None);
                     unpressed.push(error);
                 } else {
                     errors.push(error);
@@ -307,7 +342,8 @@ pub fn compensate(
     }
     if errors.is_empty() {
         compensation.motion.command(&mut steps);
-        return Ok(CompensatedProgram { steps, near, unpressed, motion: compensation.motion });
+        let program = CompensatedProgram::new(steps, approaches, compensation);
+        return Ok(CompensatedProgram { near, unpressed, ..program });
     }
     errors.extend(unpressed);
     errors.sort_by_key(|error| error.step);

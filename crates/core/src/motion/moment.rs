@@ -11,6 +11,8 @@ pub struct MachineStep {
     pub designed: Step,
     /// What it is told: its bend axis goes farther than the wire stays bent.
     pub told: Step,
+    /// Where its bend axis stands when the peg comes out; none where it stays at zero for that.
+    pub comes_out: Option<Angle>,
     /// How long the parts of it take.
     pub seconds: StepSeconds,
 }
@@ -33,8 +35,8 @@ pub struct Moment {
 }
 
 /// The moments between which each step moves evenly: its beginning, the end of each of its parts, its end. The parts are
-/// feed, rotate, the peg comes out, the bend axis goes there, it comes back, the peg goes in. What takes no time comes as
-/// two moments at the same time.
+/// feed, rotate, the bend axis goes to where the peg comes out, the peg comes out, the bend axis goes there, it comes back, the peg
+/// goes in. What takes no time comes as two moments at the same time.
 ///
 /// A machine that waits for its peg at no bend leaves it out. Where a step has no times at all each part that moves takes
 /// as long as the others.
@@ -58,14 +60,17 @@ fn moments_of(step: &MachineStep, begin: Moment, head: Angle) -> Vec<Moment> {
     let total = feed + rotate + bend + wait;
     let fed = Moment { fed: 1.0, ..begin };
     let rotated = Moment { head, ..fed };
-    let out = Moment { peg_out: if wait > 0.0 { 1.0 } else { begin.peg_out }, ..rotated };
+    let beside = step.comes_out.filter(|_| wait > 0.0);
+    let beside = Moment { bend_axis: beside.unwrap_or_default(), ..rotated };
+    let out = Moment { peg_out: if wait > 0.0 { 1.0 } else { begin.peg_out }, ..beside };
     let bent = Moment { bent: 1.0, bend_axis: step.told.bend, ..out };
     let returned = Moment { bend_axis: Angle::ZERO, ..bent };
     let end = Moment { peg_out: begin.peg_out, ..returned };
     let parts = [
         (feed, fed),
         (rotate, rotated),
-        (wait / 2.0, out),
+        (if beside == rotated { 0.0 } else { wait / 4.0 }, beside),
+        (if beside == rotated { wait / 2.0 } else { wait / 4.0 }, out),
         (bend / 2.0, bent),
         (bend / 2.0, returned),
         (wait / 2.0, end),

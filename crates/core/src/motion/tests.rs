@@ -217,7 +217,8 @@ proptest! {
 fn machine_step(seconds: [f64; 4]) -> MachineStep {
     let [feed, rotate, bend, wait] = seconds;
     let seconds = StepSeconds { feed, rotate, bend, wait };
-    MachineStep { designed: step(50.0, 90.0, 40.0), told: step(48.0, 90.0, 52.0), seconds }
+    let (designed, told) = (step(50.0, 90.0, 40.0), step(48.0, 90.0, 52.0));
+    MachineStep { designed, told, comes_out: None, seconds }
 }
 
 /// Feed, rotation, bend, bend axis and peg at a part of the step's time, each from 0 to 1.
@@ -257,6 +258,26 @@ fn a_step_of_ten_seconds_has_come_so_far() {
     }
 }
 
+/// It would come out within the wire at zero. Of the 3 s that it takes it is a quarter on the way, and a quarter comes out.
+#[test]
+fn the_bend_axis_is_beside_the_wire_when_the_peg_comes_out() {
+    let step = MachineStep { comes_out: Some(deg(-26.0)), ..machine_step([1.0, 2.0, 4.0, 3.0]) };
+    let made = moments(&[step]);
+    for (seconds, wanted) in [
+        (3.0, [1.0, 1.0, 0.0, 0.0, 0.0]),
+        (3.375, [1.0, 1.0, 0.0, -0.25, 0.0]),
+        (3.75, [1.0, 1.0, 0.0, -0.5, 0.0]),
+        (4.125, [1.0, 1.0, 0.0, -0.5, 0.5]),
+        (4.5, [1.0, 1.0, 0.0, -0.5, 1.0]),
+        (5.5, [1.0, 1.0, 0.5, 0.25, 1.0]),
+        (6.5, [1.0, 1.0, 1.0, 1.0, 1.0]),
+        (8.5, [1.0, 1.0, 1.0, 0.0, 1.0]),
+        (10.0, [1.0, 1.0, 1.0, 0.0, 0.0]),
+    ] {
+        assert_eq!(at(&made[0], seconds / 10.0)[..], wanted, "after {seconds} s");
+    }
+}
+
 #[test]
 fn the_head_goes_on_from_where_the_step_before_has_left_it() {
     let steps = [machine_step([1.0, 2.0, 4.0, 3.0]), machine_step([1.0, 2.0, 4.0, 3.0])];
@@ -269,6 +290,7 @@ fn the_peg_stays_in_while_a_step_only_feeds_and_out_on_a_machine_that_never_wait
     let straight = MachineStep {
         designed: step(50.0, 0.0, 0.0),
         told: step(50.0, 0.0, 0.0),
+        comes_out: None,
         seconds: StepSeconds { feed: 1.0, ..StepSeconds::default() },
     };
     let pegs = |steps: &[MachineStep]| -> Vec<f64> {

@@ -1,5 +1,6 @@
 //! How far a machine is in the step that it runs, from where it reports its axes.
 
+use wirebend_core::compensate::CompensatedProgram;
 use wirebend_core::estimate::StepSeconds;
 use wirebend_driver_host::jobs::Part;
 use wirebend_planning::machine::kept_steps;
@@ -120,10 +121,11 @@ impl Task<'_> {
     pub(super) fn step_watch(&self, wire: usize) -> StepWatch {
         let steps =
             self.wire(wire).ok().and_then(|wire| kept_steps(&wire.compensated).ok()).unwrap_or_default();
-        let time = &self.setup.model.time;
-        let commanded = steps
-            .iter()
-            .map(|step| CommandedStep { commanded: JobStep::from(*step), seconds: time.step_seconds(step) });
+        let model = &self.setup.model;
+        let program = CompensatedProgram::from_job_steps(steps, &model.compensation);
+        let each = program.steps().iter().zip(model.time.each_step(&program));
+        let commanded =
+            each.map(|(step, seconds)| CommandedStep { commanded: JobStep::from(*step), seconds });
         StepWatch::new(commanded.collect())
     }
 

@@ -48,12 +48,10 @@ pub fn work(setup: &Setup, job: &Job, name: &str, index: usize) -> Result<WireJo
 
 /// How long each step takes by the machine's time model.
 fn estimates(setup: &Setup, wire: &JobWire) -> Result<Vec<Duration>, PlanningError> {
-    let seconds = |step| {
-        let program = CompensatedProgram::from_job_steps(vec![step], &setup.model.compensation);
-        setup.model.time.seconds(&program)
-    };
     let steps = kept_steps(&wire.compensated)?;
-    Ok(steps.into_iter().map(|step| Duration::try_from_secs_f64(seconds(step)).unwrap_or_default()).collect())
+    let program = CompensatedProgram::from_job_steps(steps, &setup.model.compensation);
+    let each = setup.model.time.each_step(&program);
+    Ok(each.map(|step| Duration::try_from_secs_f64(step.total()).unwrap_or_default()).collect())
 }
 
 /// What a simulated machine has to know; `None` for a machine without a pin and a peg that go about the wire.

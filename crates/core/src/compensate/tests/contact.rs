@@ -44,7 +44,16 @@ fn the_peg_comes_out_clear_of_wire_that_is_bent_towards_it() {
         let program = program(&[(100.0, 0.0, before), (edge, 0.0, bend)]);
         let compensation = published_compensation();
         let told = compensate(&program, &compensation).unwrap();
-        approaches(told.steps(), &compensation)[1]
+        let found = approaches(told.steps(), &compensation)[1];
+        // A job that is read again has it alike, and both say how much farther that is.
+        let on_straight = Angle::computed(-bend.signum() * f64::to_radians(18.25));
+        for program in [&told, &CompensatedProgram::from_job_steps(told.steps().to_vec(), &compensation)] {
+            let at = program.peg_comes_out(1).expect("it bends");
+            assert!((at - found.unwrap_or(on_straight)).abs().deg() < 0.01, "{at}, {found:?}");
+            let further = found.map_or(0.0, |at| at.abs().deg() - 18.25);
+            assert!((program.peg_detour(1).deg() - further).abs() < 0.01, "{}", program.peg_detour(1));
+        }
+        found
     };
     for (before, bend) in [(-30.0, 30.0), (30.0, -30.0)] {
         let at = approach(25.0, before, bend).expect("another place");
