@@ -39,7 +39,7 @@ static uint8_t validate_peg(const struct wb_peg *peg, int32_t out)
     return out == 0 || out == 1 ? 0 : WB_ERROR_RANGE;
 }
 
-/* Where the peg comes out, if a line says so. In the air it does not. */
+/* Where the peg comes out, if a line says so. In a dry-run move it does not. */
 static int32_t approach_of(const struct wb_command *line)
 {
     return line->letter == WB_COMMAND_MOVE ? line->field[3] : 0;
@@ -149,11 +149,13 @@ static uint8_t resume(struct wb_controller *c)
 
 static uint8_t set_speed(struct wb_controller *c, int32_t percent)
 {
-    if (percent < WB_SPEED_MIN || percent > 100) {
-        return WB_ERROR_RANGE;
+    if (percent != 0) {
+        if (percent < WB_SPEED_MIN || percent > 100) {
+            return WB_ERROR_RANGE;
+        }
+        c->motion.slower_by = (uint8_t)(100 - percent);
     }
-    c->motion.slower_by = (uint8_t)(100 - percent);
-    wb_send_number(c->board, &c->session, WB_REPLY_SPEED, (uint32_t)percent);
+    wb_send_number(c->board, &c->session, WB_REPLY_SPEED, 100u - c->motion.slower_by);
     return 0;
 }
 

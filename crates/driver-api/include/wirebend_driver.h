@@ -41,7 +41,8 @@ extern "C" {
 /* A larger minor has more messages or extensions; nothing that was there has changed. 1.1 has more calls
    ("ports", "write-settings") and events ("settings-written", "made"), and keys with defaults in those of
    1.0: "resume" of "connect", "token" in the reply of "arm", "going_on" of "connected". 1.2 has the call "limits",
-   and one key more, "reference" of "connected": "machine" (the default) or "person". */
+   and one key more, "reference" of "connected": "machine" (the default) or "person". 1.5 has the call and the event "speed",
+   and the key "dry" of "jog", for drivers with the capabilities "speed" and "dry-run" alone. docs/drivers.md has all of them. */
 #define WIREBEND_ABI_MINOR 5u
 
 /* What a function returns. */

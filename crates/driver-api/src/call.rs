@@ -48,10 +48,11 @@ pub enum Call {
     Pause,
     /// Resumes. Reply: `{}`; then `resumed`.
     Resume,
-    /// So fast from now on, as soon as the machine can: percent of the speeds that it is programmed with, 10 to 200. Refused where the machine
-    /// goes no faster. Reply: `{}`; then `speed`, with what became of it. Every wire begins with 100. Since 1.5.
+    /// Sets the speed override, percent of the programmed speeds: [`SPEEDS`]. It takes effect as soon as the machine can, at the
+    /// next move at the latest. Refused where the machine goes no faster. Reply: `{}`; then `speed` where it changes.
+    /// A wire begins and ends with 100: the driver sees to that. Since 1.5.
     Speed {
-        /// How fast, percent.
+        /// The override, percent.
         percent: u8,
     },
     /// Stops at once. Reply: `{}`; then `stopped`. Always allowed once connected.
@@ -164,6 +165,9 @@ pub struct Sent {
     /// How many more would be taken now.
     pub free: u32,
 }
+
+/// The speeds that a driver can be asked for, percent.
+pub const SPEEDS: std::ops::RangeInclusive<u8> = 10..=200;
 
 /// A move of one axis by an amount, in the machine's signs. What a jog of the bend axis means on a machine with
 /// a peg: see [`Call::Jog`].

@@ -8,7 +8,7 @@ use serde::de::value::{Error as ValueError, StrDeserializer};
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 
-use crate::call::CallName;
+use crate::call::{CallName, SPEEDS};
 use crate::{Call, Description, DriverError, MachineDriver, MachineSession, Ports};
 
 /// What a function of the table answers: JSON, or a refusal.
@@ -92,7 +92,15 @@ impl<D: MachineDriver> Instance<D> {
             Call::Home { head_at_deg: None } => self.session()?.home()?,
             Call::Arm(run) => return to_json(&self.session()?.arm(&run)?),
             Call::Jog(motion) => self.session()?.jog(motion)?,
-            Call::Speed { percent } => self.session()?.set_speed(percent)?,
+            Call::Speed { percent } if SPEEDS.contains(&percent) => self.session()?.set_speed(percent)?,
+            Call::Speed { percent } => {
+                let what = format!(
+                    "a speed of {percent} % is not possible: {} to {} % are",
+                    SPEEDS.start(),
+                    SPEEDS.end()
+                );
+                return Err(DriverError::new("speed", what, ""));
+            }
             Call::Pause => self.session()?.pause()?,
             Call::Resume => self.session()?.resume()?,
             Call::Stop => self.session()?.stop()?,

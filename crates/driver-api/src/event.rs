@@ -56,9 +56,9 @@ pub enum Event {
     },
     /// The machine resumes.
     Resumed,
-    /// So fast the machine is now, percent of the speeds that it is programmed with; also where that was changed at the machine. Since 1.5.
+    /// The speed override has changed, by request or at the machine. Since 1.5.
     Speed {
-        /// How fast, percent.
+        /// The override, percent.
         percent: u8,
     },
     /// The machine has stopped.

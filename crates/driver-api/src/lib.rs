@@ -44,7 +44,8 @@ pub mod transcript;
 pub use abi::{ABI_MAJOR, ABI_MINOR, Buffer, Bytes, ENTRY_SYMBOL, Entry, OK, REFUSED, Table};
 pub use bench::{Bench, BenchBender, BenchNoise, BenchWire, Spread};
 pub use call::{
-    ArmedReply, Axis, Batch, Call, Encode, Encoded, EncodedFile, Motion, Note, NumberedStep, Run, Sent,
+    ArmedReply, Axis, Batch, Call, Encode, Encoded, EncodedFile, Motion, Note, NumberedStep, Run, SPEEDS,
+    Sent,
 };
 pub use description::{Capability, Content, Description, Files, FormatDescription};
 pub use driver::{MachineDriver, MachineSession};

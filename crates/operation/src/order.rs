@@ -1,6 +1,5 @@
 //! The orders of a machine, and what a person can answer.
 
-use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use schemars::JsonSchema;
@@ -13,9 +12,6 @@ use wirebend_planning::{PartOfStep, PlanningError};
 
 use crate::event::Decided;
 use crate::pieces::Repeat;
-
-/// The speeds that a machine can be asked for, percent of the programmed one.
-pub const SPEEDS: RangeInclusive<u8> = 10..=200;
 
 /// One axis by an amount, in canonical signs, or homing.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -107,10 +103,13 @@ pub enum Order {
         #[serde(default)]
         other_machine: bool,
     },
-    /// Makes the moves of one of the open design's wires in the air, slowly: without wire, the peg in. A person is asked first.
+    /// Makes the moves of a wire of the open design or file with no wire loaded, slowly, the peg in. A person is asked first.
     DryRun {
         /// Index of the wire, from 0.
         wire: usize,
+        /// Whether to do it although the machine's settings are not those of its profile.
+        #[serde(default)]
+        accept_settings: bool,
         /// Whether to do it although a check says that the machine cannot make the wire.
         #[serde(default)]
         despite_errors: bool,
@@ -141,7 +140,7 @@ impl Move {
 impl std::fmt::Display for Move {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         // To what a machine does of it.
-        let shown = |by: f64| (by * 1000.0).round() / 1000.0;
+        let shown = |by: f64| (by * 1000.0).round() / 1000.0 + 0.0;
         match self {
             Self::Home => f.write_str("home"),
             Self::Feed { mm } => write!(f, "feed {}", Mm(shown(*mm))),

@@ -92,7 +92,7 @@ impl Program {
                 lines.extend(["G90".to_owned(), format!("G92{zero}")]);
             }
         }
-        lines.extend(taken_in(&settings));
+        lines.extend(pin_in_lines(&settings));
         self.numbered(lines)
     }
 
@@ -155,7 +155,7 @@ impl Program {
                     segments.push(Segment { lines: std::mem::take(&mut lines), end: end(bend_at) });
                 }
             }
-            lines.extend(taken_in(&settings));
+            lines.extend(pin_in_lines(&settings));
         } else if settings.bend_returns {
             bend.exact = before;
         }
@@ -202,7 +202,7 @@ fn parts(bend_deg: f64, max_deg: f64) -> impl Iterator<Item = f64> {
 }
 
 /// The pin taken in.
-pub(crate) fn taken_in(settings: &Settings) -> impl Iterator<Item = String> {
+pub(crate) fn pin_in_lines(settings: &Settings) -> impl Iterator<Item = String> {
     settings.pin_in.iter().cloned().chain(dwell(settings.pin_dwell_s, !settings.pin_in.is_empty()))
 }
 

@@ -5,10 +5,10 @@
 #define WB_COMMAND_SESSION 'S' /* Opens the session with this id of 1 to 65534; the same id again changes nothing. Sealed with 65535 */
 #define WB_COMMAND_QUERY 'Q' /* Asks for the status */
 #define WB_COMMAND_MOVE 'M' /* Line n: feeds, rotates, then bends. All in steps: feed and rotation are relative, the bend goes from zero to its angle and back. The peg comes out at `approach`, a position of the other sign than the bend, or at the near side where that is farther; it may be left out, and is since firmware 1.11 */
-#define WB_COMMAND_DRY 'Y' /* Line n: the same in the air. The peg stays in, the bend axis goes to its angle and back, and each axis moves at a quarter of its speed. Since firmware 1.12 */
+#define WB_COMMAND_DRY 'Y' /* Line n: a dry-run move. As a move, but the peg stays in, the bend axis goes to its angle and back, and each axis moves at a quarter of its speed, not below 31 steps/s. Since firmware 1.12 */
 #define WB_COMMAND_HOME 'H' /* Line n: homes the bend axis, then moves it to zero */
 #define WB_COMMAND_PEG 'K' /* Line n: the peg in (0) or out (1) */
-#define WB_COMMAND_SPEED 'U' /* Moves that begin from now on have so many percent of their speed, 10 to 100; homing has its own. A new session begins with 100. Since firmware 1.12 */
+#define WB_COMMAND_SPEED 'U' /* Sets the speed override: moves that begin from now on have so many percent of their speed, 10 to 100. Without a number, or with 0, it is asked for. Homing has speeds of its own. A new session begins with 100. Since firmware 1.12 */
 #define WB_COMMAND_PAUSE 'P' /* Feed hold: slows down and holds */
 #define WB_COMMAND_RESUME 'G' /* Leaves the hold */
 #define WB_COMMAND_HEAD 'Z' /* Sets the position of the head; only when idle */
@@ -25,7 +25,7 @@
 #define WB_REPLY_REFUSED 'e' /* Refused, with an error; the number that is expected next; the code of the letter that was refused, or 0 for a line that cannot be read. Sealed with 65535 when it answers a session command */
 #define WB_REPLY_STATUS 't' /* The status: positions in steps; peg 0 in, 1 out, 2 unknown */
 #define WB_REPLY_VALUE 'v' /* A setting */
-#define WB_REPLY_SPEED 'i' /* Moves have so many percent of their speed */
+#define WB_REPLY_SPEED 'i' /* The speed override, percent */
 #define WB_REPLY_ALARM 'x' /* Stopped with this alarm; also the answer to STOP */
 
 #define WB_ERROR_NOT_IDLE 1 /* Possible only when idle */

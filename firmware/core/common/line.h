@@ -1,4 +1,4 @@
-/* A numbered line from the host: a move, the same in the air, homing, or the peg by hand. */
+/* A numbered line from the host: a move, a dry-run move, homing, or the peg by hand. */
 #ifndef WB_LINE_H
 #define WB_LINE_H
 

@@ -47,7 +47,7 @@ void wb_motion_release(struct wb_motion *motion)
     motion->located = false;
 }
 
-/* A line in the air has a quarter of the speeds, but no less than the timer can do. */
+/* A dry-run move has a quarter of the speed, but no less than the timer can do. */
 enum { DRY_SLOWER = 4, SLOWEST = 31 /* steps/s */ };
 
 static bool is_dry(const struct wb_motion *motion)

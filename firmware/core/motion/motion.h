@@ -36,7 +36,7 @@ struct wb_motion {
     int32_t approach;    /* steps: of the line in which the peg came out last */
     uint8_t phase;       /* enum wb_phase */
     uint8_t waits_for;   /* enum: what ends the phase */
-    uint8_t slower_by;   /* percent by which moves of lines are slower, 0 to 90; homing is not */
+    uint8_t slower_by;   /* percent by which moves of lines are slower, 0 to 90, so that a start has all of it; homing is not */
     bool homed;          /* flag: moves are allowed; until an alarm, a release or a change of settings */
     bool located;        /* flag: the position of the bend axis is known; until a release */
 };

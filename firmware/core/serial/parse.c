@@ -50,7 +50,7 @@ enum wb_parsed wb_parse(const char *payload, struct wb_command *command)
         {WB_COMMAND_HEAD, false, 1, 0},          {WB_COMMAND_READ_SETTING, false, 1, 0},
         {WB_COMMAND_WRITE_SETTING, false, 2, 0}, {WB_COMMAND_LOAD_DEFAULTS, false, 0, 0},
         {WB_COMMAND_QUERY, false, 0, 0},         {WB_COMMAND_SESSION, false, 1, 0},
-        {WB_COMMAND_RELEASE, false, 0, 0},       {WB_COMMAND_SPEED, false, 1, 0},
+        {WB_COMMAND_RELEASE, false, 0, 0},       {WB_COMMAND_SPEED, false, 0, 1},
     };
     uint8_t form = 0;
     while (FORMS[form].letter != *payload) {

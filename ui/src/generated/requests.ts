@@ -556,6 +556,10 @@ export type Order =
     }
   | {
       /**
+       * Whether to do it although the machine's settings are not those of its profile.
+       */
+      accept_settings?: boolean;
+      /**
        * Whether to do it although a check says that the machine cannot make the wire.
        */
       despite_errors?: boolean;

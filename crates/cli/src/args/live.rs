@@ -89,6 +89,9 @@ pub(crate) struct DryRunArgs {
     /// The wire, counted from 1; needed where the job has several
     #[arg(long, value_name = "N")]
     pub wire: Option<NonZeroUsize>,
+    /// Do it although settings of the machine are not those of its profile
+    #[arg(long)]
+    pub accept_settings: bool,
 }
 
 /// What a person says of a step in doubt; nothing where they are to be asked.

@@ -39,16 +39,18 @@ pub(super) fn run(args: RunArgs) -> anyhow::Result<Command> {
 }
 
 pub(super) fn dry_run(args: DryRunArgs) -> anyhow::Result<Command> {
-    let DryRunArgs { what, wire } = args;
+    let DryRunArgs { what, wire, accept_settings } = args;
     let ToRunArgs { job, machine, material, despite_errors, at, zero } = what;
     let answers = answers(&at, &zero);
     let (job, wire) = (input(&job)?, wire.map(|wire| wire.get() - 1));
+    let port = at.port;
     Ok(Command::DryRun(DryRunRequest {
         job,
         machine,
         material,
         despite_errors,
-        port: at.port,
+        accept_settings,
+        port,
         wire,
         answers,
     }))

@@ -220,8 +220,15 @@ mod tests {
     use super::*;
 
     fn can(phase: Phase, reference: ReferenceBy) -> Vec<OrderName> {
-        let abilities =
-            [Capability::Home, Capability::Jog, Capability::Pause, Capability::Resume, Capability::Settings];
+        let abilities = [
+            Capability::Home,
+            Capability::Jog,
+            Capability::DryRun,
+            Capability::Pause,
+            Capability::Resume,
+            Capability::Speed,
+            Capability::Settings,
+        ];
         Orders::of(phase, &abilities.into_iter().collect(), reference).can
     }
 
@@ -233,6 +240,7 @@ mod tests {
             (OrderName::WriteSettings, Act::WriteSettings),
             (OrderName::Pause, Act::Pause),
             (OrderName::Resume, Act::Resume),
+            (OrderName::Speed, Act::Speed),
         ];
         for phase in Phase::ALL {
             let offered = can(phase, ReferenceBy::Machine);
@@ -247,8 +255,8 @@ mod tests {
     fn a_machine_that_moves_takes_no_other_order() {
         for phase in Phase::ALL.into_iter().filter(|phase| phase.is_under_way()) {
             let expected = match phase {
-                Phase::Making => vec![OrderName::Pause],
-                Phase::Holding => vec![OrderName::Resume],
+                Phase::Making => vec![OrderName::Pause, OrderName::Speed],
+                Phase::Holding => vec![OrderName::Resume, OrderName::Speed],
                 _ => Vec::new(),
             };
             assert_eq!(can(phase, ReferenceBy::Machine), expected, "{phase}");

@@ -21,22 +21,22 @@ pub const QUESTION: &str = "May the machine move?";
 const TOLD: usize = 12;
 
 /// Moves that run one after the other, in canonical signs.
-pub struct Row<'a> {
+pub struct MoveRow<'a> {
     pub moves: &'a [Move],
     /// What else a person has to know of them.
-    pub more: Vec<String>,
-    /// The wire whose moves they are, where they are made in the air.
+    pub notes: Vec<String>,
+    /// The wire whose moves they are, in a dry run.
     pub dry: Option<DryRun<'a>>,
 }
 
-impl Row<'_> {
+impl MoveRow<'_> {
     fn begins_with_homing(&self) -> bool {
         self.moves.first() == Some(&Move::Home)
     }
 
     /// What a person is asked before they run.
     pub fn question(&self) -> &'static str {
-        if self.dry.is_some() { "Is there no wire in the machine, and may it move?" } else { QUESTION }
+        if self.dry.is_some() { "Has the wire been removed, and may the machine move?" } else { QUESTION }
     }
 }
 
@@ -45,7 +45,7 @@ pub(super) fn make(
     app: &Installation,
     machine: &Resolved<MachineProfile>,
     hand: &Hand,
-    row: &Row,
+    row: &MoveRow,
     progress: &dyn FrontEnd,
 ) -> Result<JogResponse, OperationError> {
     let signs = Signs::of(&machine.figures()?);
@@ -118,7 +118,7 @@ pub(super) fn make(
 }
 
 /// Refuses moves that the machine's driver does not know at all, and those of a wire that the machine cannot make.
-pub fn require(connection: &Connection, row: &Row) -> Result<(), OperationError> {
+pub fn require(connection: &Connection, row: &MoveRow) -> Result<(), OperationError> {
     let description = connection.session.driver().description();
     for (needed, capability) in [
         (row.moves.iter().any(|one| *one != Move::Home), Capability::Jog),
@@ -137,13 +137,13 @@ pub fn require(connection: &Connection, row: &Row) -> Result<(), OperationError>
 pub fn lines(
     connection: &Connection,
     machine: &Resolved<MachineProfile>,
-    row: &Row,
+    row: &MoveRow,
     homes: bool,
 ) -> Vec<String> {
     let name = machine.profile.name.as_deref().unwrap_or(&machine.profile.id);
     let mut lines = vec![format!("{name} at {} ({})", connection.port, connection.session.identity())];
     lines.extend(connection.why_here());
-    lines.extend(row.more.iter().cloned());
+    lines.extend(row.notes.iter().cloned());
     if homes && connection.reference() == ReferenceBy::Machine {
         lines.push("first it homes: the bend axis moves at once".to_owned());
     }
@@ -167,7 +167,7 @@ pub enum MoveProgress {
 pub fn make_all(
     connection: &mut Connection,
     signs: Signs,
-    row: &Row,
+    row: &MoveRow,
     homes: bool,
     permit: &Permit,
     mut told: impl FnMut(MoveProgress),

@@ -1,4 +1,4 @@
-//! `jog`, `replay` and `dry-run`: moves by hand, a recorded row of them, and those of a wire in the air.
+//! `jog`, `replay` and `dry-run`: moves by hand, a recorded row of them, and those of a wire without wire.
 
 mod dry_run;
 mod making;
@@ -19,7 +19,7 @@ use crate::run::{LeftBecause, Task};
 use crate::{LiveProblem, OperationError, Repeat, RunHow, RunRequest};
 pub use dry_run::DryRun;
 use making::make;
-pub use making::{MoveProgress, Row, lines, make_all, require};
+pub use making::{MoveProgress, MoveRow, lines, make_all, require};
 pub use moves::MovesFile;
 pub use moves::{check_moves, profile_hash};
 pub use wire::WireByHand;
@@ -57,7 +57,7 @@ pub struct ReplayRequest {
     pub answers: Answers,
 }
 
-/// A wire whose moves are to be made in the air. Nothing moves unless a person confirms it: here, or when they are asked.
+/// A wire whose moves are to be made without wire. Nothing moves unless a person confirms it: here, or when they are asked.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 pub struct DryRunRequest {
     /// A job, or a program in the format of its machine.
@@ -71,6 +71,9 @@ pub struct DryRunRequest {
     /// Whether to do it although a check says that the machine cannot make the wire.
     #[serde(default)]
     pub despite_errors: bool,
+    /// Whether to do it although the machine's settings are not those of its profile.
+    #[serde(default)]
+    pub accept_settings: bool,
     /// Where the machine is; absent, the machine that its driver simulates is taken, if it has one.
     pub port: Option<String>,
     /// Index of the wire, from 0; it has to be named where there are several.
@@ -114,8 +117,13 @@ pub fn jog(
     check_moves(&request.moves)?;
     let machine = app.library.machine(&request.machine)?;
     let hand = Hand { port: request.port.as_deref(), answers: request.answers, zero: Zero::Moves };
-    let mut response =
-        make(app, &machine, &hand, &Row { moves: &request.moves, more: Vec::new(), dry: None }, progress)?;
+    let mut response = make(
+        app,
+        &machine,
+        &hand,
+        &MoveRow { moves: &request.moves, notes: Vec::new(), dry: None },
+        progress,
+    )?;
     if let Some(output) = &request.record {
         if response.made.is_empty() {
             let message = "nothing was moved, and so nothing was recorded".to_owned();
@@ -144,7 +152,7 @@ pub fn replay(
     let machine = app.library.machine(request.machine.as_ref().unwrap_or(&file.machine))?;
     let lines = other_machine(&name, &file, &machine, request.machine.is_some())?;
     let hand = Hand { port: request.port.as_deref(), answers: request.answers, zero: Zero::Wire };
-    make(app, &machine, &hand, &Row { moves: &file.moves, more: lines, dry: None }, progress)
+    make(app, &machine, &hand, &MoveRow { moves: &file.moves, notes: lines, dry: None }, progress)
 }
 
 pub fn dry_run(
@@ -152,7 +160,8 @@ pub fn dry_run(
     request: &DryRunRequest,
     progress: &dyn FrontEnd,
 ) -> Result<JogResponse, OperationError> {
-    let DryRunRequest { job, machine, material, despite_errors, port, wire, answers } = request.clone();
+    let DryRunRequest { job, machine, material, despite_errors, accept_settings, port, wire, answers } =
+        request.clone();
     let request = RunRequest {
         job,
         machine,
@@ -163,7 +172,7 @@ pub fn dry_run(
         repeat: Repeat::default(),
         how: RunHow::Begin,
         answers,
-        accept_settings: false,
+        accept_settings,
         record: None,
     };
     let task = Task::open(app, request, progress)?;
@@ -173,7 +182,13 @@ pub fn dry_run(
     let dry = DryRun::of(&task, wire)?;
     let moves = dry.moves()?;
     let hand = Hand { port: task.request.port.as_deref(), answers, zero: Zero::Wire };
-    make(app, &task.setup.machine, &hand, &Row { moves: &moves, more: dry.lines(), dry: Some(dry) }, progress)
+    make(
+        app,
+        &task.setup.machine,
+        &hand,
+        &MoveRow { moves: &moves, notes: dry.lines(), dry: Some(dry) },
+        progress,
+    )
 }
 
 /// The moves of a recording for a machine that is connected, and what a person has to know of them. `named`: whether they

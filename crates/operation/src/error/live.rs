@@ -141,6 +141,17 @@ pub enum LiveProblem {
         /// The wire.
         run: RunTarget,
     },
+    /// A wire that was interrupted may still be in the machine.
+    #[error("wire {} of '{name}' was begun on {started} and is not over: it may still be in the machine", .wire + 1)]
+    WireInMachine {
+        /// Name of its design.
+        name: String,
+        /// Index of the wire, from 0.
+        wire: usize,
+        started: String,
+        /// The wire, so that it can be resumed or given up.
+        run: RunTarget,
+    },
     /// Several wires of a job were interrupted.
     #[error("several wires of this job are not over: {}", numbers(wires))]
     SeveralUnfinished {

@@ -21,6 +21,7 @@ impl LiveProblem {
             | Self::WhichWire { .. }
             | Self::Unfinished { .. }
             | Self::SeveralUnfinished { .. }
+            | Self::WireInMachine { .. }
             | Self::NothingBegun { .. }
             | Self::InDoubt { .. }
             | Self::OtherStep { .. }
@@ -76,7 +77,7 @@ impl LiveProblem {
             Self::SettingsDiffer { .. } => ErrorCode::SettingsDiffer,
             Self::NoWire { .. } => ErrorCode::NoWire,
             Self::WhichWire { .. } => ErrorCode::WhichWire,
-            Self::Unfinished { .. } => ErrorCode::Unfinished,
+            Self::Unfinished { .. } | Self::WireInMachine { .. } => ErrorCode::Unfinished,
             Self::DamagedJournal { .. } => ErrorCode::JournalDamaged,
             Self::SeveralUnfinished { .. } => ErrorCode::SeveralUnfinished,
             Self::NothingBegun { .. } => ErrorCode::NothingBegun,

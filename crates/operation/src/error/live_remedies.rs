@@ -35,7 +35,7 @@ impl LiveProblem {
             Self::NoWire { .. } | Self::WhichWire { .. } | Self::SeveralUnfinished { .. } => {
                 vec![R::ChooseWire]
             }
-            Self::Unfinished { run, .. } => {
+            Self::Unfinished { run, .. } | Self::WireInMachine { run, .. } => {
                 vec![R::ResumeRun { run: run.clone() }, R::AbandonRun { run: run.clone() }]
             }
             Self::DamagedJournal { run, .. } => vec![R::AbandonRun { run: run.clone() }],

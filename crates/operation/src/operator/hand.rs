@@ -10,19 +10,23 @@ use super::event::OperatorEvent;
 use super::jog_permit::JogPermit;
 use super::question::QuestionKind;
 use super::thread::OperatorThread;
-use crate::by_hand::{DryRun, MoveProgress, Row, check_moves, lines, make_all, moves_of, require};
+use crate::by_hand::{DryRun, MoveProgress, MoveRow, check_moves, lines, make_all, moves_of, require};
 use crate::live::Zero;
 use crate::{LiveProblem, Move, OperationError, OperatorError, Repeat, RunHow};
 use wirebend_planning::design::Input;
 
 impl OperatorThread<'_> {
     pub fn home(&mut self) -> Result<(), OperationError> {
-        self.move_by_hand(OrderName::Home, &Row { moves: &[Move::Home], more: Vec::new(), dry: None }, false)
+        self.move_by_hand(
+            OrderName::Home,
+            &MoveRow { moves: &[Move::Home], notes: Vec::new(), dry: None },
+            false,
+        )
     }
 
     pub fn jog(&mut self, moves: &[Move], record: bool) -> Result<(), OperationError> {
         check_moves(moves)?;
-        self.move_by_hand(OrderName::Jog, &Row { moves, more: Vec::new(), dry: None }, record)
+        self.move_by_hand(OrderName::Jog, &MoveRow { moves, notes: Vec::new(), dry: None }, record)
     }
 
     pub fn replay(&mut self, file: Option<&Path>, other_machine: bool) -> Result<(), OperationError> {
@@ -32,16 +36,20 @@ impl OperatorThread<'_> {
         };
         // Many moves at one word: a permit for moves one by one is none for them.
         self.jog_permit = None;
-        self.move_by_hand(OrderName::Replay, &Row { moves: &moves, more, dry: None }, false)
+        self.move_by_hand(OrderName::Replay, &MoveRow { moves: &moves, notes: more, dry: None }, false)
     }
 
-    /// The moves of a wire in the air.
-    pub fn dry_run(&mut self, job: Input, wire: usize) -> Result<(), OperationError> {
-        let task = self.task(job, wire, RunHow::Begin, Repeat::default(), false)?;
+    /// The moves of a wire with no wire loaded.
+    pub fn dry_run(&mut self, job: Input, wire: usize, accept_settings: bool) -> Result<(), OperationError> {
+        let task = self.task(job, wire, RunHow::Begin, Repeat::default(), accept_settings)?;
         let dry = DryRun::of(&task, wire)?;
         let moves = dry.moves()?;
         self.jog_permit = None;
-        self.move_by_hand(OrderName::DryRun, &Row { moves: &moves, more: dry.lines(), dry: Some(dry) }, false)
+        self.move_by_hand(
+            OrderName::DryRun,
+            &MoveRow { moves: &moves, notes: dry.lines(), dry: Some(dry) },
+            false,
+        )
     }
 
     fn recorded(&self) -> Result<Vec<Move>, OperationError> {
@@ -49,7 +57,7 @@ impl OperatorThread<'_> {
         if moves.is_empty() { Err(OperatorError::NothingRecorded.into()) } else { Ok(moves) }
     }
 
-    fn move_by_hand(&mut self, order: OrderName, row: &Row, record: bool) -> Result<(), OperationError> {
+    fn move_by_hand(&mut self, order: OrderName, row: &MoveRow, record: bool) -> Result<(), OperationError> {
         let moves = row.moves;
         let at_reference = self.at_reference;
         let by_hand = self.is_zeroed_by_hand();
@@ -79,7 +87,9 @@ impl OperatorThread<'_> {
             row.dry.is_none() && moves.iter().any(|one| matches!(one, Move::Feed { .. } | Move::Bend { .. }));
         let mut told = |progress| {
             let made = match progress {
-                MoveProgress::Begins(one) => return shared.begin_move(one),
+                // Nothing of a dry run is in a wire that is drawn.
+                MoveProgress::Begins(one) if row.dry.is_none() => return shared.begin_move(one),
+                MoveProgress::Begins(_) => return,
                 MoveProgress::Made(one) => one,
             };
             at_reference = match made {
@@ -90,7 +100,9 @@ impl OperatorThread<'_> {
             if record {
                 shared.record(made);
             }
-            shared.hear(&OperatorEvent::Jogged { made });
+            if row.dry.is_none() {
+                shared.hear(&OperatorEvent::Jogged { made });
+            }
             shared.catch_up();
         };
         let homed =
@@ -125,7 +137,12 @@ impl OperatorThread<'_> {
 
     /// A person's word that the machine may be moved, which holds for a while. Where nothing moves, the user is asked only
     /// about what is in a file, which they have not seen.
-    fn permit_to_move(&mut self, order: OrderName, row: &Row, homes: bool) -> Result<Permit, OperationError> {
+    fn permit_to_move(
+        &mut self,
+        order: OrderName,
+        row: &MoveRow,
+        homes: bool,
+    ) -> Result<Permit, OperationError> {
         let simulation = self.connected(order)?.session.simulated();
         if let Some(simulation) = simulation.filter(|_| order != OrderName::Replay) {
             return Ok(simulation.permit(PermitKind::ByHand));

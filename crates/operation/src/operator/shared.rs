@@ -6,6 +6,7 @@
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
+use wirebend_driver_host::api::SPEEDS;
 use wirebend_driver_host::{Actor, Phase, Snapshot, StopHandle, StopOutcome};
 use wirebend_error::ProblemReport;
 use wirebend_planning::signs::Signs;
@@ -16,7 +17,7 @@ use super::shared_state::{Ordered, SharedState};
 use super::state::MachineState;
 use crate::error::OperatorError;
 use crate::live::HeadQuestion;
-use crate::order::{Answer, Order, SPEEDS};
+use crate::order::{Answer, Order};
 use crate::{Doubt, Move, Wish};
 use wirebend_planning::Input;
 
@@ -50,12 +51,12 @@ impl Shared {
         if order.is_of_job() && job.is_none() {
             return Err(OperatorError::NoJob { order: order.name() });
         }
-        // What failed before is over with the next order; a pause is none, nor is another speed.
         if let Order::Speed { percent } = order
             && !SPEEDS.contains(&percent)
         {
             return Err(OperatorError::Speed { percent });
         }
+        // What failed before is over with the next order; a pause is none, nor is another speed.
         let goes_on = matches!(order, Order::Pause | Order::Resume | Order::Speed { .. });
         let taken = || {
             if !goes_on {

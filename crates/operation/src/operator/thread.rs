@@ -181,7 +181,7 @@ impl<'a> OperatorThread<'a> {
             &Order::Arm { wire, repeat, accept_settings, .. } => {
                 self.arm(of_job()?, wire, repeat, accept_settings)
             }
-            &Order::DryRun { wire, .. } => self.dry_run(of_job()?, wire),
+            &Order::DryRun { wire, accept_settings, .. } => self.dry_run(of_job()?, wire, accept_settings),
             Order::Disarm => {
                 self.armed = None;
                 Ok(())

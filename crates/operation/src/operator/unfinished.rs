@@ -61,18 +61,8 @@ impl Unfinished {
     /// The last wire that was begun on a machine at a port, where it is not over.
     pub(super) fn last_on(app: &Installation, machine: &str, port: &str) -> Option<Self> {
         // Without a place for journals no wire was begun.
-        let all = RunsFolder::of(app).and_then(|folder| folder.all()).ok()?;
-        let here = all.iter().filter(|kept| {
-            kept.read.as_ref().is_ok_and(|written| {
-                let heading = &written.state.heading;
-                heading.machine == machine && heading.port == port
-            })
-        });
-        let begun = |kept: &&StoredRun| {
-            let at = kept.read.as_ref().ok().and_then(|written| written.entries.first());
-            (at.map(|entry| entry.at.clone()), kept.id.clone())
-        };
-        here.max_by_key(begun).and_then(Self::of)
+        let last = RunsFolder::of(app).and_then(|folder| folder.last_at(machine, port)).ok()??;
+        Self::of(&last)
     }
 
     /// The last time that a wire of a job was begun, where it is not over.

@@ -68,6 +68,21 @@ impl RunsFolder {
         Ok(found.into_iter().map(|(_, kept)| kept).collect())
     }
 
+    /// The last time that a wire was begun on a machine at a port.
+    pub fn last_at(&self, machine: &str, port: &str) -> Result<Option<StoredRun>, LiveProblem> {
+        let here = self.all()?.into_iter().filter(|kept| {
+            kept.read.as_ref().is_ok_and(|written| {
+                let heading = &written.state.heading;
+                heading.machine == machine && heading.port == port
+            })
+        });
+        let begun = |kept: &StoredRun| {
+            let at = kept.read.as_ref().ok().and_then(|written| written.entries.first());
+            (at.map(|entry| entry.at.clone()), kept.id.clone())
+        };
+        Ok(here.max_by_key(begun))
+    }
+
     /// The name of the next journal of a wire; the folder is created where it is missing.
     pub fn next(&self, job_hash: &str, wire: usize) -> Result<(String, PathBuf), LiveProblem> {
         fs::create_dir_all(&self.0).map_err(|cause| self.failed(cause))?;

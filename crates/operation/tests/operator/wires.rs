@@ -9,6 +9,8 @@ use wirebend_planning::{Input, PartOfStep};
 
 use crate::shop::{Shop, abandon};
 
+const DRY: Order = Order::DryRun { wire: 0, accept_settings: false, despite_errors: false };
+
 /// What was fed and bent by hand sticks out of the nozzle, and the first bends of the wire would lie beyond it.
 #[test]
 fn a_wire_that_was_moved_by_hand_is_no_new_one() {
@@ -212,8 +214,14 @@ fn an_interrupted_wire_is_gone_on_with_wherever_a_person_likes() {
     assert_eq!(seat.until_problem().0, "unfinished");
     seat.until_phase(Phase::Connected);
     // Its wire may still be in the machine.
-    seat.operator.order_wire(Order::DryRun { wire: 0, despite_errors: false }, job.clone()).unwrap();
+    seat.operator.order_wire(DRY, job.clone()).unwrap();
     assert_eq!(seat.until_problem().0, "unfinished");
+    seat.until_phase(Phase::Connected);
+    // So it may be for a dry run of another job.
+    let other = shop.job("house.obj", "wirebend-kit");
+    seat.operator.order_wire(DRY, other).unwrap();
+    let (code, said) = seat.until_problem();
+    assert!(code == "unfinished" && said.contains("may still be in the machine"), "{code}: {said}");
     seat.until_phase(Phase::Connected);
     seat.operator.order_wire(abandon(0), job.clone()).unwrap();
     assert_eq!(seat.until_run().wires[0].outcome, RunOutcome::Abandoned);

@@ -2,13 +2,14 @@
 
 use std::time::Duration;
 
-use wirebend_driver_api::{Axis, Batch, DriverError, Motion, Run, Sent};
+use wirebend_driver_api::{Axis, Batch, DriverError, Event, Motion, Run, Sent};
 
+use super::jog_row::JogRow;
 use super::phase::Phase;
 use super::protocol::Protocol;
-use super::status::{Speeds, State};
+use super::status::State;
 use super::wire_run::{Hold, Stage, WireRun};
-use crate::program::{digits, taken_in, trimmed};
+use crate::program::{digits, pin_in_lines, trimmed};
 use crate::settings::Homing;
 
 const HOLD: u8 = b'!';
@@ -53,10 +54,7 @@ impl Protocol {
             return Err(DriverError::new("not-homed", what, "home the machine first"));
         }
         self.garbled = 0;
-        for byte in self.machine.speeds.to(Speeds::default()) {
-            self.send_realtime(byte);
-        }
-        self.machine.speeds = Speeds::default();
+        self.restore_full_speed();
         self.phase = Phase::Running(Box::new(WireRun::new(&self.settings, run)?));
         Ok(())
     }
@@ -81,10 +79,10 @@ impl Protocol {
         self.at_rest()?;
         self.has_axes()?;
         let s = &self.settings;
-        let (letter, units, rate) = match motion.axis {
-            Axis::Feed => (s.feed_axis, s.feed_units_per_mm, s.feed_rate_mm_per_min),
-            Axis::Rotate => (s.rotate_axis, s.rotate_units_per_deg, s.rotate_rate_deg_per_min),
-            Axis::Bend => (s.bend_axis, s.bend_units_per_deg, s.bend_rate_deg_per_min),
+        let (axis, letter, units, rate) = match motion.axis {
+            Axis::Feed => (0, s.feed_axis, s.feed_units_per_mm, s.feed_rate_mm_per_min),
+            Axis::Rotate => (1, s.rotate_axis, s.rotate_units_per_deg, s.rotate_rate_deg_per_min),
+            Axis::Bend => (2, s.bend_axis, s.bend_units_per_deg, s.bend_rate_deg_per_min),
         };
         let by = motion.by * units;
         if by.is_nan() || by.abs() > MAX_JOG {
@@ -93,6 +91,11 @@ impl Protocol {
         }
         #[allow(clippy::cast_possible_truncation)] // at most 10000 with four digits
         let written = (by * 10f64.powi(i32::from(s.decimals))).round() as i64;
+        if written == 0 && motion.dry {
+            // Of a wire: the rest of it is made all the same.
+            self.event(Event::Jogged);
+            return Ok(());
+        }
         if written == 0 {
             let what = format!("a jog by {} is less than the last digit that is written", motion.by);
             return Err(DriverError::new("jog", what, "jog farther, or raise 'decimals' in the settings"));
@@ -101,13 +104,23 @@ impl Protocol {
         let line = |by: i64| {
             format!("$J=G91 G21 {}{} F{}", letter.letter(), digits(by, s.decimals), trimmed(rate * units))
         };
-        let bends = motion.dry && motion.axis == Axis::Bend;
-        let (there, back) = (line(written), bends.then(|| line(-written)));
-        let pin = if bends { taken_in(s).collect() } else { Vec::new() };
-        self.stream.take(pin.into_iter().chain([there]));
-        self.phase = Phase::Jogging { stopping: None, back };
-        self.poller.outdated();
-        self.feed();
+        let end = |by: i64| {
+            let mut end = [0.0; 3];
+            #[allow(clippy::cast_precision_loss)] // at most 10000 with four digits
+            let units = by as f64 / 10f64.powi(i32::from(s.decimals));
+            end[axis] = units;
+            end
+        };
+        let mut row = JogRow::new(self.machine.reported(s));
+        if motion.dry {
+            row.push(pin_in_lines(s).collect(), end(0));
+        }
+        row.push(vec![line(written)], end(written));
+        if motion.dry && motion.axis == Axis::Bend {
+            row.push(vec![line(-written)], end(0));
+        }
+        self.phase = Phase::Jogging { stopping: None, row };
+        self.jog_on();
         Ok(())
     }
 
@@ -138,20 +151,6 @@ impl Protocol {
         Ok(())
     }
 
-    /// By overrides of feeds and of rapid moves, which grbl has in steps.
-    pub fn set_speed(&mut self, percent: u8, now: Duration) -> Result<(), DriverError> {
-        self.now = now;
-        if !matches!(self.phase, Phase::Ready | Phase::Running(_)) {
-            return Err(DriverError::new("not-running", "nothing runs whose speed could be changed", ""));
-        }
-        let wanted = Speeds::wanted(percent);
-        for byte in self.machine.speeds.to(wanted) {
-            self.send_realtime(byte);
-        }
-        self.machine.speeds = wanted;
-        Ok(())
-    }
-
     /// At once, in any phase. A jog is cancelled, which keeps the position; anything else is reset.
     pub fn stop(&mut self, now: Duration) -> Result<(), DriverError> {
         self.now = now;
@@ -159,7 +158,9 @@ impl Protocol {
             Phase::Closed => return Err(over()),
             Phase::Greeting(_) | Phase::Reading(_) => self.stop_first(),
             Phase::Jogging { stopping: None, .. } => {
-                self.phase = Phase::Jogging { stopping: Some(now), back: None };
+                // What is not sent yet is not sent any more.
+                self.stream.drop_waiting();
+                self.phase = Phase::Jogging { stopping: Some(now), row: JogRow::default() };
                 self.cancel_jog();
             }
             _ => self.reset(true),

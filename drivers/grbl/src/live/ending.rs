@@ -50,17 +50,28 @@ impl Protocol {
     }
 
     pub(super) fn jogged(&mut self) {
-        // Not before the axis rests: what a stop finds in the machine's buffer would still be run.
-        if let Phase::Jogging { stopping: None, back } = &mut self.phase
-            && let Some(line) = back.take()
+        if let Phase::Jogging { stopping: None, row } = &self.phase
+            && let Err(error) = row.arrived(&self.machine, &self.settings)
         {
-            self.stream.take([line]);
-            self.poller.outdated();
-            return self.feed();
+            self.phase = Phase::Ready;
+            return self.fault(error);
+        }
+        if self.jog_on() {
+            return;
         }
         let stopping = matches!(self.phase, Phase::Jogging { stopping: Some(_), .. });
         self.phase = Phase::Ready;
         self.event(if stopping { Event::Stopped { homed: self.machine.homed } } else { Event::Jogged });
+    }
+
+    /// Sends the next part of a jog, if there is one.
+    pub(super) fn jog_on(&mut self) -> bool {
+        let Phase::Jogging { row, .. } = &mut self.phase else { return false };
+        let Some(lines) = row.next() else { return false };
+        self.stream.take(lines);
+        self.poller.outdated();
+        self.feed();
+        true
     }
 
     /// grbl accepts this only while it jogs (`serial.c`), and ignores it before it has taken the line of the jog. So it is
@@ -212,6 +223,7 @@ impl Protocol {
 
     pub(super) fn greeted(&mut self, name: &str) {
         let late = self.machine.reset_at.is_some_and(|at| self.now.saturating_sub(at) <= ECHO);
+        self.speed.was_reset();
         let stop = match self.phase {
             Phase::Greeting(_) | Phase::Reading(_) => {
                 self.machine.has_greeted();

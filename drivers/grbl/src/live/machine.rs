@@ -6,7 +6,7 @@ use std::time::Duration;
 use wirebend_driver_api::{SettingCheck, Step};
 
 use super::displacement::ReportedPosition;
-use super::status::{Position, Speeds, State, Status};
+use super::status::{Position, State, Status};
 use crate::program::trimmed;
 use crate::settings::{Homing, Settings};
 
@@ -30,8 +30,6 @@ pub(super) struct Machine {
     pub reset_at: Option<Duration>,
     /// How many axes it reports.
     pub axes: usize,
-    /// How fast it is, as it was told last or has reported.
-    pub speeds: Speeds,
     /// From the machine's zero to the program's, in its units, as it last reported.
     offset: Vec<f64>,
     /// The same before a reset that has taken G92 away: positions count from there until it is homed.
@@ -65,7 +63,6 @@ impl Machine {
     /// It has greeted. Where it stands is reported then, even where it was reported before.
     pub fn has_greeted(&mut self) {
         self.offset.clear();
-        self.speeds = Speeds::default();
         (self.state, self.reported, self.position) = (None, None, None);
     }
 
@@ -94,7 +91,6 @@ impl Machine {
         if let Some(offset) = &status.offset {
             self.offset.clone_from(offset);
         }
-        self.speeds = status.speeds.unwrap_or(self.speeds);
         let (Position::Machine(values) | Position::Work(values)) = &status.position;
         self.axes = values.len();
         self.reported = Some(status.position.clone());

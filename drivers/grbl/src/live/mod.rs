@@ -8,12 +8,15 @@ mod displacement;
 mod ending;
 mod incoming;
 mod interrupted;
+mod jog_row;
 mod machine;
 mod phase;
 mod polling;
 mod protocol;
 mod reply;
 mod running;
+mod speed;
+mod speeds;
 mod status;
 mod stream;
 #[cfg(test)]

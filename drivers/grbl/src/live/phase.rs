@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use super::jog_row::JogRow;
 use super::wire_run::WireRun;
 
 #[derive(Debug)]
@@ -18,8 +19,7 @@ pub(super) enum Phase {
     /// One axis jogs; since when it has been stopping.
     Jogging {
         stopping: Option<Duration>,
-        /// What brings it back, in a dry run.
-        back: Option<String>,
+        row: JogRow,
     },
     /// Armed for a wire, or running it.
     Running(Box<WireRun>),

@@ -12,7 +12,8 @@ use super::machine::Machine;
 use super::phase::{Greeting, Phase, Reading, Reset};
 use super::polling::{PollAction, StatusPoller};
 use super::reply::Reply;
-use super::status::{Speeds, State, Status};
+use super::speeds::SpeedOverride;
+use super::status::{State, Status};
 use super::stream::Stream;
 use super::wire_run::Hold;
 use crate::settings::Settings;
@@ -31,8 +32,7 @@ pub(crate) struct Protocol {
     pub(super) stream: Stream,
     pub(super) poller: StatusPoller,
     pub(super) machine: Machine,
-    /// The speed that was reported last, percent.
-    told_speed: u8,
+    pub(super) speed: SpeedOverride,
     pub(super) garbled: u32,
     /// The step that was interrupted, until the machine is at rest.
     pub(super) interrupted: Option<InterruptedStep>,
@@ -51,7 +51,7 @@ impl Protocol {
             events: VecDeque::new(),
             poller: StatusPoller::default(),
             machine: Machine::default(),
-            told_speed: Speeds::default().feed,
+            speed: SpeedOverride::default(),
             garbled: 0,
             interrupted: None,
         }
@@ -163,7 +163,7 @@ impl Protocol {
         let before = self.machine.state.replace(state);
         self.machine.reports(status);
         self.tell_position();
-        self.tell_speed();
+        self.report_speeds(status.speeds);
         let rests = counts && state == State::Idle;
         match &self.phase {
             Phase::Greeting(_) => self.found(),
@@ -188,14 +188,6 @@ impl Protocol {
     pub(super) fn tell_position(&mut self) {
         if let Some(position) = self.machine.moved_to(&self.settings) {
             self.event(Event::Position(position));
-        }
-    }
-
-    /// Also where it was changed at the machine, or has ended with a reset.
-    fn tell_speed(&mut self) {
-        let percent = self.machine.speeds.feed;
-        if std::mem::replace(&mut self.told_speed, percent) != percent {
-            self.event(Event::Speed { percent });
         }
     }
 

@@ -65,6 +65,7 @@ impl Protocol {
             }
             Stage::End => {
                 self.phase = Phase::Ready;
+                self.restore_full_speed();
                 return self.event(Event::Finished);
             }
             Stage::Armed | Stage::Between => {}

@@ -1,5 +1,7 @@
 //! The report that answers `?`: `<Idle|MPos:0.000,0.000,0.000|FS:0,0|WCO:0.000,0.000,0.000>`.
 
+use super::speeds::Speeds;
+
 /// What the machine is doing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum State {
@@ -63,65 +65,6 @@ pub(crate) enum Position {
     Work(Vec<f64>),
 }
 
-/// How fast it is, percent of what the program says.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Speeds {
-    /// Moves with a feed rate.
-    pub feed: u8,
-    /// Rapid moves: 100, 50 or 25.
-    pub rapid: u8,
-}
-
-impl Default for Speeds {
-    fn default() -> Self {
-        Self { feed: 100, rapid: 100 }
-    }
-}
-
-impl Speeds {
-    fn of(values: &str) -> Option<Self> {
-        let mut values = values.split(',').map(str::parse);
-        Some(Self { feed: values.next()?.ok()?, rapid: values.next()?.ok()? })
-    }
-
-    /// What the machine can do for a speed that is asked for.
-    pub fn wanted(percent: u8) -> Self {
-        let rapid = if percent >= 100 {
-            100
-        } else if percent >= 50 {
-            50
-        } else {
-            25
-        };
-        Self { feed: percent.clamp(10, 200), rapid }
-    }
-
-    /// The real-time commands that lead there.
-    pub fn to(self, wanted: Self) -> Vec<u8> {
-        let by = i32::from(wanted.feed) - i32::from(self.feed);
-        let (coarse, fine) = if by < 0 { (FEED_MINUS_10, FEED_MINUS_1) } else { (FEED_PLUS_10, FEED_PLUS_1) };
-        let times = |count: i32| usize::try_from(count).unwrap_or_default();
-        let mut bytes = vec![coarse; times(by.abs() / 10)];
-        bytes.extend(vec![fine; times(by.abs() % 10)]);
-        if wanted.rapid != self.rapid {
-            bytes.push(match wanted.rapid {
-                100 => RAPID_FULL,
-                50 => RAPID_HALF,
-                _ => RAPID_QUARTER,
-            });
-        }
-        bytes
-    }
-}
-
-const FEED_PLUS_10: u8 = 0x91;
-const FEED_MINUS_10: u8 = 0x92;
-const FEED_PLUS_1: u8 = 0x93;
-const FEED_MINUS_1: u8 = 0x94;
-const RAPID_FULL: u8 = 0x95;
-const RAPID_HALF: u8 = 0x96;
-const RAPID_QUARTER: u8 = 0x97;
-
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Status {
     pub state: State,
@@ -129,7 +72,7 @@ pub(crate) struct Status {
     /// From the machine's zero to the program's: now and then only.
     pub offset: Option<Vec<f64>>,
     /// How fast feeds are, percent of what the program says, and rapid moves: now and then only.
-    pub speeds: Option<Speeds>,
+    pub(super) speeds: Option<Speeds>,
 }
 
 impl Status {
@@ -145,7 +88,7 @@ impl Status {
                 "WPos" => position = Some(Position::Work(numbers(values)?)),
                 "WCO" => offset = Some(numbers(values)?),
                 // What it does to the spindle comes after them.
-                "Ov" => speeds = Speeds::of(values),
+                "Ov" => speeds = Speeds::reported(values),
                 // Buffers, rates and pins are not needed.
                 _ => {}
             }

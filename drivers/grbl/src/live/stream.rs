@@ -65,6 +65,11 @@ impl Stream {
         self.sent.front().map(|line| (line.as_str(), self.moved_at))
     }
 
+    /// What was not sent is not sent any more; what was is still answered.
+    pub fn drop_waiting(&mut self) {
+        self.waiting.clear();
+    }
+
     pub fn clear(&mut self) {
         self.waiting.clear();
         self.sent.clear();

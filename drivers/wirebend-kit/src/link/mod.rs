@@ -51,6 +51,8 @@ pub enum MachineEvent {
     /// Lines up to this one are done.
     Done(u32),
     Status(Status),
+    /// The speed override, percent: set, or asked for.
+    Speed(u8),
     /// A request has had its effect.
     Answered(Request),
     Setting {
@@ -253,7 +255,7 @@ impl Link {
             ReplyFrame::Done { n } => self.done(n, now),
             ReplyFrame::Status(status) => self.stands(status, now),
             ReplyFrame::Speed { percent } => {
-                self.events.extend(self.requests.speed(percent).map(MachineEvent::Answered));
+                self.events.extend(self.requests.speed(percent).map(|_| MachineEvent::Speed(percent)));
             }
             ReplyFrame::Value { id, value } => {
                 self.events.push(MachineEvent::Setting { id, value });

@@ -14,7 +14,7 @@ pub enum Request {
     Pause,
     /// Leave the hold.
     Resume,
-    /// Moves have so many percent of their speed.
+    /// The speed override, percent; 0 asks for it.
     Speed(u8),
     /// The head stands here, steps.
     Head(i32),
@@ -39,6 +39,7 @@ impl Request {
         match self {
             Self::Pause => "P".to_owned(),
             Self::Resume => "G".to_owned(),
+            Self::Speed(0) => "U".to_owned(),
             Self::Speed(percent) => format!("U{percent}"),
             Self::Head(steps) => format!("Z{steps}"),
             Self::Read(id) => format!("C{id}"),
@@ -107,7 +108,7 @@ impl Requests {
 
     /// The request that this speed answers.
     pub fn speed(&mut self, percent: u8) -> Option<Request> {
-        self.answered(|ask| ask == Request::Speed(percent))
+        self.answered(|ask| ask == Request::Speed(percent) || ask == Request::Speed(0))
     }
 
     /// The request with this letter that waits for its answer; it is not repeated any more.

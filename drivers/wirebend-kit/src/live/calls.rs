@@ -14,12 +14,12 @@ use crate::settings::{expected, steps};
 /// The firmware that takes where the peg comes out, 100 for 1.0.
 const APPROACHES_SINCE: u32 = 111;
 
-/// The firmware that moves in the air, 100 for 1.0.
+/// The firmware that has dry-run moves, 100 for 1.0.
 const DRY_SINCE: u32 = 112;
 /// The firmware whose speed can be changed while it runs.
 const SPEED_SINCE: u32 = 112;
 /// It goes no faster than its settings say, percent.
-const FASTEST: u8 = 100;
+pub(super) const FASTEST: u8 = 100;
 
 /// Steps that are accepted ahead of the running one. The program writes each into its journal before.
 const AHEAD: u32 = 12;
@@ -172,7 +172,7 @@ impl Machine {
     pub(super) fn renew(&mut self, id: u16, now: Duration) {
         self.link.renew(id, now);
         self.token = None;
-        self.has_speed(FASTEST);
+        self.speed_changed(FASTEST);
     }
 
     pub(super) fn rotate_steps_per_deg(&self) -> f64 {
@@ -234,7 +234,7 @@ impl Machine {
 
     fn require_since(&self, firmware: u32, what: &str) -> Result<(), DriverError> {
         match self.versions.filter(|versions| versions.firmware < firmware) {
-            Some(versions) => Err(fault::lacks(what, versions)),
+            Some(versions) => Err(fault::firmware_lacks(what, versions)),
             None => Ok(()),
         }
     }

@@ -76,7 +76,7 @@ pub(super) fn no_faster() -> DriverError {
     )
 }
 
-pub(super) fn lacks(what: &str, versions: Versions) -> DriverError {
+pub(super) fn firmware_lacks(what: &str, versions: Versions) -> DriverError {
     DriverError::new(
         "older-firmware",
         format!("firmware {}.{:02} has no {what}", versions.firmware / 100, versions.firmware % 100),
@@ -168,8 +168,8 @@ pub(super) fn refused(command: u8, error: Refusal, homing: bool) -> DriverError 
         b'H' => "to home",
         b'M' if homing => "to turn the head back",
         b'M' => "a step",
-        b'Y' => "a move in the air",
-        b'U' => "another speed",
+        b'Y' => "a dry-run move",
+        b'U' => "the speed override",
         b'S' => "a new session",
         b'Z' => "the position of the head",
         _ => "a request",

@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use wirebend_driver_api::{DoneBy, Event, HeadBy, Limits, PausedBy, ReferenceBy, ResumeState, SettingCheck};
 
+use super::calls::FASTEST;
 use super::fault;
 use super::machine::{Activity, Halt, HeadReference, Homing, Machine};
 use super::wire_progress::WireProgress;
@@ -44,7 +45,7 @@ impl Machine {
                 }
             }
             MachineEvent::Answered(Request::Write(id, _)) => drop(self.unwritten.remove(&id)),
-            MachineEvent::Answered(Request::Speed(percent)) => self.has_speed(percent),
+            MachineEvent::Speed(percent) => self.speed_changed(percent),
             MachineEvent::Answered(_) => {}
             MachineEvent::Setting { id, value } => {
                 let index = usize::from(id).wrapping_sub(1);
@@ -60,8 +61,8 @@ impl Machine {
         }
     }
 
-    /// Moves have so many percent of their speed.
-    pub(super) fn has_speed(&mut self, percent: u8) {
+    /// The speed override.
+    pub(super) fn speed_changed(&mut self, percent: u8) {
         if std::mem::replace(&mut self.speed, percent) != percent {
             self.report(Event::Speed { percent });
         }
@@ -83,6 +84,8 @@ impl Machine {
                     (Some((last, done)), Some(token)) => {
                         (self.boots, self.head) = (token.boots, HeadReference::Kept);
                         self.wire = Some(WireProgress::resumed(token, last, done));
+                        // It may be bent more slowly since before.
+                        self.link.request(Request::Speed(0));
                     }
                     // It may have started while no program was there to hear it.
                     (_, token) => {
@@ -236,6 +239,8 @@ impl Machine {
             (b'C', _) if error == Refusal::Settings => {}
             // It holds on.
             (b'G', _) if error == Refusal::HoldInput => self.report(Event::Warning(fault::hold_input())),
+            // That of an older firmware cannot be changed.
+            (b'U', Activity::Connecting) => {}
             // It goes on as fast as before.
             (b'U', _) => self.report(Event::Warning(fault::refused(command, error, false))),
             // It has fewer settings than this driver knows.
@@ -342,6 +347,9 @@ impl Machine {
     pub fn settle(&mut self) {
         if self.has_finished() {
             (self.activity, self.wire) = (Activity::Idle, None);
+            if self.speed != FASTEST {
+                self.link.request(Request::Speed(FASTEST));
+            }
             self.report(Event::Finished);
         }
     }

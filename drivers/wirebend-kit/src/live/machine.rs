@@ -111,7 +111,7 @@ pub(super) struct Machine {
     pub(super) boots: u32,
     /// The controller's settings as far as they were read; nothing where it says that they are damaged.
     pub(super) read: [Option<i32>; SETTINGS.len()],
-    /// How fast its moves are, percent.
+    /// The speed override, percent.
     pub(super) speed: u8,
     /// Values that the controller has refused.
     pub(super) unwritten: BTreeMap<u8, (i32, Refusal)>,

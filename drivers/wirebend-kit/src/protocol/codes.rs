@@ -12,13 +12,13 @@ pub enum Command {
     Query = b'Q',
     /// Line n: feeds, rotates, then bends. All in steps: feed and rotation are relative, the bend goes from zero to its angle and back. The peg comes out at `approach`, a position of the other sign than the bend, or at the near side where that is farther; it may be left out, and is since firmware 1.11.
     Move = b'M',
-    /// Line n: the same in the air. The peg stays in, the bend axis goes to its angle and back, and each axis moves at a quarter of its speed. Since firmware 1.12.
+    /// Line n: a dry-run move. As a move, but the peg stays in, the bend axis goes to its angle and back, and each axis moves at a quarter of its speed, not below 31 steps/s. Since firmware 1.12.
     Dry = b'Y',
     /// Line n: homes the bend axis, then moves it to zero.
     Home = b'H',
     /// Line n: the peg in (0) or out (1).
     Peg = b'K',
-    /// Moves that begin from now on have so many percent of their speed, 10 to 100; homing has its own. A new session begins with 100. Since firmware 1.12.
+    /// Sets the speed override: moves that begin from now on have so many percent of their speed, 10 to 100. Without a number, or with 0, it is asked for. Homing has speeds of its own. A new session begins with 100. Since firmware 1.12.
     Speed = b'U',
     /// Feed hold: slows down and holds.
     Pause = b'P',
@@ -80,7 +80,7 @@ pub enum Reply {
     Status = b't',
     /// A setting.
     Value = b'v',
-    /// Moves have so many percent of their speed.
+    /// The speed override, percent.
     Speed = b'i',
     /// Stopped with this alarm; also the answer to STOP.
     Alarm = b'x',

@@ -77,7 +77,7 @@ pub enum ReplyFrame {
         command: Option<u8>,
     },
     Status(Status),
-    /// Moves have so many percent of their speed.
+    /// The speed override.
     Speed {
         percent: u8,
     },

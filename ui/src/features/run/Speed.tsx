@@ -22,7 +22,7 @@ export function Speed({ percent, why }: { readonly percent: number; readonly why
       >
         −
       </Button>
-      <output aria-label="Speed">{percent} %</output>
+      <output aria-label="Speed override">{percent} %</output>
       <Button
         small
         aria-label="Faster"

@@ -128,9 +128,9 @@ export function Wire({ state }: { readonly state: MachineState }) {
       </div>
       {!under && (
         <Button
-          why={despite && all.dryRun === all.noWire ? null : all.dryRun}
+          why={(despite && all.dryRun === all.noWire ? null : all.dryRun) ?? needsAccept}
           title="Every move of the wire at a quarter of its speed, without wire and with the peg in"
-          onClick={() => void order({ order: "dry-run", wire, despite_errors: despite })}
+          onClick={() => void order({ order: "dry-run", wire, accept_settings: accept, despite_errors: despite })}
         >
           Dry run…
         </Button>

@@ -60,7 +60,7 @@ const BECAUSE: Readonly<Record<Because, string>> = {
 /** The same of what a machine's driver cannot do, where there is more to say. */
 const UNABLE: Readonly<Partial<Record<OrderName, string>>> = {
   pause: "This machine cannot pause.",
-  "dry-run": "This machine cannot move with the peg in: it has no dry run.",
+  "dry-run": "This machine's driver has no dry run.",
   "write-settings": "This machine's settings cannot be written from here.",
 };
 

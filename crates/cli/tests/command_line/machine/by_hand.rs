@@ -47,7 +47,7 @@ fn a_dry_run_makes_the_moves_of_one_wire() {
     assert_fits("dry-run", &made);
     assert_eq!(json!(made["made"].as_array().unwrap().len()), made["of"]);
     let said = dry(&[]).ended(2).err;
-    for words in ["no wire may be in the machine", "the peg stays in", "--yes"] {
+    for words in ["remove the wire from the machine", "the peg stays in", "--yes"] {
         assert!(said.contains(words), "{words}: {said}");
     }
     let said = dry(&["--yes", "--wire", "2"]).ended(2).err;

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use serde_json::json;
 use table::Table;
-use wirebend_driver_api::{Axis, Event, HeadBy, Motion, PausedBy, Step};
+use wirebend_driver_api::{Axis, Direction, Event, HeadBy, Motion, PausedBy, Step};
 
 #[test]
 fn a_machine_is_met_homed_and_armed() {
@@ -89,19 +89,45 @@ fn a_fast_machine_that_is_looked_at_rarely_does_not_hold() {
     assert!((table.position().feed_mm - 200.0).abs() < 0.1);
 }
 
-/// What a dry run is for: the machine does it all, and nothing happens to wire that is not there. Each move ends as a jog does.
+/// A jog of the bend axis would bend a wire, were there one. In a dry run the peg stays in, and the axis is at zero in the end.
 #[test]
-fn a_dry_bend_ends_at_zero() {
+fn a_move_of_a_dry_run_is_sent_as_one() {
     let mut table = Table::new(json!({}));
     table.connected();
     table.home();
-    table.jog(Motion { dry: true, ..Motion::new(Axis::Rotate, 90.0) });
-    table.seen.clear();
-    table.jog(Motion { dry: true, ..Motion::new(Axis::Bend, -80.0) });
+    let sent = |table: &mut Table, motion: Motion| -> Vec<char> {
+        table.seen.clear();
+        table.jog(motion);
+        let lines = table.seen.iter().filter_map(|event| match event {
+            Event::Console { direction: Direction::ToMachine, text } => text.chars().next(),
+            _ => None,
+        });
+        lines.filter(|letter| matches!(letter, 'M' | 'Y')).collect()
+    };
+    let dry = |axis, by| Motion { dry: true, ..Motion::new(axis, by) };
+    assert_eq!(sent(&mut table, Motion::new(Axis::Bend, 30.0)), ['M']);
+    assert_eq!(sent(&mut table, dry(Axis::Rotate, 90.0)), ['Y']);
+    assert_eq!(sent(&mut table, dry(Axis::Bend, -80.0)), ['Y']);
     let at = table.position();
     assert!(at.bend_deg.abs() < 1e-9 && (at.rotate_deg - 90.0).abs() < 0.03, "{at:?}");
-    let refused = table.session.jog(Motion { dry: true, ..Motion::new(Axis::Bend, 500.0) }).unwrap_err();
+    let refused = table.session.jog(dry(Axis::Bend, 500.0)).unwrap_err();
     assert_eq!(refused.code, "beyond");
+}
+
+/// A wire that was slowed down does not slow down what comes after it.
+#[test]
+fn the_speed_override_ends_with_its_wire() {
+    let mut table = Table::new(json!({}));
+    table.connected();
+    table.home();
+    let steps = cube(true);
+    table.arm(0, u32::try_from(steps.len()).unwrap(), 0.0);
+    assert_eq!(table.session.set_speed(150).unwrap_err().code, "no-faster");
+    table.session.set_speed(40).unwrap();
+    table.until(|event| *event == Event::Speed { percent: 40 });
+    table.send(&steps);
+    table.until(|event| *event == Event::Finished);
+    table.until(|event| *event == Event::Speed { percent: 100 });
 }
 
 /// Homing turns the head back, so that the next wire starts from zero.

@@ -6,7 +6,7 @@ use wirebend_tests_firmware::{Ram, ResetCause};
 use crate::controller::talk::{ANSWER_MS, SESSION, Talk};
 use wirebend_tests_firmware::board::{Avr, Board, Host, What};
 
-/// Protocol 1, firmware 1.11, machine 1, the cause, and how often it has started.
+/// Protocol 1, firmware 1.12, machine 1, the cause, and how often it has started.
 fn boot(cause: u8, boots: u32) -> String {
     format!("b1,112,1,{cause},{boots}")
 }

@@ -1,4 +1,4 @@
-//! Lines in the air: the peg stays in, the axis goes there and back, and everything is four times as slow.
+//! Dry-run moves: the peg stays in, the axis goes there and back, and everything has a quarter of its speed.
 
 use wirebend_driver_wirebend_kit::protocol::Alarm;
 use wirebend_tests_firmware::board::{Avr, BEND, Board, HZ, Host, Observation, What};
@@ -32,7 +32,7 @@ fn pulses(seen: &[Observation], wanted: usize) -> (usize, usize, u64) {
     (forward, of_axis.len() - forward, apart[apart.len() / 2])
 }
 
-fn in_the_air<B: Board>() {
+fn slow<B: Board>() {
     let (wire, dry) = (done::<B>("M2,4000,-2000,1400"), done::<B>("Y2,4000,-2000,1400"));
     // With the setting of its speed.
     for (axis, setting, forward, backward) in
@@ -50,9 +50,9 @@ fn in_the_air<B: Board>() {
 }
 
 #[test]
-fn a_line_in_the_air_is_slow_and_leaves_the_peg_in() {
-    in_the_air::<Avr>();
-    in_the_air::<Host>();
+fn a_dry_run_move_is_slow_and_leaves_the_peg_in() {
+    slow::<Avr>();
+    slow::<Host>();
 }
 
 /// What was out by hand comes in first.
@@ -71,7 +71,7 @@ fn takes_the_peg_in<B: Board>() {
 }
 
 #[test]
-fn a_peg_that_is_out_goes_in_before_a_line_in_the_air() {
+fn a_peg_that_is_out_goes_in_before_a_dry_run_move() {
     takes_the_peg_in::<Avr>();
     takes_the_peg_in::<Host>();
 }
@@ -94,7 +94,7 @@ fn refused<B: Board>() {
 }
 
 #[test]
-fn a_line_in_the_air_keeps_to_the_limits() {
+fn a_dry_run_move_keeps_to_the_limits() {
     refused::<Avr>();
     refused::<Host>();
 }
@@ -121,7 +121,7 @@ fn held_and_stopped<B: Board>() {
 }
 
 #[test]
-fn a_line_in_the_air_is_held_and_stopped_as_any_other() {
+fn a_dry_run_move_is_held_and_stopped_as_any_other() {
     held_and_stopped::<Avr>();
     held_and_stopped::<Host>();
 }

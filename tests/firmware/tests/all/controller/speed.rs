@@ -34,10 +34,13 @@ fn slower<B: Board>() {
         assert_eq!(talk.asked(&format!("U{percent}")), [format!("i{percent}")], "{}", B::NAME);
         assert_eq!(feed(&mut talk, 'M', n), percent, "{}", B::NAME);
     }
-    // A quarter of that in the air.
+    for asked in ["U", "U0"] {
+        assert_eq!(talk.asked(asked), ["i30"], "{}: {asked}", B::NAME);
+    }
+    // A quarter of that in a dry run.
     let dry = feed(&mut talk, 'Y', 7);
     assert!((7..=8).contains(&dry), "{}: {dry} %", B::NAME);
-    for refused in ["U9", "U101", "U", "U50,1"] {
+    for refused in ["U9", "U101", "U-50", "U50,1"] {
         assert_eq!(talk.asked(refused), ["e2,8,85"], "{}: {refused}", B::NAME);
     }
     // The same session once more changes nothing; a new one begins with full speed.
@@ -47,6 +50,27 @@ fn slower<B: Board>() {
     assert_eq!(feed(&mut talk, 'M', 8), 30, "{}", B::NAME);
     talk.begin_session(SESSION + 1);
     assert_eq!(feed(&mut talk, 'M', 1), 100, "{}", B::NAME);
+}
+
+/// What is under way keeps its speed, held and resumed too: a person who wants it slower at once presses pause.
+fn a_move_under_way<B: Board>() {
+    let mut talk = Talk::<B>::homed();
+    let rate: u64 = talk.asked(&format!("C{FEED_RATE}"))[0][3..].parse().unwrap();
+    let from = talk.table.seen.len();
+    talk.say("M2,20000,0,0");
+    talk.wait(300);
+    talk.asked("U20");
+    talk.say("P");
+    talk.wait(1000);
+    talk.say("G");
+    assert!(talk.done(2, 60_000), "{}", B::NAME);
+    assert_eq!(percent_of(&talk, from, rate), 100, "{}", B::NAME);
+}
+
+#[test]
+fn a_move_under_way_keeps_its_speed() {
+    a_move_under_way::<Avr>();
+    a_move_under_way::<Host>();
 }
 
 #[test]
