@@ -45,11 +45,14 @@ impl TimeModel {
     pub fn step_seconds(&self, told: &Step, detour: Angle) -> StepSeconds {
         let bends = told.bend != Angle::ZERO;
         let fixed = if bends { self.fixed_per_bend_s } else { 0.0 };
+        let detour = 2.0 * detour.abs().deg() / self.bend_deg_per_s;
+        // A machine whose bends take no time besides does not wait for its peg.
+        let (wait, way) = if fixed > 0.0 { (fixed + detour, 0.0) } else { (0.0, detour) };
         StepSeconds {
             feed: told.feed.abs().mm() / self.feed_mm_per_s,
             rotate: told.rotate.abs().deg() / self.rotate_deg_per_s,
-            bend: if bends { self.bend_seconds(told.bend) - fixed } else { 0.0 },
-            wait: fixed + 2.0 * detour.abs().deg() / self.bend_deg_per_s,
+            bend: if bends { self.bend_seconds(told.bend) - fixed + way } else { 0.0 },
+            wait,
         }
     }
 

@@ -243,8 +243,10 @@ impl CompensatedProgram {
     #[must_use]
     pub fn peg_comes_out(&self, step: usize) -> Option<Angle> {
         let bend = self.steps.get(step).map(|step| step.bend).filter(|bend| *bend != Angle::ZERO)?;
-        let on_straight = Angle::computed(-bend.signum() * self.near_side?.rad());
-        Some(self.approaches.get(step).copied().flatten().unwrap_or(on_straight))
+        let near_side = self.near_side?;
+        let approach = self.approaches.get(step).copied().flatten().map_or(near_side, Angle::abs);
+        // No nearer to zero than a machine has it come out by itself.
+        Some(Angle::computed(-bend.signum() * approach.rad().max(near_side.rad())))
     }
 
     /// How much farther from zero that is than beside straight wire.
