@@ -42,14 +42,14 @@ pub enum Call {
     Send(Batch),
     /// Moves one axis. Reply: `{}`; then `jogged` or `fault`. On a machine that bends with a peg, a jog of the
     /// bend axis is a whole bend: the peg comes out, the axis goes there and back, the peg goes in. Of a dry run
-    /// it is that in the air: the peg stays in.
+    /// it is that with the peg in.
     Jog(Motion),
     /// Holds. Reply: `{}`; then `paused`.
     Pause,
     /// Resumes. Reply: `{}`; then `resumed`.
     Resume,
     /// Sets the speed override, percent of the programmed speeds: [`SPEEDS`]. It takes effect as soon as the machine can, at the
-    /// next move at the latest. Refused where the machine goes no faster. Reply: `{}`; then `speed` where it changes.
+    /// latest with its next moves. Refused where the machine goes no faster. Reply: `{}`; then `speed` where it changes.
     /// A wire begins and ends with 100: the driver sees to that. Since 1.5.
     Speed {
         /// The override, percent.

@@ -50,7 +50,7 @@ pub enum Capability {
     Ports,
     /// Writes its settings to the machine. Since 1.1.
     Settings,
-    /// Does the moves of a wire in the air: see [`Motion::dry`](crate::Motion::dry). Since 1.5.
+    /// Makes dry runs: see [`Motion::dry`](crate::Motion::dry). Since 1.5.
     DryRun,
     /// Changes its speed while it runs. Since 1.5.
     Speed,

@@ -35,7 +35,7 @@ pub enum OrderName {
     Abandon,
     /// Replays recorded moves.
     Replay,
-    /// Makes the moves of one of the open design's wires in the air, slowly: without wire, the peg in.
+    /// Makes the moves of a wire of the open design or file with no wire loaded, slowly, the peg in.
     DryRun,
     /// Sets the machine as its profile says, for good. Nothing moves for it, and it has to be homed afterwards.
     WriteSettings,

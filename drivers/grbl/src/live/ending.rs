@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use wirebend_driver_api::{DriverError, Event};
+use wirebend_driver_api::{DriverError, Event, PausedBy};
 
 use super::interrupted::{InterruptedStep, StoppedBy};
 use super::phase::{Phase, Reset};
@@ -50,11 +50,15 @@ impl Protocol {
     }
 
     pub(super) fn jogged(&mut self) {
-        if let Phase::Jogging { stopping: None, row } = &self.phase
+        if let Phase::Jogging { stopping: None, row } = &mut self.phase
             && let Err(error) = row.arrived(&self.machine, &self.settings)
         {
-            self.phase = Phase::Ready;
-            return self.fault(error);
+            // A report may have been damaged itself: wait for the next one.
+            if std::mem::replace(&mut row.displaced, true) {
+                (self.phase, self.machine.homed) = (Phase::Ready, false);
+                self.fault(error);
+            }
+            return;
         }
         if self.jog_on() {
             return;
@@ -62,6 +66,15 @@ impl Protocol {
         let stopping = matches!(self.phase, Phase::Jogging { stopping: Some(_), .. });
         self.phase = Phase::Ready;
         self.event(if stopping { Event::Stopped { homed: self.machine.homed } } else { Event::Jogged });
+    }
+
+    /// A feed hold between the parts of a jog, or an open door: it does not end by itself.
+    pub(super) fn jog_held(&mut self, state: State) {
+        let Phase::Jogging { row, .. } = &mut self.phase else { return };
+        let holds = matches!(state, State::Hold { at_rest: true } | State::Door { at_rest: true });
+        if holds && !std::mem::replace(&mut row.held, true) {
+            self.event(Event::Paused { by: PausedBy::Machine });
+        }
     }
 
     /// Sends the next part of a jog, if there is one.

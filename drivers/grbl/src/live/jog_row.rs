@@ -18,6 +18,10 @@ pub(super) struct JogRow {
     /// Where they stand once what was sent is done.
     end: [f64; 3],
     moves: u32,
+    /// The last report had the axes elsewhere.
+    pub displaced: bool,
+    /// It was reported that the machine holds.
+    pub held: bool,
 }
 
 impl JogRow {
@@ -34,13 +38,13 @@ impl JogRow {
     /// The lines of the next part.
     pub fn next(&mut self) -> Option<Vec<String>> {
         let (lines, end) = self.parts.pop_front()?;
-        self.end = end;
+        (self.end, self.displaced) = (end, false);
         self.moves += 1;
         Some(lines)
     }
 
-    /// Refuses to go on if the axes are not where the lines that were sent end: a feed hold or a door ends a jog, and the machine
-    /// is idle then as after a whole one.
+    /// Refuses to go on if the axes are not where the lines that were sent end: a feed hold ends a jog, and the machine is idle then
+    /// as after a whole one.
     pub fn arrived(&self, machine: &Machine, settings: &Settings) -> Result<(), DriverError> {
         let standing = machine.reported(settings);
         let (Some(began), Some(standing)) = (&self.began, standing) else { return Ok(()) };
@@ -49,7 +53,7 @@ impl JogRow {
             Some(_) => Err(DriverError::new(
                 "jog-ended",
                 "the move was ended at the machine before the axis was where it was sent",
-                "see whether its feed hold was pressed or its door opened, then home it",
+                "see whether its feed hold was pressed, then home it",
             )),
         }
     }

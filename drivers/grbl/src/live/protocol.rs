@@ -175,13 +175,18 @@ impl Protocol {
             {
                 self.alarm(0);
             }
-            Phase::Jogging { stopping: None, .. } => self.watch_answer(state),
+            Phase::Jogging { stopping: None, .. } => {
+                self.jog_held(state);
+                self.watch_answer(state);
+            }
             Phase::Jogging { stopping: Some(_), .. } if state == State::Jog => self.cancel_jog(),
             Phase::Running(_) => self.wire_reported(state, before, rests),
             Phase::Halting { .. } if counts => self.halted(state),
             Phase::Resetting(reset) if reset.greeted => self.settled(state),
             _ => {}
         }
+        // After what the report leads to: a wire that ends with it has its speed restored.
+        self.steer();
     }
 
     /// Reports where the axes are, where that is known and was not reported.

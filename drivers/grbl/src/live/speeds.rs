@@ -12,8 +12,10 @@ const RAPID_HALF: u8 = 0x96;
 const RAPID_QUARTER: u8 = 0x97;
 /// From here on a step of ten and some of one back are fewer than steps of one alone.
 const COARSE: i32 = 6;
-/// A report that was under way when a step was sent, and one in which it may not show yet.
-pub(super) const REPORTS: u8 = 3;
+/// A report that was under way when a step was sent, one in which it may not show yet, and as many again.
+pub(super) const REPORTS: u8 = 5;
+/// What rapid moves can have.
+const RAPIDS: [u8; 3] = [25, 50, 100];
 
 /// How fast it is, percent of what the program says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,14 +35,14 @@ impl Speeds {
         Some(Self { feed: values.next()?.ok()?, rapid: values.next()?.ok()? })
     }
 
-    /// What the machine can do of a speed that is asked for; never faster.
-    pub fn nearest(percent: u8) -> Self {
-        let rapid = match percent {
-            100.. => 100,
-            50.. => 50,
-            _ => 25,
+    /// What the machine can do of a speed that is asked for. Of rapid moves the next one in that direction.
+    pub fn nearest(self, percent: u8) -> Self {
+        let rapid = if percent > self.rapid {
+            RAPIDS.into_iter().find(|rapid| *rapid >= percent)
+        } else {
+            RAPIDS.into_iter().rev().find(|rapid| *rapid <= percent).or(Some(RAPIDS[0]))
         };
-        Self { feed: percent, rapid }
+        Self { feed: percent, rapid: rapid.unwrap_or(FULL.rapid) }
     }
 
     /// That of the moves of a program.
@@ -76,8 +78,10 @@ impl Speeds {
 pub(super) struct SpeedOverride {
     /// What the machine has; none before it has said so or was told all of it.
     pub now: Option<Speeds>,
+    /// Whether its reports have it at all: that is chosen where grbl is compiled.
+    pub reported: bool,
     pub wanted: Option<Speeds>,
-    /// How many more reports may come without the effect of the step that was sent.
+    /// How many more reports may come without the effect of the step that was sent; 0 where none is on its way.
     pub awaited: u8,
     /// What was reported to the program.
     pub told: u8,
@@ -85,13 +89,13 @@ pub(super) struct SpeedOverride {
 
 impl Default for SpeedOverride {
     fn default() -> Self {
-        Self { now: None, wanted: None, awaited: 0, told: 100 }
+        Self { now: None, reported: false, wanted: None, awaited: 0, told: 100 }
     }
 }
 
 impl SpeedOverride {
     /// A reset ends it.
     pub fn was_reset(&mut self) {
-        (self.now, self.wanted) = (Some(FULL), None);
+        (self.now, self.wanted, self.awaited) = (Some(FULL), None, 0);
     }
 }

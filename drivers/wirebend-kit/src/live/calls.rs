@@ -5,7 +5,7 @@ use std::time::Duration;
 use wirebend_driver_api::{ArmedReply, Axis, Batch, DriverError, Motion, Run, Sent, Step};
 
 use super::fault;
-use super::machine::{Activity, Halt, Homing, Machine, session_id};
+use super::machine::{Activity, FASTEST, Halt, Homing, Machine, session_id};
 use super::wire_progress::{Token, WireProgress};
 use crate::link::Request;
 use crate::protocol::{SETTINGS, State};
@@ -18,8 +18,6 @@ const APPROACHES_SINCE: u32 = 111;
 const DRY_SINCE: u32 = 112;
 /// The firmware whose speed can be changed while it runs.
 const SPEED_SINCE: u32 = 112;
-/// It goes no faster than its settings say, percent.
-pub(super) const FASTEST: u8 = 100;
 
 /// Steps that are accepted ahead of the running one. The program writes each into its journal before.
 const AHEAD: u32 = 12;
@@ -132,6 +130,7 @@ impl Machine {
         if percent > FASTEST {
             return Err(fault::no_faster());
         }
+        self.wanted_speed = percent;
         self.link.request(Request::Speed(percent));
         Ok(())
     }
@@ -172,6 +171,7 @@ impl Machine {
     pub(super) fn renew(&mut self, id: u16, now: Duration) {
         self.link.renew(id, now);
         self.token = None;
+        self.wanted_speed = FASTEST;
         self.speed_changed(FASTEST);
     }
 

@@ -4,9 +4,8 @@ use std::time::Duration;
 
 use wirebend_driver_api::{DoneBy, Event, HeadBy, Limits, PausedBy, ReferenceBy, ResumeState, SettingCheck};
 
-use super::calls::FASTEST;
 use super::fault;
-use super::machine::{Activity, Halt, HeadReference, Homing, Machine};
+use super::machine::{Activity, FASTEST, Halt, HeadReference, Homing, Machine};
 use super::wire_progress::WireProgress;
 use crate::limits;
 use crate::link::{MachineEvent, Request};
@@ -347,7 +346,9 @@ impl Machine {
     pub fn settle(&mut self) {
         if self.has_finished() {
             (self.activity, self.wire) = (Activity::Idle, None);
-            if self.speed != FASTEST {
+            // The answer to what was asked for last may still be on its way.
+            if self.speed != FASTEST || self.wanted_speed != FASTEST {
+                self.wanted_speed = FASTEST;
                 self.link.request(Request::Speed(FASTEST));
             }
             self.report(Event::Finished);

@@ -13,6 +13,9 @@ use crate::link::Link;
 use crate::protocol::{Alarm, Refusal, SETTINGS, Status, Versions};
 use crate::settings::Settings;
 
+/// It goes no faster than its settings say, percent.
+pub(super) const FASTEST: u8 = 100;
+
 /// 0 and 65535 are not sessions.
 const LAST_SESSION: u16 = 0xFFFE;
 
@@ -111,8 +114,9 @@ pub(super) struct Machine {
     pub(super) boots: u32,
     /// The controller's settings as far as they were read; nothing where it says that they are damaged.
     pub(super) read: [Option<i32>; SETTINGS.len()],
-    /// The speed override, percent.
+    /// The speed override, percent: as it is, and as it was asked for.
     pub(super) speed: u8,
+    pub(super) wanted_speed: u8,
     /// Values that the controller has refused.
     pub(super) unwritten: BTreeMap<u8, (i32, Refusal)>,
     pub(super) status: Option<Status>,
@@ -148,7 +152,8 @@ impl Machine {
             versions: None,
             boots: 0,
             read: [None; SETTINGS.len()],
-            speed: 100,
+            speed: FASTEST,
+            wanted_speed: FASTEST,
             unwritten: BTreeMap::new(),
             status: None,
             told: None,
