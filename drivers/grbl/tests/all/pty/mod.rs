@@ -204,6 +204,24 @@ fn a_stop_halts_what_moves() {
     assert!((told - (record.at[0] - 5.0)).abs() < 0.01, "told {told}, made {:?}", record.at);
 }
 
+/// Two bytes that come between two turns of its loop count once: were they not sent one after the other, it would stand at 90 %.
+#[test]
+fn a_wire_has_the_speed_that_is_asked_for() {
+    let mut bench = bench(json!({}));
+    let session = bench.session.as_mut();
+    connected_and_homed(session);
+    arm_and_send(session, &LONG);
+    until_moved(session, 10.0);
+    for percent in [72, 100, 130] {
+        session.set_speed(percent).unwrap();
+        until(session, |event| *event == Event::Speed { percent });
+    }
+    session.stop().unwrap();
+    until(session, |event| matches!(event, Event::Stopped { .. }));
+    drop(bench.session);
+    bench.model.end();
+}
+
 /// Polls until the wire has been fed so far.
 fn until_moved(session: &mut dyn MachineSession, least_mm: f64) {
     let begin = Instant::now();

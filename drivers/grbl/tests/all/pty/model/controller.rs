@@ -17,6 +17,9 @@ const ALARM: Duration = Duration::from_millis(500);
 /// A report has `WCO:` so often (`REPORT_WCO_REFRESH_IDLE_COUNT`, `_BUSY_COUNT`).
 const OFFSET_IDLE: u32 = 10;
 const OFFSET_BUSY: u32 = 30;
+/// The same of the overrides.
+const OVERRIDE_IDLE: u32 = 10;
+const OVERRIDE_BUSY: u32 = 20;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum State {
@@ -60,6 +63,11 @@ pub struct Controller<P> {
     /// G92.
     pub offset: [f64; 3],
     pub until_offset: u32,
+    /// Percent of the feed rate.
+    feed_override: u8,
+    /// Which of the bytes from 0x90 on have come since the turn before; not how often.
+    override_flags: u8,
+    until_override: u32,
     /// Where the axes really stand.
     pub really: [f64; 3],
     /// With the pin out, the farthest that the bend axis has really been.
@@ -87,6 +95,9 @@ impl<P: Read + Write> Controller<P> {
             planned: [0.0; 3],
             offset: [0.0; 3],
             until_offset: 0,
+            feed_override: 100,
+            override_flags: 0,
+            until_override: 0,
             really: [0.0; 3],
             farthest: None,
             asked: false,
@@ -108,6 +119,7 @@ impl<P: Read + Write> Controller<P> {
         let events = Arc::clone(&self.events);
         self.really = events.tell(self.at.map(units), self.farthest.is_some(), self.record.resets);
         self.receive();
+        self.override_feed();
         if Events::takes(&events.power) {
             self.start_anew();
         }
@@ -140,6 +152,7 @@ impl<P: Read + Write> Controller<P> {
         self.waiting = None;
         self.planner.clear();
         (self.relative, self.offset, self.until_offset) = (false, [0.0; 3], 0);
+        (self.feed_override, self.override_flags, self.until_override) = (100, 0, 0);
         (self.reset_asked, self.asked) = (false, false);
         self.planned = self.at.map(units);
         self.farthest = None;
@@ -196,16 +209,35 @@ impl<P: Read + Write> Controller<P> {
                 b'?' => self.asked = true,
                 b'!' if matches!(self.state, State::Run | State::Idle) => self.state = State::Hold,
                 b'~' if self.state == State::Hold => self.state = State::Idle,
-                b'!' | b'~' => {}
                 0x18 => {
                     self.record.resets += 1;
                     self.kill(None);
                     self.reset_asked = true;
                 }
+                0x90..=0x97 => self.override_flags |= 1 << (byte - 0x90),
+                // A real-time command that it does not know is no part of a line.
+                b'!' | b'~' | 0x80.. => {}
                 _ => self.received.push_back(byte),
             }
         }
         self.record.overflowed |= self.received.len() > RECEIVE_BUFFER;
+    }
+
+    /// Each once, however often it came: all of it, ten more and less, one more and less.
+    fn override_feed(&mut self) {
+        let flags = std::mem::take(&mut self.override_flags);
+        let before = self.feed_override;
+        if flags & 1 != 0 {
+            self.feed_override = 100;
+        }
+        for (flag, by) in [(1, 10), (2, -10), (3, 1), (4, -1)] {
+            if flags & 1 << flag != 0 {
+                self.feed_override = self.feed_override.saturating_add_signed(by).clamp(10, 200);
+            }
+        }
+        if self.feed_override != before {
+            self.until_override = 0;
+        }
     }
 
     /// Whether an alarm or a reset keeps it from its lines. A report that was asked for meanwhile is not written.
@@ -239,7 +271,7 @@ impl<P: Read + Write> Controller<P> {
             return;
         }
         let Some(&target) = self.planner.front() else { return };
-        let most = self.build.steps_a_turn;
+        let most = (self.build.steps_a_turn * i64::from(self.feed_override) / 100).max(1);
         for (at, target) in self.at.iter_mut().zip(target) {
             *at += (target - *at).clamp(-most, most);
         }
@@ -260,15 +292,19 @@ impl<P: Read + Write> Controller<P> {
             state => format!("{state:?}"),
         };
         let [x, y, z] = self.at.map(units);
-        let offset = if self.until_offset == 0 {
+        let field = if self.until_offset == 0 {
             self.until_offset = if self.state == State::Run { OFFSET_BUSY } else { OFFSET_IDLE };
             let [x, y, z] = self.offset;
             format!("|WCO:{x:.3},{y:.3},{z:.3}")
+        } else if self.until_override == 0 {
+            self.until_override = if self.state == State::Run { OVERRIDE_BUSY } else { OVERRIDE_IDLE };
+            format!("|Ov:{},100,100", self.feed_override)
         } else {
             String::new()
         };
         self.until_offset -= 1;
-        self.say(&format!("<{name}|MPos:{x:.3},{y:.3},{z:.3}|FS:0,0{offset}>"));
+        self.until_override = self.until_override.saturating_sub(1);
+        self.say(&format!("<{name}|MPos:{x:.3},{y:.3},{z:.3}|FS:0,0{field}>"));
     }
 }
 
