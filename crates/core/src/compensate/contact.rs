@@ -10,6 +10,7 @@ use nalgebra::{Point2, Point3, Vector2, Vector3};
 
 use super::feed::corner;
 use super::setback::PegGeometry;
+use super::shape::{Orbit, Shape};
 use crate::bend::Frame;
 use crate::units::{Angle, Length};
 
@@ -50,22 +51,6 @@ pub(super) struct Piece {
     pub shape: Shape,
     /// Whether a bend of another plane or to the other side is between it and the leg, or is this piece.
     pub past_other: bool,
-}
-
-#[derive(Debug, Clone, Copy)]
-pub(super) enum Shape {
-    Line {
-        from: Point2<f64>,
-        along: Vector2<f64>,
-        length: f64,
-    },
-    /// `begin` points from the centre to where the arc begins; it goes on by `sweep` radians.
-    Arc {
-        centre: Point2<f64>,
-        radius: f64,
-        begin: f64,
-        sweep: f64,
-    },
 }
 
 /// So long before it touches the wire the peg comes out: the firmware's 18.25° are 5° before the 13.25° of the published head.
@@ -316,87 +301,3 @@ impl PegGeometry {
 /// The peg finds no room beside the wire.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct NoRoom;
-
-/// The circle on which the peg goes.
-struct Orbit {
-    centre: Point2<f64>,
-    radius: f64,
-    /// From the centre of the peg to a centreline that it touches.
-    reach: f64,
-}
-
-impl Orbit {
-    fn at(&self, angle: f64) -> Point2<f64> {
-        self.centre + Vector2::new(angle.cos(), angle.sin()) * self.radius
-    }
-
-    /// Where the peg's centre is at a distance from a point.
-    fn at_distance(&self, point: Point2<f64>, distance: f64, mut found: impl FnMut(f64)) {
-        let away = point - self.centre;
-        let far = away.norm();
-        let cos = (self.radius.powi(2) + far.powi(2) - distance.powi(2)) / (2.0 * self.radius * far);
-        if far > 1e-12 && cos.abs() <= 1.0 {
-            let (towards, by) = (away.y.atan2(away.x), cos.acos());
-            found(towards + by);
-            found(towards - by);
-        }
-    }
-}
-
-impl Shape {
-    /// Each place on the orbit from which the peg touches this, and more.
-    fn touched_by(&self, orbit: &Orbit, mut found: impl FnMut(f64)) {
-        match *self {
-            Self::Line { from, along, length } => {
-                let normal = Vector2::new(-along.y, along.x);
-                let towards = normal.y.atan2(normal.x);
-                for side in [-orbit.reach, orbit.reach] {
-                    let cos = ((from - orbit.centre).dot(&normal) + side) / orbit.radius;
-                    if cos.abs() > 1.0 {
-                        continue;
-                    }
-                    for at in [towards + cos.acos(), towards - cos.acos()] {
-                        let foot = (orbit.at(at) - from).dot(&along);
-                        if (-1e-9..=length + 1e-9).contains(&foot) {
-                            found(at);
-                        }
-                    }
-                }
-                for end in [from, from + along * length] {
-                    orbit.at_distance(end, orbit.reach, &mut found);
-                }
-            }
-            Self::Arc { centre, radius, .. } => {
-                for distance in [radius + orbit.reach, radius - orbit.reach] {
-                    if distance > 0.0 {
-                        orbit.at_distance(centre, distance, |at| {
-                            if self.faces(orbit.at(at)) {
-                                found(at);
-                            }
-                        });
-                    }
-                }
-            }
-        }
-    }
-
-    /// Whether a point lies in the sector of an arc.
-    fn faces(&self, point: Point2<f64>) -> bool {
-        let Self::Arc { centre, begin, sweep, .. } = *self else { return true };
-        let out = point - centre;
-        let turned = (sweep.signum() * (out.y.atan2(out.x) - begin)).rem_euclid(std::f64::consts::TAU);
-        turned <= sweep.abs() + 1e-9 || turned >= std::f64::consts::TAU - 1e-9
-    }
-
-    fn distance(&self, point: Point2<f64>) -> f64 {
-        match *self {
-            Self::Line { from, along, length } => {
-                let foot = (point - from).dot(&along).clamp(0.0, length);
-                (point - (from + along * foot)).norm()
-            }
-            Self::Arc { centre, radius, .. } if self.faces(point) => ((point - centre).norm() - radius).abs(),
-            // Its ends are those of its neighbours.
-            Self::Arc { .. } => f64::INFINITY,
-        }
-    }
-}

@@ -10,6 +10,7 @@ mod feed;
 mod forming;
 mod motion;
 mod setback;
+mod shape;
 mod springback;
 
 use crate::bend::Step;
@@ -252,9 +253,8 @@ impl CompensatedProgram {
     /// How much farther from zero that is than beside straight wire.
     #[must_use]
     pub fn peg_detour(&self, step: usize) -> Angle {
-        let approach = self.approaches.get(step).copied().flatten();
-        let further = approach.zip(self.near_side).map(|(at, near_side)| at.abs() - near_side);
-        further.map_or(Angle::ZERO, |by| if by > Angle::ZERO { by } else { Angle::ZERO })
+        let comes_out = self.peg_comes_out(step).zip(self.near_side);
+        comes_out.map_or(Angle::ZERO, |(at, near_side)| at.abs() - near_side)
     }
 
     /// The bends whose peg meets wire that was bent before, where it was compensated just now.

@@ -1,6 +1,7 @@
 //! The peg on wire that is bent within its reach.
 
-use super::super::contact::{Beyond, FormedWire, Piece, Shape};
+use super::super::contact::{Beyond, FormedWire, Piece};
+use super::super::shape::Shape;
 use super::*;
 use crate::schedule::ScheduledProgram;
 use nalgebra::{Point2, Point3, Rotation3, Vector3};
