@@ -142,7 +142,8 @@ fn a_dry_run_makes_each_move_of_a_wire_without_wire() {
                 };
                 assert_ne!(letter, "M", "it would bend: {text}");
                 if letter == "Y" {
-                    let steps = fields.split(',').skip(1).map(|field| field.parse::<i64>().unwrap());
+                    let (_number, steps) = fields.split_once(',').expect("a line has moves");
+                    let steps = steps.split(',').map(|field| field.parse::<i64>().unwrap());
                     steps.enumerate().for_each(|(axis, by)| moves[axis] += i32::from(by != 0));
                 }
             }

@@ -99,7 +99,7 @@ fn a_dry_run_move_keeps_to_the_limits() {
     refused::<Host>();
 }
 
-/// It holds and resumes as any line, and a stop ends it: then the axis is homed without a way off a wire.
+/// It holds, resumes and is stopped like every other line. No wire is in the way of the peg then, so that the axis is homed at once.
 fn held_and_stopped<B: Board>() {
     let mut talk = Talk::<B>::homed();
     talk.say("Y2,0,0,1400");
