@@ -46,7 +46,7 @@ impl Protocol {
         // One from before the step that was sent has no effect of it.
         if let Some(speeds) = speeds.filter(|speeds| Some(*speeds) != self.speed.now) {
             (self.speed.now, self.speed.awaited) = (Some(speeds), 0);
-        } else if self.speed.awaited == 1 {
+        } else if self.speed.awaited == 1 && matches!(self.phase, Phase::Running(_)) {
             self.restore_full_speed();
             self.event(Event::Warning(DriverError::new(
                 "speed-not-changed",
