@@ -161,6 +161,13 @@ it("makes the pictures", async () => {
   await port.selectOption({ value: "sim:10" });
   await run.getByRole("button", { name: "Connect", exact: true }).click();
   await run.getByRole("button", { name: "Home", exact: true }).click();
+  // Until it is done with homing, arming has to wait, and a click says so alone.
+  await run.locator(".run-phase.ready").waitFor();
+  await page.waitForFunction(() =>
+    [...document.querySelectorAll("#section-run button")].some(
+      (button) => button.textContent === "Arm…" && !button.hasAttribute("aria-disabled"),
+    ),
+  );
   await run.getByRole("button", { name: "Arm…" }).click();
   await page.getByRole("button", { name: "Arm", exact: true }).click();
   await run.getByRole("button", { name: "Start", exact: true }).click();
